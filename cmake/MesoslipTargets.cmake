@@ -1,0 +1,37 @@
+# mesoslip_warnings(<target>): the warnings our own code is kept free of.
+function(mesoslip_warnings target)
+  target_compile_options(${target} PRIVATE
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wno-psabi>
+    $<$<AND:$<BOOL:${MESOSLIP_WERROR}>,$<COMPILE_LANGUAGE:CXX>>:-Werror>)
+  # No contraction across statements that differ between instruction sets, no
+  # -ffast-math: NaN must stay visible and results must not depend on the path.
+  target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-O3>)
+endfunction()
+
+# mesoslip_library(<topic> [DEALII] [DEPENDS <topic>... | <target>...])
+# One static library for each folder of lib/, named mesoslip_<topic>. DEALII makes
+# deal.II available to it; everything that depends on it must say DEALII, too.
+function(mesoslip_library topic)
+  cmake_parse_arguments(ARG "DEALII" "" "DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${topic}/*.cc)
+  set(target mesoslip_${topic})
+  add_library(${target} STATIC ${sources})
+  add_library(mesoslip::${topic} ALIAS ${target})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/lib> $<INSTALL_INTERFACE:include/mesoslip>)
+  mesoslip_warnings(${target})
+  if(ARG_DEALII)
+    deal_ii_setup_target(${target})
+  endif()
+  # deal_ii_setup_target uses the keyword-less signature, so this must, too.
+  target_link_libraries(${target} ${ARG_DEPENDS})
+endfunction()
+
+# mesoslip_program(<name>): applications/<name>/*.cc linked with the whole library.
+function(mesoslip_program name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cc)
+  add_executable(${name} ${sources})
+  mesoslip_warnings(${name})
+  deal_ii_setup_target(${name})
+  target_link_libraries(${name} ${MESOSLIP_TOPICS})
+endfunction()

@@ -1,0 +1,108 @@
+#ifndef mesoslip_grid_nodal_field_h
+#define mesoslip_grid_nodal_field_h
+
+#include <cstddef>
+#include <memory>
+
+namespace mesoslip
+{
+/**
+ * A two-component nodal field stored as a structure of arrays for the row kernels:
+ * every row starts on a cache line and is followed by at least one full vector of
+ * zeros, so that a kernel may read and write past the last node without a mask.
+ *
+ * Rows are numbered locally; a field that belongs to a slab of the grid holds the
+ * slab's node rows (ghost rows included).
+ */
+template <typename Number>
+class NodalField
+{
+public:
+  /** Doubles (floats) in 64 bytes: widest vector of the kernels. */
+  static constexpr std::size_t vector_length = 64 / sizeof(Number);
+
+  NodalField() = default;
+
+  /** @p n_columns nodes a row, @p n_rows rows, two components, all zero. */
+  NodalField(const unsigned int n_columns, const unsigned int n_rows);
+
+  NodalField(const NodalField &other);
+  NodalField(NodalField &&) noexcept = default;
+  NodalField &
+  operator=(const NodalField &other);
+  NodalField &
+  operator=(NodalField &&) noexcept = default;
+
+  /** Number of nodes in a row. */
+  unsigned int
+  n_columns() const
+  {
+    return columns;
+  }
+
+  unsigned int
+  n_rows() const
+  {
+    return rows;
+  }
+
+  /** Distance between two rows of one component, in numbers. */
+  std::size_t
+  stride() const
+  {
+    return row_stride;
+  }
+
+  /** Component @p c (0: x, 1: y) of row @p j: n_columns() values and padding. */
+  Number *
+  row(const unsigned int c, const unsigned int j)
+  {
+    return data.get() + (c * rows + j) * row_stride;
+  }
+
+  const Number *
+  row(const unsigned int c, const unsigned int j) const
+  {
+    return data.get() + (c * rows + j) * row_stride;
+  }
+
+  /** All values, padding included: for vector updates that treat every entry alike. */
+  Number *
+  begin()
+  {
+    return data.get();
+  }
+
+  const Number *
+  begin() const
+  {
+    return data.get();
+  }
+
+  std::size_t
+  size() const
+  {
+    return 2 * rows * row_stride;
+  }
+
+  void
+  set_zero();
+
+private:
+  struct Free
+  {
+    void
+    operator()(Number *p) const;
+  };
+
+  unsigned int                    columns    = 0;
+  unsigned int                    rows       = 0;
+  std::size_t                     row_stride = 0;
+  std::unique_ptr<Number[], Free> data;
+};
+
+extern template class NodalField<double>;
+extern template class NodalField<float>;
+} // namespace mesoslip
+
+#endif

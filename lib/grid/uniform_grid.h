@@ -1,0 +1,63 @@
+#ifndef mesoslip_grid_uniform_grid_h
+#define mesoslip_grid_uniform_grid_h
+
+#include <array>
+#include <cstddef>
+
+namespace mesoslip
+{
+/**
+ * A box cut into equal cells. Cells and nodes are numbered with x fastest; row
+ * means all cells (or nodes) of equal y in 2D. Lengths in metres.
+ */
+template <int dim>
+struct UniformGrid
+{
+  std::array<unsigned int, dim> cells   = {};
+  std::array<double, dim>       spacing = {};
+  std::array<double, dim>       origin  = {};
+
+  std::size_t
+  n_cells() const
+  {
+    std::size_t n = 1;
+    for (const unsigned int c : cells)
+      n *= c;
+    return n;
+  }
+
+  std::size_t
+  n_nodes() const
+  {
+    std::size_t n = 1;
+    for (const unsigned int c : cells)
+      n *= c + 1;
+    return n;
+  }
+
+  /** Length of the box along one direction (m). */
+  double
+  extent(const unsigned int direction) const
+  {
+    return cells[direction] * spacing[direction];
+  }
+
+  /** Area (2D) or volume of one cell. */
+  double
+  cell_measure() const
+  {
+    double measure = 1.;
+    for (const double h : spacing)
+      measure *= h;
+    return measure;
+  }
+
+  bool
+  operator==(const UniformGrid &other) const
+  {
+    return cells == other.cells && spacing == other.spacing && origin == other.origin;
+  }
+};
+} // namespace mesoslip
+
+#endif

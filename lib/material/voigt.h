@@ -1,0 +1,24 @@
+#ifndef mesoslip_material_voigt_h
+#define mesoslip_material_voigt_h
+
+#include <Eigen/Core>
+
+namespace mesoslip
+{
+/**
+ * Number of independent components of a symmetric tensor of rank two. Voigt order is
+ * xx, yy, xy in 2D and xx, yy, zz, yz, xz, xy in 3D; strains carry engineering shear.
+ */
+template <int dim>
+constexpr int n_voigt = dim * (dim + 1) / 2;
+
+/** Stress (Pa) or strain (engineering shear) in Voigt order. */
+template <int dim>
+using VoigtVector = Eigen::Matrix<double, n_voigt<dim>, 1>;
+
+/** Stiffness (Pa), compliance or concentration tensor; rows are contiguous. */
+template <int dim>
+using VoigtMatrix = Eigen::Matrix<double, n_voigt<dim>, n_voigt<dim>, Eigen::RowMajor>;
+} // namespace mesoslip
+
+#endif
