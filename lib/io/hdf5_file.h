@@ -1,0 +1,224 @@
+#ifndef mesoslip_io_hdf5_file_h
+#define mesoslip_io_hdf5_file_h
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** Extents of an n-dimensional array, slowest axis first; empty for a scalar. */
+using Shape = std::vector<std::size_t>;
+
+/** Stands for "any" in an expected Shape. */
+constexpr std::size_t any_extent = static_cast<std::size_t>(-1);
+
+/** "[3][41][61][2]"; an any_extent prints as "[*]". */
+std::string to_text(const Shape &shape);
+
+/** The root attributes of an exchange file. */
+struct Hdf5Header
+{
+  std::string format;
+  int version = 0;
+  int dim     = 0;
+  std::string program_version;
+  std::string digest;
+};
+
+/**
+ * One HDF5 file. A file being written has the name `<path>.part` until close() (or the
+ * destructor, unless an exception is under way) gives it its name, so that a file of the
+ * right name is complete. Only rank 0 opens files.
+ *
+ * Number types: double, float, int, unsigned int, std::int64_t, std::uint64_t,
+ * std::uint8_t; lists of strings have functions of their own. Reading converts between
+ * number types, except floating point to integer. Names are absolute paths ("/grid");
+ * missing groups are created.
+ *
+ * Every failure is a UserError that names file and dataset. The @p hint of a reading
+ * function is added when the object is missing: "was rve_homogenization run with KUBC?".
+ */
+class Hdf5File
+{
+public:
+  /** Begins a new file, replacing one of that name when closed. */
+  static Hdf5File create(const std::string &path);
+
+  /** Opens for reading. */
+  static Hdf5File open(const std::string &path, const std::string &hint = "");
+
+  /**
+   * Continues a file: `<path>.part`, as an interruption leaves it, or a completed one.
+   * truncate_rows() drops what was appended after a checkpoint.
+   */
+  static Hdf5File resume(const std::string &path, const std::string &hint = "");
+
+  Hdf5File(Hdf5File &&other) noexcept;
+  Hdf5File &operator=(Hdf5File &&other) noexcept;
+  Hdf5File(const Hdf5File &) = delete;
+  ~Hdf5File();
+
+  /** Writes what is buffered, closes, and gives a written file its final name. */
+  void close();
+
+  /** Writes what is buffered to the disk, so that a checkpoint may rely on it. */
+  void flush();
+
+  /** The final name. */
+  const std::string &path() const
+  {
+    return file_path;
+  }
+
+  /** Whether a group or dataset exists. */
+  bool exists(const std::string &name) const;
+
+  /** Names of the members of a group, sorted. */
+  std::vector<std::string> list(const std::string &group,
+                                const std::string &hint = "") const;
+
+  /** Extents of a dataset (rows still buffered included). */
+  Shape shape(const std::string &name, const std::string &hint = "") const;
+
+  void create_group(const std::string &name);
+
+  /** @name Attributes of a group or dataset @{ */
+  /** T: std::string, a number, or std::vector of numbers or strings. */
+  template <typename T>
+  void
+  write_attribute(const std::string &object, const std::string &name, const T &value);
+
+  template <typename T>
+  T read_attribute(const std::string &object,
+                   const std::string &name,
+                   const std::string &hint = "") const;
+
+  bool has_attribute(const std::string &object, const std::string &name) const;
+  /** @} */
+
+  /** @name Whole datasets @{ */
+  template <typename T>
+  void write(const std::string &name,
+             const Shape &shape,
+             const std::vector<T> &data,
+             const unsigned int compression = 0);
+
+  /** @p data holds as many numbers as the shape says. */
+  template <typename T>
+  void write(const std::string &name,
+             const Shape &shape,
+             const T *data,
+             const unsigned int compression = 0);
+
+  void write_strings(const std::string &name, const std::vector<std::string> &strings);
+
+  /**
+   * All values, row-major. A dataset of another shape than @p expected (if not empty;
+   * any_extent matches all) or with values that are not finite is an error.
+   */
+  template <typename T>
+  std::vector<T> read(const std::string &name,
+                      const Shape &expected   = {},
+                      const std::string &hint = "") const;
+
+  std::vector<std::string> read_strings(const std::string &name,
+                                        const std::string &hint = "") const;
+
+  /** Part of a dataset: @p count values from @p offset along each axis. */
+  template <typename T>
+  std::vector<T> read_block(const std::string &name,
+                            const Shape &offset,
+                            const Shape &count,
+                            const std::string &hint = "") const;
+  /** @} */
+
+  /** @name Datasets that grow along the first axis @{ */
+  /**
+   * Creates an empty dataset [0][row_shape...]. Rows are buffered and written in blocks
+   * of about a megabyte. @p compression: 0 (off) to 9.
+   */
+  template <typename T>
+  void create_extendable(const std::string &name,
+                         const Shape &row_shape,
+                         const unsigned int compression = 0);
+
+  /** Appends @p n_rows rows; T is the type it was created with. */
+  template <typename T>
+  void append(const std::string &name, const T *data, const std::size_t n_rows = 1);
+
+  /** Appends one number to a dataset [steps]. */
+  template <typename T>
+  void append(const std::string &name, const T value);
+
+  /** Keeps the first @p n_rows rows only. */
+  void truncate_rows(const std::string &name, const std::size_t n_rows);
+  /** @} */
+
+  /** Root attributes `format`, `format_version`, `dim`, `program_version`, `digest`. */
+  void write_header(const std::string &format,
+                    const int version,
+                    const int dim,
+                    const std::string &digest);
+
+  /**
+   * Checks that this is a @p format file of version 1 to @p max_version; @p dim 0
+   * accepts any. @p hint says where such a file comes from.
+   */
+  Hdf5Header check_header(const std::string &format,
+                          const int max_version,
+                          const int dim           = 0,
+                          const std::string &hint = "") const;
+
+private:
+  /** HDF5's hid_t, so that its header stays out of ours. */
+  using Id = std::int64_t;
+
+  /** An extendable dataset with rows that wait to be written. */
+  struct Extendable
+  {
+    Id dataset              = -1;
+    int type                = 0;
+    std::size_t row_bytes   = 0;
+    std::size_t buffer_rows = 1;
+    std::size_t rows        = 0;
+    Shape row_shape;
+    std::vector<char> buffer;
+  };
+
+  explicit Hdf5File(const std::string &path);
+
+  [[noreturn]] void fail(const std::string &name,
+                         const std::string &what,
+                         const std::string &hint = "") const;
+  Id open_dataset(const std::string &name, const std::string &hint) const;
+  Id open_object(const std::string &name, const std::string &hint) const;
+  void require_writable(const std::string &name) const;
+  void write_raw(const std::string &name,
+                 const Shape &shape,
+                 const int type,
+                 const void *data,
+                 const unsigned int compression);
+  void read_raw(const std::string &name,
+                const Shape *offset,
+                const Shape *count,
+                const Shape &expected,
+                const std::string &hint,
+                const int type,
+                std::vector<char> *unused,
+                void *(*allocate)(void *, std::size_t),
+                void *target) const;
+  Extendable &extendable(const std::string &name, const int type);
+  void write_buffer(const std::string &name, Extendable &dataset);
+  void release() noexcept;
+
+  std::string file_path;
+  Id file                = -1;
+  bool writable          = false;
+  int pending_exceptions = 0;
+  std::map<std::string, Extendable> extendables;
+};
+} // namespace mesoslip
+
+#endif

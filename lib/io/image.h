@@ -1,0 +1,37 @@
+#ifndef mesoslip_io_image_h
+#define mesoslip_io_image_h
+
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * A picture as whole numbers. Rows are stored from the bottom, so that y grows upwards
+ * as in the grid: value (x, y) is values[y * width + x].
+ */
+struct Image
+{
+  unsigned int width  = 0;
+  unsigned int height = 0;
+  std::vector<int> values;
+
+  int operator()(const unsigned int x, const unsigned int y) const
+  {
+    return values[static_cast<std::size_t>(y) * width + x];
+  }
+
+  /** The values that occur, in ascending order. */
+  std::vector<int> distinct_values() const;
+};
+
+/**
+ * Reads a PNG: grey levels 0 to 255 if no pixel has a colour, otherwise 0xRRGGBB for
+ * every pixel. Any other file is read as text: rows of whole numbers from the top,
+ * separated by blanks or commas, # begins a comment. @throws UserError naming file (and
+ * line).
+ */
+Image read_image(const std::string &path);
+} // namespace mesoslip
+
+#endif

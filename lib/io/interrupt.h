@@ -1,0 +1,21 @@
+#ifndef mesoslip_io_interrupt_h
+#define mesoslip_io_interrupt_h
+
+#include <string>
+
+namespace mesoslip
+{
+/**
+ * From here on SIGINT and SIGTERM ask for a stop; a second one ends the process at once
+ * with status 130. run_program() calls it.
+ */
+void install_interrupt_handlers();
+
+/** Whether a signal asked for a stop. Local to the process. */
+bool interrupt_received();
+
+/** Whether somebody put a file `terminate` into @p folder. */
+bool terminate_file_exists(const std::string &folder);
+} // namespace mesoslip
+
+#endif

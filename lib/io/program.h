@@ -1,0 +1,60 @@
+#ifndef mesoslip_io_program_h
+#define mesoslip_io_program_h
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace mesoslip
+{
+class RawParameters;
+class RunContext;
+
+/**
+ * What distinguishes one application from another. All functions are called on every
+ * rank, with the handler at its top level.
+ */
+struct Program
+{
+  /** As typed in the shell. */
+  std::string name;
+  /** One line for --help. */
+  std::string description;
+
+  /**
+   * Declares all keys. @p raw is what the .prm and --set say (empty for
+   * --print-parameters without a file) and decides optional sections.
+   * "Output folder" is declared already.
+   */
+  std::function<void(dealii::ParameterHandler &prm, const RawParameters &raw)> declare;
+
+  /**
+   * Parses and cross-checks, cheaply; always called, before anything is created.
+   * Throws UserError. May be empty.
+   */
+  std::function<void(dealii::ParameterHandler &prm)> check;
+
+  /**
+   * Prints memory, steps and the like for --validate; called after check(). Only what
+   * rank 0 writes to @p report is shown. May be empty.
+   */
+  std::function<void(dealii::ParameterHandler &prm, std::ostream &report)> estimate;
+
+  /** The work itself. */
+  std::function<void(dealii::ParameterHandler &prm, RunContext &context)> run;
+};
+
+/**
+ * The main function of an application: options, parameters, output folder, log,
+ * timings, summary.json, exit status (ExitStatus). Errors are printed once, to stderr, as
+ * `<program>: <sentence>`; nothing escapes.
+ */
+int run_program(int argc, char **argv, const Program &program);
+} // namespace mesoslip
+
+#endif

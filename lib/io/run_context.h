@@ -1,0 +1,140 @@
+#ifndef mesoslip_io_run_context_h
+#define mesoslip_io_run_context_h
+
+#include "io/lock.h"
+#include "io/progress.h"
+#include "io/timer.h"
+
+#include <mpi.h>
+
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace mesoslip
+{
+/** The command line, as far as it concerns a run. */
+struct RunOptions
+{
+  std::string program;
+  std::string prm_file;
+  std::string output_folder;
+  bool resume  = false;
+  bool quiet   = false;
+  bool profile = false;
+};
+
+/**
+ * What a run has around it: its output folder, log, progress, timings and summary.
+ * Members are called by all ranks unless said otherwise; only rank 0 writes.
+ *
+ * Include <nlohmann/json.hpp> to fill the summary.
+ */
+class RunContext
+{
+public:
+  /**
+   * Creates and locks the output folder and removes what an earlier run left there
+   * that would mislead: summary.json and `terminate`. @p original is the text of the
+   * .prm, @p effective what print_parameters() gave. @throws UserError.
+   */
+  RunContext(const RunOptions &options,
+             const MPI_Comm communicator,
+             const std::string &original,
+             const std::string &effective);
+  ~RunContext();
+  RunContext(const RunContext &)            = delete;
+  RunContext &operator=(const RunContext &) = delete;
+
+  MPI_Comm communicator() const
+  {
+    return comm;
+  }
+  int rank() const
+  {
+    return my_rank;
+  }
+  int n_ranks() const
+  {
+    return size;
+  }
+  /** Whether this is rank 0, the one that writes files with HDF5. */
+  bool root() const
+  {
+    return my_rank == 0;
+  }
+
+  const RunOptions &options() const
+  {
+    return run_options;
+  }
+  /** Whether --resume was given: continue from the checkpoint in the output folder. */
+  bool resume() const
+  {
+    return run_options.resume;
+  }
+
+  const std::string &output_folder() const
+  {
+    return run_options.output_folder;
+  }
+  /** Path of a file in the output folder. */
+  std::string file(const std::string &name) const;
+
+  /** One line to the console (unless --quiet) and log.txt. */
+  void log(const std::string &line);
+
+  /** As log(), also with --quiet, to stderr and marked as a warning. */
+  void warn(const std::string &line);
+
+  /** The progress display; start() it with the total. */
+  Progress &progress()
+  {
+    return *progress_display;
+  }
+
+  /** Nested timings: `auto scope = context.timer().scope("Operator");`. */
+  Timer &timer()
+  {
+    return run_timer;
+  }
+
+  /**
+   * Becomes summary.json. Prefilled: program, version, dim, cells, dofs (null until
+   * set), ranks; seconds and peak_memory_bytes are filled in when it is written.
+   */
+  nlohmann::json &summary()
+  {
+    return *run_summary;
+  }
+
+  /**
+   * Whether to save the state and stop: SIGINT, SIGTERM or a file `terminate` in the
+   * output folder. Collective and the same on all ranks; cheap on one rank (the file is
+   * looked for once a second), an all-reduce on several: call it every few steps.
+   */
+  bool stop_requested();
+
+  /** Writes summary.json; run_program() calls it after a successful run. */
+  void write_summary();
+
+private:
+  RunOptions run_options;
+  MPI_Comm comm;
+  int my_rank = 0;
+  int size    = 1;
+  std::unique_ptr<FolderLock> lock;
+  std::ofstream log_file;
+  std::unique_ptr<Progress> progress_display;
+  Timer run_timer;
+  std::unique_ptr<nlohmann::json> run_summary;
+  std::chrono::steady_clock::time_point next_look;
+};
+
+/** Largest resident memory of this process so far, in bytes. */
+std::size_t peak_memory_bytes();
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,91 @@
+#ifndef mesoslip_io_table_h
+#define mesoslip_io_table_h
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * A CSV file written row by row. The first line names the columns with their units,
+ * "time [s]"; numbers have the fewest digits that read back unchanged.
+ */
+class TableWriter
+{
+public:
+  /** @p columns are complete headings, such as "time [s]". */
+  TableWriter(const std::string &path, const std::vector<std::string> &columns);
+
+  /** Appends to a table with the same columns, keeping its first @p rows rows. */
+  static TableWriter resume(const std::string &path,
+                            const std::vector<std::string> &columns,
+                            const std::size_t rows);
+
+  /** One number for each column; NaN leaves the cell empty. */
+  void add_row(const std::vector<double> &values);
+
+  /** One text for each column; quoted where needed. */
+  void add_row(const std::vector<std::string> &values);
+
+  /** Writes what is buffered and checks that it was written. @throws UserError. */
+  void flush();
+
+  std::size_t n_rows() const
+  {
+    return rows;
+  }
+
+private:
+  TableWriter() = default;
+  void check_width(const std::size_t n) const;
+  void end_row();
+
+  std::string path;
+  std::size_t n_columns = 0;
+  std::size_t rows      = 0;
+  std::string buffer;
+  std::ofstream out;
+};
+
+/** A CSV file in memory. */
+class Table
+{
+public:
+  /**
+   * Reads a file with a heading line. Empty lines and lines beginning with # are
+   * skipped. @throws UserError naming file, line and column.
+   */
+  static Table read(const std::string &path);
+
+  const std::vector<std::string> &columns() const
+  {
+    return headings;
+  }
+  std::size_t n_rows() const
+  {
+    return cells.size();
+  }
+
+  bool has_column(const std::string &heading) const;
+
+  /** A column as numbers. @throws UserError for a missing column or anything not finite.
+   */
+  std::vector<double> numbers(const std::string &heading) const;
+
+  std::vector<std::string> texts(const std::string &heading) const;
+
+  /** "rectangles.csv:12: <what>" as a UserError, for checks of what the numbers mean. */
+  [[noreturn]] void fail(const std::size_t row, const std::string &what) const;
+
+private:
+  std::size_t column(const std::string &heading) const;
+
+  std::string path;
+  std::vector<std::string> headings;
+  std::vector<std::vector<std::string>> cells;
+  std::vector<unsigned int> lines;
+};
+} // namespace mesoslip
+
+#endif

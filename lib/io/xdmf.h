@@ -1,0 +1,59 @@
+#ifndef mesoslip_io_xdmf_h
+#define mesoslip_io_xdmf_h
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** The uniform grid of an XDMF file. Entries beyond dim are ignored. */
+struct XdmfGrid
+{
+  unsigned int dim                  = 2;
+  std::array<unsigned int, 3> cells = {};
+  std::array<double, 3> origin      = {};
+  std::array<double, 3> spacing     = {};
+};
+
+/** A dataset shown on it. */
+struct XdmfField
+{
+  enum class Centre
+  {
+    node,
+    cell
+  };
+  enum class Number
+  {
+    float64,
+    float32,
+    int32,
+    uint8
+  };
+
+  /** As ParaView shows it. */
+  std::string name;
+  /** HDF5 file beside the XDMF file, and the dataset in it. */
+  std::string file;
+  std::string dataset;
+  Centre centre = Centre::node;
+  Number number = Number::float64;
+  /** Length of the last axis; 0 when there is none. */
+  unsigned int components = 0;
+  /** Whether the first axis counts the times; otherwise the field is there always. */
+  bool time_series = false;
+};
+
+/**
+ * Writes a file that ParaView opens. The arrays are [time] z y x [component], as in the
+ * exchange files; @p times may be empty for fields that do not change. Fields of dim
+ * components are vectors, of other numbers single components "name_0".
+ */
+void write_xdmf(const std::string &path,
+                const XdmfGrid &grid,
+                const std::vector<XdmfField> &fields,
+                const std::vector<double> &times = {});
+} // namespace mesoslip
+
+#endif
