@@ -1,0 +1,82 @@
+#ifndef mesoslip_material_engineering_constants_h
+#define mesoslip_material_engineering_constants_h
+
+#include "material/voigt.h"
+
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** One constant of a material as it goes into tables and summaries. */
+struct EngineeringConstant
+{
+  /** As in E_x, nu_xy, G_xy. */
+  std::string name;
+  /** "Pa", or "1" for pure numbers, "rad" for angles. */
+  std::string unit;
+  double      value;
+  /** One phrase. */
+  std::string meaning;
+};
+
+/**
+ * All constants that follow from an effective stiffness (Pa).
+ *
+ * 2D: the plane-strain moduli of the compliance S = D^-1 (E_x = 1 / S11, nu_xy =
+ * -S12 / S11, G_xy = 1 / S33, coefficients of mutual influence eta_x_xy = S13 / S11 and
+ * eta_y_xy = S23 / S22), plane bulk modulus, the closest isotropic solid with its
+ * three-dimensional E and nu and its distance, and the closest orthotropic solid with
+ * the angle of its axes and its distance (0: is isotropic, orthotropic).
+ *
+ * 3D: E, nu and G along the axes, bulk modulus, closest isotropic solid.
+ *
+ * Throws std::invalid_argument when the stiffness is not positive definite.
+ */
+template <int dim>
+std::vector<EngineeringConstant>
+engineering_constants(const VoigtMatrix<dim> &stiffness);
+
+/** The value of the constant @p name; throws std::invalid_argument when there is none. */
+double
+value_of(const std::vector<EngineeringConstant> &constants, const std::string &name);
+
+/** The isotropic solid closest to a stiffness in the Frobenius norm of the tensor. */
+struct IsotropicProjection
+{
+  /** Pa, of the three-dimensional solid. */
+  double young_modulus;
+  double poisson_ratio;
+  /** Pa; plane bulk modulus lambda + mu in 2D, lambda + 2 mu / 3 in 3D. */
+  double bulk_modulus;
+  double shear_modulus;
+  /** ||C - C_iso|| / ||C||, 0 for an isotropic stiffness. */
+  double relative_distance;
+};
+
+template <int dim>
+IsotropicProjection
+closest_isotropic(const VoigtMatrix<dim> &stiffness);
+
+/** The orthotropic solid closest to a plane stiffness, its axes turned freely. */
+struct OrthotropicProjection
+{
+  /** Angle (rad) from x to the stiffer axis, in (-pi/2, pi/2]. */
+  double angle;
+  /** Pa, in its own axes: entries 13 and 23 vanish, D11 >= D22. */
+  VoigtMatrix<2> principal_stiffness;
+  /** Pa, in the axes x, y. */
+  VoigtMatrix<2> stiffness;
+  /** ||C - C_ortho|| / ||C||, 0 for an orthotropic stiffness. */
+  double relative_distance;
+};
+
+OrthotropicProjection
+closest_orthotropic(const VoigtMatrix<2> &stiffness);
+
+/** The same with the axes held at x and y: entries 13 and 23 set to zero. */
+VoigtMatrix<2>
+orthotropic_part(const VoigtMatrix<2> &stiffness);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,83 @@
+#ifndef mesoslip_material_stiffness_h
+#define mesoslip_material_stiffness_h
+
+#include "material/voigt.h"
+
+#include <array>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * Stiffness (Pa) of an isotropic solid; plane strain in 2D.
+ * Throws std::invalid_argument unless E > 0 and -1 < nu < 0.5.
+ */
+template <int dim>
+VoigtMatrix<dim>
+isotropic_stiffness(const double young_modulus, const double poisson_ratio);
+
+/**
+ * Engineering constants of an orthotropic solid whose axes 1, 2, 3 are x, y, z.
+ * nu_ij = -strain_j / strain_i when only stress_i acts, so that nu_ij / E_i = nu_ji / E_j.
+ * Moduli in Pa.
+ */
+struct OrthotropicConstants
+{
+  double E1, E2, E3;
+  double nu12, nu13, nu23;
+  double G12, G13, G23;
+};
+
+/**
+ * Stiffness (Pa) of an orthotropic solid. In 2D the xx, yy, xy block of the
+ * three-dimensional stiffness, which is plane strain.
+ * Throws std::invalid_argument when the constants do not give a positive definite matrix.
+ */
+template <int dim>
+VoigtMatrix<dim>
+orthotropic_stiffness(const OrthotropicConstants &constants);
+
+/**
+ * Stiffness (Pa) from its upper triangle read row by row: 6 values in 2D (D11, D12,
+ * D13, D22, D23, D33), 21 in 3D. The short form for orthotropic axes leaves out the
+ * zeros: 4 values in 2D (D11, D12, D22, D33), 9 in 3D (D11, D12, D13, D22, D23, D33,
+ * D44, D55, D66). Throws std::invalid_argument for any other number and for a matrix
+ * that is not positive definite.
+ */
+template <int dim>
+VoigtMatrix<dim>
+stiffness_from_coefficients(const std::vector<double> &coefficients);
+
+/**
+ * Throws std::invalid_argument, with the reason, unless @p stiffness is finite, symmetric
+ * (to 1e-9 of its largest entry) and positive definite.
+ */
+template <int dim>
+void
+check_stiffness(const VoigtMatrix<dim> &stiffness);
+
+/**
+ * Phase velocities (m/s, fastest first) of the plane waves that travel along the unit
+ * vector @p direction: square roots of the eigenvalues of the Christoffel tensor over
+ * the density (kg/m^3). For an isotropic solid c_L, c_T (, c_T).
+ */
+template <int dim>
+std::array<double, dim>
+wave_speeds(const VoigtMatrix<dim>        &stiffness,
+            const double                   density,
+            const std::array<double, dim> &direction);
+
+/** The largest phase velocity (m/s) over all directions. */
+template <int dim>
+double
+maximum_wave_speed(const VoigtMatrix<dim> &stiffness, const double density);
+
+/**
+ * sqrt(E / rho) (m/s), the speed of waves in a slender bar: what table 1 of the paper
+ * calls the longitudinal wave velocity. Plane strain waves are faster.
+ */
+double
+bar_wave_speed(const double young_modulus, const double density);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,37 @@
+#ifndef mesoslip_microstructure_grid_parameters_h
+#define mesoslip_microstructure_grid_parameters_h
+
+#include "grid/uniform_grid.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+
+namespace mesoslip
+{
+/**
+ * Section `Grid`: `Cells`, `Size` [m] and, instead of the size, `Spacing` [m].
+ * The origin is the lower left corner. Defaults: the paper's pin at 0.1 mm.
+ */
+struct GridParameters
+{
+  std::array<unsigned int, 2> cells = {{560, 160}};
+  std::array<double, 2>       size  = {{0.056, 0.016}};
+
+  static void
+  declare(dealii::ParameterHandler &prm);
+
+  /** Throws UserError for lists of the wrong length. */
+  void
+  parse(dealii::ParameterHandler &prm);
+
+  /** Throws UserError unless there are cells of positive finite size, below 2^31 of them. */
+  void
+  check() const;
+
+  UniformGrid<2>
+  grid() const;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,85 @@
+#ifndef mesoslip_microstructure_microstructure_parameters_h
+#define mesoslip_microstructure_microstructure_parameters_h
+
+#include "grid/phase_map.h"
+#include "material/phase.h"
+#include "microstructure/grid_parameters.h"
+#include "microstructure/phase_parameters.h"
+#include "microstructure/random_fibres.h"
+#include "microstructure/rectangles.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * Sections `Grid`, `Phases` and `Microstructure`: everything that determines which cell
+ * is made of what.
+ */
+struct MicrostructureParameters
+{
+  enum class Type
+  {
+    homogeneous,
+    random_fibres,
+    rectangles,
+    image
+  };
+
+  GridParameters  grid;
+  PhaseParameters phases;
+
+  Type type = Type::random_fibres;
+
+  /** Rectangles (CSV) or image (PNG, plain text). */
+  std::string file;
+
+  /** Image value of each phase; empty: distinct values in ascending order. */
+  std::vector<double> image_values;
+
+  FibrePlacement placement;
+
+  /** Name of the phase the fibres are made of. */
+  std::string fibre_phase = "fibre";
+
+  /** Edge (m) of the square cells on which fibres are placed; 0: the cells of the grid. */
+  double placement_spacing = 0.;
+
+  /** All three sections. */
+  static void
+  declare(dealii::ParameterHandler &prm);
+
+  void
+  parse(dealii::ParameterHandler &prm);
+
+  /** Throws UserError; every section's own check and those across sections. */
+  void
+  check() const;
+
+  /** The grid that fibres are placed on: the grid itself or a coarser one. */
+  UniformGrid<2>
+  placement_grid() const;
+};
+
+/** A morphology with the materials it is made of. */
+struct Microstructure
+{
+  PhaseMap<2>           map;
+  std::vector<Phase<2>> phases;
+
+  /** Placed or read rectangles in the order of drawing; empty for the other types. */
+  std::vector<Rectangle> rectangles;
+
+  /** Sentences for the log: target not reached, sizes rounded to the grid. */
+  std::vector<std::string> warnings;
+};
+
+/** Places, draws or reads the morphology. @p parameters have passed check(). */
+Microstructure
+make_microstructure(const MicrostructureParameters &parameters);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,85 @@
+#ifndef mesoslip_microstructure_phase_parameters_h
+#define mesoslip_microstructure_phase_parameters_h
+
+#include "material/phase.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** Section `Phases/<name>`: the material of one phase. */
+struct SinglePhaseParameters
+{
+  enum class Type
+  {
+    isotropic,
+    orthotropic,
+    stiffness
+  };
+
+  std::string name;
+  Type        type = Type::isotropic;
+
+  /** Pa */
+  double young_modulus = 0.;
+  double poisson_ratio = 0.2;
+
+  /** E1, E2, E3 (Pa); nu12, nu13, nu23; G12, G13, G23 (Pa) */
+  std::array<double, 3> young_moduli   = {};
+  std::array<double, 3> poisson_ratios = {};
+  std::array<double, 3> shear_moduli   = {};
+
+  /** Pa; 4 or 6 values */
+  std::vector<double> stiffness_coefficients;
+
+  /** rad, counter-clockwise from x to axis 1 */
+  double angle = 0.;
+
+  /** kg/m^3 */
+  double density = 0.;
+
+  double friction_coefficient = 0.;
+
+  /** Throws UserError naming the key when the material makes no sense. */
+  void
+  check() const;
+
+  /** check() has passed. */
+  Phase<2>
+  phase() const;
+};
+
+/**
+ * Section `Phases`: `Names`, a list, and a subsection for each name. Setting `Names`
+ * declares the subsections, so it has to come first. The phase that comes first has
+ * index 0. Defaults: matrix and fibre of the paper's table 1.
+ */
+struct PhaseParameters
+{
+  std::vector<SinglePhaseParameters> phases;
+
+  /** @p prm must stay where it is until it was parsed: it is referred to by an action. */
+  static void
+  declare(dealii::ParameterHandler &prm);
+
+  void
+  parse(dealii::ParameterHandler &prm);
+
+  /** Throws UserError: names must be unique, materials sound, at most 256 phases. */
+  void
+  check() const;
+
+  /** Index of the phase @p name; throws UserError that blames @p key when there is none. */
+  unsigned int
+  index_of(const std::string &name, const std::string &key) const;
+
+  std::vector<Phase<2>>
+  make_phases() const;
+};
+} // namespace mesoslip
+
+#endif
