@@ -1,0 +1,79 @@
+#ifndef mesoslip_observation_contact_shares_h
+#define mesoslip_observation_contact_shares_h
+
+#include "observation/friction_summary.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * Steps that each contact node spent in each state during a block of steps. All arrays
+ * have one entry a node; stick + slip + separated = number of steps of the block.
+ */
+struct ContactBlock
+{
+  /** s; the block covers the steps whose ends lie in (begin, end]. */
+  double begin = 0., end = 0.;
+
+  std::vector<std::uint32_t> stick, slip, separated;
+
+  /** Steps at which the node came back from separation. */
+  std::vector<std::uint32_t> landings;
+};
+
+/** Time in contact and how long it lasts at a stretch. */
+struct ContactDuration
+{
+  /**
+   * s; T_G of eqs. (12, 13): contact time / landings. The episode cut by the start of the
+   * window and the one cut by its end make up for each other (exactly so in a window of
+   * whole periods). Without a landing: the contact time itself, a lower bound.
+   */
+  double mean = 0.;
+
+  /** Landings in the window. */
+  std::uint64_t episodes = 0;
+
+  /** False: no landing in the window, #mean is only a lower bound (0: never in contact).
+   */
+  bool complete() const
+  {
+    return episodes > 0;
+  }
+};
+
+/** Statistics of the contact in a window of time. */
+struct ContactSummary
+{
+  /** s; the window really used: the union of the blocks inside. */
+  double begin = 0., end = 0.;
+
+  /** One entry a node. */
+  std::vector<ContactShares> node_shares;
+  std::vector<ContactDuration> node_durations;
+
+  /** All nodes together (each of the same weight; add weights for tributary lengths). */
+  ContactShares shares;
+  ContactDuration duration;
+};
+
+/**
+ * Evaluate the blocks that lie in [@p from, @p to] (within 1e-9 of a block); if none
+ * does, the last block is taken, so that there always is an answer.
+ *
+ * @param weights  one per node for the overall shares, such as tributary lengths; empty:
+ * equal
+ * @throws std::invalid_argument without blocks or with arrays of different lengths
+ */
+ContactSummary summarize_contact(const std::vector<ContactBlock> &blocks,
+                                 double from,
+                                 double to,
+                                 const std::vector<double> &weights = {});
+
+/** Node whose position is nearest to @p x, for the reference node. */
+unsigned int nearest_node(const std::vector<double> &positions, double x);
+} // namespace mesoslip
+
+#endif
