@@ -1,0 +1,57 @@
+#ifndef mesoslip_elasticity_node_rows_h
+#define mesoslip_elasticity_node_rows_h
+
+namespace mesoslip
+{
+/**
+ * The node rows of a uniform grid that one rank works on: it owns [begin, end) of the
+ * rows 0..n_global-1 and stores, in addition, one ghost row on each side that has a
+ * neighbour. Fields on a slab hold n_local() rows, row `local(j)` being global row j.
+ */
+struct NodeRows
+{
+  unsigned int n_global = 0;
+  unsigned int begin    = 0;
+  unsigned int end      = 0;
+
+  /** All rows on one rank. */
+  static NodeRows all(const unsigned int n)
+  {
+    return {n, 0, n};
+  }
+
+  bool has_lower_ghost() const
+  {
+    return begin > 0;
+  }
+
+  bool has_upper_ghost() const
+  {
+    return end < n_global;
+  }
+
+  /** First stored row, global number. */
+  unsigned int first() const
+  {
+    return begin > 0 ? begin - 1 : 0;
+  }
+
+  /** One past the last stored row, global number. */
+  unsigned int last() const
+  {
+    return end < n_global ? end + 1 : n_global;
+  }
+
+  unsigned int n_local() const
+  {
+    return last() - first();
+  }
+
+  unsigned int local(const unsigned int global_row) const
+  {
+    return global_row - first();
+  }
+};
+} // namespace mesoslip
+
+#endif

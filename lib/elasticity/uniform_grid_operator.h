@@ -1,0 +1,94 @@
+#ifndef mesoslip_elasticity_uniform_grid_operator_h
+#define mesoslip_elasticity_uniform_grid_operator_h
+
+#include "elasticity/instruction_set.h"
+#include "elasticity/node_rows.h"
+#include "elasticity/uniform_material.h"
+#include "grid/nodal_field.h"
+
+#include <memory>
+
+namespace mesoslip
+{
+/**
+ * The stiffness operator of fully integrated Q1 rectangles on a uniform grid, without a
+ * matrix: constant-strain part plus one hourglass mode for each component, which is the
+ * same as 2x2 Gauss points. Forces are per unit thickness (N/m). No constraints: fixed
+ * degrees of freedom are the caller's business.
+ *
+ * Fields have material.n_columns() columns and rows.n_local() rows; on a slab the ghost
+ * rows of the source must be up to date, and only owned rows of the result are written.
+ * With periodic sides the duplicate column (row) of the source must equal the first, and
+ * the result is written to both copies (each holds the force of both sides). Periodicity
+ * in y needs all rows on one rank. One object must not be used by two threads at a time.
+ * The material must outlive the operator.
+ */
+class UniformGridOperator
+{
+public:
+  explicit UniformGridOperator(const UniformMaterial &material,
+                               const InstructionSet isa = InstructionSet::automatic);
+
+  /** On the rows of one rank. */
+  UniformGridOperator(const UniformMaterial &material,
+                      const NodeRows &rows,
+                      const InstructionSet isa = InstructionSet::automatic);
+
+  ~UniformGridOperator();
+  UniformGridOperator(UniformGridOperator &&) noexcept;
+
+  const UniformMaterial &material() const;
+
+  const NodeRows &rows() const;
+
+  /** dst = K src. @p dst and @p src must be different fields. Number: double, float. */
+  template <typename Number>
+  void vmult(NodalField<Number> &dst, const NodalField<Number> &src) const;
+
+  /** Diagonal of K: K_xx in component 0, K_yy in component 1 of each owned node. */
+  template <typename Number>
+  void diagonal(NodalField<Number> &diagonal) const;
+
+  /**
+   * The 2x2 diagonal blocks: @p diagonal as diagonal(), K_xy in component 0 of @p
+   * coupling (component 1 is left alone). K_xy vanishes at inner nodes of a homogeneous
+   * orthotropic body but not at interfaces and corners.
+   */
+  template <typename Number>
+  void block_diagonal(NodalField<Number> &diagonal, NodalField<Number> &coupling) const;
+
+  struct Energies
+  {
+    /** 1/2 u.K u (J/m) */
+    double elastic = 0.;
+    /** w.K w (W/m/s): times beta it is the power dissipated by C = beta K. */
+    double damping_power = 0.;
+  };
+
+  /**
+   * Sums over the owned rows, a duplicate column or row counted once; the sum over ranks
+   * is left to the caller. Rows are summed one by one in their order, then added up in
+   * order.
+   */
+  Energies energies(const NodalField<double> &u, const NodalField<double> &w) const;
+
+  /** 1/2 u.K u alone, half the cost of energies(). */
+  double elastic_energy(const NodalField<double> &u) const;
+
+  /**
+   * Mean strain (xx, yy, engineering xy) of the `grid.cells[0]` cells between the local
+   * node rows @p j and @p j + 1 of @p u. The three arrays hold `grid.cells[0]` values.
+   */
+  void strain(const NodalField<double> &u,
+              const unsigned int j,
+              double *exx,
+              double *eyy,
+              double *gxy) const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation;
+};
+} // namespace mesoslip
+
+#endif
