@@ -1,7 +1,7 @@
 # mesoslip_warnings(<target>): the warnings our own code is kept free of.
 function(mesoslip_warnings target)
   target_compile_options(${target} PRIVATE
-    $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wno-psabi>
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wpedantic;-Wshadow=local;-Wno-psabi>
     $<$<AND:$<BOOL:${MESOSLIP_WERROR}>,$<COMPILE_LANGUAGE:CXX>>:-Werror>)
   # No contraction across statements that differ between instruction sets, no
   # -ffast-math: NaN must stay visible and results must not depend on the path.

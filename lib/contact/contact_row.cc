@@ -1,0 +1,171 @@
+#include "contact/contact_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mesoslip
+{
+ContactRow::ContactRow(const ContactSetup &setup, const StepParameters &step)
+  : setup(setup)
+  , step(step)
+  , n_nodes(setup.friction_coefficient.size())
+  , n_distinct(setup.periodic ? n_nodes - 1 : n_nodes)
+  , values(n_nodes, n_columns_stored)
+  , w_before_x(setup.monitored_nodes.size())
+  , w_before_y(setup.monitored_nodes.size())
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::fill_n(column(gap), values.stride(), infinity);
+  std::fill_n(column(gap), n_distinct, setup.gap);
+  std::copy(setup.friction_coefficient.begin(),
+            setup.friction_coefficient.end(),
+            column(friction_coefficient));
+  const bool constant = setup.law.regularization == FrictionLaw::Regularization::constant_time;
+  const double factor =
+    constant && setup.law.time > 0. ? std::exp(-step.dt / setup.law.time) : 0.;
+  std::fill_n(column(decay), values.stride(), factor);
+  samples.nodes.resize(setup.monitored_nodes.size());
+}
+
+ContactArrays
+ContactRow::arrays(const RowView &row)
+{
+  ContactArrays a;
+  a.n = (n_nodes + contact_lanes - 1) / contact_lanes * contact_lanes;
+
+  a.internal_x           = row.fx;
+  a.internal_y           = row.fy;
+  a.inverse_mass_x       = row.inverse_mass_x;
+  a.inverse_mass_y       = row.inverse_mass_y;
+  a.u_x                  = row.ux;
+  a.u_y                  = row.uy;
+  a.w_x                  = row.wx;
+  a.w_y                  = row.wy;
+  a.gap                  = column(gap);
+  a.friction_coefficient = column(friction_coefficient);
+  a.decay                = column(decay);
+  a.increment_x          = column(increment_x);
+  a.increment_y          = column(increment_y);
+  a.tangential_force     = column(tangential);
+  a.touching             = column(touching);
+  a.normal_force         = column(normal);
+  a.sticking             = column(sticking);
+  a.stick_count          = column(stick_count);
+  a.slip_count           = column(slip_count);
+  a.landing_count        = column(landing_count);
+  return a;
+}
+
+void
+ContactRow::advance(const RowView &row)
+{
+  const double flat_velocity = setup.flat_velocity(row.time);
+  if (!started)
+    initialize_increments(row);
+  if (setup.law.regularization == FrictionLaw::Regularization::slip_rate)
+    update_decay(row, flat_velocity);
+
+  const bool sampled =
+    setup.history_interval > 0 && row.step % setup.history_interval == 0;
+  if (sampled)
+    for (std::size_t k = 0; k < setup.monitored_nodes.size(); ++k)
+      {
+        samples.nodes[k].ux.push_back(row.ux[setup.monitored_nodes[k]]);
+        samples.nodes[k].uy.push_back(row.uy[setup.monitored_nodes[k]]);
+        w_before_x[k] = row.wx[setup.monitored_nodes[k]];
+        w_before_y[k] = row.wy[setup.monitored_nodes[k]];
+      }
+
+  const ContactSums sums =
+    advance_contact(arrays(row), {step.dt, step.beta2, flat_velocity * step.dt});
+
+  if (setup.periodic)
+    for (double *component : {row.ux, row.uy, row.wx, row.wy})
+      component[n_nodes - 1] = component[0];
+
+  total.friction += sums.friction_energy;
+  total.impact += sums.impact_energy;
+  total.flat += sums.tangential_force * flat_velocity * step.dt;
+  count_step();
+  if (sampled)
+    record(row, sums);
+}
+
+// The work of the first step needs the increment before it.
+void
+ContactRow::initialize_increments(const RowView &row)
+{
+  for (unsigned int i = 0; i < n_nodes; ++i)
+    {
+      column(increment_x)[i] = step.dt * row.wx[i];
+      column(increment_y)[i] = step.dt * row.wy[i];
+    }
+  started = true;
+}
+
+// delta = L / (|V_rel| + V_ref)
+void
+ContactRow::update_decay(const RowView &row, const double flat_velocity)
+{
+  const double rate = step.dt / setup.law.length;
+  for (unsigned int i = 0; i < n_nodes; ++i)
+    column(decay)[i] = std::exp(
+      -rate * (std::fabs(flat_velocity - row.wx[i]) + setup.law.reference_velocity));
+}
+
+void
+ContactRow::record(const RowView &row, const ContactSums &sums)
+{
+  samples.step.push_back(row.step);
+  samples.time.push_back(row.time);
+  samples.normal_force.push_back(sums.normal_force);
+  samples.tangential_force.push_back(sums.tangential_force);
+  samples.sticking.push_back(sums.sticking);
+  samples.slipping.push_back(sums.slipping);
+  samples.separated.push_back(n_distinct - sums.sticking - sums.slipping);
+  samples.friction_energy.push_back(total.friction);
+  samples.impact_energy.push_back(total.impact);
+  samples.flat_work.push_back(total.flat);
+
+  // v_n = w_n + b dt a_n = (1 - b) w_n + b w_(n+1)
+  const double b = step.beta2;
+  for (std::size_t k = 0; k < setup.monitored_nodes.size(); ++k)
+    {
+      const unsigned int i    = setup.monitored_nodes[k];
+      MonitoredNode     &node = samples.nodes[k];
+      node.vx.push_back((1. - b) * w_before_x[k] + b * row.wx[i]);
+      node.vy.push_back((1. - b) * w_before_y[k] + b * row.wy[i]);
+      node.normal_force.push_back(column(normal)[i]);
+      node.tangential_force.push_back(column(tangential)[i]);
+    }
+  finite = finite && std::isfinite(sums.normal_force) &&
+           std::isfinite(sums.tangential_force) && std::isfinite(total.friction);
+}
+
+void
+ContactRow::count_step()
+{
+  ++block.n_steps;
+  if (setup.steps_per_block > 0 && block.n_steps == setup.steps_per_block)
+    finish();
+}
+
+void
+ContactRow::finish()
+{
+  if (block.n_steps == 0)
+    return;
+  const auto take = [&](const Column c) {
+    const std::vector<float> counts(column(c), column(c) + n_nodes);
+    std::fill_n(column(c), values.stride(), 0.);
+    return counts;
+  };
+  block.stick    = take(stick_count);
+  block.slip     = take(slip_count);
+  block.landings = take(landing_count);
+  complete_blocks.push_back(block);
+  block            = ContactBlock();
+  block.first_step = complete_blocks.back().first_step + complete_blocks.back().n_steps;
+}
+} // namespace mesoslip

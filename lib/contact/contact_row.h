@@ -1,0 +1,199 @@
+#ifndef mesoslip_contact_contact_row_h
+#define mesoslip_contact_contact_row_h
+
+#include "contact/contact_kernel.h"
+#include "contact/friction_law.h"
+#include "contact/load_history.h"
+#include "elasticity/explicit_stepper.h"
+#include "grid/nodal_field.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace mesoslip
+{
+/** The rigid flat and how the contact on it is observed. */
+struct ContactSetup
+{
+  FrictionLaw law;
+
+  /** Coulomb coefficient of each node of the row. */
+  std::vector<double> friction_coefficient;
+
+  /** Velocity of the flat along x (m/s). */
+  LoadHistory flat_velocity;
+
+  /** Distance between row and flat in the undeformed state (m). */
+  double gap = 0.;
+
+  /** The last column duplicates the first. */
+  bool periodic = false;
+
+  /** A sample of the histories is kept every so many steps; 0: none. */
+  unsigned int history_interval = 1;
+
+  /** Steps in a block of the node statistics; 0: one block for the whole run. */
+  std::uint64_t steps_per_block = 0;
+
+  /** Columns whose motion and tractions are kept with the histories. */
+  std::vector<unsigned int> monitored_nodes;
+};
+
+/** Motion and forces of one contact node, a value each sample; forces per unit thickness. */
+struct MonitoredNode
+{
+  std::vector<double> ux, uy, vx, vy, normal_force, tangential_force;
+};
+
+/** Sampled resultants; energies are those dissipated from the start to the end of the step. */
+struct ContactHistory
+{
+  std::vector<std::uint64_t> step;
+  std::vector<double>        time;             ///< s
+  std::vector<double>        normal_force;     ///< N/m, positive when pressed
+  std::vector<double>        tangential_force; ///< N/m, on the body
+  std::vector<double>        sticking, slipping, separated; ///< numbers of nodes
+  std::vector<double>        friction_energy;               ///< J/m
+  std::vector<double>        impact_energy;                 ///< J/m
+  std::vector<double>        flat_work;                     ///< J/m
+  std::vector<MonitoredNode> nodes;
+};
+
+/** Steps that each node stuck or slipped in, and landings, in one block of steps. */
+struct ContactBlock
+{
+  std::uint64_t      first_step = 0;
+  std::uint64_t      n_steps    = 0;
+  std::vector<float> stick, slip, landings;
+};
+
+/** Energies since the start (J/m), every step counted. */
+struct ContactWork
+{
+  double friction = 0.; ///< dissipated by friction, eq. (8)
+  double impact   = 0.; ///< taken from the body by the normal forces
+  double flat     = 0.; ///< done by the moving flat on the system
+};
+
+/**
+ * The bottom row of the body on a rigid flat moving along x: forward-increment Lagrange
+ * multipliers and regularized Coulomb friction (eqs 2, 4, 7), with histories and
+ * node statistics.
+ */
+class ContactRow : public BoundaryRow
+{
+public:
+  ContactRow(const ContactSetup &setup, const StepParameters &step);
+
+  void
+  advance(const RowView &row) override;
+
+  const ContactHistory &
+  history() const
+  {
+    return samples;
+  }
+
+  /** Complete blocks and, after finish(), the last, shorter one. */
+  const std::vector<ContactBlock> &
+  blocks() const
+  {
+    return complete_blocks;
+  }
+
+  /** Closes the running block of the node statistics. */
+  void
+  finish();
+
+  const ContactWork &
+  work() const
+  {
+    return total;
+  }
+
+  /** Contact forces of the last step (N/m), one value a node. */
+  const double *
+  normal_force() const
+  {
+    return column(normal);
+  }
+
+  const double *
+  tangential_force() const
+  {
+    return column(tangential);
+  }
+
+  /** False once a force or displacement of a sampled step was not finite. */
+  bool
+  is_finite() const
+  {
+    return finite;
+  }
+
+  /** Saves or restores everything that a continued run needs (Boost.Serialization). */
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int version);
+
+private:
+  enum Column
+  {
+    gap,
+    friction_coefficient,
+    decay,
+    increment_x,
+    increment_y,
+    tangential,
+    touching,
+    normal,
+    sticking,
+    stick_count,
+    slip_count,
+    landing_count,
+    n_columns_stored
+  };
+
+  double *
+  column(const Column c)
+  {
+    return values.row(0, c);
+  }
+  const double *
+  column(const Column c) const
+  {
+    return values.row(0, c);
+  }
+
+  ContactArrays
+  arrays(const RowView &row);
+
+  void
+  update_decay(const RowView &row, const double flat_velocity);
+
+  void
+  initialize_increments(const RowView &row);
+
+  void
+  record(const RowView &row, const ContactSums &sums);
+
+  void
+  count_step();
+
+  const ContactSetup   setup;
+  const StepParameters step;
+  const unsigned int   n_nodes;
+  const unsigned int   n_distinct;
+
+  NodalField<double>        values; ///< one row for each Column; component 1 is unused
+  std::vector<double>       w_before_x, w_before_y; ///< of the monitored nodes
+  bool                      started = false;
+  bool                      finite  = true;
+  ContactWork               total;
+  ContactHistory            samples;
+  ContactBlock              block;
+  std::vector<ContactBlock> complete_blocks;
+};
+} // namespace mesoslip
+
+#endif

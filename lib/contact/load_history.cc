@@ -1,0 +1,69 @@
+#include "contact/load_history.h"
+
+#include <deal.II/base/function_parser.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace mesoslip
+{
+struct LoadHistory::Expression
+{
+  explicit Expression(const std::string &text)
+  {
+    try
+      {
+        parser.initialize("t", text, {{"pi", M_PI}});
+        parser.value(dealii::Point<1>(0.), 0);
+      }
+    catch (const std::exception &)
+      {
+        throw std::invalid_argument("'" + text + "' is not an expression in the time t");
+      }
+  }
+
+  dealii::FunctionParser<1> parser;
+};
+
+Ramp
+ramp_from_string(const std::string &name)
+{
+  if (name == "step")
+    return Ramp::step;
+  if (name == "linear")
+    return Ramp::linear;
+  if (name == "smooth")
+    return Ramp::smooth;
+  throw std::invalid_argument("'" + name + "' is no ramp; use step, linear or smooth");
+}
+
+LoadHistory::LoadHistory(const double amplitude, const Ramp ramp, const double ramp_time)
+  : scale(amplitude)
+  , ramp(ramp_time > 0. ? ramp : Ramp::step)
+  , ramp_time(ramp_time)
+{}
+
+LoadHistory::LoadHistory(const double amplitude, const std::string &expression)
+  : scale(amplitude)
+  , expression(std::make_shared<Expression>(expression))
+{}
+
+LoadHistory::~LoadHistory()                       = default;
+LoadHistory::LoadHistory(const LoadHistory &)     = default;
+LoadHistory::LoadHistory(LoadHistory &&) noexcept = default;
+LoadHistory &
+LoadHistory::operator=(const LoadHistory &) = default;
+LoadHistory &
+LoadHistory::operator=(LoadHistory &&) noexcept = default;
+
+double
+LoadHistory::operator()(const double time) const
+{
+  if (expression)
+    return expression->parser.value(dealii::Point<1>(time), 0);
+  if (ramp == Ramp::step || time >= ramp_time)
+    return scale;
+  const double s = time / ramp_time;
+  return scale * (ramp == Ramp::linear ? s : 0.5 * (1. - std::cos(M_PI * s)));
+}
+} // namespace mesoslip

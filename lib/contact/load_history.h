@@ -1,0 +1,67 @@
+#ifndef mesoslip_contact_load_history_h
+#define mesoslip_contact_load_history_h
+
+#include <memory>
+#include <string>
+
+namespace mesoslip
+{
+/** How a load grows from zero to its amplitude. */
+enum class Ramp
+{
+  step,
+  linear,
+  smooth
+};
+
+/** @throws std::invalid_argument unless @p name is step, linear or smooth. */
+Ramp
+ramp_from_string(const std::string &name);
+
+/**
+ * A load (pressure, velocity of the flat) as a function of time: an amplitude times a
+ * ramp, or an expression in `t` (seconds) as deal.II's FunctionParser reads it.
+ */
+class LoadHistory
+{
+public:
+  /** amplitude * s(t / ramp_time), s = 1 (step), t/T (linear), (1 - cos(pi t/T))/2 (smooth). */
+  LoadHistory(const double amplitude = 0.,
+              const Ramp   ramp      = Ramp::step,
+              const double ramp_time = 0.);
+
+  /**
+   * The value of an expression such as `2*cos(2*pi*1000*t)`; amplitude() stays
+   * @p amplitude, the scale that energies are made dimensionless with.
+   * @throws std::invalid_argument when the expression cannot be parsed.
+   */
+  LoadHistory(const double amplitude, const std::string &expression);
+
+  ~LoadHistory();
+  LoadHistory(const LoadHistory &);
+  LoadHistory(LoadHistory &&) noexcept;
+  LoadHistory &
+  operator=(const LoadHistory &);
+  LoadHistory &
+  operator=(LoadHistory &&) noexcept;
+
+  double
+  operator()(const double time) const;
+
+  double
+  amplitude() const
+  {
+    return scale;
+  }
+
+private:
+  struct Expression;
+
+  double                            scale     = 0.;
+  Ramp                              ramp      = Ramp::step;
+  double                            ramp_time = 0.;
+  std::shared_ptr<const Expression> expression;
+};
+} // namespace mesoslip
+
+#endif

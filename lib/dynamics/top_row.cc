@@ -1,0 +1,152 @@
+#include "dynamics/top_row.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mesoslip
+{
+namespace
+{
+// Eight partial sums: the order is fixed, and the loop does not wait for one addition
+// before it starts the next.
+double
+sum_row(const double *values, const unsigned int n)
+{
+  std::array<double, 8> lanes = {};
+  unsigned int          i     = 0;
+  for (; i + 8 <= n; i += 8)
+    for (unsigned int l = 0; l < 8; ++l)
+      lanes[l] += values[i + l];
+  double sum = 0.;
+  for (; i < n; ++i)
+    sum += values[i];
+  for (const double lane : lanes)
+    sum += lane;
+  return sum;
+}
+} // namespace
+
+TopRow::TopRow(const TopSetup &setup, const StepParameters &step, const unsigned int n_columns)
+  : setup(setup)
+  , step(step)
+  , n_distinct(setup.periodic ? n_columns - 1 : n_columns)
+  , tributary(n_columns, setup.cell_width)
+  , increment_y(n_columns, 0.)
+{
+  if (!setup.periodic)
+    tributary.front() = tributary.back() = 0.5 * setup.cell_width;
+}
+
+void
+TopRow::advance(const RowView &row)
+{
+  if (!started)
+    for (unsigned int i = 0; i < row.n_columns; ++i)
+      increment_y[i] = step.dt * row.wy[i];
+  started = true;
+
+  const bool sampled =
+    setup.history_interval > 0 && row.step % setup.history_interval == 0;
+  if (sampled)
+    samples.displacement.push_back(sum_row(row.uy, n_distinct) / n_distinct);
+
+  work_this_step  = 0.;
+  const bool held = setup.kind == TopSetup::Kind::held || row.time >= setup.hold_from;
+  const Load load = held                                      ? hold(row) :
+                    setup.kind == TopSetup::Kind::platen ? push_platen(row) :
+                                                           push_nodes(row);
+  total_work += work_this_step;
+  if (sampled)
+    {
+      samples.normal_force.push_back(load.normal);
+      samples.tangential_force.push_back(load.tangential);
+      samples.work.push_back(total_work);
+    }
+}
+
+void
+TopRow::move_node(double &u, double &w, const double acceleration) const
+{
+  w += step.dt * acceleration;
+  u += step.dt * w + (step.beta2 - 0.5) * step.dt * step.dt * acceleration;
+}
+
+TopRow::Load
+TopRow::push_nodes(const RowView &row)
+{
+  Load         load;
+  const double pressure = setup.pressure(row.time);
+  for (unsigned int i = 0; i < row.n_columns; ++i)
+    {
+      const double force  = pressure * tributary[i];
+      const double before = row.uy[i];
+      move_node(row.uy[i], row.wy[i], -row.inverse_mass_y[i] * (force + row.fy[i]));
+      const double increment = row.uy[i] - before;
+      if (!setup.lateral_held)
+        move_node(row.ux[i], row.wx[i], -row.inverse_mass_x[i] * row.fx[i]);
+      if (i < n_distinct)
+        {
+          work_this_step -= force * 0.5 * (increment + increment_y[i]);
+          load.normal += force;
+        }
+      increment_y[i] = increment;
+    }
+  if (setup.lateral_held)
+    load.tangential = -sum_row(row.fx, n_distinct);
+  return load;
+}
+
+TopRow::Load
+TopRow::push_platen(const RowView &row)
+{
+  double mass = setup.platen_mass;
+  for (unsigned int i = 0; i < n_distinct; ++i)
+    mass += row.inverse_mass_y[i] > 0. ? 1. / row.inverse_mass_y[i] : 0.;
+  const double width = setup.cell_width * (row.n_columns - 1);
+
+  Load load;
+  load.normal               = setup.pressure(row.time) * width;
+  load.tangential           = -sum_row(row.fx, n_distinct);
+  const double acceleration = -(load.normal + sum_row(row.fy, n_distinct)) / mass;
+
+  double u = row.uy[0], w = row.wy[0];
+  move_node(u, w, acceleration);
+  const double increment = u - row.uy[0];
+  work_this_step         = -load.normal * 0.5 * (increment + increment_y[0]);
+  increment_y[0]         = increment;
+  platen_w               = w;
+  std::fill_n(row.uy, row.n_columns, u);
+  std::fill_n(row.wy, row.n_columns, w);
+  return load;
+}
+
+TopRow::Load
+TopRow::hold(const RowView &row)
+{
+  // Stopping the row takes its kinetic energy: work that the holder does on the body.
+  if (!holding)
+    for (unsigned int i = 0; i < n_distinct; ++i)
+      {
+        const double m = row.inverse_mass_y[i] > 0. ? 1. / row.inverse_mass_y[i] : 0.;
+        work_this_step -=
+          0.5 * m * (row.wy[i] * row.wy[i] + row.wx[i] * row.wx[i]);
+      }
+  if (!holding)
+    work_this_step -= 0.5 * setup.platen_mass * platen_w * platen_w;
+  holding  = true;
+  platen_w = 0.;
+  std::fill_n(row.wx, row.n_columns, 0.);
+  std::fill_n(row.wy, row.n_columns, 0.);
+
+  Load load;
+  load.normal     = -sum_row(row.fy, n_distinct);
+  load.tangential = -sum_row(row.fx, n_distinct);
+  return load;
+}
+
+double
+TopRow::platen_kinetic_energy() const
+{
+  return 0.5 * setup.platen_mass * platen_w * platen_w;
+}
+} // namespace mesoslip
