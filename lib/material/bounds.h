@@ -14,18 +14,18 @@ namespace mesoslip
  * a phase and the fractions sum to one (1e-9).
  */
 template <int dim>
-VoigtMatrix<dim>
-voigt_bound(const std::vector<Phase<dim>> &phases, const std::vector<double> &fractions);
+VoigtMatrix<dim> voigt_bound(const std::vector<Phase<dim>> &phases,
+                             const std::vector<double> &fractions);
 
 /** Reuss' bound <C^-1>^-1 (Pa), uniform stress: no composite is softer. */
 template <int dim>
-VoigtMatrix<dim>
-reuss_bound(const std::vector<Phase<dim>> &phases, const std::vector<double> &fractions);
+VoigtMatrix<dim> reuss_bound(const std::vector<Phase<dim>> &phases,
+                             const std::vector<double> &fractions);
 
 /** Mean density (kg/m^3). */
 template <int dim>
-double
-mean_density(const std::vector<Phase<dim>> &phases, const std::vector<double> &fractions);
+double mean_density(const std::vector<Phase<dim>> &phases,
+                    const std::vector<double> &fractions);
 
 /** Plane bulk modulus k = lambda + mu and shear modulus mu, Pa. */
 struct PlaneModuli
@@ -35,18 +35,16 @@ struct PlaneModuli
 };
 
 /** Isotropic plane-strain stiffness (Pa) of given plane moduli. */
-VoigtMatrix<2>
-plane_isotropic_stiffness(const PlaneModuli &moduli);
+VoigtMatrix<2> plane_isotropic_stiffness(const PlaneModuli &moduli);
 
 /** k and mu of an isotropic plane stiffness; empty when it is not isotropic (1e-9). */
-std::optional<PlaneModuli>
-plane_moduli(const VoigtMatrix<2> &stiffness);
+std::optional<PlaneModuli> plane_moduli(const VoigtMatrix<2> &stiffness);
 
 /** Lower and upper bound as isotropic stiffnesses (Pa) and as plane moduli. */
 struct HashinShtrikmanBounds
 {
-  PlaneModuli    lower;
-  PlaneModuli    upper;
+  PlaneModuli lower;
+  PlaneModuli upper;
   VoigtMatrix<2> lower_stiffness;
   VoigtMatrix<2> upper_stiffness;
 };
@@ -60,7 +58,7 @@ struct HashinShtrikmanBounds
  */
 std::optional<HashinShtrikmanBounds>
 hashin_shtrikman_bounds(const std::vector<Phase<2>> &phases,
-                        const std::vector<double>   &fractions);
+                        const std::vector<double> &fractions);
 } // namespace mesoslip
 
 #endif

@@ -15,7 +15,7 @@ struct EngineeringConstant
   std::string name;
   /** "Pa", or "1" for pure numbers, "rad" for angles. */
   std::string unit;
-  double      value;
+  double value;
   /** One phrase. */
   std::string meaning;
 };
@@ -24,22 +24,22 @@ struct EngineeringConstant
  * All constants that follow from an effective stiffness (Pa).
  *
  * 2D: the plane-strain moduli of the compliance S = D^-1 (E_x = 1 / S11, nu_xy =
- * -S12 / S11, G_xy = 1 / S33, coefficients of mutual influence eta_x_xy = S13 / S11 and
- * eta_y_xy = S23 / S22), plane bulk modulus, the closest isotropic solid with its
- * three-dimensional E and nu and its distance, and the closest orthotropic solid with
- * the angle of its axes and its distance (0: is isotropic, orthotropic).
+ * -S12 / S11, G_xy = 1 / S33, coefficients of mutual influence eta_xy_x = S13 / S11,
+ * eta_xy_y = S23 / S22, eta_x_xy = S13 / S33, eta_y_xy = S23 / S33), plane bulk modulus,
+ * the closest isotropic solid with its three-dimensional E and nu and its distance, and
+ * the closest orthotropic solid with the angle of its axes and its distance (0: is
+ * isotropic, orthotropic).
  *
  * 3D: E, nu and G along the axes, bulk modulus, closest isotropic solid.
  *
  * Throws std::invalid_argument when the stiffness is not positive definite.
  */
 template <int dim>
-std::vector<EngineeringConstant>
-engineering_constants(const VoigtMatrix<dim> &stiffness);
+std::vector<EngineeringConstant> engineering_constants(const VoigtMatrix<dim> &stiffness);
 
 /** The value of the constant @p name; throws std::invalid_argument when there is none. */
-double
-value_of(const std::vector<EngineeringConstant> &constants, const std::string &name);
+double value_of(const std::vector<EngineeringConstant> &constants,
+                const std::string &name);
 
 /** The isotropic solid closest to a stiffness in the Frobenius norm of the tensor. */
 struct IsotropicProjection
@@ -55,8 +55,7 @@ struct IsotropicProjection
 };
 
 template <int dim>
-IsotropicProjection
-closest_isotropic(const VoigtMatrix<dim> &stiffness);
+IsotropicProjection closest_isotropic(const VoigtMatrix<dim> &stiffness);
 
 /** The orthotropic solid closest to a plane stiffness, its axes turned freely. */
 struct OrthotropicProjection
@@ -71,12 +70,10 @@ struct OrthotropicProjection
   double relative_distance;
 };
 
-OrthotropicProjection
-closest_orthotropic(const VoigtMatrix<2> &stiffness);
+OrthotropicProjection closest_orthotropic(const VoigtMatrix<2> &stiffness);
 
 /** The same with the axes held at x and y: entries 13 and 23 set to zero. */
-VoigtMatrix<2>
-orthotropic_part(const VoigtMatrix<2> &stiffness);
+VoigtMatrix<2> orthotropic_part(const VoigtMatrix<2> &stiffness);
 } // namespace mesoslip
 
 #endif

@@ -11,38 +11,33 @@ namespace mesoslip
  * matrices. Voigt matrices with engineering shear lack all three.
  */
 template <int dim>
-VoigtMatrix<dim>
-stiffness_to_mandel(const VoigtMatrix<dim> &voigt);
+VoigtMatrix<dim> stiffness_to_mandel(const VoigtMatrix<dim> &voigt);
 
 /** Inverse of stiffness_to_mandel(). */
 template <int dim>
-VoigtMatrix<dim>
-stiffness_from_mandel(const VoigtMatrix<dim> &mandel);
+VoigtMatrix<dim> stiffness_from_mandel(const VoigtMatrix<dim> &mandel);
 
 /** The tensor's own eigenvalues (Pa), ascending; the antisymmetric part is ignored. */
 template <int dim>
-VoigtVector<dim>
-stiffness_eigenvalues(const VoigtMatrix<dim> &stiffness);
+VoigtVector<dim> stiffness_eigenvalues(const VoigtMatrix<dim> &stiffness);
 
 /**
  * Smallest eigenvalue (Pa) of upper - lower: not negative exactly when
  * strain : lower : strain <= strain : upper : strain for every strain.
  */
 template <int dim>
-double
-order_margin(const VoigtMatrix<dim> &lower, const VoigtMatrix<dim> &upper);
+double order_margin(const VoigtMatrix<dim> &lower, const VoigtMatrix<dim> &upper);
 
-/** Whether lower <= upper as quadratic forms, up to @p tolerance times the norm of upper. */
+/** Whether lower <= upper as quadratic forms, up to @p tolerance times the norm of upper.
+ */
 template <int dim>
-bool
-is_ordered(const VoigtMatrix<dim> &lower,
-           const VoigtMatrix<dim> &upper,
-           const double            tolerance = 1e-10);
+bool is_ordered(const VoigtMatrix<dim> &lower,
+                const VoigtMatrix<dim> &upper,
+                const double tolerance = 1e-10);
 
 /** Frobenius norm of the tensor (Pa), independent of the axes. */
 template <int dim>
-double
-stiffness_norm(const VoigtMatrix<dim> &stiffness);
+double stiffness_norm(const VoigtMatrix<dim> &stiffness);
 } // namespace mesoslip
 
 #endif

@@ -9,12 +9,10 @@ namespace mesoslip
  * The stiffness of the same solid turned counter-clockwise by @p angle (rad) about z,
  * in the old axes. A quarter turn swaps xx and yy.
  */
-VoigtMatrix<2>
-rotate_stiffness(const VoigtMatrix<2> &stiffness, const double angle);
+VoigtMatrix<2> rotate_stiffness(const VoigtMatrix<2> &stiffness, const double angle);
 
 /** The same for a compliance (engineering shear). */
-VoigtMatrix<2>
-rotate_compliance(const VoigtMatrix<2> &compliance, const double angle);
+VoigtMatrix<2> rotate_compliance(const VoigtMatrix<2> &compliance, const double angle);
 } // namespace mesoslip
 
 #endif

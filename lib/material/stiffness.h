@@ -13,13 +13,13 @@ namespace mesoslip
  * Throws std::invalid_argument unless E > 0 and -1 < nu < 0.5.
  */
 template <int dim>
-VoigtMatrix<dim>
-isotropic_stiffness(const double young_modulus, const double poisson_ratio);
+VoigtMatrix<dim> isotropic_stiffness(const double young_modulus,
+                                     const double poisson_ratio);
 
 /**
  * Engineering constants of an orthotropic solid whose axes 1, 2, 3 are x, y, z.
- * nu_ij = -strain_j / strain_i when only stress_i acts, so that nu_ij / E_i = nu_ji / E_j.
- * Moduli in Pa.
+ * nu_ij = -strain_j / strain_i when only stress_i acts, so that nu_ij / E_i = nu_ji /
+ * E_j. Moduli in Pa.
  */
 struct OrthotropicConstants
 {
@@ -34,8 +34,7 @@ struct OrthotropicConstants
  * Throws std::invalid_argument when the constants do not give a positive definite matrix.
  */
 template <int dim>
-VoigtMatrix<dim>
-orthotropic_stiffness(const OrthotropicConstants &constants);
+VoigtMatrix<dim> orthotropic_stiffness(const OrthotropicConstants &constants);
 
 /**
  * Stiffness (Pa) from its upper triangle read row by row: 6 values in 2D (D11, D12,
@@ -45,16 +44,14 @@ orthotropic_stiffness(const OrthotropicConstants &constants);
  * that is not positive definite.
  */
 template <int dim>
-VoigtMatrix<dim>
-stiffness_from_coefficients(const std::vector<double> &coefficients);
+VoigtMatrix<dim> stiffness_from_coefficients(const std::vector<double> &coefficients);
 
 /**
  * Throws std::invalid_argument, with the reason, unless @p stiffness is finite, symmetric
  * (to 1e-9 of its largest entry) and positive definite.
  */
 template <int dim>
-void
-check_stiffness(const VoigtMatrix<dim> &stiffness);
+void check_stiffness(const VoigtMatrix<dim> &stiffness);
 
 /**
  * Phase velocities (m/s, fastest first) of the plane waves that travel along the unit
@@ -62,22 +59,19 @@ check_stiffness(const VoigtMatrix<dim> &stiffness);
  * the density (kg/m^3). For an isotropic solid c_L, c_T (, c_T).
  */
 template <int dim>
-std::array<double, dim>
-wave_speeds(const VoigtMatrix<dim>        &stiffness,
-            const double                   density,
-            const std::array<double, dim> &direction);
+std::array<double, dim> wave_speeds(const VoigtMatrix<dim> &stiffness,
+                                    const double density,
+                                    const std::array<double, dim> &direction);
 
 /** The largest phase velocity (m/s) over all directions. */
 template <int dim>
-double
-maximum_wave_speed(const VoigtMatrix<dim> &stiffness, const double density);
+double maximum_wave_speed(const VoigtMatrix<dim> &stiffness, const double density);
 
 /**
  * sqrt(E / rho) (m/s), the speed of waves in a slender bar: what table 1 of the paper
  * calls the longitudinal wave velocity. Plane strain waves are faster.
  */
-double
-bar_wave_speed(const double young_modulus, const double density);
+double bar_wave_speed(const double young_modulus, const double density);
 } // namespace mesoslip
 
 #endif

@@ -3,9 +3,12 @@
 
 #include "grid/uniform_grid.h"
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <array>
+
+namespace dealii
+{
+class ParameterHandler;
+}
 
 namespace mesoslip
 {
@@ -16,21 +19,18 @@ namespace mesoslip
 struct GridParameters
 {
   std::array<unsigned int, 2> cells = {{560, 160}};
-  std::array<double, 2>       size  = {{0.056, 0.016}};
+  std::array<double, 2> size        = {{0.056, 0.016}};
 
-  static void
-  declare(dealii::ParameterHandler &prm);
+  static void declare(dealii::ParameterHandler &prm);
 
   /** Throws UserError for lists of the wrong length. */
-  void
-  parse(dealii::ParameterHandler &prm);
+  void parse(dealii::ParameterHandler &prm);
 
-  /** Throws UserError unless there are cells of positive finite size, below 2^31 of them. */
-  void
-  check() const;
+  /** Throws UserError unless there are cells of positive finite size, below 2^31 of them.
+   */
+  void check() const;
 
-  UniformGrid<2>
-  grid() const;
+  UniformGrid<2> grid() const;
 };
 } // namespace mesoslip
 

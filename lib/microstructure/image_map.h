@@ -2,40 +2,28 @@
 #define mesoslip_microstructure_image_map_h
 
 #include "grid/phase_map.h"
+#include "io/image.h"
 
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
-/** A raster of values, row 0 on top, x fastest. */
-struct ValueRaster
-{
-  unsigned int        n_columns = 0;
-  unsigned int        n_rows    = 0;
-  std::vector<double> values;
-};
-
 /**
- * The morphology drawn in a raster; the top row of the raster is the top of the box.
+ * The morphology drawn in an image; the top row of the picture is the top of the box.
  *
- * Value `values[p]` means phase p; with an empty list the distinct values of the
- * raster in ascending order do. Pixels are cells, or an integer multiple of them in each
- * direction (a pixel becomes a block of cells, or the pixel at the centre of a cell, the
- * upper right one of the middle four, is taken). Throws UserError, naming @p source, when
- * sizes do not fit, a value belongs to no phase or there are more than 256.
+ * `values[p]` is the image value of phase p; with an empty list the distinct values of
+ * the image in ascending order are the phases. Along each direction the pixels are the
+ * cells, or one number is an integer multiple of the other: a pixel becomes a block of
+ * cells, or a cell takes the pixel at its centre (of the middle two the right or upper
+ * one). Throws UserError, beginning with @p source, when sizes do not fit, a value
+ * belongs to no phase or there are more than @p n_phases values.
  */
-PhaseMap<2>
-map_from_raster(const UniformGrid<2>      &grid,
-                const ValueRaster         &raster,
-                const std::vector<double> &values,
-                const std::string         &source);
-
-/** map_from_raster() of a PNG (grey or palette values) or of a plain-text array. */
-PhaseMap<2>
-read_phase_map(const UniformGrid<2>      &grid,
-               const std::string         &file,
-               const std::vector<double> &values = {});
+PhaseMap<2> map_from_image(const UniformGrid<2> &grid,
+                           const Image &image,
+                           const std::vector<long> &values,
+                           const unsigned int n_phases,
+                           const std::string &source);
 } // namespace mesoslip
 
 #endif

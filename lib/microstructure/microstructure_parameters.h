@@ -8,13 +8,18 @@
 #include "microstructure/random_fibres.h"
 #include "microstructure/rectangles.h"
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <string>
 #include <vector>
 
+namespace dealii
+{
+class ParameterHandler;
+}
+
 namespace mesoslip
 {
+class RawParameters;
+
 /**
  * Sections `Grid`, `Phases` and `Microstructure`: everything that determines which cell
  * is made of what.
@@ -29,7 +34,7 @@ struct MicrostructureParameters
     image
   };
 
-  GridParameters  grid;
+  GridParameters grid;
   PhaseParameters phases;
 
   Type type = Type::random_fibres;
@@ -38,36 +43,33 @@ struct MicrostructureParameters
   std::string file;
 
   /** Image value of each phase; empty: distinct values in ascending order. */
-  std::vector<double> image_values;
+  std::vector<long> image_values;
 
   FibrePlacement placement;
 
   /** Name of the phase the fibres are made of. */
   std::string fibre_phase = "fibre";
 
-  /** Edge (m) of the square cells on which fibres are placed; 0: the cells of the grid. */
+  /** Edge (m) of the square cells on which fibres are placed; 0: the cells of the grid.
+   */
   double placement_spacing = 0.;
 
   /** All three sections. */
-  static void
-  declare(dealii::ParameterHandler &prm);
+  static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
 
-  void
-  parse(dealii::ParameterHandler &prm);
+  void parse(dealii::ParameterHandler &prm);
 
   /** Throws UserError; every section's own check and those across sections. */
-  void
-  check() const;
+  void check() const;
 
   /** The grid that fibres are placed on: the grid itself or a coarser one. */
-  UniformGrid<2>
-  placement_grid() const;
+  UniformGrid<2> placement_grid() const;
 };
 
 /** A morphology with the materials it is made of. */
 struct Microstructure
 {
-  PhaseMap<2>           map;
+  PhaseMap<2> map;
   std::vector<Phase<2>> phases;
 
   /** Placed or read rectangles in the order of drawing; empty for the other types. */
@@ -78,8 +80,7 @@ struct Microstructure
 };
 
 /** Places, draws or reads the morphology. @p parameters have passed check(). */
-Microstructure
-make_microstructure(const MicrostructureParameters &parameters);
+Microstructure make_microstructure(const MicrostructureParameters &parameters);
 } // namespace mesoslip
 
 #endif

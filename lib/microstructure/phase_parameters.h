@@ -3,14 +3,19 @@
 
 #include "material/phase.h"
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <array>
 #include <string>
 #include <vector>
 
+namespace dealii
+{
+class ParameterHandler;
+}
+
 namespace mesoslip
 {
+class RawParameters;
+
 /** Section `Phases/<name>`: the material of one phase. */
 struct SinglePhaseParameters
 {
@@ -22,7 +27,7 @@ struct SinglePhaseParameters
   };
 
   std::string name;
-  Type        type = Type::isotropic;
+  Type type = Type::isotropic;
 
   /** Pa */
   double young_modulus = 0.;
@@ -45,40 +50,33 @@ struct SinglePhaseParameters
   double friction_coefficient = 0.;
 
   /** Throws UserError naming the key when the material makes no sense. */
-  void
-  check() const;
+  void check() const;
 
   /** check() has passed. */
-  Phase<2>
-  phase() const;
+  Phase<2> phase() const;
 };
 
 /**
- * Section `Phases`: `Names`, a list, and a subsection for each name. Setting `Names`
- * declares the subsections, so it has to come first. The phase that comes first has
- * index 0. Defaults: matrix and fibre of the paper's table 1.
+ * Section `Phases`: `Names`, a list, and a subsection for each name, declared from
+ * what the .prm says about `Names`. The phase that comes first has index 0. Defaults:
+ * matrix and fibre of the paper's table 1.
  */
 struct PhaseParameters
 {
   std::vector<SinglePhaseParameters> phases;
 
-  /** @p prm must stay where it is until it was parsed: it is referred to by an action. */
-  static void
-  declare(dealii::ParameterHandler &prm);
+  static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
 
-  void
-  parse(dealii::ParameterHandler &prm);
+  void parse(dealii::ParameterHandler &prm);
 
   /** Throws UserError: names must be unique, materials sound, at most 256 phases. */
-  void
-  check() const;
+  void check() const;
 
-  /** Index of the phase @p name; throws UserError that blames @p key when there is none. */
-  unsigned int
-  index_of(const std::string &name, const std::string &key) const;
+  /** Index of the phase @p name; throws UserError that blames @p key when there is none.
+   */
+  unsigned int index_of(const std::string &name, const std::string &key) const;
 
-  std::vector<Phase<2>>
-  make_phases() const;
+  std::vector<Phase<2>> make_phases() const;
 };
 } // namespace mesoslip
 

@@ -20,12 +20,12 @@ enum class FractionRule
 /** Rules of random placement; lengths in metres. The defaults are the paper's pin. */
 struct FibrePlacement
 {
-  std::uint64_t seed          = 1;
-  double        width         = 0.1e-3;
-  double        min_height    = 1.2e-3;
-  double        max_height    = 3.6e-3;
-  double        area_fraction = 0.1;
-  FractionRule  fraction_rule = FractionRule::actual;
+  std::uint64_t seed         = 1;
+  double width               = 0.1e-3;
+  double min_height          = 1.2e-3;
+  double max_height          = 3.6e-3;
+  double area_fraction       = 0.1;
+  FractionRule fraction_rule = FractionRule::actual;
 
   /** Fibres may share cells. */
   bool allow_overlap = false;
@@ -43,8 +43,8 @@ struct FibrePlacement
    */
   bool align_to_grid = true;
 
-  /** Rule actual: shorten the last fibre so that the target is met as closely as possible;
-   *  otherwise the last whole fibre stays when that is closer to the target. */
+  /** Rule actual: shorten the last fibre so that the target is met as closely as
+   * possible; otherwise the last whole fibre stays when that is closer to the target. */
   bool trim_last = true;
 
   std::uint8_t phase = 1;
@@ -68,8 +68,7 @@ struct FibreMorphology
   bool target_reached = false;
 
   /** The fraction that the rule counts. */
-  double
-  reached_fraction(const FractionRule rule) const
+  double reached_fraction(const FractionRule rule) const
   {
     return rule == FractionRule::actual ? actual_fraction : nominal_fraction;
   }
@@ -83,8 +82,8 @@ struct FibreMorphology
  * The same seed gives the same morphology on every machine (mersenne twister and
  * our own mapping to numbers).
  */
-FibreMorphology
-place_random_fibres(const UniformGrid<2> &grid, const FibrePlacement &placement);
+FibreMorphology place_random_fibres(const UniformGrid<2> &grid,
+                                    const FibrePlacement &placement);
 } // namespace mesoslip
 
 #endif

@@ -4,7 +4,6 @@
 #include "grid/phase_map.h"
 
 #include <cstdint>
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -13,10 +12,10 @@ namespace mesoslip
 /** An axis-parallel rectangle of one phase, lengths in metres. */
 struct Rectangle
 {
-  double       x_left;
-  double       y_bottom;
-  double       width;
-  double       height;
+  double x_left;
+  double y_bottom;
+  double width;
+  double height;
   std::uint8_t phase = 1;
 };
 
@@ -26,14 +25,12 @@ struct CellBox
   unsigned int x_begin, x_end;
   unsigned int y_begin, y_end;
 
-  bool
-  empty() const
+  bool empty() const
   {
     return x_begin >= x_end || y_begin >= y_end;
   }
 
-  std::size_t
-  n_cells() const
+  std::size_t n_cells() const
   {
     return empty() ? 0 : std::size_t(x_end - x_begin) * (y_end - y_begin);
   }
@@ -45,41 +42,30 @@ struct CellBox
  * -1e-6 of a cell, so that an edge which is a cell centre up to round-off is treated
  * the same way everywhere. Clipped at the box; empty when no centre is inside.
  */
-CellBox
-covered_cells(const UniformGrid<2> &grid, const Rectangle &rectangle);
+CellBox covered_cells(const UniformGrid<2> &grid, const Rectangle &rectangle);
 
 /** All cells of phase @p background. */
-PhaseMap<2>
-homogeneous_map(const UniformGrid<2> &grid, const std::uint8_t background = 0);
+PhaseMap<2> homogeneous_map(const UniformGrid<2> &grid,
+                            const std::uint8_t background = 0);
 
 /**
  * Draws rectangles on a background of phase 0; where they overlap the later one wins.
  * Rectangles that leave the box are cut. Throws UserError, naming the number of the
  * rectangle and @p source, when one lies wholly outside or covers no cell centre.
  */
-PhaseMap<2>
-draw_rectangles(const UniformGrid<2>         &grid,
-                const std::vector<Rectangle> &rectangles,
-                const std::string            &source = "list of rectangles");
+PhaseMap<2> draw_rectangles(const UniformGrid<2> &grid,
+                            const std::vector<Rectangle> &rectangles,
+                            const std::string &source = "list of rectangles");
 
 /**
  * Reads `x_left_mm,y_bottom_mm,width_mm,height_mm[,phase]`, lengths in millimetres;
  * phase 1 where the column is missing. Empty lines and lines starting with # are skipped.
  * Throws UserError with file and line for anything else.
  */
-std::vector<Rectangle>
-read_rectangles(const std::string &file);
+std::vector<Rectangle> read_rectangles(const std::string &file);
 
-/** The same from a stream; @p name stands for the file in messages. */
-std::vector<Rectangle>
-read_rectangles(std::istream &stream, const std::string &name);
-
-/** Writes what read_rectangles() reads, to 12 digits, with the phase column. */
-void
-write_rectangles(const std::string &file, const std::vector<Rectangle> &rectangles);
-
-void
-write_rectangles(std::ostream &stream, const std::vector<Rectangle> &rectangles);
+/** Writes what read_rectangles() reads, with the phase column. Throws UserError. */
+void write_rectangles(const std::string &file, const std::vector<Rectangle> &rectangles);
 } // namespace mesoslip
 
 #endif

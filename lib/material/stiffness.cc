@@ -1,0 +1,225 @@
+#include "material/stiffness.h"
+
+#include "material/mandel.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace mesoslip
+{
+namespace
+{
+template <typename... Parts>
+[[noreturn]] void fail(const Parts &...parts)
+{
+  std::ostringstream text;
+  text.precision(12);
+  (text << ... << parts);
+  throw std::invalid_argument(text.str());
+}
+
+void require_positive(const char *name, const double value)
+{
+  if (!(value > 0.) || !std::isfinite(value))
+    fail(name, " is ", value, " and must be a positive number");
+}
+
+/** Strain (Voigt) of the displacement gradient a (x) n, as a matrix acting on a. */
+template <int dim>
+Eigen::Matrix<double, n_voigt<dim>, dim>
+symmetric_gradient(const Eigen::Matrix<double, dim, 1> &n)
+{
+  Eigen::Matrix<double, n_voigt<dim>, dim> B;
+  if constexpr (dim == 2)
+    B << n(0), 0., 0., n(1), n(1), n(0);
+  else
+    B << n(0), 0., 0., 0., n(1), 0., 0., 0., n(2), 0., n(2), n(1), n(2), 0., n(0), n(1),
+      n(0), 0.;
+  return B;
+}
+
+template <int dim>
+Eigen::Matrix<double, dim, dim> christoffel_tensor(const VoigtMatrix<dim> &stiffness,
+                                                   const Eigen::Matrix<double, dim, 1> &n)
+{
+  const auto B = symmetric_gradient<dim>(n);
+  return B.transpose() * stiffness * B;
+}
+
+/**
+ * Largest value of (p x n) : C : (p x n) that is reached from @p n by maximising over p
+ * and n in turns; the form does not change when they are exchanged.
+ */
+template <int dim>
+double climb(const VoigtMatrix<dim> &stiffness, Eigen::Matrix<double, dim, 1> n)
+{
+  double previous = 0.;
+  for (unsigned int i = 0; i < 1000; ++i)
+    {
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, dim, dim>> solver(
+        christoffel_tensor<dim>(stiffness, n));
+      const double value = solver.eigenvalues()(dim - 1);
+      n                  = solver.eigenvectors().col(dim - 1);
+      if (!(value > previous * (1. + 1e-15)))
+        return value;
+      previous = value;
+    }
+  return previous;
+}
+} // namespace
+
+template <int dim>
+VoigtMatrix<dim> isotropic_stiffness(const double young_modulus,
+                                     const double poisson_ratio)
+{
+  require_positive("Young's modulus", young_modulus);
+  if (!(poisson_ratio > -1. && poisson_ratio < 0.5))
+    fail("Poisson's ratio is ", poisson_ratio, " and must lie between -1 and 0.5");
+  const double mu = young_modulus / (2. * (1. + poisson_ratio));
+  const double lambda =
+    young_modulus * poisson_ratio / ((1. + poisson_ratio) * (1. - 2. * poisson_ratio));
+
+  VoigtMatrix<dim> D = VoigtMatrix<dim>::Zero();
+  D.template topLeftCorner<dim, dim>().setConstant(lambda);
+  for (unsigned int i = 0; i < n_voigt<dim>; ++i)
+    D(i, i) = (i < dim ? lambda + 2. * mu : mu);
+  return D;
+}
+
+template <int dim>
+VoigtMatrix<dim> orthotropic_stiffness(const OrthotropicConstants &c)
+{
+  require_positive("E1", c.E1);
+  require_positive("E2", c.E2);
+  require_positive("E3", c.E3);
+  require_positive("G12", c.G12);
+  require_positive("G13", c.G13);
+  require_positive("G23", c.G23);
+
+  Eigen::Matrix3d S;
+  S << 1. / c.E1, -c.nu12 / c.E1, -c.nu13 / c.E1, //
+    -c.nu12 / c.E1, 1. / c.E2, -c.nu23 / c.E2,    //
+    -c.nu13 / c.E1, -c.nu23 / c.E2, 1. / c.E3;
+  // Scaled to a unit diagonal, so that the test does not depend on ratios of moduli.
+  const Eigen::Vector3d scale(std::sqrt(c.E1), std::sqrt(c.E2), std::sqrt(c.E3));
+  const Eigen::Matrix3d scaled = scale.asDiagonal() * S * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scaled);
+  if (!(solver.eigenvalues()(0) > 1e-12))
+    fail("the Poisson ratios nu12 = ", c.nu12, ", nu13 = ", c.nu13, ", nu23 = ", c.nu23,
+         " do not fit the Young moduli: some strain would release energy; note that nu_ij"
+         " belongs to a load along i, so |nu_ij| must be below sqrt(E_i / E_j)");
+
+  const Eigen::Matrix3d normal = S.inverse();
+  VoigtMatrix<dim> D           = VoigtMatrix<dim>::Zero();
+  D.template topLeftCorner<dim, dim>() =
+    0.5 * (normal + normal.transpose()).topLeftCorner<dim, dim>();
+  if constexpr (dim == 2)
+    D(2, 2) = c.G12;
+  else
+    {
+      D(3, 3) = c.G23;
+      D(4, 4) = c.G13;
+      D(5, 5) = c.G12;
+    }
+  return D;
+}
+
+template <int dim>
+VoigtMatrix<dim> stiffness_from_coefficients(const std::vector<double> &coefficients)
+{
+  constexpr unsigned int n       = n_voigt<dim>;
+  constexpr unsigned int n_full  = n * (n + 1) / 2;
+  constexpr unsigned int n_short = dim * (dim + 1) / 2 + (n - dim);
+  if (coefficients.size() != n_full && coefficients.size() != n_short)
+    fail("there are ", coefficients.size(), " stiffness coefficients and there must be ",
+         n_short, " (orthotropic axes) or ", n_full, " (upper triangle, row by row)");
+
+  const bool is_short = coefficients.size() == n_short;
+  VoigtMatrix<dim> D  = VoigtMatrix<dim>::Zero();
+  auto next           = coefficients.begin();
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = i; j < n; ++j)
+      if (!is_short || j < dim || i == j)
+        D(i, j) = D(j, i) = *next++;
+  check_stiffness<dim>(D);
+  return D;
+}
+
+template <int dim>
+void check_stiffness(const VoigtMatrix<dim> &stiffness)
+{
+  if (!stiffness.allFinite())
+    fail("the stiffness has an entry that is not a finite number");
+  const double largest   = stiffness.cwiseAbs().maxCoeff();
+  const double asymmetry = (stiffness - stiffness.transpose()).cwiseAbs().maxCoeff();
+  if (!(asymmetry <= 1e-9 * largest))
+    fail("the stiffness is not symmetric: two entries differ by ", asymmetry, " Pa");
+  const double smallest = stiffness_eigenvalues<dim>(stiffness)(0);
+  if (!(smallest > 1e-12 * largest))
+    fail("the stiffness is not positive definite: its smallest eigenvalue is ", smallest,
+         " Pa");
+}
+
+template <int dim>
+std::array<double, dim> wave_speeds(const VoigtMatrix<dim> &stiffness,
+                                    const double density,
+                                    const std::array<double, dim> &direction)
+{
+  require_positive("the density", density);
+  const Eigen::Matrix<double, dim, 1> n =
+    Eigen::Map<const Eigen::Matrix<double, dim, 1>>(direction.data());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, dim, dim>> solver(
+    christoffel_tensor<dim>(stiffness, n), Eigen::EigenvaluesOnly);
+  std::array<double, dim> speeds;
+  for (unsigned int i = 0; i < dim; ++i)
+    speeds[i] = std::sqrt(solver.eigenvalues()(dim - 1 - i) / density);
+  return speeds;
+}
+
+template <int dim>
+double maximum_wave_speed(const VoigtMatrix<dim> &stiffness, const double density)
+{
+  require_positive("the density", density);
+  double largest = 0.;
+  for (int x = 0; x <= 2; ++x)
+    for (int y = -2; y <= 2; ++y)
+      for (int z = (dim == 3 ? -2 : 0); z <= (dim == 3 ? 2 : 0); ++z)
+        {
+          Eigen::Matrix<double, dim, 1> n;
+          n(0) = x;
+          n(1) = y;
+          if constexpr (dim == 3)
+            n(2) = z;
+          if (n.squaredNorm() > 0.)
+            largest = std::max(largest, climb<dim>(stiffness, n.normalized()));
+        }
+  return std::sqrt(largest / density);
+}
+
+double bar_wave_speed(const double young_modulus, const double density)
+{
+  require_positive("Young's modulus", young_modulus);
+  require_positive("the density", density);
+  return std::sqrt(young_modulus / density);
+}
+
+template VoigtMatrix<2> isotropic_stiffness<2>(const double, const double);
+template VoigtMatrix<3> isotropic_stiffness<3>(const double, const double);
+template VoigtMatrix<2> orthotropic_stiffness<2>(const OrthotropicConstants &);
+template VoigtMatrix<3> orthotropic_stiffness<3>(const OrthotropicConstants &);
+template VoigtMatrix<2> stiffness_from_coefficients<2>(const std::vector<double> &);
+template VoigtMatrix<3> stiffness_from_coefficients<3>(const std::vector<double> &);
+template void check_stiffness<2>(const VoigtMatrix<2> &);
+template void check_stiffness<3>(const VoigtMatrix<3> &);
+template std::array<double, 2>
+wave_speeds<2>(const VoigtMatrix<2> &, const double, const std::array<double, 2> &);
+template std::array<double, 3>
+wave_speeds<3>(const VoigtMatrix<3> &, const double, const std::array<double, 3> &);
+template double maximum_wave_speed<2>(const VoigtMatrix<2> &, const double);
+template double maximum_wave_speed<3>(const VoigtMatrix<3> &, const double);
+} // namespace mesoslip
