@@ -3,24 +3,28 @@
 
 #include "observation/friction_summary.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace mesoslip
 {
 /**
- * Steps that each contact node spent in each state during a block of steps. All arrays
- * have one entry a node; stick + slip + separated = number of steps of the block.
+ * Steps that each contact node spent in contact during a block of steps, as the contact
+ * kernel counts them. All arrays have one entry a node; what is neither stick nor slip
+ * is separation.
  */
 struct ContactBlock
 {
   /** s; the block covers the steps whose ends lie in (begin, end]. */
   double begin = 0., end = 0.;
 
-  std::vector<std::uint32_t> stick, slip, separated;
+  /** Steps of the block. */
+  double steps = 0.;
+
+  /** Steps that stuck and that slipped. */
+  std::vector<double> stick, slip;
 
   /** Steps at which the node came back from separation. */
-  std::vector<std::uint32_t> landings;
+  std::vector<double> landings;
 };
 
 /** Time in contact and how long it lasts at a stretch. */
@@ -34,13 +38,13 @@ struct ContactDuration
   double mean = 0.;
 
   /** Landings in the window. */
-  std::uint64_t episodes = 0;
+  double episodes = 0.;
 
   /** False: no landing in the window, #mean is only a lower bound (0: never in contact).
    */
   bool complete() const
   {
-    return episodes > 0;
+    return episodes > 0.;
   }
 };
 

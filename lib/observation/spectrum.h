@@ -66,7 +66,7 @@ Spectrum amplitude_spectrum(const std::vector<double> &signal,
 /**
  * Main peak (parabola through the logarithms of the three highest bins), other peaks and
  * highest significant frequency within @p band. Nothing if the band holds no peak, as for
- * a constant signal; peaks below 1e-12 of #noise_floor are round-off, not vibration.
+ * a constant signal.
  *
  * @param threshold  fraction of the main amplitude below which nothing counts
  * @param noise_floor  amplitude below which the signal counts as constant, in its unit

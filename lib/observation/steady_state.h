@@ -107,8 +107,8 @@ public:
 
   /**
    * s; start of the first of the agreeing windows. If the steady state was not reached:
-   * the later of half of the time fed so far and @p fallback, but @p fallback only if it
-   * leaves at least a quarter of the run (the paper: 2.5e-4 s).
+   * @p fallback (the paper: 2.5e-4 s) if that leaves at least a quarter of the time fed
+   * so far, otherwise half of that time.
    */
   double steady_from(double fallback = 2.5e-4) const;
 

@@ -1,0 +1,153 @@
+#include "observation/spectrum.h"
+
+#include "io/errors.h"
+
+#include <unsupported/Eigen/FFT>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <stdexcept>
+
+namespace mesoslip
+{
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+
+/** @p signal without its least-squares line; all zeros if only round-off remains. */
+std::vector<double> without_trend(const std::vector<double> &signal)
+{
+  const std::size_t n = signal.size();
+  const double centre = 0.5 * static_cast<double>(n - 1);
+  double mean = 0., largest = 0.;
+  for (const double value : signal)
+    {
+      mean += value / static_cast<double>(n);
+      largest = std::max(largest, std::abs(value));
+    }
+  double product = 0., square = 0.;
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const double x = static_cast<double>(i) - centre;
+      product += x * (signal[i] - mean);
+      square += x * x;
+    }
+  const double slope = product / square;
+  if (!std::isfinite(slope))
+    throw NumericalFailure("the signal to be transformed is not finite");
+
+  std::vector<double> rest(n);
+  double sum_of_squares = 0.;
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      rest[i] = signal[i] - mean - slope * (static_cast<double>(i) - centre);
+      sum_of_squares += rest[i] * rest[i];
+    }
+  if (std::sqrt(sum_of_squares / static_cast<double>(n)) < 1e-13 * largest)
+    std::fill(rest.begin(), rest.end(), 0.);
+  return rest;
+}
+
+/** Vertex of the parabola through the logarithms of bin @p k and its neighbours. */
+SpectralPeak interpolated_peak(const Spectrum &spectrum, const std::size_t k)
+{
+  const double spacing = spectrum.frequency[1] - spectrum.frequency[0];
+  const auto &a        = spectrum.amplitude;
+  SpectralPeak peak{spectrum.frequency[k], a[k]};
+  if (a[k - 1] > 0. && a[k + 1] > 0.)
+    {
+      const double left = std::log(a[k - 1]), middle = std::log(a[k]),
+                   right     = std::log(a[k + 1]);
+      const double curvature = left - 2. * middle + right;
+      if (curvature < 0.)
+        {
+          const double offset = 0.5 * (left - right) / curvature;
+          peak.frequency += offset * spacing;
+          peak.amplitude = std::exp(middle - 0.25 * (left - right) * offset);
+        }
+    }
+  return peak;
+}
+} // namespace
+
+Spectrum amplitude_spectrum(const std::vector<double> &signal,
+                            const double time_step,
+                            const unsigned int padding)
+{
+  if (!(time_step > 0.))
+    throw std::invalid_argument("amplitude_spectrum: the time step has to be positive");
+  const std::size_t n = signal.size();
+  if (n < 8)
+    return {};
+
+  std::size_t length = 8;
+  while (length < n * std::max(padding, 1u))
+    length *= 2;
+  std::vector<double> windowed = without_trend(signal);
+  windowed.resize(length, 0.);
+  double gain = 0.;
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const double hann = 0.5 * (1. - std::cos(2. * pi * (static_cast<double>(i) + 0.5) /
+                                               static_cast<double>(n)));
+      windowed[i] *= hann;
+      gain += hann;
+    }
+
+  Eigen::FFT<double> fft;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  std::vector<std::complex<double>> transform;
+  fft.fwd(transform, windowed);
+
+  const std::size_t n_bins = length / 2 + 1;
+  Spectrum spectrum;
+  spectrum.frequency.resize(n_bins);
+  spectrum.amplitude.resize(n_bins);
+  for (std::size_t k = 0; k < n_bins; ++k)
+    {
+      const double sides = (k == 0 || k == n_bins - 1) ? 1. : 2.;
+      spectrum.frequency[k] =
+        static_cast<double>(k) / (static_cast<double>(length) * time_step);
+      spectrum.amplitude[k] = sides * std::abs(transform[k]) / gain;
+    }
+  return spectrum;
+}
+
+std::optional<SpectralSummary> summarize_spectrum(const Spectrum &spectrum,
+                                                  const FrequencyBand &band,
+                                                  const double threshold,
+                                                  const double noise_floor)
+{
+  const auto &f = spectrum.frequency;
+  const auto &a = spectrum.amplitude;
+
+  std::vector<std::size_t> maxima;
+  for (std::size_t k = 1; k + 1 < f.size(); ++k)
+    if (f[k] >= band.from && f[k] <= band.to && a[k] > noise_floor && a[k] >= a[k - 1] &&
+        a[k] > a[k + 1])
+      maxima.push_back(k);
+  if (maxima.empty())
+    return std::nullopt;
+
+  const std::size_t main = *std::max_element(
+    maxima.begin(), maxima.end(),
+    [&a](const std::size_t i, const std::size_t j) { return a[i] < a[j]; });
+  SpectralSummary summary;
+  summary.main = interpolated_peak(spectrum, main);
+
+  const double limit = threshold * summary.main.amplitude;
+  for (const std::size_t k : maxima)
+    if (k != main && a[k] > limit)
+      summary.harmonics.push_back(interpolated_peak(spectrum, k));
+  summary.highest_frequency = summary.main.frequency;
+  for (std::size_t k = f.size(); k-- > 0;)
+    if (f[k] <= band.to && a[k] > limit)
+      {
+        summary.highest_frequency = std::max(f[k], summary.main.frequency);
+        break;
+      }
+  return summary;
+}
+} // namespace mesoslip

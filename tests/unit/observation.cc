@@ -1,0 +1,374 @@
+#include "observation/contact_shares.h"
+#include "observation/friction_summary.h"
+#include "observation/phase_diagram.h"
+#include "observation/spectrum.h"
+#include "observation/steady_state.h"
+
+#include "io/errors.h"
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <sstream>
+
+using namespace mesoslip;
+
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+
+std::vector<double> sampled(const std::size_t n,
+                            const double time_step,
+                            const std::function<double(const double)> &function)
+{
+  std::vector<double> values(n);
+  for (std::size_t i = 0; i < n; ++i)
+    values[i] = function(static_cast<double>(i) * time_step);
+  return values;
+}
+
+std::vector<double> times(const std::size_t n, const double time_step)
+{
+  return sampled(n, time_step, [](const double t) { return t; });
+}
+} // namespace
+
+TEST(Spectrum, OffBinSineRecoversFrequencyAndAmplitude)
+{
+  // 1 ms at 20 ns: bins of 1 kHz without padding.
+  for (const double f : {40000., 41237.1, 39612.9, 41500.})
+    {
+      const auto signal  = sampled(50000, 2e-8, [f](const double t) {
+        return 5e-6 + 3e-3 * t + 3.2e-6 * std::sin(2. * pi * f * t + 0.4);
+      });
+      const auto summary = summarize_spectrum(amplitude_spectrum(signal, 2e-8));
+      ASSERT_TRUE(summary);
+      EXPECT_NEAR(summary->main.frequency / f, 1., 1e-4);
+      EXPECT_NEAR(summary->main.amplitude / 3.2e-6, 1., 2e-3);
+      EXPECT_TRUE(summary->harmonics.empty());
+    }
+}
+
+TEST(Spectrum, HarmonicsAboveTenPercentAndHighestFrequency)
+{
+  const auto signal  = sampled(40000, 2.5e-8, [](const double t) {
+    return std::sin(2. * pi * 4.1e4 * t) + 0.3 * std::cos(2. * pi * 8.2e4 * t) +
+           0.15 * std::sin(2. * pi * 1.23e5 * t) + 0.07 * std::sin(2. * pi * 2.05e5 * t);
+  });
+  const auto summary = summarize_spectrum(amplitude_spectrum(signal, 2.5e-8));
+  ASSERT_TRUE(summary);
+  EXPECT_NEAR(summary->main.frequency, 4.1e4, 4.);
+  ASSERT_EQ(summary->harmonics.size(), 2u);
+  EXPECT_NEAR(summary->harmonics[0].frequency, 8.2e4, 8.);
+  EXPECT_NEAR(summary->harmonics[0].amplitude, 0.3, 1e-3);
+  EXPECT_NEAR(summary->harmonics[1].amplitude, 0.15, 1e-3);
+  EXPECT_NEAR(summary->highest_frequency, 1.23e5, 1e3);
+
+  // The band excludes what lies outside.
+  const auto upper =
+    summarize_spectrum(amplitude_spectrum(signal, 2.5e-8), FrequencyBand{6e4, 1e5});
+  ASSERT_TRUE(upper);
+  EXPECT_NEAR(upper->main.frequency, 8.2e4, 8.);
+}
+
+TEST(Spectrum, NoiseHardlyMovesThePeak)
+{
+  std::mt19937 generator(7);
+  std::normal_distribution<double> noise(0., 0.5);
+  const auto signal  = sampled(20000, 5e-8, [&](const double t) {
+    return std::sin(2. * pi * 41234. * t) + noise(generator);
+  });
+  const auto summary = summarize_spectrum(amplitude_spectrum(signal, 5e-8));
+  ASSERT_TRUE(summary);
+  EXPECT_NEAR(summary->main.frequency / 41234., 1., 5e-4);
+}
+
+TEST(Spectrum, WhatHasNoSpectrum)
+{
+  EXPECT_TRUE(amplitude_spectrum({1., 2., 3.}, 1e-6).frequency.empty());
+  EXPECT_FALSE(
+    summarize_spectrum(amplitude_spectrum(std::vector<double>(1000, 0.1), 1e-6)));
+  EXPECT_FALSE(summarize_spectrum(amplitude_spectrum(times(1000, 1e-6), 1e-6)));
+  std::vector<double> bad(100, 1.);
+  bad[50] = std::nan("");
+  EXPECT_THROW(amplitude_spectrum(bad, 1e-6), NumericalFailure);
+  EXPECT_THROW(amplitude_spectrum(times(100, 1.), 0.), std::invalid_argument);
+}
+
+namespace
+{
+/** Oscillator growing at @p rate until it saturates at amplitude 1 um near 0.3 ms. */
+double growing(const double t, const double rate = 2.5e4)
+{
+  const double grown = std::exp(rate * (t - 3e-4));
+  return -4e-7 + 1e-6 * grown / (1. + grown) * std::sin(2. * pi * 41321. * t);
+}
+
+double friction_energy(const double t)
+{
+  return 1e4 * t + 0.05 * std::sin(2. * pi * 41321. * t);
+}
+} // namespace
+
+TEST(LimitCycle, GrowingThenSaturatingOscillator)
+{
+  const double dt     = 2e-8;
+  const auto signal   = sampled(50000, dt, [](const double t) { return growing(t); });
+  const auto energy   = sampled(50000, dt, friction_energy);
+  const auto detector = detect_limit_cycle(times(50000, dt), signal, energy);
+  ASSERT_TRUE(detector.reached());
+  EXPECT_FALSE(detector.steady_sliding());
+  // 2 % below saturation at 0.3 ms + ln(49) / 2.5e4 = 0.456 ms; windows of 73 us.
+  EXPECT_GT(detector.steady_from(), 3.8e-4);
+  EXPECT_LT(detector.steady_from(), 5.5e-4);
+  EXPECT_NEAR(*detector.reached_at() - detector.steady_from(), 9. / 41321., 1e-6);
+  EXPECT_NEAR(detector.period() * 41321., 1., 5e-3);
+  EXPECT_NEAR(detector.history().back().amplitude, 1e-6 / std::sqrt(2.), 1e-8);
+  EXPECT_NE(detector.description().find("reached at"), std::string::npos);
+}
+
+TEST(LimitCycle, ChunksAndCheckpointsChangeNothing)
+{
+  const double dt   = 2e-8;
+  const auto signal = sampled(50000, dt, [](const double t) { return growing(t); });
+  const auto energy = sampled(50000, dt, friction_energy);
+  const auto whole  = detect_limit_cycle(times(50000, dt), signal, energy);
+  LimitCycleDetector first, second;
+  for (std::size_t i = 0; i < 17321; ++i)
+    first.add(static_cast<double>(i) * dt, signal[i], energy[i]);
+  std::stringstream file;
+  boost::archive::binary_oarchive(file) << first;
+  boost::archive::binary_iarchive(file) >> second;
+  for (std::size_t i = 17321; i < 50000; ++i)
+    second.add(static_cast<double>(i) * dt, signal[i], energy[i]);
+  EXPECT_EQ(second.steady_from(), whole.steady_from());
+  EXPECT_EQ(second.history().size(), whole.history().size());
+  EXPECT_EQ(second.history().back().amplitude, whole.history().back().amplitude);
+}
+
+TEST(LimitCycle, NoiseIsNoObstacle)
+{
+  std::mt19937 generator(11);
+  std::normal_distribution<double> noise(0., 5e-8);
+  const double dt = 2e-8;
+  const auto signal =
+    sampled(50000, dt, [&](const double t) { return growing(t) + noise(generator); });
+  const auto detector =
+    detect_limit_cycle(times(50000, dt), signal, sampled(50000, dt, friction_energy));
+  ASSERT_TRUE(detector.reached());
+  EXPECT_GT(detector.steady_from(), 3.8e-4);
+  EXPECT_LT(detector.steady_from(), 5.5e-4);
+}
+
+TEST(LimitCycle, NeverReachedWhileGrowingOrWhileThePowerDrifts)
+{
+  const double dt   = 2e-8;
+  const auto signal = sampled(50000, dt, [](const double t) {
+    return 1e-6 * std::exp(2e3 * t) * std::sin(2. * pi * 41321. * t);
+  });
+  const auto growing_detector =
+    detect_limit_cycle(times(50000, dt), signal, sampled(50000, dt, friction_energy));
+  EXPECT_FALSE(growing_detector.reached());
+  EXPECT_FALSE(growing_detector.reached_at());
+  EXPECT_EQ(growing_detector.steady_from(), 2.5e-4);
+  EXPECT_NEAR(growing_detector.steady_from(9e-4), 5e-4, dt);
+  EXPECT_NE(growing_detector.description().find("not reached"), std::string::npos);
+
+  const auto steady = sampled(
+    50000, dt, [](const double t) { return 1e-6 * std::sin(2. * pi * 41321. * t); });
+  const auto drifting = sampled(50000, dt, [](const double t) { return 1e7 * t * t; });
+  EXPECT_FALSE(detect_limit_cycle(times(50000, dt), steady, drifting).reached());
+}
+
+TEST(LimitCycle, SteadySlidingIsSteadyUnlessAVibrationGrows)
+{
+  const double dt   = 2e-8;
+  const auto linear = sampled(20000, dt, [](const double t) { return 1e4 * t; });
+  const auto settled =
+    sampled(20000, dt, [](const double t) { return 2e-7 * (1. - std::exp(-t / 2e-5)); });
+  const auto detector = detect_limit_cycle(times(20000, dt), settled, linear);
+  EXPECT_TRUE(detector.reached());
+  EXPECT_TRUE(detector.steady_sliding());
+  EXPECT_GT(detector.steady_from(), 5e-5);
+
+  const auto unstable = sampled(20000, dt, [](const double t) {
+    return 2e-7 + 1e-15 * std::exp(2e4 * t) * std::sin(2. * pi * 4.5e4 * t);
+  });
+  EXPECT_FALSE(detect_limit_cycle(times(20000, dt), unstable, linear).reached());
+
+  LimitCycleDetector bad;
+  EXPECT_THROW(bad.add(0., std::nan(""), 0.), NumericalFailure);
+}
+
+TEST(Friction, SlopeOfALimitCycle)
+{
+  const double dt = 1e-7, period = 1. / 41321.;
+  const auto energy = sampled(10001, dt, friction_energy);
+  const auto mu =
+    interface_friction_coefficient(times(10001, dt), energy, 2.5e-4, 1e-3, period, 5e4);
+  EXPECT_NEAR(mu.value, 0.2, 1e-4);
+  EXPECT_LT(mu.standard_error, 1e-4);
+  EXPECT_EQ(mu.batches, 20u);
+  EXPECT_THROW(
+    interface_friction_coefficient(times(10001, dt), energy, 2e-3, 3e-3, period, 5e4),
+    UserError);
+  EXPECT_THROW(
+    interface_friction_coefficient(times(10001, dt), energy, 0., 1e-3, period, 0.),
+    UserError);
+}
+
+// A power that fluctuates at random: 95 % of the intervals have to cover the truth.
+TEST(Friction, ConfidenceIntervalCovers)
+{
+  std::mt19937 generator(3);
+  std::normal_distribution<double> noise(0.2, 0.3);
+  const double dt = 1e-7;
+  int covered = 0, covered_mean = 0;
+  const int trials = 400;
+  for (int trial = 0; trial < trials; ++trial)
+    {
+      std::vector<double> power(4001), energy(4001, 0.);
+      for (std::size_t i = 0; i < power.size(); ++i)
+        {
+          power[i] = noise(generator);
+          if (i > 0)
+            energy[i] = energy[i - 1] + 5e4 * power[i] * dt;
+        }
+      const auto mu =
+        interface_friction_coefficient(times(4001, dt), energy, 0., 4e-4, 2e-5, 5e4);
+      covered += std::abs(mu.value - 0.2) <= mu.half_width;
+      const auto mean = window_mean(times(4001, dt), power, 0., 4e-4, 2e-5);
+      covered_mean += std::abs(mean.value - 0.2) <= mean.half_width;
+    }
+  EXPECT_GT(covered, 0.88 * trials);
+  EXPECT_GT(covered_mean, 0.92 * trials);
+  EXPECT_LT(covered_mean, 0.99 * trials);
+}
+
+TEST(Friction, MeanOverWholePeriods)
+{
+  const double dt   = 1e-7;
+  const auto values = sampled(2001, dt, [](const double t) {
+    return 0.21 + 0.3 * std::sin(2. * pi * 4e4 * t + 0.3);
+  });
+  // 6.6 periods asked for: 6 used, where the oscillation cancels.
+  const auto mean = window_mean(times(2001, dt), values, 3.5e-5, 2e-4, 2.5e-5);
+  EXPECT_NEAR(mean.value, 0.21, 1e-9);
+  EXPECT_EQ(mean.batches, 6u);
+}
+
+TEST(Regimes, Labels)
+{
+  EXPECT_EQ(regime_label({1., 0., 0.}), "permanent slip");
+  EXPECT_EQ(regime_label({0.995, 0.005, 0.}), "permanent slip");
+  EXPECT_EQ(regime_label({0., 1., 0.}), "permanent stick");
+  EXPECT_EQ(regime_label({0.6, 0.4, 0.}), "stick-slip");
+  EXPECT_EQ(regime_label({0.7, 0., 0.3}), "slip-separation, regime 1 (mostly slipping)");
+  EXPECT_EQ(regime_label({0.2, 0., 0.8}), "slip-separation, regime 2 (mostly separated)");
+  EXPECT_EQ(regime_label({0.5, 0.2, 0.3}), "stick-slip-separation");
+  EXPECT_THROW(regime_label({0.5, 0., 0.3}), std::invalid_argument);
+}
+
+namespace
+{
+/** Counters of two nodes: one always slipping, one 7 of 10 steps in contact. */
+std::vector<ContactBlock> two_nodes(const unsigned int n_blocks, const unsigned int steps)
+{
+  std::vector<ContactBlock> blocks(n_blocks);
+  unsigned int step = 3;
+  for (unsigned int b = 0; b < n_blocks; ++b)
+    {
+      ContactBlock &block = blocks[b];
+      block.begin         = b * steps * 5e-9;
+      block.end           = (b + 1) * steps * 5e-9;
+      block.steps         = steps;
+      block.slip          = {static_cast<double>(steps), 0.};
+      block.stick = block.landings = {0., 0.};
+      for (unsigned int i = 0; i < steps; ++i, ++step)
+        {
+          const unsigned int phase = step % 10;
+          block.stick[1] += phase < 2;
+          block.slip[1] += phase >= 2 && phase < 7;
+          block.landings[1] += phase == 0;
+        }
+    }
+  return blocks;
+}
+} // namespace
+
+TEST(ContactShares, SharesAndDurationByConstruction)
+{
+  // Blocks of 13 steps cut the episodes anywhere; 10 blocks hold whole periods again.
+  const auto blocks  = two_nodes(30, 13);
+  const auto summary = summarize_contact(blocks, 10 * 13 * 5e-9, 20 * 13 * 5e-9);
+  EXPECT_NEAR(summary.begin, 10 * 13 * 5e-9, 1e-18);
+  EXPECT_NEAR(summary.node_shares[1].stick, 0.2, 1e-14);
+  EXPECT_NEAR(summary.node_shares[1].slip, 0.5, 1e-14);
+  EXPECT_NEAR(summary.node_shares[1].separation, 0.3, 1e-14);
+  EXPECT_NEAR(summary.node_durations[1].mean, 7 * 5e-9, 1e-18);
+  EXPECT_EQ(summary.node_durations[1].episodes, 13.);
+  EXPECT_NEAR(summary.shares.slip, 0.75, 1e-14);
+  EXPECT_NEAR(summary.duration.mean, (130 + 91) * 5e-9 / 13., 1e-17);
+
+  // Never separated: the duration is only a lower bound.
+  EXPECT_FALSE(summary.node_durations[0].complete());
+  EXPECT_NEAR(summary.node_durations[0].mean, 130 * 5e-9, 1e-18);
+
+  const auto weighted = summarize_contact(blocks, 0., 1., {1., 3.});
+  EXPECT_NEAR(weighted.shares.separation, 0.225, 1e-14);
+}
+
+TEST(ContactShares, WindowWithoutABlockTakesTheLastOne)
+{
+  const auto blocks  = two_nodes(3, 100);
+  const auto summary = summarize_contact(blocks, 1.3e-6, 1.4e-6);
+  EXPECT_EQ(summary.begin, blocks[2].begin);
+  EXPECT_THROW(summarize_contact({}, 0., 1.), std::invalid_argument);
+  EXPECT_THROW(summarize_contact(blocks, 0., 1., {1.}), std::invalid_argument);
+  EXPECT_EQ(nearest_node({0., 1., 2., 3.}, 1.9), 2u);
+}
+
+TEST(PhaseDiagram, AFoldedCircle)
+{
+  const double dt = 5e-8, f = 41321., w = 2. * pi * f;
+  const auto u = sampled(
+    20000, dt, [w](const double t) { return -4e-7 + 1e-6 * std::sin(w * t + 1.); });
+  const auto v =
+    sampled(20000, dt, [w](const double t) { return 1e-6 * w * std::cos(w * t + 1.); });
+  for (const double expected : {0., 2.4e-5})
+    {
+      const auto diagram = mean_phase_diagram(u, v, dt, expected);
+      ASSERT_EQ(diagram.displacement.size(), 200u);
+      EXPECT_EQ(diagram.n_periods, 40u);
+      EXPECT_NEAR(diagram.period * f, 1., 1e-4);
+      for (unsigned int i = 0; i < 200; ++i)
+        {
+          const double angle = 2. * pi * diagram.phase[i];
+          EXPECT_NEAR(diagram.displacement[i], -4e-7 + 1e-6 * std::sin(angle), 1e-8);
+          EXPECT_NEAR(diagram.velocity[i], 1e-6 * w * std::cos(angle), 1e-2 * 1e-6 * w);
+          EXPECT_LT(diagram.displacement_spread[i], 3e-8);
+        }
+    }
+}
+
+TEST(PhaseDiagram, HarmonicsAndNoiseAreNoPeriods)
+{
+  std::mt19937 generator(5);
+  std::normal_distribution<double> noise(0., 0.05);
+  const double dt = 5e-8, w = 2. * pi * 4e4;
+  const auto u       = sampled(20000, dt, [&](const double t) {
+    return std::sin(w * t) + 0.8 * std::sin(2. * w * t) + noise(generator);
+  });
+  const auto diagram = mean_phase_diagram(u, u, dt);
+  EXPECT_NEAR(diagram.period * 4e4, 1., 5e-3);
+  EXPECT_EQ(
+    mean_phase_diagram(std::vector<double>(100, 1.), std::vector<double>(100, 0.), dt)
+      .n_periods,
+    0u);
+  EXPECT_EQ(upward_crossings({-1., 1., -1., 3.}, 0.), (std::vector<double>{0.5, 2.25}));
+}

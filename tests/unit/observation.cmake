@@ -1,0 +1,1 @@
+mesoslip_test(unit observation LIBS mesoslip_observation)
