@@ -47,7 +47,7 @@ struct Range
 class ParameterSection
 {
 public:
-  ParameterSection(dealii::ParameterHandler &prm, const std::string &path);
+  ParameterSection(dealii::ParameterHandler &handler, const std::string &path);
   ~ParameterSection();
   ParameterSection(const ParameterSection &)            = delete;
   ParameterSection &operator=(const ParameterSection &) = delete;

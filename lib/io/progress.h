@@ -18,24 +18,24 @@ public:
   enum class Mode
   {
     off,
-    /** A line every ten seconds and at least ten in a run that takes longer. */
+    /** A line every ten seconds or tenth of the run, never more than one a second. */
     plain,
     /** One line, refreshed five times a second. */
     terminal
   };
 
-  /** Plain unless @p out is a terminal's standard output; off when @p quiet. */
+  /** Refreshed if standard output is a terminal, plain otherwise, off when @p quiet. */
   static Mode choose_mode(const bool quiet);
 
-  Progress(std::ostream &out, const Mode mode);
+  Progress(std::ostream &stream, const Mode chosen_mode);
 
   /**
-   * Begins an activity of @p total_steps steps that each update @p cells cells (0: no
-   * speed is shown). @p first_step is where a resumed run begins.
+   * Begins the activity @p name of @p total_steps steps that each update @p n_cells cells
+   * (0: no speed is shown). @p first_step is where a resumed run begins.
    */
   void start(const std::string &activity,
              const std::uint64_t total_steps,
-             const std::uint64_t cells      = 0,
+             const std::uint64_t n_cells    = 0,
              const std::uint64_t first_step = 0);
 
   /** After step @p step (counted from 1); cheap when nothing is due to be shown. */

@@ -27,7 +27,7 @@ public:
 
   private:
     friend class Timer;
-    explicit Scope(Timer &timer);
+    explicit Scope(Timer &owner);
     Timer *timer;
   };
 

@@ -1,0 +1,62 @@
+#ifndef mesoslip_io_patterns_h
+#define mesoslip_io_patterns_h
+
+#include "io/parameters.h"
+
+#include <deal.II/base/patterns.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace mesoslip
+{
+/**
+ * What a key accepts, with the sentence that says so: "a number > 0". Unlike deal.II's
+ * patterns it knows exclusive bounds, and refuses trailing characters and NaN.
+ */
+class TextPattern : public dealii::Patterns::PatternBase
+{
+public:
+  TextPattern(const std::string &allowed_text,
+              const std::function<bool(const std::string &)> &accept);
+
+  bool match(const std::string &text) const override;
+
+  /** The same in all styles: what messages and --print-parameters show. */
+  std::string description(const OutputStyle style = Machine) const override;
+
+  std::unique_ptr<PatternBase> clone() const override;
+
+private:
+  std::string allowed;
+  std::function<bool(const std::string &)> accepts;
+};
+
+/** Description of the pattern of declare_input_file(): apply() makes its paths absolute.
+ */
+extern const char *const input_file_description;
+
+/**
+ * A description of a pattern in words: deal.II's machine-readable ones, such as
+ * "[Double 0...1 (inclusive)]", are translated, ours returned.
+ */
+std::string pattern_in_words(const std::string &description);
+
+/** Parses all of @p text, or returns false. Accepts a leading '+'; no NaN, no infinity.
+ */
+bool parse_number(const std::string &text, double &value);
+bool parse_number(const std::string &text, long &value);
+
+/** Without leading and trailing blanks. */
+std::string trimmed(const std::string &text);
+
+/**
+ * The word of @p candidates that is nearest to @p word in edit distance (upper and lower
+ * case alike); "" when none is near enough to be a slip.
+ */
+std::string nearest_word(const std::string &word,
+                         const std::vector<std::string> &candidates);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,249 @@
+#include "io/raw_parameters.h"
+
+#include "io/errors.h"
+#include "io/parameters.h"
+#include "io/patterns.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+/** A line without comment, with single blanks between words. */
+std::string cleaned(const std::string &line)
+{
+  std::istringstream words(line.substr(0, line.find('#')));
+  std::string text, word;
+  while (words >> word)
+    text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+/** Reads the lines of a .prm one by one and collects what they set. */
+class Parser
+{
+public:
+  Parser(const std::string &file, const std::string &text)
+    : file_name(file)
+    , lines(text)
+  {
+  }
+
+  std::vector<RawParameters::Entry> entries;
+  std::vector<std::string> sections;
+  std::vector<unsigned int> section_lines;
+
+  void run()
+  {
+    std::string raw;
+    while (next_line(raw))
+      {
+        const std::string line = cleaned(raw);
+        if (line.empty())
+          continue;
+        const std::string word = line.substr(0, line.find(' '));
+        const std::string rest =
+          line.size() > word.size() ? line.substr(word.size() + 1) : "";
+        if (word == "subsection" || word == "SUBSECTION")
+          enter(rest);
+        else if (word == "end" || word == "END")
+          leave(rest);
+        else if (word == "set" || word == "SET")
+          set(raw.substr(0, raw.find('#')));
+        else if (word == "include" || word == "INCLUDE")
+          fail("'include' is not supported; a parameter file is complete in itself");
+        else
+          fail(
+            "'" + line.substr(0, 60) +
+            "' is not understood; lines are 'set Key = value', 'subsection Name', 'end' "
+            "or '# comment'");
+      }
+    if (!open.empty())
+      throw UserError(file_name + ":" + std::to_string(open.back().second) +
+                      ": the subsection '" + open.back().first + "' has no 'end'");
+  }
+
+private:
+  [[noreturn]] void fail(const std::string &what) const
+  {
+    throw UserError(file_name + ":" + std::to_string(first_line) + ": " + what);
+  }
+
+  /** One logical line: a backslash at the end continues it. */
+  bool next_line(std::string &line)
+  {
+    line.clear();
+    first_line = last_line + 1;
+    std::string piece;
+    bool any = false;
+    while (std::getline(lines, piece))
+      {
+        any = true;
+        ++last_line;
+        while (!piece.empty() && (piece.back() == '\r' || piece.back() == ' '))
+          piece.pop_back();
+        if (piece.empty() || piece.back() != '\\')
+          {
+            line += piece;
+            return true;
+          }
+        line += piece.substr(0, piece.size() - 1);
+      }
+    return any;
+  }
+
+  std::string prefix() const
+  {
+    std::string path;
+    for (const auto &section : open)
+      path += section.first + "/";
+    return path;
+  }
+
+  void check_name(const std::string &name, const char *kind) const
+  {
+    if (name.empty())
+      fail(std::string("a ") + kind + " has no name");
+    if (name.find('/') != std::string::npos)
+      fail(std::string("the ") + kind + " '" + name +
+           "' contains '/', which names cannot");
+  }
+
+  void enter(const std::string &name)
+  {
+    check_name(name, "subsection");
+    const std::string path = prefix() + name;
+    if (std::find(sections.begin(), sections.end(), path) == sections.end())
+      {
+        sections.push_back(path);
+        section_lines.push_back(first_line);
+      }
+    open.emplace_back(name, first_line);
+  }
+
+  void leave(const std::string &rest)
+  {
+    if (!rest.empty())
+      fail("nothing may follow 'end', found '" + rest + "'");
+    if (open.empty())
+      fail("'end' without an open subsection");
+    open.pop_back();
+  }
+
+  void set(const std::string &raw)
+  {
+    const auto equals = raw.find('=');
+    if (equals == std::string::npos)
+      fail("'" + cleaned(raw) + "' has no '='; write 'set Key = value'");
+    const std::string left = cleaned(raw.substr(0, equals));
+    const std::string key  = left.size() > 4 ? left.substr(4) : "";
+    check_name(key, "key");
+    const std::string path = prefix() + key;
+    for (const RawParameters::Entry &entry : entries)
+      if (entry.path == path)
+        fail("'" + path + "' is set again; line " + std::to_string(entry.line) +
+             " has set it already");
+    entries.push_back({path, trimmed(raw.substr(equals + 1)), first_line});
+  }
+
+  std::string file_name;
+  std::istringstream lines;
+  unsigned int first_line = 0;
+  unsigned int last_line  = 0;
+  std::vector<std::pair<std::string, unsigned int>> open;
+};
+} // namespace
+
+RawParameters RawParameters::parse(const std::string &text, const std::string &file)
+{
+  if (text.find('\0') != std::string::npos)
+    throw UserError(file + " is not a text file, but a parameter file (.prm) is needed");
+  const std::string mark = "\xef\xbb\xbf"; // what some editors put in front of UTF-8
+  Parser parser(file, text.rfind(mark, 0) == 0 ? text.substr(mark.size()) : text);
+  parser.run();
+
+  RawParameters raw;
+  raw.file_name     = file;
+  raw.all_entries   = parser.entries;
+  raw.sections      = parser.sections;
+  raw.section_lines = parser.section_lines;
+  return raw;
+}
+
+void RawParameters::override_with(const std::string &assignment)
+{
+  const auto equals      = assignment.find('=');
+  const std::string path = trimmed(assignment.substr(0, equals));
+  if (equals == std::string::npos || path.empty())
+    throw UserError("--set '" + assignment + "': write --set 'Section/Key=value'");
+  const Entry entry = {path, trimmed(assignment.substr(equals + 1)), 0};
+  const auto old    = std::find_if(all_entries.begin(), all_entries.end(),
+                                   [&](const Entry &e) { return e.path == path; });
+  if (old != all_entries.end())
+    *old = entry;
+  else
+    all_entries.push_back(entry);
+}
+
+const RawParameters::Entry *RawParameters::find(const std::string &path) const
+{
+  for (const Entry &entry : all_entries)
+    if (entry.path == path)
+      return &entry;
+  return nullptr;
+}
+
+std::string RawParameters::get(const std::string &path, const std::string &fallback) const
+{
+  const Entry *entry = find(path);
+  return entry != nullptr ? entry->value : fallback;
+}
+
+std::vector<std::string>
+RawParameters::get_list(const std::string &path,
+                        const std::vector<std::string> &fallback) const
+{
+  const Entry *entry = find(path);
+  return entry != nullptr ? split_list(entry->value) : fallback;
+}
+
+bool RawParameters::has(const std::string &path) const
+{
+  return find(path) != nullptr;
+}
+
+std::vector<std::string> RawParameters::subsections(const std::string &path) const
+{
+  const std::string prefix = path.empty() ? "" : path + "/";
+  std::vector<std::string> names;
+  const auto add = [&](const std::string &full) {
+    if (full.size() <= prefix.size() || full.compare(0, prefix.size(), prefix) != 0)
+      return;
+    const std::string rest = full.substr(prefix.size());
+    const std::string name = rest.substr(0, rest.find('/'));
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  };
+  for (const std::string &section : sections)
+    add(section);
+  for (const Entry &entry : all_entries)
+    if (const auto slash = entry.path.rfind('/'); slash != std::string::npos)
+      add(entry.path.substr(0, slash));
+  return names;
+}
+
+std::string RawParameters::origin(const Entry &entry) const
+{
+  return entry.line == 0 ? "--set '" + entry.path + "=" + entry.value + "'"
+                         : file_name + ":" + std::to_string(entry.line);
+}
+
+std::string RawParameters::folder() const
+{
+  const std::string parent = std::filesystem::path(file_name).parent_path().string();
+  return parent.empty() ? "." : parent;
+}
+} // namespace mesoslip

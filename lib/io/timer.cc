@@ -1,0 +1,156 @@
+#include "io/timer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+namespace mesoslip
+{
+Timer::Scope::Scope(Timer &owner)
+  : timer(&owner)
+{
+}
+
+Timer::Scope::Scope(Scope &&other) noexcept
+  : timer(other.timer)
+{
+  other.timer = nullptr;
+}
+
+Timer::Scope::~Scope()
+{
+  if (timer != nullptr)
+    timer->leave();
+}
+
+Timer::Timer()
+{
+  nodes.emplace_back();
+  current          = &nodes.front();
+  current->entered = Clock::now();
+}
+
+Timer::Scope Timer::scope(const char *name)
+{
+  Node *node = nullptr;
+  for (Node *child : current->children)
+    if (child->name == name)
+      node = child;
+  if (node == nullptr)
+    {
+      nodes.emplace_back();
+      node         = &nodes.back();
+      node->name   = name;
+      node->parent = current;
+      current->children.push_back(node);
+    }
+  current = node;
+  ++node->calls;
+  node->entered = Clock::now();
+  return Scope(*this);
+}
+
+void Timer::leave()
+{
+  current->elapsed += Clock::now() - current->entered;
+  current = current->parent;
+}
+
+double Timer::seconds(const Node &node) const
+{
+  Clock::duration elapsed = node.elapsed;
+  for (const Node *open = current; open != nullptr; open = open->parent)
+    if (open == &node)
+      elapsed += Clock::now() - node.entered;
+  return std::chrono::duration<double>(elapsed).count();
+}
+
+double Timer::total() const
+{
+  return seconds(nodes.front());
+}
+
+double Timer::seconds(const std::string &path) const
+{
+  const Node *node = &nodes.front();
+  std::istringstream names(path);
+  std::string name;
+  while (std::getline(names, name, '/'))
+    {
+      const auto child = std::find_if(node->children.begin(), node->children.end(),
+                                      [&](const Node *c) { return c->name == name; });
+      if (child == node->children.end())
+        return 0.;
+      node = *child;
+    }
+  return seconds(*node);
+}
+
+namespace
+{
+void print_row(std::ostream &out,
+               const std::string &name,
+               const unsigned int depth,
+               const unsigned long calls,
+               const double seconds,
+               const double total)
+{
+  std::ostringstream row;
+  row << std::left << std::setw(44) << std::string(2 * depth, ' ') + name << std::right;
+  if (calls > 0)
+    row << std::setw(12) << calls;
+  else
+    row << std::setw(12) << "";
+  row << std::fixed << std::setprecision(3) << std::setw(13) << seconds
+      << std::setprecision(1) << std::setw(8)
+      << (total > 0. ? 100. * seconds / total : 0.) << " %\n";
+  out << row.str();
+}
+} // namespace
+
+void Timer::print(std::ostream &out, const Node &node, const unsigned int depth) const
+{
+  const double all  = total();
+  const double mine = seconds(node);
+  double covered    = 0.;
+  print_row(out, depth == 0 ? "total" : node.name, depth, node.calls, mine, all);
+  for (const Node *child : node.children)
+    {
+      print(out, *child, depth + 1);
+      covered += seconds(*child);
+    }
+  if (!node.children.empty())
+    print_row(out, "other", depth + 1, 0, std::max(0., mine - covered), all);
+}
+
+void Timer::print(std::ostream &out) const
+{
+  std::ostringstream heading;
+  heading << std::left << std::setw(44) << "section" << std::right << std::setw(12)
+          << "calls" << std::setw(13) << "seconds" << std::setw(10) << "share";
+  out << heading.str() << '\n';
+  print(out, nodes.front(), 0);
+}
+
+void Timer::collect(nlohmann::json &out,
+                    const Node &node,
+                    const std::string &prefix) const
+{
+  for (const Node *child : node.children)
+    {
+      const std::string path = prefix + child->name;
+      out[path]              = seconds(*child);
+      collect(out, *child, path + "/");
+    }
+}
+
+nlohmann::json Timer::json() const
+{
+  nlohmann::json out = {{"total", total()}};
+  collect(out, nodes.front(), "");
+  return out;
+}
+} // namespace mesoslip
