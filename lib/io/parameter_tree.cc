@@ -77,7 +77,7 @@ std::vector<Declared> declared_keys(const dealii::ParameterHandler &prm)
   return keys;
 }
 
-std::string quoted(const std::string &text)
+std::string in_quotes(const std::string &text)
 {
   return "'" + text + "'";
 }
@@ -128,7 +128,7 @@ public:
     for (const std::string &section : sections)
       if (parent_of(section) == parent)
         siblings.push_back(name_of(section));
-    return "there is no subsection " + quoted(name_of(path)) + place(parent) +
+    return "there is no subsection " + in_quotes(name_of(path)) + place(parent) +
            advice(name_of(path), siblings, sections_named(name_of(path)), "subsections");
   }
 
@@ -143,14 +143,14 @@ public:
         siblings.push_back(key.key);
       else if (key.key == name_of(path))
         elsewhere.push_back(key.path());
-    return "there is no key " + quoted(name_of(path)) + place(section) +
+    return "there is no key " + in_quotes(name_of(path)) + place(section) +
            advice(name_of(path), siblings, elsewhere, "keys");
   }
 
 private:
   static std::string place(const std::string &section)
   {
-    return section.empty() ? " at the top level" : " in " + quoted(section);
+    return section.empty() ? " at the top level" : " in " + in_quotes(section);
   }
 
   std::vector<std::string> sections_named(const std::string &name) const
@@ -169,10 +169,10 @@ private:
                             const char *kind)
   {
     if (!elsewhere.empty())
-      return "; did you mean " + quoted(elsewhere.front()) + "?";
+      return "; did you mean " + in_quotes(elsewhere.front()) + "?";
     const std::string nearest = nearest_word(word, siblings);
     if (!nearest.empty())
-      return "; did you mean " + quoted(nearest) + "?";
+      return "; did you mean " + in_quotes(nearest) + "?";
     if (siblings.empty())
       return std::string("; there are no ") + kind + " here, see --print-parameters";
     if (siblings.size() > 12)
@@ -213,8 +213,8 @@ void RawParameters::apply(dealii::ParameterHandler &prm) const
         }
       catch (const dealii::ExceptionBase &)
         {
-          throw UserError(origin(entry) + ": " + quoted(entry.path) + " is " +
-                          quoted(value) + " but must be " +
+          throw UserError(origin(entry) + ": " + in_quotes(entry.path) + " is " +
+                          in_quotes(value) + " but must be " +
                           pattern_in_words(key->allowed));
         }
     }

@@ -86,6 +86,9 @@ public:
   /** One line to the console (unless --quiet) and log.txt. */
   void log(const std::string &line);
 
+  /** One line to log.txt only. */
+  void log_to_file(const std::string &line);
+
   /** As log(), also with --quiet, to stderr and marked as a warning. */
   void warn(const std::string &line);
 

@@ -1,0 +1,188 @@
+#include "io/program.h"
+
+#include "io/collective.h"
+#include "io/command_line.h"
+#include "io/errors.h"
+#include "io/files.h"
+#include "io/interrupt.h"
+#include "io/outcome.h"
+#include "io/parameters.h"
+#include "io/raw_parameters.h"
+#include "io/run_context.h"
+#include "io/version.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+constexpr char output_key[] = "Output folder";
+
+/** The .prm as text and as entries, the same on all ranks. */
+struct ParameterFile
+{
+  std::string text;
+  RawParameters raw;
+};
+
+ParameterFile read_parameter_file(const CommandLine &line, const MPI_Comm communicator)
+{
+  ParameterFile file;
+  if (!line.prm_file.empty())
+    {
+      on_root(communicator, [&]() {
+        file.text = read_file(line.prm_file);
+        if (file.text.find_first_not_of(" \t\r\n") == std::string::npos)
+          throw UserError(line.prm_file +
+                          " is empty; --print-parameters shows what it may contain");
+      });
+      broadcast(communicator, file.text);
+      file.raw = RawParameters::parse(file.text, line.prm_file);
+    }
+  for (const std::string &assignment : line.assignments)
+    file.raw.override_with(assignment);
+  return file;
+}
+
+void declare_all(dealii::ParameterHandler &prm,
+                 const Program &program,
+                 const RawParameters &raw)
+{
+  declare_string(prm, output_key, "",
+                 "Folder for the results, relative to the current folder; empty: "
+                 "output/<name of the .prm>");
+  if (program.declare)
+    program.declare(prm, raw);
+}
+
+std::string choose_output_folder(const CommandLine &line, dealii::ParameterHandler &prm)
+{
+  if (!line.output.empty())
+    return line.output;
+  const std::string folder = get_string(prm, output_key);
+  if (!folder.empty())
+    return folder;
+  return "output/" + std::filesystem::path(line.prm_file).stem().string();
+}
+
+void validate(const Program &program,
+              dealii::ParameterHandler &prm,
+              const CommandLine &line,
+              const bool root)
+{
+  std::ostringstream report;
+  if (program.estimate)
+    program.estimate(prm, report);
+  if (!root || line.quiet)
+    return;
+  std::cout << line.prm_file << ": the parameters are valid; the results would go to "
+            << choose_output_folder(line, prm) << '\n'
+            << report.str() << std::flush;
+}
+
+void run(const Program &program,
+         dealii::ParameterHandler &prm,
+         const CommandLine &line,
+         const std::string &original,
+         const MPI_Comm communicator)
+{
+  RunOptions options;
+  options.program       = program.name;
+  options.prm_file      = line.prm_file;
+  options.output_folder = choose_output_folder(line, prm);
+  options.resume        = line.resume;
+  options.quiet         = line.quiet;
+  options.profile       = line.profile;
+
+  std::ostringstream effective;
+  effective << "# " << program.name << ' ' << version << ": all parameters of this run\n";
+  print_parameters(prm, effective);
+
+  RunContext context(options, communicator, original, effective.str());
+  install_interrupt_handlers();
+  try
+    {
+      program.run(prm, context);
+      context.progress().finish();
+      context.write_summary();
+      context.log("done in " + duration_text(context.timer().total()));
+    }
+  catch (const std::exception &)
+    {
+      context.progress().finish();
+      context.log_to_file("stopped: " + describe_current_exception().message);
+      throw;
+    }
+  if (options.profile && context.root())
+    context.timer().print(std::cout);
+}
+
+void do_what_is_asked(const CommandLine &line,
+                      const Program &program,
+                      const MPI_Comm communicator)
+{
+  const bool root = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  if (line.help || line.version)
+    {
+      if (root)
+        std::cout << (line.help
+                        ? CommandLine::help_text(program.name, program.description)
+                        : program.name + " (mesoslip) " + version + "\n")
+                  << std::flush;
+      return;
+    }
+  const ParameterFile file = read_parameter_file(line, communicator);
+  dealii::ParameterHandler prm;
+  declare_all(prm, program, file.raw);
+  file.raw.apply(prm);
+  if (line.print_parameters)
+    {
+      if (root)
+        {
+          std::cout << "# " << program.name << ' ' << version << '\n';
+          print_parameters(prm, std::cout);
+          std::cout << std::flush;
+        }
+      return;
+    }
+  if (program.check)
+    program.check(prm);
+  if (line.validate)
+    validate(program, prm, line, root);
+  else
+    run(program, prm, line, file.text, communicator);
+}
+} // namespace
+
+int run_program(int argc, char **argv, const Program &program)
+{
+  try
+    {
+      // Its destructor gives up when it sees an exception: none passes this line.
+      dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+      dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+      Outcome outcome;
+      try
+        {
+          do_what_is_asked(CommandLine::parse(argc, argv), program, MPI_COMM_WORLD);
+        }
+      catch (...)
+        {
+          outcome = describe_current_exception();
+        }
+      return conclude(MPI_COMM_WORLD, program.name, outcome);
+    }
+  catch (...)
+    {
+      const Outcome outcome = describe_current_exception();
+      std::cerr << program.name << ": " << outcome.message << std::endl;
+      return static_cast<int>(outcome.status);
+    }
+}
+} // namespace mesoslip
