@@ -48,6 +48,9 @@ CellBox covered_cells(const UniformGrid<2> &grid, const Rectangle &rectangle);
 PhaseMap<2> homogeneous_map(const UniformGrid<2> &grid,
                             const std::uint8_t background = 0);
 
+/** Gives all cells of a box, which lies inside the grid, to @p phase. */
+void fill_box(PhaseMap<2> &map, const CellBox &box, const std::uint8_t phase);
+
 /**
  * Draws rectangles on a background of phase 0; where they overlap the later one wins.
  * Rectangles that leave the box are cut. Throws UserError, naming the number of the
@@ -60,11 +63,13 @@ PhaseMap<2> draw_rectangles(const UniformGrid<2> &grid,
 /**
  * Reads `x_left_mm,y_bottom_mm,width_mm,height_mm[,phase]`, lengths in millimetres;
  * phase 1 where the column is missing. Empty lines and lines starting with # are skipped.
- * Throws UserError with file and line for anything else.
+ * With a @p grid, rectangles that lie wholly outside it or cover no cell centre are
+ * errors, too. Throws UserError with file and line.
  */
-std::vector<Rectangle> read_rectangles(const std::string &file);
+std::vector<Rectangle> read_rectangles(const std::string &file,
+                                       const UniformGrid<2> *grid = nullptr);
 
-/** Writes what read_rectangles() reads, with the phase column. Throws UserError. */
+/** Writes what read_rectangles() reads, to the picometre. Throws UserError. */
 void write_rectangles(const std::string &file, const std::vector<Rectangle> &rectangles);
 } // namespace mesoslip
 

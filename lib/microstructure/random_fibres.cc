@@ -1,0 +1,318 @@
+#include "microstructure/random_fibres.h"
+
+#include "microstructure/occupancy.h"
+#include "microstructure/random_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+/** Vain draws in a row after which the places left are enumerated. */
+constexpr unsigned int max_vain_draws = 2000;
+
+/** The same where overlaps are allowed and a draw is vain when it adds no cell. */
+constexpr unsigned int max_hidden_draws = 100000;
+
+/** Vain draws from the enumerated places before all of them are tried. */
+constexpr unsigned int max_vain_candidates = 64;
+
+/** A length in whole cells, at least one. */
+long whole_cells(const double length, const double h)
+{
+  return std::max(1L, std::lround(length / h));
+}
+
+/** State of one placement. */
+class Placer
+{
+public:
+  Placer(const UniformGrid<2> &grid, const FibrePlacement &placement);
+
+  FibreMorphology run();
+
+private:
+  enum class Outcome
+  {
+    vain,
+    placed,
+    finished
+  };
+
+  /** Lower left cell of a fibre that lies inside. */
+  struct Place
+  {
+    unsigned int x, y;
+  };
+
+  Rectangle aligned(const long x, const long y, const long height) const;
+  Rectangle draw();
+  bool fits(const CellBox &box) const;
+  bool fits(const Place &place, const long height) const;
+  Outcome try_to_place(Rectangle fibre);
+  Outcome place_last(Rectangle fibre, const CellBox &box, const std::size_t remaining);
+  void place(const Rectangle &fibre, const CellBox &box);
+  double area_inside(const Rectangle &fibre) const;
+
+  void place_at_random();
+  std::vector<Place> all_places() const;
+  Outcome place_among(std::vector<Place> &places, const long height);
+  void place_systematically();
+
+  const UniformGrid<2> &grid;
+  const FibrePlacement &rules;
+  RandomNumbers random;
+  Occupancy occupancy;
+  FibreMorphology result;
+
+  /** In cells. */
+  long width, min_height, max_height;
+  unsigned int x_gap, y_gap;
+  std::size_t target_cells;
+
+  /** m^2 */
+  double target_area;
+  double nominal_area = 0.;
+};
+
+Placer::Placer(const UniformGrid<2> &g, const FibrePlacement &placement)
+  : grid(g)
+  , rules(placement)
+  , random(placement.seed)
+  , occupancy(g.cells[0], g.cells[1])
+  , width(whole_cells(placement.width, g.spacing[0]))
+  , min_height(whole_cells(placement.min_height, g.spacing[1]))
+  , max_height(std::max(min_height, whole_cells(placement.max_height, g.spacing[1])))
+{
+  const auto gap_cells = [&](const double h) {
+    return static_cast<unsigned int>(
+      std::ceil(std::max(0., rules.minimum_gap / h - 1e-6)));
+  };
+  x_gap        = gap_cells(grid.spacing[0]);
+  y_gap        = gap_cells(grid.spacing[1]);
+  const auto n = static_cast<double>(grid.n_cells());
+  target_cells = static_cast<std::size_t>(std::llround(rules.area_fraction * n));
+  target_area  = rules.area_fraction * grid.extent(0) * grid.extent(1);
+  result.map   = homogeneous_map(grid);
+}
+
+/** The fibre that covers @p height rows from cell (@p x, @p y) on. */
+Rectangle Placer::aligned(const long x, const long y, const long height) const
+{
+  const auto [h_x, h_y] = grid.spacing;
+  return {grid.origin[0] + static_cast<double>(x) * h_x,
+          grid.origin[1] + static_cast<double>(y) * h_y, static_cast<double>(width) * h_x,
+          static_cast<double>(height) * h_y, rules.phase};
+}
+
+Rectangle Placer::draw()
+{
+  const bool cut = rules.cut_by_border;
+  if (rules.align_to_grid)
+    {
+      const long n_x    = grid.cells[0];
+      const long n_y    = grid.cells[1];
+      const long height = random.whole(min_height, max_height);
+      const long x      = cut ? random.whole(1 - width, n_x - 1) : //
+                       random.whole(0, n_x - width);
+      const long y      = cut ? random.whole(1 - height, n_y - 1) : //
+                       random.whole(0, n_y - height);
+      return aligned(x, y, height);
+    }
+  const double tallest =
+    cut ? rules.max_height : std::min(rules.max_height, grid.extent(1));
+  const double height = random.between(rules.min_height, tallest);
+  const double x      = cut ? random.between(-rules.width, grid.extent(0))
+                            : random.between(0., grid.extent(0) - rules.width);
+  const double y      = cut ? random.between(-height, grid.extent(1))
+                            : random.between(0., grid.extent(1) - height);
+  return {grid.origin[0] + x, grid.origin[1] + y, rules.width, height, rules.phase};
+}
+
+bool Placer::fits(const CellBox &box) const
+{
+  return !box.empty() &&
+         (rules.allow_overlap || occupancy.is_free(occupancy.widened(box, x_gap, y_gap)));
+}
+
+bool Placer::fits(const Place &place, const long height) const
+{
+  const auto x_end = static_cast<unsigned int>(place.x + width);
+  const auto y_end = static_cast<unsigned int>(place.y + height);
+  return x_end <= grid.cells[0] && y_end <= grid.cells[1] &&
+         fits(CellBox{place.x, x_end, place.y, y_end});
+}
+
+double Placer::area_inside(const Rectangle &fibre) const
+{
+  const auto overlap = [&](const unsigned int d, const double begin,
+                           const double length) {
+    const double low  = std::max(begin, grid.origin[d]);
+    const double high = std::min(begin + length, grid.origin[d] + grid.extent(d));
+    return std::max(0., high - low);
+  };
+  return overlap(0, fibre.x_left, fibre.width) * overlap(1, fibre.y_bottom, fibre.height);
+}
+
+void Placer::place(const Rectangle &fibre, const CellBox &box)
+{
+  occupancy.mark(box);
+  fill_box(result.map, box, rules.phase);
+  result.fibres.push_back(fibre);
+  nominal_area += area_inside(fibre);
+}
+
+Placer::Outcome Placer::try_to_place(Rectangle fibre)
+{
+  const CellBox box = covered_cells(grid, fibre);
+  if (!fits(box))
+    return Outcome::vain;
+  if (rules.fraction_rule == FractionRule::nominal)
+    {
+      place(fibre, box);
+      return nominal_area >= target_area * (1. - 1e-9) ? Outcome::finished
+                                                       : Outcome::placed;
+    }
+  const std::size_t gain      = occupancy.n_free(box);
+  const std::size_t remaining = target_cells - occupancy.n_taken();
+  if (gain > remaining)
+    return place_last(fibre, box, remaining);
+  if (gain == 0)
+    return Outcome::vain;
+  place(fibre, box);
+  return gain == remaining ? Outcome::finished : Outcome::placed;
+}
+
+/** The fibre that would exceed the target: shortened, whole, or left out. */
+Placer::Outcome
+Placer::place_last(Rectangle fibre, const CellBox &box, const std::size_t remaining)
+{
+  const auto error = [&](const CellBox &b) {
+    const std::size_t gain = occupancy.n_free(b);
+    return gain > remaining ? gain - remaining : remaining - gain;
+  };
+  CellBox best = {box.x_begin, box.x_end, box.y_begin, box.y_begin};
+  if (!rules.trim_last)
+    best = error(box) < remaining ? box : best;
+  else
+    for (CellBox lower = best; lower.y_end < box.y_end;)
+      {
+        ++lower.y_end;
+        if (error(lower) < error(best))
+          best = lower;
+      }
+  if (best.y_end < box.y_end)
+    fibre.height = grid.origin[1] + best.y_end * grid.spacing[1] - fibre.y_bottom;
+  if (!best.empty())
+    place(fibre, best);
+  return Outcome::finished;
+}
+
+/** Draws until the target is reached or draws have become vain. */
+void Placer::place_at_random()
+{
+  const unsigned int patience = rules.allow_overlap ? max_hidden_draws : max_vain_draws;
+  for (unsigned int vain = 0; vain < patience;)
+    switch (try_to_place(draw()))
+      {
+      case Outcome::finished:
+        result.target_reached = true;
+        return;
+      case Outcome::placed:
+        vain = 0;
+        break;
+      case Outcome::vain:
+        ++vain;
+      }
+}
+
+/** Where the shortest fibre fits in; no taller one fits in anywhere else. */
+std::vector<Placer::Place> Placer::all_places() const
+{
+  std::vector<Place> places;
+  for (unsigned int x = 0; x < grid.cells[0]; ++x)
+    for (unsigned int y = 0; y < grid.cells[1]; ++y)
+      if (fits(Place{x, y}, min_height))
+        places.push_back({x, y});
+  return places;
+}
+
+/** Places one fibre of @p height rows; vain when none fits in. Drops dead places. */
+Placer::Outcome Placer::place_among(std::vector<Place> &places, const long height)
+{
+  for (unsigned int vain = 0; vain < max_vain_candidates && !places.empty();)
+    {
+      const auto i =
+        static_cast<std::size_t>(random.whole(0, static_cast<long>(places.size()) - 1));
+      const Place place = places[i];
+      if (fits(place, height))
+        return try_to_place(aligned(place.x, place.y, height));
+      if (fits(place, min_height))
+        ++vain;
+      else
+        {
+          places[i] = places.back();
+          places.pop_back();
+        }
+    }
+  const auto dead = [&](const Place &place) { return !fits(place, min_height); };
+  places.erase(std::remove_if(places.begin(), places.end(), dead), places.end());
+
+  std::vector<Place> suitable;
+  std::copy_if(places.begin(), places.end(), std::back_inserter(suitable),
+               [&](const Place &place) { return fits(place, height); });
+  if (suitable.empty())
+    return Outcome::vain;
+  const Place place = suitable[static_cast<std::size_t>(
+    random.whole(0, static_cast<long>(suitable.size()) - 1))];
+  return try_to_place(aligned(place.x, place.y, height));
+}
+
+/** Fills the places left; ends because each turn adds a fibre or excludes a height. */
+void Placer::place_systematically()
+{
+  std::vector<Place> places = all_places();
+  while (min_height <= max_height)
+    {
+      const long height     = random.whole(min_height, max_height);
+      const Outcome outcome = place_among(places, height);
+      if (outcome == Outcome::vain)
+        max_height = height - 1;
+      result.target_reached = outcome == Outcome::finished;
+      if (result.target_reached)
+        return;
+    }
+}
+
+FibreMorphology Placer::run()
+{
+  if (!rules.cut_by_border)
+    max_height = std::min(max_height, static_cast<long>(grid.cells[1]));
+  const bool possible =
+    rules.cut_by_border ||
+    (width <= static_cast<long>(grid.cells[0]) && min_height <= max_height &&
+     rules.width <= grid.extent(0) * (1. + 1e-9) &&
+     rules.min_height <= grid.extent(1) * (1. + 1e-9));
+  if (target_cells == 0 && rules.fraction_rule == FractionRule::actual)
+    result.target_reached = true;
+  else if (possible)
+    {
+      place_at_random();
+      if (!result.target_reached && !rules.allow_overlap)
+        place_systematically();
+    }
+  result.actual_fraction =
+    static_cast<double>(occupancy.n_taken()) / static_cast<double>(grid.n_cells());
+  result.nominal_fraction = nominal_area / (grid.extent(0) * grid.extent(1));
+  return std::move(result);
+}
+} // namespace
+
+FibreMorphology place_random_fibres(const UniformGrid<2> &grid,
+                                    const FibrePlacement &placement)
+{
+  return Placer(grid, placement).run();
+}
+} // namespace mesoslip
