@@ -41,9 +41,7 @@ void
 TopRow::advance(const RowView &row)
 {
   if (!started)
-    for (unsigned int i = 0; i < row.n_columns; ++i)
-      increment_y[i] = step.dt * row.wy[i];
-  started = true;
+    initialize(row);
 
   const bool sampled =
     setup.history_interval > 0 && row.step % setup.history_interval == 0;
@@ -62,6 +60,18 @@ TopRow::advance(const RowView &row)
       samples.tangential_force.push_back(load.tangential);
       samples.work.push_back(total_work);
     }
+}
+
+void
+TopRow::initialize(const RowView &row)
+{
+  for (unsigned int i = 0; i < row.n_columns; ++i)
+    increment_y[i] = step.dt * row.wy[i];
+  moving_mass = setup.platen_mass;
+  for (unsigned int i = 0; i < n_distinct; ++i)
+    if (row.inverse_mass_y[i] > 0.)
+      moving_mass += 1. / row.inverse_mass_y[i];
+  started = true;
 }
 
 void
@@ -99,15 +109,12 @@ TopRow::push_nodes(const RowView &row)
 TopRow::Load
 TopRow::push_platen(const RowView &row)
 {
-  double mass = setup.platen_mass;
-  for (unsigned int i = 0; i < n_distinct; ++i)
-    mass += row.inverse_mass_y[i] > 0. ? 1. / row.inverse_mass_y[i] : 0.;
   const double width = setup.cell_width * (row.n_columns - 1);
 
   Load load;
   load.normal               = setup.pressure(row.time) * width;
   load.tangential           = -sum_row(row.fx, n_distinct);
-  const double acceleration = -(load.normal + sum_row(row.fy, n_distinct)) / mass;
+  const double acceleration = -(load.normal + sum_row(row.fy, n_distinct)) / moving_mass;
 
   double u = row.uy[0], w = row.wy[0];
   move_node(u, w, acceleration);

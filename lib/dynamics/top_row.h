@@ -96,6 +96,9 @@ private:
     double tangential = 0.; ///< N/m
   };
 
+  void
+  initialize(const RowView &row);
+
   Load
   push_nodes(const RowView &row);
   Load
@@ -114,6 +117,7 @@ private:
   std::vector<double> increment_y; ///< of the step before (m)
   bool                started        = false;
   bool                holding        = false;
+  double              moving_mass    = 0.; ///< of platen and row (kg/m)
   double              platen_w       = 0.;
   double              total_work     = 0.;
   double              work_this_step = 0.;

@@ -1,0 +1,221 @@
+#include "dynamics/energy_audit.h"
+
+#include "elasticity/row_partition.h"
+
+#include <algorithm>
+
+namespace mesoslip
+{
+namespace
+{
+// a.(b - c) over the first n_distinct nodes of the owned rows.
+double
+dot_difference(const NodalField<double> &a,
+               const NodalField<double> &b,
+               const NodalField<double> *c,
+               const NodeRows           &rows,
+               const unsigned int        n_distinct)
+{
+  double sum = 0.;
+  for (unsigned int component = 0; component < 2; ++component)
+    for (unsigned int j = rows.local(rows.begin); j < rows.local(rows.end); ++j)
+      {
+        const double *x = a.row(component, j), *y = b.row(component, j);
+        const double *z   = c != nullptr ? c->row(component, j) : nullptr;
+        double        row = 0.;
+        for (unsigned int i = 0; i < n_distinct; ++i)
+          row += x[i] * (z != nullptr ? y[i] - z[i] : y[i]);
+        sum += row;
+      }
+  return sum;
+}
+} // namespace
+
+std::vector<double>
+EnergyHistory::residual() const
+{
+  std::vector<double> r(time.size());
+  for (std::size_t k = 0; k < r.size(); ++k)
+    r[k] = kinetic[k] + elastic[k] + potential[k] - initial - external_work[k] + friction[k] +
+           impact[k] + damping[k] + scheme[k];
+  return r;
+}
+
+EnergyAudit::EnergyAudit(const UniformGridOperator           &op,
+                         const StepParameters                &step,
+                         NodalField<double>                  &u,
+                         NodalField<double>                  &w,
+                         const double                         platen_mass,
+                         const std::uint64_t                  interval,
+                         const std::function<BoundaryWork()> &boundary_work,
+                         const MPI_Comm                       communicator)
+  : op(op)
+  , step(step)
+  , u(u)
+  , w(w)
+  , platen_mass(op.rows().end == op.rows().n_global ? platen_mass : 0.)
+  , interval(interval)
+  , boundary_work(boundary_work)
+  , communicator(communicator)
+  , product(u.n_columns(), u.n_rows())
+{
+  const unsigned int n = u.n_columns();
+  mass.resize(static_cast<std::size_t>(n) * (op.rows().end - op.rows().begin));
+  for (unsigned int j = op.rows().begin; j < op.rows().end; ++j)
+    op.material().mass_row(j, mass.data() + static_cast<std::size_t>(n) * (j - op.rows().begin));
+}
+
+std::uint64_t
+EnergyAudit::next_step(const std::uint64_t n) const
+{
+  // The step before a sample is wanted for u_(n-1) and w_(n-1).
+  const std::uint64_t sample = next_multiple(n, interval);
+  return sample > n && sample - 1 >= n && interval > 1 ? sample - 1 : sample;
+}
+
+// a_(-1) = 0: the body moved with w_0 before the start.
+void
+EnergyAudit::initialize()
+{
+  u_before = u;
+  w_before = w;
+  for (std::size_t k = 0; k < u.size(); ++k)
+    u_before.begin()[k] -= step.dt * w.begin()[k];
+  u_now = u_before;
+  w_now = w;
+  Sums sums;
+  add_products(sums);
+  const Sums nodal = nodal_sums();
+  samples.initial  = nodal.kinetic + nodal.potential + sums.elastic;
+}
+
+void
+EnergyAudit::before_step(const std::uint64_t n)
+{
+  if (n == 0)
+    initialize();
+  if (n % interval == 0)
+    {
+      if (interval == 1 && n > 0)
+        {
+          std::swap(u_before, u_now);
+          std::swap(w_before, w_now);
+        }
+      u_now = u;
+      w_now = w;
+    }
+  else
+    {
+      u_before = u;
+      w_before = w;
+    }
+}
+
+void
+EnergyAudit::after_step(const std::uint64_t n)
+{
+  if (n % interval != 0)
+    return;
+  Sums sums = nodal_sums();
+  add_products(sums);
+
+  const bool first = samples.time.empty();
+  if (interval == 1 || first)
+    {
+      sum_scheme += sums.scheme;
+      sum_damping += sums.damping;
+    }
+  else
+    {
+      sum_scheme += 0.5 * interval * (sums.scheme + last_scheme);
+      sum_damping += 0.5 * interval * (sums.damping + last_damping);
+    }
+  last_scheme  = sums.scheme;
+  last_damping = sums.damping;
+
+  const BoundaryWork boundary = boundary_work();
+  samples.time.push_back(n * step.dt);
+  samples.kinetic.push_back(sums.kinetic);
+  samples.elastic.push_back(sums.elastic);
+  samples.potential.push_back(sums.potential);
+  samples.external_work.push_back(boundary.external);
+  samples.friction.push_back(boundary.friction);
+  samples.impact.push_back(boundary.impact);
+  samples.damping.push_back(sum_damping);
+  samples.scheme.push_back(sum_scheme);
+}
+
+EnergyAudit::Sums
+EnergyAudit::nodal_sums() const
+{
+  const NodeRows    &rows       = op.rows();
+  const unsigned int n          = u.n_columns();
+  const unsigned int n_distinct = op.material().periodicity().x ? n - 1 : n;
+  const double       c          = (step.beta2 - 0.5) * step.dt * step.dt;
+  const double       c_now      = 0.25 * c / (step.dt * step.dt);
+
+  Sums sums;
+  for (unsigned int component = 0; component < 2; ++component)
+    for (unsigned int j = rows.begin; j < rows.end; ++j)
+      {
+        const unsigned int l  = rows.local(j);
+        const double      *m  = mass.data() + static_cast<std::size_t>(n) * (j - rows.begin);
+        const double      *w0 = w_before.row(component, l), *w1 = w_now.row(component, l),
+                     *w2 = w.row(component, l);
+        const double *u1 = u_now.row(component, l), *u2 = u.row(component, l);
+        const double  g       = step.acceleration[component];
+        double        kinetic = 0., scheme = 0., potential = 0.;
+        const auto    add = [&](const unsigned int i, const double mi) {
+          const double da = w2[i] - w1[i], dd = w2[i] - w0[i];
+          kinetic += mi * (0.5 * w2[i] * w2[i] + c_now * da * da);
+          scheme += mi * c_now * dd * dd;
+          potential += mi * (u1[i] + u2[i]);
+        };
+        for (unsigned int i = 0; i < n_distinct; ++i)
+          add(i, m[i]);
+        sums.potential -= 0.5 * g * potential;
+        if (component == 1 && j + 1 == rows.n_global && platen_mass > 0.)
+          add(0, platen_mass);
+        sums.kinetic += kinetic;
+        sums.scheme += scheme;
+      }
+  return sums;
+}
+
+// u_(n+1).K u_n / 2 and beta (u_(n+1) - u_(n-1)).K w_n / 2
+void
+EnergyAudit::add_products(Sums &sums)
+{
+  const NodeRows    &rows       = op.rows();
+  const unsigned int n_distinct = u.n_columns() - (op.material().periodicity().x ? 1 : 0);
+  update_ghost_rows(u_now, rows, communicator);
+  op.vmult(product, u_now);
+  sums.elastic = 0.5 * dot_difference(product, u, nullptr, rows, n_distinct);
+  if (step.beta == 0.)
+    return;
+  update_ghost_rows(w_now, rows, communicator);
+  op.vmult(product, w_now);
+  sums.damping = 0.5 * step.beta * dot_difference(product, u, &u_before, rows, n_distinct);
+}
+
+EnergyHistory
+EnergyAudit::reduce() const
+{
+  EnergyHistory all = samples;
+  const auto    sum = [&](std::vector<double> &values) {
+    MPI_Allreduce(
+      MPI_IN_PLACE, values.data(), values.size(), MPI_DOUBLE, MPI_SUM, communicator);
+  };
+  for (auto *values : {&all.kinetic,
+                       &all.elastic,
+                       &all.potential,
+                       &all.external_work,
+                       &all.friction,
+                       &all.impact,
+                       &all.damping,
+                       &all.scheme})
+    sum(*values);
+  MPI_Allreduce(MPI_IN_PLACE, &all.initial, 1, MPI_DOUBLE, MPI_SUM, communicator);
+  return all;
+}
+} // namespace mesoslip

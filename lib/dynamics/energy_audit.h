@@ -1,0 +1,132 @@
+#ifndef mesoslip_dynamics_energy_audit_h
+#define mesoslip_dynamics_energy_audit_h
+
+#include "dynamics/step_observer.h"
+#include "elasticity/explicit_stepper.h"
+#include "elasticity/uniform_grid_operator.h"
+#include "grid/nodal_field.h"
+
+#include <functional>
+#include <mpi.h>
+#include <vector>
+
+namespace mesoslip
+{
+/** Work done on and energy dissipated at the boundary since the start (J/m), local share. */
+struct BoundaryWork
+{
+  double external = 0.; ///< by the top's load and the moving flat
+  double friction = 0.;
+  double impact   = 0.;
+};
+
+/** Sampled energies (J/m); on the ranks the local shares until reduce() is called. */
+struct EnergyHistory
+{
+  std::vector<double> time;
+  std::vector<double> kinetic;
+  std::vector<double> elastic;
+  std::vector<double> potential;     ///< of the body acceleration
+  std::vector<double> external_work; ///< since the start, as everything below
+  std::vector<double> friction;
+  std::vector<double> impact;
+  std::vector<double> damping; ///< dissipated by C = beta K
+  std::vector<double> scheme;  ///< dissipated by beta2 > 1/2
+
+  /** kinetic + elastic + potential at the start. */
+  double initial = 0.;
+
+  /** What is left of the balance at each sample; zero in exact arithmetic. */
+  std::vector<double>
+  residual() const;
+};
+
+/**
+ * The energy balance of the beta2 scheme. With c = (b - 1/2) dt^2, the scheme satisfies
+ * exactly, for M a_n = f_n - K (u_n + beta w_n),
+ *
+ *     H_(n+1/2) - H_(n-1/2) = f_n.(u_(n+1) - u_(n-1)) / 2 - D_beta - D_b
+ *     H_(n+1/2) = w_(n+1).M w_(n+1) / 2 + c/4 a_n.M a_n + u_(n+1).K u_n / 2
+ *     D_beta    = beta (u_(n+1) - u_(n-1)).K w_n / 2
+ *     D_b       = c/4 (a_n + a_(n-1)).M (a_n + a_(n-1))
+ *
+ * so with interval 1 the residual is round-off. With a longer interval the two
+ * dissipations are integrated by the trapezoidal rule; boundary work stays exact.
+ */
+class EnergyAudit : public StepObserver
+{
+public:
+  /**
+   * @p u, @p w and @p op are referenced. @p platen_mass (kg/m) moves with the top row.
+   * @p boundary_work gives the work since the start after the step just done.
+   */
+  EnergyAudit(const UniformGridOperator          &op,
+              const StepParameters               &step,
+              NodalField<double>                 &u,
+              NodalField<double>                 &w,
+              const double                        platen_mass,
+              const std::uint64_t                 interval,
+              const std::function<BoundaryWork()> &boundary_work,
+              const MPI_Comm                      communicator);
+
+  std::uint64_t
+  next_step(const std::uint64_t n) const override;
+  void
+  before_step(const std::uint64_t n) override;
+  void
+  after_step(const std::uint64_t n) override;
+
+  /** Local shares so far. */
+  const EnergyHistory &
+  local_history() const
+  {
+    return samples;
+  }
+
+  /** Sum over the ranks, on all ranks. */
+  EnergyHistory
+  reduce() const;
+
+  /** Saves or restores the samples and sums (Boost.Serialization). */
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int version);
+
+private:
+  /** Local sums of one sample. */
+  struct Sums
+  {
+    double kinetic   = 0.;
+    double scheme    = 0.; ///< D_b of the step
+    double potential = 0.;
+    double elastic   = 0.;
+    double damping   = 0.; ///< D_beta of the step
+  };
+
+  Sums
+  nodal_sums() const;
+  void
+  add_products(Sums &sums);
+  void
+  initialize();
+
+  const UniformGridOperator          &op;
+  const StepParameters                step;
+  NodalField<double>                 &u;
+  NodalField<double>                 &w;
+  const double                        platen_mass;
+  const std::uint64_t                 interval;
+  const std::function<BoundaryWork()> boundary_work;
+  const MPI_Comm                      communicator;
+
+  NodalField<double>  u_before, w_before; ///< u_(n-1), w_(n-1)
+  NodalField<double>  u_now, w_now;       ///< u_n, w_n
+  NodalField<double>  product;
+  std::vector<double> mass; ///< of the owned nodes, row by row
+  double              last_scheme = 0., last_damping = 0.;
+  double              sum_scheme = 0., sum_damping = 0.;
+  EnergyHistory       samples;
+};
+} // namespace mesoslip
+
+#endif
