@@ -15,6 +15,10 @@ function(mesoslip_library topic)
   cmake_parse_arguments(ARG "DEALII" "" "DEPENDS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${topic}/*.cc)
   set(target mesoslip_${topic})
+  if(NOT sources) # a topic still to come
+    add_library(${target} INTERFACE)
+    return()
+  endif()
   add_library(${target} STATIC ${sources})
   add_library(mesoslip::${topic} ALIAS ${target})
   target_include_directories(${target} PUBLIC

@@ -1,0 +1,323 @@
+#include "simulation/contact_parameters.h"
+
+#include "io/parameters.h"
+#include "io/raw_parameters.h"
+
+namespace mesoslip
+{
+namespace
+{
+using Handler = dealii::ParameterHandler;
+
+constexpr long many = 1000000000;
+
+void
+declare_body(Handler &prm)
+{
+  const ParameterSection section(prm, "Body");
+  declare_selection(prm,
+                    "Material",
+                    "homogeneous",
+                    {"homogeneous", "heterogeneous"},
+                    "One effective material, or the phases and the morphology of the RVE file");
+  declare_input_file(prm,
+                     "RVE file",
+                     "",
+                     "rve.h5 of rve_homogenization; empty: the material typed in below");
+  declare_selection(prm,
+                    "Stiffness from",
+                    "effective",
+                    {"effective", "KUBC", "SUBC", "PBC"},
+                    "Which stiffness of the RVE file a homogeneous body takes");
+  declare_double_list(prm,
+                      "Stiffness",
+                      {36.54e9, 9.1e9, 47.26e9, 13.785e9},
+                      Range::any(),
+                      "Without RVE file: D11, D12, D22, D33, or all six D11, D12, D13, D22, D23, "
+                      "D33; Voigt order xx, yy, xy, plane strain; default eq. (10) [Pa]",
+                      4,
+                      6);
+  declare_double(
+    prm, "Density", 1770., Range::positive(), "Density without RVE file [kg/m^3]");
+  declare_double_list(prm,
+                      "Size",
+                      {},
+                      Range::positive(),
+                      "Width and height; empty: those of the RVE file, or the paper's 56 x 16 mm [m]",
+                      0,
+                      2);
+  declare_integer_list(prm,
+                       "Cells",
+                       {},
+                       1,
+                       many,
+                       "Cells along x and y; empty: those of the RVE file, or 560, 160. A "
+                       "heterogeneous body may have whole multiples of the RVE's [-]",
+                       0,
+                       2);
+  declare_double_list(prm,
+                      "Initial velocity",
+                      {0., 0.},
+                      Range::any(),
+                      "Velocity of the whole body at the start [m/s]",
+                      2,
+                      2);
+  declare_double_list(
+    prm, "Acceleration", {0., 0.}, Range::any(), "Body acceleration, gravity [m/s^2]", 2, 2);
+}
+
+void
+declare_time(Handler &prm)
+{
+  const ParameterSection section(prm, "Time");
+  declare_double(prm, "End time", 5e-4, Range::positive(), "Simulated time [s]");
+  declare_double_or_auto(prm,
+                         "Time step",
+                         "auto",
+                         Range::positive(),
+                         "auto: Safety factor times the critical one [s]");
+  declare_double(prm,
+                 "Safety factor",
+                 0.95,
+                 Range::left_open(0., 1.),
+                 "Share of the critical time step that auto takes [-]");
+  declare_double(prm,
+                 "Beta2",
+                 0.5,
+                 Range::closed(0.5, 1.),
+                 "beta2 of the scheme: 1/2 leapfrog, above it dissipates high frequencies [-]");
+  declare_double(prm,
+                 "Rayleigh beta",
+                 4.4e-9,
+                 Range::non_negative(),
+                 "Stiffness-proportional damping, C = beta K [s]");
+}
+
+void
+declare_ramp(Handler &prm, const std::string &what)
+{
+  declare_selection(prm,
+                    "Ramp",
+                    "step",
+                    {"step", "linear", "smooth"},
+                    "How the " + what + " grows from zero");
+  declare_double(prm, "Ramp time", 0., Range::non_negative(), "Duration of the ramp [s]");
+  declare_string(prm,
+                 "Expression",
+                 "",
+                 "The " + what + " as an expression in the time t (s), instead of a ramp, e.g. "
+                 "2*cos(2*pi*1000*t)");
+}
+
+void
+declare_flat(Handler &prm)
+{
+  const ParameterSection section(prm, "Flat");
+  declare_double(
+    prm, "Velocity", 2., Range::any(), "Velocity of the rigid flat along x [m/s]");
+  declare_ramp(prm, "velocity");
+  declare_double(prm,
+                 "Gap",
+                 0.,
+                 Range::non_negative(),
+                 "Distance between the body and the flat at the start [m]");
+}
+
+void
+declare_top(Handler &prm)
+{
+  const ParameterSection section(prm, "Top");
+  declare_selection(prm,
+                    "Kind",
+                    "platen",
+                    {"pressure", "platen", "held"},
+                    "A pressure on each node; a rigid platen (u_x = 0, one common u_y) pushed by "
+                    "the pressure's resultant; or u = 0");
+  declare_double(prm, "Pressure", 5e6, Range::any(), "Pressure on the top [Pa]");
+  declare_ramp(prm, "pressure");
+  declare_bool(
+    prm, "Lateral held", false, "With a pressure: u_x = 0 on the top, as under a platen");
+  declare_double(prm,
+                 "Platen mass",
+                 0.,
+                 Range::non_negative(),
+                 "Mass of the platen itself, per unit thickness [kg/m]");
+  declare_double_or_auto(prm,
+                         "Hold from",
+                         "auto",
+                         Range::non_negative(),
+                         "From this time on the top stays where it is; auto: never [s]");
+}
+
+void
+declare_sides(Handler &prm)
+{
+  const ParameterSection         section(prm, "Sides");
+  const std::vector<std::string> choices = {"free", "u_x", "u_y", "both"};
+  declare_selection(prm, "Left", "free", choices, "Displacement that is held on the left");
+  declare_selection(prm, "Right", "free", choices, "Displacement that is held on the right");
+  declare_bool(prm, "Periodic", false, "The left and the right side are one");
+}
+
+void
+declare_friction(Handler &prm)
+{
+  const ParameterSection section(prm, "Friction");
+  declare_selection(prm,
+                    "Law",
+                    "constant time",
+                    {"coulomb", "constant time", "slip rate"},
+                    "Plain Coulomb; relaxing to it in a constant time delta (eq. 7); or in "
+                    "L / (|V_rel| + V_ref)");
+  declare_selection(prm,
+                    "Coefficient from",
+                    "constant",
+                    {"constant", "phases"},
+                    "One coefficient, or those of the phases in the RVE file (section 4)");
+  declare_double(
+    prm, "Coefficient", 0.25, Range::non_negative(), "Coulomb friction coefficient mu [-]");
+  declare_double(prm,
+                 "Regularization time",
+                 1.5e-6,
+                 Range::non_negative(),
+                 "delta of eq. (7); 0 is plain Coulomb [s]");
+  declare_double(prm, "Length", 3e-6, Range::positive(), "L of the slip-rate law [m]");
+  declare_double(prm,
+                 "Reference velocity",
+                 1e-3,
+                 Range::positive(),
+                 "V_ref of the slip-rate law [m/s]");
+  declare_selection(prm,
+                    "Node rule",
+                    "mean",
+                    {"mean", "largest", "smallest"},
+                    "Coefficient of a node between cells of two phases");
+}
+
+void
+declare_observation(Handler &prm, const RawParameters &raw)
+{
+  {
+    const ParameterSection section(prm, "Observation");
+    declare_integer(
+      prm, "History interval", 10, 1, many, "Steps between samples of the histories [-]");
+    declare_integer(prm,
+                    "Energy interval",
+                    200,
+                    0,
+                    many,
+                    "Steps between energy balances; 1: exact to round-off, 0: none [-]");
+    declare_integer(prm,
+                    "Blocks",
+                    200,
+                    1,
+                    100000,
+                    "Time blocks in which stick, slip and separation of each contact node are "
+                    "counted [-]");
+    declare_double_or_auto(prm,
+                           "Steady from",
+                           "auto",
+                           Range::non_negative(),
+                           "Start of the steady part; auto: when the limit cycle is reached [s]");
+    declare_double_or_auto(prm,
+                           "Reference x",
+                           "auto",
+                           Range::any(),
+                           "Position of the reference contact node M; auto: the middle [m]");
+    declare_bool(prm,
+                 "Stop at limit cycle",
+                 false,
+                 "Ends the run when the limit cycle was reached and observed for as many windows "
+                 "again");
+    declare_double(prm,
+                   "Limit cycle tolerance",
+                   0.02,
+                   Range::positive(),
+                   "Largest relative change between windows of a limit cycle [-]");
+    declare_integer(prm, "Limit cycle periods", 3, 1, 1000, "Periods in a window [-]");
+    declare_integer(
+      prm, "Limit cycle windows", 3, 2, 1000, "Windows that have to agree [-]");
+    declare_word_list(prm, "Probes", {}, {}, "Names of probes, each with a subsection");
+    declare_integer(
+      prm, "Probe interval", 10, 1, many, "Steps between samples of the probes [-]");
+    for (const std::string &name : raw.get_list("Observation/Probes", {}))
+      {
+        const ParameterSection probe(prm, name);
+        declare_double_list(
+          prm, "Position", {0., 0.}, Range::any(), "x and y from the lower left corner [m]", 2, 2);
+        declare_bool(prm, "Nearest node", false, "Move the probe to the nearest node");
+      }
+  }
+  const ParameterSection section(prm, "Snapshots");
+  declare_double(prm, "From", 0., Range::non_negative(), "First snapshot [s]");
+  declare_double_or_auto(
+    prm, "To", "auto", Range::non_negative(), "Last snapshot; auto: the end [s]");
+  declare_double(prm,
+                 "Interval",
+                 0.,
+                 Range::non_negative(),
+                 "Time between snapshots of the displacement; 0: none [s]");
+}
+
+void
+declare_other_analyses(Handler &prm)
+{
+  {
+    const ParameterSection section(prm, "Modal");
+    declare_integer(prm, "Number of modes", 4, 1, 1000, "Lowest modes wanted [-]");
+    declare_selection(prm,
+                      "Bottom",
+                      "both",
+                      {"free", "held in y", "both"},
+                      "The paper's boundary conditions BC1 (free) and BC2 (held in y)");
+  }
+  const ParameterSection section(prm, "Friction homogenization");
+  declare_string(prm,
+                 "Heterogeneous run",
+                 "",
+                 "Output folder of a transient run of the heterogeneous body");
+  declare_string(prm,
+                 "Homogeneous run",
+                 "",
+                 "Output folder of a transient run of the homogeneous body, for T_G; empty: T_G "
+                 "of the heterogeneous one");
+  declare_string(prm,
+                 "Static contact",
+                 "",
+                 "Output folder of a static contact analysis, for the phases' pressures; empty: "
+                 "the static pressure repartition of eq. (19)");
+}
+
+} // namespace
+
+void
+ContactParameters::declare(dealii::ParameterHandler &prm, const RawParameters &raw)
+{
+  declare_selection(prm,
+                    "Analysis",
+                    "transient",
+                    {"transient", "modal", "static contact", "friction homogenization"},
+                    "What is computed");
+  declare_body(prm);
+  declare_time(prm);
+  declare_flat(prm);
+  declare_top(prm);
+  declare_sides(prm);
+  declare_friction(prm);
+  declare_observation(prm, raw);
+  declare_other_analyses(prm);
+  const ParameterSection section(prm, "Performance");
+  declare_integer(prm,
+                  "Wavefront",
+                  0,
+                  0,
+                  64,
+                  "Time steps in flight on grids larger than the cache; 0: automatic, 1: none. "
+                  "Never changes a result [-]");
+  declare_selection(prm,
+                    "Instruction set",
+                    "auto",
+                    {"auto", "x86-64", "x86-64-v3", "x86-64-v4"},
+                    "Kernels to use; auto: the widest the processor has");
+}
+} // namespace mesoslip
