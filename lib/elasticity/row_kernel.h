@@ -1,0 +1,189 @@
+#ifndef mesoslip_elasticity_row_kernel_h
+#define mesoslip_elasticity_row_kernel_h
+
+#include <cstddef>
+#include <cstdint>
+
+/**
+ * Interface between the ordinary sources and the row kernels, which are compiled once for
+ * each instruction set. Plain structures and pointers only: an inline function that both
+ * sides instantiate could be taken from the wrong side by the linker.
+ *
+ * The mathematics. For a cell with lower and upper nodal values z, dx and s are the
+ * horizontal difference and sum of a node row, and (for each component)
+ *
+ *     e = dx_lower + dx_upper = 2 hx dz/dx,   d = s_upper - s_lower = 2 hy dz/dy,
+ *     g = dx_upper - dx_lower                                       (hourglass)
+ *
+ * With A = sigma_xx hy/2 (x component; sigma_xy hy/2 for y), B = sigma_xy hx/2
+ * (sigma_yy hx/2), G = k g the four nodes of a cell receive
+ *
+ *     lower: -(A - G) - B | (A - G) - B      upper: -(A + G) + B | (A + G) + B
+ *
+ * so the force on node i of a row, with P = A - G of the cells above, Q = A + G of the
+ * cells below and B' = B_below - B_above, is [P + Q + B'](cell i-1) - [P + Q - B'](cell
+ * i). Q, B of one cell row are handed on in four row buffers. Forces are kept multiplied
+ * by 2/hx (x component) and 2/hy (y), which makes sigma_xy serve both components.
+ */
+namespace mesoslip
+{
+namespace kernels
+{
+/** Order of the coefficients of a class, see Coefficients in row_sweep.cc. */
+enum CoefficientIndex
+{
+  c11,
+  c12,
+  c22,
+  c33,
+  gx,
+  gy,
+  c13,
+  c23,
+  gxy,
+  n_coefficients
+};
+
+/** How the kernel finds the coefficients of a cell. */
+enum class MaterialVariant
+{
+  homogeneous,
+  /** Two classes: blend by a mask. */
+  two,
+  /** As many as fit in one vector register of coefficients. */
+  one_register,
+  /** As many as fit in two. */
+  two_registers,
+  /** Up to 256: gather. */
+  any
+};
+
+constexpr unsigned int n_table_rows = 256;
+
+/** What does not change from row to row. */
+template <typename Number>
+struct Constants
+{
+  /** coefficient[k][c]: coefficient k of class c. */
+  alignas(64) Number coefficient[n_coefficients][n_table_rows];
+
+  /** Cells in a row. */
+  unsigned int n_cells = 0;
+
+  bool periodic = false;
+
+  /** hx / hy */
+  Number ratio = 0;
+
+  /** Damping: z = u + beta w. */
+  Number beta = 0;
+
+  /** u += c_new w_new + c_old w_old */
+  Number c_new = 0;
+  Number c_old = 0;
+
+  /** Stored force over internal force: hx/2, hy/2. */
+  Number scale_x = 0;
+  Number scale_y = 0;
+
+  /** Body acceleration, and the same times 2/hx, 2/hy for forces that are kept so. */
+  Number gravity_x        = 0;
+  Number gravity_y        = 0;
+  Number scaled_gravity_x = 0;
+  Number scaled_gravity_y = 0;
+};
+
+/** Where one call works: n node rows and the cell rows above them. */
+template <typename Number>
+struct Rows
+{
+  /** Lowest of the n + 1 node rows of the state (w unused without damping and step). */
+  Number *ux         = nullptr;
+  Number *uy         = nullptr;
+  Number *wx         = nullptr;
+  Number *wy         = nullptr;
+  std::size_t stride = 0;
+
+  /** Q (x, y), sigma_xy and scaled sigma_yy of the cell row below; in and out. */
+  Number *qx  = nullptr;
+  Number *qy  = nullptr;
+  Number *sxy = nullptr;
+  Number *syy = nullptr;
+
+  /** Output of a storing kernel. */
+  Number *fx           = nullptr;
+  Number *fy           = nullptr;
+  std::size_t f_stride = 0;
+
+  /** -dt / mass, times scale, of a stepping kernel: w += factor * force. */
+  const Number *factor_x    = nullptr;
+  const Number *factor_y    = nullptr;
+  std::size_t factor_stride = 0;
+
+  /** Lumped mass, only with gravity. */
+  const Number *mass      = nullptr;
+  std::size_t mass_stride = 0;
+
+  /** Classes of the lowest cell row. */
+  const std::uint8_t *classes = nullptr;
+  std::size_t class_stride    = 0;
+};
+
+template <typename Number>
+using RowFunction = void (*)(const Constants<Number> &, const Rows<Number> &);
+
+/** Chooses a kernel. */
+struct Choice
+{
+  MaterialVariant material = MaterialVariant::homogeneous;
+  bool anisotropic         = false;
+  bool damping             = false;
+  bool gravity             = false;
+};
+
+/** The kernels for one choice; node rows [0], [1]: one row, or `rows_at_once` of them. */
+template <typename Number>
+struct Kernels
+{
+  /** Advances the state in place (double only). */
+  RowFunction<Number> step[2] = {nullptr, nullptr};
+
+  /** Stores internal forces. */
+  RowFunction<Number> store[2] = {nullptr, nullptr};
+
+  /** Stores the forces of the buffers alone (top row). */
+  RowFunction<Number> finish = nullptr;
+
+  unsigned int rows_at_once = 1;
+
+  /** Numbers in a vector: capacity of MaterialVariant::one_register, or 0. */
+  unsigned int register_capacity = 0;
+};
+
+#define MESOSLIP_DECLARE_KERNELS(name)                          \
+  namespace name                                                \
+  {                                                             \
+  unsigned int register_capacity(const double *);               \
+  unsigned int register_capacity(const float *);                \
+  void select(const Choice &choice, Kernels<double> &kernels);  \
+  void select(const Choice &choice, Kernels<float> &kernels);   \
+  void strain(const double *lower,                              \
+              const double *upper,                              \
+              std::size_t component_offset,                     \
+              unsigned int n_cells,                             \
+              double half_inverse_hx,                           \
+              double half_inverse_hy,                           \
+              double *exx,                                      \
+              double *eyy,                                      \
+              double *gxy);                                     \
+  double dot(const double *a, const double *b, unsigned int n); \
+  }
+
+MESOSLIP_DECLARE_KERNELS(x86_64)
+MESOSLIP_DECLARE_KERNELS(x86_64_v3)
+MESOSLIP_DECLARE_KERNELS(x86_64_v4)
+#undef MESOSLIP_DECLARE_KERNELS
+} // namespace kernels
+} // namespace mesoslip
+
+#endif

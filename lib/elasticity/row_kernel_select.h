@@ -1,0 +1,172 @@
+// Selection of a kernel instance, and the small row functions. Included inside a
+// namespace by row_kernel_x86_64*.cc, after row_kernel_impl.h.
+
+#ifndef MESOSLIP_ROWS_AT_ONCE
+#  define MESOSLIP_ROWS_AT_ONCE 2
+#endif
+
+unsigned int register_capacity(const double *)
+{
+  return lookup_capacity_double;
+}
+
+unsigned int register_capacity(const float *)
+{
+  return lookup_capacity_float;
+}
+
+/** The top row: nothing above, so the buffers are all there is. */
+template <typename Number, bool gravity>
+static void finish(const Constants<Number> &c, const Rows<Number> &r)
+{
+  using Vector              = typename Simd<Number>::Vector;
+  constexpr unsigned int vl = Simd<Number>::length;
+  Vector left_x{}, left_y{};
+  if (c.periodic)
+    {
+      const unsigned int last = c.n_cells - 1;
+      left_x                  = splat(r.qx[last] + r.sxy[last]);
+      left_y                  = splat(r.qy[last] + r.syy[last]);
+    }
+  for (unsigned int i = 0; i <= c.n_cells; i += vl)
+    {
+      const Vector qx = load(r.qx + i), sxy = load(r.sxy + i);
+      const Vector qy = load(r.qy + i), syy = load(r.syy + i);
+      Vector fx = left_neighbours(left_x, Vector(qx + sxy)) - (qx - sxy);
+      Vector fy = left_neighbours(left_y, Vector(qy + syy)) - (qy - syy);
+      left_x    = qx + sxy;
+      left_y    = qy + syy;
+      fx        = fx * splat(c.scale_x);
+      fy        = fy * splat(c.scale_y);
+      if constexpr (gravity)
+        {
+          const Vector mass = load(r.mass + i);
+          fx                = fnma(splat(c.gravity_x), mass, fx);
+          fy                = fnma(splat(c.gravity_y), mass, fy);
+        }
+      store(r.fx + i, fx);
+      store(r.fy + i, fy);
+    }
+}
+
+template <typename Number,
+          MaterialVariant variant,
+          bool anisotropic,
+          bool damping,
+          bool gravity>
+static void select_last(Kernels<Number> &kernels)
+{
+  constexpr int n = MESOSLIP_ROWS_AT_ONCE;
+  if constexpr (sizeof(Number) == sizeof(double))
+    {
+      kernels.step[0] =
+        &Kernel<Number, variant, anisotropic, damping, gravity, true, 1>::run;
+      kernels.step[1] =
+        &Kernel<Number, variant, anisotropic, damping, gravity, true, n>::run;
+    }
+  kernels.store[0] =
+    &Kernel<Number, variant, anisotropic, damping, gravity, false, 1>::run;
+  // Several rows at once are for whole products, which know neither w nor gravity.
+  if constexpr (!damping && !gravity)
+    kernels.store[1] =
+      &Kernel<Number, variant, anisotropic, damping, gravity, false, n>::run;
+  kernels.finish       = &finish<Number, gravity>;
+  kernels.rows_at_once = n;
+}
+
+template <typename Number, MaterialVariant variant, bool anisotropic>
+static void select_terms(const Choice &choice, Kernels<Number> &kernels)
+{
+  if constexpr (sizeof(Number) == sizeof(double))
+    {
+      if (choice.damping && choice.gravity)
+        return select_last<Number, variant, anisotropic, true, true>(kernels);
+      if (choice.damping)
+        return select_last<Number, variant, anisotropic, true, false>(kernels);
+      if (choice.gravity)
+        return select_last<Number, variant, anisotropic, false, true>(kernels);
+    }
+  select_last<Number, variant, anisotropic, false, false>(kernels);
+}
+
+template <typename Number, MaterialVariant variant>
+static void select_symmetry(const Choice &choice, Kernels<Number> &kernels)
+{
+  if (choice.anisotropic)
+    select_terms<Number, variant, true>(choice, kernels);
+  else
+    select_terms<Number, variant, false>(choice, kernels);
+}
+
+template <typename Number>
+static void select_material(const Choice &choice, Kernels<Number> &kernels)
+{
+  constexpr bool has_lookup = lookup_capacity_double > 0;
+  kernels.register_capacity = register_capacity(static_cast<const Number *>(nullptr));
+  switch (choice.material)
+    {
+    case MaterialVariant::homogeneous:
+      return select_symmetry<Number, MaterialVariant::homogeneous>(choice, kernels);
+    case MaterialVariant::two:
+      return select_symmetry<Number, MaterialVariant::two>(choice, kernels);
+    case MaterialVariant::one_register:
+      if constexpr (has_lookup)
+        return select_symmetry<Number, MaterialVariant::one_register>(choice, kernels);
+      break;
+    case MaterialVariant::two_registers:
+      if constexpr (has_lookup)
+        return select_symmetry<Number, MaterialVariant::two_registers>(choice, kernels);
+      break;
+    case MaterialVariant::any:
+      break;
+    }
+  select_symmetry<Number, MaterialVariant::any>(choice, kernels);
+}
+
+void select(const Choice &choice, Kernels<double> &kernels)
+{
+  select_material(choice, kernels);
+}
+
+void select(const Choice &choice, Kernels<float> &kernels)
+{
+  select_material(choice, kernels);
+}
+
+void strain(const double *__restrict__ lower,
+            const double *__restrict__ upper,
+            const std::size_t component_offset,
+            const unsigned int n_cells,
+            const double half_inverse_hx,
+            const double half_inverse_hy,
+            double *__restrict__ exx,
+            double *__restrict__ eyy,
+            double *__restrict__ gxy)
+{
+  const double *__restrict__ lower_y = lower + component_offset;
+  const double *__restrict__ upper_y = upper + component_offset;
+  for (unsigned int i = 0; i < n_cells; ++i)
+    {
+      exx[i] = (lower[i + 1] - lower[i] + (upper[i + 1] - upper[i])) * half_inverse_hx;
+      eyy[i] =
+        (upper_y[i + 1] - lower_y[i + 1] + (upper_y[i] - lower_y[i])) * half_inverse_hy;
+      gxy[i] =
+        (upper[i + 1] - lower[i + 1] + (upper[i] - lower[i])) * half_inverse_hy +
+        (lower_y[i + 1] - lower_y[i] + (upper_y[i + 1] - upper_y[i])) * half_inverse_hx;
+    }
+}
+
+double dot(const double *a, const double *b, const unsigned int n)
+{
+  constexpr unsigned int vl = Simd<double>::length;
+  vdouble sum{};
+  unsigned int i = 0;
+  for (; i + vl <= n; i += vl)
+    sum = fma(load(a + i), load(b + i), sum);
+  double result = 0.;
+  for (unsigned int l = 0; l < vl; ++l)
+    result += sum[l];
+  for (; i < n; ++i)
+    result += a[i] * b[i];
+  return result;
+}

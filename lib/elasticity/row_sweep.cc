@@ -1,0 +1,221 @@
+#include "elasticity/row_sweep.h"
+
+#include <algorithm>
+
+namespace mesoslip
+{
+namespace
+{
+/**
+ * What the kernel multiplies (Ex, d_y, Sh) = (r e_x, d_y, r d_x + e_y) with, r = hx / hy,
+ * to get A_x, scaled sigma_yy and sigma_xy in the units of row_kernel.h, and the
+ * hourglass coefficients: integrating the squares of the hourglass strains (g_x Y/hx, g_y
+ * X/hy, g_x X/hy + g_y Y/hx), mean of X^2 = Y^2 = 1/12, gives the energy hx hy / 24 [
+ * (D11/hx^2 + D33/hy^2) g_x^2 + (D22/hy^2 + D33/hx^2) g_y^2
+ *              + 2 (D13/hx^2 + D23/hy^2) g_x g_y ].
+ */
+template <typename Number>
+void set_coefficients(const VoigtMatrix<2> &D,
+                      const double hx,
+                      const double hy,
+                      const unsigned int c,
+                      kernels::Constants<Number> &constants)
+{
+  using namespace kernels;
+  const auto set = [&](const CoefficientIndex k, const double value) {
+    constants.coefficient[k][c] = static_cast<Number>(value);
+  };
+  set(c11, D(0, 0) * hy * hy / (2. * hx * hx * hx));
+  set(c12, D(0, 1) / (2. * hx));
+  set(c22, D(1, 1) * hx / (2. * hy * hy));
+  set(c33, D(2, 2) / (2. * hx));
+  set(c13, D(0, 2) * hy / (2. * hx * hx));
+  set(c23, D(1, 2) / (2. * hy));
+  set(gx, hy / 6. * (D(0, 0) / (hx * hx) + D(2, 2) / (hy * hy)));
+  set(gy, hx / 6. * (D(1, 1) / (hy * hy) + D(2, 2) / (hx * hx)));
+  set(gxy, hy / 6. * (D(0, 2) / (hx * hx) + D(1, 2) / (hy * hy)));
+}
+
+template <typename Number>
+std::unique_ptr<kernels::Constants<Number>>
+make_constants(const UniformMaterial &material)
+{
+  auto constants  = std::make_unique<kernels::Constants<Number>>();
+  auto &c         = *constants;
+  const double hx = material.grid().spacing[0], hy = material.grid().spacing[1];
+  c.n_cells  = material.grid().cells[0];
+  c.periodic = material.periodicity().x;
+  c.ratio    = static_cast<Number>(hx / hy);
+  c.scale_x  = static_cast<Number>(hx / 2.);
+  c.scale_y  = static_cast<Number>(hy / 2.);
+  for (auto &row : c.coefficient)
+    std::fill(std::begin(row), std::end(row), Number(0));
+  const auto &classes = material.classes();
+  if (material.is_homogeneous())
+    set_coefficients(classes[material.homogeneous_class()].stiffness, hx, hy, 0, c);
+  else
+    for (unsigned int k = 0; k < material.n_classes(); ++k)
+      set_coefficients(classes[k].stiffness, hx, hy, k, c);
+  return constants;
+}
+
+template <typename Number>
+unsigned int register_capacity(const InstructionSet isa)
+{
+  constexpr const Number *type = nullptr;
+  switch (isa)
+    {
+    case InstructionSet::x86_64_v4:
+      return kernels::x86_64_v4::register_capacity(type);
+    case InstructionSet::x86_64_v3:
+      return kernels::x86_64_v3::register_capacity(type);
+    default:
+      return kernels::x86_64::register_capacity(type);
+    }
+}
+
+kernels::MaterialVariant variant(const UniformMaterial &material,
+                                 const unsigned int capacity)
+{
+  using kernels::MaterialVariant;
+  const unsigned int n = material.n_classes();
+  if (material.is_homogeneous())
+    return MaterialVariant::homogeneous;
+  if (n <= 2)
+    return MaterialVariant::two;
+  if (n <= capacity)
+    return MaterialVariant::one_register;
+  if (n <= 2 * capacity)
+    return MaterialVariant::two_registers;
+  return MaterialVariant::any;
+}
+} // namespace
+
+std::string kernels::name(const Choice &choice)
+{
+  const char *const materials[] = {"homogeneous", "two classes", "classes in a register",
+                                   "classes in two registers", "any classes"};
+  std::string result            = materials[static_cast<int>(choice.material)];
+  result += choice.anisotropic ? ", anisotropic" : ", orthotropic";
+  if (choice.damping)
+    result += ", damped";
+  if (choice.gravity)
+    result += ", body force";
+  return result;
+}
+
+template <typename Number>
+RowKernels<Number>::RowKernels(const UniformMaterial &material,
+                               const InstructionSet requested,
+                               const bool damping,
+                               const bool gravity)
+  : constants(make_constants<Number>(material))
+{
+  const InstructionSet isa = resolve(requested);
+  choice.material          = variant(material, register_capacity<Number>(isa));
+  choice.anisotropic       = !material.is_orthotropic();
+  choice.damping           = damping;
+  choice.gravity           = gravity;
+  switch (isa)
+    {
+    case InstructionSet::x86_64_v4:
+      kernels::x86_64_v4::select(choice, functions);
+      break;
+    case InstructionSet::x86_64_v3:
+      kernels::x86_64_v3::select(choice, functions);
+      break;
+    default:
+      kernels::x86_64::select(choice, functions);
+    }
+}
+
+template <typename Number>
+RowKernels<Number>::RowKernels(const UniformMaterial &material, const InstructionSet isa)
+  : RowKernels(material, isa, false, false)
+{
+}
+
+template <typename Number>
+RowSweep<Number>::RowSweep(const UniformMaterial &material,
+                           const RowKernels<Number> &kernels)
+  : the_material(material)
+  , the_kernels(kernels)
+  , buffers(material.n_columns(), 2)
+{
+}
+
+template <typename Number>
+void RowSweep<Number>::reset()
+{
+  buffers.set_zero();
+}
+
+template <typename Number>
+void RowSweep<Number>::complete(kernels::Rows<Number> &rows, const unsigned int cell_row)
+{
+  rows.qx  = buffers.row(0, 0);
+  rows.qy  = buffers.row(1, 0);
+  rows.sxy = buffers.row(0, 1);
+  rows.syy = buffers.row(1, 1);
+  if (!the_material.is_homogeneous())
+    {
+      rows.classes      = the_material.class_row(cell_row);
+      rows.class_stride = the_material.class_row(1) - the_material.class_row(0);
+    }
+}
+
+namespace
+{
+/** The duplicate column of a periodic grid. */
+template <typename Number>
+void duplicate(Number *row,
+               const std::size_t stride,
+               const unsigned int n_cells,
+               unsigned int n)
+{
+  for (; n > 0; --n, row += stride)
+    row[n_cells] = row[0];
+}
+} // namespace
+
+template <typename Number>
+void RowSweep<Number>::store(kernels::Rows<Number> rows,
+                             const unsigned int cell_row,
+                             const bool several)
+{
+  complete(rows, cell_row);
+  the_kernels.functions.store[several](*the_kernels.constants, rows);
+  if (the_kernels.constants->periodic)
+    for (Number *f : {rows.fx, rows.fy})
+      duplicate(f, rows.f_stride, the_kernels.constants->n_cells,
+                several ? the_kernels.functions.rows_at_once : 1);
+}
+
+template <typename Number>
+void RowSweep<Number>::step(kernels::Rows<Number> rows,
+                            const unsigned int cell_row,
+                            const bool several)
+{
+  complete(rows, cell_row);
+  the_kernels.functions.step[several](*the_kernels.constants, rows);
+  if (the_kernels.constants->periodic)
+    for (Number *x : {rows.ux, rows.uy, rows.wx, rows.wy})
+      duplicate(x, rows.stride, the_kernels.constants->n_cells,
+                several ? the_kernels.functions.rows_at_once : 1);
+}
+
+template <typename Number>
+void RowSweep<Number>::finish(kernels::Rows<Number> rows)
+{
+  complete(rows, 0);
+  the_kernels.functions.finish(*the_kernels.constants, rows);
+  if (the_kernels.constants->periodic)
+    for (Number *f : {rows.fx, rows.fy})
+      duplicate(f, 0, the_kernels.constants->n_cells, 1);
+}
+
+template struct RowKernels<double>;
+template struct RowKernels<float>;
+template class RowSweep<double>;
+template class RowSweep<float>;
+} // namespace mesoslip

@@ -1,0 +1,235 @@
+// Vectors of the instruction set this translation unit is compiled for. Included by the
+// row kernels only, inside their namespace: see row_kernel_x86_64*.cc.
+//
+// GCC vector extensions wherever they suffice; intrinsics where the language has no word
+// for it (fused multiply-add, table lookup, widening of bytes). Contraction by the
+// compiler is off, so a fused multiply-add is where fma() stands and nowhere else, and
+// all variants of a kernel agree bit for bit.
+
+#if defined(__AVX512F__)
+#  define MESOSLIP_VECTOR_BYTES 64
+#elif defined(__AVX2__)
+#  define MESOSLIP_VECTOR_BYTES 32
+#else
+#  define MESOSLIP_VECTOR_BYTES 16
+#endif
+
+#define MESOSLIP_INLINE static inline __attribute__((always_inline))
+
+typedef double vdouble __attribute__((vector_size(MESOSLIP_VECTOR_BYTES), may_alias));
+typedef float vfloat __attribute__((vector_size(MESOSLIP_VECTOR_BYTES), may_alias));
+typedef std::int64_t vint64
+  __attribute__((vector_size(MESOSLIP_VECTOR_BYTES), may_alias));
+typedef std::int32_t vint32
+  __attribute__((vector_size(MESOSLIP_VECTOR_BYTES), may_alias));
+
+template <typename Number>
+struct Simd;
+
+template <>
+struct Simd<double>
+{
+  using Vector                         = vdouble;
+  using Index                          = vint64;
+  static constexpr unsigned int length = MESOSLIP_VECTOR_BYTES / 8;
+};
+
+template <>
+struct Simd<float>
+{
+  using Vector                         = vfloat;
+  using Index                          = vint32;
+  static constexpr unsigned int length = MESOSLIP_VECTOR_BYTES / 4;
+};
+
+template <typename Number>
+MESOSLIP_INLINE typename Simd<Number>::Vector load(const Number *p)
+{
+  return *reinterpret_cast<const typename Simd<Number>::Vector *>(p);
+}
+
+template <typename Number>
+MESOSLIP_INLINE void store(Number *p, const typename Simd<Number>::Vector v)
+{
+  *reinterpret_cast<typename Simd<Number>::Vector *>(p) = v;
+}
+
+template <typename Number>
+MESOSLIP_INLINE typename Simd<Number>::Vector splat(const Number x)
+{
+  return x - typename Simd<Number>::Vector{};
+}
+
+/** a * b + c */
+MESOSLIP_INLINE vdouble fma(const vdouble a, const vdouble b, const vdouble c)
+{
+#if defined(__AVX512F__)
+  return (vdouble)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
+#elif defined(__FMA__)
+  return (vdouble)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#else
+  return a * b + c;
+#endif
+}
+
+MESOSLIP_INLINE vfloat fma(const vfloat a, const vfloat b, const vfloat c)
+{
+#if defined(__AVX512F__)
+  return (vfloat)_mm512_fmadd_ps((__m512)a, (__m512)b, (__m512)c);
+#elif defined(__FMA__)
+  return (vfloat)_mm256_fmadd_ps((__m256)a, (__m256)b, (__m256)c);
+#else
+  return a * b + c;
+#endif
+}
+
+/** c - a * b */
+MESOSLIP_INLINE vdouble fnma(const vdouble a, const vdouble b, const vdouble c)
+{
+#if defined(__AVX512F__)
+  return (vdouble)_mm512_fnmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
+#elif defined(__FMA__)
+  return (vdouble)_mm256_fnmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#else
+  return c - a * b;
+#endif
+}
+
+MESOSLIP_INLINE vfloat fnma(const vfloat a, const vfloat b, const vfloat c)
+{
+#if defined(__AVX512F__)
+  return (vfloat)_mm512_fnmadd_ps((__m512)a, (__m512)b, (__m512)c);
+#elif defined(__FMA__)
+  return (vfloat)_mm256_fnmadd_ps((__m256)a, (__m256)b, (__m256)c);
+#else
+  return c - a * b;
+#endif
+}
+
+/** 0, 1, 2... */
+MESOSLIP_INLINE vint64 iota(const vint64)
+{
+#if MESOSLIP_VECTOR_BYTES == 64
+  return vint64{0, 1, 2, 3, 4, 5, 6, 7};
+#elif MESOSLIP_VECTOR_BYTES == 32
+  return vint64{0, 1, 2, 3};
+#else
+  return vint64{0, 1};
+#endif
+}
+
+MESOSLIP_INLINE vint32 iota(const vint32)
+{
+#if MESOSLIP_VECTOR_BYTES == 64
+  return vint32{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+#elif MESOSLIP_VECTOR_BYTES == 32
+  return vint32{0, 1, 2, 3, 4, 5, 6, 7};
+#else
+  return vint32{0, 1, 2, 3};
+#endif
+}
+
+/** (a_1, a_2, ..., b_0): the right neighbours. */
+template <typename Vector>
+MESOSLIP_INLINE Vector right_neighbours(const Vector a, const Vector b)
+{
+  constexpr bool is_double = sizeof(a[0]) == 8;
+  if constexpr (is_double)
+    return __builtin_shuffle(a, b, iota(vint64{}) + 1);
+  else
+    return __builtin_shuffle(a, b, iota(vint32{}) + 1);
+}
+
+/** (a_last, b_0, b_1, ...): the left neighbours of b. */
+template <typename Vector>
+MESOSLIP_INLINE Vector left_neighbours(const Vector a, const Vector b)
+{
+  constexpr bool is_double = sizeof(a[0]) == 8;
+  if constexpr (is_double)
+    return __builtin_shuffle(a, b, iota(vint64{}) + (MESOSLIP_VECTOR_BYTES / 8 - 1));
+  else
+    return __builtin_shuffle(a, b, iota(vint32{}) + (MESOSLIP_VECTOR_BYTES / 4 - 1));
+}
+
+/** One vector of bytes, widened. (The forms without mask make GCC 12 warn about its own
+ *  header.) */
+MESOSLIP_INLINE vint64 load_bytes(const std::uint8_t *p, const vint64)
+{
+#if defined(__AVX512F__)
+  return (vint64)_mm512_maskz_cvtepu8_epi64(0xff, _mm_loadl_epi64((const __m128i *)p));
+#elif defined(__AVX2__)
+  return (vint64)_mm256_cvtepu8_epi64(_mm_loadu_si32(p));
+#else
+  return vint64{p[0], p[1]};
+#endif
+}
+
+MESOSLIP_INLINE vint32 load_bytes(const std::uint8_t *p, const vint32)
+{
+#if defined(__AVX512F__)
+  return (vint32)_mm512_maskz_cvtepu8_epi32(0xffff, _mm_loadu_si128((const __m128i *)p));
+#elif defined(__AVX2__)
+  return (vint32)_mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)p));
+#else
+  return vint32{p[0], p[1], p[2], p[3]};
+#endif
+}
+
+/** Numbers that lookup() finds in one register; 0 if there is no such instruction. */
+#if defined(__AVX512F__)
+constexpr unsigned int lookup_capacity_double = 8;
+constexpr unsigned int lookup_capacity_float  = 16;
+#else
+constexpr unsigned int lookup_capacity_double = 0;
+constexpr unsigned int lookup_capacity_float = 0;
+#endif
+
+/** table[index], the table being one vector. */
+template <typename Vector, typename Index>
+MESOSLIP_INLINE Vector lookup(const Vector table, const Index index)
+{
+#if defined(__AVX512F__)
+  return __builtin_shuffle(table, index);
+#else
+  (void)index;
+  return table;
+#endif
+}
+
+/** table[index], the table being two vectors. */
+template <typename Vector, typename Index>
+MESOSLIP_INLINE Vector lookup(const Vector low, const Vector high, const Index index)
+{
+#if defined(__AVX512F__)
+  return __builtin_shuffle(low, high, index);
+#else
+  (void)high;
+  (void)index;
+  return low;
+#endif
+}
+
+/** table[index], the table being in memory. */
+MESOSLIP_INLINE vdouble gather(const double *table, const vint64 index)
+{
+#if defined(__AVX512F__)
+  return (vdouble)_mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, (__m512i)index,
+                                           table, 8);
+#elif defined(__AVX2__)
+  return vdouble{table[index[0]], table[index[1]], table[index[2]], table[index[3]]};
+#else
+  return vdouble{table[index[0]], table[index[1]]};
+#endif
+}
+
+MESOSLIP_INLINE vfloat gather(const float *table, const vint32 index)
+{
+#if defined(__AVX512F__)
+  return (vfloat)_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xffff, (__m512i)index,
+                                          table, 4);
+#elif defined(__AVX2__)
+  return (vfloat)_mm256_i32gather_ps(table, (__m256i)index, 4);
+#else
+  return vfloat{table[index[0]], table[index[1]], table[index[2]], table[index[3]]};
+#endif
+}
