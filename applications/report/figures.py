@@ -1,0 +1,285 @@
+"""Figures over time, frequency and contact position. Every function takes runs and returns a figure,
+or raises Missing. Colours are those of Okabe and Ito, distinct for the colour-blind."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.patches import Patch
+
+from data import Missing, thinned
+
+BLUE, ORANGE, GREEN, PINK, SKY, YELLOW, BLACK, GREY = (
+    "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000", "#6b7280")
+RUN_COLOURS = [BLUE, ORANGE, GREEN, PINK, YELLOW, SKY]
+SLIP, STICK, SEPARATED = "#0072B2", "#E69F00", "#e9ecef"
+WIDTH = 6.4
+
+plt.rcParams.update({
+    "font.size": 11.5, "font.family": "DejaVu Sans", "axes.titlesize": 11.5,
+    "axes.labelsize": 11.5, "legend.fontsize": 10, "xtick.labelsize": 10.5, "ytick.labelsize": 10.5,
+    "axes.grid": True, "grid.color": "#e3e7eb", "grid.linewidth": 0.8, "axes.axisbelow": True,
+    "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False,
+    "lines.linewidth": 1.3, "figure.constrained_layout.use": True, "figure.dpi": 110})
+
+
+def panels(rows=1, height=3.2, **options):
+    figure, axes = plt.subplots(rows, 1, figsize=(WIDTH, height), squeeze=False, **options)
+    return figure, axes[:, 0]
+
+
+def colour(runs, run):
+    return RUN_COLOURS[runs.index(run) % len(RUN_COLOURS)]
+
+
+def scaled(*arrays, units):
+    """Common factor and unit that bring arrays to readable numbers; units: (factor, name) ascending."""
+    top = max((np.nanmax(np.abs(array)) for array in arrays if np.size(array)), default=0.0)
+    chosen = units[0]
+    for factor, name in units:
+        if top >= factor:
+            chosen = (factor, name)
+    return chosen
+
+
+LENGTHS = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm")]
+POWERS_OF_J = [(1e-9, "nJ/m"), (1e-6, "µJ/m"), (1e-3, "mJ/m"), (1.0, "J/m"), (1e3, "kJ/m")]
+STRESSES = [(1.0, "Pa"), (1e3, "kPa"), (1e6, "MPa"), (1e9, "GPa")]
+
+
+def zoom_window(run, end):
+    """s; the last six periods, or the last 15 % of the time."""
+    frequency = run.number("main_frequency")
+    start = end - 6.0 / frequency if frequency else 0.85 * end
+    return max(0.0, start) if start < end else 0.85 * end
+
+
+def above(axes, entries=None, columns=3):
+    """Legend outside, above the axes, so that it never covers data."""
+    options = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncol": columns,
+               "borderaxespad": 0.2, "handlelength": 1.6, "columnspacing": 1.3}
+    if entries:
+        axes.legend(handles=entries, **options)
+    else:
+        axes.legend(**options)
+
+
+def apparent_friction(runs, paper_value=None):
+    figure, (whole, zoom) = panels(2, 5.2)
+    drawn = 0
+    for run in runs:
+        time, friction = run.get("/history/time"), run.get("/history/apparent_friction")
+        if time is None or friction is None or not len(time):
+            continue
+        drawn += 1
+        c = colour(runs, run)
+        x, y = thinned(time, friction)
+        whole.plot(1e3 * x, y, color=c, lw=0.7, alpha=0.75, label=run.label)
+        mean = run.number("mean_apparent_friction_coefficient")
+        start = run.steady_from()
+        if mean is not None:
+            whole.plot([1e3 * start, 1e3 * time[-1]], [mean, mean], color=c, lw=3, alpha=0.9,
+                       solid_capstyle="butt", path_effects=_halo())
+        begin = np.searchsorted(time, zoom_window(run, time[-1]))
+        x, y = thinned(time[begin:], friction[begin:])
+        zoom.plot(1e3 * x, y, color=c, label=run.label)
+    if not drawn:
+        raise Missing("/history/apparent_friction is in none of the dynamics files")
+    for axes in (whole, zoom):
+        if paper_value is not None:
+            axes.axhline(paper_value, color=BLACK, lw=1.2, ls="--", label="mean in the paper")
+        axes.set_ylabel(r"$\mu_\mathrm{app}$")
+        axes.margins(x=0)
+    zoom.set_xlabel("time in ms")
+    zoom.set_title("last periods", loc="left", color=GREY)
+    above(whole)
+    return figure
+
+
+def _halo():
+    from matplotlib import patheffects
+    return [patheffects.Stroke(linewidth=5, foreground="white"), patheffects.Normal()]
+
+
+def friction_energy(runs):
+    series = [(run, run.get("/history/time"), run.get("/history/friction_energy")) for run in runs]
+    series = [entry for entry in series if entry[1] is not None and entry[2] is not None
+              and len(entry[1])]
+    if not series:
+        raise Missing("/history/friction_energy is in none of the dynamics files")
+    figure, (axes,) = panels(1, 3.3)
+    factor, unit = scaled(*[energy for *_, energy in series], units=POWERS_OF_J)
+    for run, time, energy in series:
+        c = colour(runs, run)
+        mu = run.number("global_interface_friction_coefficient")
+        label = run.label + (rf", $\mu_\mathrm{{inter}}$ = {mu:.3f}" if mu is not None else "")
+        axes.plot(*_scale(*thinned(time, energy), 1e3, 1 / factor), color=c, lw=1.8, label=label)
+        steady = time >= run.steady_from()
+        if steady.sum() > 2:
+            slope, offset = np.polyfit(time[steady], energy[steady], 1)
+            line = np.array([time[steady][0], time[-1]])
+            axes.plot(1e3 * line, (slope * line + offset) / factor, color=BLACK, lw=1, ls=(0, (4, 4)))
+    axes.plot([], [], color=BLACK, lw=1, ls=(0, (4, 4)), label="slope used")
+    axes.set(xlabel="time in ms", ylabel=rf"$E_\mathrm{{friction}}$ in {unit}")
+    axes.margins(x=0)
+    above(axes, columns=2)
+    return figure
+
+
+def _scale(x, y, fx, fy):
+    return x * fx, y * fy
+
+
+ENERGIES = [("external_work", "external work", BLACK), ("friction", "friction", ORANGE),
+            ("elastic", "elastic", BLUE), ("kinetic", "kinetic", SKY), ("damping", "damping", GREEN),
+            ("scheme", "time scheme", PINK), ("impact", "impacts", YELLOW)]
+
+
+def energy_balance(run):
+    time = run.need("/energy/time")
+    parts = [(label, run.get(f"/energy/{name}"), c) for name, label, c in ENERGIES]
+    parts = [(label, values, c) for label, values, c in parts
+             if values is not None and len(values) == len(time)]
+    if not parts:
+        raise Missing("/energy holds no energies of the length of /energy/time")
+    residual = run.get("/energy/residual")
+    figure, axes = panels(2, 5.0, sharex=True, gridspec_kw={"height_ratios": [2.4, 1]})
+    factor, unit = scaled(*[values for _, values, _ in parts], units=POWERS_OF_J)
+    for label, values, c in parts:
+        axes[0].plot(*_scale(*thinned(time, values), 1e3, 1 / factor), color=c, label=label)
+    axes[0].set_ylabel(f"energy in {unit}")
+    above(axes[0], columns=4)
+    if residual is not None and len(residual) == len(time):
+        top = max(np.nanmax(np.abs(values)) for _, values, _ in parts) or 1.0
+        x, y = thinned(time, np.abs(residual) / top)
+        axes[1].semilogy(1e3 * x, np.maximum(y, 1e-18), color=GREY, lw=1)
+    axes[1].set(xlabel="time in ms", ylabel="|residual| /\nlargest energy")
+    axes[1].margins(x=0)
+    figure.align_ylabels()
+    return figure
+
+
+def phase_diagram(runs):
+    series = [(run, run.get("/phase_diagram/displacement"), run.get("/phase_diagram/velocity"))
+              for run in runs]
+    series = [entry for entry in series if entry[1] is not None and entry[2] is not None
+              and len(entry[1]) > 2]
+    if not series:
+        raise Missing("/phase_diagram is in none of the dynamics files (no periodic motion found)")
+    figure, (axes,) = panels(1, 4.4)
+    factor, unit = scaled(*[u for _, u, _ in series], units=LENGTHS)
+    for run, u, v in series:
+        probe = run.reference_probe()
+        if probe and len(series) == 1:
+            _orbit(axes, run, probe, factor)
+        axes.plot(np.append(u, u[0]) / factor, np.append(v, v[0]), color=colour(runs, run), lw=2,
+                  label=run.label)
+    axes.set(xlabel=f"tangential displacement in {unit}", ylabel="tangential velocity in m/s")
+    above(axes)
+    return figure
+
+
+def _orbit(axes, run, probe, factor):
+    time, u, v = (run.get(f"/probes/{probe}/{name}") for name in ("time", "displacement", "velocity"))
+    if time is None or u is None or v is None or u.ndim != 2 or len(u) != len(v):
+        return
+    steady = np.flatnonzero(time >= run.steady_from())
+    step = max(1, len(steady) // 40000)
+    axes.plot(u[steady[::step], 0] / factor, v[steady[::step], 0], color="#b9c2cb", lw=0.4,
+              label="all periods")
+
+
+def spectrum(runs, paper_frequency=None):
+    series = [(run, run.get("/spectrum/frequency"), run.get("/spectrum/amplitude")) for run in runs]
+    series = [entry for entry in series if entry[1] is not None and entry[2] is not None
+              and len(entry[1]) > 2]
+    if not series:
+        raise Missing("/spectrum is in none of the dynamics files")
+    figure, (axes,) = panels(1, 3.6)
+    factor, unit = scaled(*[a for *_, a in series], units=LENGTHS)
+    main, top = 4e4, 0.0
+    for run, f, a in series:
+        shown = (f > 1e3) & (a > 0)
+        top = max(top, np.max(a[shown], initial=0.0))
+        main = run.number("main_frequency") or main
+        axes.semilogy(*_scale(*thinned(f[shown], a[shown], 6000), 1e-3, 1 / factor),
+                      color=colour(runs, run), lw=1.1, label=run.label)
+    if paper_frequency:
+        axes.axvline(1e-3 * paper_frequency, color=BLACK, lw=1.1, ls="--",
+                     label=f"paper: {1e-3 * paper_frequency:.1f} kHz")
+    axes.set_xlim(0, 1e-3 * min(13 * main, max(f[-1] for _, f, _ in series)))
+    if top > 0:
+        axes.set_ylim(1e-5 * top / factor, 3 * top / factor)
+    axes.set(xlabel="frequency in kHz", ylabel=f"amplitude in {unit}")
+    above(axes)
+    return figure
+
+
+STATES = [Patch(facecolor=SLIP, label="slip"), Patch(facecolor=STICK, label="stick"),
+          Patch(facecolor=SEPARATED, edgecolor="#adb5bd", label="separated")]
+
+
+def node_statistics(runs):
+    series = []
+    for run in runs:
+        arrays = [run.get(f"/contact/{name}") for name in ("x", "slip", "stick", "separated")]
+        if all(array is not None and array.shape == arrays[0].shape and array.size
+               for array in arrays):
+            series.append((run, arrays))
+    if not series:
+        raise Missing("/contact/{x, slip, stick, separated} is in none of the dynamics files")
+    figure, axes = panels(len(series), 1.1 + 2.0 * len(series), sharex=True)
+    for axis, (run, (x, slip, stick, separated)) in zip(axes, series):
+        axis.stackplot(1e3 * x, 100 * slip, 100 * stick, 100 * separated,
+                       colors=[SLIP, STICK, SEPARATED], linewidth=0)
+        axis.set(ylim=(0, 100), ylabel="share of time\nin %")
+        axis.margins(x=0)
+        axis.set_title(run.label, loc="left" if axis is not axes[0] else "right", color=GREY)
+    axes[-1].set_xlabel("position along the contact in mm")
+    above(axes[0], STATES)
+    return figure
+
+
+def contact_map(run):
+    time, slip, stick, separated = run.need(*[f"/contact/blocks/{name}" for name in
+                                              ("time", "slip", "stick", "separated")])
+    if slip.ndim != 2 or slip.shape != stick.shape or slip.shape != separated.shape:
+        raise Missing(f"/contact/blocks of {run.name} has arrays of different shapes")
+    x = run.get("/contact/x")
+    bottom, top = (1e3 * x[0], 1e3 * x[-1]) if x is not None and len(x) > 1 else (0, slip.shape[1])
+    rgb = [np.array(matplotlib.colors.to_rgb(c)) for c in (SLIP, STICK, SEPARATED)]
+    image = sum(np.clip(np.nan_to_num(share), 0, 1)[..., None] * c
+                for share, c in zip((slip, stick, separated), rgb))
+    figure, (axes,) = panels(1, 3.7)
+    first = time[0] - (time[1] - time[0]) if len(time) > 1 else 0.0
+    axes.imshow(np.clip(image, 0, 1).transpose(1, 0, 2), origin="lower", aspect="auto",
+                extent=[1e3 * first, 1e3 * time[-1], bottom, top], interpolation="nearest")
+    axes.grid(False)
+    axes.set(xlabel="time in ms", ylabel="position in mm" if x is not None else "contact node")
+    above(axes, STATES)
+    return figure
+
+
+def localized_stress(run, probe):
+    """sigma_yy, sigma_xx, sigma_xy over the last periods: localized, and direct where there is one."""
+    time, stress = run.need(f"/probes/{probe}/time", f"/probes/{probe}/stress")
+    if stress.ndim != 2 or stress.shape[1] < 3 or len(stress) != len(time):
+        raise Missing(f"/probes/{probe}/stress of {run.name} has an unexpected shape")
+    direct = run.get(f"/probes/{probe}/direct_stress")
+    direct = direct if direct is not None and direct.shape == stress.shape else None
+    shown = time >= max(time[0], zoom_window(run, time[-1]))
+    factor, unit = scaled(stress[shown], units=STRESSES)
+    figure, axes = panels(3, 6.0, sharex=True)
+    for axis, (component, name) in zip(axes, [(1, "yy"), (0, "xx"), (2, "xy")]):
+        if direct is not None:
+            axis.plot(1e3 * time[shown], direct[shown, component] / factor, color=BLACK, lw=2.6,
+                      alpha=0.35, label="direct (heterogeneous run)")
+        axis.plot(1e3 * time[shown], stress[shown, component] / factor, color=ORANGE, lw=1.3,
+                  label="localized (homogeneous run)")
+        axis.set_ylabel(rf"$\sigma_\mathrm{{{name}}}$ in {unit}")
+        axis.margins(x=0)
+    axes[-1].set_xlabel("time in ms")
+    figure.align_ylabels()
+    above(axes[0], columns=2)
+    return figure

@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+"""One self-contained report.html from the result folders of a chain.
+
+    make_report.py [--output report.html] folder...
+
+Each folder is the output of rve_homogenization, contact_dynamics or stress_localization (recognised by
+"program" in summary.json), or holds such folders. Any subset works: what is missing is named and left out.
+"""
+
+import argparse
+import json
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import figures
+import sections
+from data import Chain, Missing
+from page import Page, escape, note
+
+
+def attempt(page, make, *arguments):
+    """HTML of a section part; a note instead of a traceback if it cannot be made."""
+    try:
+        return make(page, *arguments)
+    except Missing as missing:
+        return note(f"Left out: {missing}.")
+    except Exception as error:  # a report is never worth losing for one figure
+        figures.plt.close("all")
+        return note(f"Left out: {type(error).__name__} while drawing ({error}).")
+
+
+def build(chain, title):
+    """The Page of a chain."""
+    what = f"{len(chain.runs)} result folder{'s' if len(chain.runs) != 1 else ''}"
+    page = Page(title, f"From the composite’s microstructure to its sliding contact and back: {what}. "
+                       "Units are SI; pressures and compressions of the contact are positive.")
+    for heading, parts in sections.plan(chain):
+        page.section(heading, "".join(attempt(page, *part) for part in parts))
+    notes = chain.all_notes()
+    if notes:
+        page.section("Notes", "".join(note(text) for text in dict.fromkeys(notes)))
+    details = "".join(
+        f"<details><summary>{escape(run.folder)}/summary.json</summary><pre>"
+        f"{escape(json.dumps(run.summary, indent=1))}</pre></details>" for run in chain.runs)
+    if details:
+        page.section("Everything the programs summarised", details)
+    return page
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("folders", nargs="+", metavar="folder", help="result folder(s) of a chain")
+    parser.add_argument("--output", default="report.html", help="file to write (default: %(default)s)")
+    parser.add_argument("--title", default="mesoslip report", help="title (default: %(default)s)")
+    options = parser.parse_args(arguments)
+
+    chain = Chain(options.folders)
+    if not chain.runs:
+        for text in chain.notes:
+            print(f"make_report.py: {text}", file=sys.stderr)
+        print("make_report.py: nothing to report; give at least one result folder", file=sys.stderr)
+        return 2
+    text = build(chain, options.title).html()
+    part = options.output + ".part"
+    try:
+        with open(part, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        os.replace(part, options.output)
+    except OSError as error:
+        print(f"make_report.py: cannot write {options.output}: {error}", file=sys.stderr)
+        return 2
+    print(f"{options.output}: {len(chain.runs)} runs, {len(text) / 1e6:.1f} MB")
+    for remark in chain.all_notes():
+        print(f"note: {remark}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

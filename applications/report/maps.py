@@ -1,0 +1,174 @@
+"""Maps over the pin: morphology, von Mises stress of the RVE, of a snapshot and of the localization."""
+
+import numpy as np
+from matplotlib.colors import ListedColormap
+from matplotlib.patches import Patch, Rectangle
+
+from data import Missing
+from figures import RUN_COLOURS, STRESSES, above, panels, scaled
+
+STRESS_MAP, DIFFERENCE_MAP = "viridis", "PuOr_r"
+PHASE_COLOURS = ["#dfe3e8", "#30343b", *RUN_COLOURS]
+
+
+def von_mises(stress, poisson):
+    """Of plane strain stresses [..., 3] in Pa; poisson gives sigma_zz = nu (sigma_xx + sigma_yy)."""
+    xx, yy, xy = np.moveaxis(stress, -1, 0)
+    zz = poisson * (xx + yy)
+    return np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * xy**2)
+
+
+def poisson_ratio(stiffness):
+    """Of plane strain stiffnesses [..., 3, 3] that are isotropic (close to it: the effective one)."""
+    return stiffness[..., 0, 1] / (stiffness[..., 1, 1] + stiffness[..., 0, 1])
+
+
+def cell_strain(displacement, spacing):
+    """Strain at the cell centres [ny][nx][3] of nodal displacements [ny+1][nx+1][2]."""
+    hx, hy = np.broadcast_to(spacing, (2,))
+    dx = np.diff(displacement, axis=1) / hx
+    dy = np.diff(displacement, axis=0) / hy
+    dx, dy = 0.5 * (dx[1:] + dx[:-1]), 0.5 * (dy[:, 1:] + dy[:, :-1])
+    return np.stack([dx[..., 0], dy[..., 1], dx[..., 1] + dy[..., 0]], axis=-1)
+
+
+def _draw(figure, axes, image, extent, label, **options):
+    picture = axes.imshow(image, origin="lower", extent=extent, aspect="equal", **options)
+    axes.grid(False)
+    axes.set_ylabel("y in mm")
+    if label:
+        over = "vmax" in options and np.nanmax(image) > options["vmax"] * (1 + 1e-12)
+        under = options.get("vmin", 0) < 0 and np.nanmin(image) < options["vmin"]
+        extend = "both" if over and under else "max" if over else "min" if under else "neither"
+        bar = figure.colorbar(picture, ax=axes, pad=0.015, aspect=12, extend=extend)
+        bar.set_label(label)
+        bar.outline.set_visible(False)
+    return picture
+
+
+def _zoom_frame(axes, zoom, extent):
+    """Frame a window of a seventh of the width at the middle of the contact, and show it in zoom."""
+    left, right, bottom, top = extent
+    middle, half = 0.5 * (left + right), (right - left) / 14
+    height = min(top - bottom, half * 0.62)
+    zoom.set(xlim=(middle - half, middle + half), ylim=(bottom, bottom + height))
+    axes.add_patch(Rectangle((middle - half, bottom), 2 * half, height, fill=False, color="#D55E00",
+                             lw=1.6, clip_on=False))
+    for spine in zoom.spines.values():
+        spine.set(visible=True, color="#D55E00", linewidth=1.6)
+
+
+def _phase_map(chain):
+    """(run, ids [ny][nx], names, stiffnesses) of the first run that knows the morphology."""
+    for run in chain.rve:
+        ids = run.get("/phase/id")
+        if ids is not None and ids.ndim == 2 and run.extent():
+            return run, ids
+    for run in chain.dynamics:
+        ids = run.get("/material/phase_id")
+        if ids is not None and ids.ndim == 2 and run.extent():
+            return run, ids
+    raise Missing("no /phase/id in an rve.h5 and no /material/phase_id in a dynamics.h5")
+
+
+def _names(run, n):
+    names = run.get("/phase/name")
+    if names is not None and len(names) >= n:
+        return [name.decode() if isinstance(name, bytes) else str(name) for name in names]
+    listed = [phase.get("name") for phase in run.summary.get("phases") or []
+              if isinstance(phase, dict)]
+    return listed if len(listed) >= n else [f"phase {i}" for i in range(n)]
+
+
+def morphology(chain):
+    run, ids = _phase_map(chain)
+    extent = run.extent()
+    n = int(ids.max()) + 1
+    colours = ListedColormap((PHASE_COLOURS * (n // len(PHASE_COLOURS) + 1))[:n])
+    figure, (axes, zoom) = panels(2, 5.6, gridspec_kw={"height_ratios": [1, 1.6]})
+    for axis in (axes, zoom):
+        _draw(figure, axis, ids, extent, None, cmap=colours, vmin=-0.5, vmax=n - 0.5,
+              interpolation="nearest")
+    _zoom_frame(axes, zoom, extent)
+    zoom.set_xlabel("x in mm")
+    shares = [100 * np.mean(ids == i) for i in range(n)]
+    above(axes, [Patch(facecolor=colours(i), edgecolor="#adb5bd", label=f"{name} ({share:.1f} %)")
+                 for i, (name, share) in enumerate(zip(_names(run, n), shares))], columns=4)
+    return figure
+
+
+def rve_von_mises(run, pressure=0.5e6):
+    """Von Mises stress under the uniform strain that a mean sigma_yy = -pressure alone needs (KUBC)."""
+    ids, stiffness, concentration = run.need("/phase/id", "/phase/stiffness", "/concentration/KUBC")
+    effective = run.get("/stiffness/KUBC")
+    effective = effective if effective is not None else run.need("/stiffness/effective")
+    strain = np.linalg.solve(effective, [0.0, -pressure, 0.0])
+    local = np.einsum("yxij,j->yxi", concentration, strain)
+    stress = np.einsum("yxij,yxj->yxi", stiffness[ids], local)
+    return _stress_figure(von_mises(stress, poisson_ratio(stiffness)[ids]), run.extent())
+
+
+def snapshot_von_mises(run, chain):
+    """Von Mises stress of the last snapshot; stiffnesses from the chain's RVE."""
+    displacement = run.last("/snapshots/displacement")
+    grid = run.grid()
+    if displacement is None or displacement.ndim != 3 or grid is None:
+        raise Missing(f"/snapshots/displacement is not in the HDF5 file of {run.name}")
+    ids = run.get("/material/phase_id")
+    for source in chain.rve:
+        stiffness = source.get("/phase/stiffness" if ids is not None else "/stiffness/effective")
+        if stiffness is not None and (ids is None or len(stiffness) > ids.max()):
+            break
+    else:
+        raise Missing("the stiffnesses of the phases are in no rve.h5 of the chain")
+    strain = cell_strain(displacement, grid[1])
+    by_cell = stiffness[ids] if ids is not None else stiffness
+    subscripts = "yxij,yxj->yxi" if ids is not None else "ij,yxj->yxi"
+    stress = np.einsum(subscripts, by_cell, strain)
+    return _stress_figure(von_mises(stress, poisson_ratio(by_cell)), run.extent())
+
+
+def _stress_figure(field, extent):
+    if extent is None:
+        raise Missing("the run has no uniform grid")
+    factor, unit = scaled(field, units=STRESSES)
+    limit = float(np.nanpercentile(field, 99.5)) / factor
+    figure, (axes, zoom) = panels(2, 5.2, gridspec_kw={"height_ratios": [1, 1.6]})
+    options = {"cmap": STRESS_MAP, "vmin": 0, "vmax": limit}
+    _draw(figure, axes, field / factor, extent, f"in {unit}",
+          **options)
+    _draw(figure, zoom, field / factor, extent, f"von Mises in {unit}", interpolation="nearest",
+          **options)
+    _zoom_frame(axes, zoom, extent)
+    zoom.set_xlabel("x in mm")
+    return figure
+
+
+def mean_von_mises(run):
+    """Localized, direct and difference, one above the other; (figure, relative L2 difference)."""
+    localized = run.need("/mean_von_mises")
+    extent = run.extent()
+    if extent is None or localized.ndim != 2:
+        raise Missing(f"{run.name} has no /grid for /mean_von_mises")
+    direct = run.get("/direct/mean_von_mises")
+    direct = direct if direct is not None and direct.shape == localized.shape else None
+    factor, unit = scaled(localized, units=STRESSES)
+    both = localized if direct is None else np.stack([localized, direct])
+    limit = float(np.nanpercentile(both, 99.5)) / factor
+    fields = [("localized (homogeneous run)", localized)]
+    if direct is not None:
+        fields.append(("direct (heterogeneous run)", direct))
+    figure, axes = panels(3 if direct is not None else 1, 6.9 if direct is not None else 2.6,
+                          sharex=True)
+    for axis, (title, field) in zip(axes, fields):
+        _draw(figure, axis, field / factor, extent, f"in {unit}", cmap=STRESS_MAP, vmin=0, vmax=limit)
+        axis.set_title(title, loc="left")
+    error = None
+    if direct is not None:
+        gap = (localized - direct) / factor
+        bound = float(np.nanpercentile(np.abs(gap), 99.5)) or 1.0
+        _draw(figure, axes[2], gap, extent, f"in {unit}", cmap=DIFFERENCE_MAP, vmin=-bound, vmax=bound)
+        axes[2].set_title("localized − direct", loc="left")
+        error = float(np.linalg.norm(localized - direct) / np.linalg.norm(direct))
+    axes[-1].set_xlabel("x in mm")
+    return figure, error

@@ -1,0 +1,88 @@
+"""What the paper (Peillex, Baillet, Berthier 2008) reports, with the place it is found at, and how the
+numbers of a chain are set beside it."""
+
+# Pa, eq. (10): Voigt xx, yy, xy.
+STIFFNESS = [[36.54e9, 9.1e9, 0.0], [9.1e9, 47.26e9, 0.0], [0.0, 0.0, 13.785e9]]
+
+STIFFNESS_ENTRIES = [("D<sub>xx</sub>", 0, 0), ("D<sub>xy</sub>", 0, 1),
+                     ("D<sub>yy</sub>", 1, 1), ("D<sub>ss</sub>", 2, 2)]
+
+# (homogeneous, heterogeneous) by regime: value and source.
+INTERFACE_FRICTION = {
+    1: {"homogeneous": (0.220, "table 2, δ = 1500 ns"), "heterogeneous": (0.2145, "table 2, mean of 4")},
+    2: {"homogeneous": (0.175, "table 3, δ = 1500 ns"), "heterogeneous": (0.173, "table 3, No. 1")},
+}
+APPARENT_FRICTION = {1: (0.21, "fig. 6"), 2: (0.17, "fig. 6")}
+MAIN_FREQUENCY = {1: (41200.0, "fig. 6"), 2: (39600.0, "fig. 6")}
+SLIP_SHARE = {1: (0.70, "section 2.4"), 2: (0.20, "section 2.4")}
+SEPARATION_SHARE = {1: (0.30, "section 2.4"), 2: (0.80, "section 2.4")}
+
+MODES = [(40000.0, "fig. 8(a), contact surface free"),
+         (41580.0, "fig. 8(b), contact surface held in y")]
+
+# Pa, table 4 at P = 0.5 MPa: static contact analysis; the larger one is the fibres'.
+STATIC_PRESSURES = {"fibre": 2.0e6, "matrix": 0.33e6}
+
+# Section 5: largest relative differences between localized and direct stress.
+LOCALIZATION_LIMITS = {"mean and deviation": 0.05, "σ_yy": 0.04, "σ_xx, σ_xy at the surface": 0.25}
+
+
+def regime(run):
+    """1 or 2, the regime of the paper a run is nearest to: by its label, else by its shares."""
+    label = str(run.summary.get("regime") or "")
+    if "regime 2" in label:
+        return 2
+    separation = run.number("reference_node", "separation")
+    if "regime 1" not in label and separation is not None and separation > 0.5:
+        return 2
+    return 1
+
+
+def comparison(run):
+    """Rows (quantity, ours, paper's, unit, source) of one transient run; ours may be None."""
+    r = regime(run)
+    rows = [
+        ("Global interface friction coefficient μ<sub>inter</sub>",
+         run.number("global_interface_friction_coefficient"),
+         *INTERFACE_FRICTION[r][run.kind], ""),
+        ("Mean apparent friction coefficient",
+         run.number("mean_apparent_friction_coefficient"), *APPARENT_FRICTION[r], ""),
+        ("Main frequency", run.number("main_frequency"), *MAIN_FREQUENCY[r], "Hz"),
+        ("Reference node: share of slip", run.number("reference_node", "slip"), *SLIP_SHARE[r], ""),
+        ("Reference node: share of separation",
+         run.number("reference_node", "separation"), *SEPARATION_SHARE[r], ""),
+    ]
+    return [(what, ours, paper, unit, f"{source}, regime {r}")
+            for what, ours, paper, source, unit in rows]
+
+
+def modes(run):
+    """The paper's two first modes beside the computed frequency nearest to each."""
+    frequencies = run.summary.get("frequencies")
+    frequencies = [f for f in frequencies if isinstance(f, (int, float))] if isinstance(
+        frequencies, list) else []
+    rows = []
+    for value, source in MODES:
+        nearest = min(frequencies, key=lambda f: abs(f - value)) if frequencies else None
+        if nearest is not None and abs(nearest - value) < 0.1 * value:
+            rows.append(("Mode of vibration", nearest, value, "Hz", source))
+    # The two cases are separate analyses: only the nearer one is this run's.
+    return sorted(rows, key=lambda row: abs(row[1] - row[2]))[:1]
+
+
+def static_pressures(run):
+    """Rows for the contact pressures of the phases, as a static contact analysis reports them."""
+    pressures = run.summary.get("phase_contact_pressures")
+    if isinstance(pressures, list):
+        pressures = {str(entry.get("name")): entry.get("pressure") for entry in pressures
+                     if isinstance(entry, dict)}
+    if not isinstance(pressures, dict) or not pressures:
+        return []
+    numbers = {name: float(value) for name, value in pressures.items()
+               if isinstance(value, (int, float))}
+    if not numbers:
+        return []
+    stiffest = max(numbers, key=numbers.get)
+    return [(f"Contact pressure, {name}", value,
+             STATIC_PRESSURES["fibre" if name == stiffest else "matrix"] if len(numbers) == 2 else None,
+             "Pa", "table 4 (SCA), P = 0.5 MPa") for name, value in numbers.items()]

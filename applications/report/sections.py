@@ -1,0 +1,236 @@
+"""What the report says, in order: headings and the functions that write their parts."""
+
+import numpy as np
+
+import figures
+import maps
+import paper
+from data import Missing
+from page import difference, escape, number, quantity, table
+
+
+def plan(chain):
+    """(heading, [(function, arguments...)]) of every section that the runs of the chain call for."""
+    result = [("What was run", [(runs_table, chain)])]
+    if chain.dynamics:
+        result.append(("Key numbers beside the paper", [(key_numbers, run) for run in chain.dynamics]))
+    if chain.rve:
+        result.append(("Stiffness", [(stiffness_table, run) for run in chain.rve]))
+    result.append(("Morphology and von Mises stress",
+                   [(morphology, chain)] + [(rve_stress, run) for run in chain.rve] +
+                   [(snapshot, run, chain) for run in chain.transient]))
+    if chain.transient:
+        runs = chain.transient
+        regime = paper.regime(runs[0])
+        result += [
+            ("Apparent friction", [(apparent_friction, runs, regime)]),
+            ("Energy", [(friction_energy, runs)] + [(energy_balance, run) for run in runs]),
+            ("Phase diagram", [(phase_diagram, runs)]),
+            ("Spectrum", [(spectrum, runs, regime)]),
+            ("The contact, node by node",
+             [(node_statistics, runs)] + [(contact_map, run) for run in runs]),
+        ]
+    if chain.localization:
+        result.append(("Localization", [(localization, run) for run in chain.localization]))
+        result.append(("Mean von Mises stress: localized and direct",
+                       [(mean_von_mises, run) for run in chain.localization]))
+    return result
+
+
+def runs_table(page, chain):
+    if not chain.runs:
+        raise Missing("no result folder could be read")
+    rows = []
+    for run in chain.runs:
+        summary = run.summary
+        cells = summary.get("cells")
+        cells = " × ".join(str(n) for n in cells) if isinstance(cells, list) else number(cells)
+        what = run.program.replace("_", " ")
+        if run.program == "contact_dynamics":
+            what += f", {run.kind}" + (f", {summary['analysis']}" if summary.get("analysis") else "")
+        step, limit = run.number("time_step"), run.number("critical_time_step")
+        steps = f"{number(run.number('steps'))} × {quantity(step, 's')}" if step else "–"
+        if step and limit:
+            steps += f"<br>({100 * step / limit:.0f} % of critical)"
+        seconds = run.number("seconds", "total")
+        rows.append([escape(run.name), escape(what), cells, steps,
+                     quantity(run.number("simulated_time"), "s") if step else "–",
+                     f"{number(seconds, 3)} s" if seconds is not None else "n/a",
+                     quantity(run.number("peak_memory_bytes"), "B", 3)])
+    body = table(["folder", "program", "cells", "steps", "simulated", "wall time", "memory"], rows, (0, 1))
+    versions = sorted({str(run.summary.get("version")) for run in chain.runs})
+    return body + f'<p class="lead">Program version {escape(", ".join(versions))}.</p>'
+
+
+def key_numbers(page, run):
+    transient = run.program == "contact_dynamics" and bool(run.members("/history"))
+    has_numbers = run.number("global_interface_friction_coefficient") is not None
+    rows = paper.comparison(run) if transient or has_numbers else []
+    rows = [row for row in rows if row[1] is not None]
+    rows += paper.modes(run) + paper.static_pressures(run)
+    if not rows:
+        raise Missing(f"the summary of {run.name} holds none of the numbers the paper reports")
+    html = table(["", "this run", "paper", "difference", "where in the paper"],
+                 [[what, quantity(ours, unit), quantity(value, unit), difference(ours, value), source]
+                  for what, ours, value, unit, source in rows], (0, 4))
+    remarks = [f"{words}: {escape(value)}" for words, value in
+               [("Regime", run.summary.get("regime"))] if value]
+    for words, key, unit in [("friction energy", "friction_energy", "J/m"),
+                             ("relative residual of the energy balance", "energy_balance_residual", ""),
+                             ("statistics from", "steady_from", "s")]:
+        value = run.number(key)
+        if value is not None:
+            remarks.append(f"{words} {quantity(value, unit, 3)}")
+    return (f"<h3>{escape(run.label)} <span class=lead>({escape(run.name)})</span></h3>" + html +
+            f'<p class="lead">{"; ".join(remarks)}.</p>' * bool(remarks))
+
+
+def stiffness_table(page, run):
+    matrices = {}
+    for name in ("KUBC", "PBC", "SUBC", "effective"):
+        value = run.get(f"/stiffness/{name}")
+        if value is None:
+            listed = run.summary.get("stiffness")
+            value = listed.get(name) if isinstance(listed, dict) else None
+        value = np.array(value, dtype=float) if value is not None else None
+        if value is not None and value.shape == (3, 3):
+            matrices[name] = value
+    if not matrices:
+        raise Missing(f"{run.name} holds no stiffness of 3 × 3 entries")
+    rows = []
+    for label, i, j in paper.STIFFNESS_ENTRIES:
+        reference = paper.STIFFNESS[i][j]
+        cells = [f"{1e-9 * matrix[i, j]:.2f} <small>({difference(matrix[i, j], reference)})</small>"
+                 for matrix in matrices.values()]
+        rows.append([label, f"{1e-9 * reference:.2f}", *cells])
+    shares = [f"{escape(phase.get('name'))} {100 * phase['volume_fraction']:.2f} %"
+              for phase in run.summary.get("phases") or []
+              if isinstance(phase, dict) and isinstance(phase.get("volume_fraction"), (int, float))]
+    extra = [f"Volume fractions: {', '.join(shares)}"] if shares else []
+    for words, key in [("Hill–Mandel residual", "hill_mandel_residual"),
+                       ("symmetry residual", "symmetry_residual")]:
+        if run.number(key) is not None:
+            extra.append(f"{words} {number(run.number(key), 2)}")
+    return (f"<h3>{escape(run.name)}</h3>" +
+            table(["GPa", "paper, eq. (10)", *matrices], rows) +
+            '<p class="lead">In brackets: difference from eq. (10). Theory orders SUBC ≤ PBC ≤ KUBC. ' +
+            "; ".join(extra) + "." * bool(extra) + "</p>")
+
+
+def morphology(page, chain):
+    return page.figure(maps.morphology(chain),
+                       "Morphology of the composite (as the paper’s figure 3): the whole pin and, framed, "
+                       "the middle of the contact surface.")
+
+
+def rve_stress(page, run):
+    return page.figure(maps.rve_von_mises(run),
+                       f"Von Mises stress in {escape(run.name)} under a uniform boundary strain whose mean "
+                       "stress is 0.5 MPa of vertical compression alone. The colour scale ends at the 99.5th "
+                       "percentile.")
+
+
+def snapshot(page, run, chain):
+    figure = maps.snapshot_von_mises(run, chain)
+    time = run.last("/snapshots/time")
+    when = f" at t = {quantity(float(time), 's')}" if time is not None else ""
+    return page.figure(figure, f"Von Mises stress of the last snapshot of the {escape(run.label)} run{when}; "
+                               "below, the framed part of the contact. The colour scale ends at the 99.5th "
+                               "percentile.")
+
+
+def apparent_friction(page, runs, regime):
+    value, source = paper.APPARENT_FRICTION[regime]
+    return page.figure(figures.apparent_friction(runs, value),
+                       "Apparent friction coefficient: tangential over normal force on the top, as the paper’s "
+                       f"figure 6 (dashed: its mean {value}, regime {regime}). Thick: mean over the steady part.")
+
+
+def friction_energy(page, runs):
+    return page.figure(figures.friction_energy(runs),
+                       "Frictional energy; its slope over the steady part (dashed) gives the global interface "
+                       "friction coefficient by eq. (9), as the paper’s figure 7.")
+
+
+def energy_balance(page, run):
+    return page.figure(figures.energy_balance(run),
+                       f"Energy balance of the {escape(run.label)} run. Every term comes from its own formula; "
+                       "below, what remains of the balance.")
+
+
+def phase_diagram(page, runs):
+    return page.figure(figures.phase_diagram(runs),
+                       "Mean phase diagram of the tangential motion of the reference node: the limit cycle, as "
+                       "the paper’s figure 5(b).")
+
+
+def spectrum(page, runs, regime):
+    value, source = paper.MAIN_FREQUENCY[regime]
+    return page.figure(figures.spectrum(runs, value),
+                       "Amplitude spectrum of the tangential displacement of the reference node over the steady "
+                       f"part, as the paper’s figure 5(c); dashed: its main frequency ({source}).")
+
+
+def node_statistics(page, runs):
+    return page.figure(figures.node_statistics(runs),
+                       "Shares of time each contact node slips, sticks and is separated, over the steady part.")
+
+
+def contact_map(page, run):
+    return page.figure(figures.contact_map(run),
+                       f"Contact states of the {escape(run.label)} run: every contact node over time; colours "
+                       "mix where a node changes its state within a block of steps.")
+
+
+def localization(page, run):
+    names = run.members("/probes")
+    if not names:
+        raise Missing(f"{run.name} holds no /probes")
+    listed = {str(probe.get("name")): probe for probe in run.summary.get("probes") or []
+              if isinstance(probe, dict)}
+    rows, html = [], f"<h3>{escape(run.name)}</h3>"
+    for name in names:
+        rows += probe_errors(run, name)
+    if rows:
+        html += table(["probe", "stress", "mean, localized", "mean, direct", "std, localized", "std, direct",
+                       "L2 difference"], rows, (0, 1))
+        html += ('<p class="lead">L2 difference relative to the direct signal. The paper: below 4 % for '
+                 "σ<sub>yy</sub>, 25 % at most for the others at the surface; mean and deviation within 5 %.</p>")
+    for name in names[:6]:
+        phase = listed.get(name, {}).get("phase")
+        where = f", in the {escape(phase)}" if isinstance(phase, str) else ""
+        position = run.probe_position(name)
+        if position is not None:
+            where += f", at x = {1e3 * position[0]:.2f} mm, y = {1e3 * position[1]:.2f} mm"
+        try:
+            html += page.figure(figures.localized_stress(run, name),
+                                f"Stress at probe {escape(name)}{where}: localized against direct over the last "
+                                "periods, as the paper’s figures 14 and 15.")
+        except Missing as missing:
+            html += f'<p class="note">Left out: {escape(missing)}.</p>'
+    return html
+
+
+def probe_errors(run, name):
+    stress, direct = run.get(f"/probes/{name}/stress"), run.get(f"/probes/{name}/direct_stress")
+    if stress is None or direct is None or stress.shape != direct.shape or stress.ndim != 2:
+        return []
+    time = run.get(f"/probes/{name}/time")
+    begin = run.number("steady_from")
+    if time is not None and begin is not None and len(time) == len(stress) and time[-1] > begin:
+        stress, direct = stress[time >= begin], direct[time >= begin]
+    rows = []
+    for component, label in [(1, "σ<sub>yy</sub>"), (0, "σ<sub>xx</sub>"), (2, "σ<sub>xy</sub>")]:
+        ours, theirs = stress[:, component], direct[:, component]
+        norm = np.linalg.norm(theirs)
+        error = f"{100 * np.linalg.norm(ours - theirs) / norm:.1f} %" if norm > 0 else "n/a"
+        rows.append([escape(name), label, *(quantity(float(value), "Pa", 3) for value in
+                                            (ours.mean(), theirs.mean(), ours.std(), theirs.std())), error])
+    return rows
+
+
+def mean_von_mises(page, run):
+    figure, error = maps.mean_von_mises(run)
+    words = f" Relative L2 difference: {100 * error:.1f} %." if error is not None else \
+        " No direct run was compared."
+    return page.figure(figure, "Von Mises stress averaged over time, as the paper’s figure 16." + words)

@@ -1,0 +1,205 @@
+"""make_report.py on synthetic result folders: the complete chain, every subset, broken files.
+
+    report.py .../make_report.py [folder to keep the synthetic chain in]
+"""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy as np
+
+NX, NY, H = 140, 40, 4e-4
+FREQUENCY = 41321.0
+
+
+def write(folder, name, summary, datasets, attributes=None):
+    os.makedirs(folder, exist_ok=True)
+    with open(os.path.join(folder, "summary.json"), "w", encoding="utf-8") as stream:
+        json.dump(summary, stream)
+    with h5py.File(os.path.join(folder, name), "w") as file:
+        grid = file.create_group("grid")
+        grid.attrs["cells"], grid.attrs["spacing"], grid.attrs["origin"] = [NX, NY], [H, H], [0.0, 0.0]
+        for path, data in datasets.items():
+            file[path] = data
+        for path, (key, value) in (attributes or {}).items():
+            file[path].attrs[key] = value
+
+
+def morphology():
+    random = np.random.default_rng(4)
+    ids = np.zeros((NY, NX), dtype=np.int32)
+    while ids.mean() < 0.1:
+        x, y, n = random.integers(NX), random.integers(-5, NY), random.integers(3, 9)
+        ids[max(y, 0):max(y + n, 0), x] = 1
+    return ids
+
+
+def plane_strain(e, nu=0.2):
+    f = e / ((1 + nu) * (1 - 2 * nu))
+    return f * np.array([[1 - nu, nu, 0], [nu, 1 - nu, 0], [0, 0, (1 - 2 * nu) / 2]])
+
+
+def write_rve(folder, ids):
+    effective = 1e9 * np.array([[36.9, 9.2, 0], [9.2, 48.0, 0], [0, 0, 13.8]])
+    random = np.random.default_rng(1)
+    concentration = np.eye(3) + 0.1 * random.standard_normal((NY, NX, 3, 3)) - 0.5 * ids[..., None, None] * np.eye(3)
+    write(folder, "rve.h5",
+          {"program": "rve_homogenization", "version": "0.1.0", "dim": 2, "cells": [NX, NY], "dofs": 11562,
+           "ranks": 1, "seconds": {"total": 12.3}, "peak_memory_bytes": 2.1e8,
+           "phases": [{"name": "matrix", "volume_fraction": 0.9}, {"name": "fibre", "volume_fraction": 0.1}],
+           "hill_mandel_residual": 3e-12, "symmetry_residual": 1e-13},
+          {"/phase/id": ids, "/phase/name": np.array([b"matrix", b"fibre"]),
+           "/phase/stiffness": np.array([plane_strain(30e9), plane_strain(240e9)]),
+           "/stiffness/KUBC": effective, "/stiffness/SUBC": 0.98 * effective,
+           "/stiffness/effective": 0.99 * effective, "/concentration/KUBC": concentration})
+
+
+def write_dynamics(folder, ids, heterogeneous):
+    random = np.random.default_rng(2 + heterogeneous)
+    time = np.arange(20001) * 5e-8
+    w = 2 * np.pi * FREQUENCY
+    grown = 1 / (1 + np.exp(-(time - 2e-4) / 3e-5))
+    wave = np.sin(w * time) + 0.25 * np.sin(2 * w * time) + 0.12 * np.cos(3 * w * time)
+    rate = np.cos(w * time) + 0.5 * np.cos(2 * w * time) - 0.36 * np.sin(3 * w * time)
+    u, v = 3e-6 * grown * wave, 3e-6 * w * grown * rate
+    friction = 0.22 - 0.03 * heterogeneous * grown + 0.6 * grown * wave
+    energy = np.concatenate([[0], np.cumsum(56e3 * 0.22 * (1 + 0.3 * grown[1:] * wave[1:]) * 5e-8)])
+    x = np.arange(NX + 1) * H
+    separated = 0.3 + 0.2 * np.cos(6 * np.pi * x / x[-1])
+    stick = np.full_like(x, 0.05)
+    blocks = np.arange(1, 81) * 1.25e-5
+    moving = np.clip(separated + 0.3 * np.sin(2 * np.pi * blocks[:, None] / 9e-5 + 90 * x), 0, 0.95)
+    frequency = np.linspace(0, 1e7, 20001)
+    line = lambda f, a: a / (1 + ((frequency - f) / 700) ** 2)
+    amplitude = line(FREQUENCY, 3e-6) + line(2 * FREQUENCY, 8e-7) + line(3 * FREQUENCY, 4e-7)
+    nodes = np.zeros((2, NY + 1, NX + 1, 2))
+    nodes[:, :, :, 1] = -1e-7 * np.arange(NY + 1)[None, :, None] / NY
+    nodes[:, :, :, 0] = 1e-6 * np.sin(np.pi * np.arange(NX + 1) / NX) * (1 - np.arange(NY + 1) / NY)[:, None]
+    data = {
+        "/history/time": time, "/history/apparent_friction": friction, "/history/friction_energy": energy,
+        "/energy/time": time, "/energy/friction": energy, "/energy/external_work": 1.25 * energy,
+        "/energy/kinetic": 0.4 * grown * (1 + wave**2), "/energy/elastic": 0.5 * grown * (1 + rate**2),
+        "/energy/damping": 0.1 * energy, "/energy/scheme": 0.06 * energy, "/energy/impact": 0.02 * energy,
+        "/energy/residual": 1e-11 * random.standard_normal(len(time)),
+        "/probes/M/time": time, "/probes/M/displacement": np.stack([u, 1e-7 * wave], axis=1),
+        "/probes/M/velocity": np.stack([v, 0 * v], axis=1),
+        "/contact/x": x, "/contact/separated": separated, "/contact/stick": stick,
+        "/contact/slip": 1 - separated - stick, "/contact/blocks/time": blocks,
+        "/contact/blocks/separated": moving, "/contact/blocks/stick": 0.05 * np.ones_like(moving),
+        "/contact/blocks/slip": 0.95 - moving, "/spectrum/frequency": frequency,
+        "/spectrum/amplitude": amplitude * (1 + 0.3 * random.random(len(frequency))) + 1e-11,
+        "/phase_diagram/displacement": 3e-6 * wave[-484:] * (1 - 0.1 * heterogeneous),
+        "/phase_diagram/velocity": 3e-6 * w * rate[-484:] * (1 - 0.1 * heterogeneous),
+        "/snapshots/time": np.array([5e-4, 1e-3]), "/snapshots/displacement": nodes}
+    if heterogeneous:
+        data["/material/phase_id"] = ids
+    write(folder, "dynamics.h5",
+          {"program": "contact_dynamics", "version": "0.1.0", "dim": 2, "cells": [NX, NY], "analysis": "transient",
+           "steps": 20000, "time_step": 5e-8, "critical_time_step": 7e-8, "simulated_time": 1e-3,
+           "seconds": {"total": 31.0}, "peak_memory_bytes": 9.1e7,
+           "global_interface_friction_coefficient": 0.219 - 0.005 * heterogeneous,
+           "mean_apparent_friction_coefficient": 0.221 - 0.006 * heterogeneous, "main_frequency": FREQUENCY,
+           "reference_node": {"slip": 0.72, "stick": 0.0, "separation": 0.28}, "friction_energy": energy[-1],
+           "regime": "slip-separation, regime 1 (mostly slipping)", "energy_balance_residual": 2e-12,
+           "steady_from": 3e-4}, data, {"/probes/M": ("position", [0.028, 0.0])})
+
+
+def write_localization(folder, ids):
+    random = np.random.default_rng(9)
+    time = np.arange(5001) * 2e-7
+    data, positions = {}, {}
+    for name, scale, place in [("A", 2e6, [0.0281, 0.0001]), ("B", 4e5, [0.02, 0.008])]:
+        wave = np.sin(2 * np.pi * FREQUENCY * time)
+        direct = scale * np.stack([0.2 * wave, -1 + wave + 0.2 * wave**2, 0.3 * wave], axis=1)
+        data[f"/probes/{name}/time"], data[f"/probes/{name}/direct_stress"] = time, direct
+        data[f"/probes/{name}/stress"] = 1.02 * direct + 0.02 * scale * random.standard_normal(direct.shape)
+        positions[f"/probes/{name}"] = ("position", place)
+    y = (np.arange(NY) + 0.5)[:, None] / NY
+    field = 4e5 * (1 + 3 * ids) * (1.3 - y) * (1 + 0.1 * random.random((NY, NX)))
+    data["/mean_von_mises"], data["/direct/mean_von_mises"] = field, field * (1 + 0.03 * random.standard_normal((NY, NX)))
+    write(folder, "localization.h5",
+          {"program": "stress_localization", "version": "0.1.0", "cells": [NX, NY], "seconds": {"total": 2.2},
+           "peak_memory_bytes": 1.1e8, "probes": [{"name": "A", "phase": "fibre"}, {"name": "B", "phase": "matrix"}]},
+          data, positions)
+
+
+def write_chain(root):
+    ids = morphology()
+    write_rve(os.path.join(root, "rve"), ids)
+    write_dynamics(os.path.join(root, "homogeneous"), ids, 0)
+    write_dynamics(os.path.join(root, "heterogeneous"), ids, 1)
+    write_localization(os.path.join(root, "localization"), ids)
+
+
+def report(program, root, *folders, status=0):
+    """The page, after checks that hold for every one."""
+    output = os.path.join(root, "report.html")
+    if os.path.exists(output):
+        os.remove(output)
+    done = subprocess.run([sys.executable, "-B", program, "--output", output, *folders], capture_output=True,
+                          text=True, check=False)
+    assert done.returncode == status, f"{folders}: status {done.returncode}\n{done.stderr}"
+    assert "Traceback" not in done.stderr and "Warning" not in done.stderr, done.stderr
+    if status:
+        assert done.stderr and not os.path.exists(output)
+        return ""
+    with open(output, encoding="utf-8") as stream:
+        page = stream.read()
+    assert page.endswith("</html>\n") and "Traceback" not in page
+    assert not re.search(r'(src|href)="(?!data:|#)', page), "the page is not self-contained"
+    return page
+
+
+def main():
+    program = os.path.abspath(sys.argv[1])
+    root = tempfile.mkdtemp(prefix="mesoslip-report-")
+    try:
+        if len(sys.argv) > 2:
+            write_chain(sys.argv[2])
+        write_chain(root)
+        folders = [os.path.join(root, name) for name in ("rve", "homogeneous", "heterogeneous", "localization")]
+
+        page = report(program, root, *folders)
+        assert "Left out" not in page, re.findall("Left out[^<]*", page)
+        assert page.count("<img") == 16, page.count("<img")
+        assert "0.2190" in page and "−0.5 %" in page, "mu_inter 0.219 against 0.220"
+        assert "36.90" in page and "(+1.0 %)" in page, "stiffness against eq. (10)"
+        assert report(program, root, root).count("<img") == 16, "a folder of folders"
+
+        for folder in folders:
+            assert "Units are SI" in report(program, root, folder)
+        assert "Left out" in report(program, root, folders[3]), "no morphology without an RVE"
+
+        # Files that are broken, empty, cut off, or not ours.
+        shutil.copytree(folders[1], os.path.join(root, "cut"))
+        with open(os.path.join(root, "cut", "dynamics.h5"), "r+b") as stream:
+            stream.truncate(5000)
+        assert "unreadable" in report(program, root, os.path.join(root, "cut"))
+        with h5py.File(os.path.join(folders[1], "dynamics.h5"), "r+") as file:
+            for name in ("/spectrum", "/history/apparent_friction", "/contact/blocks/stick"):
+                del file[name]
+            del file["/phase_diagram/velocity"]
+            file["/phase_diagram/velocity"] = np.full(3, np.nan)
+            file["/contact/blocks/stick"] = np.zeros((0, 3))
+        page = report(program, root, folders[1])
+        assert page.count("Left out") >= 4, page.count("Left out")
+        write(os.path.join(root, "empty"), "dynamics.h5", {"program": "contact_dynamics"}, {})
+        report(program, root, os.path.join(root, "empty"), os.path.join(root, "no such folder"))
+        write(os.path.join(root, "other"), "other.h5", {"program": "something"}, {})
+        report(program, root, os.path.join(root, "other"), status=2)
+        with open(os.path.join(root, "other", "summary.json"), "w", encoding="utf-8") as stream:
+            stream.write('{"program": ')
+        report(program, root, os.path.join(root, "other"), status=2)
+    finally:
+        shutil.rmtree(root)
+    print("report: complete, partial and broken chains are reported")
+
+
+if __name__ == "__main__":
+    main()
