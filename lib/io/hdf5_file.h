@@ -34,8 +34,8 @@ struct Hdf5Header
  *
  * Number types: double, float, int, unsigned int, std::int64_t, std::uint64_t,
  * std::uint8_t; lists of strings have functions of their own. Reading converts between
- * number types, except floating point to integer. Names are absolute paths ("/grid");
- * missing groups are created.
+ * number types, except floating point to integer; numbers that are not finite are errors.
+ * Names are absolute paths ("/grid"); missing groups are created.
  *
  * Every failure is a UserError that names file and dataset. The @p hint of a reading
  * function is added when the object is missing: "was rve_homogenization run with KUBC?".
@@ -79,7 +79,7 @@ public:
   std::vector<std::string> list(const std::string &group,
                                 const std::string &hint = "") const;
 
-  /** Extents of a dataset (rows still buffered included). */
+  /** Extents of a dataset; rows still buffered count. */
   Shape shape(const std::string &name, const std::string &hint = "") const;
 
   void create_group(const std::string &name);
@@ -98,7 +98,7 @@ public:
   bool has_attribute(const std::string &object, const std::string &name) const;
   /** @} */
 
-  /** @name Whole datasets @{ */
+  /** @name Whole datasets; writing replaces one of the same name @{ */
   template <typename T>
   void write(const std::string &name,
              const Shape &shape,
@@ -136,8 +136,9 @@ public:
 
   /** @name Datasets that grow along the first axis @{ */
   /**
-   * Creates an empty dataset [0][row_shape...]. Rows are buffered and written in blocks
-   * of about a megabyte. @p compression: 0 (off) to 9.
+   * Creates an empty dataset [0][row_shape...], or continues one of the same shape in a
+   * resumed file. Short rows are buffered and written some thousand at a time.
+   * @p compression: 0 (off) to 9.
    */
   template <typename T>
   void create_extendable(const std::string &name,
@@ -179,38 +180,64 @@ private:
   struct Extendable
   {
     Id dataset              = -1;
-    int type                = 0;
+    Id type                 = -1;
     std::size_t row_bytes   = 0;
     std::size_t buffer_rows = 1;
-    std::size_t rows        = 0;
+    /** On the disk. */
+    std::size_t rows = 0;
     Shape row_shape;
     std::vector<char> buffer;
+
+    std::size_t buffered_rows() const
+    {
+      return buffer.size() / row_bytes;
+    }
   };
 
   explicit Hdf5File(const std::string &path);
+  static Hdf5File
+  open_as(const std::string &path, const std::string &disk_name, const bool write);
 
-  [[noreturn]] void fail(const std::string &name,
-                         const std::string &what,
-                         const std::string &hint = "") const;
-  Id open_dataset(const std::string &name, const std::string &hint) const;
+  [[noreturn]] void fail(const std::string &what, const std::string &hint = "") const;
+  void require_writable() const;
+  bool link_exists(const std::string &name) const;
   Id open_object(const std::string &name, const std::string &hint) const;
-  void require_writable(const std::string &name) const;
+  Id open_dataset(const std::string &name, const std::string &hint) const;
+  Id open_attribute(const std::string &object,
+                    const std::string &name,
+                    const std::string &hint) const;
+  Shape shape_of(const std::string &name, const Id dataset) const;
+  void check_type(const std::string &name, const Id dataset, const Id type) const;
+  template <typename T>
+  void check_finite(const std::string &name, const std::vector<T> &data) const;
+
+  void remove(const std::string &name);
   void write_raw(const std::string &name,
                  const Shape &shape,
-                 const int type,
+                 const Id type,
                  const void *data,
                  const unsigned int compression);
-  void read_raw(const std::string &name,
-                const Shape *offset,
-                const Shape *count,
-                const Shape &expected,
-                const std::string &hint,
-                const int type,
-                std::vector<char> *unused,
-                void *(*allocate)(void *, std::size_t),
-                void *target) const;
-  Extendable &extendable(const std::string &name, const int type);
-  void write_buffer(const std::string &name, Extendable &dataset);
+  void write_string_attribute(const std::string &object,
+                              const std::string &name,
+                              const std::vector<std::string> &values,
+                              const bool scalar);
+  void write_raw_attribute(const std::string &object,
+                           const std::string &name,
+                           const Id type,
+                           const void *values,
+                           const std::size_t n,
+                           const bool scalar);
+  Extendable &extendable(const std::string &name, const Id type);
+  Extendable &open_extendable(const std::string &name, const Id type);
+  void append_raw(const std::string &name,
+                  const Id type,
+                  const void *data,
+                  const std::size_t n_rows);
+  void write_rows(const std::string &name,
+                  Extendable &target,
+                  const void *data,
+                  const std::size_t n_rows);
+  void write_buffer(const std::string &name, Extendable &target);
   void release() noexcept;
 
   std::string file_path;

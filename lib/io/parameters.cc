@@ -34,7 +34,11 @@ std::string raw_value(dealii::ParameterHandler &prm, const std::string &key)
 {
   try
     {
-      return prm.get(key);
+      const std::string value = prm.get(key);
+      // An unknown key reads as "", but cannot be set.
+      if (value.empty())
+        prm.set(key, value);
+      return value;
     }
   catch (const dealii::ExceptionBase &)
     {

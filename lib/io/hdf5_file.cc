@@ -1,0 +1,287 @@
+#include "io/hdf5_file.h"
+
+#include "io/errors.h"
+#include "io/hdf5_internal.h"
+#include "io/parameters.h"
+#include "io/version.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+namespace mesoslip
+{
+using hdf5::Handle;
+
+std::string to_text(const Shape &shape)
+{
+  if (shape.empty())
+    return "scalar";
+  std::string text;
+  for (const std::size_t extent : shape)
+    text += "[" + (extent == any_extent ? "*" : std::to_string(extent)) + "]";
+  return text;
+}
+
+namespace
+{
+/** Our messages replace the library's. */
+void silence_library()
+{
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+} // namespace
+
+Hdf5File::Hdf5File(const std::string &path)
+  : file_path(path)
+  , pending_exceptions(std::uncaught_exceptions())
+{
+  silence_library();
+}
+
+Hdf5File::Hdf5File(Hdf5File &&other) noexcept
+  : file_path(std::move(other.file_path))
+  , file(other.file)
+  , writable(other.writable)
+  , pending_exceptions(other.pending_exceptions)
+  , extendables(std::move(other.extendables))
+{
+  other.file = -1;
+  other.extendables.clear();
+}
+
+Hdf5File &Hdf5File::operator=(Hdf5File &&other) noexcept
+{
+  if (this == &other)
+    return *this;
+  release();
+  file_path          = std::move(other.file_path);
+  file               = other.file;
+  writable           = other.writable;
+  pending_exceptions = other.pending_exceptions;
+  extendables        = std::move(other.extendables);
+  other.file         = -1;
+  other.extendables.clear();
+  return *this;
+}
+
+Hdf5File::~Hdf5File()
+{
+  if (file >= 0 && writable && std::uncaught_exceptions() == pending_exceptions)
+    try
+      {
+        close();
+      }
+    catch (const std::exception &)
+      {
+        // Left as <path>.part; whoever needs to know calls close().
+      }
+  release();
+}
+
+Hdf5File Hdf5File::create(const std::string &path)
+{
+  Hdf5File result(path);
+  const std::string part = path + ".part";
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
+  H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
+  result.file     = H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  result.writable = true;
+  if (result.file < 0)
+    throw UserError(part +
+                    ": cannot be created; does its folder exist, may it be written to, "
+                    "and does no other program use the file?");
+  return result;
+}
+
+Hdf5File
+Hdf5File::open_as(const std::string &path, const std::string &disk_name, const bool write)
+{
+  Hdf5File result(path);
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
+  H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
+  result.file = H5Fopen(disk_name.c_str(), write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access);
+  result.writable = write;
+  if (result.file >= 0)
+    return result;
+  if (H5Fis_hdf5(disk_name.c_str()) == 0)
+    throw UserError(disk_name + " is not an HDF5 file");
+  throw UserError(
+    disk_name +
+    " cannot be opened: it is truncated, damaged, or being written by another "
+    "program");
+}
+
+Hdf5File Hdf5File::open(const std::string &path, const std::string &hint)
+{
+  require_readable_file("", path, hint);
+  return open_as(path, path, false);
+}
+
+Hdf5File Hdf5File::resume(const std::string &path, const std::string &hint)
+{
+  const std::string part = path + ".part";
+  if (!std::filesystem::exists(part))
+    {
+      require_readable_file("", path, hint);
+      std::filesystem::rename(path, part);
+    }
+  return open_as(path, part, true);
+}
+
+void Hdf5File::release() noexcept
+{
+  for (auto &[name, target] : extendables)
+    H5Dclose(target.dataset);
+  extendables.clear();
+  if (file >= 0)
+    H5Fclose(file);
+  file = -1;
+}
+
+void Hdf5File::flush()
+{
+  require_writable();
+  for (auto &[name, target] : extendables)
+    write_buffer(name, target);
+  if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0)
+    fail("cannot be written (is the disk full?)");
+}
+
+void Hdf5File::close()
+{
+  if (file < 0)
+    return;
+  if (writable)
+    flush();
+  for (auto &[name, target] : extendables)
+    H5Dclose(target.dataset);
+  extendables.clear();
+  const bool closed = H5Fclose(file) >= 0;
+  file              = -1;
+  if (!writable)
+    return;
+  if (!closed)
+    fail("cannot be completed (is the disk full?)");
+  std::error_code code;
+  std::filesystem::rename(file_path + ".part", file_path, code);
+  if (code)
+    fail("cannot be given its name (" + code.message() + ")");
+}
+
+void Hdf5File::fail(const std::string &what, const std::string &hint) const
+{
+  throw UserError(file_path + ": " + what + (hint.empty() ? "" : "; " + hint));
+}
+
+void Hdf5File::require_writable() const
+{
+  if (file < 0 || !writable)
+    throw std::logic_error(file_path + " is not open for writing");
+}
+
+bool Hdf5File::link_exists(const std::string &name) const
+{
+  // Every group on the way has to exist before the library may be asked for the next.
+  for (std::size_t slash = name.find('/', 1); slash != std::string::npos;
+       slash             = name.find('/', slash + 1))
+    if (H5Lexists(file, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0)
+      return false;
+  return H5Lexists(file, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+bool Hdf5File::exists(const std::string &name) const
+{
+  return name == "/" ||
+         (link_exists(name) && H5Oexists_by_name(file, name.c_str(), H5P_DEFAULT) > 0);
+}
+
+std::vector<std::string> Hdf5File::list(const std::string &group,
+                                        const std::string &hint) const
+{
+  const Handle object(open_object(group, hint));
+  if (H5Iget_type(object) != H5I_GROUP)
+    fail(group + " is not a group", hint);
+  const auto add = [](hid_t, const char *name, const H5L_info_t *,
+                      void *names) -> herr_t {
+    static_cast<std::vector<std::string> *>(names)->push_back(name);
+    return 0;
+  };
+  std::vector<std::string> names;
+  if (H5Literate(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names) < 0)
+    fail("the group " + group + " cannot be read", hint);
+  return names;
+}
+
+void Hdf5File::create_group(const std::string &name)
+{
+  require_writable();
+  if (exists(name))
+    return;
+  const Handle links(H5Pcreate(H5P_LINK_CREATE));
+  H5Pset_create_intermediate_group(links, 1);
+  const Handle group(H5Gcreate2(file, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT));
+  if (!group.valid())
+    fail("the group " + name + " cannot be created");
+}
+
+void Hdf5File::remove(const std::string &name)
+{
+  const auto open = extendables.find(name);
+  if (open != extendables.end())
+    {
+      H5Dclose(open->second.dataset);
+      extendables.erase(open);
+    }
+  if (link_exists(name) && H5Ldelete(file, name.c_str(), H5P_DEFAULT) < 0)
+    fail("the dataset " + name + " cannot be replaced");
+}
+
+Hdf5File::Id Hdf5File::open_object(const std::string &name, const std::string &hint) const
+{
+  if (!exists(name))
+    fail(name + " is missing", hint);
+  Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT));
+  if (!object.valid())
+    fail(name + " cannot be opened: the file is damaged", hint);
+  return object.release();
+}
+
+void Hdf5File::write_header(const std::string &format,
+                            const int format_version,
+                            const int dim,
+                            const std::string &digest)
+{
+  write_attribute("/", "format", format);
+  write_attribute("/", "format_version", format_version);
+  write_attribute("/", "dim", dim);
+  write_attribute("/", "program_version", std::string(version));
+  write_attribute("/", "digest", digest);
+}
+
+Hdf5Header Hdf5File::check_header(const std::string &format,
+                                  const int max_version,
+                                  const int dim,
+                                  const std::string &hint) const
+{
+  Hdf5Header header;
+  if (!has_attribute("/", "format"))
+    fail("is not a file of format " + format + ": it has no attribute 'format'", hint);
+  header.format = read_attribute<std::string>("/", "format");
+  if (header.format != format)
+    fail("has the format " + header.format + " instead of " + format, hint);
+  header.version = read_attribute<int>("/", "format_version");
+  if (header.version < 1 || header.version > max_version)
+    fail("has version " + std::to_string(header.version) + " of the format " + format +
+         ", but this program knows versions 1 to " + std::to_string(max_version));
+  header.dim = read_attribute<int>("/", "dim");
+  if (dim != 0 && header.dim != dim)
+    fail("is " + std::to_string(header.dim) + "D, but the run is " + std::to_string(dim) +
+           "D",
+         hint);
+  header.program_version = read_attribute<std::string>("/", "program_version");
+  header.digest          = read_attribute<std::string>("/", "digest");
+  return header;
+}
+} // namespace mesoslip

@@ -1,0 +1,122 @@
+#ifndef mesoslip_io_hdf5_internal_h
+#define mesoslip_io_hdf5_internal_h
+
+#include "io/hdf5_file.h"
+
+#include <hdf5.h>
+
+#include <string>
+#include <vector>
+
+// Only for the sources of Hdf5File: the HDF5 library's names stay here.
+namespace mesoslip
+{
+namespace hdf5
+{
+/** Closes whatever an HDF5 identifier stands for. */
+class Handle
+{
+public:
+  explicit Handle(const hid_t identifier = -1)
+    : id(identifier)
+  {
+  }
+  Handle(Handle &&other) noexcept
+    : id(other.id)
+  {
+    other.id = -1;
+  }
+  Handle(const Handle &) = delete;
+  ~Handle()
+  {
+    if (id >= 0)
+      H5Idec_ref(id);
+  }
+  operator hid_t() const
+  {
+    return id;
+  }
+  bool valid() const
+  {
+    return id >= 0;
+  }
+  /** Gives up ownership. */
+  hid_t release()
+  {
+    const hid_t released = id;
+    id                   = -1;
+    return released;
+  }
+
+private:
+  hid_t id;
+};
+
+/** The type of T in memory. */
+template <typename T>
+hid_t native_type();
+
+template <>
+inline hid_t native_type<double>()
+{
+  return H5T_NATIVE_DOUBLE;
+}
+template <>
+inline hid_t native_type<float>()
+{
+  return H5T_NATIVE_FLOAT;
+}
+template <>
+inline hid_t native_type<int>()
+{
+  return H5T_NATIVE_INT;
+}
+template <>
+inline hid_t native_type<unsigned int>()
+{
+  return H5T_NATIVE_UINT;
+}
+template <>
+inline hid_t native_type<std::int64_t>()
+{
+  return H5T_NATIVE_INT64;
+}
+template <>
+inline hid_t native_type<std::uint64_t>()
+{
+  return H5T_NATIVE_UINT64;
+}
+template <>
+inline hid_t native_type<std::uint8_t>()
+{
+  return H5T_NATIVE_UINT8;
+}
+
+inline std::vector<hsize_t> dims(const Shape &shape)
+{
+  return std::vector<hsize_t>(shape.begin(), shape.end());
+}
+
+inline std::size_t product(const Shape &shape)
+{
+  std::size_t n = 1;
+  for (const std::size_t extent : shape)
+    n *= extent;
+  return n;
+}
+
+/** A simple dataspace, or a scalar one for an empty shape. */
+Handle make_space(const Shape &shape);
+
+/** Variable-length UTF-8. */
+Handle string_type();
+
+/** All strings of a dataset or attribute, of fixed or variable length; false on failure.
+ */
+bool read_all_strings(const hid_t object,
+                      const bool attribute,
+                      std::vector<std::string> &strings);
+} // namespace hdf5
+} // namespace mesoslip
+
+#endif
