@@ -295,23 +295,4 @@ MESOSLIP_INSTANTIATE(std::int64_t)
 MESOSLIP_INSTANTIATE(std::uint64_t)
 MESOSLIP_INSTANTIATE(std::uint8_t)
 #undef MESOSLIP_INSTANTIATE
-#define MESOSLIP_INSTANTIATE(T)                                                    \
-  template void Hdf5File::write<T>(const std::string &, const Shape &,             \
-                                   const std::vector<T> &, const unsigned int);    \
-  template void Hdf5File::write<T>(const std::string &, const Shape &, const T *,  \
-                                   const unsigned int);                            \
-  template std::vector<T> Hdf5File::read<T>(const std::string &, const Shape &,    \
-                                            const std::string &) const;            \
-  template std::vector<T> Hdf5File::read_block<T>(                                 \
-    const std::string &, const Shape &, const Shape &, const std::string &) const; \
-  template void Hdf5File::create_extendable<T>(const std::string &, const Shape &, \
-                                               const unsigned int);
-MESOSLIP_INSTANTIATE(double)
-MESOSLIP_INSTANTIATE(float)
-MESOSLIP_INSTANTIATE(int)
-MESOSLIP_INSTANTIATE(unsigned int)
-MESOSLIP_INSTANTIATE(std::int64_t)
-MESOSLIP_INSTANTIATE(std::uint64_t)
-MESOSLIP_INSTANTIATE(std::uint8_t)
-#undef MESOSLIP_INSTANTIATE
 } // namespace mesoslip

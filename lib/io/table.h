@@ -17,6 +17,11 @@ public:
   /** @p columns are complete headings, such as "time [s]". */
   TableWriter(const std::string &path, const std::vector<std::string> &columns);
 
+  /** Writes what is buffered, silently; call flush() to be told of errors. */
+  ~TableWriter();
+  TableWriter(TableWriter &&)            = default;
+  TableWriter &operator=(TableWriter &&) = default;
+
   /** Appends to a table with the same columns, keeping its first @p rows rows. */
   static TableWriter resume(const std::string &path,
                             const std::vector<std::string> &columns,

@@ -1,0 +1,231 @@
+#include "io/table.h"
+
+#include "io/errors.h"
+#include "io/files.h"
+#include "io/parameters.h"
+#include "io/patterns.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+constexpr std::size_t buffer_size = 1 << 16;
+
+std::string quoted_if_needed(const std::string &text)
+{
+  if (text.find_first_of(",\"\n\r") == std::string::npos)
+    return text;
+  std::string out = "\"";
+  for (const char c : text)
+    out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+std::string heading_line(const std::vector<std::string> &columns)
+{
+  std::string line;
+  for (const std::string &column : columns)
+    line += (line.empty() ? "" : ",") + quoted_if_needed(column);
+  return line + "\n";
+}
+} // namespace
+
+TableWriter::TableWriter(const std::string &file_path,
+                         const std::vector<std::string> &columns)
+  : path(file_path)
+  , n_columns(columns.size())
+  , buffer(heading_line(columns))
+  , out(file_path, std::ios::binary | std::ios::trunc)
+{
+  if (!out)
+    throw UserError(path + ": cannot be created (" + system_message() + ")");
+}
+
+TableWriter TableWriter::resume(const std::string &path,
+                                const std::vector<std::string> &columns,
+                                const std::size_t rows)
+{
+  const std::string text = read_file(path);
+  if (text.rfind(heading_line(columns), 0) != 0)
+    throw UserError(path + ": its columns are not those of the run to resume");
+  std::size_t end = 0;
+  for (std::size_t line = 0; line <= rows; ++line)
+    {
+      end = text.find('\n', end);
+      if (end == std::string::npos)
+        throw UserError(path + ": has fewer than the " + std::to_string(rows) +
+                        " rows it had at the checkpoint");
+      ++end;
+    }
+  write_file(path, text.substr(0, end));
+
+  TableWriter table;
+  table.path      = path;
+  table.n_columns = columns.size();
+  table.rows      = rows;
+  table.out.open(path, std::ios::binary | std::ios::app);
+  if (!table.out)
+    throw UserError(path + ": cannot be continued (" + system_message() + ")");
+  return table;
+}
+
+TableWriter::~TableWriter()
+{
+  out.write(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+}
+
+void TableWriter::check_width(const std::size_t n) const
+{
+  if (n != n_columns)
+    throw std::logic_error(path + ": a row of " + std::to_string(n) +
+                           " values for a table of " + std::to_string(n_columns) +
+                           " columns");
+}
+
+void TableWriter::add_row(const std::vector<double> &values)
+{
+  check_width(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      if (i > 0)
+        buffer += ',';
+      if (!std::isnan(values[i]))
+        buffer += to_text(values[i]);
+    }
+  end_row();
+}
+
+void TableWriter::add_row(const std::vector<std::string> &values)
+{
+  check_width(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    buffer += (i > 0 ? "," : "") + quoted_if_needed(values[i]);
+  end_row();
+}
+
+void TableWriter::end_row()
+{
+  buffer += '\n';
+  ++rows;
+  if (buffer.size() >= buffer_size)
+    flush();
+}
+
+void TableWriter::flush()
+{
+  errno = 0;
+  out.write(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+  out.flush();
+  buffer.clear();
+  if (!out)
+    throw UserError(path + ": cannot be written (" + system_message() + ")");
+}
+
+namespace
+{
+/** The cells of one line; quoted ones may contain commas, "" stands for a quote. */
+std::vector<std::string> split_line(const std::string &line, const std::string &where)
+{
+  std::vector<std::string> cells(1);
+  bool inside = false;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (inside && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"')
+      {
+        cells.back() += '"';
+        ++i;
+      }
+    else if (line[i] == '"')
+      inside = !inside;
+    else if (line[i] == ',' && !inside)
+      cells.emplace_back();
+    else
+      cells.back() += line[i];
+  if (inside)
+    throw UserError(where + "a quotation mark is not closed");
+  for (std::string &cell : cells)
+    cell = trimmed(cell);
+  return cells;
+}
+} // namespace
+
+Table Table::read(const std::string &path)
+{
+  Table table;
+  table.path             = path;
+  const std::string mark = "\xef\xbb\xbf"; // what some spreadsheets put in front
+  std::string text       = read_file(path);
+  if (text.rfind(mark, 0) == 0)
+    text = text.substr(mark.size());
+  if (text.find('\0') != std::string::npos)
+    throw UserError(path + " is not a text file, but a CSV table is needed");
+
+  std::istringstream in(text);
+  std::string line;
+  for (unsigned int number = 1; std::getline(in, line); ++number)
+    {
+      line = trimmed(line);
+      if (line.empty() || line.front() == '#')
+        continue;
+      const std::string where = path + ":" + std::to_string(number) + ": ";
+      auto cells              = split_line(line, where);
+      if (table.headings.empty())
+        table.headings = std::move(cells);
+      else if (cells.size() != table.headings.size())
+        throw UserError(where + std::to_string(cells.size()) +
+                        " values, but the heading has " +
+                        std::to_string(table.headings.size()) + " columns");
+      else
+        {
+          table.cells.push_back(std::move(cells));
+          table.lines.push_back(number);
+        }
+    }
+  if (table.headings.empty())
+    throw UserError(path + " is empty, but a table with a heading line is needed");
+  return table;
+}
+
+bool Table::has_column(const std::string &heading) const
+{
+  return std::find(headings.begin(), headings.end(), heading) != headings.end();
+}
+
+std::size_t Table::column(const std::string &heading) const
+{
+  const auto found = std::find(headings.begin(), headings.end(), heading);
+  if (found == headings.end())
+    throw UserError(path + ": there is no column '" + heading +
+                    "'; the heading line has " + to_text(headings));
+  return static_cast<std::size_t>(found - headings.begin());
+}
+
+std::vector<double> Table::numbers(const std::string &heading) const
+{
+  const std::size_t index = column(heading);
+  std::vector<double> values(cells.size());
+  for (std::size_t row = 0; row < cells.size(); ++row)
+    if (!parse_number(cells[row][index], values[row]))
+      fail(row, "column '" + heading + "' holds '" + cells[row][index] +
+                  "', which is not a finite number");
+  return values;
+}
+
+std::vector<std::string> Table::texts(const std::string &heading) const
+{
+  const std::size_t index = column(heading);
+  std::vector<std::string> values;
+  for (const auto &row : cells)
+    values.push_back(row[index]);
+  return values;
+}
+
+void Table::fail(const std::size_t row, const std::string &what) const
+{
+  throw UserError(path + ":" + std::to_string(lines.at(row)) + ": " + what);
+}
+} // namespace mesoslip
