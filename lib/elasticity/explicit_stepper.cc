@@ -376,12 +376,13 @@ void ExplicitStepper::Implementation::wavefront(const unsigned int n_steps)
   while (stages[n_steps - 1].next < rows.end)
     for (unsigned int s = 0; s < n_steps; ++s)
       {
-        // To finish a row, the row above must have finished the step before.
         unsigned int end = std::min(stages[s].next + at_once, rows.end);
-        if (s > 0 && stages[s - 1].next < rows.end)
-          end = stages[s - 1].next - 1;
-        else if (s > 0)
-          end = rows.end;
+        if (s > 0)
+          {
+            // A row needs the row above it to have finished the step before.
+            const unsigned int ahead = stages[s - 1].next;
+            end                      = ahead == rows.end ? ahead : std::max(ahead, 1u) - 1;
+          }
         run_until(stages[s], end);
       }
   step_number += n_steps;
