@@ -139,16 +139,18 @@ class Chain:
         self.runs = []
         for folder in folders:
             self._add(folder)
+        for run in self.runs:
+            run.heterogeneous = run.get("/material/phase_id") is not None
+            run.kind = run.program
+            if run.program == "contact_dynamics":
+                run.kind = "heterogeneous" if run.heterogeneous else "homogeneous"
+        # In the order of the chain; sorting keeps the caller's order among equals.
+        self.runs.sort(key=lambda run: (list(HDF5_NAMES).index(run.program), run.heterogeneous))
         pick = lambda program: [run for run in self.runs if run.program == program]
         self.rve = pick("rve_homogenization")
         self.dynamics = pick("contact_dynamics")
         self.localization = pick("stress_localization")
         self.transient = [run for run in self.dynamics if run.members("/history")]
-        for run in self.dynamics:
-            run.heterogeneous = run.get("/material/phase_id") is not None
-            run.kind = "heterogeneous" if run.heterogeneous else "homogeneous"
-        for run in self.rve + self.localization:
-            run.kind = run.program
         kinds = [run.kind for run in self.transient]
         for run in self.runs:
             same = kinds.count(getattr(run, "kind", "")) > 1 or run not in self.transient

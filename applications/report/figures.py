@@ -155,7 +155,8 @@ def energy_balance(run):
         x, y = thinned(time, np.abs(residual) / top)
         axes[1].semilogy(1e3 * x, np.maximum(y, 1e-18), color=GREY, lw=1)
     axes[1].set(xlabel="time in ms", ylabel="|residual| /\nlargest energy")
-    axes[1].margins(x=0)
+    for axis in axes:
+        axis.margins(x=0)
     figure.align_ylabels()
     return figure
 
@@ -235,7 +236,7 @@ def node_statistics(runs):
                        colors=[SLIP, STICK, SEPARATED], linewidth=0)
         axis.set(ylim=(0, 100), ylabel="share of time\nin %")
         axis.margins(x=0)
-        axis.set_title(run.label, loc="left" if axis is not axes[0] else "right", color=GREY)
+        axis.set_title(run.label, loc="right", color=GREY)
     axes[-1].set_xlabel("position along the contact in mm")
     above(axes[0], STATES)
     return figure

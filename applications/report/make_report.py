@@ -35,7 +35,7 @@ def build(chain, title):
     """The Page of a chain."""
     what = f"{len(chain.runs)} result folder{'s' if len(chain.runs) != 1 else ''}"
     page = Page(title, f"From the composite’s microstructure to its sliding contact and back: {what}. "
-                       "Units are SI; pressures and compressions of the contact are positive.")
+                       "Tension is positive; contact pressures are positive, too.")
     for heading, parts in sections.plan(chain):
         page.section(heading, "".join(attempt(page, *part) for part in parts))
     notes = chain.all_notes()

@@ -5,7 +5,7 @@ from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch, Rectangle
 
 from data import Missing
-from figures import RUN_COLOURS, STRESSES, above, panels, scaled
+from figures import RUN_COLOURS, STRESSES, WIDTH, above, panels, scaled
 
 STRESS_MAP, DIFFERENCE_MAP = "viridis", "PuOr_r"
 PHASE_COLOURS = ["#dfe3e8", "#30343b", *RUN_COLOURS]
@@ -32,18 +32,28 @@ def cell_strain(displacement, spacing):
     return np.stack([dx[..., 0], dy[..., 1], dx[..., 1] + dy[..., 0]], axis=-1)
 
 
-def _draw(figure, axes, image, extent, label, **options):
+def _draw(axes, image, extent, **options):
     picture = axes.imshow(image, origin="lower", extent=extent, aspect="equal", **options)
     axes.grid(False)
     axes.set_ylabel("y in mm")
-    if label:
-        over = "vmax" in options and np.nanmax(image) > options["vmax"] * (1 + 1e-12)
-        under = options.get("vmin", 0) < 0 and np.nanmin(image) < options["vmin"]
-        extend = "both" if over and under else "max" if over else "min" if under else "neither"
-        bar = figure.colorbar(picture, ax=axes, pad=0.015, aspect=12, extend=extend)
-        bar.set_label(label)
-        bar.outline.set_visible(False)
     return picture
+
+
+def _bar(figure, picture, axes, label):
+    """Colour bar beside one or several axes; pointed where values lie beyond its ends."""
+    image, (low, high) = picture.get_array(), picture.get_clim()
+    over, under = np.nanmax(image) > high * (1 + 1e-12), np.nanmin(image) < low
+    extend = "both" if over and under else "max" if over else "min" if under else "neither"
+    many = np.size(axes) > 1
+    bar = figure.colorbar(picture, ax=axes, pad=0.015, aspect=26 if many else 12, extend=extend)
+    bar.set_label(label)
+    bar.outline.set_visible(False)
+
+
+def _height(extent, maps, more):
+    """in; of a figure with that many maps of the extent one above the other."""
+    ratio = (extent[3] - extent[2]) / (extent[1] - extent[0])
+    return maps * (0.78 * WIDTH * min(ratio, 1.2) + 0.42) + more
 
 
 def _zoom_frame(axes, zoom, extent):
@@ -85,9 +95,9 @@ def morphology(chain):
     extent = run.extent()
     n = int(ids.max()) + 1
     colours = ListedColormap((PHASE_COLOURS * (n // len(PHASE_COLOURS) + 1))[:n])
-    figure, (axes, zoom) = panels(2, 5.6, gridspec_kw={"height_ratios": [1, 1.6]})
+    figure, (axes, zoom) = panels(2, _height(extent, 2, 0.9))
     for axis in (axes, zoom):
-        _draw(figure, axis, ids, extent, None, cmap=colours, vmin=-0.5, vmax=n - 0.5,
+        _draw(axis, ids, extent, cmap=colours, vmin=-0.5, vmax=n - 0.5,
               interpolation="nearest")
     _zoom_frame(axes, zoom, extent)
     zoom.set_xlabel("x in mm")
@@ -133,12 +143,11 @@ def _stress_figure(field, extent):
         raise Missing("the run has no uniform grid")
     factor, unit = scaled(field, units=STRESSES)
     limit = float(np.nanpercentile(field, 99.5)) / factor
-    figure, (axes, zoom) = panels(2, 5.2, gridspec_kw={"height_ratios": [1, 1.6]})
-    options = {"cmap": STRESS_MAP, "vmin": 0, "vmax": limit}
-    _draw(figure, axes, field / factor, extent, f"in {unit}",
-          **options)
-    _draw(figure, zoom, field / factor, extent, f"von Mises in {unit}", interpolation="nearest",
-          **options)
+    figure, (axes, zoom) = panels(2, _height(extent, 2, 0.4))
+    for axis, sampling in ((axes, "antialiased"), (zoom, "nearest")):
+        picture = _draw(axis, field / factor, extent, cmap=STRESS_MAP, vmin=0, vmax=limit,
+                        interpolation=sampling)
+    _bar(figure, picture, [axes, zoom], f"von Mises stress in {unit}")
     _zoom_frame(axes, zoom, extent)
     zoom.set_xlabel("x in mm")
     return figure
@@ -158,16 +167,18 @@ def mean_von_mises(run):
     fields = [("localized (homogeneous run)", localized)]
     if direct is not None:
         fields.append(("direct (heterogeneous run)", direct))
-    figure, axes = panels(3 if direct is not None else 1, 6.9 if direct is not None else 2.6,
-                          sharex=True)
+    rows = 3 if direct is not None else 1
+    figure, axes = panels(rows, _height(extent, rows, 0.4), sharex=True)
     for axis, (title, field) in zip(axes, fields):
-        _draw(figure, axis, field / factor, extent, f"in {unit}", cmap=STRESS_MAP, vmin=0, vmax=limit)
+        picture = _draw(axis, field / factor, extent, cmap=STRESS_MAP, vmin=0, vmax=limit)
         axis.set_title(title, loc="left")
+    _bar(figure, picture, list(axes[: len(fields)]), f"mean von Mises stress in {unit}")
     error = None
     if direct is not None:
         gap = (localized - direct) / factor
         bound = float(np.nanpercentile(np.abs(gap), 99.5)) or 1.0
-        _draw(figure, axes[2], gap, extent, f"in {unit}", cmap=DIFFERENCE_MAP, vmin=-bound, vmax=bound)
+        picture = _draw(axes[2], gap, extent, cmap=DIFFERENCE_MAP, vmin=-bound, vmax=bound)
+        _bar(figure, picture, [axes[2]], f"in {unit}")
         axes[2].set_title("localized − direct", loc="left")
         error = float(np.linalg.norm(localized - direct) / np.linalg.norm(direct))
     axes[-1].set_xlabel("x in mm")

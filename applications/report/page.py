@@ -21,6 +21,7 @@ nav a{color:var(--accent);text-decoration:none}
 .scroll{overflow-x:auto;-webkit-overflow-scrolling:touch}
 table{border-collapse:collapse;width:100%;font-size:.9rem;font-variant-numeric:tabular-nums}
 th,td{padding:.35rem .6rem;text-align:right;border-bottom:1px solid var(--line);vertical-align:top}
+td:not(.text){white-space:nowrap}
 th:first-child,td:first-child,td.text,th.text{text-align:left}
 thead th{background:var(--wash);border-bottom:2px solid var(--line);font-weight:600}
 figure{margin:1rem 0 1.6rem}
@@ -70,7 +71,7 @@ def difference(ours, paper):
     """Relative difference in per cent, signed."""
     if ours is None or paper is None or not paper:
         return "n/a"
-    percent = 100 * (ours - paper) / abs(paper)
+    percent = round(100 * (ours - paper) / abs(paper), 1) + 0.0
     return f"{percent:+.1f} %".replace("-", "−")
 
 

@@ -49,7 +49,7 @@ def runs_table(page, chain):
         if run.program == "contact_dynamics":
             what += f", {run.kind}" + (f", {summary['analysis']}" if summary.get("analysis") else "")
         step, limit = run.number("time_step"), run.number("critical_time_step")
-        steps = f"{number(run.number('steps'))} × {quantity(step, 's')}" if step else "–"
+        steps = f"{number(run.number('steps'))} × {quantity(step, 's', 3)}" if step else "–"
         if step and limit:
             steps += f"<br>({100 * step / limit:.0f} % of critical)"
         seconds = run.number("seconds", "total")
@@ -81,7 +81,8 @@ def key_numbers(page, run):
         value = run.number(key)
         if value is not None:
             remarks.append(f"{words} {quantity(value, unit, 3)}")
-    return (f"<h3>{escape(run.label)} <span class=lead>({escape(run.name)})</span></h3>" + html +
+    folder = f" <span class=lead>({escape(run.name)})</span>" if run.name != run.label else ""
+    return (f"<h3>{escape(run.label)}{folder}</h3>" + html +
             f'<p class="lead">{"; ".join(remarks)}.</p>' * bool(remarks))
 
 

@@ -173,7 +173,7 @@ def main():
         assert report(program, root, root).count("<img") == 16, "a folder of folders"
 
         for folder in folders:
-            assert "Units are SI" in report(program, root, folder)
+            assert "Tension is positive" in report(program, root, folder)
         assert "Left out" in report(program, root, folders[3]), "no morphology without an RVE"
 
         # Files that are broken, empty, cut off, or not ours.
