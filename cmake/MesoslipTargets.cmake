@@ -1,11 +1,12 @@
-# mesoslip_warnings(<target>): the warnings our own code is kept free of.
+# mesoslip_warnings(<target>): warnings and optimization of our own code; call it after
+# deal_ii_setup_target.
 function(mesoslip_warnings target)
   target_compile_options(${target} PRIVATE
     $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wpedantic;-Wshadow=local;-Wno-psabi>
     $<$<AND:$<BOOL:${MESOSLIP_WERROR}>,$<COMPILE_LANGUAGE:CXX>>:-Werror>)
-  # No contraction across statements that differ between instruction sets, no
-  # -ffast-math: NaN must stay visible and results must not depend on the path.
-  target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-O3>)
+  # After deal.II's own flags, which end in "-g -O2". No -ffast-math: NaN must stay visible.
+  target_compile_options(${target} PRIVATE
+    $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O3;-g0>)
 endfunction()
 
 # mesoslip_library(<topic> [DEALII] [DEPENDS <topic>... | <target>...])
@@ -23,10 +24,10 @@ function(mesoslip_library topic)
   add_library(mesoslip::${topic} ALIAS ${target})
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/lib> $<INSTALL_INTERFACE:include/mesoslip>)
-  mesoslip_warnings(${target})
   if(ARG_DEALII)
     deal_ii_setup_target(${target})
   endif()
+  mesoslip_warnings(${target})
   # deal_ii_setup_target uses the keyword-less signature, so this must, too.
   target_link_libraries(${target} ${ARG_DEPENDS})
 endfunction()
@@ -35,7 +36,7 @@ endfunction()
 function(mesoslip_program name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cc)
   add_executable(${name} ${sources})
-  mesoslip_warnings(${name})
   deal_ii_setup_target(${name})
+  mesoslip_warnings(${name})
   target_link_libraries(${name} ${MESOSLIP_TOPICS})
 endfunction()
