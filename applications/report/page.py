@@ -16,12 +16,13 @@ h1{font-size:1.7rem;line-height:1.2;margin:.6rem 0 .2rem}
 h2{font-size:1.25rem;margin:2.4rem 0 .6rem;padding-bottom:.25rem;border-bottom:2px solid var(--accent)}
 h3{font-size:1.02rem;margin:1.4rem 0 .4rem}
 .lead,.note,figcaption{color:var(--soft)}
-nav ol{columns:2;padding-left:1.3rem;margin:.4rem 0}
+nav ol{columns:2;padding-left:2rem;margin:.4rem 0}
 nav a{color:var(--accent);text-decoration:none}
 .scroll{overflow-x:auto;-webkit-overflow-scrolling:touch}
 table{border-collapse:collapse;width:100%;font-size:.9rem;font-variant-numeric:tabular-nums}
 th,td{padding:.35rem .6rem;text-align:right;border-bottom:1px solid var(--line);vertical-align:top}
 td:not(.text){white-space:nowrap}
+td.text{min-width:7.5rem}
 th:first-child,td:first-child,td.text,th.text{text-align:left}
 thead th{background:var(--wash);border-bottom:2px solid var(--line);font-weight:600}
 figure{margin:1rem 0 1.6rem}
@@ -46,12 +47,12 @@ def number(value, digits=4):
     if value is None or not isinstance(value, (int, float)) or not math.isfinite(value):
         return "n/a"
     if float(value).is_integer() and abs(value) < 1e7:
-        return f"{int(value):,}".replace(",", "\u202f")
+        return f"{int(value):,}".replace(",", "\u202f").replace("-", "−")
     if value != 0 and not 1e-4 <= abs(value) < 1e7:
         mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
-        return f"{mantissa}·10<sup>{int(exponent)}</sup>"
+        return f"{mantissa}·10<sup>{int(exponent)}</sup>".replace("-", "−")
     decimals = max(0, digits - 1 - math.floor(math.log10(abs(value)))) if value else 0
-    return f"{value:.{decimals}f}"
+    return f"{value:.{decimals}f}".replace("-", "−")
 
 
 def quantity(value, unit="", digits=4):

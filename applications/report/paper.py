@@ -23,9 +23,6 @@ MODES = [(40000.0, "fig. 8(a), contact surface free"),
 # Pa, table 4 at P = 0.5 MPa: static contact analysis; the larger one is the fibres'.
 STATIC_PRESSURES = {"fibre": 2.0e6, "matrix": 0.33e6}
 
-# Section 5: largest relative differences between localized and direct stress.
-LOCALIZATION_LIMITS = {"mean and deviation": 0.05, "σ_yy": 0.04, "σ_xx, σ_xy at the surface": 0.25}
-
 
 def regime(run):
     """1 or 2, the regime of the paper a run is nearest to: by its label, else by its shares."""

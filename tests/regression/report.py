@@ -176,6 +176,15 @@ def main():
             assert "Tension is positive" in report(program, root, folder)
         assert "Left out" in report(program, root, folders[3]), "no morphology without an RVE"
 
+        # Analyses without a history.
+        modal = {"program": "contact_dynamics", "analysis": "modal", "frequencies": [39500.0, 41589.0, 6e4]}
+        static = {"program": "contact_dynamics", "phase_contact_pressures": {"matrix": 0.33e6, "fibre": 2.1e6}}
+        write(os.path.join(root, "modal"), "dynamics.h5", modal, {})
+        write(os.path.join(root, "static"), "dynamics.h5", static, {})
+        page = report(program, root, os.path.join(root, "modal"), os.path.join(root, "static"))
+        assert "41.59 kHz" in page and "41.58 kHz" in page, "the mode nearest to one of the paper's"
+        assert "2.100 MPa" in page and "+5.0 %" in page, "contact pressure of the fibres, table 4"
+
         # Files that are broken, empty, cut off, or not ours.
         shutil.copytree(folders[1], os.path.join(root, "cut"))
         with open(os.path.join(root, "cut", "dynamics.h5"), "r+b") as stream:
