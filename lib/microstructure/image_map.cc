@@ -74,4 +74,12 @@ PhaseMap<2> map_from_image(const UniformGrid<2> &grid,
       map.id.push_back(phase.at(image(x, y)));
   return map;
 }
+
+PhaseMap<2> read_phase_map(const UniformGrid<2> &grid,
+                           const std::string &file,
+                           const std::vector<long> &values,
+                           const unsigned int n_phases)
+{
+  return map_from_image(grid, read_image(file), values, n_phases, file);
+}
 } // namespace mesoslip

@@ -24,6 +24,12 @@ PhaseMap<2> map_from_image(const UniformGrid<2> &grid,
                            const std::vector<long> &values,
                            const unsigned int n_phases,
                            const std::string &source);
+
+/** map_from_image() of a file: PNG or plain text, see read_image(). */
+PhaseMap<2> read_phase_map(const UniformGrid<2> &grid,
+                           const std::string &file,
+                           const std::vector<long> &values,
+                           const unsigned int n_phases);
 } // namespace mesoslip
 
 #endif

@@ -47,8 +47,8 @@ struct MicrostructureParameters
 
   FibrePlacement placement;
 
-  /** Name of the phase the fibres are made of. */
-  std::string fibre_phase = "fibre";
+  /** Name of the phase the fibres are made of; empty: the second one. */
+  std::string fibre_phase;
 
   /** Edge (m) of the square cells on which fibres are placed; 0: the cells of the grid.
    */
@@ -59,11 +59,17 @@ struct MicrostructureParameters
 
   void parse(dealii::ParameterHandler &prm);
 
-  /** Throws UserError; every section's own check and those across sections. */
+  /**
+   * Throws UserError: every section's own checks and those across sections. Files
+   * are read, random fibres are not placed.
+   */
   void check() const;
 
   /** The grid that fibres are placed on: the grid itself or a coarser one. */
   UniformGrid<2> placement_grid() const;
+
+  /** Index of the phase of the fibres; throws UserError when there is none. */
+  unsigned int fibre_phase_index() const;
 };
 
 /** A morphology with the materials it is made of. */
@@ -79,7 +85,10 @@ struct Microstructure
   std::vector<std::string> warnings;
 };
 
-/** Places, draws or reads the morphology. @p parameters have passed check(). */
+/**
+ * Places, draws or reads the morphology. @p parameters have passed check(). All ranks get
+ * the same. Throws UserError when a file does not fit.
+ */
 Microstructure make_microstructure(const MicrostructureParameters &parameters);
 } // namespace mesoslip
 

@@ -3,7 +3,6 @@
 
 #include "material/phase.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -34,9 +33,9 @@ struct SinglePhaseParameters
   double poisson_ratio = 0.2;
 
   /** E1, E2, E3 (Pa); nu12, nu13, nu23; G12, G13, G23 (Pa) */
-  std::array<double, 3> young_moduli   = {};
-  std::array<double, 3> poisson_ratios = {};
-  std::array<double, 3> shear_moduli   = {};
+  std::vector<double> young_moduli;
+  std::vector<double> poisson_ratios;
+  std::vector<double> shear_moduli;
 
   /** Pa; 4 or 6 values */
   std::vector<double> stiffness_coefficients;
@@ -51,6 +50,9 @@ struct SinglePhaseParameters
 
   /** Throws UserError naming the key when the material makes no sense. */
   void check() const;
+
+  /** Pa. Throws std::invalid_argument where check() throws. */
+  VoigtMatrix<2> stiffness() const;
 
   /** check() has passed. */
   Phase<2> phase() const;
@@ -67,10 +69,14 @@ struct PhaseParameters
 
   static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
 
+  /** Throws UserError for names that are not unique or cannot be names. */
   void parse(dealii::ParameterHandler &prm);
 
-  /** Throws UserError: names must be unique, materials sound, at most 256 phases. */
+  /** Throws UserError: materials must be sound, and there are 1 to 256 of them. */
   void check() const;
+
+  /** Throws UserError unless all densities are positive, as dynamics needs. */
+  void check_densities() const;
 
   /** Index of the phase @p name; throws UserError that blames @p key when there is none.
    */

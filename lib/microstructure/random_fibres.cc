@@ -1,10 +1,12 @@
 #include "microstructure/random_fibres.h"
 
+#include "microstructure/fibre_sampler.h"
 #include "microstructure/occupancy.h"
-#include "microstructure/random_numbers.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace mesoslip
 {
@@ -18,12 +20,6 @@ constexpr unsigned int max_hidden_draws = 100000;
 
 /** Vain draws from the enumerated places before all of them are tried. */
 constexpr unsigned int max_vain_candidates = 64;
-
-/** A length in whole cells, at least one. */
-long whole_cells(const double length, const double h)
-{
-  return std::max(1L, std::lround(length / h));
-}
 
 /** State of one placement. */
 class Placer
@@ -47,10 +43,9 @@ private:
     unsigned int x, y;
   };
 
-  Rectangle aligned(const long x, const long y, const long height) const;
-  Rectangle draw();
   bool fits(const CellBox &box) const;
-  bool fits(const Place &place, const long height) const;
+  bool fits(const Place &corner, const long height) const;
+  std::size_t random_index(const std::size_t size);
   Outcome try_to_place(Rectangle fibre);
   Outcome place_last(Rectangle fibre, const CellBox &box, const std::size_t remaining);
   void place(const Rectangle &fibre, const CellBox &box);
@@ -63,12 +58,11 @@ private:
 
   const UniformGrid<2> &grid;
   const FibrePlacement &rules;
-  RandomNumbers random;
+  FibreSampler sampler;
   Occupancy occupancy;
   FibreMorphology result;
 
   /** In cells. */
-  long width, min_height, max_height;
   unsigned int x_gap, y_gap;
   std::size_t target_cells;
 
@@ -80,11 +74,8 @@ private:
 Placer::Placer(const UniformGrid<2> &g, const FibrePlacement &placement)
   : grid(g)
   , rules(placement)
-  , random(placement.seed)
+  , sampler(g, placement)
   , occupancy(g.cells[0], g.cells[1])
-  , width(whole_cells(placement.width, g.spacing[0]))
-  , min_height(whole_cells(placement.min_height, g.spacing[1]))
-  , max_height(std::max(min_height, whole_cells(placement.max_height, g.spacing[1])))
 {
   const auto gap_cells = [&](const double h) {
     return static_cast<unsigned int>(
@@ -98,51 +89,23 @@ Placer::Placer(const UniformGrid<2> &g, const FibrePlacement &placement)
   result.map   = homogeneous_map(grid);
 }
 
-/** The fibre that covers @p height rows from cell (@p x, @p y) on. */
-Rectangle Placer::aligned(const long x, const long y, const long height) const
-{
-  const auto [h_x, h_y] = grid.spacing;
-  return {grid.origin[0] + static_cast<double>(x) * h_x,
-          grid.origin[1] + static_cast<double>(y) * h_y, static_cast<double>(width) * h_x,
-          static_cast<double>(height) * h_y, rules.phase};
-}
-
-Rectangle Placer::draw()
-{
-  const bool cut = rules.cut_by_border;
-  if (rules.align_to_grid)
-    {
-      const long n_x    = grid.cells[0];
-      const long n_y    = grid.cells[1];
-      const long height = random.whole(min_height, max_height);
-      const long x      = cut ? random.whole(1 - width, n_x - 1) : //
-                       random.whole(0, n_x - width);
-      const long y      = cut ? random.whole(1 - height, n_y - 1) : //
-                       random.whole(0, n_y - height);
-      return aligned(x, y, height);
-    }
-  const double tallest =
-    cut ? rules.max_height : std::min(rules.max_height, grid.extent(1));
-  const double height = random.between(rules.min_height, tallest);
-  const double x      = cut ? random.between(-rules.width, grid.extent(0))
-                            : random.between(0., grid.extent(0) - rules.width);
-  const double y      = cut ? random.between(-height, grid.extent(1))
-                            : random.between(0., grid.extent(1) - height);
-  return {grid.origin[0] + x, grid.origin[1] + y, rules.width, height, rules.phase};
-}
-
 bool Placer::fits(const CellBox &box) const
 {
   return !box.empty() &&
          (rules.allow_overlap || occupancy.is_free(occupancy.widened(box, x_gap, y_gap)));
 }
 
-bool Placer::fits(const Place &place, const long height) const
+bool Placer::fits(const Place &corner, const long height) const
 {
-  const auto x_end = static_cast<unsigned int>(place.x + width);
-  const auto y_end = static_cast<unsigned int>(place.y + height);
+  const auto x_end = static_cast<unsigned int>(corner.x + sampler.width());
+  const auto y_end = static_cast<unsigned int>(corner.y + height);
   return x_end <= grid.cells[0] && y_end <= grid.cells[1] &&
-         fits(CellBox{place.x, x_end, place.y, y_end});
+         fits(CellBox{corner.x, x_end, corner.y, y_end});
+}
+
+std::size_t Placer::random_index(const std::size_t size)
+{
+  return static_cast<std::size_t>(sampler.random.whole(0, static_cast<long>(size) - 1));
 }
 
 double Placer::area_inside(const Rectangle &fibre) const
@@ -215,7 +178,7 @@ void Placer::place_at_random()
 {
   const unsigned int patience = rules.allow_overlap ? max_hidden_draws : max_vain_draws;
   for (unsigned int vain = 0; vain < patience;)
-    switch (try_to_place(draw()))
+    switch (try_to_place(sampler.draw()))
       {
       case Outcome::finished:
         result.target_reached = true;
@@ -234,7 +197,7 @@ std::vector<Placer::Place> Placer::all_places() const
   std::vector<Place> places;
   for (unsigned int x = 0; x < grid.cells[0]; ++x)
     for (unsigned int y = 0; y < grid.cells[1]; ++y)
-      if (fits(Place{x, y}, min_height))
+      if (fits(Place{x, y}, sampler.min_height()))
         places.push_back({x, y});
   return places;
 }
@@ -242,44 +205,45 @@ std::vector<Placer::Place> Placer::all_places() const
 /** Places one fibre of @p height rows; vain when none fits in. Drops dead places. */
 Placer::Outcome Placer::place_among(std::vector<Place> &places, const long height)
 {
+  const auto place_at = [&](const Place &corner) {
+    return try_to_place(sampler.aligned(corner.x, corner.y, height));
+  };
+  const auto is_dead = [&](const Place &corner) {
+    return !fits(corner, sampler.min_height());
+  };
   for (unsigned int vain = 0; vain < max_vain_candidates && !places.empty();)
     {
-      const auto i =
-        static_cast<std::size_t>(random.whole(0, static_cast<long>(places.size()) - 1));
-      const Place place = places[i];
-      if (fits(place, height))
-        return try_to_place(aligned(place.x, place.y, height));
-      if (fits(place, min_height))
-        ++vain;
-      else
+      const std::size_t i = random_index(places.size());
+      if (fits(places[i], height))
+        return place_at(places[i]);
+      if (is_dead(places[i]))
         {
           places[i] = places.back();
           places.pop_back();
         }
+      else
+        ++vain;
     }
-  const auto dead = [&](const Place &place) { return !fits(place, min_height); };
-  places.erase(std::remove_if(places.begin(), places.end(), dead), places.end());
+  places.erase(std::remove_if(places.begin(), places.end(), is_dead), places.end());
 
   std::vector<Place> suitable;
   std::copy_if(places.begin(), places.end(), std::back_inserter(suitable),
-               [&](const Place &place) { return fits(place, height); });
-  if (suitable.empty())
-    return Outcome::vain;
-  const Place place = suitable[static_cast<std::size_t>(
-    random.whole(0, static_cast<long>(suitable.size()) - 1))];
-  return try_to_place(aligned(place.x, place.y, height));
+               [&](const Place &corner) { return fits(corner, height); });
+  return suitable.empty() ? Outcome::vain
+                          : place_at(suitable[random_index(suitable.size())]);
 }
 
 /** Fills the places left; ends because each turn adds a fibre or excludes a height. */
 void Placer::place_systematically()
 {
   std::vector<Place> places = all_places();
-  while (min_height <= max_height)
+  long tallest = std::min(sampler.max_height(), static_cast<long>(grid.cells[1]));
+  while (sampler.min_height() <= tallest)
     {
-      const long height     = random.whole(min_height, max_height);
+      const long height     = sampler.random.whole(sampler.min_height(), tallest);
       const Outcome outcome = place_among(places, height);
       if (outcome == Outcome::vain)
-        max_height = height - 1;
+        tallest = height - 1;
       result.target_reached = outcome == Outcome::finished;
       if (result.target_reached)
         return;
@@ -288,16 +252,9 @@ void Placer::place_systematically()
 
 FibreMorphology Placer::run()
 {
-  if (!rules.cut_by_border)
-    max_height = std::min(max_height, static_cast<long>(grid.cells[1]));
-  const bool possible =
-    rules.cut_by_border ||
-    (width <= static_cast<long>(grid.cells[0]) && min_height <= max_height &&
-     rules.width <= grid.extent(0) * (1. + 1e-9) &&
-     rules.min_height <= grid.extent(1) * (1. + 1e-9));
   if (target_cells == 0 && rules.fraction_rule == FractionRule::actual)
     result.target_reached = true;
-  else if (possible)
+  else if (sampler.possible())
     {
       place_at_random();
       if (!result.target_reached && !rules.allow_overlap)

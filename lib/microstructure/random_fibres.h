@@ -77,10 +77,10 @@ struct FibreMorphology
 /**
  * Random sequential placement of vertical fibres. Heights are uniform in their range,
  * positions uniform over all places the rules allow. Where a place is taken another is
- * drawn; after many vain draws the places left are enumerated, and heights that fit in
- * nowhere are no longer drawn. Ends when the target is reached or nothing fits in.
- * The same seed gives the same morphology on every machine (mersenne twister and
- * our own mapping to numbers).
+ * drawn; after many vain draws the places left inside the box are enumerated on the
+ * grid, and heights that fit in nowhere are no longer drawn. Ends when the target is
+ * reached or nothing fits in. The same seed gives the same morphology on every machine
+ * (mersenne twister and our own mapping to numbers).
  */
 FibreMorphology place_random_fibres(const UniformGrid<2> &grid,
                                     const FibrePlacement &placement);

@@ -62,21 +62,6 @@ CellBox covered_cells(const UniformGrid<2> &grid, const Rectangle &r)
           before(1, r.y_bottom + r.height)};
 }
 
-PhaseMap<2> homogeneous_map(const UniformGrid<2> &grid, const std::uint8_t background)
-{
-  return {grid, std::vector<std::uint8_t>(grid.n_cells(), background)};
-}
-
-void fill_box(PhaseMap<2> &map, const CellBox &box, const std::uint8_t phase)
-{
-  for (unsigned int y = box.y_begin; y < box.y_end && !box.empty(); ++y)
-    {
-      const auto row =
-        map.id.begin() + static_cast<std::ptrdiff_t>(y) * map.grid.cells[0];
-      std::fill(row + box.x_begin, row + box.x_end, phase);
-    }
-}
-
 PhaseMap<2> draw_rectangles(const UniformGrid<2> &grid,
                             const std::vector<Rectangle> &rectangles,
                             const std::string &source)

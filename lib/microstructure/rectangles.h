@@ -1,7 +1,7 @@
 #ifndef mesoslip_microstructure_rectangles_h
 #define mesoslip_microstructure_rectangles_h
 
-#include "grid/phase_map.h"
+#include "microstructure/cell_box.h"
 
 #include <cstdint>
 #include <string>
@@ -19,23 +19,6 @@ struct Rectangle
   std::uint8_t phase = 1;
 };
 
-/** Half-open ranges of cells [x_begin, x_end) x [y_begin, y_end). */
-struct CellBox
-{
-  unsigned int x_begin, x_end;
-  unsigned int y_begin, y_end;
-
-  bool empty() const
-  {
-    return x_begin >= x_end || y_begin >= y_end;
-  }
-
-  std::size_t n_cells() const
-  {
-    return empty() ? 0 : std::size_t(x_end - x_begin) * (y_end - y_begin);
-  }
-};
-
 /**
  * The cells that belong to a rectangle: those whose centre lies inside
  * [x_left, x_left + width) x [y_bottom, y_bottom + height). Edges count as displaced by
@@ -43,13 +26,6 @@ struct CellBox
  * the same way everywhere. Clipped at the box; empty when no centre is inside.
  */
 CellBox covered_cells(const UniformGrid<2> &grid, const Rectangle &rectangle);
-
-/** All cells of phase @p background. */
-PhaseMap<2> homogeneous_map(const UniformGrid<2> &grid,
-                            const std::uint8_t background = 0);
-
-/** Gives all cells of a box, which lies inside the grid, to @p phase. */
-void fill_box(PhaseMap<2> &map, const CellBox &box, const std::uint8_t phase);
 
 /**
  * Draws rectangles on a background of phase 0; where they overlap the later one wins.

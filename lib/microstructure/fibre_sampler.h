@@ -1,0 +1,50 @@
+#ifndef mesoslip_microstructure_fibre_sampler_h
+#define mesoslip_microstructure_fibre_sampler_h
+
+#include "microstructure/random_fibres.h"
+#include "microstructure/random_numbers.h"
+
+namespace mesoslip
+{
+/** Draws single fibres, whatever lies around them. The arguments must outlive it. */
+class FibreSampler
+{
+public:
+  FibreSampler(const UniformGrid<2> &grid, const FibrePlacement &rules);
+
+  /** Whether any fibre satisfies the rules; otherwise draw() must not be called. */
+  bool possible() const;
+
+  /** A fibre of random height at a random place. */
+  Rectangle draw();
+
+  /** The fibre that covers @p height rows, its lower left cell being (@p x, @p y). */
+  Rectangle aligned(const long x, const long y, const long height) const;
+
+  /** @name Sizes in whole cells, at least one @{ */
+  long width() const
+  {
+    return fibre_width;
+  }
+  long min_height() const
+  {
+    return lowest;
+  }
+  long max_height() const
+  {
+    return tallest;
+  }
+  /** @} */
+
+  RandomNumbers random;
+
+private:
+  Rectangle draw_aligned();
+
+  const UniformGrid<2> &grid;
+  const FibrePlacement &rules;
+  long fibre_width, lowest, tallest;
+};
+} // namespace mesoslip
+
+#endif
