@@ -165,7 +165,7 @@ ContactRow::finish()
   block.slip     = take(slip_count);
   block.landings = take(landing_count);
   complete_blocks.push_back(block);
-  block            = ContactBlock();
+  block            = NodeCounts();
   block.first_step = complete_blocks.back().first_step + complete_blocks.back().n_steps;
 }
 } // namespace mesoslip

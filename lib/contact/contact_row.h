@@ -60,7 +60,7 @@ struct ContactHistory
 };
 
 /** Steps that each node stuck or slipped in, and landings, in one block of steps. */
-struct ContactBlock
+struct NodeCounts
 {
   std::uint64_t      first_step = 0;
   std::uint64_t      n_steps    = 0;
@@ -95,7 +95,7 @@ public:
   }
 
   /** Complete blocks and, after finish(), the last, shorter one. */
-  const std::vector<ContactBlock> &
+  const std::vector<NodeCounts> &
   blocks() const
   {
     return complete_blocks;
@@ -191,8 +191,8 @@ private:
   bool                      finite  = true;
   ContactWork               total;
   ContactHistory            samples;
-  ContactBlock              block;
-  std::vector<ContactBlock> complete_blocks;
+  NodeCounts              block;
+  std::vector<NodeCounts> complete_blocks;
 };
 } // namespace mesoslip
 

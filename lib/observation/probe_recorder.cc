@@ -1,0 +1,175 @@
+#include "observation/probe_recorder.h"
+
+#include "elasticity/row_partition.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+ProbeRecorder::ProbeRecorder(const std::vector<Point> &points,
+                             const UniformMaterial    &material,
+                             const NodeRows           &rows,
+                             const StepParameters     &step,
+                             NodalField<double>       &u,
+                             NodalField<double>       &w,
+                             const std::uint64_t       interval,
+                             const ContactTraction    &traction,
+                             const MPI_Comm            communicator)
+  : material(material)
+  , rows(rows)
+  , step(step)
+  , u(u)
+  , w(w)
+  , interval(interval)
+  , traction(traction)
+  , communicator(communicator)
+{
+  for (const Point &point : points)
+    {
+      const Place place = locate(point.position);
+      places.push_back(place);
+      ProbeHistory history;
+      history.name       = point.name;
+      history.position   = point.position;
+      history.phase      = material.class_of(place.i, place.j);
+      history.on_contact = place.j == 0 && place.xi[1] < 1e-6;
+      histories.push_back(history);
+    }
+}
+
+ProbeRecorder::Place
+ProbeRecorder::locate(const std::array<double, 2> &position) const
+{
+  const UniformGrid<2>       &grid = material.grid();
+  Place                       place;
+  std::array<unsigned int, 2> cell = {};
+  for (unsigned int d = 0; d < 2; ++d)
+    {
+      // A point on a line between cells, up to round-off, belongs to the upper one.
+      const double s = position[d] / grid.spacing[d] + 1e-9;
+      cell[d]        = std::min(static_cast<unsigned int>(std::max(s, 0.)), grid.cells[d] - 1);
+      place.xi[d]    = std::clamp(position[d] / grid.spacing[d] - cell[d], 0., 1.);
+    }
+  place.i            = cell[0];
+  place.j            = cell[1];
+  place.owned        = rows.begin <= place.j && place.j < rows.end;
+  place.contact_node = place.i + (place.xi[0] > 0.5 ? 1 : 0);
+  return place;
+}
+
+std::array<double, 2>
+ProbeRecorder::interpolate(const NodalField<double> &field, const Place &place) const
+{
+  std::array<double, 2> value = {};
+  const unsigned int    j     = rows.local(place.j);
+  for (unsigned int c = 0; c < 2; ++c)
+    {
+      const double *lower = field.row(c, j) + place.i, *upper = field.row(c, j + 1) + place.i;
+      value[c] =
+        (1. - place.xi[1]) * ((1. - place.xi[0]) * lower[0] + place.xi[0] * lower[1]) +
+        place.xi[1] * ((1. - place.xi[0]) * upper[0] + place.xi[0] * upper[1]);
+    }
+  return value;
+}
+
+VoigtVector<2>
+ProbeRecorder::strain(const Place &place) const
+{
+  const auto        &h = material.grid().spacing;
+  const unsigned int j = rows.local(place.j);
+  double             gradient[2][2];
+  for (unsigned int c = 0; c < 2; ++c)
+    {
+      const double *lower = u.row(c, j) + place.i, *upper = u.row(c, j + 1) + place.i;
+      gradient[c][0] =
+        ((1. - place.xi[1]) * (lower[1] - lower[0]) + place.xi[1] * (upper[1] - upper[0])) / h[0];
+      gradient[c][1] =
+        ((1. - place.xi[0]) * (upper[0] - lower[0]) + place.xi[0] * (upper[1] - lower[1])) / h[1];
+    }
+  return VoigtVector<2>(gradient[0][0], gradient[1][1], gradient[0][1] + gradient[1][0]);
+}
+
+void
+ProbeRecorder::before_step(const std::uint64_t n)
+{
+  if (n % interval != 0 || places.empty())
+    return;
+  update_ghost_rows(u, rows, communicator);
+  update_ghost_rows(w, rows, communicator);
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (places[k].owned)
+      {
+        ProbeHistory        &history = histories[k];
+        const auto           value   = interpolate(u, places[k]);
+        const VoigtVector<2> e       = strain(places[k]);
+        const VoigtVector<2> s       = material.classes()[history.phase].stiffness * e;
+        history.time.push_back(n * step.dt);
+        history.displacement.insert(history.displacement.end(), value.begin(), value.end());
+        history.strain.insert(history.strain.end(), e.data(), e.data() + 3);
+        history.stress.insert(history.stress.end(), s.data(), s.data() + 3);
+        places[k].w_before = interpolate(w, places[k]);
+      }
+}
+
+// v_n = (1 - b) w_n + b w_(n+1); the contact forces of step n are known after it.
+void
+ProbeRecorder::after_step(const std::uint64_t n)
+{
+  if (n % interval != 0 || places.empty())
+    return;
+  update_ghost_rows(w, rows, communicator);
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (places[k].owned)
+      {
+        const auto w_after = interpolate(w, places[k]);
+        for (unsigned int c = 0; c < 2; ++c)
+          histories[k].velocity.push_back((1. - step.beta2) * places[k].w_before[c] +
+                                          step.beta2 * w_after[c]);
+        if (histories[k].on_contact)
+          {
+            const auto t = traction(places[k].contact_node);
+            histories[k].traction.insert(histories[k].traction.end(), t.begin(), t.end());
+          }
+      }
+}
+
+std::vector<ProbeHistory>
+ProbeRecorder::gather() const
+{
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  std::vector<ProbeHistory> all = histories;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    {
+      int owner = places[k].owned ? rank : -1;
+      MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MAX, communicator);
+      if (owner == 0 || (rank != 0 && rank != owner))
+        continue;
+      ProbeHistory &history = all[k];
+      for (auto *values : {&history.time,
+                           &history.displacement,
+                           &history.velocity,
+                           &history.strain,
+                           &history.stress,
+                           &history.traction})
+        {
+          unsigned long n = values->size();
+          if (rank == owner)
+            {
+              MPI_Send(&n, 1, MPI_UNSIGNED_LONG, 0, 0, communicator);
+              MPI_Send(values->data(), n, MPI_DOUBLE, 0, 1, communicator);
+            }
+          else
+            {
+              MPI_Recv(&n, 1, MPI_UNSIGNED_LONG, owner, 0, communicator, MPI_STATUS_IGNORE);
+              values->resize(n);
+              MPI_Recv(values->data(), n, MPI_DOUBLE, owner, 1, communicator, MPI_STATUS_IGNORE);
+            }
+        }
+    }
+  if (rank != 0)
+    all.clear();
+  return all;
+}
+} // namespace mesoslip

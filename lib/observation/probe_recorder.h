@@ -1,0 +1,130 @@
+#ifndef mesoslip_observation_probe_recorder_h
+#define mesoslip_observation_probe_recorder_h
+
+#include "dynamics/step_observer.h"
+#include "elasticity/explicit_stepper.h"
+#include "elasticity/node_rows.h"
+#include "elasticity/uniform_material.h"
+#include "grid/nodal_field.h"
+
+#include <array>
+#include <functional>
+#include <mpi.h>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** What a probe saw: one value (or pair, or triple) a sample. */
+struct ProbeHistory
+{
+  std::string           name;
+  std::array<double, 2> position = {}; ///< from the lower left corner (m)
+  unsigned int          phase    = 0;  ///< class of the cell that it lies in
+  bool                  on_contact = false;
+
+  std::vector<double> time;         ///< s
+  std::vector<double> displacement; ///< [k][2], m
+  std::vector<double> velocity;     ///< [k][2], m/s
+  std::vector<double> strain;       ///< [k][3], Voigt
+  std::vector<double> stress;       ///< [k][3], Pa
+  std::vector<double> traction;     ///< [k][2], tangential and normal (pressure), Pa; on the contact
+
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &name &position[0] &position[1] &phase &on_contact;
+    archive &time &displacement &velocity &strain &stress &traction;
+  }
+};
+
+/** Tangential and normal contact traction (Pa) of a contact node after a step. */
+using ContactTraction = std::function<std::array<double, 2>(const unsigned int node)>;
+
+/**
+ * Samples displacement, velocity, strain, stress and contact traction at points: Q1
+ * interpolation, the strain being the derivative at the point itself (the cell mean at
+ * a cell's centre).
+ */
+class ProbeRecorder : public StepObserver
+{
+public:
+  /** A point wanted, from the lower left corner (m). */
+  struct Point
+  {
+    std::string           name;
+    std::array<double, 2> position = {};
+  };
+
+  /**
+   * @p u, @p w and @p material are referenced; @p traction is called on the rank that owns
+   * the bottom row. Points have to lie in the body.
+   */
+  ProbeRecorder(const std::vector<Point> &points,
+                const UniformMaterial    &material,
+                const NodeRows           &rows,
+                const StepParameters     &step,
+                NodalField<double>       &u,
+                NodalField<double>       &w,
+                const std::uint64_t       interval,
+                const ContactTraction    &traction,
+                const MPI_Comm            communicator);
+
+  std::uint64_t
+  next_step(const std::uint64_t n) const override
+  {
+    return next_multiple(n, interval);
+  }
+  void
+  before_step(const std::uint64_t n) override;
+  void
+  after_step(const std::uint64_t n) override;
+
+  /** All probes on rank 0, in their order (collective; elsewhere empty). */
+  std::vector<ProbeHistory>
+  gather() const;
+
+  /** Saves or restores the samples (Boost.Serialization). */
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &histories;
+  }
+
+private:
+  /** Where a point lies: cell, and position in it from 0 to 1. */
+  struct Place
+  {
+    unsigned int          i = 0, j = 0;
+    std::array<double, 2> xi           = {};
+    unsigned int          contact_node = 0;
+    bool                  owned        = false;
+    std::array<double, 2> w_before     = {};
+  };
+
+  Place
+  locate(const std::array<double, 2> &position) const;
+
+  std::array<double, 2>
+  interpolate(const NodalField<double> &field, const Place &place) const;
+
+  VoigtVector<2>
+  strain(const Place &place) const;
+
+  const UniformMaterial &material;
+  const NodeRows         rows;
+  const StepParameters   step;
+  NodalField<double>    &u;
+  NodalField<double>    &w;
+  const std::uint64_t    interval;
+  const ContactTraction  traction;
+  const MPI_Comm         communicator;
+
+  std::vector<Place>        places;
+  std::vector<ProbeHistory> histories;
+};
+} // namespace mesoslip
+
+#endif
