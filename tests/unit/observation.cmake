@@ -1,1 +1,2 @@
 mesoslip_test(unit observation LIBS mesoslip_observation)
+mesoslip_test(unit steady_state LIBS mesoslip_observation)
