@@ -1,0 +1,351 @@
+// Stiffnesses, wave speeds, rotation, bounds and engineering constants against closed
+// forms, table 1 and eq. (10) of the paper.
+#include "material/bounds.h"
+#include "material/engineering_constants.h"
+#include "material/mandel.h"
+#include "material/rotation.h"
+#include "material/stiffness.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+using namespace mesoslip;
+
+namespace
+{
+const double pi  = std::acos(-1.);
+const double GPa = 1e9;
+
+/** Table 1. */
+const std::vector<Phase<2>> paper_phases = {
+  {"matrix", isotropic_stiffness<2>(30 * GPa, 0.2), 1770., 0.25},
+  {"fibre", isotropic_stiffness<2>(240 * GPa, 0.2), 1770., 0.25}};
+
+VoigtMatrix<2> plane(const double xx,
+                     const double xy,
+                     const double yy,
+                     const double ss,
+                     const double xs = 0.,
+                     const double ys = 0.)
+{
+  VoigtMatrix<2> D;
+  D << xx, xy, xs, xy, yy, ys, xs, ys, ss;
+  return D * GPa;
+}
+
+/** Eq. (10). */
+const VoigtMatrix<2> paper_stiffness = plane(36.54, 9.1, 47.26, 13.785);
+
+/** Carbon-epoxy, fibres along axis 1. */
+const OrthotropicConstants carbon = {140 * GPa, 10 * GPa, 8 * GPa, 0.3,    0.28,
+                                     0.4,       5 * GPa,  4 * GPa, 3 * GPa};
+
+template <int n>
+double largest_difference(const Eigen::Matrix<double, n, n, Eigen::RowMajor> &a,
+                          const Eigen::Matrix<double, n, n, Eigen::RowMajor> &b)
+{
+  return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+}
+} // namespace
+
+TEST(Stiffness, IsotropicPlaneStrain)
+{
+  const VoigtMatrix<2> expected = plane(100. / 3., 25. / 3., 100. / 3., 12.5);
+  EXPECT_LT(largest_difference<3>(isotropic_stiffness<2>(30 * GPa, 0.2), expected),
+            1e-15);
+}
+
+TEST(Stiffness, IsotropicThreeDimensional)
+{
+  // Uniaxial tension: E along the axis, -nu E across.
+  const VoigtMatrix<3> S = isotropic_stiffness<3>(210 * GPa, 0.3).inverse();
+  EXPECT_NEAR(S(0, 0) * 210 * GPa, 1., 1e-14);
+  EXPECT_NEAR(S(1, 0) * 210 * GPa, -0.3, 1e-14);
+  EXPECT_NEAR(S(4, 4) * 210 * GPa, 2.6, 1e-14);
+}
+
+TEST(Stiffness, OrthotropicPlaneStrainIsReducedCompliance)
+{
+  // Plane strain the other way: S_ij - S_i3 S_3j / S_33, inverted.
+  const double s11 = 1. / carbon.E1, s22 = 1. / carbon.E2, s33 = 1. / carbon.E3;
+  const double s12 = -carbon.nu12 / carbon.E1, s13 = -carbon.nu13 / carbon.E1,
+               s23 = -carbon.nu23 / carbon.E2;
+  VoigtMatrix<2> S = VoigtMatrix<2>::Zero();
+  S(0, 0)          = s11 - s13 * s13 / s33;
+  S(1, 1)          = s22 - s23 * s23 / s33;
+  S(0, 1) = S(1, 0) = s12 - s13 * s23 / s33;
+  S(2, 2)           = 1. / carbon.G12;
+  const auto D      = orthotropic_stiffness<2>(carbon);
+  EXPECT_LT(largest_difference<3>(D, S.inverse()), 1e-13);
+  const auto D3 = orthotropic_stiffness<3>(carbon);
+  EXPECT_EQ(D3(0, 1), D(0, 1));
+  EXPECT_EQ(D3(3, 3), carbon.G23);
+  EXPECT_EQ(D3(5, 5), carbon.G12);
+}
+
+TEST(Stiffness, OrthotropicWithEqualConstantsIsIsotropic)
+{
+  const double E = 30 * GPa, nu = 0.2, G = E / 2.4;
+  const auto D = orthotropic_stiffness<3>({E, E, E, nu, nu, nu, G, G, G});
+  EXPECT_LT(largest_difference<6>(D, isotropic_stiffness<3>(E, nu)), 1e-14);
+}
+
+TEST(Stiffness, FromCoefficients)
+{
+  EXPECT_EQ(stiffness_from_coefficients<2>({36.54e9, 9.1e9, 47.26e9, 13.785e9}),
+            paper_stiffness);
+  EXPECT_EQ(stiffness_from_coefficients<2>({4., 1., 0.5, 3., 0.25, 2.}) * GPa,
+            plane(4., 1., 3., 2., 0.5, 0.25));
+  const auto D = stiffness_from_coefficients<3>({9., 2., 3., 8., 4., 7., 1., 1.5, 2.});
+  EXPECT_EQ(D(0, 2), 3.);
+  EXPECT_EQ(D(1, 1), 8.);
+  EXPECT_EQ(D(2, 1), 4.);
+  EXPECT_EQ(D(5, 5), 2.);
+}
+
+TEST(Stiffness, RejectsWhatIsNoMaterial)
+{
+  EXPECT_THROW(isotropic_stiffness<2>(0., 0.2), std::invalid_argument);
+  EXPECT_THROW(isotropic_stiffness<2>(std::nan(""), 0.2), std::invalid_argument);
+  EXPECT_THROW(isotropic_stiffness<2>(1., 0.5), std::invalid_argument);
+  EXPECT_THROW(isotropic_stiffness<2>(1., -1.), std::invalid_argument);
+  EXPECT_THROW(isotropic_stiffness<2>(1., std::nan("")), std::invalid_argument);
+  EXPECT_THROW(stiffness_from_coefficients<2>({1., 2., 3.}), std::invalid_argument);
+  // Indefinite: Dxy larger than the geometric mean of Dxx and Dyy.
+  EXPECT_THROW(stiffness_from_coefficients<2>({1., 2., 3., 1.}), std::invalid_argument);
+  VoigtMatrix<2> D = paper_stiffness;
+  D(0, 1) *= 1.001;
+  EXPECT_THROW(check_stiffness<2>(D), std::invalid_argument);
+  // nu12 of the other direction: |nu12| must stay below sqrt(E1 / E2) = 3.74.
+  OrthotropicConstants wrong = carbon;
+  wrong.nu12                 = 3.8;
+  EXPECT_THROW(orthotropic_stiffness<2>(wrong), std::invalid_argument);
+}
+
+TEST(WaveSpeeds, Isotropic)
+{
+  const double c   = std::sqrt(0.5);
+  const auto D     = isotropic_stiffness<2>(30 * GPa, 0.2);
+  const auto c2    = wave_speeds<2>(D, 1770., {{c, c}});
+  const double c_L = std::sqrt(100. / 3. * GPa / 1770.);
+  EXPECT_NEAR(c2[0], c_L, 1e-9 * c_L);
+  EXPECT_NEAR(c2[1], 2657., 1.); // table 1
+  EXPECT_NEAR(maximum_wave_speed<2>(D, 1770.), c_L, 1e-9 * c_L);
+  const auto c3 =
+    wave_speeds<3>(isotropic_stiffness<3>(30 * GPa, 0.2), 1770., {{0., c, c}});
+  EXPECT_NEAR(c3[0], c_L, 1e-9 * c_L);
+  EXPECT_NEAR(c3[1], c3[2], 1e-6);
+  // Table 1 prints the bar's speeds, 4116 and 11644 m/s.
+  EXPECT_NEAR(bar_wave_speed(30 * GPa, 1770.), 4116., 1.);
+  EXPECT_NEAR(bar_wave_speed(240 * GPa, 1770.), 11644., 1.);
+}
+
+TEST(WaveSpeeds, MaximumOverDirections)
+{
+  for (const double angle : {0., 0.3, 1.2})
+    {
+      const auto D   = rotate_stiffness(orthotropic_stiffness<2>(carbon), angle);
+      double scanned = 0.;
+      for (int i = 0; i < 20000; ++i)
+        scanned = std::max(scanned, wave_speeds<2>(D, 1600.,
+                                                   {{std::cos(i * pi / 20000),
+                                                     std::sin(i * pi / 20000)}})[0]);
+      EXPECT_NEAR(maximum_wave_speed<2>(D, 1600.), scanned, 1e-7 * scanned);
+    }
+}
+
+TEST(Mandel, EigenvaluesAreThoseOfTheTensor)
+{
+  // Isotropic plane strain: 2 k for dilatation, 2 mu twice.
+  const auto e = stiffness_eigenvalues<2>(isotropic_stiffness<2>(30 * GPa, 0.2));
+  EXPECT_NEAR(e(0) / GPa, 25., 1e-12);
+  EXPECT_NEAR(e(1) / GPa, 25., 1e-12);
+  EXPECT_NEAR(e(2) / GPa, 2. * (100. / 3. - 12.5), 1e-12);
+  EXPECT_EQ(stiffness_from_mandel<2>(stiffness_to_mandel<2>(paper_stiffness))
+              .isApprox(paper_stiffness, 1e-15),
+            true);
+}
+
+TEST(Rotation, QuarterTurnSwaps)
+{
+  const auto D = rotate_stiffness(plane(36.54, 9.1, 47.26, 13.785, 1., 2.), 0.5 * pi);
+  EXPECT_LT(largest_difference<3>(D, plane(47.26, 9.1, 36.54, 13.785, -2., -1.)), 1e-15);
+}
+
+TEST(Rotation, ByFortyFiveDegrees)
+{
+  // Strain xx in the turned axes is half a dilatation and half a shear.
+  const VoigtMatrix<2> D = rotate_stiffness(paper_stiffness, 0.25 * pi) / GPa;
+  EXPECT_NEAR(D(0, 0), (36.54 + 47.26 + 2. * 9.1) / 4. + 13.785, 1e-12);
+  EXPECT_NEAR(D(2, 2), (36.54 + 47.26 - 2. * 9.1) / 4., 1e-12);
+  // The stiffer axis y went to the direction of 135 degrees: stretching along it and
+  // shear of negative sign go together.
+  EXPECT_NEAR(D(0, 2), (36.54 - 47.26) / 4., 1e-12);
+}
+
+TEST(Rotation, KeepsEigenvaluesAndComplianceFollows)
+{
+  const VoigtMatrix<2> D      = plane(36.54, 9.1, 47.26, 13.785, 1., 2.);
+  const VoigtMatrix<2> turned = rotate_stiffness(D, 0.7);
+  EXPECT_LT((stiffness_eigenvalues<2>(D) - stiffness_eigenvalues<2>(turned)).norm(),
+            1e-3);
+  const VoigtMatrix<2> S = rotate_compliance(D.inverse(), 0.7);
+  EXPECT_LT(largest_difference<3>(S * turned, VoigtMatrix<2>::Identity()), 1e-13);
+}
+
+TEST(Bounds, VoigtAndReussOfThePaper)
+{
+  const std::vector<double> f = {0.9, 0.1};
+  const auto voigt            = voigt_bound<2>(paper_phases, f);
+  const auto reuss            = reuss_bound<2>(paper_phases, f);
+  // Equal Poisson ratios: the moduli are averaged.
+  EXPECT_LT(largest_difference<3>(voigt, isotropic_stiffness<2>(51 * GPa, 0.2)), 1e-14);
+  EXPECT_LT(largest_difference<3>(
+              reuss, isotropic_stiffness<2>(GPa / (0.9 / 30. + 0.1 / 240.), 0.2)),
+            1e-14);
+  EXPECT_TRUE(is_ordered<2>(reuss, paper_stiffness));
+  EXPECT_TRUE(is_ordered<2>(paper_stiffness, voigt));
+  EXPECT_FALSE(is_ordered<2>(voigt, paper_stiffness));
+  EXPECT_NEAR(mean_density<2>({{"a", {}, 1000., 0.}, {"b", {}, 3000., 0.}}, {0.25, 0.75}),
+              2500., 1e-12);
+}
+
+TEST(Bounds, EncloseTheLaminate)
+{
+  // Layers normal to x, half and half, exact: to the digits that were printed.
+  const auto laminate = plane(59.259259, 14.814815, 144.328704, 22.222222);
+  const auto reuss    = reuss_bound<2>(paper_phases, {0.5, 0.5});
+  const auto voigt    = voigt_bound<2>(paper_phases, {0.5, 0.5});
+  EXPECT_TRUE(is_ordered<2>(reuss, laminate, 1e-8));
+  EXPECT_TRUE(is_ordered<2>(laminate, voigt, 1e-8));
+  // Layers in series reach Reuss' bound in shear.
+  EXPECT_NEAR(order_margin<2>(reuss, laminate), 0., 1e-6 * GPa);
+  EXPECT_GT(order_margin<2>(laminate, voigt), 1. * GPa);
+}
+
+TEST(Bounds, HashinShtrikmanTwoPhases)
+{
+  const auto bounds = hashin_shtrikman_bounds(paper_phases, {0.9, 0.1});
+  ASSERT_TRUE(bounds);
+  // Hashin's own form of the two-phase bounds.
+  const double k1 = 125. / 6., k2 = 8. * k1, m1 = 12.5, m2 = 100., f1 = 0.9, f2 = 0.1;
+  EXPECT_NEAR(bounds->lower.bulk / GPa, k1 + f2 / (1. / (k2 - k1) + f1 / (k1 + m1)),
+              1e-11);
+  EXPECT_NEAR(bounds->upper.bulk / GPa, k2 + f1 / (1. / (k1 - k2) + f2 / (k2 + m2)),
+              1e-11);
+  EXPECT_NEAR(bounds->lower.shear / GPa,
+              m1 + f2 / (1. / (m2 - m1) + f1 * (k1 + 2. * m1) / (2. * m1 * (k1 + m1))),
+              1e-11);
+  EXPECT_NEAR(bounds->upper.shear / GPa,
+              m2 + f1 / (1. / (m1 - m2) + f2 * (k2 + 2. * m2) / (2. * m2 * (k2 + m2))),
+              1e-11);
+  const auto reuss = reuss_bound<2>(paper_phases, {0.9, 0.1});
+  const auto voigt = voigt_bound<2>(paper_phases, {0.9, 0.1});
+  EXPECT_GT(order_margin<2>(reuss, bounds->lower_stiffness), 0.);
+  EXPECT_GT(order_margin<2>(bounds->lower_stiffness, bounds->upper_stiffness), 0.);
+  EXPECT_GT(order_margin<2>(bounds->upper_stiffness, voigt), 0.);
+}
+
+TEST(Bounds, HashinShtrikmanLimits)
+{
+  // Equal shear moduli: the bulk modulus is exact (Hill), 1 / (k + G) = <1 / (k + G)>.
+  std::vector<Phase<2>> phases = paper_phases;
+  phases[0].stiffness          = plane_isotropic_stiffness({20 * GPa, 12 * GPa});
+  phases[1].stiffness          = plane_isotropic_stiffness({90 * GPa, 12 * GPa});
+  const auto exact             = hashin_shtrikman_bounds(phases, {0.7, 0.3});
+  EXPECT_NEAR(exact->lower.bulk, exact->upper.bulk, 1.);
+  EXPECT_NEAR(exact->lower.bulk / GPa, 1. / (0.7 / 32. + 0.3 / 102.) - 12., 1e-9);
+  EXPECT_NEAR(exact->lower.shear / GPa, 12., 1e-9);
+  // A phase that is absent does not count; the bounds then are the other phase.
+  const auto single = hashin_shtrikman_bounds(phases, {1., 0.});
+  EXPECT_LT(largest_difference<3>(single->upper_stiffness, phases[0].stiffness), 1e-14);
+  // Three phases lie in order, too.
+  phases.push_back({"third", isotropic_stiffness<2>(5 * GPa, 0.4), 0., 0.});
+  const std::vector<double> f = {0.5, 0.3, 0.2};
+  const auto three            = hashin_shtrikman_bounds(phases, f);
+  EXPECT_GT(order_margin<2>(reuss_bound<2>(phases, f), three->lower_stiffness), 0.);
+  EXPECT_GT(order_margin<2>(three->lower_stiffness, three->upper_stiffness), 0.);
+  EXPECT_GT(order_margin<2>(three->upper_stiffness, voigt_bound<2>(phases, f)), 0.);
+  phases[2].stiffness = paper_stiffness;
+  EXPECT_FALSE(hashin_shtrikman_bounds(phases, f));
+}
+
+TEST(Bounds, RejectWrongFractions)
+{
+  EXPECT_THROW(voigt_bound<2>(paper_phases, {1.}), std::invalid_argument);
+  EXPECT_THROW(reuss_bound<2>(paper_phases, {0.5, 0.4}), std::invalid_argument);
+  EXPECT_THROW(reuss_bound<2>(paper_phases, {1.1, -0.1}), std::invalid_argument);
+  EXPECT_THROW(reuss_bound<2>(paper_phases, {std::nan(""), 0.5}), std::invalid_argument);
+}
+
+TEST(EngineeringConstants, OfThePaper)
+{
+  const auto c = engineering_constants<2>(paper_stiffness);
+  EXPECT_NEAR(value_of(c, "E_x") / GPa, 36.54 - 9.1 * 9.1 / 47.26, 1e-12);
+  EXPECT_NEAR(value_of(c, "E_y") / GPa, 47.26 - 9.1 * 9.1 / 36.54, 1e-12);
+  EXPECT_NEAR(value_of(c, "nu_xy"), 9.1 / 47.26, 1e-14);
+  EXPECT_NEAR(value_of(c, "nu_yx"), 9.1 / 36.54, 1e-14);
+  EXPECT_NEAR(value_of(c, "G_xy") / GPa, 13.785, 1e-12);
+  EXPECT_NEAR(value_of(c, "eta_xy_x"), 0., 1e-15);
+  EXPECT_NEAR(value_of(c, "axis_angle"), 0.5 * pi, 1e-12);
+  EXPECT_NEAR(value_of(c, "non_orthotropy"), 0., 1e-14);
+  EXPECT_GT(value_of(c, "anisotropy"), 0.1);
+  EXPECT_THROW(value_of(c, "E_z"), std::invalid_argument);
+}
+
+TEST(EngineeringConstants, IsotropicGivesBackEAndNu)
+{
+  const auto c = engineering_constants<2>(isotropic_stiffness<2>(30 * GPa, 0.2));
+  EXPECT_NEAR(value_of(c, "E_iso") / GPa, 30., 1e-12);
+  EXPECT_NEAR(value_of(c, "nu_iso"), 0.2, 1e-14);
+  EXPECT_NEAR(value_of(c, "E_x") / GPa, 30. / (1. - 0.04), 1e-12);
+  EXPECT_NEAR(value_of(c, "nu_xy"), 0.25, 1e-14);
+  EXPECT_NEAR(value_of(c, "k") / GPa, 125. / 6., 1e-12);
+  EXPECT_NEAR(value_of(c, "anisotropy"), 0., 1e-14);
+  EXPECT_EQ(value_of(c, "axis_angle"), 0.);
+  const auto c3 = engineering_constants<3>(isotropic_stiffness<3>(30 * GPa, 0.2));
+  EXPECT_NEAR(value_of(c3, "E_iso") / GPa, 30., 1e-12);
+  EXPECT_NEAR(value_of(c3, "nu_iso"), 0.2, 1e-14);
+  EXPECT_NEAR(value_of(c3, "k") / GPa, 30. / 1.8, 1e-12);
+}
+
+TEST(EngineeringConstants, OrthotropicSolidGivesBackItsConstants)
+{
+  const auto c = engineering_constants<3>(orthotropic_stiffness<3>(carbon));
+  EXPECT_NEAR(value_of(c, "E_x") / carbon.E1, 1., 1e-13);
+  EXPECT_NEAR(value_of(c, "E_z") / carbon.E3, 1., 1e-13);
+  EXPECT_NEAR(value_of(c, "nu_xz"), carbon.nu13, 1e-13);
+  EXPECT_NEAR(value_of(c, "nu_yx"), carbon.nu12 * carbon.E2 / carbon.E1, 1e-13);
+  EXPECT_NEAR(value_of(c, "G_yz") / carbon.G23, 1., 1e-13);
+}
+
+TEST(EngineeringConstants, FindsTurnedAxes)
+{
+  const auto D = orthotropic_stiffness<2>(carbon);
+  for (const double angle : {-1.5, -0.7, -0.1, 0., 0.3, 0.9, 1.4})
+    {
+      const auto found = closest_orthotropic(rotate_stiffness(D, angle));
+      EXPECT_NEAR(found.angle, angle, 1e-12);
+      EXPECT_LT(found.relative_distance, 1e-13);
+      EXPECT_LT(largest_difference<3>(found.principal_stiffness, D), 1e-12);
+    }
+}
+
+TEST(EngineeringConstants, ClosestOrthotropicIsClosest)
+{
+  const VoigtMatrix<2> D = plane(36.54, 9.1, 47.26, 13.785, 3., -1.);
+  const auto found       = closest_orthotropic(D);
+  double least           = 1.;
+  for (int i = 0; i < 10000; ++i)
+    {
+      const VoigtMatrix<2> turned = rotate_stiffness(D, i * pi / 10000);
+      least = std::min(least, stiffness_norm<2>(turned - orthotropic_part(turned)) /
+                                stiffness_norm<2>(turned));
+    }
+  EXPECT_LT(found.relative_distance, least + 1e-12);
+  EXPECT_GT(found.relative_distance, least - 1e-6);
+  EXPECT_GE(found.principal_stiffness(0, 0), found.principal_stiffness(1, 1));
+}

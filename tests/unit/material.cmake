@@ -1,0 +1,1 @@
+mesoslip_test(unit material LIBS mesoslip_material)
