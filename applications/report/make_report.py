@@ -12,6 +12,7 @@ import json
 import os
 import sys
 
+sys.dont_write_bytecode = True  # leave no __pycache__ in a source tree
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import figures
