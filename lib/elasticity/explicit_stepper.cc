@@ -381,7 +381,7 @@ void ExplicitStepper::Implementation::wavefront(const unsigned int n_steps)
           {
             // A row needs the row above it to have finished the step before.
             const unsigned int ahead = stages[s - 1].next;
-            end                      = ahead == rows.end ? ahead : std::max(ahead, 1u) - 1;
+            end = ahead == rows.end ? ahead : std::max(ahead, 1u) - 1;
           }
         run_until(stages[s], end);
       }

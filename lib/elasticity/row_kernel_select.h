@@ -2,7 +2,7 @@
 // namespace by row_kernel_x86_64*.cc, after row_kernel_impl.h.
 
 #ifndef MESOSLIP_ROWS_AT_ONCE
-#  define MESOSLIP_ROWS_AT_ONCE 2
+#  define MESOSLIP_ROWS_AT_ONCE 3
 #endif
 
 unsigned int register_capacity(const double *)

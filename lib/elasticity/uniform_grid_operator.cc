@@ -3,8 +3,10 @@
 #include "elasticity/row_sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <tuple>
+#include <vector>
 
 namespace mesoslip
 {
@@ -84,8 +86,8 @@ struct UniformGridOperator::Implementation
       throw std::invalid_argument("a grid periodic in y needs all rows on one rank");
     const double hx = material.grid().spacing[0], hy = material.grid().spacing[1];
     for (const ElasticClass &c : material.classes())
-      corners.push_back(
-        {corner_block(c.stiffness, hx, hy, 1.), corner_block(c.stiffness, hx, hy, -1.)});
+      corners.push_back({{corner_block(c.stiffness, hx, hy, 1.),
+                          corner_block(c.stiffness, hx, hy, -1.)}});
   }
 
   Precision<double> &precision(const double)

@@ -1,0 +1,88 @@
+#ifndef mesoslip_elasticity_multigrid_padded_rows_h
+#define mesoslip_elasticity_multigrid_padded_rows_h
+
+#include <cstddef>
+#include <memory>
+
+namespace mesoslip
+{
+namespace multigrid
+{
+/** Floats in the widest vector of the row kernels. */
+constexpr unsigned int lanes = 16;
+
+/** @p n rounded up to whole vectors. */
+constexpr unsigned int whole_vectors(const unsigned int n)
+{
+  return (n + lanes - 1) / lanes * lanes;
+}
+
+/**
+ * Rows -1, ..., n_rows of several arrays of floats, zero at first. Column 0 of every row
+ * starts a cache line; columns -1 and up to one vector past the last whole one may be
+ * read and written, too: they take the values of neighbours across a periodic side and
+ * are zero otherwise.
+ */
+class PaddedRows
+{
+public:
+  PaddedRows() = default;
+
+  PaddedRows(const unsigned int n_arrays,
+             const unsigned int n_rows,
+             const unsigned int n_columns);
+
+  unsigned int n_rows() const
+  {
+    return rows;
+  }
+
+  unsigned int n_columns() const
+  {
+    return columns;
+  }
+
+  /** Distance between the same row of two arrays, in floats. */
+  std::size_t array_stride() const
+  {
+    return stride;
+  }
+
+  /** Row @p j (-1 to n_rows()) of array @p k. The arrays of a row lie side by side. */
+  float *row(const unsigned int k, const int j)
+  {
+    return data.get() + offset(k, j);
+  }
+
+  const float *row(const unsigned int k, const int j) const
+  {
+    return data.get() + offset(k, j);
+  }
+
+  void set_zero();
+
+
+  /** Fills column -1 and n_columns() (if @p x) and rows -1 and n_rows() (if @p y). */
+  void fill_ghosts(const bool x, const bool y);
+
+private:
+  struct Free
+  {
+    void operator()(float *p) const;
+  };
+
+  std::size_t offset(const unsigned int k, const int j) const
+  {
+    return (static_cast<std::size_t>(j + 1) * arrays + k) * stride + lanes;
+  }
+
+  unsigned int arrays  = 0;
+  unsigned int rows    = 0;
+  unsigned int columns = 0;
+  std::size_t stride   = 0;
+  std::unique_ptr<float[], Free> data;
+};
+} // namespace multigrid
+} // namespace mesoslip
+
+#endif
