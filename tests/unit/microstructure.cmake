@@ -1,0 +1,1 @@
+mesoslip_test(unit microstructure LIBS mesoslip_microstructure)
