@@ -167,6 +167,9 @@ int run_program(int argc, char **argv, const Program &program)
       // Its destructor gives up when it sees an exception: none passes this line.
       dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
       dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+      // Of its own, so that concluding meets no message of ranks still at work.
+      const MPI_Comm concluding =
+        dealii::Utilities::MPI::duplicate_communicator(MPI_COMM_WORLD);
       Outcome outcome;
       try
         {
@@ -176,7 +179,7 @@ int run_program(int argc, char **argv, const Program &program)
         {
           outcome = describe_current_exception();
         }
-      return conclude(MPI_COMM_WORLD, program.name, outcome);
+      return conclude(concluding, program.name, outcome);
     }
   catch (...)
     {

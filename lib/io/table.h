@@ -19,8 +19,7 @@ public:
 
   /** Writes what is buffered, silently; call flush() to be told of errors. */
   ~TableWriter();
-  TableWriter(TableWriter &&)            = default;
-  TableWriter &operator=(TableWriter &&) = default;
+  TableWriter(TableWriter &&) = default;
 
   /** Appends to a table with the same columns, keeping its first @p rows rows. */
   static TableWriter resume(const std::string &path,

@@ -1,4 +1,14 @@
+# A program without physics, to test from outside what all programs share.
 add_executable(io_program ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_program.cc)
 mesoslip_warnings(io_program)
 deal_ii_setup_target(io_program)
 target_link_libraries(io_program mesoslip_io)
+
+mesoslip_test(unit io LIBS mesoslip_io)
+target_sources(unit_io PRIVATE
+  ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_command_line.cc
+  ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_files.cc
+  ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_hdf5.cc)
+target_compile_definitions(unit_io PRIVATE
+  IO_PROGRAM="$<TARGET_FILE:io_program>" MPIEXEC="${MPIEXEC_EXECUTABLE}")
+add_dependencies(unit_io io_program)

@@ -4,6 +4,8 @@
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
 
+#include <deal.II/lac/solver_control.h>
+
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -18,18 +20,16 @@ namespace
 {
 using namespace mesoslip;
 
-void
-declare(dealii::ParameterHandler &prm, const RawParameters &raw)
+void declare(dealii::ParameterHandler &prm, const RawParameters &raw)
 {
   declare_integer(prm, "Dimension", 2, 2, 3, "Space dimension [-]");
-  declare_selection(prm,
-                    "Behaviour",
-                    "succeed",
+  declare_selection(prm, "Behaviour", "succeed",
                     {"succeed", "nan", "fail", "logic", "wait", "one rank", "solver"},
                     "What the run does");
   {
     const ParameterSection section(prm, "Time step");
-    declare_double(prm, "Fraction", 1. / 3., Range::left_open(0., 1.), "Of the limit [-]");
+    declare_double(prm, "Fraction", 1. / 3., Range::left_open(0., 1.),
+                   "Of the limit [-]");
     declare_double_or_auto(prm, "Size", "auto", Range::positive(), "Time step [s]");
     declare_bool(prm, "Adaptive", false, "Whether to adapt");
   }
@@ -48,18 +48,16 @@ declare(dealii::ParameterHandler &prm, const RawParameters &raw)
   declare_double_list(prm, "Levels", {0., 0.1}, Range::any(), "Levels [m]", 1, 3);
 }
 
-void
-check(dealii::ParameterHandler &prm)
+void check(dealii::ParameterHandler &prm)
 {
   const ParameterSection section(prm, "Input");
   if (!get_string(prm, "Image file").empty())
     get_input_file(prm, "Image file", "draw one first");
 }
 
-void
-run(dealii::ParameterHandler &prm, RunContext &context)
+void run(dealii::ParameterHandler &prm, RunContext &context)
 {
-  const auto        scope     = context.timer().scope("Work");
+  const auto scope            = context.timer().scope("Work");
   const std::string behaviour = get_string(prm, "Behaviour");
   context.summary()["dim"]    = get_integer(prm, "Dimension");
   if (behaviour == "nan")
@@ -68,6 +66,8 @@ run(dealii::ParameterHandler &prm, RunContext &context)
     throw NumericalFailure("the velocity is not finite", 12, 1.5e-6, "node (3, 4)");
   if (behaviour == "logic")
     get_double(prm, "Undeclared");
+  if (behaviour == "solver")
+    throw dealii::SolverControl::NoConvergence(7, 0.5);
   if (behaviour == "one rank" && context.rank() == context.n_ranks() - 1)
     throw UserError("only this rank is in trouble");
   if (behaviour != "wait")
@@ -83,8 +83,7 @@ run(dealii::ParameterHandler &prm, RunContext &context)
 }
 } // namespace
 
-int
-main(int argc, char **argv)
+int main(int argc, char **argv)
 {
   Program program;
   program.name        = "io_program";

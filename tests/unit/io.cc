@@ -1,0 +1,235 @@
+// Parameters, timer, progress, digest: what needs no files.
+#include "io_testing.h"
+
+#include "io/digest.h"
+#include "io/files.h"
+#include "io/parameters.h"
+#include "io/patterns.h"
+#include "io/progress.h"
+#include "io/raw_parameters.h"
+#include "io/timer.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+using namespace mesoslip;
+using namespace mesoslip_tests;
+
+namespace
+{
+/** A few keys in two levels of sections. */
+void declare(dealii::ParameterHandler &prm)
+{
+  declare_integer(prm, "Cells", 10, 1, 1000, "Cells [-]");
+  {
+    const ParameterSection section(prm, "Time step");
+    declare_double(prm, "Fraction", 1. / 3., Range::left_open(0., 1.),
+                   "Of the limit [-]");
+    declare_double_or_auto(prm, "Size", "auto", Range::positive(), "Step [s]");
+    declare_double_list(prm, "Output", {1e-300, 0.1}, Range::positive(), "Times [s]", 2,
+                        3);
+  }
+  const ParameterSection section(prm, "Input/Deep");
+  declare_input_file(prm, "Image file", "", "Image");
+  declare_selection(prm, "Kind", "one", {"one", "two words"}, "Kind");
+  // As code that does without our helpers would do it.
+  prm.declare_entry("Plain", "0.5", dealii::Patterns::Double(0., 1.), "Plain [m]");
+  prm.declare_entry("Choice", "a", dealii::Patterns::Selection("a|b"), "Choice");
+}
+
+std::string error_of(const std::string &text)
+{
+  return user_error([&]() {
+    dealii::ParameterHandler prm;
+    declare(prm);
+    RawParameters::parse(text, "run.prm").apply(prm);
+  });
+}
+} // namespace
+
+TEST(Parameters, ReadsWhatIsSet)
+{
+  dealii::ParameterHandler prm;
+  declare(prm);
+  RawParameters raw =
+    RawParameters::parse("\xef\xbb\xbfset Cells = 1\\\r\n7 # comment\r\n"
+                         "SUBSECTION  Time   step\n set Fraction=+.25\nEND\n"
+                         "subsection Input\nsubsection Deep\n"
+                         "set Kind = two words\nset Image file = a/b.png\n"
+                         "end\nend\n",
+                         "/some/where/run.prm");
+  raw.override_with("Time step/Size = 2e-9");
+  raw.apply(prm);
+  EXPECT_EQ(get_integer(prm, "Cells"), 17);
+  {
+    const ParameterSection section(prm, "Time step");
+    EXPECT_EQ(get_double(prm, "Fraction"), 0.25);
+    EXPECT_EQ(get_double_or_auto(prm, "Size"), 2e-9);
+    EXPECT_EQ(get_double_list(prm, "Output"), (std::vector<double>{1e-300, 0.1}));
+  }
+  const ParameterSection section(prm, "Input/Deep");
+  EXPECT_EQ(get_string(prm, "Kind"), "two words");
+  EXPECT_EQ(get_string(prm, "Image file"), "/some/where/a/b.png");
+  expect_contains(
+    user_error([&]() { get_input_file(prm, "Image file", "draw it"); }),
+    "'Input/Deep/Image file': there is no file /some/where/a/b.png; draw it");
+  EXPECT_THROW(get_double(prm, "Undeclared"), std::logic_error);
+}
+
+TEST(Parameters, DefaultsKeepAllDigitsAndPrintingReadsBack)
+{
+  dealii::ParameterHandler prm, again;
+  declare(prm);
+  declare(again);
+  RawParameters raw;
+  raw.override_with("Time step/Fraction=0.1234567890123456");
+  raw.apply(prm);
+  std::ostringstream text;
+  print_parameters(prm, text);
+  expect_contains(text.str(), "default: 0.3333333333333333");
+  RawParameters::parse(text.str(), "printed.prm").apply(again);
+  EXPECT_EQ(canonical_parameters(prm), canonical_parameters(again));
+  const ParameterSection section(again, "Time step");
+  EXPECT_EQ(get_double(again, "Fraction"), 0.1234567890123456);
+  EXPECT_TRUE(std::isnan(get_double_or_auto(again, "Size")));
+}
+
+TEST(Parameters, ThirdIsAThird)
+{
+  dealii::ParameterHandler prm;
+  declare(prm);
+  const ParameterSection section(prm, "Time step");
+  EXPECT_EQ(get_double(prm, "Fraction"), 1. / 3.);
+}
+
+TEST(Parameters, NamesWhatIsWrong)
+{
+  expect_contains(
+    error_of("set Cels = 1"),
+    "run.prm:1: there is no key 'Cels' at the top level; did you mean 'Cells'?");
+  expect_contains(
+    error_of("\nsubsection Tme step\nend"),
+    "run.prm:2: there is no subsection 'Tme step' at the top level; did you "
+    "mean 'Time step'?");
+  expect_contains(error_of("set Kind = one"), "did you mean 'Input/Deep/Kind'?");
+  expect_contains(error_of("subsection Deep\nend"), "did you mean 'Input/Deep'?");
+  expect_contains(error_of("subsection Time step\nset Zzzzzzzzz = 1\nend"),
+                  "the keys here are Fraction, Size, Output");
+  expect_contains(error_of("set Cells = 1\n\nset Cells = 2"),
+                  "run.prm:3: 'Cells' is set again; line 1 has set it already");
+  expect_contains(error_of("set Cells = 0"),
+                  "run.prm:1: 'Cells' is '0' but must be a whole number in [1, 1000]");
+  expect_contains(error_of("set Cells = 3.5"), "whole number");
+  expect_contains(error_of("set Cells ="), "'Cells' is ''");
+  for (const std::string value : {"0", "1.0001", "nan", "inf", "0.5 m", "0,5", "1e999"})
+    expect_contains(error_of("subsection Time step\nset Fraction = " + value + "\nend"),
+                    "run.prm:2: 'Time step/Fraction' is '" + value +
+                      "' but must be a number in (0, 1]");
+  expect_contains(error_of("subsection Time step\nset Output = 1\nend"),
+                  "2 to 3 comma separated numbers > 0");
+  const std::string deep = "subsection Input\nsubsection Deep\n";
+  expect_contains(error_of(deep + "set Kind = three\nend\nend"), "one of one, two words");
+  expect_contains(error_of(deep + "set Plain = 2\nend\nend"), "a number in [0, 1]");
+  expect_contains(error_of(deep + "set Choice = c\nend\nend"), "one of a, b");
+}
+
+TEST(Parameters, NamesWhatIsNoParameterFile)
+{
+  expect_contains(error_of("Cells = 1"), "run.prm:1: 'Cells = 1' is not understood");
+  expect_contains(error_of("set Cells 1"), "has no '='");
+  expect_contains(error_of("set = 1"), "a key has no name");
+  expect_contains(error_of("end"), "run.prm:1: 'end' without an open subsection");
+  expect_contains(error_of("\nsubsection Time step\nset Fraction = 1"),
+                  "run.prm:2: the subsection 'Time step' has no 'end'");
+  expect_contains(error_of("include other.prm"), "'include' is not supported");
+  expect_contains(error_of(std::string("\x89HDF\0\0", 6)), "not a text file");
+}
+
+TEST(Parameters, RawTextDecidesSections)
+{
+  RawParameters raw = RawParameters::parse("subsection Phases\nset Names = a,  b c\n"
+                                           "subsection b c\nend\nend\n",
+                                           "run.prm");
+  EXPECT_EQ(raw.get_list("Phases/Names", {}), (std::vector<std::string>{"a", "b c"}));
+  EXPECT_EQ(raw.subsections("Phases"), (std::vector<std::string>{"b c"}));
+  EXPECT_EQ(raw.get("Phases/Count", "7"), "7");
+  raw.override_with("Phases/Names=x");
+  EXPECT_EQ(raw.get("Phases/Names", ""), "x");
+}
+
+TEST(Digest, IsTheSameEverywhere)
+{
+  // FNV-1a of the bytes "a" and its length as eight little-endian bytes, from Python.
+  EXPECT_EQ(Digest().hex(), "cbf29ce484222325");
+  EXPECT_EQ(Digest().add("a").hex(), "dedf9f982e43402d");
+  EXPECT_NE(Digest().add("ab").add("c").hex(), Digest().add("a").add("bc").hex());
+  EXPECT_NE(Digest().add(0.).hex(), Digest().add(-0.).hex());
+}
+
+TEST(TextOfNumbers, ReadsBack)
+{
+  for (const double x : {1. / 3., 4.4e-9, 5e-324, -0., 1e22})
+    {
+      double back;
+      ASSERT_TRUE(parse_number(to_text(x), back));
+      EXPECT_EQ(x, back);
+    }
+}
+
+TEST(TimerTest, NestsAndShowsTheRest)
+{
+  Timer timer;
+  for (int i = 0; i < 3; ++i)
+    {
+      const auto outer = timer.scope("Outer");
+      const auto inner = timer.scope("Inner");
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  EXPECT_GE(timer.seconds("Outer/Inner"), 0.006);
+  EXPECT_GE(timer.seconds("Outer"), timer.seconds("Outer/Inner"));
+  EXPECT_GE(timer.total(), timer.seconds("Outer"));
+  const nlohmann::json json = timer.json();
+  EXPECT_EQ(json.size(), 3u);
+  EXPECT_EQ(json["Outer/Inner"].get<double>(), timer.seconds("Outer/Inner"));
+  std::ostringstream table;
+  timer.print(table);
+  expect_contains(table.str(), "\n    Inner ");
+  expect_contains(table.str(), "\n    other ");
+}
+
+TEST(ProgressTest, ShowsOneLineOnATerminalAndNothingWhenOff)
+{
+  std::ostringstream out, silent, plain;
+  Progress terminal(out, Progress::Mode::terminal);
+  Progress off(silent, Progress::Mode::off), lines(plain, Progress::Mode::plain);
+  terminal.start("steps", 200, 1000000);
+  off.start("steps", 200);
+  lines.start("steps", 200);
+  terminal.update(1, 1e-9);
+  EXPECT_EQ(out.str(), "");
+  std::this_thread::sleep_for(std::chrono::milliseconds(250));
+  terminal.update(50, 1e-6);
+  off.update(50, 1e-6);
+  lines.update(50, 1e-6);
+  expect_contains(out.str(), "\r");
+  expect_contains(out.str(), "steps  25.0 %  t = 1e-06 s");
+  expect_contains(out.str(), "M cell updates/s  remaining ");
+  terminal.finish();
+  expect_contains(out.str(), "\r\033[K");
+  EXPECT_EQ(silent.str(), "");
+  EXPECT_EQ(plain.str(), "") << "a quarter of a second is too short for a line";
+  EXPECT_EQ(duration_text(7507.), "2 h 05 min");
+  EXPECT_EQ(duration_text(4.24), "4.2 s");
+}
+
+TEST(Errors, SayWhere)
+{
+  const NumericalFailure failure("the velocity is not finite", 12, 1.5e-6, "node (3, 4)");
+  EXPECT_STREQ(failure.what(),
+               "the velocity is not finite in step 12 at t = 1.5e-06 s, node (3, 4)");
+}

@@ -1,0 +1,245 @@
+// Tables, images, XDMF, checkpoints, locks.
+#include "io_testing.h"
+
+#include "io/checkpoint.h"
+#include "io/files.h"
+#include "io/image.h"
+#include "io/lock.h"
+#include "io/table.h"
+#include "io/xdmf.h"
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <png.h>
+#include <sys/wait.h>
+
+using namespace mesoslip;
+using namespace mesoslip_tests;
+
+TEST(Tables, ReadBackUnchanged)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "t.csv";
+  {
+    TableWriter table(path, {"time [s]", "a, \"b\" [m]"});
+    for (int i = 0; i < 20000; ++i)
+      table.add_row({i / 3., std::sqrt(2. * i)});
+    EXPECT_EQ(table.n_rows(), 20000u);
+    EXPECT_THROW(table.add_row(std::vector<double>{1.}), std::logic_error);
+  }
+  Table table              = Table::read(path);
+  std::vector<double> time = table.numbers("time [s]"), b = table.numbers("a, \"b\" [m]");
+  ASSERT_EQ(time.size(), 20000u);
+  for (int i = 0; i < 20000; ++i)
+    ASSERT_TRUE(time[i] == i / 3. && b[i] == std::sqrt(2. * i));
+  {
+    TableWriter more = TableWriter::resume(path, {"time [s]", "a, \"b\" [m]"}, 2);
+    more.add_row({7., std::nan("")});
+    more.flush();
+  }
+  EXPECT_EQ(
+    read_file(path),
+    "time [s],\"a, \"\"b\"\" [m]\"\n0,0\n0.3333333333333333,1.4142135623730951\n7,\n");
+  expect_contains(user_error([&]() { TableWriter::resume(path, {"x"}, 2); }), "columns");
+  expect_contains(user_error([&]() { Table::read(path).numbers("a, \"b\" [m]"); }),
+                  "t.csv:4: column 'a, \"b\" [m]' holds ''");
+}
+
+TEST(Tables, NameWhatIsWrong)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "r.csv";
+  const auto message     = [&](const std::string &text) {
+    write_file(path, text);
+    return user_error([&]() { Table::read(path).numbers("x"); });
+  };
+  expect_contains(message("x,y\n\n# comment\n1,2\n1\n"),
+                  "r.csv:5: 1 values, but the heading has 2 columns");
+  expect_contains(message("x,y\n1,2\n1e,3\n"), "r.csv:3: column 'x' holds '1e'");
+  expect_contains(message("x,y\nnan,3\n"), "r.csv:2: column 'x' holds 'nan'");
+  expect_contains(message("y,z\n1,2\n"),
+                  "there is no column 'x'; the heading line has y, z");
+  expect_contains(message("x\n\"1\n"), "r.csv:2: a quotation mark is not closed");
+  expect_contains(message("\n"), "is empty");
+  expect_contains(user_error([&]() { Table::read(folder / "no.csv"); }), "no such file");
+  expect_contains(user_error([&]() { Table::read(folder.path); }), "is a folder");
+}
+
+namespace
+{
+void write_png(const std::string &path,
+               const bool colour,
+               const std::vector<png_byte> &pixels)
+{
+  png_image png = {};
+  png.version   = PNG_IMAGE_VERSION;
+  png.width     = 3;
+  png.height    = 2;
+  png.format    = colour ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
+  ASSERT_NE(png_image_write_to_file(&png, path.c_str(), 0, pixels.data(), 0, nullptr), 0);
+}
+} // namespace
+
+TEST(Images, BeginAtTheBottom)
+{
+  const TemporaryFolder folder;
+  write_png(folder / "g.png", false, {0, 128, 255, 7, 7, 255});
+  Image image = read_image(folder / "g.png");
+  EXPECT_EQ(image.width, 3u);
+  EXPECT_EQ(image.height, 2u);
+  EXPECT_EQ(image.values, (std::vector<int>{7, 7, 255, 0, 128, 255}));
+  EXPECT_EQ(image(1, 1), 128);
+  EXPECT_EQ(image.distinct_values(), (std::vector<int>{0, 7, 128, 255}));
+
+  write_png(folder / "c.png", true,
+            {255, 0, 0, 0, 0, 255, 1, 1, 1, 255, 0, 0, 255, 0, 0, 0, 1, 0});
+  image = read_image(folder / "c.png");
+  EXPECT_EQ(image.values, (std::vector<int>{0xff0000, 0xff0000, 0x000100, 0xff0000,
+                                            0x0000ff, 0x010101}));
+
+  write_file(folder / "t.txt", "# phases\n1 2 3\n\n4,5, -6 # bottom\n");
+  image = read_image(folder / "t.txt");
+  EXPECT_EQ(image.values, (std::vector<int>{4, 5, -6, 1, 2, 3}));
+}
+
+TEST(Images, NameWhatIsWrong)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "i.txt";
+  const auto message     = [&](const std::string &text) {
+    write_file(path, text);
+    return user_error([&]() { read_image(path); });
+  };
+  expect_contains(message("1 2\n1 2 3\n"),
+                  "i.txt:2: 3 values, but the rows before have 2");
+  expect_contains(message("1 2\n1 x\n"), "i.txt:2: value 2 is 'x'");
+  expect_contains(message("1 2.5\n"), "i.txt:1: value 2 is '2.5'");
+  expect_contains(message("# nothing\n"), "is empty");
+  write_png(folder / "g.png", false, {0, 128, 255, 7, 7, 255});
+  const std::string png = read_file(folder / "g.png");
+  expect_contains(message(png.substr(0, png.size() / 2)), "i.txt");
+  expect_contains(message(png.substr(1)), "neither a PNG nor a text file");
+  expect_contains(user_error([&]() { read_image(folder.path); }), "is a folder");
+}
+
+TEST(Xdmf, NamesDatasetsAndExtents)
+{
+  const TemporaryFolder folder;
+  XdmfGrid grid;
+  grid.cells   = {{4, 3, 0}};
+  grid.spacing = {{0.1, 0.2, 0.}};
+  grid.origin  = {{1., 2., 0.}};
+  XdmfField displacement;
+  displacement.name        = "displacement";
+  displacement.file        = "d.h5";
+  displacement.dataset     = "/snapshots/displacement";
+  displacement.components  = 2;
+  displacement.time_series = true;
+  XdmfField phase;
+  phase.name    = "phase <&>";
+  phase.file    = "d.h5";
+  phase.dataset = "/phase/id";
+  phase.centre  = XdmfField::Centre::cell;
+  phase.number  = XdmfField::Number::int32;
+  write_xdmf(folder / "d.xdmf", grid, {displacement, phase}, {0.5, 1. / 3.});
+
+  boost::property_tree::ptree tree;
+  read_xml(folder / "d.xdmf", tree);
+  const auto &series = tree.get_child("Xdmf.Domain.Grid");
+  EXPECT_EQ(series.count("Grid"), 2u);
+  const auto &last = series.rbegin()->second;
+  EXPECT_EQ(last.get<std::string>("Time.<xmlattr>.Value"), "0.3333333333333333");
+  EXPECT_EQ(last.get<std::string>("Topology.<xmlattr>.Dimensions"), "4 5");
+  EXPECT_EQ(last.get<std::string>("Geometry.DataItem"), "2 1");
+  const auto &slab = last.get_child("Attribute.DataItem.DataItem");
+  EXPECT_EQ(slab.get<std::string>("DataItem"), "1 0 0 0  1 1 1 1  1 4 5 1");
+  EXPECT_EQ(slab.rbegin()->second.get<std::string>("<xmlattr>.Dimensions"), "2 4 5 2");
+  EXPECT_EQ(slab.rbegin()->second.data(), "d.h5:/snapshots/displacement");
+  const auto &cell = last.rbegin()->second;
+  EXPECT_EQ(cell.get<std::string>("<xmlattr>.Name"), "phase <&>");
+  EXPECT_EQ(cell.get<std::string>("DataItem.<xmlattr>.Dimensions"), "3 4");
+}
+
+TEST(Checkpoints, ComeBackOrSayWhyNot)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "run.checkpoint";
+  CheckpointHeader header;
+  header.kind   = "contact_dynamics";
+  header.digest = "0123456789abcdef";
+  const std::string payload("state\0with zero", 15);
+  const auto message = [&](const CheckpointHeader &expected) {
+    return user_error([&]() { read_checkpoint(path, expected); });
+  };
+  expect_contains(message(header), "there is no checkpoint to resume from");
+  write_checkpoint(path, header, "old");
+  write_checkpoint(path, header, payload);
+  EXPECT_EQ(read_checkpoint(path, header), payload);
+  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+
+  CheckpointHeader other = header;
+  other.kind             = "modal";
+  expect_contains(message(other),
+                  "is a checkpoint of 'contact_dynamics', not of 'modal'");
+  other     = header;
+  other.dim = 3;
+  expect_contains(message(other), "belongs to a 2D run, not to a 3D one");
+  other         = header;
+  other.version = 2;
+  expect_contains(message(other), "layout version 1");
+  other        = header;
+  other.digest = "x";
+  expect_contains(message(other), "other parameters or input files");
+
+  const std::string good = read_file(path);
+  const auto spoilt      = [&](const std::string &bytes) {
+    write_file(path, bytes);
+    return message(header);
+  };
+  expect_contains(spoilt(""), "is not a checkpoint");
+  expect_contains(spoilt(good.substr(0, 50)), "is truncated: its header");
+  expect_contains(spoilt(good.substr(0, good.size() - 1)),
+                  "14 bytes of state instead of 15");
+  expect_contains(spoilt(good + "x"), "is damaged: 16 bytes");
+  std::string flipped = good;
+  flipped.back() ^= 1;
+  expect_contains(spoilt(flipped), "its checksum does not fit");
+}
+
+TEST(Lock, IsHeldByRunningProcessesOnly)
+{
+  const TemporaryFolder folder;
+  {
+    const FolderLock lock(folder.path);
+    expect_contains(user_error([&]() { FolderLock another(folder.path); }),
+                    "(process " + std::to_string(getpid()) + ")");
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path));
+
+  // A process that dies without cleaning up leaves the file, but not the lock.
+  const pid_t child = fork();
+  if (child == 0)
+    {
+      new FolderLock(folder.path);
+      _exit(0);
+    }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / ".lock"));
+  EXPECT_NO_THROW(FolderLock(folder.path));
+}
+
+TEST(Files, AreReplacedInOneGo)
+{
+  const TemporaryFolder folder;
+  write_file(folder / "a", "one");
+  write_file(folder / "a", std::string("t\0o", 3));
+  EXPECT_EQ(read_file(folder / "a"), std::string("t\0o", 3));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.part"));
+  expect_contains(user_error([&]() { write_file(folder / "no/a", ""); }),
+                  "cannot be written");
+}

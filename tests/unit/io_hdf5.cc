@@ -1,0 +1,224 @@
+// Exchange files: round trips, and what is said about foreign or damaged ones.
+#include "io_testing.h"
+
+#include "io/files.h"
+#include "io/hdf5_file.h"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+using namespace mesoslip;
+using namespace mesoslip_tests;
+
+namespace
+{
+std::vector<double> counted(const std::size_t n)
+{
+  std::vector<double> values(n);
+  for (std::size_t i = 0; i < n; ++i)
+    values[i] = std::sqrt(i + 0.1);
+  return values;
+}
+} // namespace
+
+TEST(Hdf5, WholeDatasetsComeBack)
+{
+  const TemporaryFolder folder;
+  const std::string path               = folder / "a.h5";
+  const std::vector<std::string> names = {"matrix", "", "fibre \xc3\xa9"};
+  const std::vector<std::uint8_t> ids  = {0, 1, 255, 3, 4, 5};
+  const std::vector<double> numbers    = counted(24);
+  {
+    Hdf5File file = Hdf5File::create(path);
+    file.write_header("mesoslip-rve", 1, 2, "abc");
+    file.write("/phase/id", {2, 3}, ids);
+    file.write("/deep/er/numbers", {2, 3, 4}, counted(24), 4);
+    file.write("/empty", {0, 3}, std::vector<double>());
+    file.write("/scalar", {}, std::vector<int>{-7});
+    file.write("/scalar", {}, std::vector<int>{-8});
+    file.write_strings("/phase/name", names);
+    file.write_attribute("/grid", "cells", std::vector<unsigned int>{3, 2});
+    file.write_attribute("/grid", "spacing", std::vector<double>{1. / 3., 0.5});
+    file.write_attribute("/grid", "note", std::string("first"));
+    file.write_attribute("/grid", "note", std::string("second"));
+    EXPECT_FALSE(std::filesystem::exists(path)) << "only complete files have the name";
+    EXPECT_THROW(file.write("/x", {2}, std::vector<double>{1.}), std::logic_error);
+  }
+  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+  const Hdf5File file = Hdf5File::open(path);
+  EXPECT_EQ(file.read<std::uint8_t>("/phase/id", {any_extent, 3}), ids);
+  EXPECT_EQ(file.read<int>("/phase/id")[2], 255);
+  EXPECT_EQ(file.read<double>("/deep/er/numbers", {2, 3, 4}), numbers);
+  EXPECT_EQ(file.read<float>("/deep/er/numbers")[3], static_cast<float>(numbers[3]));
+  EXPECT_TRUE(file.read<double>("/empty", {0, 3}).empty());
+  EXPECT_EQ(file.read<int>("/scalar"), std::vector<int>{-8});
+  EXPECT_EQ(file.read_strings("/phase/name"), names);
+  EXPECT_EQ(file.read_attribute<std::vector<double>>("/grid", "spacing")[0], 1. / 3.);
+  EXPECT_EQ(file.read_attribute<std::string>("/grid", "note"), "second");
+  EXPECT_EQ(file.list("/phase"), (std::vector<std::string>{"id", "name"}));
+  EXPECT_TRUE(file.exists("/deep/er") && !file.exists("/deep/est/x"));
+  const Hdf5Header header = file.check_header("mesoslip-rve", 1, 2);
+  EXPECT_EQ(header.digest, "abc");
+}
+
+TEST(Hdf5, BlocksAreReadWithoutTheRest)
+{
+  const TemporaryFolder folder;
+  {
+    Hdf5File file = Hdf5File::create(folder / "b.h5");
+    file.write("/field", {5, 4, 3, 2}, counted(120));
+  }
+  const Hdf5File file           = Hdf5File::open(folder / "b.h5");
+  const std::vector<double> all = counted(120);
+  EXPECT_EQ(file.read_block<double>("/field", {2, 0, 0, 0}, {1, 4, 3, 2}),
+            std::vector<double>(all.begin() + 48, all.begin() + 72));
+  const auto node = file.read_block<double>("/field", {0, 3, 1, 0}, {5, 1, 1, 2});
+  ASSERT_EQ(node.size(), 10u);
+  for (std::size_t k = 0; k < 5; ++k)
+    EXPECT_EQ(node[2 * k + 1], all[24 * k + 3 * 6 + 1 * 2 + 1]);
+  expect_contains(user_error([&]() {
+                    file.read_block<double>("/field", {5, 0, 0, 0}, {1, 4, 3, 2});
+                  }),
+                  "has the shape [5][4][3][2], which does not hold [1][4][3][2]");
+}
+
+TEST(Hdf5, RowsAreAppendedAcrossChunks)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "c.h5";
+  // Rows of 1.6 MB take several chunks each; histories share chunks of 4096.
+  const std::size_t n_columns = 50000;
+  std::vector<double> row     = counted(4 * n_columns);
+  {
+    Hdf5File file = Hdf5File::create(path);
+    file.create_extendable<double>("/history/time", {});
+    file.create_extendable<float>("/snapshots/displacement", {4, n_columns}, 1);
+    for (int i = 0; i < 10000; ++i)
+      file.append("/history/time", i / 7.);
+    const std::vector<float> values(row.begin(), row.end());
+    for (int k = 0; k < 3; ++k)
+      file.append("/snapshots/displacement", values.data());
+    EXPECT_EQ(file.shape("/history/time"), Shape{10000});
+    EXPECT_THROW(file.append("/history/time", 1.f), std::logic_error);
+  }
+  {
+    // As a run that goes on from a checkpoint.
+    Hdf5File file = Hdf5File::resume(path);
+    file.truncate_rows("/history/time", 5000);
+    file.truncate_rows("/snapshots/displacement", 1);
+    file.create_extendable<double>("/history/time", {});
+    for (int i = 5000; i < 5003; ++i)
+      file.append("/history/time", i / 7.);
+    file.flush();
+    file.append("/history/time", 5003 / 7.);
+    file.close();
+  }
+  const Hdf5File file = Hdf5File::open(path);
+  const auto time     = file.read<double>("/history/time", {5004});
+  for (std::size_t i = 0; i < time.size(); ++i)
+    ASSERT_EQ(time[i], i / 7.);
+  const auto snapshot = file.read<float>("/snapshots/displacement", {1, 4, n_columns});
+  EXPECT_EQ(snapshot.back(), static_cast<float>(row.back()));
+}
+
+TEST(Hdf5, AnUnfinishedFileKeepsItsPart)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "d.h5";
+  try
+    {
+      Hdf5File file = Hdf5File::create(path);
+      file.write("/x", {1}, std::vector<double>{1.});
+      throw Interrupted("stop");
+    }
+  catch (const Interrupted &)
+    {
+    }
+  EXPECT_FALSE(std::filesystem::exists(path));
+  Hdf5File file = Hdf5File::resume(path);
+  EXPECT_EQ(file.read<double>("/x"), std::vector<double>{1.});
+  file.close();
+  EXPECT_TRUE(std::filesystem::exists(path));
+}
+
+TEST(Hdf5, NamesWhatIsMissingOrDoesNotFit)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "rve.h5";
+  {
+    Hdf5File file = Hdf5File::create(path);
+    file.write_header("mesoslip-rve", 3, 2, "abc");
+    file.write("/concentration/SUBC", {2, 3}, counted(6));
+    file.write("/bad", {2}, std::vector<double>{1., std::nan("")});
+    file.write_strings("/text", {"a"});
+    file.write_attribute("/", "infinite", std::numeric_limits<double>::infinity());
+  }
+  const Hdf5File file = Hdf5File::open(path);
+  const auto message  = [&](const auto &action) { return user_error(action); };
+  expect_contains(
+    message([&]() {
+      file.read<double>("/concentration/KUBC", {},
+                        "was rve_homogenization run with KUBC?");
+    }),
+    "rve.h5: the dataset /concentration/KUBC is missing; was rve_homogenization "
+    "run with KUBC?");
+  expect_contains(message([&]() {
+                    file.read<double>("/concentration/SUBC", {3, 3});
+                  }),
+                  "has the shape [2][3] instead of [3][3]");
+  expect_contains(message([&]() { file.read<double>("/concentration"); }),
+                  "not a dataset");
+  expect_contains(message([&]() { file.read<int>("/concentration/SUBC"); }),
+                  "whole numbers");
+  expect_contains(message([&]() { file.read<double>("/text"); }),
+                  "does not hold numbers");
+  expect_contains(message([&]() { file.read_strings("/bad"); }), "not a list of texts");
+  expect_contains(
+    message([&]() { file.read<double>("/bad"); }),
+    "the dataset /bad holds a value that is not finite, at position 1 of 2");
+  expect_contains(message([&]() { file.read_attribute<double>("/", "infinite"); }),
+                  "is not finite");
+  expect_contains(message([&]() { file.read_attribute<int>("/", "nothing"); }),
+                  "the attribute 'nothing' of / is missing");
+  expect_contains(message([&]() { file.read_attribute<double>("/", "digest"); }),
+                  "is not a number");
+  expect_contains(message([&]() { file.check_header("mesoslip-dynamics", 3); }),
+                  "has the format mesoslip-rve instead of mesoslip-dynamics");
+  expect_contains(
+    message([&]() { file.check_header("mesoslip-rve", 2); }),
+    "has version 3 of the format mesoslip-rve, but this program knows versions "
+    "1 to 2");
+  expect_contains(message([&]() { file.check_header("mesoslip-rve", 3, 3); }), "is 2D");
+}
+
+TEST(Hdf5, NamesFilesThatAreNone)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "e.h5";
+  const auto message     = [&]() {
+    return user_error([&]() { Hdf5File::open(path, "run rve_homogenization first"); });
+  };
+  expect_contains(message(), "e.h5; run rve_homogenization first");
+  write_file(path, "text");
+  expect_contains(message(), "is not an HDF5 file");
+  write_file(path, "");
+  expect_contains(message(), "is not an HDF5 file");
+  expect_contains(user_error([&]() { Hdf5File::open(folder.path); }), "is a folder");
+  expect_contains(user_error([&]() { Hdf5File::create(folder / "no/e.h5"); }),
+                  "cannot be created");
+  {
+    Hdf5File file = Hdf5File::create(path);
+    file.write("/field", {1000}, counted(1000));
+  }
+  const std::string good = read_file(path);
+  write_file(path, good.substr(0, good.size() - 4000));
+  expect_contains(message(), "truncated, damaged");
+  EXPECT_TRUE(user_error([&]() { Hdf5File::open(path); }).find('\n') ==
+              std::string::npos);
+  Hdf5File file = Hdf5File::create(folder / "f.h5");
+  file.close();
+  const Hdf5File foreign = Hdf5File::open(folder / "f.h5");
+  expect_contains(user_error([&]() { foreign.check_header("mesoslip-rve", 1); }),
+                  "is not a file of format mesoslip-rve");
+}

@@ -1,0 +1,61 @@
+#ifndef mesoslip_tests_unit_io_testing_h
+#define mesoslip_tests_unit_io_testing_h
+
+#include "io/errors.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <unistd.h>
+
+namespace mesoslip_tests
+{
+/** An empty folder that disappears with the test. */
+class TemporaryFolder
+{
+public:
+  TemporaryFolder()
+  {
+    std::string name =
+      (std::filesystem::temp_directory_path() / "mesoslip_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw std::runtime_error("no temporary folder");
+    path = name;
+  }
+  ~TemporaryFolder()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  std::string operator/(const std::string &name) const
+  {
+    return path + "/" + name;
+  }
+  std::string path;
+};
+
+/** The sentence of the UserError that @p action throws; fails the test without one. */
+inline std::string user_error(const std::function<void()> &action)
+{
+  try
+    {
+      action();
+    }
+  catch (const mesoslip::UserError &error)
+    {
+      return error.what();
+    }
+  ADD_FAILURE() << "no UserError";
+  return "";
+}
+
+/** Expects that @p text contains @p part. */
+inline void expect_contains(const std::string &text, const std::string &part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is not in: " << text;
+}
+} // namespace mesoslip_tests
+
+#endif
