@@ -117,23 +117,23 @@ VoigtMatrix<2> SinglePhaseParameters::stiffness() const
 
 void SinglePhaseParameters::check() const
 {
-  const std::string section = "Phases/" + name;
+  const std::string section = "'Phases/" + name;
   if (type == Type::isotropic && !(young_modulus > 0.))
-    throw UserError(section + "/Young modulus: it is " + to_text(young_modulus) +
+    throw UserError(section + "/Young modulus' is " + to_text(young_modulus) +
                     "; give the modulus in Pa");
   if (type == Type::orthotropic)
     for (const auto &[key, list] : {std::make_pair("Young moduli", &young_moduli),
                                     std::make_pair("Poisson ratios", &poisson_ratios),
                                     std::make_pair("Shear moduli", &shear_moduli)})
       if (list->size() != 3)
-        throw UserError(section + "/" + key + ": there are " +
+        throw UserError(section + "/" + key + "': there are " +
                         std::to_string(list->size()) +
                         " values; an orthotropic phase needs three");
   if (!(density >= 0.))
-    throw UserError(section + "/Density: it is " + to_text(density) +
+    throw UserError(section + "/Density' is " + to_text(density) +
                     "; give the density in kg/m^3");
   if (!(friction_coefficient >= 0.))
-    throw UserError(section + "/Friction coefficient: it is " +
+    throw UserError(section + "/Friction coefficient' is " +
                     to_text(friction_coefficient) + "; it cannot be negative");
   try
     {
@@ -141,7 +141,7 @@ void SinglePhaseParameters::check() const
     }
   catch (const std::invalid_argument &error)
     {
-      throw UserError(section + ": " + error.what());
+      throw UserError(section + "': " + error.what());
     }
 }
 
@@ -175,11 +175,11 @@ void PhaseParameters::parse(dealii::ParameterHandler &prm)
     {
       if (!is_valid_name(name))
         throw UserError(
-          "Phases/Names: '" + name +
+          "'Phases/Names': '" + name +
           "' cannot be the name of a phase; use letters, digits and blanks");
       if (std::any_of(phases.begin(), phases.end(),
                       [&](const SinglePhaseParameters &p) { return p.name == name; }))
-        throw UserError("Phases/Names: there are two phases named '" + name +
+        throw UserError("'Phases/Names': there are two phases named '" + name +
                         "'; rename one");
       const ParameterSection subsection(prm, name);
       phases.push_back(parse_phase(prm, name));
@@ -189,7 +189,7 @@ void PhaseParameters::parse(dealii::ParameterHandler &prm)
 void PhaseParameters::check() const
 {
   if (phases.empty() || phases.size() > 256)
-    throw UserError("Phases/Names: there are " + std::to_string(phases.size()) +
+    throw UserError("'Phases/Names': there are " + std::to_string(phases.size()) +
                     " phases; name 1 to 256");
   for (const SinglePhaseParameters &phase : phases)
     phase.check();
@@ -199,8 +199,7 @@ void PhaseParameters::check_densities() const
 {
   for (const SinglePhaseParameters &phase : phases)
     if (!(phase.density > 0.))
-      throw UserError("Phases/" + phase.name + "/Density: it is " +
-                      to_text(phase.density) +
+      throw UserError("'Phases/" + phase.name + "/Density' is " + to_text(phase.density) +
                       "; dynamics needs a positive density in kg/m^3");
 }
 
@@ -214,7 +213,7 @@ unsigned int PhaseParameters::index_of(const std::string &name,
         return i;
       names.push_back(phases[i].name);
     }
-  throw UserError(key + ": there is no phase '" + name + "'; Phases/Names has " +
+  throw UserError("'" + key + "': there is no phase '" + name + "'; 'Phases/Names' has " +
                   to_text(names));
 }
 

@@ -1,1 +1,4 @@
 mesoslip_test(unit microstructure LIBS mesoslip_microstructure)
+target_sources(unit_microstructure PRIVATE
+  ${CMAKE_CURRENT_SOURCE_DIR}/unit/morphology_files.cc
+  ${CMAKE_CURRENT_SOURCE_DIR}/unit/microstructure_parameters.cc)

@@ -1,0 +1,231 @@
+// Sections Grid, Phases and Microstructure of a .prm: defaults, errors, what they make.
+#include "io_testing.h"
+
+#include "io/files.h"
+#include "io/raw_parameters.h"
+#include "material/rotation.h"
+#include "material/stiffness.h"
+#include "microstructure/microstructure_parameters.h"
+#include "microstructure/statistics.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+#include <sstream>
+
+using namespace mesoslip;
+using namespace mesoslip_tests;
+
+namespace
+{
+using Settings = std::vector<std::string>;
+
+/** What a program does with a .prm and --set options, up to check(). */
+MicrostructureParameters checked(const Settings &settings, const std::string &text = "")
+{
+  RawParameters raw = RawParameters::parse(text, "run.prm");
+  for (const std::string &setting : settings)
+    raw.override_with(setting);
+  dealii::ParameterHandler prm;
+  MicrostructureParameters::declare(prm, raw);
+  raw.apply(prm);
+  MicrostructureParameters parameters;
+  parameters.parse(prm);
+  parameters.check();
+  return parameters;
+}
+
+std::string error_of(const Settings &settings)
+{
+  return user_error([&] { checked(settings); });
+}
+
+/** A key of the random fibres with its value. */
+std::string fibres(const std::string &assignment)
+{
+  return "Microstructure/Random fibres/" + assignment;
+}
+
+const std::string csv_start = "x_left_mm,y_bottom_mm,width_mm,height_mm,phase\n";
+} // namespace
+
+TEST(MicrostructureParameters, DefaultsAreThePaper)
+{
+  const auto result = make_microstructure(checked({}));
+  EXPECT_EQ(result.map.grid.cells, (std::array<unsigned int, 2>{{560, 160}}));
+  EXPECT_NEAR(result.map.grid.spacing[0], 1e-4, 1e-18);
+  EXPECT_NEAR(result.map.grid.spacing[1], 1e-4, 1e-18);
+  ASSERT_EQ(result.phases.size(), 2u);
+  EXPECT_EQ(result.phases[0].name, "matrix");
+  EXPECT_EQ(result.phases[0].stiffness, isotropic_stiffness<2>(30e9, 0.2));
+  EXPECT_EQ(result.phases[1].stiffness, isotropic_stiffness<2>(240e9, 0.2));
+  EXPECT_EQ(result.phases[1].density, 1770.);
+  EXPECT_EQ(result.phases[1].friction_coefficient, 0.25);
+  EXPECT_DOUBLE_EQ(area_fractions(result.map, 2)[1], 0.1);
+  EXPECT_EQ(morphology_digest(result.map), 11980823772313234077u);
+  EXPECT_GT(result.rectangles.size(), 300u);
+  EXPECT_TRUE(result.warnings.empty());
+}
+
+TEST(MicrostructureParameters, PrintedDefaultsReadBack)
+{
+  dealii::ParameterHandler prm;
+  MicrostructureParameters::declare(prm, RawParameters());
+  std::ostringstream text;
+  print_parameters(prm, text);
+  const auto again = checked({}, text.str());
+  EXPECT_EQ(morphology_digest(make_microstructure(again).map), 11980823772313234077u);
+}
+
+TEST(MicrostructureParameters, GridBySpacing)
+{
+  const auto square = checked({"Grid/Cells=100, 50", "Grid/Spacing=2e-4",
+                               "Microstructure/Type=homogeneous"})
+                        .grid.grid();
+  EXPECT_DOUBLE_EQ(square.extent(0), 0.02);
+  EXPECT_DOUBLE_EQ(square.extent(1), 0.01);
+  const Settings oblong = {"Grid/Cells=100, 50", "Grid/Spacing=1e-4, 3e-4",
+                           "Microstructure/Type=homogeneous"};
+  EXPECT_DOUBLE_EQ(checked(oblong).grid.grid().spacing[1], 3e-4);
+  expect_contains(error_of({"Grid/Cells=1000000, 1000000"}), "'Grid/Cells'");
+}
+
+TEST(MicrostructureParameters, PhasesOfAllTypes)
+{
+  const std::string text = R"(
+subsection Phases
+  set Names = resin, carbon, glue
+  subsection resin
+    set Young modulus = 3e9
+    set Poisson ratio = 0.35
+  end
+  subsection carbon
+    set Type           = orthotropic
+    set Young moduli   = 140e9, 10e9, 8e9
+    set Poisson ratios = 0.3, 0.28, 0.4
+    set Shear moduli   = 5e9, 4e9, 3e9
+    set Angle          = 0.5
+  end
+  subsection glue
+    set Type                   = stiffness
+    set Stiffness coefficients = 4e9, 1e9, 3e9, 2e9
+    set Density                = 900
+  end
+end
+)";
+  const auto phases      = checked({fibres("Phase=glue")}, text).phases;
+  const auto made        = phases.make_phases();
+  EXPECT_EQ(made[0].stiffness, isotropic_stiffness<2>(3e9, 0.35));
+  const auto carbon =
+    orthotropic_stiffness<2>({140e9, 10e9, 8e9, 0.3, 0.28, 0.4, 5e9, 4e9, 3e9});
+  EXPECT_EQ(made[1].stiffness, rotate_stiffness(carbon, 0.5));
+  EXPECT_EQ(made[2].stiffness(1, 1), 3e9);
+  EXPECT_EQ(made[2].density, 900.);
+  expect_contains(user_error([&] { phases.check_densities(); }),
+                  "'Phases/resin/Density'");
+  expect_contains(user_error([&] { checked({fibres("Phase=gluon")}, text); }),
+                  "there is no phase 'gluon'; 'Phases/Names' has resin, carbon, glue");
+  const auto swapped = checked({fibres("Phase=glue")}, text);
+  EXPECT_DOUBLE_EQ(area_fractions(make_microstructure(swapped).map, 3)[2], 0.1);
+}
+
+TEST(MicrostructureParameters, PhaseErrors)
+{
+  expect_contains(error_of({"Phases/Names=matrix, carbon"}),
+                  "'Phases/carbon/Young modulus'");
+  expect_contains(error_of({"Phases/Names=a, a"}), "two phases named 'a'");
+  expect_contains(error_of({"Phases/Names=matrix"}), "only one phase");
+  expect_contains(error_of({"Phases/fibre/Type=orthotropic"}),
+                  "'Phases/fibre/Young moduli': there are 0 values");
+  expect_contains(error_of({"Phases/fibre/Type=stiffness"}),
+                  "'Phases/fibre': there are 0 stiffness coefficients");
+  expect_contains(error_of({"Phases/fibre/Type=stiffness",
+                            "Phases/fibre/Stiffness coefficients=1e9, 2e9, 3e9, 1e9"}),
+                  "not positive definite");
+  expect_contains(error_of({"Phases/fibre/Poisson ratio=0.5"}), "Poisson ratio");
+  expect_contains(error_of({"Phases/fibre/Density=-1"}), "Density");
+  expect_contains(error_of({fibres("Phase=matrix")}), "is the background");
+}
+
+TEST(MicrostructureParameters, FibreErrors)
+{
+  expect_contains(error_of({fibres("Fibre width=5e-5")}), "is less than a cell");
+  expect_contains(error_of({fibres("Minimum height=5e-5")}), "is less than a cell");
+  expect_contains(error_of({fibres("Minimum height=4e-3")}),
+                  "is more than the maximum height");
+  expect_contains(error_of({fibres("Maximum height=0.0161")}), "is more than the box");
+  EXPECT_NO_THROW(
+    checked({fibres("Maximum height=0.0161"), fibres("Cut by border=true")}));
+  expect_contains(error_of({fibres("Fibre width=0.06")}), "is more than the box");
+  expect_contains(error_of({fibres("Area fraction=1")}), "Area fraction");
+  expect_contains(error_of({fibres("Allow overlap=true"), fibres("Minimum gap=1e-4")}),
+                  "contradicts Allow overlap");
+  expect_contains(error_of({fibres("Placement spacing=1.5e-4")}), "does not divide");
+}
+
+TEST(MicrostructureParameters, RefiningTheGridKeepsTheMorphology)
+{
+  const auto coarse = make_microstructure(checked({}));
+  const auto fine   = make_microstructure(
+      checked({"Grid/Cells=1120, 320", fibres("Placement spacing=1e-4")}));
+  EXPECT_EQ(fine.map.id, refined_map(coarse.map, fine.map.grid).id);
+  // What would be written draws the same.
+  EXPECT_EQ(fine.map.id, draw_rectangles(fine.map.grid, fine.rectangles).id);
+}
+
+TEST(MicrostructureParameters, Warnings)
+{
+  const auto full =
+    make_microstructure(checked({fibres("Area fraction=0.9"), fibres("Minimum gap=1e-4"),
+                                 fibres("Fibre width=1.3e-4")}));
+  ASSERT_EQ(full.warnings.size(), 2u);
+  expect_contains(full.warnings[0], "0.00013 m is no multiple of the cell");
+  expect_contains(full.warnings[0], "rounded to 1e-04 m");
+  expect_contains(full.warnings[1], "90 % asked for, ");
+  expect_contains(full.warnings[1], "no further one fits in");
+  // A column of fibre and a column of gap: at most one half.
+  EXPECT_LE(area_fractions(full.map, 2)[1], 0.5);
+}
+
+TEST(MicrostructureParameters, Homogeneous)
+{
+  const auto result = make_microstructure(
+    checked({"Microstructure/Type=homogeneous", "Phases/Names=matrix"}));
+  EXPECT_EQ(area_fractions(result.map, 1), std::vector<double>{1.});
+}
+
+TEST(MicrostructureParameters, RectanglesFromAFile)
+{
+  TemporaryFolder folder;
+  const Settings settings = {"Microstructure/Type=rectangles",
+                             "Microstructure/File=" + (folder / "r.csv")};
+  expect_contains(error_of(settings), "'Microstructure/File'");
+  expect_contains(error_of({settings[0]}), "'Microstructure/File'");
+  write_file(folder / "r.csv", csv_start + "1,2,0.1,3,1\n");
+  const auto result = make_microstructure(checked(settings));
+  EXPECT_EQ(phase_statistics(result.map, 2)[1].n_cells, 30u);
+  EXPECT_EQ(result.rectangles.size(), 1u);
+  write_file(folder / "r.csv", csv_start + "1,2,0.1,3,2\n");
+  expect_contains(error_of(settings), "rectangle 1 has the phase 2");
+  write_file(folder / "r.csv", csv_start + "1,2,0.1,3,1\n60,2,0.1,3,1\n");
+  expect_contains(error_of(settings), "r.csv:3: ");
+}
+
+TEST(MicrostructureParameters, ImageFromAFile)
+{
+  TemporaryFolder folder;
+  const Settings settings = {"Microstructure/Type=image", "Grid/Cells=4, 2",
+                             "Microstructure/File=" + (folder / "a.txt")};
+  write_file(folder / "a.txt", "0 255\n0 0\n");
+  const auto result = make_microstructure(checked(settings));
+  EXPECT_EQ(result.map.id, (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 1, 1}));
+  Settings values = settings;
+  values.push_back("Microstructure/Image values=255, 0");
+  EXPECT_EQ(make_microstructure(checked(values)).map.id[0], 1);
+  values.back() = "Microstructure/Image values=255";
+  expect_contains(error_of(values), "1 different values for 2 phases");
+  values.back() = "Microstructure/Image values=255, 1";
+  expect_contains(error_of(values), "value 0");
+  write_file(folder / "a.txt", "0 255 1\n0 0 1\n");
+  expect_contains(error_of(settings), "3 x 2 pixels");
+}
