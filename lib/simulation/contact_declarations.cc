@@ -91,6 +91,10 @@ declare_time(Handler &prm)
                  4.4e-9,
                  Range::non_negative(),
                  "Stiffness-proportional damping, C = beta K [s]");
+  declare_bool(prm,
+               "Check time step",
+               true,
+               "Refuse a time step above the critical one (false: for stability studies)");
 }
 
 void

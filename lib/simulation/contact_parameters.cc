@@ -80,6 +80,7 @@ parse_time(Handler &prm)
   time.safety    = get_double(prm, "Safety factor");
   time.beta2     = get_double(prm, "Beta2");
   time.beta      = get_double(prm, "Rayleigh beta");
+  time.check_time_step = get_bool(prm, "Check time step");
   if (time.time_step > time.end_time)
     throw UserError("Time/Time step: " + to_text(time.time_step) + " s is longer than End time, " +
                     to_text(time.end_time) + " s");

@@ -51,6 +51,7 @@ struct TimeParameters
   double safety     = 0.; ///< share of the critical time step
   double beta2      = 0.;
   double beta       = 0.; ///< s
+  bool   check_time_step = true;
 };
 
 /** Sections Flat and Friction. */

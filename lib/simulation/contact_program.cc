@@ -1,0 +1,88 @@
+#include "simulation/contact_program.h"
+
+#include "elasticity/uniform_material.h"
+#include "io/errors.h"
+#include "io/parameters.h"
+#include "io/raw_parameters.h"
+#include "io/run_context.h"
+#include "simulation/contact_parameters.h"
+#include "simulation/scene.h"
+#include "simulation/transient.h"
+
+#include <cmath>
+#include <ostream>
+
+namespace mesoslip
+{
+namespace
+{
+void
+check_probes(const ContactParameters &parameters, const UniformGrid<2> &grid)
+{
+  for (const ProbeParameters &probe : parameters.observation.probes)
+    for (unsigned int d = 0; d < 2; ++d)
+      if (!(probe.position[d] >= 0. && probe.position[d] <= grid.extent(d) * (1. + 1e-12)))
+        throw UserError("Observation/" + probe.name + "/Position: (" +
+                        to_text(probe.position[0]) + ", " + to_text(probe.position[1]) +
+                        ") m lies outside the body, which reaches from (0, 0) to (" +
+                        to_text(grid.extent(0)) + ", " + to_text(grid.extent(1)) + ") m");
+  const double x = parameters.observation.reference_x;
+  if (!std::isnan(x) && !(x >= 0. && x <= grid.extent(0)))
+    throw UserError("Observation/Reference x: " + to_text(x) + " m lies outside the body, 0 to " +
+                    to_text(grid.extent(0)) + " m");
+}
+
+void
+estimate(dealii::ParameterHandler &prm, std::ostream &report)
+{
+  const ContactParameters parameters = ContactParameters::parse(prm);
+  const Scene             scene      = make_scene(parameters);
+  report << "Body: " << scene.grid.cells[0] << " x " << scene.grid.cells[1] << " cells, "
+         << 2 * scene.grid.n_nodes() << " degrees of freedom\n";
+  if (parameters.analysis != ContactAnalysis::transient)
+    return;
+  const TimeStepChoice time =
+    choose_time_step(parameters, scene.make_material(parameters.periodic));
+  report << time.text() << "\n";
+  const ObservationParameters &o = parameters.observation;
+  if (o.snapshots_interval > 0.)
+    {
+      const double to =
+        std::isnan(o.snapshots_to) ? parameters.time.end_time : o.snapshots_to;
+      const double n = std::floor((to - o.snapshots_from) / o.snapshots_interval) + 1.;
+      report << n << " snapshots, " << n * 16e-6 * scene.grid.n_nodes() << " MB\n";
+    }
+}
+
+void
+run(dealii::ParameterHandler &prm, RunContext &context)
+{
+  const ContactParameters parameters = ContactParameters::parse(prm);
+  const Scene             scene      = make_scene(parameters);
+  switch (parameters.analysis)
+    {
+      case ContactAnalysis::transient:
+        return run_transient(parameters, scene, context);
+      default:
+        throw UserError("Analysis: not available");
+    }
+}
+} // namespace
+
+Program
+contact_dynamics_program()
+{
+  Program program;
+  program.name = "contact_dynamics";
+  program.description =
+    "Explicit dynamics of an elastic body that rubs on a moving rigid flat.";
+  program.declare = ContactParameters::declare;
+  program.check   = [](dealii::ParameterHandler &prm) {
+    const ContactParameters parameters = ContactParameters::parse(prm);
+    check_probes(parameters, make_scene(parameters).grid);
+  };
+  program.estimate = estimate;
+  program.run      = run;
+  return program;
+}
+} // namespace mesoslip

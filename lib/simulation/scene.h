@@ -1,0 +1,55 @@
+#ifndef mesoslip_simulation_scene_h
+#define mesoslip_simulation_scene_h
+
+#include "elasticity/uniform_material.h"
+#include "grid/uniform_grid.h"
+#include "material/phase.h"
+#include "simulation/contact_parameters.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** The body that slides: geometry, materials and friction coefficients. */
+struct Scene
+{
+  UniformGrid<2> grid;
+
+  /** One phase for each material class; a single one if homogeneous. */
+  std::vector<Phase<2>> phases;
+
+  /** Class of each cell, x fastest; empty if homogeneous. */
+  std::vector<std::uint8_t> phase_id;
+
+  /** Coulomb coefficient of the bottom nodes. */
+  std::vector<double> node_friction;
+
+  /** Digest of the RVE file; empty without one. */
+  std::string rve_digest;
+
+  /** The grid with its material classes. */
+  UniformMaterial
+  make_material(const bool periodic) const;
+
+  /** Share of the bottom's length that lies in each phase. */
+  std::vector<double>
+  surface_fractions() const;
+};
+
+/** Builds the body from parameters and RVE file. @throws UserError naming key or file. */
+Scene
+make_scene(const ContactParameters &parameters);
+
+/**
+ * Coefficient of each of the cells+1 bottom nodes from those of the two cells beside it;
+ * @p rule is mean, largest or smallest.
+ */
+std::vector<double>
+friction_of_nodes(const std::vector<double> &friction_of_bottom_cells,
+                  const std::string         &rule,
+                  const bool                 periodic);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,454 @@
+#include "simulation/transient.h"
+
+#include "dynamics/time_loop.h"
+#include "elasticity/critical_time_step.h"
+#include "elasticity/row_partition.h"
+#include "elasticity/uniform_grid_operator.h"
+#include "io/errors.h"
+#include "io/hdf5_file.h"
+#include "io/parameters.h"
+#include "io/run_context.h"
+#include "observation/contact_shares.h"
+#include "observation/snapshot_recorder.h"
+#include "observation/steady_state.h"
+#include "simulation/dynamics_file.h"
+#include "simulation/transient_summary.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+// Often enough to react to an interruption, seldom enough to cost nothing.
+std::uint64_t
+control_interval(const UniformGrid<2> &grid)
+{
+  return std::max<std::uint64_t>(1, 20000000 / grid.n_cells());
+}
+
+std::string
+nanoseconds(const double t)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << t * 1e9 << " ns";
+  return text.str();
+}
+
+/** One run: the body, its boundaries and its observers. */
+class Transient
+{
+public:
+  Transient(const ContactParameters &parameters,
+            const Scene             &scene,
+            const TimeStepChoice    &time,
+            const UniformMaterial   &material,
+            RunContext              &context);
+
+  TransientObservations
+  run(SnapshotRecorder::Writer write_snapshot);
+
+private:
+  ContactSetup
+  contact_setup() const;
+  TopSetup
+  top_setup() const;
+  LimitCycleCriterion
+  criterion() const;
+  double
+  reference_x() const;
+  std::vector<ProbeRecorder::Point>
+  probe_points() const;
+  BoundaryWork
+  boundary_work() const;
+  std::array<double, 2>
+  traction(const unsigned int node) const;
+  void
+  set_initial_velocity();
+  bool
+  control(const std::uint64_t n);
+  void
+  feed_detector();
+  void
+  require_sound(const std::uint64_t n) const;
+  TopHistory
+  gather_top() const;
+  TransientObservations
+  collect();
+
+  const ContactParameters &parameters;
+  const Scene             &scene;
+  const TimeStepChoice    &time;
+  const UniformMaterial   &material;
+  RunContext              &context;
+  const NodeRows           rows;
+  NodalField<double>       u, w;
+  ContactRow               contact;
+  TopRow                   top;
+  MPIHalo                  halo;
+  ExplicitStepper          stepper;
+  UniformGridOperator      op;
+  LimitCycleDetector       detector;
+  std::size_t              samples_fed = 0;
+  bool                     interrupted = false;
+  double                   loop_seconds = 0.;
+
+  std::unique_ptr<EnergyAudit>   energy;
+  std::unique_ptr<ProbeRecorder> probes;
+};
+
+SweepOptions
+sweep_options(const ContactParameters &parameters)
+{
+  SweepOptions options;
+  options.wavefront = parameters.wavefront;
+  if (parameters.instruction_set != "auto")
+    for (const InstructionSet isa :
+         {InstructionSet::x86_64, InstructionSet::x86_64_v3, InstructionSet::x86_64_v4})
+      if (to_string(isa) == parameters.instruction_set)
+        options.isa = isa;
+  return options;
+}
+
+Transient::Transient(const ContactParameters &parameters,
+                     const Scene             &scene,
+                     const TimeStepChoice    &time,
+                     const UniformMaterial   &material,
+                     RunContext              &context)
+  : parameters(parameters)
+  , scene(scene)
+  , time(time)
+  , material(material)
+  , context(context)
+  , rows(partition_rows(material.n_rows(), context.communicator()))
+  , u(material.n_columns(), rows.n_local())
+  , w(material.n_columns(), rows.n_local())
+  , contact(contact_setup(), time.step)
+  , top(top_setup(), time.step, material.n_columns())
+  , halo(material.n_columns(), context.communicator())
+  , stepper(material,
+            rows,
+            time.step,
+            parameters.sides,
+            u,
+            w,
+            &contact,
+            &top,
+            context.n_ranks() > 1 ? &halo : nullptr,
+            sweep_options(parameters))
+  , op(material, rows)
+  , detector(criterion())
+{
+  set_initial_velocity();
+  const ObservationParameters &observation = parameters.observation;
+  if (observation.energy_interval > 0)
+    energy = std::make_unique<EnergyAudit>(op,
+                                           time.step,
+                                           u,
+                                           w,
+                                           parameters.top.platen_mass,
+                                           observation.energy_interval,
+                                           [this]() { return boundary_work(); },
+                                           context.communicator());
+  if (!observation.probes.empty())
+    probes = std::make_unique<ProbeRecorder>(
+      probe_points(),
+      material,
+      rows,
+      time.step,
+      u,
+      w,
+      observation.probe_interval,
+      [this](const unsigned int node) { return traction(node); },
+      context.communicator());
+}
+
+double
+Transient::reference_x() const
+{
+  const double x = parameters.observation.reference_x;
+  return std::isnan(x) ? 0.5 * scene.grid.extent(0) : x;
+}
+
+ContactSetup
+Transient::contact_setup() const
+{
+  ContactSetup setup;
+  setup.law                  = parameters.friction.law;
+  setup.friction_coefficient = scene.node_friction;
+  setup.flat_velocity        = parameters.friction.flat_velocity;
+  setup.gap                  = parameters.friction.gap;
+  setup.periodic             = parameters.periodic;
+  setup.history_interval     = parameters.observation.history_interval;
+  setup.steps_per_block =
+    std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
+  setup.monitored_nodes = {static_cast<unsigned int>(
+    std::lround(std::clamp(reference_x(), 0., scene.grid.extent(0)) / scene.grid.spacing[0]))};
+  return setup;
+}
+
+TopSetup
+Transient::top_setup() const
+{
+  TopSetup setup         = parameters.top;
+  setup.cell_width       = scene.grid.spacing[0];
+  setup.periodic         = parameters.periodic;
+  setup.history_interval = parameters.observation.history_interval;
+  return setup;
+}
+
+LimitCycleCriterion
+Transient::criterion() const
+{
+  LimitCycleCriterion c;
+  c.periods   = parameters.observation.limit_cycle_periods;
+  c.windows   = parameters.observation.limit_cycle_windows;
+  c.tolerance = parameters.observation.limit_cycle_tolerance;
+  return c;
+}
+
+std::vector<ProbeRecorder::Point>
+Transient::probe_points() const
+{
+  std::vector<ProbeRecorder::Point> points;
+  for (const ProbeParameters &probe : parameters.observation.probes)
+    {
+      ProbeRecorder::Point point{probe.name, probe.position};
+      if (probe.nearest_node)
+        for (unsigned int d = 0; d < 2; ++d)
+          point.position[d] =
+            std::round(point.position[d] / scene.grid.spacing[d]) * scene.grid.spacing[d];
+      points.push_back(point);
+    }
+  return points;
+}
+
+BoundaryWork
+Transient::boundary_work() const
+{
+  return {top.work() + contact.work().flat, contact.work().friction, contact.work().impact};
+}
+
+std::array<double, 2>
+Transient::traction(const unsigned int node) const
+{
+  const bool   end = !parameters.periodic && (node == 0 || node + 1 == material.n_columns());
+  const double width = scene.grid.spacing[0] * (end ? 0.5 : 1.);
+  return {{contact.tangential_force()[node] / width, contact.normal_force()[node] / width}};
+}
+
+void
+Transient::set_initial_velocity()
+{
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int j = 0; j < rows.n_local(); ++j)
+      std::fill_n(w.row(c, j), w.n_columns(), parameters.body.initial_velocity[c]);
+  const auto hold = [&](const std::array<bool, 2> &held, const unsigned int column) {
+    for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int j = 0; held[c] && j < rows.n_local(); ++j)
+        w.row(c, j)[column] = 0.;
+  };
+  hold(parameters.sides.left_held, 0);
+  hold(parameters.sides.right_held, w.n_columns() - 1);
+}
+
+void
+Transient::feed_detector()
+{
+  const ContactHistory &h = contact.history();
+  for (; samples_fed < h.time.size(); ++samples_fed)
+    detector.add(h.time[samples_fed], h.nodes[0].ux[samples_fed], h.friction_energy[samples_fed]);
+}
+
+// The body as a whole moves by less than a thousand times its size.
+void
+Transient::require_sound(const std::uint64_t n) const
+{
+  const double limit = 1e3 * std::max(scene.grid.extent(0), scene.grid.extent(1));
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int j = rows.local(rows.begin); j < rows.local(rows.end); ++j)
+      for (unsigned int i = 0; i < u.n_columns(); ++i)
+        if (!(std::fabs(u.row(c, j)[i]) <= limit))
+          {
+            std::ostringstream what;
+            what << "the displacement u_" << "xy"[c] << " = " << u.row(c, j)[i]
+                 << " m is out of all bounds; the time step is "
+                 << 100. * time.step.dt / time.critical
+                 << " % of the critical one: reduce Time/Time step or Safety factor, found";
+            throw NumericalFailure(what.str(),
+                                   n,
+                                   n * time.step.dt,
+                                   "node (" + std::to_string(i) + ", " +
+                                     std::to_string(j + rows.first()) + ")");
+          }
+}
+
+bool
+Transient::control(const std::uint64_t n)
+{
+  require_sound(n);
+  int stop = 0;
+  if (rows.begin == 0)
+    {
+      feed_detector();
+      // As long again as it took to decide, so that there is a steady part to evaluate.
+      if (parameters.observation.stop_at_limit_cycle && detector.reached() &&
+          n * time.step.dt >= 2. * *detector.reached_at() - detector.steady_from())
+        stop = 1;
+    }
+  MPI_Bcast(&stop, 1, MPI_INT, 0, context.communicator());
+  interrupted = context.stop_requested();
+  context.progress().update(n, n * time.step.dt);
+  return stop == 0 && !interrupted;
+}
+
+TransientObservations
+Transient::run(SnapshotRecorder::Writer write_snapshot)
+{
+  const ObservationParameters &o = parameters.observation;
+  std::vector<StepObserver *>  observers;
+  if (energy)
+    observers.push_back(energy.get());
+  if (probes)
+    observers.push_back(probes.get());
+  std::unique_ptr<SnapshotRecorder> snapshots;
+  if (o.snapshots_interval > 0.)
+    {
+      const double end = parameters.time.end_time;
+      snapshots        = std::make_unique<SnapshotRecorder>(
+        o.snapshots_from,
+        std::isnan(o.snapshots_to) ? end - time.step.dt : o.snapshots_to,
+        o.snapshots_interval,
+        time.step.dt,
+        u,
+        rows,
+        context.communicator(),
+        write_snapshot);
+      observers.push_back(snapshots.get());
+    }
+
+  context.progress().start("Sliding", time.n_steps, scene.grid.n_cells());
+  const auto start = std::chrono::steady_clock::now();
+  {
+    const auto scope = context.timer().scope("Time loop");
+    run_time_loop(stepper,
+                  observers,
+                  time.n_steps,
+                  control_interval(scene.grid),
+                  [this](const std::uint64_t n) { return control(n); });
+  }
+  loop_seconds =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  context.progress().finish();
+  return collect();
+}
+
+TopHistory
+Transient::gather_top() const
+{
+  TopHistory history = top.history();
+  const int  last    = context.n_ranks() - 1;
+  if (last == 0)
+    return history;
+  for (auto *values :
+       {&history.normal_force, &history.tangential_force, &history.displacement, &history.work})
+    {
+      unsigned long n = values->size();
+      MPI_Bcast(&n, 1, MPI_UNSIGNED_LONG, last, context.communicator());
+      values->resize(n);
+      MPI_Bcast(values->data(), n, MPI_DOUBLE, last, context.communicator());
+    }
+  return history;
+}
+
+TransientObservations
+Transient::collect()
+{
+  TransientObservations all;
+  contact.finish();
+  all.contact = contact.history();
+  all.blocks  = contact.blocks();
+  all.top     = gather_top();
+  if (energy)
+    all.energy = energy->reduce();
+  if (probes)
+    all.probes = probes->gather();
+  all.steps_done          = stepper.step_number();
+  all.dt                  = time.step.dt;
+  all.reference_node      = contact_setup().monitored_nodes[0];
+  all.loop_seconds        = loop_seconds;
+  all.interrupted         = interrupted;
+  all.kernel              = stepper.kernel_name();
+  all.limit_cycle_reached = detector.reached();
+  all.limit_cycle         = detector.description();
+  const double given      = parameters.observation.steady_from;
+  all.steady_from         = std::isnan(given) ? detector.steady_from() : given;
+  all.period              = detector.period();
+  return all;
+}
+} // namespace
+
+std::string
+TimeStepChoice::text() const
+{
+  std::ostringstream out;
+  out.precision(4);
+  out << "Time step " << nanoseconds(step.dt) << ", " << 100. * step.dt / critical
+      << " % of the critical " << nanoseconds(critical) << "; beta2 = " << step.beta2
+      << ", beta = " << nanoseconds(step.beta) << "; " << n_steps << " steps";
+  return out.str();
+}
+
+TimeStepChoice
+choose_time_step(const ContactParameters &parameters, const UniformMaterial &material)
+{
+  const TimeParameters &t = parameters.time;
+  TimeStepChoice        choice;
+  choice.critical          = critical_time_step(material, t.beta2, t.beta);
+  choice.step.beta2        = t.beta2;
+  choice.step.beta         = t.beta;
+  choice.step.acceleration = parameters.body.acceleration;
+  choice.step.dt = std::isnan(t.time_step) ? t.safety * choice.critical : t.time_step;
+  if (t.check_time_step && choice.step.dt > choice.critical)
+    throw UserError("Time/Time step: " + to_text(choice.step.dt) + " s is above the critical " +
+                    to_text(choice.critical) +
+                    " s, the run would be unstable; use auto or a smaller one");
+  choice.n_steps =
+    static_cast<std::uint64_t>(std::ceil(parameters.time.end_time / choice.step.dt - 1e-9));
+  return choice;
+}
+
+void
+run_transient(const ContactParameters &parameters, const Scene &scene, RunContext &context)
+{
+  const UniformMaterial material = scene.make_material(parameters.periodic);
+  const TimeStepChoice  time     = [&]() {
+    const auto scope = context.timer().scope("Critical time step");
+    return choose_time_step(parameters, material);
+  }();
+  context.log(time.text());
+
+  Transient   run(parameters, scene, time, material, context);
+  DynamicsFile file(context, parameters, scene);
+  const TransientObservations observed =
+    run.run([&](const std::uint64_t, const double t, const NodalField<double> &u) {
+      const auto scope = context.timer().scope("Snapshots");
+      file.add_snapshot(t, u);
+    });
+
+  const auto             scope   = context.timer().scope("Evaluation and output");
+  if (context.root())
+    {
+      const TransientSummary summary = summarize_transient(parameters, scene, observed);
+      file.write(observed, summary);
+      write_summary(parameters, scene, time, observed, summary, context);
+    }
+  if (observed.interrupted)
+    throw Interrupted("stopped on request after step " + std::to_string(observed.steps_done) +
+                      "; what was observed so far is in " + context.output_folder());
+}
+} // namespace mesoslip

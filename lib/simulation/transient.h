@@ -1,0 +1,63 @@
+#ifndef mesoslip_simulation_transient_h
+#define mesoslip_simulation_transient_h
+
+#include "contact/contact_row.h"
+#include "dynamics/energy_audit.h"
+#include "dynamics/top_row.h"
+#include "observation/probe_recorder.h"
+#include "simulation/contact_parameters.h"
+#include "simulation/scene.h"
+
+#include <memory>
+
+namespace mesoslip
+{
+class RunContext;
+
+/** Time step and what it was chosen from. */
+struct TimeStepChoice
+{
+  StepParameters step;
+  double         critical = 0.; ///< s
+  std::uint64_t  n_steps  = 0;
+
+  /** "dt = 13.2 ns, 95 % of the critical 13.9 ns; beta2 = 0.5, beta = 4.4 ns". */
+  std::string
+  text() const;
+};
+
+/** @throws UserError when a given time step is above the critical one. */
+TimeStepChoice
+choose_time_step(const ContactParameters &parameters, const UniformMaterial &material);
+
+/** Everything a finished run has observed; complete on rank 0. */
+struct TransientObservations
+{
+  ContactHistory            contact;
+  TopHistory                top;
+  std::vector<NodeCounts>   blocks;
+  EnergyHistory             energy;
+  std::vector<ProbeHistory> probes;
+
+  std::uint64_t steps_done   = 0;
+  double        dt           = 0.; ///< s
+  unsigned int  reference_node = 0;
+  double        loop_seconds = 0.;
+  bool          interrupted  = false;
+  std::string   kernel; ///< variant and instruction set
+  std::string   limit_cycle; ///< the criterion and what came of it
+  bool          limit_cycle_reached = false;
+  double        steady_from         = 0.; ///< s
+  double        period              = 0.; ///< s
+};
+
+/**
+ * Explicit dynamics of the body on the moving flat: runs, observes, and leaves dynamics.h5,
+ * tables and the summary in the output folder.
+ * @throws NumericalFailure, Interrupted: after what was observed so far has been written
+ */
+void
+run_transient(const ContactParameters &parameters, const Scene &scene, RunContext &context);
+} // namespace mesoslip
+
+#endif

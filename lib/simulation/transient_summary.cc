@@ -1,0 +1,251 @@
+#include "simulation/transient_summary.h"
+
+#include "io/errors.h"
+#include "io/run_context.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+constexpr double spectrum_cut = 1e6; // Hz
+
+std::vector<ContactBlock>
+to_blocks(const std::vector<NodeCounts> &counts, const double dt, const bool periodic)
+{
+  std::vector<ContactBlock> blocks;
+  for (const NodeCounts &count : counts)
+    {
+      ContactBlock block;
+      block.begin         = count.first_step * dt;
+      block.end           = (count.first_step + count.n_steps) * dt;
+      block.steps         = count.n_steps;
+      const auto distinct = [&](const std::vector<float> &values) {
+        return std::vector<double>(values.begin(), values.end() - (periodic ? 1 : 0));
+      };
+      block.stick    = distinct(count.stick);
+      block.slip     = distinct(count.slip);
+      block.landings = distinct(count.landings);
+      blocks.push_back(block);
+    }
+  return blocks;
+}
+
+std::vector<double>
+apparent_friction(const ContactParameters &parameters, const TransientObservations &observed)
+{
+  const bool transmits =
+    parameters.top.kind != TopSetup::Kind::pressure || parameters.top.lateral_held;
+  const auto &tangential =
+    transmits ? observed.top.tangential_force : observed.contact.tangential_force;
+  const auto &normal = transmits ? observed.top.normal_force : observed.contact.normal_force;
+  std::vector<double> ratio(std::min(tangential.size(), normal.size()));
+  for (std::size_t k = 0; k < ratio.size(); ++k)
+    ratio[k] = normal[k] != 0. ? tangential[k] / normal[k] : 0.;
+  return ratio;
+}
+
+template <typename T>
+std::vector<T>
+tail(const std::vector<T> &values, const std::size_t first)
+{
+  return std::vector<T>(values.begin() + std::min(first, values.size()), values.end());
+}
+
+void
+evaluate_reference_node(const TransientObservations &observed, TransientSummary &summary)
+{
+  const ContactHistory &h = observed.contact;
+  if (h.time.size() < 16)
+    return;
+  const double      sampling = h.time[1] - h.time[0];
+  const std::size_t first =
+    std::lower_bound(h.time.begin(), h.time.end(), observed.steady_from) - h.time.begin();
+  const std::vector<double> ux = tail(h.nodes[0].ux, first), vx = tail(h.nodes[0].vx, first);
+  if (ux.size() < 16)
+    return;
+
+  summary.spectrum    = amplitude_spectrum(ux, sampling);
+  summary.frequencies = summarize_spectrum(summary.spectrum, FrequencyBand(), 0.1, 1e-15);
+  const auto cut      = std::upper_bound(summary.spectrum.frequency.begin(),
+                                    summary.spectrum.frequency.end(),
+                                    spectrum_cut) -
+                   summary.spectrum.frequency.begin();
+  summary.spectrum.frequency.resize(cut);
+  summary.spectrum.amplitude.resize(cut);
+  summary.phase_diagram = mean_phase_diagram(
+    ux, vx, sampling, summary.frequencies ? 1. / summary.frequencies->main.frequency : 0.);
+}
+
+void
+evaluate_friction(const ContactParameters     &parameters,
+                  const Scene                 &scene,
+                  const TransientObservations &observed,
+                  TransientSummary            &summary)
+{
+  const ContactHistory &h = observed.contact;
+  if (h.time.size() < 16)
+    return;
+  const double reference_power = parameters.top.pressure.amplitude() * scene.grid.extent(0) *
+                                 std::fabs(parameters.friction.flat_velocity.amplitude());
+  const double period = summary.frequencies ? 1. / summary.frequencies->main.frequency : 0.;
+  const double end    = h.time.back();
+  if (reference_power > 0.)
+    summary.mu_inter = interface_friction_coefficient(
+      h.time, h.friction_energy, observed.steady_from, end, period, reference_power);
+  if (std::any_of(summary.apparent_friction.begin(),
+                  summary.apparent_friction.end(),
+                  [](const double x) { return x != 0.; }))
+    summary.mean_apparent_friction =
+      window_mean(h.time, summary.apparent_friction, observed.steady_from, end, period);
+}
+
+void
+evaluate_energy(const TransientObservations &observed, TransientSummary &summary)
+{
+  const EnergyHistory &e = observed.energy;
+  if (!observed.contact.friction_energy.empty())
+    summary.friction_energy = observed.contact.friction_energy.back();
+  if (e.time.empty())
+    return;
+  double largest = 0., scale = 0.;
+  for (const double r : e.residual())
+    largest = std::max(largest, std::fabs(r));
+  for (std::size_t k = 0; k < e.time.size(); ++k)
+    scale = std::max({scale, e.kinetic[k] + e.elastic[k]});
+  const double friction = std::fabs(e.friction.back());
+  scale                 = friction > 0. ? friction : scale;
+  if (scale > 0.)
+    summary.energy_residual = largest / scale;
+}
+
+nlohmann::json
+value_or_null(const std::optional<Estimate> &estimate)
+{
+  return estimate ? nlohmann::json(estimate->value) : nlohmann::json();
+}
+
+nlohmann::json
+shares_json(const ContactShares &shares)
+{
+  return {
+    {"slip", shares.slip}, {"stick", shares.stick}, {"separation", shares.separation}};
+}
+
+void
+log_key_numbers(const TransientObservations &observed,
+                const TransientSummary      &summary,
+                RunContext                  &context)
+{
+  context.log(observed.limit_cycle);
+  std::ostringstream line;
+  line.precision(4);
+  if (summary.mu_inter)
+    line << "mu_inter = " << summary.mu_inter->value << " +- " << summary.mu_inter->half_width
+         << " (95 %), ";
+  if (summary.frequencies)
+    line << "main frequency " << summary.frequencies->main.frequency / 1e3 << " kHz, ";
+  line << "slip " << 100. * summary.contact.shares.slip << " %, stick "
+       << 100. * summary.contact.shares.stick << " %, separated "
+       << 100. * summary.contact.shares.separation << " %; middle node: " << summary.regime;
+  context.log(line.str());
+  if (summary.energy_residual)
+    {
+      std::ostringstream energy;
+      energy.precision(3);
+      energy << "Energy balance closes to " << *summary.energy_residual
+             << " of the frictional work";
+      context.log(energy.str());
+    }
+}
+} // namespace
+
+TransientSummary
+summarize_transient(const ContactParameters     &parameters,
+                    const Scene                 &scene,
+                    const TransientObservations &observed)
+{
+  TransientSummary summary;
+  summary.apparent_friction = apparent_friction(parameters, observed);
+  evaluate_reference_node(observed, summary);
+  evaluate_friction(parameters, scene, observed, summary);
+  evaluate_energy(observed, summary);
+
+  const auto blocks = to_blocks(observed.blocks, observed.dt, parameters.periodic);
+  if (!blocks.empty())
+    {
+      summary.contact = summarize_contact(blocks, observed.steady_from, blocks.back().end);
+      summary.reference_node =
+        std::min<std::size_t>(observed.reference_node, summary.contact.node_shares.size() - 1);
+      summary.regime = regime_label(summary.contact.node_shares[summary.reference_node]);
+    }
+  return summary;
+}
+
+void
+write_summary(const ContactParameters     &parameters,
+              const Scene                 &scene,
+              const TimeStepChoice        &time,
+              const TransientObservations &observed,
+              const TransientSummary      &summary,
+              RunContext                  &context)
+{
+  const double simulated = observed.steps_done * time.step.dt;
+  const double speed     = observed.loop_seconds > 0. ? observed.steps_done *
+                                                      static_cast<double>(scene.grid.n_cells()) /
+                                                      observed.loop_seconds :
+                                                        0.;
+  nlohmann::json &json = context.summary();
+
+  json["dim"]                     = 2;
+  json["cells"]                   = scene.grid.n_cells();
+  json["dofs"]                    = 2 * scene.grid.n_nodes();
+  json["analysis"]                = "transient";
+  json["material"]                = parameters.body.heterogeneous ? "heterogeneous" : "homogeneous";
+  json["kernel"]                  = observed.kernel;
+  json["steps"]                   = observed.steps_done;
+  json["time_step"]               = time.step.dt;
+  json["critical_time_step"]      = time.critical;
+  json["beta2"]                   = time.step.beta2;
+  json["rayleigh_beta"]           = time.step.beta;
+  json["simulated_time"]          = simulated;
+  json["cell_updates_per_second"] = speed;
+  json["pressure"]                = parameters.top.pressure.amplitude();
+  json["flat_velocity"]           = parameters.friction.flat_velocity.amplitude();
+  json["regularization_time"]     = parameters.friction.law.regularization ==
+                                    FrictionLaw::Regularization::constant_time ?
+                                      nlohmann::json(parameters.friction.law.time) :
+                                      nlohmann::json();
+  json["friction_coefficient"] = parameters.friction.coefficient_by_phase ?
+                                   nlohmann::json() :
+                                   nlohmann::json(parameters.friction.coefficient);
+
+  json["global_interface_friction_coefficient"] = value_or_null(summary.mu_inter);
+  json["global_interface_friction_coefficient_95"] =
+    summary.mu_inter ? nlohmann::json(summary.mu_inter->half_width) : nlohmann::json();
+  json["mean_apparent_friction_coefficient"] = value_or_null(summary.mean_apparent_friction);
+  json["slip_fraction"]                      = summary.contact.shares.slip;
+  json["stick_fraction"]                     = summary.contact.shares.stick;
+  json["separation_fraction"]                = summary.contact.shares.separation;
+  json["mean_contact_duration"] = summary.contact.duration.complete() ?
+                                    nlohmann::json(summary.contact.duration.mean) :
+                                    nlohmann::json();
+  if (!summary.contact.node_shares.empty())
+    json["reference_node"] = shares_json(summary.contact.node_shares[summary.reference_node]);
+  json["main_frequency"]  = summary.frequencies ?
+                              nlohmann::json(summary.frequencies->main.frequency) :
+                              nlohmann::json();
+  json["regime"]          = summary.regime;
+  json["friction_energy"] = summary.friction_energy;
+  json["energy_balance_residual"] =
+    summary.energy_residual ? nlohmann::json(*summary.energy_residual) : nlohmann::json();
+  json["steady_from"]         = observed.steady_from;
+  json["limit_cycle_reached"] = observed.limit_cycle_reached;
+  json["limit_cycle"]         = observed.limit_cycle;
+  log_key_numbers(observed, summary, context);
+}
+} // namespace mesoslip

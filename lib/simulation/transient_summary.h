@@ -1,0 +1,53 @@
+#ifndef mesoslip_simulation_transient_summary_h
+#define mesoslip_simulation_transient_summary_h
+
+#include "observation/contact_shares.h"
+#include "observation/friction_summary.h"
+#include "observation/phase_diagram.h"
+#include "observation/spectrum.h"
+#include "simulation/transient.h"
+
+#include <optional>
+#include <vector>
+
+namespace mesoslip
+{
+class RunContext;
+
+/** What follows from the observations of a run; absent where it has no meaning. */
+struct TransientSummary
+{
+  /** Ratio of tangential to normal force at the top (contact forces if it is free). */
+  std::vector<double> apparent_friction;
+
+  std::optional<Estimate>        mu_inter;              ///< eq. (9)
+  std::optional<Estimate>        mean_apparent_friction; ///< paper, remark 1
+  ContactSummary                 contact;
+  unsigned int                   reference_node = 0;
+  std::string                    regime;
+  Spectrum                       spectrum; ///< of the reference node's u_x, cut at 1 MHz
+  std::optional<SpectralSummary> frequencies;
+  PhaseDiagram                   phase_diagram;
+  double                         friction_energy = 0.; ///< J/m
+
+  /** Largest residual of the energy balance as a share of the frictional work. */
+  std::optional<double> energy_residual;
+};
+
+/** Evaluates the steady part of a run; the root's business. */
+TransientSummary
+summarize_transient(const ContactParameters     &parameters,
+                    const Scene                 &scene,
+                    const TransientObservations &observed);
+
+/** Fills summary.json and prints the key numbers. */
+void
+write_summary(const ContactParameters     &parameters,
+              const Scene                 &scene,
+              const TimeStepChoice        &time,
+              const TransientObservations &observed,
+              const TransientSummary      &summary,
+              RunContext                  &context);
+} // namespace mesoslip
+
+#endif
