@@ -1,0 +1,187 @@
+#ifndef mesoslip_tests_unit_elasticity_testing_h
+#define mesoslip_tests_unit_elasticity_testing_h
+
+#include "elasticity/instruction_set.h"
+#include "elasticity/uniform_material.h"
+#include "grid/nodal_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+/** Random scenes and a reference that shares no code with the kernels. */
+namespace elasticity_testing
+{
+using namespace mesoslip;
+
+constexpr unsigned int seed = 20240611;
+
+using ElementMatrix = Eigen::Matrix<double, 8, 8>;
+
+/** Q1 rectangle by 2x2 Gauss points; unknowns node by node, x fastest. */
+inline ElementMatrix
+element_matrix(const VoigtMatrix<2> &D, const double hx, const double hy)
+{
+  ElementMatrix K = ElementMatrix::Zero();
+  const double g  = 0.5 / std::sqrt(3.);
+  for (const double X : {-g, g})
+    for (const double Y : {-g, g})
+      {
+        Eigen::Matrix<double, 3, 8> B = Eigen::Matrix<double, 3, 8>::Zero();
+        for (int n = 0; n < 4; ++n)
+          {
+            const double sx = n % 2 ? 1. : -1., sy = n / 2 ? 1. : -1.;
+            const double dx = sx * (0.5 + sy * Y) / hx, dy = sy * (0.5 + sx * X) / hy;
+            B(0, 2 * n) = B(2, 2 * n + 1) = dx;
+            B(1, 2 * n + 1) = B(2, 2 * n) = dy;
+          }
+        K += B.transpose() * D * B * hx * hy / 4.;
+      }
+  return K;
+}
+
+inline VoigtMatrix<2> plane_strain(const double lambda, const double mu)
+{
+  VoigtMatrix<2> D;
+  D << lambda + 2 * mu, lambda, 0, lambda, lambda + 2 * mu, 0, 0, 0, mu;
+  return D;
+}
+
+class Random
+{
+public:
+  double operator()(const double low = -1., const double high = 1.)
+  {
+    return std::uniform_real_distribution<double>(low, high)(generator);
+  }
+
+  unsigned int integer(const unsigned int n)
+  {
+    return std::uniform_int_distribution<unsigned int>(0, n - 1)(generator);
+  }
+
+  VoigtMatrix<2> stiffness(const bool anisotropic)
+  {
+    Eigen::Matrix3d A;
+    for (int i = 0; i < 9; ++i)
+      A(i / 3, i % 3) = (*this)();
+    VoigtMatrix<2> D = A * A.transpose() + Eigen::Matrix3d::Identity();
+    if (!anisotropic)
+      D(0, 2) = D(2, 0) = D(1, 2) = D(2, 1) = 0.;
+    return D;
+  }
+
+  void fill(NodalField<double> &field)
+  {
+    for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int j = 0; j < field.n_rows(); ++j)
+        for (unsigned int i = 0; i < field.n_columns(); ++i)
+          field.row(c, j)[i] = (*this)();
+  }
+
+private:
+  std::mt19937 generator{seed};
+};
+
+/** A random material with classes 0 .. n_classes - 1. */
+inline UniformMaterial random_material(Random &random,
+                                       const std::array<unsigned int, 2> cells,
+                                       const unsigned int n_classes,
+                                       const bool anisotropic,
+                                       const bool uniform_density,
+                                       const Periodicity periodicity = Periodicity())
+{
+  UniformGrid<2> grid;
+  grid.cells   = cells;
+  grid.spacing = {{0.7, 0.9}};
+  std::vector<ElasticClass> classes(n_classes);
+  for (ElasticClass &c : classes)
+    c = {random.stiffness(anisotropic), uniform_density ? 1.3 : random(1., 2.)};
+  std::vector<std::uint8_t> ids;
+  if (n_classes > 1)
+    {
+      for (std::size_t i = 0; i < grid.n_cells(); ++i)
+        ids.push_back(random.integer(n_classes));
+      ids.back() = n_classes - 1;
+    }
+  return UniformMaterial(grid, classes, ids, periodicity);
+}
+
+/** Make the duplicate column and row equal to the first. */
+inline void make_periodic(NodalField<double> &field, const Periodicity p)
+{
+  const unsigned int nx = field.n_columns() - 1, ny = field.n_rows() - 1;
+  for (unsigned int c = 0; c < 2; ++c)
+    {
+      if (p.y)
+        std::copy_n(field.row(c, 0), nx + 1, field.row(c, ny));
+      for (unsigned int j = 0; p.x && j <= ny; ++j)
+        field.row(c, j)[nx] = field.row(c, j)[0];
+    }
+}
+
+/** K u cell by cell with dense element matrices. */
+inline NodalField<double> reference_product(const UniformMaterial &material,
+                                            const NodalField<double> &u)
+{
+  const UniformGrid<2> &grid = material.grid();
+  const unsigned int nx = grid.cells[0], ny = grid.cells[1];
+  const Periodicity p = material.periodicity();
+  NodalField<double> f(nx + 1, ny + 1);
+  std::vector<ElementMatrix> element;
+  for (const ElasticClass &c : material.classes())
+    element.push_back(element_matrix(c.stiffness, grid.spacing[0], grid.spacing[1]));
+  for (unsigned int j = 0; j < ny; ++j)
+    for (unsigned int i = 0; i < nx; ++i)
+      {
+        Eigen::Matrix<double, 8, 1> z;
+        for (int k = 0; k < 8; ++k)
+          z(k) = u.row(k % 2, j + k / 4)[i + k / 2 % 2];
+        const Eigen::Matrix<double, 8, 1> r = element[material.class_of(i, j)] * z;
+        for (int k = 0; k < 8; ++k)
+          {
+            const unsigned int row = j + k / 4, column = i + k / 2 % 2;
+            f.row(k % 2, p.y ? row % ny : row)[p.x ? column % nx : column] += r(k);
+          }
+      }
+  make_periodic(f, p);
+  return f;
+}
+
+/** Largest difference of two fields, NaN if there is one. */
+template <typename Number>
+double largest_difference(const NodalField<double> &a, const NodalField<Number> &b)
+{
+  double largest = 0.;
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int j = 0; j < a.n_rows(); ++j)
+      for (unsigned int i = 0; i < a.n_columns(); ++i)
+        {
+          const double d = std::abs(a.row(c, j)[i] - b.row(c, j)[i]);
+          if (!(d <= largest))
+            largest = d;
+          if (std::isnan(d))
+            return d;
+        }
+  return largest;
+}
+
+inline bool equal_bits(const NodalField<double> &a, const NodalField<double> &b)
+{
+  return a.size() == b.size() && std::equal(a.begin(), a.begin() + a.size(), b.begin());
+}
+
+/** Odd shapes: shorter than a vector, just one, just over; fewer rows than a sweep takes.
+ */
+inline const std::vector<std::array<unsigned int, 2>> &shapes()
+{
+  static const std::vector<std::array<unsigned int, 2>> s = {
+    {{1, 1}}, {{2, 7}}, {{7, 2}}, {{8, 3}}, {{15, 4}}, {{16, 5}}, {{37, 13}}};
+  return s;
+}
+} // namespace elasticity_testing
+
+#endif
