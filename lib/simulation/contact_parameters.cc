@@ -42,7 +42,7 @@ pair(const std::string &key, const std::vector<Number> &values)
     return {};
   if (values.size() != 2)
     throw UserError(key + ": one number found, two (x, y) are needed");
-  return {values[0], values[1]};
+  return {{values[0], values[1]}};
 }
 
 BodyParameters
@@ -57,7 +57,7 @@ parse_body(Handler &prm)
   body.density        = get_double(prm, "Density");
   body.size           = pair("Body/Size", get_double_list(prm, "Size"));
   const auto cells    = pair("Body/Cells", get_integer_list(prm, "Cells"));
-  body.cells          = {static_cast<unsigned int>(cells[0]), static_cast<unsigned int>(cells[1])};
+  body.cells = {{static_cast<unsigned int>(cells[0]), static_cast<unsigned int>(cells[1])}};
   body.initial_velocity = pair("Body/Initial velocity", get_double_list(prm, "Initial velocity"));
   body.acceleration     = pair("Body/Acceleration", get_double_list(prm, "Acceleration"));
   if (body.stiffness.size() == 5)

@@ -111,7 +111,7 @@ DynamicsFile::add_snapshot(const double time, const NodalField<double> &u)
         }
     }
   file->append("/snapshots/time", time);
-  file->append("/snapshots/displacement", snapshot.data());
+  file->append<double>("/snapshots/displacement", snapshot.data(), 1);
   snapshot_times.push_back(time);
 }
 
