@@ -18,8 +18,11 @@ constexpr unsigned int max_vain_draws = 2000;
 /** The same where overlaps are allowed and a draw is vain when it adds no cell. */
 constexpr unsigned int max_hidden_draws = 100000;
 
-/** Vain draws from the enumerated places before all of them are tried. */
-constexpr unsigned int max_vain_candidates = 64;
+/**
+ * Vain draws among n enumerated places before all of them are tried: n over this number,
+ * and this number. Fewer would try all of them for too many fibres.
+ */
+constexpr std::size_t vain_candidates_part = 64;
 
 /** State of one placement. */
 class Placer
@@ -211,7 +214,9 @@ Placer::Outcome Placer::place_among(std::vector<Place> &places, const long heigh
   const auto is_dead = [&](const Place &corner) {
     return !fits(corner, sampler.min_height());
   };
-  for (unsigned int vain = 0; vain < max_vain_candidates && !places.empty();)
+  const std::size_t patience =
+    vain_candidates_part + places.size() / vain_candidates_part;
+  for (std::size_t vain = 0; vain < patience && !places.empty();)
     {
       const std::size_t i = random_index(places.size());
       if (fits(places[i], height))
