@@ -1,0 +1,67 @@
+#ifndef mesoslip_localization_localization_parameters_h
+#define mesoslip_localization_localization_parameters_h
+
+#include "localization/stress_statistics.h"
+#include "localization/time_window.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace mesoslip
+{
+class RawParameters;
+
+/** A place whose stress is followed in time. */
+struct ProbeRequest
+{
+  std::string name;
+  /** From the lower left corner (m). */
+  std::array<double, 2> position = {};
+  /** Otherwise the homogeneous run has a probe of that name. */
+  bool has_position = false;
+};
+
+/** What stress_localization is asked for. */
+struct LocalizationParameters
+{
+  std::string rve_file;
+  std::string homogeneous_run;
+  /** Empty: no comparison. */
+  std::string direct_run;
+
+  /** KUBC or PBC. */
+  std::string concentration = "KUBC";
+  /** Eq. 24: the macroscopic strain at the place. */
+  bool local_strain = true;
+  /** Eq. 23: its mean over the body. */
+  bool mean_strain = false;
+  FieldSelection fields;
+  /** sigma_zz / (sigma_xx + sigma_yy) by phase; empty: from the stiffnesses. */
+  std::vector<double> out_of_plane_ratio;
+
+  /** s; NaN: when the runs are steady, the end. */
+  double from = 0., to = 0.;
+
+  /** All probes of the homogeneous run, at their places. */
+  bool all_probes = true;
+  std::vector<ProbeRequest> probes;
+
+  /** m */
+  double surface_depth = 0.4e-3;
+  /** m */
+  double edge_distance = 1.6e-3;
+
+  static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+
+  /** @throws UserError; input files have to exist. A folder stands for the file in it. */
+  static LocalizationParameters parse(dealii::ParameterHandler &prm);
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,88 @@
+#ifndef mesoslip_localization_row_arrays_h
+#define mesoslip_localization_row_arrays_h
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+namespace mesoslip
+{
+/**
+ * Several numbers for each cell as a structure of arrays, row after row: the arrays of
+ * one row of cells lie one behind the other, so that a row kernel and its caches see
+ * one row at a time. Every array begins on a cache line. All zero at first.
+ */
+class RowArrays
+{
+public:
+  RowArrays() = default;
+
+  RowArrays(const std::size_t n_rows,
+            const unsigned int n_arrays,
+            const std::size_t n_columns)
+    : arrays(n_arrays)
+    , columns(n_columns)
+    , row_stride((n_columns + line - 1) / line * line)
+    , n(n_rows)
+  {
+    // An odd number of cache lines keeps the arrays of a row off the same cache set.
+    if (row_stride / line % 2 == 0)
+      row_stride += line;
+    const std::size_t size = std::max<std::size_t>(n * arrays * row_stride, line);
+    void *memory           = std::aligned_alloc(64, size * sizeof(double));
+    if (memory == nullptr)
+      throw std::bad_alloc();
+    data.reset(static_cast<double *>(memory));
+    std::fill_n(data.get(), size, 0.);
+  }
+
+  /** Array @p k of row @p j: n_columns() values. */
+  double *operator()(const std::size_t j, const unsigned int k)
+  {
+    return data.get() + (j * arrays + k) * row_stride;
+  }
+
+  const double *operator()(const std::size_t j, const unsigned int k) const
+  {
+    return data.get() + (j * arrays + k) * row_stride;
+  }
+
+  std::size_t n_rows() const
+  {
+    return n;
+  }
+
+  std::size_t n_columns() const
+  {
+    return columns;
+  }
+
+  /** Distance between the arrays of a row, in numbers. */
+  std::size_t stride() const
+  {
+    return row_stride;
+  }
+
+private:
+  /** Doubles in a cache line. */
+  static constexpr std::size_t line = 8;
+
+  struct Free
+  {
+    void operator()(double *p) const
+    {
+      std::free(p);
+    }
+  };
+
+  unsigned int arrays    = 0;
+  std::size_t columns    = 0;
+  std::size_t row_stride = 0;
+  std::size_t n          = 0;
+  std::unique_ptr<double[], Free> data;
+};
+} // namespace mesoslip
+
+#endif

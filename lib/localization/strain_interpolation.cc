@@ -1,0 +1,133 @@
+#include "localization/strain_interpolation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+/** Sum of a nodal quantity times the lengths that belong to n + 1 nodes in line. */
+template <typename Value>
+double integrate(const unsigned int n, const double h, const Value &value)
+{
+  double sum = 0.5 * (value(0) + value(n));
+  for (unsigned int i = 1; i < n; ++i)
+    sum += value(i);
+  return h * sum;
+}
+
+Row row_of(RowArrays &arrays, const std::size_t j)
+{
+  return {arrays(j, 0), arrays(j, 1), arrays(j, 2)};
+}
+} // namespace
+
+AxisWeights::AxisWeights(const unsigned int n_source_cells, const unsigned int n_target)
+  : n_source(n_source_cells)
+{
+  const bool whole = n_source % n_target == 0;
+  width            = whole ? n_source / n_target : std::min(n_source, 2u);
+  first.resize(n_target);
+  weight.resize(std::size_t(n_target) * width);
+  for (unsigned int i = 0; i < n_target; ++i)
+    if (whole || n_source == 1)
+      {
+        first[i] = whole ? i * width : 0;
+        std::fill_n(weight.begin() + std::ptrdiff_t(i) * width, width, 1. / width);
+      }
+    else
+      {
+        // Position of the centre among the source's cell centres.
+        const double position = (i + 0.5) * n_source / n_target - 0.5;
+        const double below    = std::clamp(std::floor(position), 0., n_source - 2.);
+        first[i]              = static_cast<unsigned int>(below);
+        weight[2 * i + 1]     = position - below;
+        weight[2 * i]         = 1. - weight[2 * i + 1];
+      }
+}
+
+std::array<double, 3> mean_strain(const UniformGrid<2> &grid, const double *u)
+{
+  const unsigned int nx = grid.cells[0], ny = grid.cells[1];
+  // Differences between opposite sides of component c.
+  const auto across = [&](const unsigned int c) {
+    return integrate(ny, grid.spacing[1], [&](const std::size_t j) {
+      const double *row = u + 2 * j * (nx + 1);
+      return row[2 * nx + c] - row[c];
+    });
+  };
+  const auto upward = [&](const unsigned int c) {
+    const double *top = u + 2 * std::size_t(ny) * (nx + 1);
+    return integrate(nx, grid.spacing[0], [&](const std::size_t i) {
+      return top[2 * i + c] - u[2 * i + c];
+    });
+  };
+  const double area = grid.extent(0) * grid.extent(1);
+  return {{across(0) / area, upward(1) / area, (upward(0) + across(1)) / area}};
+}
+
+StrainInterpolation::StrainInterpolation(const UniformGrid<2> &source_grid,
+                                         const UniformGrid<2> &target_grid)
+  : source(source_grid)
+  , target(target_grid)
+  , x(source.cells[0], target.cells[0])
+  , y(source.cells[1], target.cells[1])
+  , source_rows(2, 3, source.cells[0])
+  , result(1, 3, target.cells[0])
+{
+}
+
+Row StrainInterpolation::source_row(const double *displacement, const unsigned int j)
+{
+  const std::size_t n_row = 2 * (std::size_t(source.cells[0]) + 1);
+  const Row row           = row_of(source_rows, 0);
+  strain_row(displacement + j * n_row, displacement + (j + 1) * n_row, source.cells[0],
+             source.spacing[0], source.spacing[1], row);
+  return row;
+}
+
+ConstRow StrainInterpolation::row(const double *displacement, const unsigned int j)
+{
+  const std::size_t n = source.cells[0];
+  Row sum             = row_of(source_rows, 0);
+  if (y.width == 1)
+    source_row(displacement, y.first[j]);
+  else
+    {
+      sum = row_of(source_rows, 1);
+      for (double *component : {sum.xx, sum.yy, sum.xy})
+        std::fill_n(component, n, 0.);
+      for (unsigned int k = 0; k < y.width; ++k)
+        {
+          const double weight = y.weight[std::size_t(j) * y.width + k];
+          const Row part      = source_row(displacement, y.first[j] + k);
+          add_scaled_row(part.xx, n, weight, sum.xx);
+          add_scaled_row(part.yy, n, weight, sum.yy);
+          add_scaled_row(part.xy, n, weight, sum.xy);
+        }
+    }
+  if (x.is_identity())
+    return sum;
+  const Row out = row_of(result, 0);
+  combine_columns(sum.xx, out.xx);
+  combine_columns(sum.yy, out.yy);
+  combine_columns(sum.xy, out.xy);
+  return out;
+}
+
+void StrainInterpolation::combine_columns(const double *values, double *combined) const
+{
+  const std::size_t n = target.cells[0];
+  if (x.width == 2)
+    return gather_pairs_row(values, x.first.data(), x.weight.data(), n, combined);
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const double *weight = x.weight.data() + i * x.width;
+      double sum           = 0.;
+      for (unsigned int k = 0; k < x.width; ++k)
+        sum += weight[k] * values[x.first[i] + k];
+      combined[i] = sum;
+    }
+}
+} // namespace mesoslip
