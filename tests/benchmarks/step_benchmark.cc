@@ -1,0 +1,214 @@
+/**
+ * How fast is a whole explicit time step? The fused uniform-grid stepper (free bottom and
+ * top, damping on) on the paper's grid and on one beyond the caches, and beside it the
+ * loop a general code would run: Trilinos CSR product and vector updates, in the same
+ * process.
+ *
+ *   [mpirun -np n] step_benchmark [repetitions] [fine|coarse]
+ *
+ * Million cell updates per second of wall-clock time: median [lowest, highest].
+ */
+#include "elasticity/assembled_operator.h"
+#include "elasticity/explicit_stepper.h"
+#include "elasticity/row_partition.h"
+
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <mpi.h>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace mesoslip;
+
+namespace
+{
+constexpr double dt = 5e-9, beta = 4.4e-9, beta2 = 0.5, spacing = 1e-4;
+
+int rank()
+{
+  int r = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &r);
+  return r;
+}
+
+struct Rates
+{
+  double median, lowest, highest;
+};
+
+/** @p run does @p n_steps steps on @p n_cells cells. */
+Rates measure(const std::function<void()> &run,
+              const double n_cells,
+              const unsigned int n_steps,
+              const unsigned int repetitions)
+{
+  run();
+  std::vector<double> rates;
+  for (unsigned int r = 0; r < repetitions; ++r)
+    {
+      MPI_Barrier(MPI_COMM_WORLD);
+      const double start = MPI_Wtime();
+      run();
+      MPI_Barrier(MPI_COMM_WORLD);
+      rates.push_back(1e-6 * n_cells * n_steps / (MPI_Wtime() - start));
+    }
+  std::sort(rates.begin(), rates.end());
+  return {rates[rates.size() / 2], rates.front(), rates.back()};
+}
+
+void report(const char *what, const std::array<unsigned int, 2> cells, const Rates &r)
+{
+  if (rank() == 0)
+    std::printf("%5u x %4u  %-62s %7.1f  [%.1f, %.1f]\n", cells[0], cells[1], what,
+                r.median, r.lowest, r.highest);
+  std::fflush(stdout);
+}
+
+UniformMaterial make_material(const std::array<unsigned int, 2> cells,
+                              const unsigned int n_classes)
+{
+  UniformGrid<2> grid;
+  grid.cells   = cells;
+  grid.spacing = {{spacing, spacing}};
+  VoigtMatrix<2> D;
+  D << 33.3e9, 8.3e9, 0, 8.3e9, 33.3e9, 0, 0, 0, 12.5e9;
+  std::vector<ElasticClass> classes;
+  for (unsigned int c = 0; c < n_classes; ++c)
+    classes.push_back({(1. + 0.02 * c) * D, 1500.});
+  std::vector<std::uint8_t> ids;
+  std::mt19937 generator(1);
+  std::uniform_int_distribution<unsigned int> random(0, n_classes - 1);
+  if (n_classes > 1)
+    for (std::size_t i = 0; i < grid.n_cells(); ++i)
+      ids.push_back(random(generator));
+  return UniformMaterial(grid, classes, ids);
+}
+
+double fused(const std::array<unsigned int, 2> cells,
+             const unsigned int n_classes,
+             const unsigned int repetitions,
+             const SweepOptions &options)
+{
+  const UniformMaterial material = make_material(cells, n_classes);
+  const NodeRows rows            = partition_rows(material.n_rows(), MPI_COMM_WORLD);
+  NodalField<double> u(material.n_columns(), rows.n_local()), w(u);
+  for (unsigned int l = 0; l < rows.n_local(); ++l)
+    for (unsigned int i = 0; i < material.n_columns(); ++i)
+      u.row(1, l)[i] = 1e-9 * std::sin(0.1 * i + 0.05 * (rows.first() + l));
+  MPIHalo halo(material.n_columns(), MPI_COMM_WORLD);
+  ExplicitStepper stepper(material, rows, {dt, beta2, beta, {}}, {}, u, w, nullptr,
+                          nullptr, &halo, options);
+  const double n_cells     = material.grid().n_cells();
+  const unsigned int depth = stepper.wavefront_depth();
+  const unsigned int n_steps =
+    static_cast<unsigned int>(std::max(1., std::round(3e7 / n_cells / depth))) * depth;
+  const Rates r =
+    measure([&]() { stepper.advance(n_steps); }, n_cells, n_steps, repetitions);
+  report(
+    (stepper.kernel_name() + std::string(", wavefront ") + std::to_string(depth)).c_str(),
+    cells, r);
+  return r.median;
+}
+
+/** The loop of a general code on the same grid. */
+double baseline(const std::array<unsigned int, 2> cells, const unsigned int repetitions)
+{
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+  dealii::parallel::shared::Triangulation<2> triangulation(
+    MPI_COMM_WORLD, dealii::Triangulation<2>::none, false,
+    dealii::parallel::shared::Triangulation<2>::partition_metis);
+  dealii::GridGenerator::subdivided_hyper_rectangle(
+    triangulation, {cells[0], cells[1]}, dealii::Point<2>(),
+    dealii::Point<2>(cells[0] * spacing, cells[1] * spacing));
+  const UniformMaterial material = make_material(cells, 1);
+  const AssembledOperator<2> K(triangulation, {material.classes()[0].stiffness},
+                               {material.classes()[0].density});
+  Vector u, w, z, f, factor;
+  for (Vector *v : {&u, &w, &z, &f, &factor})
+    K.initialize_vector(*v);
+  for (const auto i : factor.locally_owned_elements())
+    {
+      factor[i] = -1. / K.lumped_mass()[i];
+      u[i]      = 1e-9 * std::sin(0.1 * i);
+    }
+  factor.compress(dealii::VectorOperation::insert);
+  u.compress(dealii::VectorOperation::insert);
+  constexpr unsigned int n_steps = 20;
+  const auto run                 = [&]() {
+    for (unsigned int k = 0; k < n_steps; ++k)
+      {
+        z = u;
+        z.add(beta, w);
+        K.vmult(f, z);
+        f.scale(factor);
+        w.add(dt, f);
+        u.add(dt, w);
+      }
+  };
+  const Rates r = measure(run, double(cells[0]) * cells[1], n_steps, repetitions);
+  report("baseline: Trilinos CSR product, vector updates", cells, r);
+  return r.median;
+}
+
+std::string processor()
+{
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind("model name", 0) == 0)
+      return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MPI_Init(&argc, &argv);
+  int n_ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+  const unsigned int repetitions = argc > 1 ? std::max(1, std::atoi(argv[1])) : 15;
+  const bool coarse_only         = argc > 2 && std::strcmp(argv[2], "coarse") == 0;
+  const bool fine_only           = argc > 2 && std::strcmp(argv[2], "fine") == 0;
+  if (rank() == 0)
+    std::printf(
+      "%s, GCC %s, %d rank%s; million cell updates/s: median [lowest, highest] of %u\n",
+      processor().c_str(), __VERSION__, n_ranks, n_ranks > 1 ? "s" : "", repetitions);
+
+  if (!fine_only)
+    {
+      const std::array<unsigned int, 2> paper = {{560, 160}};
+      const double slow                       = baseline(paper, repetitions);
+      for (const InstructionSet isa : available_instruction_sets())
+        for (const unsigned int n_classes : {1, 2, 6, 14, 40})
+          {
+            SweepOptions options;
+            options.isa         = isa;
+            options.wavefront   = 1;
+            const double plain  = fused(paper, n_classes, repetitions, options);
+            options.wavefront   = 0;
+            const double chosen = fused(paper, n_classes, repetitions, options);
+            if (rank() == 0 && n_classes == 1)
+              std::printf("%75s %7.1f times the baseline\n", "",
+                          std::max(plain, chosen) / slow);
+          }
+    }
+  if (!coarse_only)
+    for (const unsigned int n_classes : {1, 2, 40})
+      for (const unsigned int depth : {1, 0})
+        {
+          SweepOptions options;
+          options.wavefront = depth;
+          fused({{4480, 1280}}, n_classes, std::max(3u, repetitions / 3), options);
+        }
+  MPI_Finalize();
+  return 0;
+}
