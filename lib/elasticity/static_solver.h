@@ -1,0 +1,69 @@
+#ifndef mesoslip_elasticity_static_solver_h
+#define mesoslip_elasticity_static_solver_h
+
+#include "elasticity/dof_mask.h"
+#include "elasticity/uniform_material.h"
+#include "grid/nodal_field.h"
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace mesoslip
+{
+/** How K u = f is solved. */
+enum class StaticSolverKind
+{
+  multigrid, ///< conjugate gradients with a multigrid cycle
+  jacobi,    ///< conjugate gradients with the diagonal; needs no set-up
+  assembled  ///< Trilinos matrix and ML: an independent path
+};
+
+/** @throws std::invalid_argument unless @p name is multigrid, jacobi or assembled. */
+StaticSolverKind
+static_solver_kind(const std::string &name);
+
+/** What a solve took. */
+struct SolverReport
+{
+  unsigned int iterations = 0;
+  double       residual   = 0.; ///< relative to the right-hand side
+};
+
+/** The iteration limit was reached, or something was not finite. */
+class NotConverged : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/**
+ * Static equilibrium K u = f on a uniform grid with held degrees of freedom; without
+ * enough of them the solution is fixed by being orthogonal to the rigid motions that are
+ * left, and f has to be in equilibrium. Periodic materials give periodic solutions.
+ */
+class StaticSolver
+{
+public:
+  virtual ~StaticSolver() = default;
+
+  /** Which degrees of freedom are held from now on; the costly part of the set-up. */
+  virtual void
+  set_held(const DofMask &held) = 0;
+
+  /**
+   * Solves for the free entries of @p u; the held ones are prescribed values on entry.
+   * @p force (N/m) is ignored there. Stops at |r| <= tolerance |r_0|, r_0 being the
+   * residual of the prescribed values alone.
+   * @throws NotConverged
+   */
+  virtual SolverReport
+  solve(NodalField<double> &u, const NodalField<double> &force, const double tolerance) = 0;
+};
+
+/** @p material has to outlive the solver. */
+std::unique_ptr<StaticSolver>
+make_static_solver(const StaticSolverKind kind, const UniformMaterial &material);
+} // namespace mesoslip
+
+#endif
