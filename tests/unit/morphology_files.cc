@@ -183,6 +183,7 @@ TEST(Statistics, OfASmallMap)
   EXPECT_EQ(s[0].n_regions, 2u);
   EXPECT_DOUBLE_EQ(s[1].mean_chord_x, 0.5 * 7. / 5.);
   EXPECT_DOUBLE_EQ(s[1].mean_chord_y, 0.5 * 7. / 4.);
+  EXPECT_DOUBLE_EQ(s[0].mean_chord_y, 0.5 * 8. / 4.);
   EXPECT_EQ(s[2].n_cells, 0u);
   EXPECT_EQ(s[2].mean_chord_x, 0.);
   EXPECT_EQ(area_fractions(map, 2), (std::vector<double>{8. / 15., 7. / 15.}));
