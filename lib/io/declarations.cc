@@ -1,7 +1,7 @@
 #include "io/declarations.h"
 
 #include "io/parameters.h"
-#include "io/patterns.h"
+#include "io/text.h"
 
 #include <deal.II/base/parameter_handler.h>
 

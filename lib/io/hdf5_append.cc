@@ -112,15 +112,8 @@ void Hdf5File::append(const std::string &name, const T *data, const std::size_t 
   append_raw(name, hdf5::native_type<T>(), data, n_rows);
 }
 
-template <typename T>
-void Hdf5File::append(const std::string &name, const T value)
-{
-  append_raw(name, hdf5::native_type<T>(), &value, 1);
-}
-
-#define MESOSLIP_INSTANTIATE(T)                                                         \
-  template void Hdf5File::append<T>(const std::string &, const T *, const std::size_t); \
-  template void Hdf5File::append<T>(const std::string &, const T);
+#define MESOSLIP_INSTANTIATE(T) \
+  template void Hdf5File::append<T>(const std::string &, const T *, const std::size_t);
 MESOSLIP_INSTANTIATE(double)
 MESOSLIP_INSTANTIATE(float)
 MESOSLIP_INSTANTIATE(int)

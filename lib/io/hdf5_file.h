@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace mesoslip
@@ -150,8 +151,12 @@ public:
   void append(const std::string &name, const T *data, const std::size_t n_rows = 1);
 
   /** Appends one number to a dataset [steps]. */
-  template <typename T>
-  void append(const std::string &name, const T value);
+  template <typename T,
+            typename = typename std::enable_if<std::is_arithmetic<T>::value>::type>
+  void append(const std::string &name, const T value)
+  {
+    append(name, &value, 1);
+  }
 
   /** Keeps the first @p n_rows rows only. */
   void truncate_rows(const std::string &name, const std::size_t n_rows);

@@ -2,7 +2,7 @@
 
 #include "io/errors.h"
 #include "io/files.h"
-#include "io/patterns.h"
+#include "io/text.h"
 
 #include <algorithm>
 #include <cstring>

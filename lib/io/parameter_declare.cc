@@ -1,5 +1,6 @@
 #include "io/parameters.h"
 #include "io/patterns.h"
+#include "io/text.h"
 
 #include <deal.II/base/parameter_handler.h>
 

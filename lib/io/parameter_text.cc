@@ -1,7 +1,7 @@
 #include "io/errors.h"
 #include "io/files.h"
 #include "io/parameters.h"
-#include "io/patterns.h"
+#include "io/text.h"
 
 #include <charconv>
 #include <filesystem>

@@ -43,20 +43,6 @@ extern const char *const input_file_description;
  */
 std::string pattern_in_words(const std::string &description);
 
-/** Parses all of @p text, or returns false. Accepts a leading '+'; no NaN, no infinity.
- */
-bool parse_number(const std::string &text, double &value);
-bool parse_number(const std::string &text, long &value);
-
-/** Without leading and trailing blanks. */
-std::string trimmed(const std::string &text);
-
-/**
- * The word of @p candidates that is nearest to @p word in edit distance (upper and lower
- * case alike); "" when none is near enough to be a slip.
- */
-std::string nearest_word(const std::string &word,
-                         const std::vector<std::string> &candidates);
 } // namespace mesoslip
 
 #endif

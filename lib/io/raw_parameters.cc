@@ -2,7 +2,7 @@
 
 #include "io/errors.h"
 #include "io/parameters.h"
-#include "io/patterns.h"
+#include "io/text.h"
 
 #include <algorithm>
 #include <filesystem>

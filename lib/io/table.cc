@@ -3,7 +3,7 @@
 #include "io/errors.h"
 #include "io/files.h"
 #include "io/parameters.h"
-#include "io/patterns.h"
+#include "io/text.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -50,15 +50,6 @@ std::string number_attributes(const XdmfField::Number number)
   throw std::logic_error("unknown number type");
 }
 
-/** Extents of a field on the grid, z first. */
-std::vector<std::size_t> extents(const XdmfGrid &grid, const XdmfField &field)
-{
-  std::vector<std::size_t> result;
-  for (unsigned int d = grid.dim; d-- > 0;)
-    result.push_back(grid.cells[d] + (field.centre == XdmfField::Centre::node ? 1 : 0));
-  return result;
-}
-
 template <typename T>
 std::string joined(const std::vector<T> &values)
 {
@@ -68,21 +59,36 @@ std::string joined(const std::vector<T> &values)
   return text.str();
 }
 
-/** Writes the XML; knows the grid and how many times there are. */
+/** The coordinates of the grid lines along one axis. */
+std::vector<std::string> grid_lines(const XdmfGrid &grid, const unsigned int axis)
+{
+  std::vector<std::string> lines;
+  for (unsigned int i = 0; i <= grid.cells[axis]; ++i)
+    lines.push_back(to_text(grid.origin[axis] + i * grid.spacing[axis]));
+  return lines;
+}
+
+/**
+ * Writes the XML. The detours are those of ParaView's reader, tried with 5.11: it puts
+ * 2DCoRectMesh into the y-z plane, loses the cell data of a 3DCoRectMesh one node thick,
+ * and misreads vectors on a 2DRectMesh. So plane grids are 3DCoRectMesh one node thick
+ * unless there are cell data, and then 2DRectMesh with vectors as single components.
+ */
 class Writer
 {
 public:
-  Writer(const XdmfGrid &g, const std::size_t n)
+  Writer(const XdmfGrid &g, const std::vector<XdmfField> &f, const std::size_t n)
     : grid(g)
+    , fields(f)
     , n_times(n)
   {
+    for (const XdmfField &field : fields)
+      flat = flat || (grid.dim == 2 && field.centre == XdmfField::Centre::cell);
   }
 
   std::ostringstream out;
 
-  void write_grid(const std::vector<XdmfField> &fields,
-                  const std::size_t step,
-                  const double time)
+  void write_grid(const std::size_t step, const double time)
   {
     out << "<Grid Name=\"grid\" GridType=\"Uniform\">\n";
     if (n_times > 0)
@@ -94,94 +100,105 @@ public:
   }
 
 private:
-  void write_geometry()
+  /** Extents of what is shown, z first. */
+  std::vector<std::size_t> extents(const XdmfField::Centre centre) const
   {
-    const std::string dim = std::to_string(grid.dim) + "D";
-    std::vector<std::size_t> nodes;
-    std::vector<std::string> origin, spacing;
+    std::vector<std::size_t> result(flat ? 0 : 3 - grid.dim, 1);
     for (unsigned int d = grid.dim; d-- > 0;)
-      {
-        nodes.push_back(grid.cells[d] + 1);
-        origin.push_back(to_text(grid.origin[d]));
-        spacing.push_back(to_text(grid.spacing[d]));
-      }
-    const auto triple = [&](const std::vector<std::string> &values) {
-      out << "<DataItem Dimensions=\"" << grid.dim
-          << "\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">" << joined(values)
-          << "</DataItem>\n";
-    };
-    out << "<Topology TopologyType=\"" << dim << "CoRectMesh\" Dimensions=\""
-        << joined(nodes) << "\"/>\n<Geometry GeometryType=\"ORIGIN_"
-        << (grid.dim == 3 ? "DXDYDZ" : "DXDY") << "\">\n";
-    triple(origin);
-    triple(spacing);
-    out << "</Geometry>\n";
+      result.push_back(grid.cells[d] + (centre == XdmfField::Centre::node ? 1 : 0));
+    return result;
   }
 
-  void begin_attribute(const XdmfField &field, const std::string &name, const char *type)
+  void write_numbers(const std::vector<std::string> &numbers)
   {
-    out << "<Attribute Name=\"" << escaped(name) << "\" AttributeType=\"" << type
-        << "\" Center=\"" << (field.centre == XdmfField::Centre::node ? "Node" : "Cell")
+    out << "<DataItem Dimensions=\"" << numbers.size()
+        << "\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">" << joined(numbers)
+        << "</DataItem>\n";
+  }
+
+  void write_geometry()
+  {
+    out << "<Topology TopologyType=\"" << (flat ? "2DRectMesh" : "3DCoRectMesh")
+        << "\" Dimensions=\"" << joined(extents(XdmfField::Centre::node))
+        << "\"/>\n<Geometry GeometryType=\"" << (flat ? "VXVY" : "ORIGIN_DXDYDZ")
         << "\">\n";
+    if (flat)
+      {
+        write_numbers(grid_lines(grid, 0));
+        write_numbers(grid_lines(grid, 1));
+      }
+    else
+      {
+        std::vector<std::string> origin(3 - grid.dim, "0"), spacing(3 - grid.dim, "1");
+        for (unsigned int d = grid.dim; d-- > 0;)
+          {
+            origin.push_back(to_text(grid.origin[d]));
+            spacing.push_back(to_text(grid.spacing[d]));
+          }
+        write_numbers(origin);
+        write_numbers(spacing);
+      }
+    out << "</Geometry>\n";
   }
 
   void write_field(const XdmfField &field, const std::size_t step)
   {
+    const auto attribute = [&](const std::string &name, const char *type,
+                               const unsigned int first, const unsigned int count) {
+      out << "<Attribute Name=\"" << escaped(name) << "\" AttributeType=\"" << type
+          << "\" Center=\"" << (field.centre == XdmfField::Centre::node ? "Node" : "Cell")
+          << "\">\n";
+      write_item(field, step, first, count);
+      out << "</Attribute>\n";
+    };
     if (field.components == 0)
-      {
-        begin_attribute(field, field.name, "Scalar");
-        write_item(field, step, 0);
-        out << "</Attribute>\n";
-      }
-    else if (field.components == grid.dim)
-      write_vector(field, step);
+      attribute(field.name, "Scalar", 0, 1);
+    else if (field.components == grid.dim && !flat)
+      attribute(field.name, "Vector", 0, field.components); // plane ones get a third, 0
     else
       for (unsigned int c = 0; c < field.components; ++c)
-        {
-          begin_attribute(field, field.name + "_" + std::to_string(c), "Scalar");
-          write_item(field, step, c);
-          out << "</Attribute>\n";
-        }
+        attribute(field.name + "_" + component_name(field, c), "Scalar", c, 1);
   }
 
-  /** ParaView's vectors have three components: the third of a plane one is zero. */
-  void write_vector(const XdmfField &field, const std::size_t step)
+  std::string component_name(const XdmfField &field, const unsigned int c) const
   {
-    begin_attribute(field, field.name, "Vector");
-    out << "<DataItem ItemType=\"Function\" Function=\""
-        << (grid.dim == 2 ? "JOIN($0, $1, 0 * $0)" : "JOIN($0, $1, $2)")
-        << "\" Dimensions=\"" << joined(extents(grid, field)) << " 3\">\n";
-    for (unsigned int c = 0; c < grid.dim; ++c)
-      write_item(field, step, c);
-    out << "</DataItem>\n</Attribute>\n";
+    if (c < field.component_names.size())
+      return field.component_names[c];
+    return field.components == grid.dim ? std::string(1, "xyz"[c]) : std::to_string(c);
   }
 
-  /** One component at one time: all of the dataset, or a slab of it. */
-  void
-  write_item(const XdmfField &field, const std::size_t step, const unsigned int component)
+  /** Components [first, first + n) at one time: all of the dataset, or a slab of it. */
+  void write_item(const XdmfField &field,
+                  const std::size_t step,
+                  const unsigned int first,
+                  const unsigned int n)
   {
-    const auto shape               = extents(grid, field);
-    std::vector<std::size_t> whole = shape, start(shape.size(), 0), count = shape;
+    const auto shape = extents(field.centre);
+    std::vector<std::size_t> stored(shape.end() - static_cast<int>(grid.dim),
+                                    shape.end());
+    std::vector<std::size_t> start(grid.dim, 0), count = stored, shown = shape;
     if (field.time_series)
       {
-        whole.insert(whole.begin(), n_times);
+        stored.insert(stored.begin(), n_times);
         start.insert(start.begin(), step);
         count.insert(count.begin(), 1);
       }
     if (field.components > 0)
       {
-        whole.push_back(field.components);
-        start.push_back(component);
-        count.push_back(1);
+        stored.push_back(field.components);
+        start.push_back(first);
+        count.push_back(n);
       }
-    const bool slab = whole.size() > shape.size();
+    if (n > 1)
+      shown.push_back(n);
+    const bool slab = stored.size() > grid.dim;
     if (slab)
-      out << "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" << joined(shape)
-          << "\" Type=\"HyperSlab\">\n<DataItem Dimensions=\"3 " << whole.size()
+      out << "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" << joined(shown)
+          << "\" Type=\"HyperSlab\">\n<DataItem Dimensions=\"3 " << stored.size()
           << "\" NumberType=\"Int\" Format=\"XML\">" << joined(start) << "  "
-          << joined(std::vector<int>(whole.size(), 1)) << "  " << joined(count)
+          << joined(std::vector<int>(stored.size(), 1)) << "  " << joined(count)
           << "</DataItem>\n";
-    out << "<DataItem Dimensions=\"" << joined(whole) << "\" "
+    out << "<DataItem Dimensions=\"" << joined(slab ? stored : shown) << "\" "
         << number_attributes(field.number) << " Format=\"HDF\">" << escaped(field.file)
         << ":" << escaped(field.dataset) << "</DataItem>\n";
     if (slab)
@@ -189,7 +206,9 @@ private:
   }
 
   const XdmfGrid &grid;
+  const std::vector<XdmfField> &fields;
   const std::size_t n_times;
+  bool flat = false;
 };
 } // namespace
 
@@ -200,17 +219,17 @@ void write_xdmf(const std::string &path,
 {
   if (grid.dim != 2 && grid.dim != 3)
     throw std::logic_error("XDMF grids have two or three dimensions");
-  Writer writer(grid, times.size());
+  Writer writer(grid, fields, times.size());
   writer.out << "<?xml version=\"1.0\" ?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n"
                 "<Xdmf Version=\"2.0\">\n<Domain>\n";
   if (times.empty())
-    writer.write_grid(fields, 0, 0.);
+    writer.write_grid(0, 0.);
   else
     {
       writer.out << "<Grid Name=\"series\" GridType=\"Collection\" "
                     "CollectionType=\"Temporal\">\n";
       for (std::size_t step = 0; step < times.size(); ++step)
-        writer.write_grid(fields, step, times[step]);
+        writer.write_grid(step, times[step]);
       writer.out << "</Grid>\n";
     }
   writer.out << "</Domain>\n</Xdmf>\n";

@@ -41,6 +41,8 @@ struct XdmfField
   Number number = Number::float64;
   /** Length of the last axis; 0 when there is none. */
   unsigned int components = 0;
+  /** Suffixes of components that are shown one by one: "xx" for "stress_xx". */
+  std::vector<std::string> component_names;
   /** Whether the first axis counts the times; otherwise the field is there always. */
   bool time_series = false;
 };
@@ -48,7 +50,9 @@ struct XdmfField
 /**
  * Writes a file that ParaView opens. The arrays are [time] z y x [component], as in the
  * exchange files; @p times may be empty for fields that do not change. Fields of dim
- * components are vectors, of other numbers single components "name_0".
+ * components are vectors, of other numbers single components "name_xx" (or "name_0").
+ * Plane grids with cell data show vectors as "name_x" and "name_y", too, because
+ * ParaView cannot read both from one grid: write two files where vectors matter.
  */
 void write_xdmf(const std::string &path,
                 const XdmfGrid &grid,

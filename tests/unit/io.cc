@@ -4,9 +4,9 @@
 #include "io/digest.h"
 #include "io/files.h"
 #include "io/parameters.h"
-#include "io/patterns.h"
 #include "io/progress.h"
 #include "io/raw_parameters.h"
+#include "io/text.h"
 #include "io/timer.h"
 
 #include <deal.II/base/parameter_handler.h>

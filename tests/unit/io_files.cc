@@ -145,23 +145,33 @@ TEST(Xdmf, NamesDatasetsAndExtents)
   phase.dataset = "/phase/id";
   phase.centre  = XdmfField::Centre::cell;
   phase.number  = XdmfField::Number::int32;
-  write_xdmf(folder / "d.xdmf", grid, {displacement, phase}, {0.5, 1. / 3.});
-
+  write_xdmf(folder / "d.xdmf", grid, {displacement}, {0.5, 1. / 3.});
   boost::property_tree::ptree tree;
   read_xml(folder / "d.xdmf", tree);
   const auto &series = tree.get_child("Xdmf.Domain.Grid");
   EXPECT_EQ(series.count("Grid"), 2u);
   const auto &last = series.rbegin()->second;
   EXPECT_EQ(last.get<std::string>("Time.<xmlattr>.Value"), "0.3333333333333333");
-  EXPECT_EQ(last.get<std::string>("Topology.<xmlattr>.Dimensions"), "4 5");
-  EXPECT_EQ(last.get<std::string>("Geometry.DataItem"), "2 1");
-  const auto &slab = last.get_child("Attribute.DataItem.DataItem");
-  EXPECT_EQ(slab.get<std::string>("DataItem"), "1 0 0 0  1 1 1 1  1 4 5 1");
+  EXPECT_EQ(last.get<std::string>("Topology.<xmlattr>.Dimensions"), "1 4 5");
+  EXPECT_EQ(last.get<std::string>("Geometry.DataItem"), "0 2 1");
+  EXPECT_EQ(last.get<std::string>("Attribute.<xmlattr>.AttributeType"), "Vector");
+  const auto &slab = last.get_child("Attribute.DataItem");
+  EXPECT_EQ(slab.get<std::string>("<xmlattr>.Dimensions"), "1 4 5 2");
+  EXPECT_EQ(slab.get<std::string>("DataItem"), "1 0 0 0  1 1 1 1  1 4 5 2");
   EXPECT_EQ(slab.rbegin()->second.get<std::string>("<xmlattr>.Dimensions"), "2 4 5 2");
   EXPECT_EQ(slab.rbegin()->second.data(), "d.h5:/snapshots/displacement");
-  const auto &cell = last.rbegin()->second;
-  EXPECT_EQ(cell.get<std::string>("<xmlattr>.Name"), "phase <&>");
-  EXPECT_EQ(cell.get<std::string>("DataItem.<xmlattr>.Dimensions"), "3 4");
+
+  write_xdmf(folder / "c.xdmf", grid, {phase, displacement}, {0.5});
+  boost::property_tree::ptree cells;
+  read_xml(folder / "c.xdmf", cells);
+  const auto &only = cells.get_child("Xdmf.Domain.Grid.Grid");
+  EXPECT_EQ(only.get<std::string>("Topology.<xmlattr>.Dimensions"), "4 5");
+  EXPECT_EQ(only.get<std::string>("Geometry.DataItem"), "1 1.1 1.2 1.3 1.4");
+  EXPECT_EQ(only.get<std::string>("Attribute.<xmlattr>.Name"), "phase <&>");
+  EXPECT_EQ(only.get<std::string>("Attribute.DataItem.<xmlattr>.Dimensions"), "3 4");
+  EXPECT_EQ(only.rbegin()->second.get<std::string>("<xmlattr>.Name"), "displacement_y");
+  EXPECT_EQ(only.rbegin()->second.get<std::string>("DataItem.DataItem"),
+            "0 0 0 1  1 1 1 1  1 4 5 1");
 }
 
 TEST(Checkpoints, ComeBackOrSayWhyNot)

@@ -1,0 +1,90 @@
+#include "io/text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace mesoslip
+{
+namespace
+{
+template <typename Number>
+bool parse_all(const std::string &text, Number &value)
+{
+  const char *begin = text.data();
+  const char *end   = begin + text.size();
+  if (end - begin > 1 && *begin == '+' && begin[1] != '-')
+    ++begin;
+  const auto result = std::from_chars(begin, end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+} // namespace
+
+bool parse_number(const std::string &text, double &value)
+{
+  return parse_all(text, value) && std::isfinite(value);
+}
+
+bool parse_number(const std::string &text, long &value)
+{
+  return parse_all(text, value);
+}
+
+std::string trimmed(const std::string &text)
+{
+  static constexpr char blanks[] = " \t\r\n\v\f";
+  const auto begin               = text.find_first_not_of(blanks);
+  if (begin == std::string::npos)
+    return "";
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+namespace
+{
+std::string lower_case(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  return text;
+}
+
+/** Levenshtein's distance. */
+std::size_t edit_distance(const std::string &a, const std::string &b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t(0));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    {
+      std::size_t diagonal = row[0];
+      row[0]               = i + 1;
+      for (std::size_t j = 0; j < b.size(); ++j)
+        {
+          const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+          diagonal                   = row[j + 1];
+          row[j + 1]                 = std::min({replaced, row[j] + 1, diagonal + 1});
+        }
+    }
+  return row.back();
+}
+} // namespace
+
+std::string nearest_word(const std::string &word,
+                         const std::vector<std::string> &candidates)
+{
+  std::string nearest;
+  std::size_t least = std::max<std::size_t>(2, word.size() / 2) + 1;
+  for (const std::string &candidate : candidates)
+    {
+      const std::size_t distance = edit_distance(lower_case(word), lower_case(candidate));
+      if (distance < least)
+        {
+          least   = distance;
+          nearest = candidate;
+        }
+    }
+  return nearest;
+}
+} // namespace mesoslip
