@@ -20,9 +20,10 @@ void declare_input(Handler &prm)
   declare_input_file(prm, "RVE file", "", "rve.h5 of rve_homogenization");
   declare_input_file(prm, "Homogeneous run", "",
                      "dynamics.h5 of contact_dynamics with the homogenized body");
-  declare_input_file(prm, "Direct run", "",
-                     "dynamics.h5 of the same run with the heterogeneous body, to compare "
-                     "with; empty: no comparison");
+  declare_input_file(
+    prm, "Direct run", "",
+    "dynamics.h5 of the same run with the heterogeneous body, to compare "
+    "with; empty: no comparison");
 }
 
 void declare_localization(Handler &prm)
@@ -58,16 +59,17 @@ void declare_window(Handler &prm)
 void declare_probes(Handler &prm, const RawParameters &raw)
 {
   const ParameterSection section(prm, "Probes");
-  declare_word_list(prm, "Names", {"all"}, {},
-                    "all: every probe of the homogeneous run; a list: these and those with "
-                    "a subsection of their own that gives the position; empty: none");
-  for (const std::string &name : raw.subsections("Probes"))
+  declare_word_list(
+    prm, "Of the run", {"all"}, {},
+    "Which probes of the homogeneous run: all, their names, or empty: none");
+  declare_word_list(prm, "Further", {}, {},
+                    "Names of further probes, each with a subsection; they are followed "
+                    "through the snapshots");
+  for (const std::string &name : raw.get_list("Probes/Further", {}))
     {
       const ParameterSection probe(prm, name);
       declare_double_list(prm, "Position", {0., 0.}, Range::non_negative(),
-                          "x and y from the lower left corner, followed through the "
-                          "snapshots [m]",
-                          2, 2);
+                          "x and y from the lower left corner [m]", 2, 2);
     }
 }
 
@@ -77,8 +79,9 @@ void declare_comparison(Handler &prm)
   declare_double(prm, "Surface depth", 0.4e-3, Range::non_negative(),
                  "Cells whose centres are nearer to the contact are the surface, the "
                  "others the bulk [m]");
-  declare_double(prm, "Edge distance", 1.6e-3, Range::non_negative(),
-                 "Cells nearer to an edge are left out in the errors of the interior [m]");
+  declare_double(
+    prm, "Edge distance", 1.6e-3, Range::non_negative(),
+    "Cells nearer to an edge are left out in the errors of the interior [m]");
 }
 
 /** The path in a key; for a folder, that of the file @p name in it. */
@@ -100,13 +103,13 @@ std::string input_path(Handler &prm,
 void parse_input(Handler &prm, LocalizationParameters &p)
 {
   const ParameterSection section(prm, "Input");
-  p.rve_file        = input_path(prm, "RVE file", "rve.h5", "run rve_homogenization first");
+  p.rve_file = input_path(prm, "RVE file", "rve.h5", "run rve_homogenization first");
   p.homogeneous_run = input_path(prm, "Homogeneous run", "dynamics.h5",
                                  "run contact_dynamics with the homogeneous body first");
   if (!get_string(prm, "Direct run").empty())
-    p.direct_run =
-      input_path(prm, "Direct run", "dynamics.h5",
-                 "run contact_dynamics with the heterogeneous body first, or leave it empty");
+    p.direct_run = input_path(
+      prm, "Direct run", "dynamics.h5",
+      "run contact_dynamics with the heterogeneous body first, or leave it empty");
 }
 
 void parse_localization(Handler &prm, LocalizationParameters &p)
@@ -136,19 +139,20 @@ void parse_localization(Handler &prm, LocalizationParameters &p)
       }
 }
 
-/** @p raw_names are the subsections; the handler knows no way to list them. */
 void parse_probes(Handler &prm, LocalizationParameters &p)
 {
   const ParameterSection section(prm, "Probes");
-  const auto names = get_word_list(prm, "Names");
-  p.all_probes     = std::find(names.begin(), names.end(), "all") != names.end();
-  for (const std::string &name : names)
-    if (name != "all")
-      {
-        ProbeRequest probe;
-        probe.name = name;
-        p.probes.push_back(probe);
-      }
+  p.run_probes     = get_word_list(prm, "Of the run");
+  p.all_run_probes = p.run_probes == std::vector<std::string>{"all"};
+  for (const std::string &name : get_word_list(prm, "Further"))
+    {
+      const ParameterSection probe(prm, name);
+      const auto position = get_double_list(prm, "Position");
+      for (const ProbeRequest &other : p.further_probes)
+        if (other.name == name)
+          throw UserError("Probes/Further names '" + name + "' twice");
+      p.further_probes.push_back({name, {{position[0], position[1]}}});
+    }
 }
 } // namespace
 

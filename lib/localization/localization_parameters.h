@@ -17,14 +17,12 @@ namespace mesoslip
 {
 class RawParameters;
 
-/** A place whose stress is followed in time. */
+/** A place whose stress is followed through the snapshots. */
 struct ProbeRequest
 {
   std::string name;
   /** From the lower left corner (m). */
   std::array<double, 2> position = {};
-  /** Otherwise the homogeneous run has a probe of that name. */
-  bool has_position = false;
 };
 
 /** What stress_localization is asked for. */
@@ -48,9 +46,10 @@ struct LocalizationParameters
   /** s; NaN: when the runs are steady, the end. */
   double from = 0., to = 0.;
 
-  /** All probes of the homogeneous run, at their places. */
-  bool all_probes = true;
-  std::vector<ProbeRequest> probes;
+  /** Probes of the homogeneous run, unless all are wanted. */
+  std::vector<std::string> run_probes;
+  bool all_run_probes = true;
+  std::vector<ProbeRequest> further_probes;
 
   /** m */
   double surface_depth = 0.4e-3;

@@ -26,8 +26,8 @@ void add_roots(const double *square, const std::size_t n, double *sum)
   std::size_t i = 0;
 #ifdef __SSE2__
   for (; i + 2 <= n; i += 2)
-    _mm_storeu_pd(sum + i, _mm_add_pd(_mm_loadu_pd(sum + i),
-                                      _mm_sqrt_pd(_mm_loadu_pd(square + i))));
+    _mm_storeu_pd(
+      sum + i, _mm_add_pd(_mm_loadu_pd(sum + i), _mm_sqrt_pd(_mm_loadu_pd(square + i))));
 #endif
   for (; i < n; ++i)
     sum[i] += std::sqrt(square[i]);

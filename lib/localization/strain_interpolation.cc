@@ -59,9 +59,8 @@ std::array<double, 3> mean_strain(const UniformGrid<2> &grid, const double *u)
   };
   const auto upward = [&](const unsigned int c) {
     const double *top = u + 2 * std::size_t(ny) * (nx + 1);
-    return integrate(nx, grid.spacing[0], [&](const std::size_t i) {
-      return top[2 * i + c] - u[2 * i + c];
-    });
+    return integrate(nx, grid.spacing[0],
+                     [&](const std::size_t i) { return top[2 * i + c] - u[2 * i + c]; });
   };
   const double area = grid.extent(0) * grid.extent(1);
   return {{across(0) / area, upward(1) / area, (upward(0) + across(1)) / area}};

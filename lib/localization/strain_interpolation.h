@@ -11,9 +11,9 @@
 namespace mesoslip
 {
 /**
- * How the values of @p n_target cells along one axis follow from those of @p n_source cells
- * of the same length altogether: value i is the sum of weight[i width + k] times the
- * source value first[i] + k.
+ * How the values of @p n_target cells along one axis follow from those of @p n_source
+ * cells of the same length altogether: value i is the sum of weight[i width + k] times
+ * the source value first[i] + k.
  *
  * n_source = r n_target, r whole: the mean of r cells (r = 1: identity). Otherwise linear
  * between the two nearest cell centres, and beyond the outermost ones extrapolated;

@@ -10,9 +10,9 @@ StressStatistics::StressStatistics(const StressMap &stress_map,
   , selection(fields)
   , samples(map.grid().cells[1], 0)
   , sums(map.grid().cells[1],
-         selection.deviation ? 7 :
-         selection.mean      ? 4 :
-                               1,
+         selection.deviation ? 7
+         : selection.mean    ? 4
+                             : 1,
          map.grid().cells[0])
   , scratch(1, 4, map.grid().cells[0])
 {

@@ -1,0 +1,58 @@
+#ifndef mesoslip_localization_localization_input_h
+#define mesoslip_localization_localization_input_h
+
+#include "homogenization/rve_file.h"
+#include "localization/localization_parameters.h"
+#include "localization/run_file.h"
+#include "localization/snapshot_pass.h"
+#include "localization/time_window.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** The files of a localization, opened and found to belong together. */
+struct LocalizationInput
+{
+  /**
+   * @throws UserError when the grids do not cover the same box (to 1e-9), when the direct
+   * run's is no refinement of the RVE's or when its phases lie elsewhere. What is only
+   * suspicious is added to warnings.
+   */
+  explicit LocalizationInput(const LocalizationParameters &parameters);
+
+  RveFile rve;
+  RunFile homogeneous;
+  std::optional<RunFile> direct;
+  std::vector<std::uint8_t> phase_id;
+  /** sigma_zz / (sigma_xx + sigma_yy) by phase. */
+  std::vector<double> out_of_plane_ratio;
+  TimeWindow window;
+  std::vector<std::string> warnings;
+};
+
+/** A probe and where its series come from. */
+struct PlannedProbe
+{
+  std::string name;
+  std::array<double, 2> position = {};
+  CellIndex cell                 = {};
+  /** Whether the homogeneous run recorded it; otherwise the snapshots are used. */
+  bool recorded = false;
+  /** Name of the direct run's probe at the place; empty when it has none. */
+  std::string direct_name;
+};
+
+/** The probes asked for. @throws UserError for unknown names and places outside. */
+std::vector<PlannedProbe> plan_probes(const LocalizationParameters &parameters,
+                                      LocalizationInput &input);
+
+/**
+ * Snapshots of a run in the window. @throws UserError when there are none.
+ */
+IndexRange snapshots_in(const RunFile &run, const TimeWindow &window);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,12 @@
+#ifndef mesoslip_localization_localization_program_h
+#define mesoslip_localization_localization_program_h
+
+#include "io/program.h"
+
+namespace mesoslip
+{
+/** The application stress_localization; see run_program(). */
+Program stress_localization_program();
+} // namespace mesoslip
+
+#endif

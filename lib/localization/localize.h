@@ -1,0 +1,87 @@
+#ifndef mesoslip_localization_localize_h
+#define mesoslip_localization_localize_h
+
+#include "localization/field_errors.h"
+#include "localization/localization_parameters.h"
+#include "localization/series_comparison.h"
+#include "localization/snapshot_pass.h"
+#include "localization/stress_statistics.h"
+#include "localization/time_window.h"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** Localized stress at a place over time. */
+struct ProbeResult
+{
+  std::string name;
+  /** From the lower left corner (m). */
+  std::array<double, 2> position = {};
+  /** Of the RVE; its L and phase were used. */
+  CellIndex cell     = {};
+  unsigned int phase = 0;
+  std::string phase_name;
+
+  /** s */
+  std::vector<double> time;
+  /** Pa, [k][3]. */
+  std::vector<double> stress;
+  /** Pa, [k][3], the direct run's at the same times; empty without one. */
+  std::vector<double> direct_stress;
+  std::array<ComponentStatistics, 3> statistics;
+};
+
+/** All that follows from one of eqs 23 and 24. */
+struct VariantResult
+{
+  /** "local strain" or "mean strain". */
+  std::string name;
+  StressFields fields;
+  /** Localized minus direct; empty without a direct run. */
+  StressFields difference;
+  std::vector<FieldError> errors;
+  std::vector<ProbeResult> probes;
+};
+
+struct LocalizationResult
+{
+  UniformGrid<2> grid;
+  /** s; first and last time used. */
+  TimeWindow window;
+  std::size_t n_snapshots        = 0;
+  std::size_t n_direct_snapshots = 0;
+  /** Empty without a direct run. */
+  StressFields direct;
+  /** Local strain first when both were asked for. */
+  std::vector<VariantResult> variants;
+  /** Of the three files. */
+  std::vector<std::string> digests;
+};
+
+/** Where localize() says what it does; functions may be empty. */
+struct LocalizationMonitor
+{
+  std::function<void(const std::string &)> log;
+  std::function<void(const std::string &)> warn;
+  /** Begin of an activity with so many steps. */
+  std::function<void(const std::string &, const std::size_t)> start;
+  /** Steps done; may throw to stop. */
+  std::function<void(const std::size_t)> update;
+};
+
+/**
+ * Eqs 22 to 24 of the paper: the stresses of the composite from a run of the homogenized
+ * body. Works on one process. @throws UserError.
+ */
+LocalizationResult localize(const LocalizationParameters &parameters,
+                            const LocalizationMonitor &monitor = {});
+
+/** What --validate tells: files, snapshots, memory. */
+std::string describe_localization(const LocalizationParameters &parameters);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,91 @@
+#ifndef mesoslip_localization_run_file_h
+#define mesoslip_localization_run_file_h
+
+#include "grid/uniform_grid.h"
+#include "io/hdf5_file.h"
+#include "localization/time_window.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** Strain or stress at a place over time. */
+struct ProbeSeries
+{
+  /** s */
+  std::vector<double> time;
+  /** [k][3]: xx, yy, xy. */
+  std::vector<double> values;
+};
+
+/**
+ * dynamics.h5 of a run, opened for reading. Also of a static analysis: one snapshot is
+ * enough. Errors name the file, the dataset and what to run.
+ */
+class RunFile
+{
+public:
+  /** @p role, "homogeneous run", is for messages. @throws UserError */
+  RunFile(const std::string &path, const std::string &role);
+
+  const std::string &path() const
+  {
+    return file.path();
+  }
+
+  const UniformGrid<2> &grid() const
+  {
+    return the_grid;
+  }
+
+  const std::string &digest() const
+  {
+    return the_digest;
+  }
+
+  /** Digest of the rve.h5 that the run took its material from; empty when unknown. */
+  std::string rve_digest() const;
+
+  /** Phase of each cell; empty for a homogeneous body or when not stored. */
+  std::vector<std::uint8_t> phase_id() const;
+
+  /** steady_from (s) of the summary.json beside the file; NaN when there is none. */
+  double steady_from() const;
+
+  /** Ascending (s); throws when there are no snapshots. */
+  std::vector<double> snapshot_times() const;
+
+  bool has_snapshots() const
+  {
+    return file.exists("/snapshots/displacement");
+  }
+
+  /** Displacements (m) [count][ny + 1][nx + 1][2]. */
+  std::vector<double> snapshots(const std::size_t first, const std::size_t count) const;
+
+  /** Names of all probes. */
+  std::vector<std::string> probes() const;
+
+  /** From the lower left corner (m). */
+  std::array<double, 2> probe_position(const std::string &name) const;
+
+  /** "strain" or "stress" of a probe in the window. */
+  ProbeSeries probe(const std::string &name,
+                    const std::string &quantity,
+                    const TimeWindow &window) const;
+
+private:
+  std::vector<double> ascending_times(const std::string &dataset,
+                                      const std::string &hint) const;
+
+  Hdf5File file;
+  UniformGrid<2> the_grid;
+  std::string role;
+  std::string the_digest;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,123 @@
+#include "localization/snapshot_pass.h"
+
+#include "localization/strain_interpolation.h"
+
+#include <algorithm>
+
+namespace mesoslip
+{
+namespace
+{
+/** Bytes of snapshots in memory at a time, and the most snapshots that help. */
+constexpr std::size_t batch_bytes = 64 << 20;
+constexpr std::size_t max_batch   = 16;
+
+/** The rows of a batch of snapshots. */
+class Batch
+{
+public:
+  Batch(const RunFile &run, const UniformGrid<2> &target, const SnapshotWork &what)
+    : interpolation(run.grid(), target)
+    , source(run.grid())
+    , work(what)
+    , constant(1, 3, target.cells[0])
+    , by_row(target.cells[1])
+  {
+    for (std::size_t p = 0; p < work.cells.size(); ++p)
+      by_row[work.cells[p][1]].push_back(p);
+  }
+
+  std::size_t size() const
+  {
+    const std::size_t bytes = interpolation.snapshot_size() * sizeof(double);
+    return std::clamp<std::size_t>(batch_bytes / bytes, 1, max_batch);
+  }
+
+  void treat(const std::vector<double> &snapshots, SnapshotHistories &histories)
+  {
+    const std::size_t n = snapshots.size() / interpolation.snapshot_size();
+    means.clear();
+    if (work.uniform != nullptr || work.mean_history)
+      for (std::size_t b = 0; b < n; ++b)
+        means.push_back(mean_strain(source, snapshot(snapshots, b)));
+    if (work.mean_history)
+      for (const auto &mean : means)
+        histories.mean.insert(histories.mean.end(), mean.begin(), mean.end());
+    for (unsigned int j = 0; j < interpolation.target_grid().cells[1]; ++j)
+      {
+        if (work.local != nullptr || !by_row[j].empty())
+          treat_local(snapshots, n, j, histories);
+        if (work.uniform != nullptr)
+          treat_uniform(n, j);
+      }
+  }
+
+private:
+  const double *snapshot(const std::vector<double> &all, const std::size_t b) const
+  {
+    return all.data() + b * interpolation.snapshot_size();
+  }
+
+  void treat_local(const std::vector<double> &snapshots,
+                   const std::size_t n,
+                   const unsigned int j,
+                   SnapshotHistories &histories)
+  {
+    for (std::size_t b = 0; b < n; ++b)
+      {
+        const ConstRow strain = interpolation.row(snapshot(snapshots, b), j);
+        if (work.local != nullptr)
+          work.local->add(j, strain);
+        for (const std::size_t p : by_row[j])
+          {
+            const unsigned int i = work.cells[p][0];
+            histories.cells[p].insert(histories.cells[p].end(),
+                                      {strain.xx[i], strain.yy[i], strain.xy[i]});
+          }
+      }
+  }
+
+  void treat_uniform(const std::size_t n, const unsigned int j)
+  {
+    for (std::size_t b = 0; b < n; ++b)
+      {
+        for (unsigned int c = 0; c < 3; ++c)
+          std::fill_n(constant(0, c), constant.n_columns(), means[b][c]);
+        work.uniform->add(j, {constant(0, 0), constant(0, 1), constant(0, 2)});
+      }
+  }
+
+  StrainInterpolation interpolation;
+  UniformGrid<2> source;
+  const SnapshotWork &work;
+  RowArrays constant;
+  std::vector<std::array<double, 3>> means;
+  /** Numbers of the cells wanted in each row. */
+  std::vector<std::vector<std::size_t>> by_row;
+};
+} // namespace
+
+SnapshotHistories pass_snapshots(const RunFile &run,
+                                 const IndexRange &range,
+                                 const UniformGrid<2> &target,
+                                 const SnapshotWork &work,
+                                 const SnapshotCallback &callback)
+{
+  Batch batch(run, target, work);
+  SnapshotHistories histories;
+  histories.cells.resize(work.cells.size());
+  for (std::size_t done = 0; done < range.count;)
+    {
+      const std::size_t count = std::min(batch.size(), range.count - done);
+      batch.treat(run.snapshots(range.first + done, count), histories);
+      done += count;
+      if (callback)
+        callback(done);
+    }
+  const auto times = run.snapshot_times();
+  const auto begin = times.begin() + static_cast<std::ptrdiff_t>(range.first);
+  histories.time =
+    std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(range.count));
+  return histories;
+}
+} // namespace mesoslip
