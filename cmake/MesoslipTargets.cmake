@@ -32,11 +32,11 @@ function(mesoslip_library topic)
   target_link_libraries(${target} ${ARG_DEPENDS})
 endfunction()
 
-# mesoslip_program(<name>): applications/<name>/*.cc linked with the whole library.
-function(mesoslip_program name)
+# mesoslip_program(<name> <topic>): applications/<name>/*.cc linked with lib/<topic>.
+function(mesoslip_program name topic)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cc)
   add_executable(${name} ${sources})
   deal_ii_setup_target(${name})
   mesoslip_warnings(${name})
-  target_link_libraries(${name} ${MESOSLIP_TOPICS})
+  target_link_libraries(${name} mesoslip_${topic})
 endfunction()

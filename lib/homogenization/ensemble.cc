@@ -1,0 +1,93 @@
+#include "homogenization/ensemble.h"
+
+#include "io/errors.h"
+
+#include <boost/math/distributions/students_t.hpp>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace mesoslip
+{
+EntryStatistics
+entry_statistics(const std::vector<double> &values, const double confidence)
+{
+  EntryStatistics s;
+  const double    n = values.size();
+  for (const double value : values)
+    s.mean += value / n;
+  if (values.size() < 2)
+    return s;
+  double square = 0.;
+  for (const double value : values)
+    square += (value - s.mean) * (value - s.mean);
+  s.standard_deviation = std::sqrt(square / (n - 1.));
+  const boost::math::students_t student(n - 1.);
+  s.half_width = boost::math::quantile(student, 0.5 * (1. + confidence)) *
+                 s.standard_deviation / std::sqrt(n);
+  if (s.mean != 0.)
+    s.relative_error = 2. * s.standard_deviation / (std::sqrt(n) * std::fabs(s.mean));
+  return s;
+}
+
+StiffnessStatistics
+stiffness_statistics(const std::vector<EnsembleMember> &members,
+                     const std::size_t                  condition,
+                     const double                       confidence)
+{
+  StiffnessStatistics statistics;
+  std::vector<double> values(members.size());
+  for (unsigned int e = 0; e < 9; ++e)
+    {
+      for (std::size_t m = 0; m < members.size(); ++m)
+        values[m] = members[m].responses[condition].stiffness(e / 3, e % 3);
+      statistics[e] = entry_statistics(values, confidence);
+    }
+  return statistics;
+}
+
+UniformMaterial
+make_material(const Microstructure &microstructure)
+{
+  std::vector<ElasticClass> classes;
+  for (const Phase<2> &phase : microstructure.phases)
+    classes.push_back({phase.stiffness, phase.density});
+  try
+    {
+      return UniformMaterial(microstructure.map.grid, classes, microstructure.map.id);
+    }
+  catch (const std::invalid_argument &e)
+    {
+      throw UserError(std::string("Phases: ") + e.what());
+    }
+}
+
+VoigtMatrix<2>
+effective_stiffness(const std::vector<EnsembleMember> &members, const RveParameters &parameters)
+{
+  const auto has = [&](const BoundaryCondition wanted) {
+    return std::find(parameters.conditions.begin(), parameters.conditions.end(), wanted) !=
+           parameters.conditions.end();
+  };
+  const bool both = has(BoundaryCondition::KUBC) && has(BoundaryCondition::SUBC);
+  const auto used = [&](const BoundaryCondition condition) {
+    if (parameters.effective != "mean")
+      return to_string(condition) == parameters.effective;
+    return !both || condition != BoundaryCondition::PBC;
+  };
+
+  VoigtMatrix<2> sum = VoigtMatrix<2>::Zero();
+  double         n   = 0.;
+  for (const EnsembleMember &member : members)
+    for (const HomogenizedResponse &response : member.responses)
+      if (used(response.condition))
+        {
+          sum += response.stiffness;
+          n += 1.;
+        }
+  VoigtMatrix<2> D = sum / n;
+  if (parameters.effective_orthotropic)
+    D(0, 2) = D(1, 2) = D(2, 0) = D(2, 1) = 0.;
+  return D;
+}
+} // namespace mesoslip

@@ -1,0 +1,223 @@
+#include "homogenization/load_cases.h"
+
+#include "elasticity/uniform_grid_operator.h"
+
+#include <stdexcept>
+
+namespace mesoslip
+{
+namespace
+{
+NodalField<double>
+zero_field(const UniformGrid<2> &grid)
+{
+  return NodalField<double>(grid.cells[0] + 1, grid.cells[1] + 1);
+}
+
+// Forces on both copies of a node of a periodic side add up.
+void
+fold(NodalField<double> &f)
+{
+  const unsigned int nx = f.n_columns() - 1, ny = f.n_rows() - 1;
+  for (unsigned int c = 0; c < 2; ++c)
+    {
+      for (unsigned int j = 0; j <= ny; ++j)
+        f.row(c, j)[0] = f.row(c, j)[nx] = f.row(c, j)[0] + f.row(c, j)[nx];
+      for (unsigned int i = 0; i <= nx; ++i)
+        f.row(c, 0)[i] = f.row(c, ny)[i] = f.row(c, 0)[i] + f.row(c, ny)[i];
+    }
+}
+
+void
+add(NodalField<double> &x, const NodalField<double> &y, const double factor)
+{
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int j = 0; j < x.n_rows(); ++j)
+      for (unsigned int i = 0; i < x.n_columns(); ++i)
+        x.row(c, j)[i] += factor * y.row(c, j)[i];
+}
+
+/** Solver and material of one kind of boundary condition, set up when first needed. */
+class CaseSolver
+{
+public:
+  CaseSolver(const UniformMaterial &material, const StaticSolverKind kind, const double tolerance)
+    : material(material)
+    , kind(kind)
+    , tolerance(tolerance)
+  {}
+
+  SolverReport
+  solve(const BoundaryCondition condition, const unsigned int k, NodalField<double> &u)
+  {
+    const UniformGrid<2> &grid = material.grid();
+    set_up(condition);
+    if (condition == BoundaryCondition::SUBC)
+      {
+        u = zero_field(grid);
+        return solver->solve(u, uniform_traction(grid, k), tolerance);
+      }
+    u = affine_displacement(grid, k);
+    if (condition == BoundaryCondition::KUBC)
+      return solver->solve(u, zero_field(grid), tolerance);
+
+    NodalField<double> force = zero_field(grid), fluctuation = zero_field(grid);
+    affine_operator->vmult(force, u);
+    fold(force);
+    for (std::size_t n = 0; n < force.size(); ++n)
+      force.begin()[n] *= -1.;
+    const SolverReport report = solver->solve(fluctuation, force, tolerance);
+    add(u, fluctuation, 1.);
+    return report;
+  }
+
+private:
+  void
+  set_up(const BoundaryCondition condition)
+  {
+    if (solver && condition == current)
+      return;
+    current                  = condition;
+    const unsigned int nx    = material.n_columns(), ny = material.n_rows();
+    if (condition == BoundaryCondition::PBC)
+      {
+        std::vector<std::uint8_t> ids;
+        if (!material.is_homogeneous())
+          for (unsigned int j = 0; j + 1 < ny; ++j)
+            ids.insert(ids.end(), material.class_row(j), material.class_row(j) + nx - 1);
+        std::vector<ElasticClass> classes = material.classes();
+        if (material.is_homogeneous())
+          classes = {material.classes()[material.homogeneous_class()]};
+        periodic_material = std::make_unique<UniformMaterial>(
+          material.grid(), classes, ids, Periodicity{true, true});
+        affine_operator = std::make_unique<UniformGridOperator>(material);
+        solver          = make_static_solver(kind, *periodic_material);
+        solver->set_held(DofMask(nx, ny));
+        return;
+      }
+    if (!plain_solver)
+      plain_solver = make_static_solver(kind, material);
+    solver = plain_solver;
+    solver->set_held(condition == BoundaryCondition::KUBC ? DofMask::boundary(nx, ny) :
+                                                            DofMask(nx, ny));
+  }
+
+  const UniformMaterial               &material;
+  const StaticSolverKind               kind;
+  const double                         tolerance;
+  BoundaryCondition                    current = BoundaryCondition::KUBC;
+  std::unique_ptr<UniformMaterial>     periodic_material;
+  std::unique_ptr<UniformGridOperator> affine_operator;
+  std::shared_ptr<StaticSolver>        plain_solver, solver;
+};
+
+void
+send_to_root(NodalField<double> &u, SolverReport &report, const int owner, const MPI_Comm comm)
+{
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  if (owner != 0 && rank == owner)
+    MPI_Send(u.begin(), u.size(), MPI_DOUBLE, 0, 0, comm);
+  if (owner != 0 && rank == 0)
+    MPI_Recv(u.begin(), u.size(), MPI_DOUBLE, owner, 0, comm, MPI_STATUS_IGNORE);
+  MPI_Bcast(&report.iterations, 1, MPI_UNSIGNED, owner, comm);
+  MPI_Bcast(&report.residual, 1, MPI_DOUBLE, owner, comm);
+}
+} // namespace
+
+std::string
+to_string(const BoundaryCondition condition)
+{
+  return condition == BoundaryCondition::KUBC ? "KUBC" :
+         condition == BoundaryCondition::SUBC ? "SUBC" :
+                                                "PBC";
+}
+
+BoundaryCondition
+boundary_condition(const std::string &name)
+{
+  for (const BoundaryCondition condition :
+       {BoundaryCondition::KUBC, BoundaryCondition::SUBC, BoundaryCondition::PBC})
+    if (to_string(condition) == name)
+      return condition;
+  throw std::invalid_argument("'" + name + "' is no boundary condition; use KUBC, SUBC or PBC");
+}
+
+NodalField<double>
+affine_displacement(const UniformGrid<2> &grid, const unsigned int k)
+{
+  NodalField<double> u = zero_field(grid);
+  for (unsigned int j = 0; j < u.n_rows(); ++j)
+    for (unsigned int i = 0; i < u.n_columns(); ++i)
+      {
+        const double x = i * grid.spacing[0], y = j * grid.spacing[1];
+        u.row(0, j)[i] = k == 0 ? x : k == 2 ? 0.5 * y : 0.;
+        u.row(1, j)[i] = k == 1 ? y : k == 2 ? 0.5 * x : 0.;
+      }
+  return u;
+}
+
+NodalField<double>
+uniform_traction(const UniformGrid<2> &grid, const unsigned int k)
+{
+  NodalField<double> f  = zero_field(grid);
+  const unsigned int nx = grid.cells[0], ny = grid.cells[1];
+  const double       sxx = k == 0 ? 1. : 0., syy = k == 1 ? 1. : 0., sxy = k == 2 ? 1. : 0.;
+  for (unsigned int j = 0; j <= ny; ++j)
+    {
+      const double length = grid.spacing[1] * (j == 0 || j == ny ? 0.5 : 1.);
+      f.row(0, j)[nx] += sxx * length;
+      f.row(1, j)[nx] += sxy * length;
+      f.row(0, j)[0] -= sxx * length;
+      f.row(1, j)[0] -= sxy * length;
+    }
+  for (unsigned int i = 0; i <= nx; ++i)
+    {
+      const double length = grid.spacing[0] * (i == 0 || i == nx ? 0.5 : 1.);
+      f.row(0, ny)[i] += sxy * length;
+      f.row(1, ny)[i] += syy * length;
+      f.row(0, 0)[i] -= sxy * length;
+      f.row(1, 0)[i] -= syy * length;
+    }
+  return f;
+}
+
+std::vector<LoadCaseSolutions>
+solve_load_cases(const UniformMaterial                &material,
+                 const std::vector<BoundaryCondition> &conditions,
+                 const StaticSolverKind                kind,
+                 const double                          tolerance,
+                 const MPI_Comm                        communicator,
+                 const LoadCaseProgress               &progress)
+{
+  int rank = 0, n_ranks = 1;
+  MPI_Comm_rank(communicator, &rank);
+  MPI_Comm_size(communicator, &n_ranks);
+  const unsigned int n_cases = 3 * conditions.size();
+
+  std::vector<LoadCaseSolutions> solutions(conditions.size());
+  CaseSolver                     solver(material, kind, tolerance);
+  // Contiguous shares, so that a rank sets up as few kinds of boundary as possible.
+  const auto owner = [&](const unsigned int n) { return static_cast<int>(n * n_ranks / n_cases); };
+  for (unsigned int n = 0; n < n_cases; ++n)
+    {
+      LoadCaseSolutions &solution = solutions[n / 3];
+      solution.condition          = conditions[n / 3];
+      if (owner(n) == rank)
+        {
+          solution.reports[n % 3] =
+            solver.solve(solution.condition, n % 3, solution.displacement[n % 3]);
+          if (progress)
+            progress(n + 1, n_cases);
+        }
+      else if (rank == 0)
+        solution.displacement[n % 3] = zero_field(material.grid());
+    }
+  for (unsigned int n = 0; n < n_cases; ++n)
+    send_to_root(solutions[n / 3].displacement[n % 3],
+                 solutions[n / 3].reports[n % 3],
+                 owner(n),
+                 communicator);
+  return solutions;
+}
+} // namespace mesoslip

@@ -1,0 +1,70 @@
+#ifndef mesoslip_homogenization_load_cases_h
+#define mesoslip_homogenization_load_cases_h
+
+#include "elasticity/static_solver.h"
+#include "elasticity/uniform_material.h"
+#include "grid/nodal_field.h"
+
+#include <array>
+#include <functional>
+#include <mpi.h>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** How a macroscopic strain or stress is applied to the volume. */
+enum class BoundaryCondition
+{
+  KUBC, ///< u = E.x on the boundary
+  SUBC, ///< sigma.n = S.n on the boundary
+  PBC   ///< u = E.x + periodic
+};
+
+std::string
+to_string(const BoundaryCondition condition);
+
+/** @throws std::invalid_argument */
+BoundaryCondition
+boundary_condition(const std::string &name);
+
+/** The three solutions for unit macroscopic strains (KUBC, PBC) or stresses (SUBC). */
+struct LoadCaseSolutions
+{
+  BoundaryCondition condition = BoundaryCondition::KUBC;
+
+  /**
+   * Displacements (m) under xx, yy and xy = 1 (engineering shear for strains; 1 Pa for
+   * stresses); for PBC with the affine part E.x included, x from the lower left corner.
+   */
+  std::array<NodalField<double>, 3> displacement;
+
+  std::array<SolverReport, 3> reports;
+};
+
+/** Called after each finished load case with the number of those done and all. */
+using LoadCaseProgress = std::function<void(const unsigned int, const unsigned int)>;
+
+/**
+ * Solves the three load cases of each condition. The cases are dealt out to the ranks of
+ * @p communicator and collected on rank 0; the other ranks return reports only.
+ * @throws NotConverged
+ */
+std::vector<LoadCaseSolutions>
+solve_load_cases(const UniformMaterial                &material,
+                 const std::vector<BoundaryCondition> &conditions,
+                 const StaticSolverKind                solver,
+                 const double                          tolerance,
+                 const MPI_Comm                        communicator,
+                 const LoadCaseProgress               &progress = LoadCaseProgress());
+
+/** u = E.x for the unit strain number @p k, x from the lower left corner. */
+NodalField<double>
+affine_displacement(const UniformGrid<2> &grid, const unsigned int k);
+
+/** Nodal forces (N/m) of the traction S.n for the unit stress number @p k. */
+NodalField<double>
+uniform_traction(const UniformGrid<2> &grid, const unsigned int k);
+} // namespace mesoslip
+
+#endif

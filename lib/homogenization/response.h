@@ -1,0 +1,53 @@
+#ifndef mesoslip_homogenization_response_h
+#define mesoslip_homogenization_response_h
+
+#include "homogenization/load_cases.h"
+#include "material/voigt.h"
+
+#include <vector>
+
+namespace mesoslip
+{
+/** What the three load cases of one boundary condition say about the volume. */
+struct HomogenizedResponse
+{
+  BoundaryCondition condition = BoundaryCondition::KUBC;
+
+  /** Effective stiffness (Pa) as the mean: <C:L>, or <L>^-1 of the compliance (SUBC). */
+  VoigtMatrix<2> stiffness = VoigtMatrix<2>::Zero();
+
+  /** The same from the elastic energy, <L^T C L> with the hourglass part. */
+  VoigtMatrix<2> stiffness_from_energy = VoigtMatrix<2>::Zero();
+
+  /** |difference of the two| / |stiffness|, Frobenius: zero by Hill and Mandel. */
+  double hill_mandel_residual = 0.;
+
+  /** |D - D^T| / |D| before symmetrization. */
+  double symmetry_residual = 0.;
+
+  /** |<L> - I| (KUBC, PBC) or |<B> - I| (SUBC). */
+  double mean_residual = 0.;
+
+  /**
+   * Cell means of the concentration tensor [ny][nx][3][3], row local, column macroscopic
+   * component: strain L (KUBC, PBC) or stress B (SUBC). Empty if not asked for.
+   */
+  std::vector<double> concentration;
+
+  /** Volume mean of the concentration tensor over each phase; Zero for absent phases. */
+  std::vector<VoigtMatrix<2>> phase_means;
+
+  std::array<SolverReport, 3> reports;
+};
+
+/**
+ * Evaluates the solutions on the rank that holds them. Fields are kept only if
+ * @p keep_concentration.
+ */
+HomogenizedResponse
+homogenize(const UniformMaterial   &material,
+           const LoadCaseSolutions &solutions,
+           const bool               keep_concentration);
+} // namespace mesoslip
+
+#endif

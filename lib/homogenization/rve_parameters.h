@@ -1,0 +1,53 @@
+#ifndef mesoslip_homogenization_rve_parameters_h
+#define mesoslip_homogenization_rve_parameters_h
+
+#include "elasticity/static_solver.h"
+#include "homogenization/load_cases.h"
+#include "material/voigt.h"
+#include "microstructure/microstructure_parameters.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace mesoslip
+{
+/** All of rve_homogenization's parameters. */
+struct RveParameters
+{
+  MicrostructureParameters       microstructure;
+  std::vector<BoundaryCondition> conditions;
+  StaticSolverKind               solver    = StaticSolverKind::multigrid;
+  double                         tolerance = 0.;
+
+  /** mean (of KUBC and SUBC), KUBC, SUBC or PBC: what /stiffness/effective is. */
+  std::string effective;
+
+  /** D13 = D23 = 0 in the effective stiffness. */
+  bool effective_orthotropic = true;
+
+  bool write_concentration = true;
+  bool reuse               = true;
+
+  /** Seeds seed, seed + 1, ... */
+  unsigned int n_members  = 1;
+  double       confidence = 0.95;
+
+  /** Pa; compared with the results. */
+  std::optional<VoigtMatrix<2>> reference;
+
+  static void
+  declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+
+  /** Parsed and checked. @throws UserError naming the key. */
+  static RveParameters
+  parse(dealii::ParameterHandler &prm);
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,190 @@
+#include "homogenization/rve_program.h"
+
+#include "homogenization/rve_file.h"
+#include "homogenization/rve_output.h"
+#include "io/digest.h"
+#include "io/errors.h"
+#include "io/raw_parameters.h"
+#include "io/run_context.h"
+#include "microstructure/statistics.h"
+
+#include <filesystem>
+#include <ostream>
+
+namespace mesoslip
+{
+namespace
+{
+// What determines rve.h5: the parameters that matter and the content of the input file.
+std::string
+inputs_digest(const dealii::ParameterHandler &prm, const RveParameters &parameters)
+{
+  Digest digest;
+  digest.add(canonical_parameters(prm, {"Output folder", "Homogenization/Reuse"}));
+  if (!parameters.microstructure.file.empty())
+    digest.add_file(parameters.microstructure.file);
+  return digest.hex();
+}
+
+bool
+is_up_to_date(const std::string &path, const std::string &digest)
+{
+  if (!std::filesystem::exists(path))
+    return false;
+  try
+    {
+      return RveFile::open(path).digest() == digest;
+    }
+  catch (const UserError &)
+    {
+      return false; // Something else of that name, or damaged: it is made again.
+    }
+}
+
+EnsembleMember
+compute_member(const RveParameters    &parameters,
+               const Microstructure   &microstructure,
+               const MPI_Comm          communicator,
+               const bool              keep_concentration,
+               const LoadCaseProgress &progress)
+{
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  const UniformMaterial material = make_material(microstructure);
+  EnsembleMember        member;
+  member.seed      = parameters.microstructure.placement.seed;
+  member.fractions = area_fractions(microstructure.map, microstructure.phases.size());
+  const auto solutions = solve_load_cases(material,
+                                          parameters.conditions,
+                                          parameters.solver,
+                                          parameters.tolerance,
+                                          communicator,
+                                          progress);
+  for (const LoadCaseSolutions &solution : solutions)
+    if (rank == 0)
+      member.responses.push_back(homogenize(material, solution, keep_concentration));
+  return member;
+}
+
+void
+exchange(EnsembleMember &member, const std::size_t n_conditions, const int owner, const MPI_Comm comm)
+{
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  if (owner == 0 || (rank != 0 && rank != owner))
+    return;
+  unsigned long n_phases = member.fractions.size();
+  if (rank == owner)
+    {
+      MPI_Send(&member.seed, sizeof(member.seed), MPI_BYTE, 0, 0, comm);
+      MPI_Send(&n_phases, 1, MPI_UNSIGNED_LONG, 0, 1, comm);
+      MPI_Send(member.fractions.data(), n_phases, MPI_DOUBLE, 0, 2, comm);
+      for (HomogenizedResponse &response : member.responses)
+        MPI_Send(response.stiffness.data(), 9, MPI_DOUBLE, 0, 3, comm);
+      return;
+    }
+  MPI_Recv(&member.seed, sizeof(member.seed), MPI_BYTE, owner, 0, comm, MPI_STATUS_IGNORE);
+  MPI_Recv(&n_phases, 1, MPI_UNSIGNED_LONG, owner, 1, comm, MPI_STATUS_IGNORE);
+  member.fractions.resize(n_phases);
+  MPI_Recv(member.fractions.data(), n_phases, MPI_DOUBLE, owner, 2, comm, MPI_STATUS_IGNORE);
+  member.responses.resize(n_conditions);
+  for (HomogenizedResponse &response : member.responses)
+    MPI_Recv(response.stiffness.data(), 9, MPI_DOUBLE, owner, 3, comm, MPI_STATUS_IGNORE);
+}
+
+// A single member shares its load cases among the ranks; several are dealt out whole.
+RveResults
+compute(const RveParameters &parameters, RunContext &context)
+{
+  RveResults         results;
+  const unsigned int n = parameters.n_members;
+  results.members.resize(n);
+  const unsigned int n_cases = 3 * parameters.conditions.size();
+  context.progress().start("Load cases", n * n_cases);
+  for (unsigned int m = 0; m < n; ++m)
+    {
+      if (n > 1 && static_cast<int>(m) % context.n_ranks() != context.rank())
+        continue;
+      RveParameters own = parameters;
+      own.microstructure.placement.seed += m;
+      const Microstructure microstructure = [&]() {
+        const auto scope = context.timer().scope("Microstructure");
+        return make_microstructure(own.microstructure);
+      }();
+      for (const std::string &warning : microstructure.warnings)
+        context.warn(warning);
+      const auto scope    = context.timer().scope("Load cases");
+      results.members[m] = compute_member(own,
+                                          microstructure,
+                                          n > 1 ? MPI_COMM_SELF : context.communicator(),
+                                          parameters.write_concentration && m == 0,
+                                          [&](const unsigned int done, const unsigned int) {
+                                            context.progress().update(m * n_cases + done);
+                                          });
+      if (m == 0)
+        results.microstructure = microstructure;
+    }
+  context.progress().finish();
+  for (unsigned int m = 0; n > 1 && m < n; ++m)
+    exchange(results.members[m],
+             parameters.conditions.size(),
+             static_cast<int>(m) % context.n_ranks(),
+             context.communicator());
+  return results;
+}
+
+void
+run(dealii::ParameterHandler &prm, RunContext &context)
+{
+  const RveParameters parameters = RveParameters::parse(prm);
+  const std::string   digest     = inputs_digest(prm, parameters);
+  int reuse = context.root() && parameters.reuse && is_up_to_date(context.file("rve.h5"), digest);
+  MPI_Bcast(&reuse, 1, MPI_INT, 0, context.communicator());
+  if (reuse != 0)
+    {
+      context.log("rve.h5 is up to date: nothing that determines it has changed");
+      if (context.root())
+        restore_rve_summary(context);
+      return;
+    }
+
+  RveResults results;
+  try
+    {
+      results = compute(parameters, context);
+    }
+  catch (const NotConverged &e)
+    {
+      throw NumericalFailure(std::string(e.what()) +
+                             "; loosen Homogenization/Tolerance or set Solver = assembled");
+    }
+  if (!context.root())
+    return;
+  const auto scope  = context.timer().scope("Output");
+  results.effective = effective_stiffness(results.members, parameters);
+  write_rve_tables(parameters, results, context);
+  write_rve_summary(parameters, results, context);
+  write_rve_file(parameters, results, digest, context);
+}
+} // namespace
+
+Program
+rve_homogenization_program()
+{
+  Program program;
+  program.name = "rve_homogenization";
+  program.description =
+    "Effective stiffness and concentration tensors of a representative volume.";
+  program.declare = RveParameters::declare;
+  program.check   = [](dealii::ParameterHandler &prm) { RveParameters::parse(prm); };
+  program.estimate = [](dealii::ParameterHandler &prm, std::ostream &report) {
+    const RveParameters   parameters = RveParameters::parse(prm);
+    const UniformGrid<2>  grid       = parameters.microstructure.grid.grid();
+    report << grid.cells[0] << " x " << grid.cells[1] << " cells, " << 2 * grid.n_nodes()
+           << " degrees of freedom, " << 3 * parameters.conditions.size() * parameters.n_members
+           << " load cases\n";
+  };
+  program.run = run;
+  return program;
+}
+} // namespace mesoslip

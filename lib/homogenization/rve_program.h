@@ -1,0 +1,13 @@
+#ifndef mesoslip_homogenization_rve_program_h
+#define mesoslip_homogenization_rve_program_h
+
+#include "io/program.h"
+
+namespace mesoslip
+{
+/** The program rve_homogenization. */
+Program
+rve_homogenization_program();
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,158 @@
+#include "homogenization/rve_output.h"
+#include "io/parameters.h"
+#include "io/run_context.h"
+#include "material/bounds.h"
+#include "material/engineering_constants.h"
+
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+using nlohmann::json;
+
+json
+matrix_json(const VoigtMatrix<2> &D)
+{
+  json rows = json::array();
+  for (unsigned int i = 0; i < 3; ++i)
+    rows.push_back({D(i, 0), D(i, 1), D(i, 2)});
+  return rows;
+}
+
+json
+bounds_json(const Microstructure &microstructure, const std::vector<double> &fractions)
+{
+  json bounds = {{"voigt", matrix_json(voigt_bound<2>(microstructure.phases, fractions))},
+                 {"reuss", matrix_json(reuss_bound<2>(microstructure.phases, fractions))},
+                 {"hashin_shtrikman_lower", nullptr},
+                 {"hashin_shtrikman_upper", nullptr}};
+  if (const auto hs = hashin_shtrikman_bounds(microstructure.phases, fractions))
+    {
+      bounds["hashin_shtrikman_lower"] = matrix_json(hs->lower_stiffness);
+      bounds["hashin_shtrikman_upper"] = matrix_json(hs->upper_stiffness);
+    }
+  return bounds;
+}
+
+json
+ensemble_json(const RveParameters &parameters, const RveResults &results)
+{
+  json ensemble = {{"members", results.members.size()}, {"confidence", parameters.confidence}};
+  for (const EnsembleMember &member : results.members)
+    ensemble["seeds"].push_back(member.seed);
+  for (std::size_t c = 0; c < parameters.conditions.size(); ++c)
+    {
+      VoigtMatrix<2> mean, deviation, half_width;
+      const auto     statistics = stiffness_statistics(results.members, c, parameters.confidence);
+      for (unsigned int e = 0; e < 9; ++e)
+        {
+          mean(e / 3, e % 3)       = statistics[e].mean;
+          deviation(e / 3, e % 3)  = statistics[e].standard_deviation;
+          half_width(e / 3, e % 3) = statistics[e].half_width;
+        }
+      ensemble[to_string(parameters.conditions[c])] = {
+        {"mean", matrix_json(mean)},
+        {"standard_deviation", matrix_json(deviation)},
+        {"confidence_half_width", matrix_json(half_width)}};
+    }
+  return ensemble;
+}
+
+std::string
+row_text(const std::string &name, const VoigtMatrix<2> &D)
+{
+  std::ostringstream line;
+  line << std::left << std::setw(22) << name << std::right << std::fixed << std::setprecision(3);
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = i; j < 3; ++j)
+      line << std::setw(9) << D(i, j) * 1e-9;
+  return line.str();
+}
+
+void
+log_stiffness(const RveParameters &parameters, const RveResults &results, RunContext &context)
+{
+  std::ostringstream heading;
+  heading << std::left << std::setw(22) << "Stiffness (GPa)" << std::right;
+  for (const char *name : {"D11", "D12", "D13", "D22", "D23", "D33"})
+    heading << std::setw(9) << name;
+  context.log(heading.str());
+  const bool several = results.members.size() > 1;
+  for (std::size_t c = 0; c < parameters.conditions.size(); ++c)
+    {
+      const auto     statistics = stiffness_statistics(results.members, c, parameters.confidence);
+      VoigtMatrix<2> mean, deviation;
+      for (unsigned int e = 0; e < 9; ++e)
+        {
+          mean(e / 3, e % 3)      = statistics[e].mean;
+          deviation(e / 3, e % 3) = statistics[e].standard_deviation;
+        }
+      const std::string name = to_string(parameters.conditions[c]);
+      context.log(row_text(several ? name + " mean" : name, mean));
+      if (several)
+        context.log(row_text(name + " deviation", deviation));
+      else
+        context.log(row_text(name + " from energy",
+                             results.members[0].responses[c].stiffness_from_energy));
+    }
+  context.log(row_text("effective", results.effective));
+  if (parameters.reference)
+    {
+      context.log(row_text("reference", *parameters.reference));
+      std::ostringstream line;
+      line << std::left << std::setw(22) << "difference (%)" << std::right << std::fixed
+           << std::setprecision(2);
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = i; j < 3; ++j)
+          {
+            const double ref = (*parameters.reference)(i, j);
+            if (ref != 0.)
+              line << std::setw(9) << 100. * (results.effective(i, j) / ref - 1.);
+            else
+              line << std::setw(9) << "-";
+          }
+      context.log(line.str());
+    }
+}
+} // namespace
+
+void
+write_rve_summary(const RveParameters &parameters, const RveResults &results, RunContext &context)
+{
+  const EnsembleMember &first = results.members[0];
+  const UniformGrid<2> &grid  = results.microstructure.map.grid;
+  json                 &out   = context.summary();
+
+  out["dim"]   = 2;
+  out["cells"] = grid.n_cells();
+  out["dofs"]  = 2 * grid.n_nodes();
+  for (std::size_t p = 0; p < results.microstructure.phases.size(); ++p)
+    out["phases"].push_back({{"name", results.microstructure.phases[p].name},
+                             {"volume_fraction", first.fractions[p]}});
+  out["stiffness"] = {{"KUBC", nullptr}, {"SUBC", nullptr}, {"PBC", nullptr}};
+  for (const HomogenizedResponse &response : first.responses)
+    {
+      const std::string name               = to_string(response.condition);
+      out["stiffness"][name]               = matrix_json(response.stiffness);
+      out["stiffness_from_energy"][name]   = matrix_json(response.stiffness_from_energy);
+      out["hill_mandel_residual"][name]    = response.hill_mandel_residual;
+      out["symmetry_residual"][name]       = response.symmetry_residual;
+      out["mean_concentration_residual"][name] = response.mean_residual;
+      for (const SolverReport &report : response.reports)
+        out["iterations"][name].push_back(report.iterations);
+    }
+  out["stiffness"]["effective"] = matrix_json(results.effective);
+  out["bounds"]                 = bounds_json(results.microstructure, first.fractions);
+  for (const EngineeringConstant &c : engineering_constants<2>(results.effective))
+    out["engineering_constants"][c.name] = c.value;
+  if (results.members.size() > 1)
+    out["ensemble"] = ensemble_json(parameters, results);
+  if (parameters.reference)
+    out["reference_stiffness"] = matrix_json(*parameters.reference);
+  log_stiffness(parameters, results, context);
+}
+} // namespace mesoslip
