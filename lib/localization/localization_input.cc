@@ -100,7 +100,7 @@ std::vector<double> out_of_plane_ratios(const LocalizationParameters &parameters
   if (ratios.size() != n)
     throw UserError("Localization/Out-of-plane ratio: " + std::to_string(ratios.size()) +
                     " numbers found, but " + rve.path() + " has " + std::to_string(n) +
-                    " phases; give one for each, or auto");
+                    " phases; give one for each, or leave it empty");
   return ratios;
 }
 

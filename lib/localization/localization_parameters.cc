@@ -2,7 +2,6 @@
 
 #include "io/errors.h"
 #include "io/parameters.h"
-#include "io/patterns.h"
 #include "io/raw_parameters.h"
 
 #include <algorithm>
@@ -39,11 +38,11 @@ void declare_localization(Handler &prm)
                     {"mean von Mises", "mean stress", "deviation of stress"},
                     {"mean von Mises", "mean stress", "deviation of stress"},
                     "Statistics over time for each cell; empty: none");
-  declare_word_list(prm, "Out-of-plane ratio", {"auto"}, {},
-                    "sigma_zz / (sigma_xx + sigma_yy) of each phase in the von Mises "
-                    "stress; auto: Poisson's ratio of the isotropic solid closest to "
-                    "the phase, exact for isotropic phases in plane strain; 0: plane "
-                    "stress [-]");
+  declare_double_list(
+    prm, "Out-of-plane ratio", {}, Range::any(),
+    "sigma_zz / (sigma_xx + sigma_yy) of each phase (or one for all) in the von "
+    "Mises stress; empty: Poisson's ratio of the isotropic solid closest to "
+    "the phase, exact for isotropic phases in plane strain; 0: plane stress [-]");
 }
 
 void declare_window(Handler &prm)
@@ -123,20 +122,10 @@ void parse_localization(Handler &prm, LocalizationParameters &p)
   const auto wanted         = [&fields](const char *name) {
     return std::find(fields.begin(), fields.end(), name) != fields.end();
   };
-  p.fields.von_mises = wanted("mean von Mises");
-  p.fields.mean      = wanted("mean stress");
-  p.fields.deviation = wanted("deviation of stress");
-
-  const auto ratios = get_word_list(prm, "Out-of-plane ratio");
-  if (ratios != std::vector<std::string>{"auto"})
-    for (const std::string &word : ratios)
-      {
-        double ratio = 0.;
-        if (!parse_number(word, ratio))
-          throw UserError("Localization/Out-of-plane ratio: '" + word +
-                          "' is no number; give auto or one number for each phase");
-        p.out_of_plane_ratio.push_back(ratio);
-      }
+  p.fields.von_mises   = wanted("mean von Mises");
+  p.fields.mean        = wanted("mean stress");
+  p.fields.deviation   = wanted("deviation of stress");
+  p.out_of_plane_ratio = get_double_list(prm, "Out-of-plane ratio");
 }
 
 void parse_probes(Handler &prm, LocalizationParameters &p)

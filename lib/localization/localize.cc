@@ -24,7 +24,7 @@ std::vector<VoigtMatrix<2>> stiffnesses(const RveFile &rve)
 }
 
 /** sigma = M eps for [k][3] strains. */
-std::vector<double> apply(const VoigtMatrix<2> &M, const std::vector<double> &strain)
+std::vector<double> stresses(const VoigtMatrix<2> &M, const std::vector<double> &strain)
 {
   std::vector<double> stress(strain.size());
   for (std::size_t k = 0; k < strain.size(); k += 3)
@@ -182,8 +182,8 @@ private:
       return input.direct->probe(probe.direct_name, "stress", input.window);
     const std::size_t cell =
       probe.cell[0] + std::size_t(probe.cell[1]) * result.grid.cells[0];
-    return {direct_histories.time, apply(phase_stiffness[input.phase_id[cell]],
-                                         direct_histories.cells[followed])};
+    return {direct_histories.time, stresses(phase_stiffness[input.phase_id[cell]],
+                                            direct_histories.cells[followed])};
   }
 
   ProbeResult evaluate(const PlannedProbe &probe, ProbeSeries series, ProbeSeries direct)
@@ -214,7 +214,7 @@ private:
         else
           series = cut(series, common);
       }
-    r.stress = apply(map.matrix(r.cell[0], r.cell[1]), series.values);
+    r.stress = stresses(map.matrix(r.cell[0], r.cell[1]), series.values);
     if (!direct.time.empty())
       r.direct_stress = resample(direct, series.time);
     r.statistics = compare_series(r.stress, direct.values, r.direct_stress);

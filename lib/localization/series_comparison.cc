@@ -44,7 +44,7 @@ std::array<ComponentStatistics, 3> compare_series(const std::vector<double> &str
                                                   const std::vector<double> &resampled)
 {
   const auto relative = [](const double value, const double reference) {
-    return reference != 0. ? (value - reference) / std::fabs(reference)
+    return reference != 0. ? (value - reference) / reference
                            : ComponentStatistics::unknown;
   };
   std::array<ComponentStatistics, 3> result;

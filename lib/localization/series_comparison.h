@@ -19,8 +19,8 @@ struct ComponentStatistics
   /** Pa; of the direct one, at its own samples. */
   double direct_mean = unknown, direct_deviation = unknown;
   /**
-   * (localized - direct) / |direct|. They do not ask whether the two series are in step:
-   * limit cycles of two runs have arbitrary phases.
+   * localized / direct - 1: negative when too small in magnitude. They do not ask whether
+   * the two series are in step: limit cycles of two runs have arbitrary phases.
    */
   double error_mean = unknown, error_deviation = unknown;
   /** rms of the difference at equal times, relative to the rms of the direct series. */

@@ -1,0 +1,316 @@
+#include "localization/localize.h"
+#include "localization/row_kernels.h"
+#include "localization/strain_interpolation.h"
+#include "localization/stress_map.h"
+#include "localization_testing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace mesoslip_tests;
+
+namespace
+{
+/** Largest error of the interpolated strain in a displacement with quadratic strain. */
+double interpolation_error(const unsigned int n_coarse, const bool edges)
+{
+  const auto source = make_grid(3 * n_coarse, 2 * n_coarse);
+  const auto target = make_grid(15 * n_coarse / 2, 5 * n_coarse);
+  const double k    = 700.;
+  const auto u      = nodal(source, [&](const double x, const double y) {
+    return std::array<double, 2>{{std::sin(k * x) * std::cos(k * y), 0.}};
+  });
+  StrainInterpolation interpolation(source, target);
+  double error            = 0.;
+  const unsigned int skip = edges ? 0 : 8;
+  for (unsigned int j = skip; j < target.cells[1] - skip; ++j)
+    {
+      const ConstRow row = interpolation.row(u.data(), j);
+      for (unsigned int i = skip; i < target.cells[0] - skip; ++i)
+        {
+          const double x = (i + 0.5) * target.spacing[0],
+                       y = (j + 0.5) * target.spacing[1];
+          error =
+            std::max({error, std::fabs(row.xx[i] - k * std::cos(k * x) * std::cos(k * y)),
+                      std::fabs(row.xy[i] + k * std::sin(k * x) * std::sin(k * y))});
+        }
+    }
+  return error / k;
+}
+} // namespace
+
+TEST(AxisWeights, SameGridIsTheIdentity)
+{
+  const AxisWeights weights(7, 7);
+  EXPECT_TRUE(weights.is_identity());
+  for (unsigned int i = 0; i < 7; ++i)
+    {
+      EXPECT_EQ(weights.first[i], i);
+      EXPECT_EQ(weights.weight[i], 1.);
+    }
+}
+
+TEST(AxisWeights, ReproduceLinearFunctionsUpToTheEdges)
+{
+  for (const auto [n_source, n_target] :
+       {std::array<unsigned int, 2>{{4, 8}}, {{4, 11}}, {{12, 4}}, {{9, 4}}, {{2, 5}}})
+    {
+      const AxisWeights weights(n_source, n_target);
+      for (unsigned int i = 0; i < n_target; ++i)
+        {
+          double value = 0.;
+          for (unsigned int k = 0; k < weights.width; ++k)
+            {
+              ASSERT_LT(weights.first[i] + k, n_source);
+              value += weights.weight[i * weights.width + k] *
+                       (weights.first[i] + k + 0.5) / n_source;
+            }
+          EXPECT_NEAR(value, (i + 0.5) / n_target, 1e-14) << n_source << ' ' << n_target;
+        }
+    }
+  EXPECT_EQ(AxisWeights(1, 5).weight, std::vector<double>(5, 1.));
+}
+
+TEST(StrainInterpolation, UniformStrainAndRigidMotion)
+{
+  for (const auto &source : {make_grid(6, 4), make_grid(3, 2), make_grid(12, 8),
+                             make_grid(5, 7), make_grid(1, 1), make_grid(18, 4)})
+    {
+      const auto u    = uniform_strain(source, 1e-3, -2e-3, 5e-4);
+      const auto mean = mean_strain(source, u.data());
+      EXPECT_NEAR(mean[0], 1e-3, 1e-15);
+      EXPECT_NEAR(mean[1], -2e-3, 1e-15);
+      EXPECT_NEAR(mean[2], 5e-4, 1e-15);
+      const auto target = make_grid(6, 4);
+      StrainInterpolation interpolation(source, target);
+      for (unsigned int j = 0; j < target.cells[1]; ++j)
+        {
+          const ConstRow row = interpolation.row(u.data(), j);
+          for (unsigned int i = 0; i < target.cells[0]; ++i)
+            {
+              EXPECT_NEAR(row.xx[i], 1e-3, 1e-15);
+              EXPECT_NEAR(row.yy[i], -2e-3, 1e-15);
+              EXPECT_NEAR(row.xy[i], 5e-4, 1e-15);
+            }
+        }
+    }
+}
+
+TEST(StrainInterpolation, LinearStrainIsExactFromCoarseToFine)
+{
+  // u_x = a x^2 + b x y, u_y = c y^2: cell means of the strain are exact.
+  const double a = 0.3, b = -0.2, c = 0.4;
+  for (const auto &source : {make_grid(6, 4), make_grid(4, 3), make_grid(12, 12)})
+    {
+      const auto u      = nodal(source, [&](const double x, const double y) {
+        return std::array<double, 2>{{a * x * x + b * x * y, c * y * y}};
+      });
+      const auto target = make_grid(12, 12);
+      StrainInterpolation interpolation(source, target);
+      for (unsigned int j = 0; j < 12; ++j)
+        {
+          const ConstRow row = interpolation.row(u.data(), j);
+          for (unsigned int i = 0; i < 12; ++i)
+            {
+              const double x = (i + 0.5) * target.spacing[0],
+                           y = (j + 0.5) * target.spacing[1];
+              EXPECT_NEAR(row.xx[i], 2. * a * x + b * y, 1e-15);
+              EXPECT_NEAR(row.yy[i], 2. * c * y, 1e-15);
+              EXPECT_NEAR(row.xy[i], b * x, 1e-15);
+            }
+        }
+    }
+}
+
+TEST(StrainInterpolation, SecondOrder)
+{
+  for (const bool edges : {false, true})
+    {
+      const double order =
+        std::log2(interpolation_error(16, edges) / interpolation_error(32, edges));
+      EXPECT_GT(order, 1.8) << "edges " << edges;
+      EXPECT_LT(order, 2.4) << "edges " << edges;
+    }
+}
+
+TEST(StrainInterpolation, MeanIsTheMeanOfTheCells)
+{
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> number(-1., 1.);
+  const auto grid = make_grid(7, 5);
+  const auto u    = nodal(grid, [&](double, double) {
+    return std::array<double, 2>{{number(generator), number(generator)}};
+  });
+  StrainInterpolation interpolation(grid, grid);
+  std::array<double, 3> sum = {};
+  for (unsigned int j = 0; j < 5; ++j)
+    {
+      const ConstRow row = interpolation.row(u.data(), j);
+      for (unsigned int i = 0; i < 7; ++i)
+        {
+          sum[0] += row.xx[i] / 35.;
+          sum[1] += row.yy[i] / 35.;
+          sum[2] += row.xy[i] / 35.;
+        }
+    }
+  const auto mean = mean_strain(grid, u.data());
+  for (unsigned int c = 0; c < 3; ++c)
+    EXPECT_NEAR(mean[c], sum[c], 1e-11);
+}
+
+TEST(RowKernels, VonMisesOfKnownStates)
+{
+  // Uniaxial, pure shear, plane strain tension with nu 0.3, hydrostatic (ratio 1/2).
+  const std::vector<double> xx = {5., 0., 7., 4., 0.}, yy = {0., 0., 0., 4., -3.},
+                            xy = {0., 2., 0., 0., 0.}, ratio = {0., 0.4, 0.3, 0.5, 0.};
+  std::vector<double> work(5), sum(5, 1.);
+  add_von_mises_row({xx.data(), yy.data(), xy.data()}, ratio.data(), 5, work.data(),
+                    sum.data());
+  EXPECT_NEAR(sum[0], 6., 1e-15);
+  EXPECT_NEAR(sum[1], 1. + 2. * std::sqrt(3.), 1e-15);
+  EXPECT_NEAR(sum[2], 1. + 7. * std::sqrt(1. - 0.3 + 0.09), 1e-14);
+  EXPECT_NEAR(sum[3], 1., 1e-15);
+  EXPECT_NEAR(sum[4], 4., 1e-15);
+}
+
+TEST(StressStatistics, AgreeWithDirectFormulas)
+{
+  const TestRve rve;
+  const std::vector<VoigtMatrix<2>> C(rve.stiffness.begin(), rve.stiffness.end());
+  const std::vector<double> ratio = {0.2, 0.3};
+  const StressMap map(rve.grid, rve.phase, C, ratio, rve.L);
+  StressStatistics statistics(map, FieldSelection());
+  std::mt19937 generator(11);
+  std::normal_distribution<double> number(1e-3, 1e-6);
+  const unsigned int n = 9, nx = 6, ny = 4;
+  std::vector<double> strain(3 * n * nx * ny);
+  for (double &value : strain)
+    value = number(generator);
+  for (unsigned int k = 0; k < n; ++k)
+    for (unsigned int j = 0; j < ny; ++j)
+      {
+        const double *row = strain.data() + (k * ny + j) * 3 * nx;
+        statistics.add(j, {row, row + nx, row + 2 * nx});
+      }
+  const StressFields fields = statistics.fields();
+  EXPECT_EQ(fields.n_samples, n);
+  for (unsigned int cell = 0; cell < nx * ny; ++cell)
+    {
+      const unsigned int i = cell % nx, j = cell / nx;
+      double von_mises    = 0.;
+      VoigtVector<2> mean = VoigtVector<2>::Zero(), squares = mean;
+      std::vector<VoigtVector<2>> stress;
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          const double *row = strain.data() + (k * ny + j) * 3 * nx;
+          const VoigtVector<2> s =
+            rve.matrix(cell) * VoigtVector<2>(row[i], row[nx + i], row[2 * nx + i]);
+          const double zz = ratio[rve.phase[cell]] * (s[0] + s[1]);
+          von_mises += std::sqrt(s[0] * s[0] + s[1] * s[1] + zz * zz - s[0] * s[1] -
+                                 s[1] * zz - zz * s[0] + 3. * s[2] * s[2]) /
+                       n;
+          mean += s / n;
+          stress.push_back(s);
+        }
+      for (const VoigtVector<2> &s : stress)
+        squares += (s - mean).cwiseAbs2() / n;
+      EXPECT_NEAR(fields.mean_von_mises[cell], von_mises, 1e-13 * von_mises);
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          EXPECT_NEAR(fields.mean_stress[3 * cell + c], mean[c], 1e-13 * mean.norm());
+          EXPECT_NEAR(fields.deviation_stress[3 * cell + c], std::sqrt(squares[c]),
+                      1e-9 * mean.norm());
+        }
+    }
+}
+
+TEST(SeriesComparison, MeanDeviationAndShiftedSeries)
+{
+  // A sine against the same one shifted by a quarter: equal mean and deviation.
+  const unsigned int n = 400;
+  ProbeSeries direct;
+  std::vector<double> stress;
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      const double t = k / 100. * 2. * M_PI;
+      direct.time.push_back(k);
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          stress.push_back(10. + std::sin(t));
+          direct.values.push_back(c == 1 ? 0. : 8. + 2. * std::cos(t));
+        }
+    }
+  const auto result =
+    compare_series(stress, direct.values, resample(direct, direct.time));
+  EXPECT_NEAR(result[0].mean, 10., 1e-12);
+  EXPECT_NEAR(result[0].deviation, std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(result[0].error_mean, 0.25, 1e-12);
+  EXPECT_NEAR(result[0].error_deviation, -0.5, 1e-12);
+  // mean (2 + sin - 2 cos)^2 = 4 + 1/2 + 2, mean (8 + 2 cos)^2 = 64 + 2
+  EXPECT_NEAR(result[0].rms_difference, std::sqrt(6.5 / 66.), 1e-12);
+  EXPECT_TRUE(std::isnan(result[1].error_mean));
+  EXPECT_TRUE(std::isnan(result[1].rms_difference));
+  const auto alone = compare_series(stress, {}, {});
+  EXPECT_NEAR(alone[2].mean, 10., 1e-12);
+  EXPECT_TRUE(std::isnan(alone[2].direct_mean));
+}
+
+TEST(SeriesComparison, ResamplingIsLinear)
+{
+  ProbeSeries series;
+  for (const double t : {0., 1., 3., 4.})
+    {
+      series.time.push_back(t);
+      series.values.insert(series.values.end(), {t, 2. * t, -t});
+    }
+  const auto values                  = resample(series, {0., 0.25, 2.5, 3.5, 4.});
+  const std::vector<double> expected = {0., 0.25, 2.5, 3.5, 4.};
+  for (unsigned int k = 0; k < expected.size(); ++k)
+    EXPECT_NEAR(values[3 * k + 1], 2. * expected[k], 1e-15);
+  ProbeSeries single{{7.}, {1., 2., 3.}};
+  EXPECT_EQ(resample(single, {0.}), single.values);
+}
+
+TEST(FieldErrors, RegionsAndErrorsByConstruction)
+{
+  const auto grid = make_grid(6, 4); // cells of 1 mm
+  std::vector<std::uint8_t> phase(24, 0);
+  phase[8]           = 1;
+  const auto regions = comparison_regions(grid, phase, 1e-3, 1.2e-3);
+  std::map<std::string, std::vector<std::size_t>> cells;
+  for (const CellRegion &region : regions)
+    cells[region.name] = region.cells;
+  EXPECT_EQ(cells["all"].size(), 24u);
+  EXPECT_EQ(cells["surface"].size(), 6u);
+  EXPECT_EQ(cells["bulk"].size(), 18u);
+  EXPECT_EQ(cells["fibres"], std::vector<std::size_t>{8});
+  EXPECT_EQ(cells["interior"].size(), 8u);
+  EXPECT_EQ(cells["surface_inner"].size(), 4u);
+  EXPECT_EQ(cells["matrix_interior"].size(), 7u);
+
+  // Ten per cent too large in the surface, right elsewhere, sigma_xy wholly wrong.
+  StressFields direct, localized;
+  for (unsigned int cell = 0; cell < 24; ++cell)
+    {
+      direct.mean_von_mises.push_back(2.);
+      localized.mean_von_mises.push_back(cell < 6 ? 2.2 : 2.);
+      direct.mean_stress.insert(direct.mean_stress.end(), {3., -1., 1.});
+      localized.mean_stress.insert(localized.mean_stress.end(), {3., -1., 0.});
+    }
+  for (const FieldError &error : field_errors(localized, direct, regions))
+    {
+      double expected = 0.;
+      if (error.quantity == "mean_von_mises" && error.region.substr(0, 7) == "surface")
+        expected = 0.1;
+      else if (error.quantity == "mean_von_mises" && error.region == "all")
+        expected = 0.1 * std::sqrt(6. / 24.);
+      else if (error.quantity == "mean_von_mises" && error.region == "matrix")
+        expected = 0.1 * std::sqrt(6. / 23.);
+      else if (error.quantity == "mean_sigma_xy")
+        expected = 1.;
+      EXPECT_NEAR(error.relative, expected, 1e-14)
+        << error.quantity << ' ' << error.region;
+    }
+  EXPECT_NEAR(difference(localized, direct).mean_von_mises[2], 0.2, 1e-14);
+}

@@ -1,0 +1,174 @@
+#ifndef mesoslip_tests_unit_localization_testing_h
+#define mesoslip_tests_unit_localization_testing_h
+
+#include "grid/uniform_grid.h"
+#include "homogenization/rve_file.h"
+#include "io/hdf5_file.h"
+#include "localization/localize.h"
+#include "material/stiffness.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace mesoslip_tests
+{
+using namespace mesoslip;
+
+inline UniformGrid<2> make_grid(const unsigned int nx, const unsigned int ny)
+{
+  UniformGrid<2> grid;
+  grid.cells   = {{nx, ny}};
+  grid.spacing = {{6e-3 / nx, 4e-3 / ny}};
+  return grid;
+}
+
+/** Displacement [ny + 1][nx + 1][2] of a function of (x, y). */
+inline std::vector<double>
+nodal(const UniformGrid<2> &grid,
+      const std::function<std::array<double, 2>(double, double)> &u)
+{
+  std::vector<double> values;
+  for (unsigned int j = 0; j <= grid.cells[1]; ++j)
+    for (unsigned int i = 0; i <= grid.cells[0]; ++i)
+      {
+        const auto value = u(i * grid.spacing[0], j * grid.spacing[1]);
+        values.insert(values.end(), value.begin(), value.end());
+      }
+  return values;
+}
+
+/** Displacement of a uniform strain, with some rigid motion. */
+inline std::vector<double> uniform_strain(const UniformGrid<2> &grid,
+                                          const double xx,
+                                          const double yy,
+                                          const double xy)
+{
+  return nodal(grid, [=](const double x, const double y) {
+    const double turn = 1e-3;
+    return std::array<double, 2>{
+      {1e-5 + xx * x + (0.5 * xy - turn) * y, -2e-5 + (0.5 * xy + turn) * x + yy * y}};
+  });
+}
+
+/** The content of a small rve.h5: two isotropic phases, L with mean one. */
+struct TestRve
+{
+  UniformGrid<2> grid = make_grid(6, 4);
+  std::vector<std::uint8_t> phase;
+  std::array<VoigtMatrix<2>, 2> stiffness = {
+    {isotropic_stiffness<2>(30e9, 0.2), isotropic_stiffness<2>(240e9, 0.3)}};
+  std::vector<double> L;
+
+  TestRve()
+  {
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<double> number(-0.5, 0.5);
+    for (std::size_t k = 0; k < grid.n_cells(); ++k)
+      phase.push_back(k % 5 == 1 ? 1 : 0);
+    for (std::size_t k = 0; k < 9 * grid.n_cells(); ++k)
+      L.push_back(number(generator));
+    for (unsigned int c = 0; c < 9; ++c)
+      {
+        double mean = 0.;
+        for (std::size_t k = 0; k < grid.n_cells(); ++k)
+          mean += L[9 * k + c] / static_cast<double>(grid.n_cells());
+        for (std::size_t k = 0; k < grid.n_cells(); ++k)
+          L[9 * k + c] += (c % 4 == 0 ? 1. : 0.) - mean;
+      }
+  }
+
+  /** C_phase L, or C_phase alone, of a cell. */
+  VoigtMatrix<2> matrix(const std::size_t cell, const bool with_L = true) const
+  {
+    VoigtMatrix<2> M = stiffness[phase[cell]];
+    if (with_L)
+      M = M * Eigen::Map<const VoigtMatrix<2>>(L.data() + 9 * cell);
+    return M;
+  }
+
+  void write(const std::string &path) const
+  {
+    Hdf5File file = Hdf5File::create(path);
+    file.write_header("mesoslip-rve", 1, 2, "0123456789abcdef");
+    write_grid(file, grid);
+    file.write("/phase/id", {grid.cells[1], grid.cells[0]}, phase);
+    file.write_strings("/phase/name", {"matrix", "fibre"});
+    std::vector<double> D;
+    for (const VoigtMatrix<2> &C : stiffness)
+      D.insert(D.end(), C.data(), C.data() + 9);
+    file.write("/phase/stiffness", {2, 3, 3}, D);
+    file.write("/phase/density", {2}, std::vector<double>{1700., 2400.});
+    file.write("/phase/friction_coefficient", {2}, std::vector<double>{0.2, 0.3});
+    file.write("/concentration/KUBC", {grid.cells[1], grid.cells[0], 3, 3}, L);
+    file.close();
+  }
+};
+
+/** One probe of a run. */
+struct TestProbe
+{
+  std::string name;
+  std::vector<double> position;
+  std::vector<double> time;
+  std::vector<double> strain;
+  std::vector<double> stress;
+};
+
+/** A dynamics.h5 as far as the localization reads it. */
+inline void write_run(const std::string &path,
+                      const UniformGrid<2> &grid,
+                      const std::vector<double> &times,
+                      const std::vector<std::vector<double>> &snapshots,
+                      const std::vector<TestProbe> &probes   = {},
+                      const std::string &rve_digest          = "0123456789abcdef",
+                      const std::vector<std::uint8_t> &phase = {})
+{
+  Hdf5File file = Hdf5File::create(path);
+  file.write_header("mesoslip-dynamics", 1, 2, "fedcba9876543210");
+  write_grid(file, grid);
+  file.create_group("/material");
+  file.write_attribute("/material", "rve_digest", rve_digest);
+  if (!phase.empty())
+    file.write("/material/phase_id", {grid.cells[1], grid.cells[0]}, phase);
+  if (!snapshots.empty())
+    {
+      std::vector<double> all;
+      for (const auto &snapshot : snapshots)
+        all.insert(all.end(), snapshot.begin(), snapshot.end());
+      file.write("/snapshots/time", {times.size()}, times);
+      file.write("/snapshots/displacement",
+                 {snapshots.size(), std::size_t(grid.cells[1]) + 1,
+                  std::size_t(grid.cells[0]) + 1, 2},
+                 all);
+    }
+  for (const TestProbe &probe : probes)
+    {
+      const std::string group = "/probes/" + probe.name;
+      file.write(group + "/time", {probe.time.size()}, probe.time);
+      if (!probe.strain.empty())
+        file.write(group + "/strain", {probe.time.size(), 3}, probe.strain);
+      if (!probe.stress.empty())
+        file.write(group + "/stress", {probe.time.size(), 3}, probe.stress);
+      file.write_attribute(group, "position", probe.position);
+    }
+  file.close();
+}
+
+/** Everything asked for, all of the time. */
+inline LocalizationParameters request(const std::string &folder)
+{
+  constexpr double automatic = std::numeric_limits<double>::quiet_NaN();
+  LocalizationParameters parameters;
+  parameters.rve_file        = folder + "/rve.h5";
+  parameters.homogeneous_run = folder + "/homogeneous.h5";
+  parameters.from = parameters.to = automatic;
+  return parameters;
+}
+} // namespace mesoslip_tests
+
+#endif
