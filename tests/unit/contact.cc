@@ -1,0 +1,376 @@
+#include "contact/contact_row.h"
+
+#include "contact_testing.h"
+
+#include <complex>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+using namespace contact_testing;
+
+namespace
+{
+constexpr double mu    = 0.25;
+constexpr double delta = 1.5e-6;
+constexpr double mass  = 0.03;
+
+/** A node that cannot follow the flat, so that it slips whatever the friction is. */
+Points slipping_node(const double dt, const ContactSetup &setup)
+{
+  Points point(setup, step_of(dt), {mass});
+  point.hold_x(0);
+  return point;
+}
+
+Points slipping_node(const double dt, const double flat_velocity = 2.)
+{
+  return slipping_node(dt, contact_setup(1, mu, flat_velocity, delta));
+}
+
+double ramp_error(const double dt)
+{
+  const double slope = 4e9, end = 6e-6;
+  Points point = slipping_node(dt);
+  double t     = 0.;
+  for (int n = 0; n <= std::lround(end / dt); ++n)
+    {
+      t = point.time();
+      point.load(0, 0., slope * t);
+      point.advance();
+    }
+  return point.friction() / (mu * slope * (t - delta * (1. - std::exp(-t / delta)))) - 1.;
+}
+
+/** Complex amplitude of the friction over that of mu times the normal force. */
+std::complex<double> gain(const double omega, const unsigned int steps_per_period)
+{
+  const std::complex<double> i(0., 1.);
+  const double dt = 2. * M_PI / omega / steps_per_period;
+  Points point    = slipping_node(dt);
+  std::complex<double> amplitude;
+  const unsigned int n_start =
+    steps_per_period * std::ceil(40. * delta / dt / steps_per_period);
+  for (unsigned int n = 0; n < n_start + steps_per_period; ++n)
+    {
+      const double phase = 2. * M_PI * n / steps_per_period;
+      point.load(0, 0., 1000. + 600. * std::cos(phase));
+      point.advance();
+      if (n >= n_start)
+        amplitude += point.friction() * std::exp(-i * phase) * 2. / double(steps_per_period);
+    }
+  return amplitude / (mu * 600.);
+}
+} // namespace
+
+TEST(FrictionLaw, RelaxesAfterANormalStressStepAsFigure2)
+{
+  const double dt = delta / 20., N0 = 400., N1 = 1000.;
+  for (const double V : {2., -2.})
+    {
+      Points point = slipping_node(dt, V);
+      point.load(0, 0., N0);
+      for (unsigned int n = 1; n <= 1000; ++n)
+        {
+          point.advance();
+          ASSERT_NEAR(point.friction(),
+                      std::copysign(mu * N0 * -std::expm1(-(n * dt) / delta), V), 1e-11);
+          ASSERT_NEAR(point.pressing(), N0, 1e-10);
+        }
+      point.load(0, 0., N1);
+      for (unsigned int n = 1; n <= 200; ++n)
+        {
+          point.advance();
+          const double expected = mu * (N1 + (N0 - N1) * std::exp(-(n * dt) / delta));
+          ASSERT_NEAR(point.friction(), std::copysign(expected, V), 1e-11);
+        }
+    }
+}
+
+TEST(FrictionLaw, LagsBehindARamp)
+{
+  // The law is exact for a constant target; a ramp is one of steps, half a step ahead.
+  double last = 0.;
+  for (const double dt : {1e-7, 5e-8, 2.5e-8, 1.25e-8})
+    {
+      const double error = ramp_error(dt);
+      EXPECT_GT(error, 0.);
+      if (last > 0.)
+        {
+          EXPECT_NEAR(std::log2(last / error), 1., 0.02);
+        }
+      last = error;
+    }
+  EXPECT_LT(last, 2e-3);
+}
+
+TEST(FrictionLaw, FiltersAHarmonicNormalForce)
+{
+  const std::complex<double> i(0., 1.);
+  const double omega               = 2. * M_PI * 1e5;
+  const std::complex<double> exact = 1. / (1. + i * omega * delta);
+  double last                      = 0.;
+  for (const unsigned int steps : {100u, 200u, 400u})
+    {
+      const std::complex<double> found = gain(omega, steps);
+      const double dt = 2. * M_PI / omega / steps, q = std::exp(-dt / delta);
+      EXPECT_LT(std::abs(found - (1. - q) / (1. - q * std::exp(-i * omega * dt))), 1e-12);
+      const double error = std::abs(found - exact);
+      if (last > 0.)
+        {
+          EXPECT_NEAR(std::log2(last / error), 1., 0.05);
+        }
+      last = error;
+      EXPECT_NEAR(std::abs(found), 1. / std::hypot(1., omega * delta), 1. / steps);
+      EXPECT_NEAR(-std::arg(found), std::atan(omega * delta), M_PI / steps * 1.05);
+    }
+}
+
+TEST(FrictionLaw, CoulombAtOnce)
+{
+  ContactSetup zero_time = contact_setup(1, mu, 2., 0.);
+  ContactSetup none      = contact_setup(1, mu, 2., delta);
+  none.law.regularization = FrictionLaw::Regularization::none;
+  for (const ContactSetup &setup : {zero_time, none})
+    {
+      Points point = slipping_node(1e-8, setup);
+      for (const double N : {100., 7., 3000.})
+        {
+          point.load(0, 0., N);
+          point.advance();
+          EXPECT_NEAR(point.friction(), mu * N, 1e-10);
+        }
+    }
+}
+
+TEST(FrictionLaw, SlipRateDependentTime)
+{
+  ContactSetup setup           = contact_setup(2, mu, 2., delta);
+  setup.law.regularization     = FrictionLaw::Regularization::slip_rate;
+  setup.law.length             = 3e-6;
+  setup.law.reference_velocity = 0.25;
+  const double dt              = 5e-8;
+  Points points(setup, step_of(dt), {mass, 1e30});
+  points.hold_x(0);
+  points.w.row(0, 0)[1] = -1.5; // heavy: keeps its velocity
+  points.load(0, 0., 500.);
+  points.load(1, 0., 500.);
+  for (unsigned int n = 1; n <= 100; ++n)
+    {
+      points.advance();
+      for (const unsigned int i : {0u, 1u})
+        {
+          const double time = 3e-6 / ((i == 0 ? 2. : 3.5) + 0.25);
+          ASSERT_NEAR(points.friction(i), mu * 500. * -std::expm1(-(n * dt) / time), 1e-10);
+        }
+    }
+}
+
+TEST(ContactPoint, SticksBelowTheLimit)
+{
+  const double N = 100., dt = 1e-7, V = 0.3;
+  for (const double share : {0.99, -0.99, 1.01, -1.01})
+    {
+      Points point(contact_setup(1, mu, V, 0.), step_of(dt, 0.7), {mass});
+      point.w.row(0, 0)[0] = V;
+      point.load(0, share * mu * N, N);
+      for (unsigned int n = 1; n <= 50; ++n)
+        point.advance();
+      const bool sticks = std::abs(share) < 1.;
+      const double x = point.u.row(0, 0)[0], flat = V * point.time();
+      EXPECT_EQ(point.contact.history().sticking.back(), sticks);
+      EXPECT_EQ(point.contact.history().slipping.back(), !sticks);
+      EXPECT_EQ(point.contact.history().separated.back(), 0.);
+      if (sticks)
+        {
+          EXPECT_NEAR(point.friction(), -share * mu * N, 1e-9);
+          EXPECT_NEAR(x, flat, 1e-14 * flat);
+          EXPECT_NEAR(point.contact.work().friction, 0., 1e-20);
+        }
+      else
+        {
+          EXPECT_NEAR(point.friction(), std::copysign(mu * N, -share), 1e-9);
+          EXPECT_GT((x - flat) * share, 0.);
+          EXPECT_GT(point.contact.work().friction, 0.);
+        }
+    }
+}
+
+TEST(ContactPoint, MemoryNeverDragsFasterThanTheFlat)
+{
+  // The memory holds mu 1000 N/m; then the pressure drops and the flat hardly moves.
+  ContactSetup setup  = contact_setup(1, mu, 0., delta);
+  setup.flat_velocity = LoadHistory(1., "if(t < 2.9995e-5, 2, 5e-5)");
+  Points point(setup, step_of(1e-8), {mass});
+  point.load(0, 0., 1000.);
+  for (unsigned int n = 0; n < 3000; ++n)
+    {
+      point.u.row(0, 0)[0] = point.w.row(0, 0)[0] = 0.;
+      point.advance();
+    }
+  ASSERT_NEAR(point.friction(), mu * 1000., 1e-3);
+  point.u.row(0, 0)[0] = point.w.row(0, 0)[0] = 0.;
+  point.load(0, 0., 100.);
+  point.advance();
+  const double to_stick = 5e-5 * 1e-8 * mass / (1e-8 * 1e-8);
+  ASSERT_GT(to_stick, mu * 100.);
+  ASSERT_LT(to_stick, mu * 1000. * std::exp(-1e-8 / delta));
+  EXPECT_NEAR(point.friction(), to_stick, 1e-9);
+  EXPECT_NEAR(point.w.row(0, 0)[0], 5e-5, 1e-16);
+  EXPECT_EQ(point.contact.history().slipping.back(), 1.);
+
+  // Against the motion of the flat the memory is not cut.
+  point.w.row(0, 0)[0] = 1.;
+  point.advance();
+  EXPECT_GT(point.friction(), to_stick * std::exp(-2e-8 / delta) - mu * 100. * 1e-8 / delta);
+  EXPECT_LT(point.friction(), to_stick);
+}
+
+TEST(ContactPoint, SeparationClearsTheMemory)
+{
+  const double dt = delta / 30.;
+  Points point    = slipping_node(dt);
+  point.load(0, 0., 800.);
+  for (unsigned int n = 0; n < 90; ++n)
+    point.advance();
+  ASSERT_GT(point.friction(), 0.9 * mu * 800.);
+  point.load(0, 0., -1.);
+  point.advance();
+  EXPECT_EQ(point.friction(), 0.);
+  EXPECT_EQ(point.pressing(), 0.);
+  EXPECT_EQ(point.contact.history().separated.back(), 1.);
+  EXPECT_GT(point.u.row(1, 0)[0], 0.);
+  point.load(0, 0., 800.);
+  point.advance();
+  EXPECT_NEAR(point.u.row(1, 0)[0], 0., 1e-24);
+  EXPECT_NEAR(point.friction(), mu * point.pressing() * -std::expm1(-dt / delta), 1e-10);
+  point.contact.finish();
+  ASSERT_EQ(point.contact.blocks().size(), 1u);
+  const NodeCounts &counts = point.contact.blocks()[0];
+  EXPECT_EQ(counts.n_steps, 92u);
+  EXPECT_EQ(counts.slip[0], 91.f);
+  EXPECT_EQ(counts.stick[0], 0.f);
+  EXPECT_EQ(counts.landings[0], 2.f);
+}
+
+TEST(ContactPoint, FallsThroughTheGapOntoTheFlat)
+{
+  const double g = 10., gap = 0.05, dt = 1e-3;
+  for (const double b : {0.5, 1.})
+    {
+      ContactSetup setup    = contact_setup(1, mu, 0., 0.);
+      setup.gap             = gap;
+      setup.monitored_nodes = {0};
+      Points point(setup, step_of(dt, b), {mass});
+      point.load(0, 0., mass * g);
+      point.w.row(1, 0)[0] = b * g * dt; // v_0 = 0
+      const unsigned int n_end = 0.95 * std::sqrt(2. * gap / g) / dt;
+      for (unsigned int n = 0; n < n_end; ++n)
+        point.advance();
+      const MonitoredNode &node = point.contact.history().nodes[0];
+      for (unsigned int n = 0; n < n_end; ++n)
+        ASSERT_NEAR(node.vy[n], -g * n * dt, 1e-12);
+      EXPECT_NEAR(node.uy.back(), -0.5 * g * dt * dt * (n_end - 1.) * (n_end - 1.), 1e-12);
+      for (unsigned int n = 0; n < 50; ++n)
+        point.advance();
+      EXPECT_NEAR(point.u.row(1, 0)[0], -gap, 1e-16);
+      EXPECT_NEAR(point.pressing(), mass * g, 1e-8);
+    }
+}
+
+TEST(Block, ThrownOnAPlane)
+{
+  // The v^2 / (2 mu g) of the text book; the last step is one of sticking.
+  const double g = 9.81, v = 3., dt = 1e-4;
+  for (const double b : {0.5, 0.8})
+    for (const double sign : {1., -1.})
+      {
+        ContactSetup setup    = contact_setup(1, mu, 0., 0.);
+        setup.monitored_nodes = {0};
+        Points block(setup, step_of(dt, b), {mass});
+        block.load(0, 0., mass * g);
+        block.w.row(0, 0)[0] = sign * (v + b * dt * mu * g);
+        const double stop    = v / (mu * g);
+        while (block.time() < 1.2 * stop)
+          block.advance();
+        const auto &h = block.contact.history();
+        for (unsigned int n = 0; h.time[n] < 0.999 * stop; ++n)
+          ASSERT_NEAR(h.nodes[0].vx[n], sign * (v - mu * g * h.time[n]), 1e-11);
+        EXPECT_NEAR(block.u.row(0, 0)[0], sign * v * v / (2. * mu * g), 2e-8);
+        EXPECT_NEAR(h.nodes[0].vx.back(), 0., 1e-13);
+        EXPECT_EQ(h.sticking.back(), 1.);
+        // All the energy goes into friction but for what the last step of b > 1/2 takes.
+        EXPECT_NEAR(block.contact.work().friction, 0.5 * mass * v * v, 2e-4 * mass * v * v);
+        EXPECT_EQ(block.contact.work().flat, 0.);
+      }
+}
+
+TEST(Block, FollowsAFlatThatReverses)
+{
+  const double g = 9.81, V = 2., dt = 1e-4;
+  ContactSetup setup    = contact_setup(1, mu, 0., 0.);
+  setup.flat_velocity   = LoadHistory(V, "if(t < 0.49995, 2, -2)");
+  setup.monitored_nodes = {0};
+  Points block(setup, step_of(dt), {mass});
+  block.load(0, 0., mass * g);
+  block.w.row(0, 0)[0] = V;
+  while (block.time() < 2.5)
+    block.advance();
+  const auto &h        = block.contact.history();
+  const double slipped = 2. * V / (mu * g);
+  for (unsigned int n = 0; n < h.time.size(); ++n)
+    {
+      const double t        = h.time[n] - 0.5;
+      const double expected = t < 0. ? V : t < slipped ? V - mu * g * t : -V;
+      ASSERT_NEAR(h.nodes[0].vx[n], expected, 1.1 * mu * g * dt);
+    }
+  // The flat slides 2 V t - mu g t^2 / 2 under the block.
+  EXPECT_NEAR(block.contact.work().friction, mu * mass * g * V * slipped, 1e-5);
+}
+
+TEST(ContactPoint, TractionsOfEndNodes)
+{
+  // Half the width: half the mass and half the forces. All loads change.
+  Points points(contact_setup(3, mu, 0.02, 4e-8), step_of(1e-8), {mass / 2, mass, mass / 2});
+  double largest = 0.;
+  for (unsigned int n = 0; n < 3000; ++n)
+    {
+      const double N = 300. * std::sin(0.01 * n) + 100., T = 90. * std::cos(0.017 * n);
+      points.load(0, T / 2, N / 2);
+      points.load(1, T, N);
+      points.load(2, T / 2, N / 2);
+      points.advance();
+      for (const unsigned int end : {0u, 2u})
+        {
+          ASSERT_EQ(2. * points.friction(end), points.friction(1));
+          ASSERT_EQ(2. * points.pressing(end), points.pressing(1));
+          ASSERT_EQ(points.u.row(0, 0)[end], points.u.row(0, 0)[1]);
+        }
+      largest = std::max(largest, points.friction(1));
+    }
+  points.contact.finish();
+  const NodeCounts &counts = points.contact.blocks()[0];
+  EXPECT_GT(counts.stick[1], 0.f);
+  EXPECT_GT(counts.slip[1], 0.f);
+  EXPECT_LT(counts.stick[1] + counts.slip[1], 3000.f);
+  EXPECT_GT(largest, 1.);
+}
+
+TEST(LoadHistory, Ramps)
+{
+  const LoadHistory step(3.), linear(3., Ramp::linear, 2.), smooth(3., Ramp::smooth, 2.);
+  const LoadHistory typed(3., "3*cos(2*pi*t) + 1");
+  EXPECT_EQ(step(0.), 3.);
+  EXPECT_EQ(linear(0.), 0.);
+  EXPECT_EQ(linear(0.5), 0.75);
+  EXPECT_EQ(linear(5.), 3.);
+  EXPECT_EQ(smooth(0.), 0.);
+  EXPECT_NEAR(smooth(0.5), 1.5 * (1. - std::sqrt(0.5)), 1e-15);
+  EXPECT_NEAR(smooth(1.), 1.5, 1e-15);
+  EXPECT_EQ(smooth(2.), 3.);
+  EXPECT_NEAR(typed(1. / 6.), 2.5, 1e-14);
+  EXPECT_EQ(typed.amplitude(), 3.);
+  EXPECT_THROW(LoadHistory(1., "3*("), std::invalid_argument);
+  EXPECT_THROW(LoadHistory(1., "3*x"), std::invalid_argument);
+  EXPECT_EQ(ramp_from_string("smooth"), Ramp::smooth);
+  EXPECT_THROW(ramp_from_string("Smooth"), std::invalid_argument);
+}
