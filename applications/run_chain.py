@@ -1,0 +1,217 @@
+#!/usr/bin/env python3
+"""Run a chain of .prm files, each program reading what those before it left.
+
+A folder holds files such as 10-rve_homogenization.prm and 20-contact_dynamics-homogeneous.prm: the name
+contains the program, the order is that of the names. All files are copied to the results folder; the
+output of NAME.prm goes to NAME/ beside it, so that a later file reads NAME/rve.h5. What is up to date is
+skipped; runs that do not need one another go side by side. At the end stands report.html.
+"""
+
+import argparse
+import concurrent.futures
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+import threading
+import time
+
+PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
+HERE = os.path.dirname(os.path.abspath(__file__))
+STAMP = ".up_to_date"
+
+
+def fail(sentence):
+    print(f"run.sh: {sentence}", file=sys.stderr)
+    sys.exit(2)
+
+
+class Step:
+    """One .prm file of a chain."""
+
+    def __init__(self, name, folder, programs):
+        self.name = name
+        self.prm = os.path.join(folder, name + ".prm")
+        self.output = os.path.join(folder, name)
+        found = [p for p in PROGRAMS if p in name]
+        if not found:
+            fail(f"{name}.prm names no program; put one of {', '.join(PROGRAMS)} into the file's name")
+        self.program = os.path.join(programs, found[0])
+        self.needs = []
+        self.stamp = None
+
+    def find_needs(self, earlier):
+        with open(self.prm, encoding="utf-8", errors="replace") as file:
+            text = "\n".join(line.split("#")[0] for line in file)
+        self.needs = [step for step in earlier if step.name + "/" in text or step.name + "\n" in text]
+
+    def compute_stamp(self, data_files):
+        digest = hashlib.sha256()
+        for path in [self.prm, self.program, *data_files]:
+            with open(path, "rb") as file:
+                digest.update(hashlib.sha256(file.read()).digest())
+        for step in self.needs:
+            digest.update(step.stamp.encode())
+        self.stamp = digest.hexdigest()
+
+    def up_to_date(self):
+        try:
+            with open(os.path.join(self.output, STAMP), encoding="utf-8") as file:
+                return file.read() == self.stamp and os.path.exists(os.path.join(self.output, "summary.json"))
+        except OSError:
+            return False
+
+    def command(self, ranks, extra):
+        start = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
+        return start + [self.program, self.prm, "--output", self.output] + extra
+
+    def mark_done(self):
+        with open(os.path.join(self.output, STAMP), "w", encoding="utf-8") as file:
+            file.write(self.stamp)
+
+
+def copy_inputs(source, target):
+    """Copies the files of a chain; what did not change keeps its time."""
+    os.makedirs(target, exist_ok=True)
+    names = sorted(n for n in os.listdir(source) if os.path.isfile(os.path.join(source, n)))
+    for name in names:
+        new, old = os.path.join(source, name), os.path.join(target, name)
+        if os.path.abspath(new) != os.path.abspath(old):
+            shutil.copy2(new, old)
+    return names
+
+
+class Runner:
+    """Runs the steps of a chain in the order of their needs, several at a time."""
+
+    def __init__(self, steps, jobs, ranks, resume):
+        self.steps, self.jobs, self.ranks = steps, jobs, ranks
+        self.extra = ["--resume"] if resume else []
+        self.lock = threading.Lock()
+        self.children = []
+        self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+
+    def say(self, line):
+        with self.lock:
+            print(line, flush=True)
+
+    def run_step(self, step, alone):
+        command = step.command(self.ranks, self.extra)
+        if alone:
+            return subprocess.call(command, env=self.environment)
+        child = subprocess.Popen(command, env=self.environment, text=True, stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT)
+        with self.lock:
+            self.children.append(child)
+        for line in child.stdout:
+            self.say(f"[{step.name}] {line.rstrip()}")
+        return child.wait()
+
+    def attempt(self, step, alone):
+        begin = time.monotonic()
+        status = self.run_step(step, alone)
+        if status == 0:
+            step.mark_done()
+            self.say(f"{step.name}: done in {time.monotonic() - begin:.1f} s")
+        else:
+            self.say(f"{step.name}: stopped with exit status {status}")
+        return status
+
+    def run(self):
+        waiting, done, running, worst = list(self.steps), set(), {}, 0
+        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+            try:
+                while waiting or running:
+                    ready = [s for s in waiting if all(n.name in done for n in s.needs)]
+                    alone = len(ready) == 1 and not running and not any(
+                        all(n.name in done for n in s.needs) for s in waiting if s is not ready[0])
+                    for step in ready if worst == 0 else []:
+                        if len(running) >= self.jobs:
+                            break
+                        waiting.remove(step)
+                        if step.up_to_date():
+                            self.say(f"{step.name}: up to date")
+                            done.add(step.name)
+                        else:
+                            running[pool.submit(self.attempt, step, alone or self.jobs == 1)] = step
+                    if not running:
+                        if worst or not any(all(n.name in done for n in s.needs) for s in waiting):
+                            break
+                        continue
+                    finished, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
+                    for future in finished:
+                        step, status = running.pop(future), future.result()
+                        worst = worst or status
+                        if status == 0:
+                            done.add(step.name)
+            except KeyboardInterrupt:
+                for child in self.children:
+                    child.terminate()
+                worst = 130
+        return worst
+
+
+def write_report(steps, target):
+    script = os.path.join(HERE, "report", "make_report.py")
+    page = os.path.join(target, "report.html")
+    folders = [s.output for s in steps if os.path.exists(os.path.join(s.output, "summary.json"))]
+    if not folders or not os.path.exists(script):
+        return
+    if subprocess.call([sys.executable, script, "--output", page, *folders]) == 0:
+        print(f"Report: {page}")
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(prog="./run.sh", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", help="folder with .prm files, or the name of one in prm/; "
+                        "without it the paper's pin, prm/pin")
+    parser.add_argument("--output", metavar="DIR", help="results folder (default: results, or results/<folder>)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs side by side (default: all cores)")
+    parser.add_argument("--ranks", type=int, default=1, help="MPI ranks of each run (default: 1)")
+    parser.add_argument("--resume", action="store_true", help="continue interrupted runs from their checkpoints")
+    parser.add_argument("--no-report", action="store_true", help="do not write report.html")
+    parser.add_argument("--programs", default=os.path.join(HERE, "..", "build", "applications"), help=argparse.SUPPRESS)
+    parser.add_argument("--from", dest="origin", default=os.getcwd(), help=argparse.SUPPRESS)
+    arguments = parser.parse_args()
+    if arguments.jobs < 1 or arguments.ranks < 1:
+        fail("--jobs and --ranks have to be at least 1")
+    return arguments
+
+
+def find_folder(arguments):
+    top = os.path.dirname(HERE)
+    if arguments.folder is None:
+        return os.path.join(top, "prm", "pin"), os.path.join(top, "results")
+    for start in (arguments.origin, top, os.path.join(top, "prm")):
+        folder = os.path.normpath(os.path.join(start, arguments.folder))
+        if os.path.isdir(folder):
+            return folder, os.path.join(top, "results", os.path.basename(folder))
+    return fail(f"there is no folder '{arguments.folder}', neither here nor in prm/")
+
+
+def main():
+    arguments = parse_arguments()
+    source, target = find_folder(arguments)
+    if arguments.output:
+        target = os.path.normpath(os.path.join(arguments.origin, arguments.output))
+    names = copy_inputs(source, target)
+    chain = [n[:-4] for n in names if n.endswith(".prm")]
+    if not chain:
+        fail(f"no .prm file in {source}")
+    steps = []
+    data_files = [os.path.join(target, n) for n in names if n.rsplit(".", 1)[-1] in ("csv", "png", "txt")]
+    for name in chain:
+        step = Step(name, target, arguments.programs)
+        step.find_needs(steps)
+        step.compute_stamp(data_files)
+        steps.append(step)
+    status = Runner(steps, arguments.jobs, arguments.ranks, arguments.resume).run()
+    if not arguments.no_report:
+        write_report(steps, target)
+    sys.exit(status)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,62 @@
+# Shared by run.sh and test.sh: installs what is missing, configures, builds.
+# Sourced with the repository as current folder.
+
+# Debian packages; the programs need all but the last line, the tests also that.
+mesoslip_packages=(
+  build-essential cmake ninja-build libdeal.ii-dev libeigen3-dev nlohmann-json3-dev libpng-dev
+  python3 python3-numpy python3-h5py python3-matplotlib
+  libgtest-dev)
+
+say() { printf '%s\n' "$*"; }
+fail() { printf '%s: %s\n' "${0##*/}" "$*" >&2; exit 2; }
+
+missing_packages() {
+  local package
+  for package in "${mesoslip_packages[@]}"; do
+    case $(dpkg-query -W -f='${Status}' "$package" 2>/dev/null) in
+      *"ok installed") ;;
+      *) printf '%s ' "$package" ;;
+    esac
+  done
+}
+
+install_packages() {
+  command -v dpkg-query >/dev/null || {
+    say "Not a Debian system: expecting deal.II 9.4, Eigen, nlohmann-json, libpng, GoogleTest to be there."
+    return
+  }
+  local missing as_root=()
+  missing=$(missing_packages)
+  [ -n "$missing" ] || return 0
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || fail "these Debian packages are missing and there is neither root nor sudo to install them: $missing"
+    as_root=(sudo)
+  fi
+  say "Installing $missing"
+  # shellcheck disable=SC2086
+  { "${as_root[@]}" apt-get update -qq &&
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
+  } >"${TMPDIR:-/tmp}/mesoslip-apt.$$.log" 2>&1 || {
+    tail -n 5 "${TMPDIR:-/tmp}/mesoslip-apt.$$.log" >&2
+    fail "apt could not install: $missing"
+  }
+  rm -f "${TMPDIR:-/tmp}/mesoslip-apt.$$.log"
+}
+
+# build <folder> <target>... : configures once, then builds; prints only what goes wrong.
+build() {
+  local folder=$1 log
+  shift
+  log="$folder/build.log"
+  mkdir -p "$folder"
+  if [ ! -f "$folder/build.ninja" ]; then
+    say "Configuring in $folder"
+    cmake -S . -B "$folder" -G Ninja "${cmake_options[@]}" >"$log" 2>&1 || { tail -n 30 "$log" >&2; fail "cmake failed, see $log"; }
+  fi
+  say "Building (the first time takes some minutes)"
+  if [ -t 1 ]; then
+    cmake --build "$folder" --target "$@" || fail "the build failed"
+  else
+    cmake --build "$folder" --target "$@" >"$log" 2>&1 || { grep -E 'error|FAILED' "$log" >&2 || tail -n 30 "$log" >&2; fail "the build failed, see $log"; }
+  fi
+}
