@@ -50,7 +50,8 @@ public:
     grid.cells   = {{result.grid.cells[0], result.grid.cells[1], 1}};
     grid.origin  = {{result.grid.origin[0], result.grid.origin[1], 0.}};
     grid.spacing = {{result.grid.spacing[0], result.grid.spacing[1], 1.}};
-    write_xdmf(path, grid, shown);
+    if (!shown.empty())
+      write_xdmf(path, grid, shown);
   }
 
 private:

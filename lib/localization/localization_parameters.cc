@@ -169,6 +169,10 @@ LocalizationParameters LocalizationParameters::parse(dealii::ParameterHandler &p
                       to_text(p.to) + " s");
   }
   parse_probes(prm, p);
+  if (!p.fields.any() && p.run_probes.empty() && p.further_probes.empty())
+    throw UserError(
+      "Localization/Fields, Probes/Of the run and Probes/Further are all empty: "
+      "nothing is asked for");
   const ParameterSection section(prm, "Comparison");
   p.surface_depth = get_double(prm, "Surface depth");
   p.edge_distance = get_double(prm, "Edge distance");

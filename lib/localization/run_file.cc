@@ -16,14 +16,14 @@ namespace
 constexpr int newest_version = 1;
 
 const char snapshot_hint[] =
-  "run contact_dynamics with Snapshots/Interval > 0, or leave Localization/Fields empty";
+  "fields, the mean strain and further probes need it: run contact_dynamics with "
+  "Snapshots/Interval > 0";
 const char probe_hint[] =
   "name it in Observation/Probes of the contact_dynamics run, or give its position here";
 } // namespace
 
-RunFile::RunFile(const std::string &path, const std::string &role_name)
-  : file(Hdf5File::open(path, "the " + role_name + "; run contact_dynamics first"))
-  , role(role_name)
+RunFile::RunFile(const std::string &path, const std::string &role)
+  : file(Hdf5File::open(path, "the " + role + "; run contact_dynamics first"))
 {
   const std::string hint = "contact_dynamics writes such a file";
   the_digest = file.check_header("mesoslip-dynamics", newest_version, 2, hint).digest;

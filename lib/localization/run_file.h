@@ -83,7 +83,6 @@ private:
 
   Hdf5File file;
   UniformGrid<2> the_grid;
-  std::string role;
   std::string the_digest;
 };
 } // namespace mesoslip
