@@ -78,7 +78,8 @@ std::vector<CellRegion> comparison_regions(const UniformGrid<2> &grid,
         const double x = (i + 0.5) * grid.spacing[0], y = (j + 0.5) * grid.spacing[1];
         const double side   = std::min(x, grid.extent(0) - x);
         const bool inner    = side >= edge_distance;
-        const bool surface  = y<surface_depth, fibre = phase[cell]> 0;
+        const bool surface  = y < surface_depth;
+        const bool fibre    = phase[cell] > 0;
         const bool interior = inner && std::min(y, grid.extent(1) - y) >= edge_distance;
         const bool member[] = {
           true,     surface,          !surface,           !fibre,           fibre,

@@ -95,7 +95,7 @@ std::string input_path(Handler &prm,
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     path = (std::filesystem::path(path) / name).string();
-  require_readable_file("Input/" + key, path, hint);
+  require_readable_file("'Input/" + key + "': ", path, hint);
   return path;
 }
 

@@ -186,6 +186,23 @@ private:
                                             direct_histories.cells[followed])};
   }
 
+  /** Cuts both to the time they share; without any, drops the direct one. */
+  void
+  restrict_to_common(ProbeSeries &series, ProbeSeries &direct, const std::string &name)
+  {
+    const TimeWindow common =
+      TimeWindow{series.time.front(), series.time.back()}.intersection(
+        {direct.time.front(), direct.time.back()});
+    ProbeSeries ours = cut(series, common), theirs = cut(direct, common);
+    const bool shared = !ours.time.empty() && !theirs.time.empty();
+    if (!shared && monitor.warn)
+      monitor.warn("the series of the probe " + name +
+                   " in the two runs have no time in common: no comparison");
+    if (shared)
+      series = std::move(ours);
+    direct = shared ? std::move(theirs) : ProbeSeries();
+  }
+
   ProbeResult evaluate(const PlannedProbe &probe, ProbeSeries series, ProbeSeries direct)
   {
     ProbeResult r;
@@ -200,20 +217,7 @@ private:
                       to_text(input.window.end) + " s; change Window/From and To");
     // Two static states are compared whatever their times.
     if (!direct.time.empty() && (series.time.size() > 1 || direct.time.size() > 1))
-      {
-        const TimeWindow common =
-          TimeWindow{series.time.front(), series.time.back()}.intersection(
-            {direct.time.front(), direct.time.back()});
-        direct = cut(direct, common);
-        if (direct.time.empty())
-          {
-            if (monitor.warn)
-              monitor.warn("the series of the probe " + r.name +
-                           " in the two runs have no time in common");
-          }
-        else
-          series = cut(series, common);
-      }
+      restrict_to_common(series, direct, r.name);
     r.stress = stresses(map.matrix(r.cell[0], r.cell[1]), series.values);
     if (!direct.time.empty())
       r.direct_stress = resample(direct, series.time);

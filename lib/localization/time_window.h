@@ -33,8 +33,10 @@ inline IndexRange entries_in(const std::vector<double> &times, const TimeWindow 
 {
   // Not scaled by an end at infinity.
   const auto slack = [](const double t) { return std::isfinite(t) ? 1e-9 * t : 0.; };
-  const auto from  = std::lower_bound(times.begin(), times.end(),
-                                      window.begin - std::fabs(slack(window.begin)));
+  if (!(window.begin <= window.end))
+    return {};
+  const auto from = std::lower_bound(times.begin(), times.end(),
+                                     window.begin - std::fabs(slack(window.begin)));
   const auto to =
     std::upper_bound(from, times.end(), window.end + std::fabs(slack(window.end)));
   return {static_cast<std::size_t>(from - times.begin()),

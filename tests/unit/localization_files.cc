@@ -269,3 +269,23 @@ TEST(LocalizationOutput, FileAndSummary)
               summary["field_errors"]["mean_von_mises"]["all"].is_number());
   EXPECT_TRUE(summary["mean_strain_variant"]["field_errors"].is_object());
 }
+
+TEST(Localize, ProbesThatShareNoTimeAreNotCompared)
+{
+  Case c;
+  TestProbe late = c.probe("A", 1.);
+  late.time      = {5., 6.};
+  write_run(c.folder / "direct.h5", make_grid(6, 4), {0.}, {c.state(make_grid(6, 4))},
+            {late}, "0123456789abcdef", c.rve.phase);
+  auto parameters       = c.request();
+  parameters.direct_run = c.folder / "direct.h5";
+  LocalizationMonitor monitor;
+  std::string warnings;
+  monitor.warn      = [&](const std::string &text) { warnings += text; };
+  const auto result = localize(parameters, monitor);
+  expect_contains(warnings, "no time in common");
+  const ProbeResult &probe = result.variants[0].probes.at(0);
+  EXPECT_EQ(probe.time.size(), 2u);
+  EXPECT_TRUE(probe.direct_stress.empty());
+  EXPECT_TRUE(std::isnan(probe.statistics[0].direct_mean));
+}
