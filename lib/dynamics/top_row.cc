@@ -31,6 +31,7 @@ TopRow::TopRow(const TopSetup &setup, const StepParameters &step, const unsigned
   , step(step)
   , n_distinct(setup.periodic ? n_columns - 1 : n_columns)
   , tributary(n_columns, setup.cell_width)
+  , increment_x(n_columns, 0.)
   , increment_y(n_columns, 0.)
 {
   if (!setup.periodic)
@@ -66,7 +67,10 @@ void
 TopRow::initialize(const RowView &row)
 {
   for (unsigned int i = 0; i < row.n_columns; ++i)
-    increment_y[i] = step.dt * row.wy[i];
+    {
+      increment_x[i] = step.dt * row.wx[i];
+      increment_y[i] = step.dt * row.wy[i];
+    }
   moving_mass = setup.platen_mass;
   for (unsigned int i = 0; i < n_distinct; ++i)
     if (row.inverse_mass_y[i] > 0.)
@@ -93,7 +97,11 @@ TopRow::push_nodes(const RowView &row)
       move_node(row.uy[i], row.wy[i], -row.inverse_mass_y[i] * (force + row.fy[i]));
       const double increment = row.uy[i] - before;
       if (!setup.lateral_held)
-        move_node(row.ux[i], row.wx[i], -row.inverse_mass_x[i] * row.fx[i]);
+        {
+          const double left = row.ux[i];
+          move_node(row.ux[i], row.wx[i], -row.inverse_mass_x[i] * row.fx[i]);
+          increment_x[i] = row.ux[i] - left;
+        }
       if (i < n_distinct)
         {
           work_this_step -= force * 0.5 * (increment + increment_y[i]);
@@ -120,26 +128,35 @@ TopRow::push_platen(const RowView &row)
   move_node(u, w, acceleration);
   const double increment = u - row.uy[0];
   work_this_step         = -load.normal * 0.5 * (increment + increment_y[0]);
-  increment_y[0]         = increment;
+  std::fill(increment_y.begin(), increment_y.end(), increment);
   platen_w               = w;
   std::fill_n(row.uy, row.n_columns, u);
   std::fill_n(row.wy, row.n_columns, w);
   return load;
 }
 
+// Work of the force that stops the row at once. It acts during one step, along half the
+// increment of the step before, and its acceleration -w / dt enters the energy for b > 1/2:
+//     (m (-w / dt) + f) . increment / 2 + (b - 1/2) m w^2 / 2
+void
+TopRow::stop(const RowView &row)
+{
+  const auto work = [&](const double m, const double w, const double increment, const double f) {
+    return 0.5 * ((f - m * w / step.dt) * increment + (step.beta2 - 0.5) * m * w * w);
+  };
+  const auto mass = [](const double inverse) { return inverse > 0. ? 1. / inverse : 0.; };
+  for (unsigned int i = 0; i < n_distinct; ++i)
+    work_this_step +=
+      work(mass(row.inverse_mass_x[i]), row.wx[i], increment_x[i], row.fx[i]) +
+      work(mass(row.inverse_mass_y[i]), row.wy[i], increment_y[i], row.fy[i]);
+  work_this_step += work(setup.platen_mass, platen_w, increment_y[0], 0.);
+}
+
 TopRow::Load
 TopRow::hold(const RowView &row)
 {
-  // Stopping the row takes its kinetic energy: work that the holder does on the body.
   if (!holding)
-    for (unsigned int i = 0; i < n_distinct; ++i)
-      {
-        const double m = row.inverse_mass_y[i] > 0. ? 1. / row.inverse_mass_y[i] : 0.;
-        work_this_step -=
-          0.5 * m * (row.wy[i] * row.wy[i] + row.wx[i] * row.wx[i]);
-      }
-  if (!holding)
-    work_this_step -= 0.5 * setup.platen_mass * platen_w * platen_w;
+    stop(row);
   holding  = true;
   platen_w = 0.;
   std::fill_n(row.wx, row.n_columns, 0.);

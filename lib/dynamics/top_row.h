@@ -105,6 +105,8 @@ private:
   push_platen(const RowView &row);
   Load
   hold(const RowView &row);
+  void
+  stop(const RowView &row);
 
   void
   move_node(double &u, double &w, const double acceleration) const;
@@ -114,7 +116,7 @@ private:
   const unsigned int   n_distinct;
 
   std::vector<double> tributary;   ///< width (m) that each node carries
-  std::vector<double> increment_y; ///< of the step before (m)
+  std::vector<double> increment_x, increment_y; ///< of the step before (m)
   bool                started        = false;
   bool                holding        = false;
   double              moving_mass    = 0.; ///< of platen and row (kg/m)
