@@ -1,11 +1,11 @@
 #include "elasticity/static_solver.h"
 
 #include "elasticity/conjugate_gradients.h"
+#include "elasticity/multigrid/multigrid_solver.h"
 
 namespace mesoslip
 {
-StaticSolverKind
-static_solver_kind(const std::string &name)
+StaticSolverKind static_solver_kind(const std::string &name)
 {
   if (name == "multigrid")
     return StaticSolverKind::multigrid;
@@ -13,12 +13,15 @@ static_solver_kind(const std::string &name)
     return StaticSolverKind::jacobi;
   if (name == "assembled")
     return StaticSolverKind::assembled;
-  throw std::invalid_argument("'" + name + "' is no solver; use multigrid, jacobi or assembled");
+  throw std::invalid_argument("'" + name +
+                              "' is no solver; use multigrid, jacobi or assembled");
 }
 
-std::unique_ptr<StaticSolver>
-make_static_solver(const StaticSolverKind, const UniformMaterial &material)
+std::unique_ptr<StaticSolver> make_static_solver(const StaticSolverKind kind,
+                                                 const UniformMaterial &material)
 {
+  if (kind == StaticSolverKind::multigrid)
+    return std::make_unique<MultigridSolver>(material);
   return std::make_unique<JacobiSolver>(material);
 }
 } // namespace mesoslip

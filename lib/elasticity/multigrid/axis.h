@@ -69,7 +69,15 @@ public:
   /** The fine node at coarse node @p k (0 to n_coarse_cells()). */
   unsigned int start(const unsigned int k) const
   {
-    return !is_halved ? k : (2 * k <= 2 * regular_cells ? 2 * k : 2 * k - 1);
+    return !is_halved ? k : (k <= regular_cells ? 2 * k : 2 * k - 1);
+  }
+
+  /** The coarse cell that fine cell @p i belongs to. */
+  unsigned int coarse_cell(const unsigned int i) const
+  {
+    if (!is_halved)
+      return i;
+    return i < 2 * regular_cells ? i / 2 : regular_cells + (i > 2 * regular_cells);
   }
 
   /** Whether coarse cell @p k has a middle node. */

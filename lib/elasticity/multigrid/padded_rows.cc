@@ -8,42 +8,51 @@ namespace mesoslip
 {
 namespace multigrid
 {
-void PaddedRows::Free::operator()(float *p) const
+template <typename Number>
+void PaddedRows<Number>::Free::operator()(Number *p) const
 {
   std::free(p);
 }
 
-PaddedRows::PaddedRows(const unsigned int n_arrays,
+template <typename Number>
+PaddedRows<Number>::PaddedRows(const unsigned int n_arrays,
                        const unsigned int n_rows,
                        const unsigned int n_columns)
   : arrays(n_arrays)
   , rows(n_rows)
   , columns(n_columns)
-  , stride(whole_vectors(n_columns) + 2 * lanes)
+  , stride(whole_vectors<Number>(n_columns) + 2 * lanes<Number>)
 {
   // An odd number of cache lines keeps equal columns off the same cache set.
-  if ((stride / lanes) % 2 == 0)
-    stride += lanes;
-  void *memory =
-    std::aligned_alloc(64, (rows + 2) * static_cast<std::size_t>(arrays) * stride * 4);
+  if ((stride / lanes<Number>) % 2 == 0)
+    stride += lanes<Number>;
+  void *memory = std::aligned_alloc(64, size() * sizeof(Number));
   if (memory == nullptr)
     throw std::bad_alloc();
-  data.reset(static_cast<float *>(memory));
+  data.reset(static_cast<Number *>(memory));
   set_zero();
 }
 
-void PaddedRows::set_zero()
+template <typename Number>
+void PaddedRows<Number>::set_zero()
 {
-  std::fill_n(data.get(), (rows + 2) * static_cast<std::size_t>(arrays) * stride, 0.F);
+  std::fill_n(data.get(), size(), Number(0));
 }
 
-void PaddedRows::fill_ghosts(const bool x, const bool y)
+template <typename Number>
+void PaddedRows<Number>::copy_from(const PaddedRows &other)
+{
+  std::copy_n(other.data.get(), size(), data.get());
+}
+
+template <typename Number>
+void PaddedRows<Number>::fill_ghosts(const bool x, const bool y)
 {
   if (x)
     for (int j = 0; j < static_cast<int>(rows); ++j)
       for (unsigned int k = 0; k < arrays; ++k)
         {
-          float *p   = row(k, j);
+          Number *p   = row(k, j);
           p[-1]      = p[columns - 1];
           p[columns] = p[0];
         }
@@ -56,5 +65,8 @@ void PaddedRows::fill_ghosts(const bool x, const bool y)
       std::copy_n(row(k, 0) - 1, columns + 2, row(k, n) - 1);
     }
 }
+
+template class PaddedRows<float>;
+template class PaddedRows<double>;
 } // namespace multigrid
 } // namespace mesoslip

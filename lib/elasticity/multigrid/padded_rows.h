@@ -8,21 +8,24 @@ namespace mesoslip
 {
 namespace multigrid
 {
-/** Floats in the widest vector of the row kernels. */
-constexpr unsigned int lanes = 16;
+/** Numbers in the widest vector of the row kernels. */
+template <typename Number>
+constexpr unsigned int lanes = 64 / sizeof(Number);
 
 /** @p n rounded up to whole vectors. */
+template <typename Number>
 constexpr unsigned int whole_vectors(const unsigned int n)
 {
-  return (n + lanes - 1) / lanes * lanes;
+  return (n + lanes<Number> - 1) / lanes<Number> * lanes<Number>;
 }
 
 /**
- * Rows -1, ..., n_rows of several arrays of floats, zero at first. Column 0 of every row
+ * Rows -1, ..., n_rows of several arrays of numbers, zero at first. Column 0 of every row
  * starts a cache line; columns -1 and up to one vector past the last whole one may be
  * read and written, too: they take the values of neighbours across a periodic side and
  * are zero otherwise.
  */
+template <typename Number>
 class PaddedRows
 {
 public:
@@ -42,24 +45,27 @@ public:
     return columns;
   }
 
-  /** Distance between the same row of two arrays, in floats. */
+  /** Distance between the same row of two arrays, in numbers. */
   std::size_t array_stride() const
   {
     return stride;
   }
 
   /** Row @p j (-1 to n_rows()) of array @p k. The arrays of a row lie side by side. */
-  float *row(const unsigned int k, const int j)
+  Number *row(const unsigned int k, const int j)
   {
     return data.get() + offset(k, j);
   }
 
-  const float *row(const unsigned int k, const int j) const
+  const Number *row(const unsigned int k, const int j) const
   {
     return data.get() + offset(k, j);
   }
 
   void set_zero();
+
+  /** Copies an object of the same extents. */
+  void copy_from(const PaddedRows &other);
 
 
   /** Fills column -1 and n_columns() (if @p x) and rows -1 and n_rows() (if @p y). */
@@ -68,20 +74,28 @@ public:
 private:
   struct Free
   {
-    void operator()(float *p) const;
+    void operator()(Number *p) const;
   };
+
+  std::size_t size() const
+  {
+    return (static_cast<std::size_t>(rows) + 2) * arrays * stride;
+  }
 
   std::size_t offset(const unsigned int k, const int j) const
   {
-    return (static_cast<std::size_t>(j + 1) * arrays + k) * stride + lanes;
+    return (static_cast<std::size_t>(j + 1) * arrays + k) * stride + lanes<Number>;
   }
 
   unsigned int arrays  = 0;
   unsigned int rows    = 0;
   unsigned int columns = 0;
   std::size_t stride   = 0;
-  std::unique_ptr<float[], Free> data;
+  std::unique_ptr<Number[], Free> data;
 };
+
+extern template class PaddedRows<float>;
+extern template class PaddedRows<double>;
 } // namespace multigrid
 } // namespace mesoslip
 

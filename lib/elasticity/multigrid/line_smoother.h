@@ -1,0 +1,138 @@
+#ifndef mesoslip_elasticity_multigrid_line_smoother_h
+#define mesoslip_elasticity_multigrid_line_smoother_h
+
+#include "elasticity/multigrid/kernels.h"
+#include "elasticity/multigrid/padded_rows.h"
+
+#include <functional>
+
+namespace mesoslip
+{
+namespace multigrid
+{
+/** The blocks of one node row that lines need: of nodes with themselves (upper triangle),
+ *  with their right and with their upper neighbours. Arrays @p stride apart. */
+struct LineBlocks
+{
+  const float *centre;
+  const float *east;
+  const float *north;
+  std::size_t stride;
+};
+
+/**
+ * Damped block Jacobi iterations the blocks of which are whole columns or whole rows of
+ * nodes. Stiff fibres, once the grid is coarse, are chains of nodes that hold together
+ * firmly and to nothing else; a point smoother would need as many sweeps as the contrast.
+ *
+ * Columns only touch their neighbours, so odd and even columns make a 2x2 block matrix,
+ * and no eigenvalue of the preconditioned matrix exceeds 2: any damping below 1
+ * converges. Lines that close periodically are cut, which raises this a little.
+ */
+template <int n_components>
+class LineSmoother
+{
+public:
+  LineSmoother() = default;
+
+  /** Factorizes the lines of n_columns x n_rows nodes; @p blocks is asked for one row
+   *  after the other. */
+  LineSmoother(const unsigned int n_columns,
+               const unsigned int n_rows,
+               const std::function<LineBlocks(unsigned int)> &blocks);
+
+  double damping = 0.8;
+
+  /** x += damping T^-1 r, or x = ... unless @p add; T holds the columns alone. @p r is
+   *  overwritten. Field: NodalField<float> or PaddedRows<float>. */
+  template <typename Field>
+  void columns(Field &r, Field &x, const bool add) const;
+
+  /** The same with rows; always adds. */
+  template <typename Field>
+  void rows(const Field &r, Field &x) const;
+
+private:
+  static constexpr unsigned int n_factors = n_factor_entries(n_components);
+
+  unsigned int n_columns = 0;
+  unsigned int n_rows    = 0;
+  PaddedRows<float> column_factors;
+  /** One row a tile of 16 lines: [column][entry][16]. */
+  PaddedRows<float> row_factors;
+  mutable PaddedRows<float> tile;
+  /** Two rows of eliminated right-hand sides. */
+  mutable PaddedRows<float> eliminated;
+};
+
+template <int n_components>
+template <typename Field>
+void LineSmoother<n_components>::columns(Field &r, Field &x, const bool add) const
+{
+  const Kernels &k       = kernels();
+  const unsigned int n   = whole_vectors<float>(n_columns);
+  const std::size_t s    = column_factors.array_stride();
+  const auto rows_of     = [](Field &field, const unsigned int j, float *to[3]) {
+    for (unsigned int c = 0; c < n_components; ++c)
+      to[c] = field.row(c, j);
+  };
+  float *row[3], *other[3], *buffer[3], *before[3];
+  for (unsigned int j = 0; j < n_rows; ++j)
+    {
+      rows_of(r, j, row);
+      for (unsigned int c = 0; c < n_components; ++c)
+        {
+          buffer[c] = eliminated.row(c, j % 2);
+          before[c] = eliminated.row(c, 1 - j % 2);
+        }
+      k.eliminate[n_components - 2](n, column_factors.row(0, j), s,
+                                    j == 0 ? nullptr : before, buffer, row);
+    }
+  for (unsigned int j = n_rows; j-- > 0;)
+    {
+      const bool last = j + 1 == n_rows;
+      rows_of(r, j, row);
+      rows_of(r, last ? j : j + 1, before);
+      rows_of(x, j, other);
+      k.substitute[n_components - 2](n, last ? nullptr : column_factors.row(0, j + 1), s,
+                                     before, row, static_cast<float>(damping), add,
+                                     other);
+    }
+}
+
+template <int n_components>
+template <typename Field>
+void LineSmoother<n_components>::rows(const Field &r, Field &x) const
+{
+  const Kernels &k = kernels();
+  float *t         = tile.row(0, 0);
+  for (unsigned int j0 = 0; j0 < n_rows; j0 += lanes<float>)
+    {
+      // Lanes beyond the last row repeat it; what they hold is not used.
+      const unsigned int n_lanes = n_rows - j0 < lanes<float> ? n_rows - j0 : lanes<float>;
+      for (unsigned int c = 0; c < n_components; ++c)
+        {
+          const float *from[lanes<float>];
+          for (unsigned int l = 0; l < lanes<float>; ++l)
+            from[l] = r.row(c, j0 + (l < n_lanes ? l : n_lanes - 1));
+          k.load_tile(n_columns, n_components, from, t + c * lanes<float>);
+        }
+      k.solve_tile[n_components - 2](n_columns,
+                                     row_factors.row(0, static_cast<int>(j0 / lanes<float>)), t);
+      for (unsigned int c = 0; c < n_components; ++c)
+        {
+          float *to[lanes<float>];
+          for (unsigned int l = 0; l < n_lanes; ++l)
+            to[l] = x.row(c, j0 + l);
+          k.add_tile(n_columns, n_components, n_lanes, t + c * lanes<float>,
+                     static_cast<float>(damping), to);
+        }
+    }
+}
+
+extern template class LineSmoother<2>;
+extern template class LineSmoother<3>;
+} // namespace multigrid
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,49 @@
+#ifndef mesoslip_elasticity_multigrid_multigrid_solver_h
+#define mesoslip_elasticity_multigrid_multigrid_solver_h
+
+#include "elasticity/static_solver.h"
+
+#include <memory>
+
+namespace mesoslip
+{
+/**
+ * Conjugate gradients in double precision on UniformGridOperator, preconditioned by one
+ * cycle of multigrid::Multigrid in single precision. About ten iterations for the
+ * contrasts of composites, whatever the size; time and memory linear in the number of
+ * cells. What u brings in free entries is the first guess.
+ *
+ * All rows on one rank; independent load cases go to different ranks. Not for use by two
+ * threads at a time.
+ */
+class MultigridSolver : public StaticSolver
+{
+public:
+  /** Sets up what does not depend on which displacements are held. */
+  explicit MultigridSolver(const UniformMaterial &material,
+                           const unsigned int max_iterations = 1000);
+
+  ~MultigridSolver() override;
+
+  /** Costs about as much as two solves, nothing if the mask has not changed. Throws
+   *  std::invalid_argument if it has another size than the grid. */
+  void set_held(const DofMask &held) override;
+
+  /**
+   * Throws NotConverged, too, if the forces are clearly not in equilibrium (1e-6) and
+   * nothing holds the body against them.
+   */
+  SolverReport solve(NodalField<double> &u,
+                     const NodalField<double> &force,
+                     const double tolerance) override;
+
+  /** Number of grids of the hierarchy. */
+  unsigned int n_levels() const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,57 @@
+#ifndef mesoslip_elasticity_multigrid_stencil_h
+#define mesoslip_elasticity_multigrid_stencil_h
+
+#include "elasticity/multigrid/axis.h"
+#include "elasticity/multigrid/held_unknowns.h"
+#include "elasticity/multigrid/kernels.h"
+#include "elasticity/multigrid/padded_rows.h"
+
+#include <Eigen/Core>
+
+namespace mesoslip
+{
+namespace multigrid
+{
+/**
+ * The operator of a coarse grid as a symmetric 9-point stencil of 3x3 blocks, the
+ * arrays of which are listed in StencilArray; one row of the arrays for each node row.
+ */
+class Stencil
+{
+public:
+  Stencil() = default;
+
+  Stencil(const Axis &x, const Axis &y);
+
+  /** Adds the matrices of cell row @p j (n_cell_entries arrays of one row). */
+  void add_cell_row(const unsigned int j, const PaddedRows<float> &matrices);
+
+  /** After the last row: held and empty rows get a unit diagonal, ghosts are filled. */
+  void finish(const HeldUnknowns &held);
+
+  /** r = b - A x; fills the ghosts of @p x. Three components. */
+  void residual(PaddedRows<float> &x, const PaddedRows<float> &b, PaddedRows<float> &r) const;
+
+  /** Array @p k of node row @p j. */
+  const float *row(const unsigned int k, const int j) const
+  {
+    return arrays.row(k, j);
+  }
+
+  std::size_t array_stride() const
+  {
+    return arrays.array_stride();
+  }
+
+  /** The whole matrix; unknown 3 (j n_columns + i) + c. For small grids. */
+  Eigen::MatrixXd dense() const;
+
+private:
+  bool periodic_x = false;
+  bool periodic_y = false;
+  PaddedRows<float> arrays;
+};
+} // namespace multigrid
+} // namespace mesoslip
+
+#endif

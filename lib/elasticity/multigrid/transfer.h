@@ -1,0 +1,118 @@
+#ifndef mesoslip_elasticity_multigrid_transfer_h
+#define mesoslip_elasticity_multigrid_transfer_h
+
+#include "elasticity/multigrid/interpolation.h"
+#include "elasticity/multigrid/kernels.h"
+#include "elasticity/multigrid/padded_rows.h"
+
+namespace mesoslip
+{
+namespace multigrid
+{
+/** Applies an Interpolation P and its transpose to fields, row by row. */
+class Transfer
+{
+public:
+  Transfer() = default;
+
+  explicit Transfer(const Interpolation &interpolation);
+
+  /**
+   * coarse = P^T fine. The duplicate column and row that @p fine may have at periodic
+   * sides are not read. Field: NodalField<float> (2 components) or PaddedRows<float> (3).
+   */
+  template <int n_components, typename Field>
+  void restrict_to(const Field &fine, PaddedRows<float> &coarse) const;
+
+  /** fine += P coarse, duplicates left alone; fills the ghosts of @p coarse. */
+  template <int n_components, typename Field>
+  void prolongate_from(PaddedRows<float> &coarse, Field &fine) const;
+
+private:
+  void split(const float *row, const unsigned int component) const;
+  void merge(float *row, const unsigned int component) const;
+
+  /** Fine row at coarse node row J, fine row below (above) the middle one of cell row J. */
+  TransferRow at_node(const unsigned int J) const;
+  TransferRow to_lower(const unsigned int J) const;
+  TransferRow to_upper(const unsigned int J) const;
+  void set_complement(const float *weights) const;
+
+  const Interpolation *p = nullptr;
+  unsigned int n_vectors = 0;
+  PaddedRows<float> ones;
+  mutable PaddedRows<float> complement;
+  mutable PaddedRows<float> even;
+  mutable PaddedRows<float> odd;
+};
+
+template <int n_components, typename Field>
+void Transfer::restrict_to(const Field &fine, PaddedRows<float> &coarse) const
+{
+  const auto restrict_row = kernels().restrict_row[n_components - 2];
+  const float *e[3], *o[3];
+  for (unsigned int c = 0; c < n_components; ++c)
+    {
+      e[c] = even.row(c, 0);
+      o[c] = odd.row(c, 0);
+    }
+  const auto add = [&](const TransferRow &row, const unsigned int J) {
+    float *to[3] = {coarse.row(0, J), coarse.row(1, J), coarse.row(2, J)};
+    restrict_row(n_vectors, row, e, o, to);
+  };
+  const unsigned int n_rows = p->coarse_y.n_nodes();
+  coarse.set_zero();
+  for (unsigned int J = 0; J < n_rows; ++J)
+    {
+      for (unsigned int c = 0; c < n_components; ++c)
+        split(fine.row(c, p->y.start(J)), c);
+      add(at_node(J), J);
+      if (J == p->y.n_coarse_cells() || !p->y.has_middle(J))
+        continue;
+      for (unsigned int c = 0; c < n_components; ++c)
+        split(fine.row(c, p->y.start(J) + 1), c);
+      add(to_lower(J), J);
+      add(to_upper(J), (J + 1) % n_rows);
+    }
+  if (p->coarse_x.periodic)
+    for (unsigned int J = 0; J < n_rows; ++J)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          float *row = coarse.row(c, J);
+          row[0] += row[coarse.n_columns()];
+          row[coarse.n_columns()] = 0.F;
+        }
+}
+
+template <int n_components, typename Field>
+void Transfer::prolongate_from(PaddedRows<float> &coarse, Field &fine) const
+{
+  const auto prolongate_row = kernels().prolongate_row[n_components - 2];
+  coarse.fill_ghosts(p->coarse_x.periodic, p->coarse_y.periodic);
+  float *e[3], *o[3];
+  for (unsigned int c = 0; c < n_components; ++c)
+    {
+      e[c] = even.row(c, 0);
+      o[c] = odd.row(c, 0);
+    }
+  const auto get = [&](const TransferRow &row, const bool add, const unsigned int J) {
+    const float *from[3] = {coarse.row(0, J), coarse.row(1, J), coarse.row(2, J)};
+    prolongate_row(n_vectors, row, add, from, e, o);
+  };
+  for (unsigned int J = 0; J < p->coarse_y.n_nodes(); ++J)
+    {
+      get(at_node(J), false, J);
+      for (unsigned int c = 0; c < n_components; ++c)
+        merge(fine.row(c, p->y.start(J)), c);
+      if (J == p->y.n_coarse_cells() || !p->y.has_middle(J))
+        continue;
+      get(to_lower(J), false, J);
+      get(to_upper(J), true, J + 1);
+      for (unsigned int c = 0; c < n_components; ++c)
+        merge(fine.row(c, p->y.start(J) + 1), c);
+    }
+}
+} // namespace multigrid
+} // namespace mesoslip
+
+#endif
