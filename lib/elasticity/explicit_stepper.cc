@@ -1,6 +1,7 @@
 #include "elasticity/explicit_stepper.h"
 
 #include "elasticity/row_sweep.h"
+#include "elasticity/step_masses.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -59,6 +60,36 @@ struct Stage
   /** All node rows below (global number) have done the step. */
   unsigned int next = 0;
 };
+
+/** The material, once everything is known to fit it. */
+const UniformMaterial &checked(const UniformMaterial &material,
+                               const NodeRows &rows,
+                               const StepParameters &p,
+                               const SideConstraints &sides,
+                               const NodalField<double> &u,
+                               const NodalField<double> &w,
+                               const Halo *halo)
+{
+  if (!(p.dt > 0.) || !(p.beta2 > 0.) || !(p.beta >= 0.))
+    throw std::invalid_argument(
+      "the time step and beta2 must be positive, beta not negative");
+  if (material.periodicity().y)
+    throw std::invalid_argument(
+      "the stepper has a bottom and a top: no periodicity in y");
+  for (const NodalField<double> *field : {&u, &w})
+    if (field->n_columns() != material.n_columns() || field->n_rows() != rows.n_local())
+      throw std::invalid_argument("the state of the stepper does not fit its grid");
+  const bool neighbours = rows.has_lower_ghost() || rows.has_upper_ghost();
+  if (rows.n_global != material.n_rows() || rows.end > rows.n_global ||
+      rows.begin + (neighbours ? 2 : 1) > rows.end)
+    throw std::invalid_argument("the rows of the stepper do not fit its grid");
+  if (neighbours && halo == nullptr)
+    throw std::invalid_argument("a slab with neighbours needs a halo");
+  const auto held = [](const std::array<bool, 2> &side) { return side[0] || side[1]; };
+  if (material.periodicity().x && (held(sides.left_held) || held(sides.right_held)))
+    throw std::invalid_argument("the sides of a grid periodic in x cannot be held");
+  return material;
+}
 } // namespace
 
 struct ExplicitStepper::Implementation
@@ -76,11 +107,7 @@ struct ExplicitStepper::Implementation
   const RowKernels<double> kernels;
   const unsigned int at_once;
 
-  /** Inverse masses and masses of the bottom and the top row. */
-  NodalField<double> inverse_bottom, inverse_top, mass_bottom, mass_top;
-  /** Kernel factors and masses of the inner rows: one row, or one for each node row. */
-  NodalField<double> factor, mass;
-  bool equal_components = false;
+  const StepMasses masses;
 
   std::vector<Stage> stages;
   std::uint64_t step_number = 0;
@@ -97,10 +124,7 @@ struct ExplicitStepper::Implementation
                  Halo *halo_,
                  const SweepOptions &options);
 
-  void check() const;
   void set_constants();
-  void set_masses();
-  void inverse_mass_row(const unsigned int j, double *x, double *y, double *m) const;
   unsigned int choose_depth(const unsigned int requested) const;
 
   kernels::Rows<double> state(const unsigned int j, Stage &stage);
@@ -123,7 +147,7 @@ ExplicitStepper::Implementation::Implementation(const UniformMaterial &m,
                                                 BoundaryRow *top_,
                                                 Halo *halo_,
                                                 const SweepOptions &options)
-  : material(m)
+  : material(checked(m, r, p, s, u_, w_, halo_))
   , rows(r)
   , parameters(p)
   , sides(s)
@@ -135,36 +159,13 @@ ExplicitStepper::Implementation::Implementation(const UniformMaterial &m,
   , halo(halo_)
   , kernels(m, options.isa, p.beta != 0., p.acceleration != std::array<double, 2>{})
   , at_once(kernels.functions.rows_at_once)
+  , masses(m, r, p, s)
 {
-  check();
   set_constants();
-  set_masses();
   const unsigned int depth = choose_depth(options.wavefront);
   for (unsigned int i = 0; i < depth; ++i)
     stages.emplace_back(material, kernels);
   name = to_string(resolve(options.isa)) + " " + kernels::name(kernels.choice);
-}
-
-void ExplicitStepper::Implementation::check() const
-{
-  if (!(parameters.dt > 0.) || !(parameters.beta2 > 0.) || !(parameters.beta >= 0.))
-    throw std::invalid_argument(
-      "the time step and beta2 must be positive, beta not negative");
-  if (material.periodicity().y)
-    throw std::invalid_argument(
-      "the stepper has a bottom and a top: no periodicity in y");
-  for (const NodalField<double> *field : {&u, &w})
-    if (field->n_columns() != material.n_columns() || field->n_rows() != rows.n_local())
-      throw std::invalid_argument("the state of the stepper does not fit its grid");
-  const bool neighbours = rows.has_lower_ghost() || rows.has_upper_ghost();
-  if (rows.n_global != material.n_rows() || rows.end > rows.n_global ||
-      rows.begin + (neighbours ? 2 : 1) > rows.end)
-    throw std::invalid_argument("the rows of the stepper do not fit its grid");
-  if (neighbours && halo == nullptr)
-    throw std::invalid_argument("a slab with neighbours needs a halo");
-  const auto held = [](const std::array<bool, 2> &side) { return side[0] || side[1]; };
-  if (material.periodicity().x && (held(sides.left_held) || held(sides.right_held)))
-    throw std::invalid_argument("the sides of a grid periodic in x cannot be held");
 }
 
 void ExplicitStepper::Implementation::set_constants()
@@ -179,57 +180,6 @@ void ExplicitStepper::Implementation::set_constants()
   // Stepping kernels have forces times 2/h.
   c.scaled_gravity_x = parameters.acceleration[0] * 2. / hx;
   c.scaled_gravity_y = parameters.acceleration[1] * 2. / hy;
-}
-
-void ExplicitStepper::Implementation::inverse_mass_row(const unsigned int j,
-                                                       double *x,
-                                                       double *y,
-                                                       double *m) const
-{
-  const unsigned int n = material.n_columns();
-  material.mass_row(j, m);
-  for (unsigned int i = 0; i < n; ++i)
-    x[i] = y[i] = 1. / m[i];
-  double *component[2] = {x, y};
-  for (const unsigned int c : {0u, 1u})
-    {
-      if (sides.left_held[c])
-        component[c][0] = 0.;
-      if (sides.right_held[c])
-        component[c][n - 1] = 0.;
-    }
-}
-
-void ExplicitStepper::Implementation::set_masses()
-{
-  const unsigned int n = material.n_columns(), top_row = material.grid().cells[1];
-  for (NodalField<double> *field :
-       {&inverse_bottom, &inverse_top, &mass_bottom, &mass_top})
-    *field = NodalField<double>(n, 1);
-  inverse_mass_row(0, inverse_bottom.row(0, 0), inverse_bottom.row(1, 0),
-                   mass_bottom.row(0, 0));
-  inverse_mass_row(top_row, inverse_top.row(0, 0), inverse_top.row(1, 0),
-                   mass_top.row(0, 0));
-
-  const bool one_row        = material.has_uniform_density();
-  const unsigned int n_rows = one_row ? 1 : rows.n_local();
-  factor                    = NodalField<double>(n, n_rows);
-  mass                      = NodalField<double>(n, kernels.choice.gravity ? n_rows : 1);
-  for (unsigned int l = 0; l < n_rows; ++l)
-    {
-      const unsigned int j = one_row ? std::min(1u, top_row) : rows.first() + l;
-      double *x            = factor.row(0, l);
-      double *y            = factor.row(1, l);
-      inverse_mass_row(j, x, y, mass.row(0, kernels.choice.gravity ? l : 0));
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          x[i] *= -parameters.dt * material.grid().spacing[0] / 2.;
-          y[i] *= -parameters.dt * material.grid().spacing[1] / 2.;
-        }
-    }
-  equal_components = material.grid().spacing[0] == material.grid().spacing[1] &&
-                     sides.left_held[0] == sides.left_held[1] &&
-                     sides.right_held[0] == sides.right_held[1];
 }
 
 unsigned int
@@ -253,22 +203,16 @@ ExplicitStepper::Implementation::choose_depth(const unsigned int requested) cons
 kernels::Rows<double> ExplicitStepper::Implementation::state(const unsigned int j,
                                                              Stage &stage)
 {
-  const unsigned int l     = rows.local(j);
-  const unsigned int table = material.has_uniform_density() ? 0 : l;
-  const std::size_t stride = material.has_uniform_density() ? 0 : factor.stride();
+  const unsigned int l = rows.local(j);
   kernels::Rows<double> r;
-  r.ux            = u.row(0, l);
-  r.uy            = u.row(1, l);
-  r.wx            = w.row(0, l);
-  r.wy            = w.row(1, l);
-  r.stride        = u.stride();
-  r.fx            = stage.forces.row(0, 0);
-  r.fy            = stage.forces.row(1, 0);
-  r.factor_x      = factor.row(0, table);
-  r.factor_y      = factor.row(equal_components ? 0 : 1, table);
-  r.factor_stride = stride;
-  r.mass          = mass.row(0, kernels.choice.gravity ? table : 0);
-  r.mass_stride   = stride;
+  r.ux     = u.row(0, l);
+  r.uy     = u.row(1, l);
+  r.wx     = w.row(0, l);
+  r.wy     = w.row(1, l);
+  r.stride = u.stride();
+  r.fx     = stage.forces.row(0, 0);
+  r.fy     = stage.forces.row(1, 0);
+  masses.set_inner(r, l);
   return r;
 }
 
@@ -283,25 +227,22 @@ void ExplicitStepper::Implementation::boundary(Stage &stage, const unsigned int 
 {
   const bool is_top       = j > 0;
   kernels::Rows<double> r = state(j, stage);
-  r.mass                  = (is_top ? mass_top : mass_bottom).row(0, 0);
+  RowView view;
+  masses.set_boundary(r, view, is_top);
   if (is_top)
     stage.sweep.finish(r);
   else
     stage.sweep.store(r, 0, false);
 
-  const NodalField<double> &inverse = is_top ? inverse_top : inverse_bottom;
-  RowView view;
-  view.ux             = r.ux;
-  view.uy             = r.uy;
-  view.wx             = r.wx;
-  view.wy             = r.wy;
-  view.fx             = r.fx;
-  view.fy             = r.fy;
-  view.inverse_mass_x = inverse.row(0, 0);
-  view.inverse_mass_y = inverse.row(1, 0);
-  view.n_columns      = material.n_columns();
-  view.step           = stage.step;
-  view.time           = stage.step * parameters.dt;
+  view.ux        = r.ux;
+  view.uy        = r.uy;
+  view.wx        = r.wx;
+  view.wy        = r.wy;
+  view.fx        = r.fx;
+  view.fy        = r.fy;
+  view.n_columns = material.n_columns();
+  view.step      = stage.step;
+  view.time      = stage.step * parameters.dt;
   (is_top ? top : bottom)->advance(view);
 }
 
