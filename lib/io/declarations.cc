@@ -12,21 +12,6 @@ namespace mesoslip
 {
 namespace
 {
-/** Undoes deal.II's coding of names: "_20" is a blank. */
-std::string unmangled(const std::string &name)
-{
-  std::string text;
-  for (std::size_t i = 0; i < name.size(); ++i)
-    if (name[i] == '_' && i + 2 < name.size())
-      {
-        text += static_cast<char>(std::stoi(name.substr(i + 1, 2), nullptr, 16));
-        i += 2;
-      }
-    else
-      text += name[i];
-  return text;
-}
-
 void collect(const nlohmann::ordered_json &node,
              const std::string &section,
              std::vector<Declared> &keys)
@@ -37,13 +22,13 @@ void collect(const nlohmann::ordered_json &node,
   };
   for (const auto &[name, child] : node.items())
     if (is_key(child))
-      keys.push_back({section, unmangled(name), child["value"].get<std::string>(),
+      keys.push_back({section, name, child["value"].get<std::string>(),
                       child["default_value"].get<std::string>(),
                       child.value("documentation", ""),
                       child["pattern_description"].get<std::string>()});
   for (const auto &[name, child] : node.items())
     if (child.is_object() && !is_key(child) && !child.contains("alias"))
-      collect(child, (section.empty() ? "" : section + "/") + unmangled(name), keys);
+      collect(child, (section.empty() ? "" : section + "/") + name, keys);
 }
 
 std::string in_quotes(const std::string &text)

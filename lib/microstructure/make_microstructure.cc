@@ -18,7 +18,7 @@ Microstructure read_microstructure(const MicrostructureParameters &p)
 {
   const UniformGrid<2> grid = p.grid.grid();
   const auto n_phases       = static_cast<unsigned int>(p.phases.phases.size());
-  require_readable_file("'Microstructure/File'", p.file,
+  require_readable_file("'Microstructure/File': ", p.file,
                         p.type == Type::image ? "it has to name an image"
                                               : "it has to name a list of rectangles");
   Microstructure result;
