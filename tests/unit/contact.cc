@@ -56,7 +56,8 @@ std::complex<double> gain(const double omega, const unsigned int steps_per_perio
       point.load(0, 0., 1000. + 600. * std::cos(phase));
       point.advance();
       if (n >= n_start)
-        amplitude += point.friction() * std::exp(-i * phase) * 2. / double(steps_per_period);
+        amplitude +=
+          point.friction() * std::exp(-i * phase) * 2. / double(steps_per_period);
     }
   return amplitude / (mu * 600.);
 }
@@ -127,8 +128,8 @@ TEST(FrictionLaw, FiltersAHarmonicNormalForce)
 
 TEST(FrictionLaw, CoulombAtOnce)
 {
-  ContactSetup zero_time = contact_setup(1, mu, 2., 0.);
-  ContactSetup none      = contact_setup(1, mu, 2., delta);
+  ContactSetup zero_time  = contact_setup(1, mu, 2., 0.);
+  ContactSetup none       = contact_setup(1, mu, 2., delta);
   none.law.regularization = FrictionLaw::Regularization::none;
   for (const ContactSetup &setup : {zero_time, none})
     {
@@ -160,7 +161,8 @@ TEST(FrictionLaw, SlipRateDependentTime)
       for (const unsigned int i : {0u, 1u})
         {
           const double time = 3e-6 / ((i == 0 ? 2. : 3.5) + 0.25);
-          ASSERT_NEAR(points.friction(i), mu * 500. * -std::expm1(-(n * dt) / time), 1e-10);
+          ASSERT_NEAR(points.friction(i), mu * 500. * -std::expm1(-(n * dt) / time),
+                      1e-10);
         }
     }
 }
@@ -221,7 +223,8 @@ TEST(ContactPoint, MemoryNeverDragsFasterThanTheFlat)
   // Against the motion of the flat the memory is not cut.
   point.w.row(0, 0)[0] = 1.;
   point.advance();
-  EXPECT_GT(point.friction(), to_stick * std::exp(-2e-8 / delta) - mu * 100. * 1e-8 / delta);
+  EXPECT_GT(point.friction(),
+            to_stick * std::exp(-2e-8 / delta) - mu * 100. * 1e-8 / delta);
   EXPECT_LT(point.friction(), to_stick);
 }
 
@@ -262,14 +265,15 @@ TEST(ContactPoint, FallsThroughTheGapOntoTheFlat)
       setup.monitored_nodes = {0};
       Points point(setup, step_of(dt, b), {mass});
       point.load(0, 0., mass * g);
-      point.w.row(1, 0)[0] = b * g * dt; // v_0 = 0
+      point.w.row(1, 0)[0]     = b * g * dt; // v_0 = 0
       const unsigned int n_end = 0.95 * std::sqrt(2. * gap / g) / dt;
       for (unsigned int n = 0; n < n_end; ++n)
         point.advance();
       const MonitoredNode &node = point.contact.history().nodes[0];
       for (unsigned int n = 0; n < n_end; ++n)
         ASSERT_NEAR(node.vy[n], -g * n * dt, 1e-12);
-      EXPECT_NEAR(node.uy.back(), -0.5 * g * dt * dt * (n_end - 1.) * (n_end - 1.), 1e-12);
+      EXPECT_NEAR(node.uy.back(), -0.5 * g * dt * dt * (n_end - 1.) * (n_end - 1.),
+                  1e-12);
       for (unsigned int n = 0; n < 50; ++n)
         point.advance();
       EXPECT_NEAR(point.u.row(1, 0)[0], -gap, 1e-16);
@@ -299,7 +303,8 @@ TEST(Block, ThrownOnAPlane)
         EXPECT_NEAR(h.nodes[0].vx.back(), 0., 1e-13);
         EXPECT_EQ(h.sticking.back(), 1.);
         // All the energy goes into friction but for what the last step of b > 1/2 takes.
-        EXPECT_NEAR(block.contact.work().friction, 0.5 * mass * v * v, 2e-4 * mass * v * v);
+        EXPECT_NEAR(block.contact.work().friction, 0.5 * mass * v * v,
+                    2e-4 * mass * v * v);
         EXPECT_EQ(block.contact.work().flat, 0.);
       }
 }
@@ -330,7 +335,8 @@ TEST(Block, FollowsAFlatThatReverses)
 TEST(ContactPoint, TractionsOfEndNodes)
 {
   // Half the width: half the mass and half the forces. All loads change.
-  Points points(contact_setup(3, mu, 0.02, 4e-8), step_of(1e-8), {mass / 2, mass, mass / 2});
+  Points points(contact_setup(3, mu, 0.02, 4e-8), step_of(1e-8),
+                {mass / 2, mass, mass / 2});
   double largest = 0.;
   for (unsigned int n = 0; n < 3000; ++n)
     {

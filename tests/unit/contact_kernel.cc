@@ -23,7 +23,7 @@ struct ReferenceNode
     separated,
     sticks,
     slips
-  } status = separated;
+  } status   = separated;
   double f_n = 0., f_t = 0.;
 
   void advance(const double fx, const double fy, const StepParameters &p, const double V)
@@ -52,7 +52,7 @@ struct ReferenceNode
               f_t = fstick;
           }
       }
-    memory            = f_t;
+    memory         = f_t;
     const double x = ux, y = uy;
     wx += dt * (ax + f_t / m);
     wy += dt * (ay + f_n / m);
@@ -137,7 +137,7 @@ TEST(ContactKernel, EqualsTheBranchesNodeByNode)
               ASSERT_NEAR(points.contact.work().impact, impact, 1e-8);
             }
           points.contact.finish();
-          const NodeCounts &counts = points.contact.blocks()[0];
+          const NodeCounts &counts         = points.contact.blocks()[0];
           std::array<unsigned int, 3> seen = {};
           for (unsigned int i = 0; i < n; ++i)
             {

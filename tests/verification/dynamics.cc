@@ -1,0 +1,379 @@
+#include "sliding_body.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+using namespace verification;
+
+namespace
+{
+constexpr double L = 0.024, H = 0.016;
+
+/** Wave numbers of mode (m, n) of numerics.md, section 5.2. */
+struct Mode
+{
+  unsigned int m, n;
+  bool shear;
+
+  double kx() const
+  {
+    return m * M_PI / L;
+  }
+  double ky() const
+  {
+    return (2 * n + 1) * M_PI / (2. * H);
+  }
+
+  /** Circular frequency (1/s). */
+  double omega(const ElasticClass &material) const
+  {
+    const double modulus = shear ? material.stiffness(2, 2) : material.stiffness(0, 0);
+    return std::sqrt(modulus / material.density) * std::hypot(kx(), ky());
+  }
+
+  double operator()(const double x, const double y, const unsigned int c) const
+  {
+    const double X = shear ? ky() : kx(), Y = shear ? -kx() : ky();
+    const double size = std::hypot(kx(), ky());
+    return c == 0 ? X / size * std::sin(kx() * x) * std::cos(ky() * y)
+                  : Y / size * std::cos(kx() * x) * std::sin(ky() * y);
+  }
+};
+
+BodySetup rectangle(const unsigned int n_vertical)
+{
+  BodySetup s;
+  s.cells            = {{3 * n_vertical / 2, n_vertical}};
+  s.spacing          = {{L / s.cells[0], H / s.cells[1]}};
+  s.classes          = {resin()};
+  s.sides.left_held  = {{true, false}};
+  s.sides.right_held = {{true, false}};
+  s.top.kind         = TopSetup::Kind::pressure;
+  s.top.lateral_held = true;
+  return s;
+}
+
+double mass_product(const UniformMaterial &material,
+                    const NodalField<double> &a,
+                    const NodalField<double> &b)
+{
+  std::vector<double> mass(material.n_columns());
+  double sum = 0.;
+  for (unsigned int j = 0; j < a.n_rows(); ++j)
+    {
+      material.mass_row(j, mass.data());
+      for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int i = 0; i < a.n_columns(); ++i)
+          sum += mass[i] * a.row(c, j)[i] * b.row(c, j)[i];
+    }
+  return sum;
+}
+
+
+/**
+ * The discrete mode: on a uniform grid it is spanned by the two shapes of the same wave
+ * numbers, so that a 2x2 eigenproblem gives it exactly.
+ */
+struct DiscreteMode
+{
+  double omega;
+  NodalField<double> shape;
+};
+
+DiscreteMode discrete_mode(const BodySetup &setup, const Mode &mode)
+{
+  const UniformMaterial material = setup.material();
+  const NodeRows rows            = NodeRows::all(material.n_rows());
+  const UniformGridOperator op(material);
+  std::array<NodalField<double>, 2> basis, image;
+  for (unsigned int k = 0; k < 2; ++k)
+    {
+      basis[k] = image[k] = NodalField<double>(material.n_columns(), material.n_rows());
+      const Mode shape{mode.m, mode.n, k == 1};
+      SlidingBody::set(basis[k], material, rows, shape);
+      op.vmult(image[k], basis[k]);
+    }
+  Eigen::Matrix2d K, M;
+  for (unsigned int k = 0; k < 2; ++k)
+    for (unsigned int l = 0; l < 2; ++l)
+      {
+        M(k, l) = mass_product(material, basis[k], basis[l]);
+        K(k, l) = 0.;
+        for (unsigned int c = 0; c < 2; ++c)
+          for (unsigned int j = 0; j < material.n_rows(); ++j)
+            for (unsigned int i = 0; i < material.n_columns(); ++i)
+              K(k, l) += basis[k].row(c, j)[i] * image[l].row(c, j)[i];
+      }
+  if (mode.m == 0) // there is no second shape
+    M(1, 1) = 1.;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> solver(K, M);
+  const unsigned int which = mode.shear ? 0 : 1; // shear waves are the slower ones
+  DiscreteMode result{std::sqrt(solver.eigenvalues()(which)), basis[0]};
+  const Eigen::Vector2d v = solver.eigenvectors().col(which);
+  for (std::size_t k = 0; k < result.shape.size(); ++k)
+    result.shape.begin()[k] = v(0) * basis[0].begin()[k] + v(1) * basis[1].begin()[k];
+  return result;
+}
+
+/** Amplitude of the mode over time, starting from 1 at rest. */
+std::vector<double>
+amplitudes(const BodySetup &setup, const DiscreteMode &mode, const unsigned int n_steps)
+{
+  HeldBelow bottom(setup.step);
+  SlidingBody body(setup, MPI_COMM_SELF, &bottom);
+  // v_0 = w_0 + b dt a_0 = 0 with a_0 = -omega^2 (u_0 + beta w_0)
+  const double W2 = mode.omega * mode.omega, b_dt = setup.step.beta2 * setup.step.dt;
+  const double w0 = b_dt * W2 / (1. - b_dt * W2 * setup.step.beta);
+  body.u = body.w = mode.shape;
+  for (std::size_t k = 0; k < body.w.size(); ++k)
+    body.w.begin()[k] *= w0;
+  std::vector<double> q;
+  const double norm = mass_product(body.material, mode.shape, mode.shape);
+  for (unsigned int n = 0; n <= n_steps; ++n)
+    {
+      q.push_back(mass_product(body.material, body.u, mode.shape) / norm);
+      if (n < n_steps)
+        body.run(1);
+    }
+  return q;
+}
+
+/** Error of the amplitude at the time @p T against cos(omega T). */
+double error_at(const BodySetup &setup,
+                const DiscreteMode &mode,
+                const double omega,
+                const unsigned int n_steps)
+{
+  return amplitudes(setup, mode, n_steps).back() -
+         std::cos(omega * n_steps * setup.step.dt);
+}
+
+/** Decay rate from the last of q_(n+1) = z1 q_n - z2 q_(n-1), z2 = |z|^2, by least
+ * squares. */
+double decay_rate(const std::vector<double> &q, const double dt)
+{
+  Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d r = Eigen::Vector2d::Zero();
+  for (std::size_t n = 1; n + 1 < q.size(); ++n)
+    {
+      const Eigen::Vector2d row(q[n], q[n - 1]);
+      A += row * row.transpose();
+      r += row * q[n + 1];
+    }
+  return -0.5 * std::log(-A.inverse().row(1).dot(r)) / dt;
+}
+
+double largest_dense_frequency(const UniformMaterial &material, std::vector<double> *all)
+{
+  const unsigned int columns = material.n_columns(), n = 2 * columns * material.n_rows();
+  const UniformGridOperator op(material);
+  NodalField<double> x(columns, material.n_rows()), y = x;
+  std::vector<double> mass(columns);
+  Eigen::MatrixXd A(n, n);
+  const auto entry = [&](NodalField<double> &f, const unsigned int k) -> double & {
+    return f.row(k % 2, k / 2 / columns)[k / 2 % columns];
+  };
+  const auto root_mass = [&](const unsigned int k) {
+    material.mass_row(k / 2 / columns, mass.data());
+    return std::sqrt(mass[k / 2 % columns]);
+  };
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      x.set_zero();
+      entry(x, k) = 1. / root_mass(k);
+      op.vmult(y, x);
+      for (unsigned int l = 0; l < n; ++l)
+        A(l, k) = entry(y, l) / root_mass(l);
+    }
+  const Eigen::VectorXd squares =
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly)
+      .eigenvalues();
+  if (all != nullptr)
+    all->assign(squares.data(), squares.data() + n);
+  return std::sqrt(squares(n - 1));
+}
+
+/** Largest displacement after many steps from a small start. */
+double growth(const BodySetup &setup)
+{
+  const UniformMaterial material = setup.material();
+  NodalField<double> u(material.n_columns(), material.n_rows()), w = u;
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int j = 0; j < u.n_rows(); ++j)
+      for (unsigned int i = 0; i < u.n_columns(); ++i)
+        u.row(c, j)[i] = std::sin(3. * i * i + 7. * j + 11. * i * j + 5. * c);
+  ExplicitStepper stepper(material, setup.step, {}, u, w);
+  stepper.advance(4000);
+  return largest(u.begin(), u.size());
+}
+} // namespace
+
+TEST(Rectangle, FrequenciesConvergeWithOrderTwo)
+{
+  for (const Mode mode :
+       {Mode{1, 0, true}, Mode{2, 1, true}, Mode{1, 0, false}, Mode{0, 1, false}})
+    {
+      std::vector<double> errors;
+      for (const unsigned int n : {8, 16, 32, 64})
+        {
+          const BodySetup setup = rectangle(n);
+          errors.push_back(
+            discrete_mode(setup, mode).omega / mode.omega(setup.classes[0]) - 1.);
+        }
+      EXPECT_NEAR(orders(errors).back(), 2., 0.02) << mode.m << mode.n << mode.shear;
+      EXPECT_LT(std::abs(errors.back()), 3e-3);
+    }
+}
+
+TEST(Rectangle, MotionConvergesWithOrderTwoInSpaceAndTime)
+{
+  for (const Mode mode : {Mode{1, 0, true}, Mode{1, 0, false}})
+    {
+      std::vector<double> errors;
+      for (const unsigned int n : {12, 24, 48})
+        {
+          BodySetup setup    = rectangle(n);
+          const double omega = mode.omega(setup.classes[0]), T = 5.3 * 2. * M_PI / omega;
+          const unsigned int n_steps = n * 30;
+          setup.step.dt              = T / n_steps;
+          errors.push_back(error_at(setup, discrete_mode(setup, mode), omega, n_steps));
+        }
+      EXPECT_NEAR(orders(errors).back(), 2., 0.1) << mode.shear;
+      EXPECT_LT(std::abs(errors.back()), 0.03);
+    }
+}
+
+TEST(Rectangle, OrderInTime)
+{
+  const Mode mode{1, 0, true};
+  BodySetup setup             = rectangle(8);
+  const DiscreteMode discrete = discrete_mode(setup, mode);
+  const double T              = 3.3 * 2. * M_PI / discrete.omega;
+  for (const double b : {0.5, 0.6, 1.})
+    {
+      std::vector<double> errors;
+      for (const unsigned int n_steps : {400, 800, 1600, 3200})
+        {
+          setup.step.beta2 = b;
+          setup.step.dt    = T / n_steps;
+          errors.push_back(error_at(setup, discrete, discrete.omega, n_steps));
+        }
+      EXPECT_NEAR(orders(errors).back(), b == 0.5 ? 2. : 1., 0.05) << "beta2 " << b;
+      EXPECT_GT(std::abs(errors.back()), 1e-7);
+    }
+}
+
+TEST(Rectangle, DecaysByBetaAndByBeta2)
+{
+  const Mode mode{1, 0, true};
+  BodySetup setup             = rectangle(8);
+  const DiscreteMode discrete = discrete_mode(setup, mode);
+  const double omega          = discrete.omega;
+  for (const double b : {0.5, 0.75, 1.})
+    for (const double beta : {0., 1e-7, 4e-7})
+      {
+        setup.step.beta2 = b;
+        setup.step.beta  = beta;
+        setup.choose_time_step(0.8);
+        const double dt = setup.step.dt, W = omega * dt, xi = 0.5 * beta * omega;
+        const double found = decay_rate(amplitudes(setup, discrete, 600), dt);
+        // The product of the two eigenvalues of the scheme, and what it stands for.
+        const double exact = -0.5 * std::log1p(-2. * xi * W - (b - 0.5) * W * W) / dt;
+        EXPECT_NEAR(found, exact, 1e-8 * omega) << "beta2 " << b << " beta " << beta;
+        const double rate = 0.5 * omega * omega * (beta + (b - 0.5) * dt);
+        EXPECT_NEAR(found, rate, 0.04 * rate + 1e-8 * omega);
+      }
+}
+
+TEST(Rectangle, EnergyBoundedWithoutTrend)
+{
+  BodySetup setup       = rectangle(12);
+  setup.energy_interval = 1;
+  setup.choose_time_step(0.99);
+  HeldBelow bottom(setup.step);
+  SlidingBody body(setup, MPI_COMM_SELF, &bottom);
+  for (const Mode mode : {Mode{1, 0, true}, Mode{2, 2, false}})
+    {
+      const DiscreteMode d = discrete_mode(setup, mode);
+      for (std::size_t k = 0; k < body.u.size(); ++k)
+        body.u.begin()[k] += d.shape.begin()[k] * 1e-6;
+    }
+  body.run(20000);
+  const EnergyHistory e = body.audit->reduce();
+  const double total    = e.kinetic.front() + e.elastic.front();
+  for (std::size_t n = 0; n < e.time.size(); ++n)
+    ASSERT_NEAR(e.kinetic[n] + e.elastic[n], total, 1e-12 * total);
+}
+
+TEST(Stability, SingleCell)
+{
+  // Eigenvalues of the square with its own quarter masses, times rho h^2.
+  BodySetup setup;
+  setup.cells         = {{1, 1}};
+  setup.spacing       = {{2e-4, 2e-4}};
+  setup.classes       = {resin()};
+  const double mu     = setup.classes[0].stiffness(2, 2);
+  const double lambda = setup.classes[0].stiffness(0, 1);
+  std::vector<double> squares;
+  const double omega           = largest_dense_frequency(setup.material(), &squares);
+  std::vector<double> expected = {0.,
+                                  0.,
+                                  0.,
+                                  8. * mu,
+                                  8. * mu,
+                                  8. * (lambda + mu),
+                                  4. * (lambda + 3. * mu) / 3.,
+                                  4. * (lambda + 3. * mu) / 3.};
+  std::sort(expected.begin(), expected.end());
+  for (unsigned int k = 0; k < 8; ++k)
+    EXPECT_NEAR(squares[k] * setup.classes[0].density * 4e-8, expected[k], 1e-9 * mu);
+
+  for (const double b : {0.5, 0.7, 1.})
+    for (const double beta : {0., 4.4e-9, 5e-8})
+      {
+        const double xi        = 0.5 * beta * omega;
+        const double predicted = (std::sqrt(xi * xi + 2. * b) - xi) / b / omega;
+        setup.step.beta2       = b;
+        setup.step.beta        = beta;
+        setup.step.dt          = 0.99 * predicted;
+        EXPECT_LT(growth(setup), 50.) << "beta2 " << b << " beta " << beta;
+        setup.step.dt = 1.01 * predicted;
+        EXPECT_GT(growth(setup), 1e6) << "beta2 " << b << " beta " << beta;
+        // The library is not above it and not needlessly below.
+        const double chosen = critical_time_step(setup.material(), b, beta);
+        EXPECT_LE(chosen, predicted * (1. + 1e-12));
+        EXPECT_GE(chosen, predicted * 0.99);
+      }
+}
+
+TEST(Stability, TwoPhases)
+{
+  BodySetup setup;
+  setup.cells   = {{12, 9}};
+  setup.spacing = {{1e-4, 1.3e-4}};
+  setup.classes = {resin(), {isotropic_stiffness<2>(2.4e11, 0.2), 2500.}};
+  for (unsigned int c = 0; c < 12 * 9; ++c)
+    setup.ids.push_back(c % 5 == 2 || c % 7 == 3);
+  const double omega = largest_dense_frequency(setup.material(), nullptr);
+  for (const double b : {0.5, 1.})
+    for (const double beta : {0., 4.4e-9})
+      {
+        const double xi        = 0.5 * beta * omega;
+        const double predicted = (std::sqrt(xi * xi + 2. * b) - xi) / b / omega;
+        setup.step.beta2       = b;
+        setup.step.beta        = beta;
+        setup.step.dt          = 0.99 * predicted;
+        EXPECT_LT(growth(setup), 100.) << "beta2 " << b << " beta " << beta;
+        setup.step.dt = 1.01 * predicted;
+        EXPECT_GT(growth(setup), 1e6) << "beta2 " << b << " beta " << beta;
+      }
+}
+
+int main(int argc, char **argv)
+{
+  MPI_Init(&argc, &argv);
+  ::testing::InitGoogleTest(&argc, argv);
+  const int result = RUN_ALL_TESTS();
+  MPI_Finalize();
+  return result;
+}

@@ -1,0 +1,161 @@
+#include "sliding_body.h"
+
+#include <gtest/gtest.h>
+
+using namespace verification;
+
+namespace
+{
+// Doyen, Ern, Piperno, SIAM J. Sci. Comput. 33 (2011): E = 900, rho = 1, c = 30.
+constexpr double length = 10., c = 30., v = 10.;
+
+/** The bar as one column of cells without lateral contraction. */
+BodySetup bar(const unsigned int n_cells, const double beta2, const double courant)
+{
+  BodySetup s;
+  s.cells                   = {{1, n_cells}};
+  s.spacing                 = {{length / n_cells, length / n_cells}};
+  s.classes                 = {{isotropic_stiffness<2>(900., 0.), 1.}};
+  s.step.beta2              = beta2;
+  s.step.dt                 = courant * s.spacing[1] / c;
+  s.contact.gap             = 5.;
+  s.contact.monitored_nodes = {0, 1};
+  s.top.kind                = TopSetup::Kind::pressure;
+  s.energy_interval         = 1;
+  return s;
+}
+
+void throw_down(SlidingBody &body)
+{
+  body.set_w([](double, double, const unsigned int k) { return k == 1 ? -v : 0.; });
+}
+
+double mechanical(const EnergyHistory &e, const std::size_t n)
+{
+  return e.kinetic[n] + e.elastic[n] + e.potential[n];
+}
+
+/** Shares of the energy that are left after the impact. */
+struct Left
+{
+  double balanced; ///< H of the energy audit, which the scheme keeps exactly
+  double natural;  ///< 1/2 v_n.M v_n + 1/2 u_n.K u_n
+};
+
+Left energy_left(const unsigned int n_cells, const double beta2)
+{
+  SlidingBody body(bar(n_cells, beta2, 0.5));
+  throw_down(body);
+  body.run(std::lround(2. / body.setup.step.dt));
+  const EnergyHistory e = body.audit->reduce();
+  EXPECT_LT(largest(e.residual()), 1e-12 * e.initial);
+  EXPECT_EQ(body.contact.history().separated.back(), 2.);
+
+  const NodalField<double> before = body.w;
+  double natural                  = body.op.elastic_energy(body.u);
+  body.stepper.step();
+  std::vector<double> mass(2);
+  for (unsigned int j = 0; j <= n_cells; ++j)
+    {
+      body.material.mass_row(j, mass.data());
+      for (const unsigned int i : {0u, 1u})
+        {
+          const double vy =
+            (1. - beta2) * before.row(1, j)[i] + beta2 * body.w.row(1, j)[i];
+          natural += 0.5 * mass[i] * vy * vy;
+        }
+    }
+  return {mechanical(e, e.time.size() - 1) / e.initial, natural / e.initial};
+}
+} // namespace
+
+TEST(Bar, HitsTheWallAndLeaves)
+{
+  const unsigned int n = 400;
+  SlidingBody body(bar(n, 0.5, 0.9));
+  throw_down(body);
+  const double dt = body.setup.step.dt, width = body.setup.spacing[0];
+  body.run(std::lround(2. / dt));
+  const ContactHistory &h = body.contact.history();
+
+  double first = 0., last = 0., impulse = 0.;
+  for (std::size_t k = 0; k < h.time.size(); ++k)
+    {
+      impulse += h.normal_force[k] * dt;
+      if (h.normal_force[k] > 0.)
+        {
+          first = first == 0. ? h.time[k] : first;
+          last  = h.time[k];
+        }
+    }
+  EXPECT_NEAR(first, 0.5, 2. * dt);
+  // The front that ends the contact is spread over a few cells.
+  EXPECT_NEAR(last, 0.5 + 2. * length / c, 25. * dt);
+  EXPECT_NEAR(impulse, 2. * v * length * width, 5e-3 * 2. * v * length * width);
+
+  double pressure        = 0.;
+  unsigned int n_samples = 0;
+  for (std::size_t k = 0; k < h.time.size(); ++k)
+    if (h.time[k] > 0.55 && h.time[k] < 1.1)
+      {
+        pressure += h.normal_force[k] / width;
+        ++n_samples;
+      }
+  EXPECT_NEAR(pressure / n_samples, c * v, 0.3);
+
+  double velocity = 0.;
+  for (unsigned int j = 0; j <= n; ++j)
+    velocity += body.w.row(1, j)[0] / (n + 1);
+  EXPECT_NEAR(velocity, v, 0.02 * v);
+  EXPECT_LT(std::abs(body.u.row(0, n / 2)[0]), 1e-10); // no lateral motion with nu = 0
+}
+
+TEST(Bar, EnergyLossOfOneImpact)
+{
+  std::vector<double> loss, damped_loss;
+  for (const unsigned int n : {100, 200, 400})
+    {
+      const Left plain = energy_left(n, 0.5), damped = energy_left(n, 1.);
+      loss.push_back(1. - plain.natural);
+      damped_loss.push_back(1. - damped.balanced);
+      std::printf("n = %u: b = 1/2 %.6f %.5f, b = 1 %.5f\n", n, plain.balanced,
+                  plain.natural, damped.balanced);
+      // What is lost is the kinetic energy of the nodes that land.
+      EXPECT_NEAR(plain.balanced, 1. - 0.5 / n, 1e-8);
+    }
+  EXPECT_NEAR(1. - loss[0], 0.9953, 2e-4);
+  EXPECT_NEAR(1. - loss[2], 0.9988, 1e-4);
+  EXPECT_NEAR(orders(loss).back(), 1., 0.05);
+  EXPECT_NEAR(1. - damped_loss[0], 0.905, 1e-3);
+  EXPECT_NEAR(1. - damped_loss[2], 0.953, 1e-3);
+  EXPECT_NEAR(orders(damped_loss).back(), 0.5, 0.05);
+}
+
+TEST(Bar, BouncingUnderGravityGainsNoEnergy)
+{
+  for (const double b : {0.5, 0.8})
+    {
+      BodySetup setup         = bar(100, b, b == 0.5 ? 0.95 : 0.6);
+      setup.step.acceleration = {{0., -10.}};
+      SlidingBody body(setup);
+      body.run(std::lround(20. / setup.step.dt));
+      const EnergyHistory e = body.audit->reduce();
+      // From the drop height: m g gap.
+      const double scale = setup.spacing[0] * length * 10. * 5.;
+      EXPECT_LT(largest(e.residual()), 1e-11 * scale);
+      for (std::size_t n = 1; n < e.time.size(); ++n)
+        {
+          ASSERT_LE(mechanical(e, n), mechanical(e, n - 1) + 1e-11 * scale) << n;
+          ASSERT_GE(e.impact[n], e.impact[n - 1] - 1e-11 * scale) << n;
+        }
+      EXPECT_GT(e.impact.back(), 1e-3 * scale);
+      const auto &h = body.contact.history();
+      body.contact.finish();
+      // The first drop takes 1 s; then it bounces.
+      std::size_t k = 0;
+      while (h.normal_force[k] == 0.)
+        ++k;
+      EXPECT_NEAR(h.time[k], 1., 2. * setup.step.dt);
+      EXPECT_GT(body.contact.blocks()[0].landings[0], 4.f);
+    }
+}

@@ -1,0 +1,232 @@
+#ifndef mesoslip_tests_verification_sliding_body_h
+#define mesoslip_tests_verification_sliding_body_h
+
+#include "contact/contact_row.h"
+#include "dynamics/energy_audit.h"
+#include "dynamics/time_loop.h"
+#include "dynamics/top_row.h"
+#include "elasticity/critical_time_step.h"
+#include "elasticity/row_partition.h"
+#include "elasticity/uniform_grid_operator.h"
+#include "material/stiffness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace verification
+{
+using namespace mesoslip;
+
+/** Everything that makes a run; contact and top are completed from the grid. */
+struct BodySetup
+{
+  std::array<unsigned int, 2> cells = {};
+  std::array<double, 2> spacing     = {};
+  std::vector<ElasticClass> classes;
+  std::vector<std::uint8_t> ids;
+  bool periodic = false;
+  StepParameters step;
+  SideConstraints sides;
+  double friction = 0.;
+  ContactSetup contact;
+  TopSetup top;
+  unsigned int energy_interval = 0;
+  SweepOptions sweep;
+
+  UniformMaterial material() const
+  {
+    UniformGrid<2> grid;
+    grid.cells   = cells;
+    grid.spacing = spacing;
+    return UniformMaterial(grid, classes, ids, Periodicity{periodic, false});
+  }
+
+  /** @p share of the critical time step of the other parameters. */
+  void choose_time_step(const double share)
+  {
+    step.dt = share * critical_time_step(material(), step.beta2, step.beta);
+  }
+};
+
+/** A body on the flat as contact_dynamics puts it together, without files. */
+class SlidingBody
+{
+public:
+  explicit SlidingBody(const BodySetup &setup,
+                       MPI_Comm communicator = MPI_COMM_SELF,
+                       BoundaryRow *bottom   = nullptr)
+    : setup(setup)
+    , communicator(communicator)
+    , material(setup.material())
+    , rows(partition_rows(material.n_rows(), communicator))
+    , u(material.n_columns(), rows.n_local())
+    , w(material.n_columns(), rows.n_local())
+    , contact(complete_contact(), setup.step)
+    , top(complete_top(), setup.step, material.n_columns())
+    , halo(material.n_columns(), communicator)
+    , stepper(material,
+              rows,
+              setup.step,
+              setup.sides,
+              u,
+              w,
+              bottom != nullptr ? bottom : &contact,
+              &top,
+              &halo,
+              setup.sweep)
+    , op(material, rows)
+  {
+    if (setup.energy_interval > 0)
+      audit = std::make_unique<EnergyAudit>(
+        op, setup.step, u, w, setup.top.platen_mass, setup.energy_interval,
+        [this]() {
+          return BoundaryWork{top.work() + contact.work().flat, contact.work().friction,
+                              contact.work().impact};
+        },
+        communicator);
+  }
+
+  /** Sets u and w (of this rank's rows) to a function of x, y and component. */
+  static void set(NodalField<double> &field,
+                  const UniformMaterial &material,
+                  const NodeRows &rows,
+                  const std::function<double(double, double, unsigned int)> &f)
+  {
+    const auto &h = material.grid().spacing;
+    for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int j = rows.first(); j < rows.last(); ++j)
+        {
+          double *row = field.row(c, rows.local(j));
+          for (unsigned int i = 0; i < field.n_columns(); ++i)
+            row[i] = f(i * h[0], j * h[1], c);
+          if (material.periodicity().x)
+            row[field.n_columns() - 1] = row[0];
+        }
+  }
+
+  void set_u(const std::function<double(double, double, unsigned int)> &f)
+  {
+    set(u, material, rows, f);
+  }
+
+  void set_w(const std::function<double(double, double, unsigned int)> &f)
+  {
+    set(w, material, rows, f);
+  }
+
+  void run(const std::uint64_t n_steps, StepObserver *other = nullptr)
+  {
+    std::vector<StepObserver *> observers;
+    if (other != nullptr)
+      observers.push_back(other);
+    if (audit)
+      observers.push_back(audit.get());
+    run_time_loop(stepper, observers, stepper.step_number() + n_steps, 1u << 20,
+                  [](const std::uint64_t) { return true; });
+  }
+
+  const BodySetup setup;
+  const MPI_Comm communicator;
+  const UniformMaterial material;
+  const NodeRows rows;
+  NodalField<double> u, w;
+  ContactRow contact;
+  TopRow top;
+  MPIHalo halo;
+  ExplicitStepper stepper;
+  UniformGridOperator op;
+  std::unique_ptr<EnergyAudit> audit;
+
+private:
+  ContactSetup complete_contact() const
+  {
+    ContactSetup c = setup.contact;
+    c.periodic     = setup.periodic;
+    c.friction_coefficient.resize(setup.cells[0] + 1, setup.friction);
+    return c;
+  }
+
+  TopSetup complete_top() const
+  {
+    TopSetup t   = setup.top;
+    t.cell_width = setup.spacing[0];
+    t.periodic   = setup.periodic;
+    return t;
+  }
+};
+
+/** Bottom row that keeps u_y and is free along x. */
+struct HeldBelow : FreeRow
+{
+  explicit HeldBelow(const StepParameters &p)
+    : FreeRow(p)
+  {
+  }
+
+  void advance(const RowView &row) override
+  {
+    const std::vector<double> nothing(row.n_columns, 0.);
+    RowView held        = row;
+    held.inverse_mass_y = nothing.data();
+    FreeRow::advance(held);
+  }
+};
+
+/** The largest of n absolute values; infinity if one is not a number. */
+inline double largest(const double *values, const std::size_t n)
+{
+  double most = 0.;
+  for (std::size_t k = 0; k < n; ++k)
+    most = std::max(most, std::isnan(values[k]) ? HUGE_VAL : std::abs(values[k]));
+  return most;
+}
+
+inline double largest(const std::vector<double> &values)
+{
+  return largest(values.data(), values.size());
+}
+
+/** Largest difference of two fields over the largest value of the first, by component. */
+inline double relative_difference(const NodalField<double> &a,
+                                  const NodalField<double> &b,
+                                  const double factor = 1.)
+{
+  double worst = 0.;
+  for (unsigned int c = 0; c < 2; ++c)
+    {
+      double difference = 0., size = 0.;
+      std::vector<double> d(a.n_columns());
+      for (unsigned int j = 0; j < a.n_rows(); ++j)
+        {
+          for (unsigned int i = 0; i < a.n_columns(); ++i)
+            d[i] = a.row(c, j)[i] - factor * b.row(c, j)[i];
+          difference = std::max(difference, largest(d));
+          size       = std::max(size, largest(a.row(c, j), a.n_columns()));
+        }
+      worst = std::max(worst, difference > 0. ? difference / size : 0.);
+    }
+  return worst;
+}
+
+/** log2 of the error ratio of each refinement by two. */
+inline std::vector<double> orders(const std::vector<double> &errors)
+{
+  std::vector<double> found;
+  for (std::size_t k = 1; k < errors.size(); ++k)
+    found.push_back(std::log2(std::abs(errors[k - 1] / errors[k])));
+  return found;
+}
+
+/** The paper's matrix, rounded: c_T = 2560 m/s, nu = 0.2, plane strain. */
+inline ElasticClass resin(const double density = 1900.)
+{
+  const double G = density * 2560. * 2560.;
+  return {isotropic_stiffness<2>(2.4 * G, 0.2), density};
+}
+} // namespace verification
+
+#endif
