@@ -4,7 +4,6 @@
 
 #include <complex>
 #include <gtest/gtest.h>
-#include <stdexcept>
 
 using namespace contact_testing;
 
@@ -279,104 +278,4 @@ TEST(ContactPoint, FallsThroughTheGapOntoTheFlat)
       EXPECT_NEAR(point.u.row(1, 0)[0], -gap, 1e-16);
       EXPECT_NEAR(point.pressing(), mass * g, 1e-8);
     }
-}
-
-TEST(Block, ThrownOnAPlane)
-{
-  // The v^2 / (2 mu g) of the text book; the last step is one of sticking.
-  const double g = 9.81, v = 3., dt = 1e-4;
-  for (const double b : {0.5, 0.8})
-    for (const double sign : {1., -1.})
-      {
-        ContactSetup setup    = contact_setup(1, mu, 0., 0.);
-        setup.monitored_nodes = {0};
-        Points block(setup, step_of(dt, b), {mass});
-        block.load(0, 0., mass * g);
-        block.w.row(0, 0)[0] = sign * (v + b * dt * mu * g);
-        const double stop    = v / (mu * g);
-        while (block.time() < 1.2 * stop)
-          block.advance();
-        const auto &h = block.contact.history();
-        for (unsigned int n = 0; h.time[n] < 0.999 * stop; ++n)
-          ASSERT_NEAR(h.nodes[0].vx[n], sign * (v - mu * g * h.time[n]), 1e-11);
-        EXPECT_NEAR(block.u.row(0, 0)[0], sign * v * v / (2. * mu * g), 2e-8);
-        EXPECT_NEAR(h.nodes[0].vx.back(), 0., 1e-13);
-        EXPECT_EQ(h.sticking.back(), 1.);
-        // All the energy goes into friction but for what the last step of b > 1/2 takes.
-        EXPECT_NEAR(block.contact.work().friction, 0.5 * mass * v * v,
-                    2e-4 * mass * v * v);
-        EXPECT_EQ(block.contact.work().flat, 0.);
-      }
-}
-
-TEST(Block, FollowsAFlatThatReverses)
-{
-  const double g = 9.81, V = 2., dt = 1e-4;
-  ContactSetup setup    = contact_setup(1, mu, 0., 0.);
-  setup.flat_velocity   = LoadHistory(V, "if(t < 0.49995, 2, -2)");
-  setup.monitored_nodes = {0};
-  Points block(setup, step_of(dt), {mass});
-  block.load(0, 0., mass * g);
-  block.w.row(0, 0)[0] = V;
-  while (block.time() < 2.5)
-    block.advance();
-  const auto &h        = block.contact.history();
-  const double slipped = 2. * V / (mu * g);
-  for (unsigned int n = 0; n < h.time.size(); ++n)
-    {
-      const double t        = h.time[n] - 0.5;
-      const double expected = t < 0. ? V : t < slipped ? V - mu * g * t : -V;
-      ASSERT_NEAR(h.nodes[0].vx[n], expected, 1.1 * mu * g * dt);
-    }
-  // The flat slides 2 V t - mu g t^2 / 2 under the block.
-  EXPECT_NEAR(block.contact.work().friction, mu * mass * g * V * slipped, 1e-5);
-}
-
-TEST(ContactPoint, TractionsOfEndNodes)
-{
-  // Half the width: half the mass and half the forces. All loads change.
-  Points points(contact_setup(3, mu, 0.02, 4e-8), step_of(1e-8),
-                {mass / 2, mass, mass / 2});
-  double largest = 0.;
-  for (unsigned int n = 0; n < 3000; ++n)
-    {
-      const double N = 300. * std::sin(0.01 * n) + 100., T = 90. * std::cos(0.017 * n);
-      points.load(0, T / 2, N / 2);
-      points.load(1, T, N);
-      points.load(2, T / 2, N / 2);
-      points.advance();
-      for (const unsigned int end : {0u, 2u})
-        {
-          ASSERT_EQ(2. * points.friction(end), points.friction(1));
-          ASSERT_EQ(2. * points.pressing(end), points.pressing(1));
-          ASSERT_EQ(points.u.row(0, 0)[end], points.u.row(0, 0)[1]);
-        }
-      largest = std::max(largest, points.friction(1));
-    }
-  points.contact.finish();
-  const NodeCounts &counts = points.contact.blocks()[0];
-  EXPECT_GT(counts.stick[1], 0.f);
-  EXPECT_GT(counts.slip[1], 0.f);
-  EXPECT_LT(counts.stick[1] + counts.slip[1], 3000.f);
-  EXPECT_GT(largest, 1.);
-}
-
-TEST(LoadHistory, Ramps)
-{
-  const LoadHistory step(3.), linear(3., Ramp::linear, 2.), smooth(3., Ramp::smooth, 2.);
-  const LoadHistory typed(3., "3*cos(2*pi*t) + 1");
-  EXPECT_EQ(step(0.), 3.);
-  EXPECT_EQ(linear(0.), 0.);
-  EXPECT_EQ(linear(0.5), 0.75);
-  EXPECT_EQ(linear(5.), 3.);
-  EXPECT_EQ(smooth(0.), 0.);
-  EXPECT_NEAR(smooth(0.5), 1.5 * (1. - std::sqrt(0.5)), 1e-15);
-  EXPECT_NEAR(smooth(1.), 1.5, 1e-15);
-  EXPECT_EQ(smooth(2.), 3.);
-  EXPECT_NEAR(typed(1. / 6.), 2.5, 1e-14);
-  EXPECT_EQ(typed.amplitude(), 3.);
-  EXPECT_THROW(LoadHistory(1., "3*("), std::invalid_argument);
-  EXPECT_THROW(LoadHistory(1., "3*x"), std::invalid_argument);
-  EXPECT_EQ(ramp_from_string("smooth"), Ramp::smooth);
-  EXPECT_THROW(ramp_from_string("Smooth"), std::invalid_argument);
 }

@@ -271,7 +271,7 @@ TEST(Energy, ClosesWithSparseSamples)
   setup.top.pressure          = LoadHistory(P);
   setup.step.beta             = 4.4e-9;
   setup.energy_interval       = 50;
-  setup.choose_time_step(0.95);
+  setup.choose_time_step(0.5);
   SlidingBody body(setup);
   const auto n_steps = static_cast<std::uint64_t>(std::lround(1e-3 / setup.step.dt));
   body.run(n_steps);

@@ -89,7 +89,7 @@ TEST(Scaling, PressureAndVelocityTogether)
     {
       SlidingBody scaled(pin(s * 5e6, s * 0.2));
       scaled.run(n_steps);
-      const double tolerance = s == 2. ? 0. : 1e-9;
+      const double tolerance = s == 2. ? 0. : 1e-11;
       expect_scaled(scaled, reference, s, tolerance);
       const EnergyHistory e = scaled.audit->reduce(), f = reference.audit->reduce();
       EXPECT_LE(difference(e.friction, f.friction, s * s), tolerance);
@@ -142,19 +142,19 @@ TEST(Symmetry, ReversedFlatGivesTheMirrorImage)
     for (unsigned int j = 0; j < left.u.n_rows(); ++j)
       for (unsigned int i = 0; i < columns; ++i)
         mirrored.row(c, j)[i] = (c == 0 ? -1. : 1.) * left.u.row(c, j)[columns - 1 - i];
-  EXPECT_LT(relative_difference(right.u, mirrored), 1e-9);
+  EXPECT_LT(relative_difference(right.u, mirrored), 1e-11);
   EXPECT_GT(relative_difference(right.u, left.u), 0.1);
   const ContactHistory &r = right.contact.history(), &l = left.contact.history();
-  EXPECT_LT(difference(r.normal_force, l.normal_force, 1.), 1e-9);
-  EXPECT_LT(difference(r.tangential_force, l.tangential_force, -1.), 1e-9);
+  EXPECT_LT(difference(r.normal_force, l.normal_force, 1.), 1e-11);
+  EXPECT_LT(difference(r.tangential_force, l.tangential_force, -1.), 1e-11);
   EXPECT_EQ(difference(r.slipping, l.slipping, 1.), 0.);
   EXPECT_LT(difference(right.top.history().tangential_force,
                        left.top.history().tangential_force, -1.),
-            1e-9);
+            1e-11);
   const EnergyHistory e = right.audit->reduce(), f = left.audit->reduce();
-  EXPECT_LT(difference(e.friction, f.friction, 1.), 1e-9);
+  EXPECT_LT(difference(e.friction, f.friction, 1.), 1e-11);
   EXPECT_GT(e.friction.back(), 0.);
-  EXPECT_LT(difference(e.external_work, f.external_work, 1.), 1e-9);
+  EXPECT_LT(difference(e.external_work, f.external_work, 1.), 1e-11);
 }
 
 TEST(Symmetry, MillimetresAndTonnes)
@@ -191,15 +191,15 @@ TEST(Symmetry, MillimetresAndTonnes)
       SlidingBody a(millimetres), b(metres);
       a.run(n_steps);
       b.run(n_steps);
-      EXPECT_LT(relative_difference(a.u, b.u, 1e3), 1e-9);
-      EXPECT_LT(relative_difference(a.w, b.w, 1e3), 1e-9);
+      EXPECT_LT(relative_difference(a.u, b.u, 1e3), 1e-11);
+      EXPECT_LT(relative_difference(a.w, b.w, 1e3), 1e-11);
       const EnergyHistory e = a.audit->reduce(), f = b.audit->reduce();
       // N/m = 1e-3 N/mm, J/m = N = N mm / mm
       EXPECT_LT(difference(a.contact.history().normal_force,
                            b.contact.history().normal_force, 1e-3),
-                1e-9);
-      EXPECT_LT(difference(e.friction, f.friction, 1.), 1e-9);
-      EXPECT_LT(difference(e.elastic, f.elastic, 1.), 1e-9);
+                1e-11);
+      EXPECT_LT(difference(e.friction, f.friction, 1.), 1e-11);
+      EXPECT_LT(difference(e.elastic, f.elastic, 1.), 1e-11);
       EXPECT_LT(largest(e.residual()), 1e-12 * largest(e.external_work));
     }
 }
