@@ -1,5 +1,6 @@
 #include "elasticity/static_solver.h"
 
+#include "elasticity/assembled_solver.h"
 #include "elasticity/conjugate_gradients.h"
 #include "elasticity/multigrid/multigrid_solver.h"
 
@@ -22,6 +23,8 @@ std::unique_ptr<StaticSolver> make_static_solver(const StaticSolverKind kind,
 {
   if (kind == StaticSolverKind::multigrid)
     return std::make_unique<MultigridSolver>(material);
+  if (kind == StaticSolverKind::assembled)
+    return std::make_unique<AssembledGridSolver>(material);
   return std::make_unique<JacobiSolver>(material);
 }
 } // namespace mesoslip

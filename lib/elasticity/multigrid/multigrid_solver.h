@@ -29,10 +29,8 @@ public:
    *  std::invalid_argument if it has another size than the grid. */
   void set_held(const DofMask &held) override;
 
-  /**
-   * Throws NotConverged, too, if the forces are clearly not in equilibrium (1e-6) and
-   * nothing holds the body against them.
-   */
+  /** Where rigid motions are left, what the forces have of them (round-off, one hopes) is
+   *  ignored. */
   SolverReport solve(NodalField<double> &u,
                      const NodalField<double> &force,
                      const double tolerance) override;
