@@ -273,23 +273,50 @@ declare_other_analyses(Handler &prm)
                       "Bottom",
                       "both",
                       {"free", "held in y", "both"},
-                      "The paper's boundary conditions BC1 (free) and BC2 (held in y)");
+                      "The paper's boundary conditions BC1 (free) and BC2 (held in y); a platen "
+                      "or held top is u = 0");
+    declare_double(prm,
+                   "Tolerance",
+                   1e-10,
+                   Range::open(0., 1.),
+                   "Relative residual of the static solves within the Lanczos iteration [-]");
+  }
+  {
+    const ParameterSection section(prm, "Static contact");
+    declare_double(prm,
+                   "Tolerance",
+                   1e-8,
+                   Range::open(0., 1.),
+                   "Of equilibrium and of the friction forces, relative to the contact force [-]");
+    declare_integer(
+      prm, "Iterations", 200, 1, 100000, "Limit for contact states and friction [-]");
   }
   const ParameterSection section(prm, "Friction homogenization");
-  declare_string(prm,
-                 "Heterogeneous run",
-                 "",
-                 "Output folder of a transient run of the heterogeneous body");
-  declare_string(prm,
-                 "Homogeneous run",
-                 "",
-                 "Output folder of a transient run of the homogeneous body, for T_G; empty: T_G "
-                 "of the heterogeneous one");
-  declare_string(prm,
-                 "Static contact",
-                 "",
-                 "Output folder of a static contact analysis, for the phases' pressures; empty: "
-                 "the static pressure repartition of eq. (19)");
+  declare_input_file(prm,
+                     "Heterogeneous run",
+                     "",
+                     "Output folder of a transient run of the heterogeneous body");
+  declare_input_file(prm,
+                     "Homogeneous run",
+                     "",
+                     "Output folder of a transient run of the homogeneous body, for T_G; empty: "
+                     "T_G of the heterogeneous one");
+  declare_input_file(prm,
+                     "Static contact",
+                     "",
+                     "Output folder of a static contact analysis, for the phases' pressures; "
+                     "empty: the static pressure repartition of eq. (19)");
+  declare_selection(prm,
+                    "Pressures from",
+                    "auto",
+                    {"auto", "static contact", "surface fractions", "volume fractions"},
+                    "Pressures of the phases for mu_homo: a static contact analysis (auto: if "
+                    "named), or eq. (19) with the fractions of contact line (auto) or volume");
+  declare_bool(prm,
+               "Calibrate",
+               false,
+               "Take from eq. (13) only the ratio of mu_inter between two delta and start from "
+               "the homogeneous run's; false: invert it as it stands");
 }
 
 } // namespace
@@ -323,5 +350,10 @@ ContactParameters::declare(dealii::ParameterHandler &prm, const RawParameters &r
                     "auto",
                     {"auto", "x86-64", "x86-64-v3", "x86-64-v4"},
                     "Kernels to use; auto: the widest the processor has");
+  declare_selection(prm,
+                    "Static solver",
+                    "multigrid",
+                    {"multigrid", "jacobi", "assembled"},
+                    "Of the modal and the static contact analysis, as Homogenization/Solver");
 }
 } // namespace mesoslip

@@ -66,7 +66,7 @@ parse_body(Handler &prm)
     throw UserError("Body/RVE file is empty, but a heterogeneous body takes its phases and "
                     "morphology from there; run rve_homogenization and name its rve.h5");
   if (!body.rve_file.empty())
-    require_readable_file("Body/RVE file", body.rve_file, "run rve_homogenization first");
+    require_readable_file("Body/RVE file: ", body.rve_file, "run rve_homogenization first");
   return body;
 }
 
@@ -210,16 +210,25 @@ ContactParameters::parse(dealii::ParameterHandler &prm)
     const ParameterSection section(prm, "Modal");
     parameters.modal.n_modes = get_integer(prm, "Number of modes");
     parameters.modal.bottom  = get_string(prm, "Bottom");
+    parameters.modal.tolerance = get_double(prm, "Tolerance");
+  }
+  {
+    const ParameterSection section(prm, "Static contact");
+    parameters.static_contact.tolerance      = get_double(prm, "Tolerance");
+    parameters.static_contact.max_iterations = get_integer(prm, "Iterations");
   }
   {
     const ParameterSection section(prm, "Friction homogenization");
     parameters.homogenization.heterogeneous_run = get_string(prm, "Heterogeneous run");
     parameters.homogenization.homogeneous_run   = get_string(prm, "Homogeneous run");
     parameters.homogenization.static_contact    = get_string(prm, "Static contact");
+    parameters.homogenization.pressures         = get_string(prm, "Pressures from");
+    parameters.homogenization.calibrate         = get_bool(prm, "Calibrate");
   }
   const ParameterSection section(prm, "Performance");
   parameters.wavefront       = get_integer(prm, "Wavefront");
   parameters.instruction_set = get_string(prm, "Instruction set");
+  parameters.static_solver   = static_solver_kind(get_string(prm, "Static solver"));
   return parameters;
 }
 } // namespace mesoslip

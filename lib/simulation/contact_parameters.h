@@ -6,6 +6,7 @@
 #include "contact/load_history.h"
 #include "dynamics/top_row.h"
 #include "elasticity/explicit_stepper.h"
+#include "elasticity/static_solver.h"
 
 #include <array>
 #include <string>
@@ -97,6 +98,14 @@ struct ModalParameters
 {
   unsigned int n_modes = 0;
   std::string  bottom; ///< free, held in y, both
+  double       tolerance = 0.;
+};
+
+/** Section Static contact. */
+struct StaticContactParameters
+{
+  double       tolerance      = 0.;
+  unsigned int max_iterations = 0;
 };
 
 /** Section Friction homogenization. */
@@ -105,6 +114,8 @@ struct FrictionHomogenizationParameters
   std::string heterogeneous_run; ///< folder with dynamics.h5 and summary.json
   std::string homogeneous_run;   ///< may be empty: T_G of the heterogeneous run
   std::string static_contact;    ///< folder of a static contact analysis, may be empty
+  std::string pressures = "auto"; ///< or surface fractions, volume fractions, static contact
+  bool        calibrate = false;  ///< delta relative to the homogeneous run
 };
 
 /** All of contact_dynamics' parameters, checked. */
@@ -119,9 +130,11 @@ struct ContactParameters
   FrictionParameters               friction;
   ObservationParameters            observation;
   ModalParameters                  modal;
+  StaticContactParameters          static_contact;
   FrictionHomogenizationParameters homogenization;
   unsigned int                     wavefront = 0;
   std::string                      instruction_set;
+  StaticSolverKind                 static_solver = StaticSolverKind::multigrid;
 
   static void
   declare(dealii::ParameterHandler &prm, const RawParameters &raw);

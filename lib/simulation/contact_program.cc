@@ -6,7 +6,10 @@
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
 #include "simulation/contact_parameters.h"
+#include "simulation/friction_homogenization.h"
+#include "simulation/modal.h"
 #include "simulation/scene.h"
+#include "simulation/static_contact.h"
 #include "simulation/transient.h"
 
 #include <cmath>
@@ -58,13 +61,16 @@ void
 run(dealii::ParameterHandler &prm, RunContext &context)
 {
   const ContactParameters parameters = ContactParameters::parse(prm);
-  const Scene             scene      = make_scene(parameters);
   switch (parameters.analysis)
     {
       case ContactAnalysis::transient:
-        return run_transient(parameters, scene, context);
-      default:
-        throw UserError("Analysis: not available");
+        return run_transient(parameters, make_scene(parameters), context);
+      case ContactAnalysis::modal:
+        return run_modal(parameters, make_scene(parameters), context);
+      case ContactAnalysis::static_contact:
+        return run_static_contact(parameters, make_scene(parameters), context);
+      case ContactAnalysis::friction_homogenization:
+        return run_friction_homogenization(parameters, context);
     }
 }
 } // namespace

@@ -1,10 +1,9 @@
 #include "simulation/dynamics_file.h"
 
-#include "io/digest.h"
 #include "io/hdf5_file.h"
 #include "io/run_context.h"
 #include "io/table.h"
-#include "io/xdmf.h"
+#include "simulation/body_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,23 +12,6 @@ namespace mesoslip
 {
 namespace
 {
-std::string
-scene_digest(const Scene &scene)
-{
-  Digest digest;
-  digest.add(scene.rve_digest);
-  for (unsigned int d = 0; d < 2; ++d)
-    digest.add(scene.grid.cells[d]).add(scene.grid.spacing[d]);
-  for (const Phase<2> &phase : scene.phases)
-    {
-      for (int k = 0; k < phase.stiffness.size(); ++k)
-        digest.add(phase.stiffness.data()[k]);
-      digest.add(phase.density);
-    }
-  digest.add(std::string(scene.phase_id.begin(), scene.phase_id.end()));
-  return digest.hex();
-}
-
 std::vector<double>
 node_positions(const UniformGrid<2> &grid)
 {
@@ -49,69 +31,18 @@ DynamicsFile::DynamicsFile(RunContext              &context,
 {
   if (!context.root())
     return;
-  file = std::make_unique<Hdf5File>(Hdf5File::create(context.file("dynamics.h5")));
-  file->write_header("mesoslip-dynamics", 1, 2, scene_digest(scene));
-  file->create_group("/grid");
-  file->write_attribute("/grid",
-                        "cells",
-                        std::vector<unsigned int>(scene.grid.cells.begin(),
-                                                  scene.grid.cells.end()));
-  file->write_attribute("/grid",
-                        "spacing",
-                        std::vector<double>(scene.grid.spacing.begin(), scene.grid.spacing.end()));
-  file->write_attribute("/grid",
-                        "origin",
-                        std::vector<double>(scene.grid.origin.begin(), scene.grid.origin.end()));
-  write_material();
+  file = std::make_unique<Hdf5File>(
+    create_body_file(context.file("dynamics.h5"), "mesoslip-dynamics", scene));
   if (parameters.observation.snapshots_interval > 0.)
-    {
-      file->create_extendable<double>("/snapshots/time", {});
-      file->create_extendable<double>("/snapshots/displacement",
-                                      {scene.grid.cells[1] + 1, scene.grid.cells[0] + 1, 2});
-    }
+    create_snapshots(*file, scene.grid);
 }
 
 DynamicsFile::~DynamicsFile() = default;
 
 void
-DynamicsFile::write_material()
-{
-  const std::size_t        n = scene.phases.size();
-  std::vector<double>      stiffness, density;
-  std::vector<std::string> names;
-  for (const Phase<2> &phase : scene.phases)
-    {
-      stiffness.insert(stiffness.end(),
-                       phase.stiffness.data(),
-                       phase.stiffness.data() + phase.stiffness.size());
-      density.push_back(phase.density);
-      names.push_back(phase.name);
-    }
-  file->write("/material/stiffness", {n, 3, 3}, stiffness);
-  file->write("/material/density", {n}, density);
-  file->write_strings("/material/name", names);
-  file->write_attribute("/material", "rve_digest", scene.rve_digest);
-  if (!scene.phase_id.empty())
-    file->write("/material/phase_id", {scene.grid.cells[1], scene.grid.cells[0]}, scene.phase_id);
-}
-
-void
 DynamicsFile::add_snapshot(const double time, const NodalField<double> &u)
 {
-  const unsigned int n = u.n_columns();
-  snapshot.resize(2 * static_cast<std::size_t>(n) * u.n_rows());
-  std::size_t k = 0;
-  for (unsigned int j = 0; j < u.n_rows(); ++j)
-    {
-      const double *x = u.row(0, j), *y = u.row(1, j);
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          snapshot[k++] = x[i];
-          snapshot[k++] = y[i];
-        }
-    }
-  file->append("/snapshots/time", time);
-  file->append<double>("/snapshots/displacement", snapshot.data(), 1);
+  append_snapshot(*file, time, u);
   snapshot_times.push_back(time);
 }
 
@@ -309,26 +240,10 @@ DynamicsFile::write(const TransientObservations &observed, const TransientSummar
 
   if (snapshot_times.empty())
     return;
-  XdmfGrid grid;
-  grid.cells   = {{scene.grid.cells[0], scene.grid.cells[1], 1}};
-  grid.spacing = {{scene.grid.spacing[0], scene.grid.spacing[1], 1.}};
-  XdmfField displacement;
-  displacement.name        = "displacement";
-  displacement.file        = "dynamics.h5";
-  displacement.dataset     = "/snapshots/displacement";
-  displacement.components  = 2;
-  displacement.time_series = true;
-  std::vector<XdmfField> fields = {displacement};
-  if (!scene.phase_id.empty())
-    {
-      XdmfField phase;
-      phase.name    = "phase";
-      phase.file    = "dynamics.h5";
-      phase.dataset = "/material/phase_id";
-      phase.centre  = XdmfField::Centre::cell;
-      phase.number  = XdmfField::Number::uint8;
-      fields.push_back(phase);
-    }
-  write_xdmf(context.file("dynamics.xdmf"), grid, fields, snapshot_times);
+  write_body_xdmf(context.file("dynamics.xdmf"),
+                  scene,
+                  "dynamics.h5",
+                  {{"displacement", "/snapshots/displacement"}},
+                  snapshot_times);
 }
 } // namespace mesoslip

@@ -35,8 +35,6 @@ public:
 
 private:
   void
-  write_material();
-  void
   write_history(const TransientObservations &observed, const TransientSummary &summary);
   void
   write_energy(const EnergyHistory &energy);
@@ -53,7 +51,6 @@ private:
   const ContactParameters   &parameters;
   const Scene               &scene;
   std::unique_ptr<Hdf5File>  file;
-  std::vector<double>        snapshot;
   std::vector<double>        snapshot_times;
 };
 } // namespace mesoslip

@@ -1,0 +1,94 @@
+#ifndef mesoslip_contact_static_contact_solver_h
+#define mesoslip_contact_static_contact_solver_h
+
+#include "elasticity/dof_mask.h"
+#include "elasticity/static_solver.h"
+#include "elasticity/uniform_grid_operator.h"
+#include "elasticity/uniform_material.h"
+#include "grid/nodal_field.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** State of a contact node in equilibrium. */
+enum class ContactState : unsigned char
+{
+  separated,
+  stick,
+  slip,
+  held ///< by a side; no contact node
+};
+
+/** "separated", "stick", "slip", "held". */
+std::string to_string(const ContactState state);
+
+/** A body at rest whose bottom row is pressed on a rigid flat at u_y = 0. */
+struct StaticContactProblem
+{
+  /** What sides and top hold; nothing of the contact. */
+  DofMask held;
+
+  /** Values of the held degrees of freedom (m) and the first guess of all others. */
+  NodalField<double> displacement;
+
+  /** External forces (N/m). */
+  NodalField<double> force;
+
+  /** Coulomb coefficient of each bottom node. */
+  std::vector<double> friction_coefficient;
+
+  /**
+   * Direction (+1, -1) in which the flat slides below the body: all contact nodes slip.
+   * 0: the flat rests, nodes stick or slip against their own displacement from u_x = 0.
+   */
+  int sliding = 0;
+};
+
+/** How it is solved. */
+struct StaticContactOptions
+{
+  StaticSolverKind solver = StaticSolverKind::multigrid;
+
+  /** Of the residual forces, and of the friction forces, as a share of the contact force.
+   */
+  double tolerance = 1e-8;
+
+  unsigned int max_iterations = 200;
+
+  /** Called before each iteration with their number so far; may throw to stop. */
+  std::function<void(unsigned int)> before_iteration;
+};
+
+/** Equilibrium with contact. */
+struct StaticContactSolution
+{
+  NodalField<double> displacement;      ///< m
+  std::vector<double> normal_force;     ///< N/m per node, positive when pressed
+  std::vector<double> tangential_force; ///< N/m per node, on the body
+  std::vector<ContactState> state;
+
+  unsigned int iterations        = 0;
+  unsigned int state_changes     = 0;  ///< iterations in which a node changed its state
+  unsigned int solver_iterations = 0;  ///< of all linear solves
+  double residual                = 0.; ///< of equilibrium, relative to the contact force
+  double friction_change         = 0.; ///< of the last iteration, relative likewise
+};
+
+/**
+ * Unilateral contact with Coulomb friction by an active-set iteration: contact nodes are
+ * held in u_y, those that stick in u_x as well, those that slip carry mu times their
+ * normal reaction of the iteration before, accelerated after Anderson. The states follow
+ * the signs of reactions and penetrations until nothing changes.
+ *
+ * @throws NotConverged, also when the body lifts off or tips over
+ */
+StaticContactSolution solve_static_contact(const UniformMaterial &material,
+                                           StaticContactProblem problem,
+                                           const StaticContactOptions &options);
+} // namespace mesoslip
+
+#endif

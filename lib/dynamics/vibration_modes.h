@@ -1,0 +1,70 @@
+#ifndef mesoslip_dynamics_vibration_modes_h
+#define mesoslip_dynamics_vibration_modes_h
+
+#include "elasticity/dof_mask.h"
+#include "elasticity/static_solver.h"
+#include "elasticity/uniform_material.h"
+#include "grid/nodal_field.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace mesoslip
+{
+/** What is wanted of the modes of vibration, and how they are computed. */
+struct VibrationModesOptions
+{
+  unsigned int n_modes = 4;
+
+  StaticSolverKind solver = StaticSolverKind::multigrid;
+
+  /** Relative residual of each static solve; eigenvalues are accurate to about this. */
+  double tolerance = 1e-10;
+
+  /** Called before each static solve with their number so far; may throw to stop. */
+  std::function<void(unsigned int)> before_solve;
+};
+
+/** A free vibration u(x, t) = shape(x) cos(2 pi f t). */
+struct VibrationMode
+{
+  double frequency = 0.; ///< Hz
+
+  /** The largest displacement vector has length one and its larger component is positive.
+   */
+  NodalField<double> shape;
+
+  double modal_mass = 0.; ///< shape.M shape (kg/m)
+
+  /** Share of the mass that takes part in a rigid acceleration along x and y. */
+  std::array<double, 2> effective_mass = {};
+
+  /** |K u - omega^2 M u| / |K u| at the free degrees of freedom. */
+  double residual = 0.;
+};
+
+/** The lowest modes in ascending order, and what they took. */
+struct VibrationModes
+{
+  std::vector<VibrationMode> modes;
+
+  /** Rigid motions that nothing holds; they vibrate at 0 Hz and are not among the modes.
+   */
+  unsigned int n_rigid_motions = 0;
+
+  unsigned int n_solves          = 0;
+  unsigned int solver_iterations = 0; ///< of all solves
+};
+
+/**
+ * Solves K u = omega^2 M u (lumped mass) on a uniform grid by shift-and-invert Lanczos
+ * around zero (ARPACK); rigid motions are projected out, so a free body needs no shift.
+ * @throws std::invalid_argument if there are not that many modes; NotConverged
+ */
+VibrationModes vibration_modes(const UniformMaterial &material,
+                               const DofMask &held,
+                               const VibrationModesOptions &options);
+} // namespace mesoslip
+
+#endif

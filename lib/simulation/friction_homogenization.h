@@ -1,0 +1,79 @@
+#ifndef mesoslip_simulation_friction_homogenization_h
+#define mesoslip_simulation_friction_homogenization_h
+
+#include "contact/homogenized_friction.h"
+#include "simulation/contact_parameters.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+class RunContext;
+
+/** A transient run as far as eq. (13) is concerned. */
+struct FrictionRun
+{
+  std::string folder;
+  double mu_inter = 0.; ///< global interface friction coefficient, eq. (9)
+  std::optional<double> contact_duration; ///< T_G (s); unknown without complete landings
+  std::optional<double> regularization_time;  ///< delta (s)
+  std::optional<double> friction_coefficient; ///< local mu; none if it varies by phase
+};
+
+/** What the contact homogenization starts from. */
+struct FrictionHomogenizationInput
+{
+  FrictionRun heterogeneous;
+  std::optional<FrictionRun> homogeneous;
+
+  /** Phases on the contact line, with surface and with volume fractions as areas. */
+  std::vector<std::string> phase_names;
+  std::vector<ContactPhase> surface, volume;
+
+  /** Pressures (Pa) of those phases in a static contact analysis; empty without one. */
+  std::vector<double> static_pressures;
+};
+
+/** One way to the coefficient and the regularization time of the homogeneous model. */
+struct FrictionEstimate
+{
+  std::string pressures; ///< "surface fractions", "volume fractions", "static contact"
+  std::string duration;  ///< whose T_G: "heterogeneous", "homogeneous"
+  double mu_homo          = 0.;
+  double contact_duration = 0.;     ///< T_G (s)
+  std::optional<double> delta;      ///< s, eq. (13); none unless mu_inter < mu_homo
+  std::optional<double> calibrated; ///< s, eq. (13) scaled to the homogeneous run
+};
+
+/**
+ * Reads the folders of section Friction homogenization; friction coefficients by phase
+ * come from @p rve_file. @throws UserError naming key, file and what is missing
+ */
+FrictionHomogenizationInput
+read_friction_homogenization(const FrictionHomogenizationParameters &parameters,
+                             const std::string &rve_file);
+
+/**
+ * All estimates that the input allows: mu_homo by eqs (17) to (21), delta by inverting
+ * eq. (13) for the heterogeneous run's mu_inter. The calibrated delta asks eq. (13) only
+ * for the ratio of mu_inter between two deltas: it has to turn the homogeneous run's
+ * mu_inter, taken at that run's delta, into the heterogeneous one's.
+ * @throws UserError when no T_G is known
+ */
+std::vector<FrictionEstimate>
+friction_estimates(const FrictionHomogenizationInput &input);
+
+/** The estimate that section Friction homogenization asks for. @throws UserError */
+const FrictionEstimate &
+chosen_estimate(const std::vector<FrictionEstimate> &estimates,
+                const FrictionHomogenizationParameters &parameters,
+                const FrictionHomogenizationInput &input);
+
+/** Analysis "friction homogenization": friction_homogenization.csv, lines for a .prm. */
+void run_friction_homogenization(const ContactParameters &parameters,
+                                 RunContext &context);
+} // namespace mesoslip
+
+#endif

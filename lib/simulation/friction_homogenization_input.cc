@@ -1,0 +1,162 @@
+#include "homogenization/rve_file.h"
+#include "io/errors.h"
+#include "io/hdf5_file.h"
+#include "io/parameters.h"
+#include "simulation/friction_homogenization.h"
+#include "simulation/run_summary.h"
+#include "simulation/static_contact.h"
+
+#include <algorithm>
+
+namespace mesoslip
+{
+namespace
+{
+const std::string section = "Friction homogenization/";
+
+FrictionRun read_run(const RunSummary &summary)
+{
+  summary.require_analysis("transient");
+  FrictionRun run;
+  run.folder = summary.folder();
+  run.mu_inter =
+    summary.number("global_interface_friction_coefficient",
+                   "the run has no steady part; give it a longer Time/End time");
+  run.contact_duration     = summary.find_number("mean_contact_duration");
+  run.regularization_time  = summary.find_number("regularization_time");
+  run.friction_coefficient = summary.find_number("friction_coefficient");
+  if (run.contact_duration && !(*run.contact_duration > 0.))
+    run.contact_duration.reset();
+  return run;
+}
+
+/** The phases of the heterogeneous body and what of the contact and the volume they take.
+ */
+struct Morphology
+{
+  std::vector<Phase<2>> phases;
+  std::vector<double> surface, volume;
+  std::string rve_digest;
+};
+
+Morphology read_morphology(const RunSummary &summary)
+{
+  const std::string hint = "a transient run of a heterogeneous body writes it";
+  const Hdf5File file    = Hdf5File::open(summary.file("dynamics.h5"), hint);
+  file.check_header("mesoslip-dynamics", 1, 2, hint);
+  const UniformGrid<2> grid = read_grid(file, hint);
+  const auto names          = file.read_strings("/material/name", hint);
+  const std::size_t n       = names.size();
+  const auto D              = file.read<double>("/material/stiffness", {n, 3, 3}, hint);
+  const auto id =
+    file.read<std::uint8_t>("/material/phase_id", {grid.cells[1], grid.cells[0]},
+                            "Heterogeneous run has to be one of a heterogeneous "
+                            "body");
+  Morphology m;
+  m.surface.assign(n, 0.);
+  m.volume.assign(n, 0.);
+  m.rve_digest = file.read_attribute<std::string>("/material", "rve_digest", hint);
+  for (std::size_t p = 0; p < n; ++p)
+    {
+      Phase<2> phase;
+      phase.name      = names[p];
+      phase.stiffness = Eigen::Map<const VoigtMatrix<2>>(D.data() + 9 * p);
+      m.phases.push_back(phase);
+    }
+  for (std::size_t k = 0; k < id.size(); ++k)
+    {
+      if (id[k] >= n)
+        throw UserError(file.path() +
+                        ": /material/phase_id names a phase that /material/name "
+                        "does not have; run contact_dynamics again");
+      m.volume[id[k]] += 1. / static_cast<double>(id.size());
+      if (k < grid.cells[0])
+        m.surface[id[k]] += 1. / grid.cells[0];
+    }
+  return m;
+}
+
+void set_friction_coefficients(Morphology &m,
+                               const FrictionRun &run,
+                               const std::string &rve_file)
+{
+  if (run.friction_coefficient)
+    {
+      for (Phase<2> &phase : m.phases)
+        phase.friction_coefficient = *run.friction_coefficient;
+      return;
+    }
+  if (rve_file.empty())
+    throw UserError("Body/RVE file is empty, but " + run.folder +
+                    " took its friction coefficients from the phases of one; name it");
+  const RveFile rve = RveFile::open(rve_file);
+  if (rve.digest() != m.rve_digest)
+    throw UserError("Body/RVE file: " + rve_file + " is not the one that " + run.folder +
+                    " was run with (digest " + rve.digest() + ", there " + m.rve_digest +
+                    "); name that one");
+  for (std::size_t p = 0; p < m.phases.size(); ++p)
+    m.phases[p].friction_coefficient = rve.phases().at(p).friction_coefficient;
+}
+
+std::vector<double> read_static_pressures(const std::string &folder,
+                                          const std::vector<std::string> &phases,
+                                          const std::string &rve_digest)
+{
+  const std::string key = section + "Static contact";
+  const RunSummary summary(key, folder);
+  summary.require_analysis("static contact");
+  if (!rve_digest.empty() && summary.text("rve_digest") != rve_digest)
+    throw UserError(
+      key + ": " + folder +
+      " is an analysis of another RVE file than the heterogeneous run's; run it "
+      "again with the same Body/RVE file");
+  const auto found = summary.numbers("phase_contact_pressures", "run the analysis again");
+  std::vector<double> pressures;
+  for (const std::string &name : phases)
+    {
+      if (found.count(name) == 0)
+        throw UserError(key + ": " + folder + " has no contact pressure of the phase " +
+                        name + ", which is in contact in the heterogeneous run");
+      pressures.push_back(found.at(name));
+    }
+  return pressures;
+}
+} // namespace
+
+FrictionHomogenizationInput
+read_friction_homogenization(const FrictionHomogenizationParameters &parameters,
+                             const std::string &rve_file)
+{
+  if (parameters.heterogeneous_run.empty())
+    throw UserError(section +
+                    "Heterogeneous run is empty; name the output folder of a transient "
+                    "run of the heterogeneous body");
+  FrictionHomogenizationInput input;
+  const RunSummary heterogeneous(section + "Heterogeneous run",
+                                 parameters.heterogeneous_run);
+  input.heterogeneous = read_run(heterogeneous);
+  if (!parameters.homogeneous_run.empty())
+    {
+      const RunSummary homogeneous(section + "Homogeneous run",
+                                   parameters.homogeneous_run);
+      input.homogeneous = read_run(homogeneous);
+      for (const std::string quantity : {"pressure", "flat_velocity"})
+        if (homogeneous.find_number(quantity) != heterogeneous.find_number(quantity))
+          throw UserError(section + "Homogeneous run: " + quantity +
+                          " differs from that of " + parameters.heterogeneous_run +
+                          "; run both under one load");
+    }
+
+  Morphology m = read_morphology(heterogeneous);
+  set_friction_coefficients(m, input.heterogeneous, rve_file);
+  input.surface = contact_phases(m.phases, m.surface);
+  input.volume  = contact_phases(m.phases, m.volume);
+  for (std::size_t p = 0; p < m.phases.size(); ++p)
+    if (m.surface[p] > 0.)
+      input.phase_names.push_back(m.phases[p].name);
+  if (!parameters.static_contact.empty())
+    input.static_pressures =
+      read_static_pressures(parameters.static_contact, input.phase_names, m.rve_digest);
+  return input;
+}
+} // namespace mesoslip

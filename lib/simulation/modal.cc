@@ -1,0 +1,228 @@
+#include "simulation/modal.h"
+
+#include "io/errors.h"
+#include "io/parameters.h"
+#include "io/run_context.h"
+#include "io/table.h"
+#include "material/stiffness.h"
+#include "simulation/body_file.h"
+#include "simulation/static_support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace mesoslip
+{
+namespace
+{
+// Figure 8 of the paper.
+constexpr double paper_free = 40000., paper_held = 41580.;
+
+bool close(const VoigtMatrix<2> &D, const VoigtMatrix<2> &reference)
+{
+  return ((D - reference).cwiseAbs().array() <= 0.05 * reference.cwiseAbs().array() + 1e6)
+    .all();
+}
+
+VoigtMatrix<2> mean_stiffness(const Scene &scene)
+{
+  if (scene.phase_id.empty())
+    return scene.phases[0].stiffness;
+  std::vector<double> share(scene.phases.size(), 0.);
+  for (const std::uint8_t id : scene.phase_id)
+    share[id] += 1. / static_cast<double>(scene.phase_id.size());
+  VoigtMatrix<2> mean = VoigtMatrix<2>::Zero();
+  for (std::size_t p = 0; p < share.size(); ++p)
+    mean += share[p] * scene.phases[p].stiffness;
+  return mean;
+}
+
+std::string kilohertz(const double frequency)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%10.3f kHz", 1e-3 * frequency);
+  return text;
+}
+
+void log_modes(const ModalCase &c, const bool paper, RunContext &context)
+{
+  const VibrationModes &all = c.modes;
+  context.log(
+    std::string("Bottom ") + (c.bottom == "free" ? "free (BC1)" : "held in y (BC2)") +
+    ": " + std::to_string(all.n_solves) + " static solves, " +
+    std::to_string(all.solver_iterations) + " iterations" +
+    (all.n_rigid_motions > 0
+       ? "; " + std::to_string(all.n_rigid_motions) + " rigid motions at 0 Hz not listed"
+       : ""));
+  for (std::size_t k = 0; k < all.modes.size(); ++k)
+    {
+      std::string line =
+        "  mode " + std::to_string(k + 1) + kilohertz(all.modes[k].frequency);
+      if (k == 0 && paper)
+        {
+          const double reference = c.bottom == "free" ? paper_free : paper_held;
+          char difference[48];
+          std::snprintf(difference, sizeof difference, "   (paper %.2f kHz, %+.2f %%)",
+                        1e-3 * reference,
+                        100. * (all.modes[k].frequency / reference - 1.));
+          line += difference;
+        }
+      context.log(line);
+    }
+}
+
+void write_table(const std::vector<ModalCase> &cases, RunContext &context)
+{
+  TableWriter table(context.file("modes.csv"),
+                    {"bottom", "mode [-]", "frequency [Hz]", "modal_mass [kg/m]",
+                     "effective_mass_x [-]", "effective_mass_y [-]", "residual [-]"});
+  for (const ModalCase &c : cases)
+    for (std::size_t k = 0; k < c.modes.modes.size(); ++k)
+      {
+        const VibrationMode &mode = c.modes.modes[k];
+        table.add_row(std::vector<std::string>{
+          c.bottom, std::to_string(k + 1), to_text(mode.frequency),
+          to_text(mode.modal_mass), to_text(mode.effective_mass[0]),
+          to_text(mode.effective_mass[1]), to_text(mode.residual)});
+      }
+  table.flush();
+}
+
+void write_file(const std::vector<ModalCase> &cases,
+                const Scene &scene,
+                RunContext &context)
+{
+  Hdf5File file = create_body_file(context.file("modal.h5"), "mesoslip-modal", scene);
+  std::vector<std::pair<std::string, std::string>> series;
+  for (const ModalCase &c : cases)
+    {
+      const std::size_t n = c.modes.modes.size();
+      std::vector<double> frequency, mass, shapes;
+      for (const VibrationMode &mode : c.modes.modes)
+        {
+          frequency.push_back(mode.frequency);
+          mass.push_back(mode.modal_mass);
+          const std::vector<double> shape = interleaved(mode.shape);
+          shapes.insert(shapes.end(), shape.begin(), shape.end());
+        }
+      const std::string group = "/modes/" + c.bottom;
+      file.write(group + "/frequency", {n}, frequency);
+      file.write(group + "/modal_mass", {n}, mass);
+      file.write(group + "/shape",
+                 {n, scene.grid.cells[1] + 1u, scene.grid.cells[0] + 1u, 2}, shapes);
+      series.emplace_back("bottom_" + c.bottom, group + "/shape");
+    }
+  file.close();
+  // The time of a frame is the number of its mode.
+  std::vector<double> numbers;
+  for (std::size_t k = 0; k < cases[0].modes.modes.size(); ++k)
+    numbers.push_back(k + 1.);
+  write_body_xdmf(context.file("modal.xdmf"), scene, "modal.h5", series, numbers);
+}
+
+void write_summary(const std::vector<ModalCase> &cases,
+                   const ContactParameters &parameters,
+                   const Scene &scene,
+                   RunContext &context)
+{
+  nlohmann::json &json = context.summary();
+  json["dim"]          = 2;
+  json["cells"]        = scene.grid.n_cells();
+  json["dofs"]         = 2 * scene.grid.n_nodes();
+  json["analysis"]     = "modal";
+  json["material"]     = parameters.body.heterogeneous ? "heterogeneous" : "homogeneous";
+  for (const ModalCase &c : cases)
+    {
+      nlohmann::json frequencies = nlohmann::json::array();
+      for (const VibrationMode &mode : c.modes.modes)
+        frequencies.push_back(mode.frequency);
+      json["frequencies"][c.bottom]   = frequencies;
+      json["rigid_motions"][c.bottom] = c.modes.n_rigid_motions;
+      json["iterations"][c.bottom]    = c.modes.solver_iterations;
+    }
+}
+} // namespace
+
+DofMask modal_constraints(const ContactParameters &parameters,
+                          const UniformMaterial &material,
+                          const bool bottom_held)
+{
+  DofMask held = held_sides(material, parameters.sides);
+  hold_top(held, parameters.top);
+  if (bottom_held)
+    held.hold_row(1, 0);
+  return held;
+}
+
+bool is_paper_body(const ContactParameters &parameters, const Scene &scene)
+{
+  const auto is = [](const double value, const double reference, const double tolerance) {
+    return std::fabs(value - reference) <= tolerance * reference;
+  };
+  if (!is(scene.grid.extent(0), 56e-3, 1e-6) || !is(scene.grid.extent(1), 16e-3, 1e-6) ||
+      parameters.top.kind == TopSetup::Kind::pressure || parameters.periodic)
+    return false;
+  for (const auto &side : {parameters.sides.left_held, parameters.sides.right_held})
+    if (side[0] || side[1])
+      return false;
+  for (const Phase<2> &phase : scene.phases)
+    if (!is(phase.density, 1770., 1e-3))
+      return false;
+  if (scene.phase_id.empty())
+    return close(mean_stiffness(scene),
+                 stiffness_from_coefficients<2>({36.54e9, 9.1e9, 47.26e9, 13.785e9}));
+  return close(mean_stiffness(scene), 0.9 * isotropic_stiffness<2>(30e9, 0.2) +
+                                        0.1 * isotropic_stiffness<2>(240e9, 0.2));
+}
+
+std::vector<ModalCase> compute_modes(const ContactParameters &parameters,
+                                     const Scene &scene,
+                                     RunContext &context)
+{
+  const UniformMaterial material = scene.make_material(parameters.periodic);
+  VibrationModesOptions options;
+  options.n_modes      = parameters.modal.n_modes;
+  options.tolerance    = parameters.modal.tolerance;
+  options.solver       = parameters.static_solver;
+  options.before_solve = stop_or_report(context, "the static solve");
+
+  std::vector<ModalCase> cases;
+  for (const std::string bottom : {"free", "held"})
+    {
+      if (parameters.modal.bottom != "both" && parameters.modal.bottom.find(bottom) != 0)
+        continue;
+      const auto scope = context.timer().scope(("Bottom " + bottom).c_str());
+      const auto held  = modal_constraints(parameters, material, bottom == "held");
+      try
+        {
+          with_advice("loosen Modal/Tolerance or ask for fewer modes", [&]() {
+            cases.push_back({bottom, vibration_modes(material, held, options)});
+          });
+        }
+      catch (const std::invalid_argument &e)
+        {
+          throw UserError(std::string("Modal/Number of modes: ") + e.what());
+        }
+    }
+  return cases;
+}
+
+void run_modal(const ContactParameters &parameters,
+               const Scene &scene,
+               RunContext &context)
+{
+  const std::vector<ModalCase> cases = compute_modes(parameters, scene, context);
+  const bool paper                   = is_paper_body(parameters, scene);
+  for (const ModalCase &c : cases)
+    log_modes(c, paper, context);
+  if (!context.root())
+    return;
+  const auto scope = context.timer().scope("Output");
+  write_table(cases, context);
+  write_file(cases, scene, context);
+  write_summary(cases, parameters, scene, context);
+}
+} // namespace mesoslip

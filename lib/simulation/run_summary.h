@@ -1,0 +1,52 @@
+#ifndef mesoslip_simulation_run_summary_h
+#define mesoslip_simulation_run_summary_h
+
+#include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+namespace mesoslip
+{
+/** summary.json of a finished run. Errors name the key that gave the folder, and the
+ * file. */
+class RunSummary
+{
+public:
+  /** @p key: "Friction homogenization/Heterogeneous run". @throws UserError */
+  RunSummary(const std::string &key, const std::string &folder);
+  ~RunSummary();
+  RunSummary(RunSummary &&) noexcept;
+
+  /** @throws UserError unless the run was a contact_dynamics @p analysis. */
+  void require_analysis(const std::string &analysis) const;
+
+  /** Nothing if the key is missing or null. */
+  std::optional<double> find_number(const std::string &name) const;
+
+  /** @p missing says what a missing number means and what to do. @throws UserError */
+  double number(const std::string &name, const std::string &missing) const;
+
+  std::string text(const std::string &name) const;
+
+  /** The numbers of an object such as phase_contact_pressures; nulls are left out. */
+  std::map<std::string, double> numbers(const std::string &name,
+                                        const std::string &missing) const;
+
+  /** Path of another file in the folder. */
+  std::string file(const std::string &name) const;
+
+  const std::string &folder() const
+  {
+    return path;
+  }
+
+private:
+  const std::string key;
+  std::string path;
+  std::unique_ptr<const nlohmann::json> json;
+};
+} // namespace mesoslip
+
+#endif

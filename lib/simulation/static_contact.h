@@ -1,0 +1,58 @@
+#ifndef mesoslip_simulation_static_contact_h
+#define mesoslip_simulation_static_contact_h
+
+#include "contact/homogenized_friction.h"
+#include "contact/static_contact_solver.h"
+#include "simulation/contact_parameters.h"
+#include "simulation/scene.h"
+
+#include <optional>
+#include <vector>
+
+namespace mesoslip
+{
+class RunContext;
+
+/** Equilibrium of the body pressed on the flat, and what follows from it. */
+struct StaticContactResult
+{
+  StaticContactSolution solution; ///< under the pressure of section Top
+
+  double normal_force     = 0.; ///< on the flat (N/m)
+  double tangential_force = 0.; ///< of the flat on the body (N/m)
+
+  std::vector<double> node_pressure; ///< Pa, one value a bottom node
+  std::vector<double> node_shear;    ///< Pa
+  std::vector<double> cell_pressure; ///< mean of -sigma_yy in the bottom cells (Pa)
+
+  /** Share of the bottom and mean of cell_pressure by phase; none for an absent phase. */
+  std::vector<double> surface_fraction;
+  std::vector<std::optional<double>> phase_pressure;
+
+  /** The same by the static pressure repartition, eq. (19). */
+  std::vector<std::optional<double>> repartition;
+
+  /** Relative difference between the cells' pressures and the normal force. */
+  double pressure_imbalance = 0.;
+};
+
+/** Solves for equilibrium. @throws UserError if there is none by the choice of supports.
+ */
+StaticContactResult compute_static_contact(const ContactParameters &parameters,
+                                           const Scene &scene,
+                                           const StaticContactOptions &options);
+
+/**
+ * The phases that take part in the contact with @p fractions of it: areas, Young's moduli
+ * of the closest isotropic solids, friction coefficients. Absent phases are left out.
+ */
+std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
+                                         const std::vector<double> &fractions);
+
+/** Analysis "static contact": static_contact.csv, dynamics.h5 with one snapshot. */
+void run_static_contact(const ContactParameters &parameters,
+                        const Scene &scene,
+                        RunContext &context);
+} // namespace mesoslip
+
+#endif
