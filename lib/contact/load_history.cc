@@ -3,6 +3,8 @@
 #include <deal.II/base/function_parser.h>
 
 #include <cmath>
+#include <iostream>
+#include <sstream>
 #include <stdexcept>
 
 namespace mesoslip
@@ -11,6 +13,10 @@ struct LoadHistory::Expression
 {
   explicit Expression(const std::string &text)
   {
+    // The parser reports to std::cerr before it throws; one sentence is enough.
+    std::ostringstream    unused;
+    std::streambuf *const cerr = std::cerr.rdbuf(unused.rdbuf());
+    bool                  good = true;
     try
       {
         parser.initialize("t", text, {{"pi", M_PI}});
@@ -18,8 +24,11 @@ struct LoadHistory::Expression
       }
     catch (const std::exception &)
       {
-        throw std::invalid_argument("'" + text + "' is not an expression in the time t");
+        good = false;
       }
+    std::cerr.rdbuf(cerr);
+    if (!good)
+      throw std::invalid_argument("'" + text + "' is not an expression in the time t");
   }
 
   dealii::FunctionParser<1> parser;

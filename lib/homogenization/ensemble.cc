@@ -50,8 +50,9 @@ UniformMaterial
 make_material(const Microstructure &microstructure)
 {
   std::vector<ElasticClass> classes;
+  // Statics need no density; a phase may come without one.
   for (const Phase<2> &phase : microstructure.phases)
-    classes.push_back({phase.stiffness, phase.density});
+    classes.push_back({phase.stiffness, phase.density > 0. ? phase.density : 1.});
   try
     {
       return UniformMaterial(microstructure.map.grid, classes, microstructure.map.id);

@@ -36,8 +36,8 @@ read_phases(const Hdf5File &file)
       phases[p].stiffness = Eigen::Map<const VoigtMatrix<2>>(D.data() + 9 * p);
       phases[p].density   = density[p];
       phases[p].friction_coefficient = friction[p];
-      if (!(density[p] > 0.))
-        throw wrong(file, "/phase/density", "holds a value that is not positive");
+      if (!(density[p] >= 0.))
+        throw wrong(file, "/phase/density", "holds a negative value");
       if (!(friction[p] >= 0.))
         throw wrong(file, "/phase/friction_coefficient", "holds a negative value");
     }

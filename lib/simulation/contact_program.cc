@@ -85,7 +85,11 @@ contact_dynamics_program()
   program.declare = ContactParameters::declare;
   program.check   = [](dealii::ParameterHandler &prm) {
     const ContactParameters parameters = ContactParameters::parse(prm);
-    check_probes(parameters, make_scene(parameters).grid);
+    const Scene             scene      = make_scene(parameters);
+    check_probes(parameters, scene.grid);
+    const UniformMaterial material = scene.make_material(parameters.periodic);
+    if (parameters.analysis == ContactAnalysis::transient)
+      check_time_step(parameters, material);
   };
   program.estimate = estimate;
   program.run      = run;

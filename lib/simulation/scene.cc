@@ -163,6 +163,11 @@ make_scene(const ContactParameters &parameters)
       const RveFile rve = RveFile::open(body.rve_file);
       scene.rve_digest  = rve.digest();
       scene.grid        = make_grid(body, &rve.grid());
+      for (const Phase<2> &phase : rve.phases())
+        if (!(phase.density > 0.))
+          throw UserError(body.rve_file + ": phase '" + phase.name +
+                          "' has no density; set Phases/" + phase.name +
+                          "/Density and run rve_homogenization again");
       if (body.heterogeneous)
         {
           scene.phases   = rve.phases();

@@ -423,6 +423,16 @@ choose_time_step(const ContactParameters &parameters, const UniformMaterial &mat
 }
 
 void
+check_time_step(const ContactParameters &parameters, const UniformMaterial &material)
+{
+  const TimeParameters &t = parameters.time;
+  // The bound of a single cell is free; the exact limit takes some operator applications.
+  if (!std::isnan(t.time_step) && t.check_time_step &&
+      t.time_step > critical_time_step(element_frequency_bound(material), t.beta2, t.beta))
+    choose_time_step(parameters, material);
+}
+
+void
 run_transient(const ContactParameters &parameters, const Scene &scene, RunContext &context)
 {
   const UniformMaterial material = scene.make_material(parameters.periodic);

@@ -30,6 +30,10 @@ struct TimeStepChoice
 TimeStepChoice
 choose_time_step(const ContactParameters &parameters, const UniformMaterial &material);
 
+/** Whether a given time step is stable, as cheaply as can be told. @throws UserError */
+void
+check_time_step(const ContactParameters &parameters, const UniformMaterial &material);
+
 /** Everything a finished run has observed; complete on rank 0. */
 struct TransientObservations
 {

@@ -1,0 +1,97 @@
+"""Bad input ends with exit status 2 and one sentence that names what is wrong.
+
+    bad_input.py <folder with the programs>
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+
+PROGRAMS = sys.argv[1]
+RVE = """
+subsection Grid
+  set Cells = 20, 10
+  set Size = 0.002, 0.001
+end
+subsection Microstructure
+  subsection Random fibres
+    set Minimum height = 2e-4
+    set Maximum height = 4e-4
+  end
+end
+"""
+CONTACT = """
+subsection Body
+  set Cells = 20, 10
+  set Size = 0.002, 0.001
+end
+subsection Time
+  set End time = 1e-6
+end
+"""
+
+# program, text of the .prm, further options, words that have to be in the sentence
+CASES = [
+    ("rve_homogenization", RVE + "set Colour = red\n", [], ["Colour", ":"]),
+    ("rve_homogenization", RVE, ["--set", "Grid/Cels=3, 4"], ["Cels", "Cells"]),
+    ("rve_homogenization", RVE, ["--set", "Phases/matrix/Poisson ratio=0.5"], ["Poisson ratio"]),
+    ("rve_homogenization", RVE, ["--set", "Phases/matrix/Young modulus=-1"], ["Young modulus"]),
+    ("rve_homogenization", RVE, ["--set", "Microstructure/Random fibres/Area fraction=1.5"], ["Area fraction"]),
+    ("rve_homogenization", RVE, ["--set", "Microstructure/Random fibres/Fibre width=1e-6"], ["Fibre width"]),
+    ("rve_homogenization", RVE, ["--set", "Homogenization/Boundary conditions=KUBD"], ["Boundary conditions", "KUBC"]),
+    ("rve_homogenization", RVE, ["--set", "Homogenization/Effective=PBC"], ["Effective", "PBC"]),
+    ("rve_homogenization", RVE, ["--set", "Microstructure/Type=image", "--set", "Microstructure/File=no.png"], ["no.png"]),
+    ("contact_dynamics", CONTACT, ["--set", "Body/RVE file=no.h5"], ["RVE file", "no.h5", "rve_homogenization"]),
+    ("contact_dynamics", CONTACT, ["--set", "Body/Material=heterogeneous"], ["RVE file"]),
+    ("contact_dynamics", CONTACT, ["--set", "Body/RVE file=case.prm"], ["case.prm", "HDF5"]),
+    ("contact_dynamics", CONTACT, ["--set", "Time/Time step=1e-7"], ["Time step", "critical"]),
+    ("contact_dynamics", CONTACT, ["--set", "Time/Beta2=0.3"], ["Beta2"]),
+    ("contact_dynamics", CONTACT, ["--set", "Body/Stiffness=1e9, 2e9, 1e9, 1e9"], ["stiffness"]),
+    ("contact_dynamics", CONTACT, ["--set", "Body/Size=0.01"], ["Size"]),
+    ("contact_dynamics", CONTACT, ["--set", "Flat/Expression=2*frog(t)"], ["Expression"]),
+    ("contact_dynamics", CONTACT, ["--set", "Friction/Coefficient from=phases"], ["Coefficient from"]),
+    ("contact_dynamics", CONTACT, ["--set", "Observation/Reference x=1"], ["Reference x"]),
+    ("contact_dynamics", CONTACT + "subsection Observation\n set Probes = A\n subsection A\n set Position = 1, 1\n end\nend\n",
+     [], ["A/Position", "outside"]),
+    ("contact_dynamics", CONTACT + "subsection Time\n set End time = 2e-6\nend\n", [], ["End time", "again"]),
+    ("contact_dynamics", "subsection Time\n", [], ["case.prm"]),
+    ("contact_dynamics", "", [], ["case.prm"]),
+    ("stress_localization", "subsection Input\n set RVE file = no.h5\nend\n", [], ["RVE file", "no.h5"]),
+]
+
+
+def check(program, text, options, words):
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
+            file.write(text)
+        before = set(os.listdir(folder))
+        done = subprocess.run([os.path.join(PROGRAMS, program), "case.prm", *options], cwd=folder, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        name = f"{program} {' '.join(options) or repr(text[-40:])}"
+        problems = []
+        if done.returncode != 2:
+            problems.append(f"{name}: exit status {done.returncode}, {done.stderr.strip()[:200]}")
+        lines = [line for line in done.stderr.strip().splitlines() if line]
+        if len(lines) != 1 or not lines[0].startswith(program + ": "):
+            problems.append(f"{name}: {len(lines)} lines on stderr: {done.stderr[:300]}")
+        problems += [f"{name}: '{word}' is missing in: {done.stderr.strip()}"
+                     for word in words if word.lower() not in done.stderr.lower()]
+        if set(os.listdir(folder)) != before:
+            problems.append(f"{name}: left {set(os.listdir(folder)) - before}")
+        return problems
+
+
+def main():
+    problems = [p for case in CASES for p in check(*case)]
+    for program in ("rve_homogenization", "contact_dynamics", "stress_localization"):
+        for arguments in (["missing.prm"], ["/"], ["--unknown"], []):
+            done = subprocess.run([os.path.join(PROGRAMS, program), *arguments], text=True, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE)
+            if done.returncode != 2 or len(done.stderr.strip().splitlines()) != 1:
+                problems.append(f"{program} {arguments}: exit status {done.returncode}, {done.stderr[:300]}")
+    assert not problems, "\n".join(problems)
+
+
+if __name__ == "__main__":
+    main()
