@@ -1,0 +1,257 @@
+// Contact homogenization: eqs (13) and (17) to (21) on synthetic results, and what is
+// said about results that do not fit.
+
+#include "simulation/friction_homogenization.h"
+#include "homogenization/rve_file.h"
+#include "io/files.h"
+#include "io_testing.h"
+#include "material/stiffness.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+using namespace mesoslip;
+using namespace mesoslip_tests;
+
+namespace
+{
+constexpr double T_heterogeneous = 17e-6, T_homogeneous = 15e-6;
+
+/** Table 4: 10 % of fibres, here 20 % of the contact line. */
+class FrictionHomogenization : public testing::Test
+{
+protected:
+  FrictionHomogenization()
+  {
+    grid.cells   = {{10, 4}};
+    grid.spacing = {{1e-4, 1e-4}};
+    id.assign(40, 0);
+    for (const std::size_t k : {2, 7, 12, 17}) // in rows 0 and 1
+      id[k] = 1;
+    for (const std::string name : {"het", "hom", "sca"})
+      std::filesystem::create_directory(folder / name);
+    parameters.heterogeneous_run = folder / "het";
+    parameters.homogeneous_run   = folder / "hom";
+    parameters.static_contact    = folder / "sca";
+
+    heterogeneous                        = {{"analysis", "transient"},
+                                            {"global_interface_friction_coefficient", 0.157},
+                                            {"mean_contact_duration", T_heterogeneous},
+                                            {"regularization_time", 1.5e-6},
+                                            {"friction_coefficient", nullptr},
+                                            {"pressure", 5e5},
+                                            {"flat_velocity", 2.}};
+    homogeneous                          = heterogeneous;
+    homogeneous["mean_contact_duration"] = T_homogeneous;
+    homogeneous["friction_coefficient"]  = 0.2;
+    static_contact                       = {{"analysis", "static contact"},
+                                            {"rve_digest", "abc"},
+                                            {"phase_contact_pressures", {{"matrix", 0.33e6}, {"fibre", 2e6}}}};
+    write_rve("abc");
+    write_dynamics();
+  }
+
+  void write_rve(const std::string &digest) const
+  {
+    Hdf5File file = Hdf5File::create(rve());
+    file.write_header("mesoslip-rve", 1, 2, digest);
+    write_grid(file, grid);
+    file.write("/phase/id", {4, 10}, id);
+    file.write_strings("/phase/name", {"matrix", "fibre"});
+    file.write("/phase/stiffness", {2, 3, 3}, stiffness());
+    file.write("/phase/density", {2}, std::vector<double>{1770., 1770.});
+    file.write("/phase/friction_coefficient", {2}, std::vector<double>{0.12, 0.3});
+    file.close();
+  }
+
+  void write_dynamics() const
+  {
+    Hdf5File file = Hdf5File::create(folder / "het/dynamics.h5");
+    file.write_header("mesoslip-dynamics", 1, 2, "xyz");
+    write_grid(file, grid);
+    file.write("/material/stiffness", {2, 3, 3}, stiffness());
+    file.write_strings("/material/name", {"matrix", "fibre"});
+    file.write_attribute("/material", "rve_digest", std::string("abc"));
+    file.write("/material/phase_id", {4, 10}, id);
+    file.close();
+  }
+
+  static std::vector<double> stiffness()
+  {
+    std::vector<double> D;
+    for (const double E : {30e9, 240e9})
+      {
+        const VoigtMatrix<2> C = isotropic_stiffness<2>(E, 0.2);
+        D.insert(D.end(), C.data(), C.data() + 9);
+      }
+    return D;
+  }
+
+  std::string rve() const
+  {
+    return folder / "rve.h5";
+  }
+
+  FrictionHomogenizationInput read() const
+  {
+    write_file(folder / "het/summary.json", heterogeneous.dump());
+    write_file(folder / "hom/summary.json", homogeneous.dump());
+    write_file(folder / "sca/summary.json", static_contact.dump());
+    return read_friction_homogenization(parameters, rve());
+  }
+
+  std::string reading_error() const
+  {
+    return user_error([this]() { read(); });
+  }
+
+  TemporaryFolder folder;
+  UniformGrid<2> grid;
+  std::vector<std::uint8_t> id;
+  nlohmann::json heterogeneous, homogeneous, static_contact;
+  FrictionHomogenizationParameters parameters;
+};
+
+const FrictionEstimate &find(const std::vector<FrictionEstimate> &all,
+                             const std::string &pressures,
+                             const std::string &duration)
+{
+  for (const FrictionEstimate &e : all)
+    if (e.pressures == pressures && e.duration == duration)
+      return e;
+  throw std::runtime_error("no estimate by " + pressures + ", " + duration);
+}
+} // namespace
+
+TEST_F(FrictionHomogenization, CoefficientsOfTable4)
+{
+  const auto estimates = friction_estimates(read());
+  EXPECT_EQ(estimates.size(), 6u);
+  // (0.1 x 0.3 x 240 + 0.9 x 0.12 x 30) / (0.1 x 240 + 0.9 x 30)
+  EXPECT_NEAR(find(estimates, "volume fractions", "homogeneous").mu_homo, 10.44 / 51.,
+              1e-12);
+  EXPECT_NEAR(find(estimates, "surface fractions", "homogeneous").mu_homo, 17.28 / 72.,
+              1e-12);
+  // (0.2 x 0.3 x 2 + 0.8 x 0.12 x 0.33) / (0.2 x 2 + 0.8 x 0.33)
+  EXPECT_NEAR(find(estimates, "static contact", "heterogeneous").mu_homo, 0.15168 / 0.664,
+              1e-12);
+}
+
+TEST_F(FrictionHomogenization, DeltaInvertsEquation13)
+{
+  const auto estimates = friction_estimates(read());
+  for (const FrictionEstimate &e : estimates)
+    {
+      EXPECT_EQ(e.contact_duration,
+                e.duration == "homogeneous" ? T_homogeneous : T_heterogeneous);
+      ASSERT_TRUE(e.delta);
+      EXPECT_NEAR(mean_friction_coefficient(e.mu_homo, *e.delta, e.contact_duration),
+                  0.157, 1e-12);
+    }
+}
+
+// If eq. (13) is off by one factor in both runs, calibration finds the right delta.
+TEST_F(FrictionHomogenization, CalibrationRemovesACommonFactor)
+{
+  const double mu = 10.44 / 51., delta = 2.5e-6, factor = 0.93;
+  homogeneous["friction_coefficient"] = mu;
+  homogeneous["global_interface_friction_coefficient"] =
+    factor * mean_friction_coefficient(mu, 1.5e-6, T_homogeneous);
+  heterogeneous["global_interface_friction_coefficient"] =
+    factor * mean_friction_coefficient(mu, delta, T_homogeneous);
+  const auto input     = read();
+  const auto estimates = friction_estimates(input);
+  const auto &e        = find(estimates, "volume fractions", "homogeneous");
+  ASSERT_TRUE(e.calibrated);
+  EXPECT_NEAR(*e.calibrated, delta, 1e-14);
+  EXPECT_GT(*e.delta, 1.2 * delta);
+  EXPECT_FALSE(find(estimates, "volume fractions", "heterogeneous").calibrated);
+
+  parameters.pressures = "volume fractions";
+  parameters.calibrate = true;
+  EXPECT_EQ(&chosen_estimate(estimates, parameters, input), &e);
+}
+
+TEST_F(FrictionHomogenization, ChoosesStaticContactIfThereIsOne)
+{
+  auto input     = read();
+  auto estimates = friction_estimates(input);
+  const auto &e  = chosen_estimate(estimates, parameters, input);
+  EXPECT_EQ(e.pressures, "static contact");
+  EXPECT_EQ(e.duration, "homogeneous");
+
+  parameters.static_contact.clear();
+  parameters.homogeneous_run.clear();
+  input            = read();
+  estimates        = friction_estimates(input);
+  const auto &none = chosen_estimate(estimates, parameters, input);
+  EXPECT_EQ(none.pressures, "surface fractions");
+  EXPECT_EQ(none.duration, "heterogeneous");
+
+  parameters.pressures = "static contact";
+  expect_contains(user_error([&]() { chosen_estimate(estimates, parameters, input); }),
+                  "Static contact is empty");
+}
+
+TEST_F(FrictionHomogenization, OneCoefficientForAllPhases)
+{
+  heterogeneous["friction_coefficient"] = 0.25;
+  write_file(folder / "het/summary.json", heterogeneous.dump());
+  parameters.homogeneous_run.clear();
+  parameters.static_contact.clear();
+  // No RVE file is needed then.
+  const auto input = read_friction_homogenization(parameters, "");
+  for (const FrictionEstimate &e : friction_estimates(input))
+    EXPECT_NEAR(e.mu_homo, 0.25, 1e-14);
+}
+
+TEST_F(FrictionHomogenization, WhatIsMissingIsNamed)
+{
+  heterogeneous["global_interface_friction_coefficient"] = nullptr;
+  expect_contains(reading_error(), "global_interface_friction_coefficient");
+  heterogeneous["global_interface_friction_coefficient"] = 0.157;
+
+  heterogeneous["analysis"] = "modal";
+  expect_contains(reading_error(), "'transient' is needed");
+  heterogeneous["analysis"] = "transient";
+
+  homogeneous["pressure"] = 4e5;
+  expect_contains(reading_error(), "pressure differs");
+  homogeneous["pressure"] = 5e5;
+
+  static_contact["rve_digest"] = "other";
+  expect_contains(reading_error(), "another RVE file");
+  static_contact["rve_digest"]                       = "abc";
+  static_contact["phase_contact_pressures"]["fibre"] = nullptr;
+  expect_contains(reading_error(), "no contact pressure of the phase fibre");
+  static_contact["phase_contact_pressures"]["fibre"] = 2e6;
+
+  write_rve("else");
+  expect_contains(reading_error(), "Body/RVE file");
+  write_rve("abc");
+
+  parameters.homogeneous_run = folder / "nowhere";
+  expect_contains(reading_error(),
+                  "Friction homogenization/Homogeneous run: there is no folder");
+  parameters.homogeneous_run.clear();
+  parameters.heterogeneous_run.clear();
+  expect_contains(reading_error(), "Heterogeneous run is empty");
+}
+
+TEST_F(FrictionHomogenization, WithoutLandingsOrBelowTheLimit)
+{
+  heterogeneous["mean_contact_duration"] = nullptr;
+  EXPECT_EQ(friction_estimates(read()).size(), 3u)
+    << "T_G of the homogeneous run is left";
+  homogeneous["mean_contact_duration"] = nullptr;
+  expect_contains(user_error([this]() { friction_estimates(read()); }), "T_G");
+
+  homogeneous["mean_contact_duration"]                   = T_homogeneous;
+  heterogeneous["global_interface_friction_coefficient"] = 0.23;
+  const auto input                                       = read();
+  const auto estimates                                   = friction_estimates(input);
+  EXPECT_FALSE(find(estimates, "static contact", "homogeneous").delta);
+  expect_contains(user_error([&]() { chosen_estimate(estimates, parameters, input); }),
+                  "is not below mu_homo");
+}

@@ -1,0 +1,1 @@
+mesoslip_test(unit friction_homogenization LIBS mesoslip_simulation)
