@@ -59,8 +59,8 @@ struct AssembledGridSolver::Implementation
       {
         const unsigned int c = k % 2, i = k / 2 % n_columns, j = k / 2 / n_columns;
         motions[c][k] = 1.;
-        motions[2][k] = c == 0 ? -(j * material.grid().spacing[1]) :
-                                 i * material.grid().spacing[0];
+        motions[2][k] =
+          c == 0 ? -(j * material.grid().spacing[1]) : i * material.grid().spacing[0];
       }
     if (material.periodicity().x || material.periodicity().y)
       motions.pop_back();
@@ -72,7 +72,8 @@ struct AssembledGridSolver::Implementation
     return 2 * n_columns * n_rows;
   }
 
-  unsigned int unknown(const unsigned int c, const unsigned int i, const unsigned int j) const
+  unsigned int
+  unknown(const unsigned int c, const unsigned int i, const unsigned int j) const
   {
     return 2 * (j % n_rows * n_columns + i % n_columns) + c;
   }
@@ -96,7 +97,8 @@ struct AssembledGridSolver::Implementation
     for (unsigned int row = 0; row < map.size(); ++row)
       for (auto entry = op.matrix().begin(row); entry != op.matrix().end(row); ++entry)
         pattern.add(map[row], map[entry->column()]);
-    matrix.reinit(dealii::complete_index_set(n_unknowns()), pattern, MPI_COMM_SELF, false);
+    matrix.reinit(dealii::complete_index_set(n_unknowns()), pattern, MPI_COMM_SELF,
+                  false);
     for (unsigned int row = 0; row < map.size(); ++row)
       for (auto entry = op.matrix().begin(row); entry != op.matrix().end(row); ++entry)
         matrix.add(map[row], map[entry->column()], entry->value());
@@ -153,7 +155,7 @@ SolverReport AssembledGridSolver::solve(NodalField<double> &u,
                                         const NodalField<double> &force,
                                         const double tolerance)
 {
-  Implementation &s = *implementation;
+  Implementation &s          = *implementation;
   const dealii::IndexSet all = dealii::complete_index_set(s.n_unknowns());
   dealii::TrilinosWrappers::MPI::Vector x(all, MPI_COMM_SELF), f(all, MPI_COMM_SELF);
   for (unsigned int j = 0; j < s.n_rows; ++j)

@@ -24,9 +24,9 @@ std::vector<std::vector<double>> rigid_motions(const dealii::DoFHandler<dim> &do
             const auto dof = cell->vertex_dof_index(v, c);
             if (!owned.is_element(dof))
               continue;
-            const auto i           = owned.index_within_set(dof);
-            const auto &x          = cell->vertex(v);
-            motions[c][i]          = 1.;
+            const auto i  = owned.index_within_set(dof);
+            const auto &x = cell->vertex(v);
+            motions[c][i] = 1.;
             if (dim == 2)
               motions[2][i] = c == 0 ? -x[1] : x[0];
             else
@@ -69,9 +69,10 @@ void AssembledSolver<dim>::set_held(const dealii::IndexSet &held)
 }
 
 template <int dim>
-SolverReport AssembledSolver<dim>::solve(dealii::TrilinosWrappers::MPI::Vector &u,
-                                         const dealii::TrilinosWrappers::MPI::Vector &force,
-                                         const double tolerance)
+SolverReport
+AssembledSolver<dim>::solve(dealii::TrilinosWrappers::MPI::Vector &u,
+                            const dealii::TrilinosWrappers::MPI::Vector &force,
+                            const double tolerance)
 {
   return implementation->solver.solve(u, force, tolerance);
 }

@@ -70,14 +70,13 @@ void MlConjugateGradients::set_held(const dealii::IndexSet &new_held)
   preconditioner.initialize(constrained, parameters);
 }
 
-SolverReport MlConjugateGradients::solve(Vector &u,
-                                         const Vector &force,
-                                         const double tolerance) const
+SolverReport
+MlConjugateGradients::solve(Vector &u, const Vector &force, const double tolerance) const
 {
   // The scale is the residual of the prescribed values alone.
   Vector r(force), prescribed(u);
-  const auto range       = matrix.local_range();
-  const auto clear_held  = [&](Vector &x, const bool keep) {
+  const auto range      = matrix.local_range();
+  const auto clear_held = [&](Vector &x, const bool keep) {
     for (auto i = range.first; i < range.second; ++i)
       if (held.is_element(i) != keep)
         x(i) = 0.;

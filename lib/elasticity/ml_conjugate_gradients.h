@@ -13,8 +13,8 @@
 namespace mesoslip
 {
 /**
- * Conjugate gradients with Trilinos' ML on a stiffness matrix of which some rows are held:
- * what AssembledSolver and AssembledGridSolver share.
+ * Conjugate gradients with Trilinos' ML on a stiffness matrix of which some rows are
+ * held: what AssembledSolver and AssembledGridSolver share.
  */
 class MlConjugateGradients
 {

@@ -17,7 +17,8 @@ Axis Axis::uniform(const unsigned int n_cells, const double spacing, const bool 
 AxisCoarsening::AxisCoarsening(const Axis &fine, const bool halve)
   : is_halved(halve)
   , coarse_cells(halve ? (fine.n_cells() + 1) / 2 : fine.n_cells())
-  , regular_cells(!halve ? 0 : (fine.n_cells() % 2 == 0 ? coarse_cells : coarse_cells - 2))
+  , regular_cells(!halve ? 0
+                         : (fine.n_cells() % 2 == 0 ? coarse_cells : coarse_cells - 2))
 {
 }
 

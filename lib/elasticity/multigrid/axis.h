@@ -8,9 +8,9 @@ namespace mesoslip
 namespace multigrid
 {
 /**
- * One direction of a grid of the hierarchy: cells + 1 ascending positions, in units of the
- * width of a cell of the finest grid. On a periodic axis the last node is the first one
- * again.
+ * One direction of a grid of the hierarchy: cells + 1 ascending positions, in units of
+ * the width of a cell of the finest grid. On a periodic axis the last node is the first
+ * one again.
  */
 struct Axis
 {
@@ -33,7 +33,8 @@ struct Axis
     return position[cell + 1] - position[cell];
   }
 
-  static Axis uniform(const unsigned int n_cells, const double spacing, const bool periodic);
+  static Axis
+  uniform(const unsigned int n_cells, const double spacing, const bool periodic);
 };
 
 /**

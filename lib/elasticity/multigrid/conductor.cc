@@ -11,8 +11,8 @@ namespace
 {
 using Vector = float __attribute__((vector_size(64), may_alias));
 
-constexpr unsigned int pairs[Conductor::n_pairs][2] =
-  {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+constexpr unsigned int pairs[Conductor::n_pairs][2] = {{0, 1}, {0, 2}, {0, 3},
+                                                       {1, 2}, {1, 3}, {2, 3}};
 
 Vector load(const float *lanes_of_patch)
 {
@@ -28,13 +28,13 @@ void copy_row(const PaddedRows<float> &from, const int j, PaddedRows<float> &to)
 /** Adds what row @p b of the fine cells of sixteen coarse cells contributes. */
 void add_cells(const AxisCoarsening &x,
                const PaddedRows<float> &cells,
-               const Patch &patch,
+               const Patch<float> &patch,
                const unsigned int I0,
                const unsigned int b,
                PaddedRows<float> &result,
                const int J)
 {
-  const unsigned int n = std::min(lanes<float>, x.n_coarse_cells() - I0);
+  const unsigned int n           = std::min(lanes<float>, x.n_coarse_cells() - I0);
   Vector sum[Conductor::n_pairs] = {};
   for (unsigned int a = 0; a < 2; ++a)
     for (unsigned int p = 0; p < Conductor::n_pairs; ++p)
@@ -64,8 +64,8 @@ Conductor Conductor::finest(const UniformMaterial &material)
   for (unsigned int c = 0; c < edge.size(); ++c)
     {
       const VoigtMatrix<2> &D = material.classes()[c].stiffness;
-      edge[c] = {{static_cast<float>((D(0, 0) + D(2, 2)) * ratio / 4.),
-                  static_cast<float>((D(1, 1) + D(2, 2)) / ratio / 4.)}};
+      edge[c]                 = {{static_cast<float>((D(0, 0) + D(2, 2)) * ratio / 4.),
+                                  static_cast<float>((D(1, 1) + D(2, 2)) / ratio / 4.)}};
     }
   Conductor conductor;
   conductor.fill = [&material, edge](int j, PaddedRows<float> &row) {
@@ -76,8 +76,8 @@ Conductor Conductor::finest(const UniformMaterial &material)
       j = (j + ny) % ny;
     else if (j < 0 || j >= ny)
       return;
-    float *x_lower = row.row(p01, 0), *x_upper = row.row(p23, 0), *y_left = row.row(p02, 0),
-          *y_right = row.row(p13, 0);
+    float *x_lower = row.row(p01, 0), *x_upper = row.row(p23, 0),
+          *y_left = row.row(p02, 0), *y_right = row.row(p13, 0);
     for (int i = 0; i < nx; ++i)
       {
         const std::array<float, 2> &g = edge[material.class_of(i, j)];
@@ -105,7 +105,7 @@ Conductor Interpolation::coarse_conductor(const Conductor &fine) const
   const unsigned int m = x.n_coarse_cells(), n = y.n_coarse_cells();
   PaddedRows<float> result(Conductor::n_pairs, n, m);
   PaddedRows<float> cells(Conductor::n_pairs, 1, x.start(m));
-  Patch patch;
+  Patch<float> patch;
   for (unsigned int J = 0; J < n; ++J)
     for (unsigned int b = 0; y.start(J) + b < y.start(J + 1); ++b)
       {

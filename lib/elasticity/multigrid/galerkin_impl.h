@@ -1,9 +1,11 @@
-// Galerkin products, 16 coarse cells at once. Included inside a namespace by
+// Galerkin products, 8 coarse cells at once. Included inside a namespace by
 // kernels_x86_64*.cc, after kernels_impl.h.
 //
 // Rigid motions (u, v, r) of nodes are first taken about one common point, the lower
 // left corner of the coarse cell: then interpolation multiplies all three by the same
 // weights. Unknown 3 J + c is component c of corner J.
+
+using vector8 = line<double>;
 
 /** Position of entry (r, c) in the packed matrix of a cell. */
 static constexpr int entry(const int r, const int c)
@@ -15,49 +17,42 @@ static constexpr int entry(const int r, const int c)
  * K <- T^T K T with T the change of the reference point of the rotation of corner J by
  * (dx, dy): column r becomes r + dy u - dx v.
  */
-static inline void shift_reference(tile_vector *k,
-                                   const int J,
-                                   const tile_vector dx,
-                                   const tile_vector dy)
+static inline void
+shift_reference(vector8 *k, const int J, const vector8 dx, const vector8 dy)
 {
   const int u = 3 * J, v = u + 1, r = u + 2;
-  k[entry(r, r)] += 2.F * (dy * k[entry(u, r)] - dx * k[entry(v, r)]) +
-                    dy * dy * k[entry(u, u)] - 2.F * dx * dy * k[entry(u, v)] +
+  k[entry(r, r)] += 2. * (dy * k[entry(u, r)] - dx * k[entry(v, r)]) +
+                    dy * dy * k[entry(u, u)] - 2. * dx * dy * k[entry(u, v)] +
                     dx * dx * k[entry(v, v)];
   for (int a = 0; a < 12; ++a)
     if (a != r)
       k[entry(a, r)] += dy * k[entry(a, u)] - dx * k[entry(a, v)];
 }
 
-static inline tile_vector load_lanes(const float *p)
-{
-  return *reinterpret_cast<const tile_vector *>(p);
-}
-
 /** Corners of the coarse cell: from the common point to the corners themselves. */
-static void to_corners(tile_vector *k, const Patch &patch)
+static void to_corners(vector8 *k, const Patch<double> &patch)
 {
-  const tile_vector width = load_lanes(patch.width), zero = {};
-  const tile_vector height = zero + patch.height;
+  const vector8 width = load(patch.width), zero = {};
+  const vector8 height = zero + patch.height;
   shift_reference(k, 1, width, zero);
   shift_reference(k, 2, zero, height);
   shift_reference(k, 3, width, height);
 }
 
-static void store_matrix(const tile_vector *k, float *out, const std::size_t stride)
+static void store_matrix(const vector8 *k, double *out, const std::size_t stride)
 {
   for (unsigned int e = 0; e < n_cell_entries; ++e)
-    *reinterpret_cast<tile_vector *>(out + e * stride) = k[e];
+    store(out + e * stride, k[e]);
 }
 
 /** result += W^T K W for one fine cell with nodes 0 to 3; w[node][corner]. */
-static void add_cell(const tile_vector *k, const tile_vector w[4][4], tile_vector *result)
+static void add_cell(const vector8 *k, const vector8 w[4][4], vector8 *result)
 {
   for (int I = 0; I < 4; ++I)
     for (int c = 0; c < 3; ++c)
       {
         // Column (I, c) of K W.
-        tile_vector column[12];
+        vector8 column[12];
         for (int a = 0; a < 12; ++a)
           {
             column[a] = k[entry(a, c)] * w[0][I];
@@ -68,7 +63,7 @@ static void add_cell(const tile_vector *k, const tile_vector w[4][4], tile_vecto
           for (int d = 0; d < 3; ++d)
             if (J < I || d <= c)
               {
-                tile_vector sum = w[0][J] * column[d];
+                vector8 sum = w[0][J] * column[d];
                 for (int f = 1; f < 4; ++f)
                   sum += w[f][J] * column[3 * f + d];
                 result[entry(3 * J + d, 3 * I + c)] += sum;
@@ -76,21 +71,22 @@ static void add_cell(const tile_vector *k, const tile_vector w[4][4], tile_vecto
       }
 }
 
-static void galerkin_coarse(const CoarsePatch &patch, float *out, const std::size_t stride)
+static void
+galerkin_coarse(const CoarsePatch &patch, double *out, const std::size_t stride)
 {
-  tile_vector result[n_cell_entries] = {};
+  vector8 result[n_cell_entries] = {};
   for (unsigned int b = 0; b < patch.n_rows; ++b)
     for (unsigned int a = 0; a < 2; ++a)
       {
-        tile_vector k[n_cell_entries], w[4][4];
+        vector8 k[n_cell_entries], w[4][4];
         for (unsigned int e = 0; e < n_cell_entries; ++e)
-          k[e] = load_lanes(patch.matrix[b][a][e]);
+          k[e] = load(patch.matrix[b][a][e]);
         for (int f = 0; f < 4; ++f)
           {
             const unsigned int i = a + f % 2, j = b + f / 2;
             for (int c = 0; c < 4; ++c)
-              w[f][c] = load_lanes(patch.weight[j][i][c]);
-            shift_reference(k, f, -load_lanes(patch.x[i]), tile_vector{} - patch.y[j]);
+              w[f][c] = load(patch.weight[j][i][c]);
+            shift_reference(k, f, -load(patch.x[i]), vector8{} - patch.y[j]);
           }
         add_cell(k, w, result);
       }
@@ -98,29 +94,30 @@ static void galerkin_coarse(const CoarsePatch &patch, float *out, const std::siz
   store_matrix(result, out, stride);
 }
 
-/** A linear functional of the coarse unknowns: strain or hourglass mode of a fine cell. */
+/** A linear functional of the coarse unknowns: strain or hourglass mode of a fine cell.
+ */
 struct Functional
 {
-  tile_vector u[4], v[4], r[4];
+  vector8 u[4], v[4], r[4];
 };
 
 /** Adds the functionals c_u u + c_v v of a fine node to @p f. */
-static inline void add_node(const tile_vector *wu,
-                            const tile_vector *wv,
-                            const tile_vector x,
-                            const float y,
-                            const float c_u,
-                            const float c_v,
+static inline void add_node(const vector8 *wu,
+                            const vector8 *wv,
+                            const vector8 x,
+                            const double y,
+                            const double c_u,
+                            const double c_v,
                             Functional &f)
 {
   for (int J = 0; J < 4; ++J)
     {
-      if (c_u != 0.F)
+      if (c_u != 0.)
         {
           f.u[J] += c_u * wu[J];
           f.r[J] -= (c_u * y) * wu[J];
         }
-      if (c_v != 0.F)
+      if (c_v != 0.)
         {
           f.v[J] += c_v * wv[J];
           f.r[J] += c_v * (wv[J] * x);
@@ -128,13 +125,13 @@ static inline void add_node(const tile_vector *wu,
     }
 }
 
-static inline const tile_vector &component(const Functional &f, const int J, const int c)
+static inline const vector8 &component(const Functional &f, const int J, const int c)
 {
   return c == 0 ? f.u[J] : c == 1 ? f.v[J] : f.r[J];
 }
 
 /** result += f g^T + ..., upper triangle; g holds conjugate stresses of f. */
-static void add_products(const Functional f[5], const Functional g[5], tile_vector *result)
+static void add_products(const Functional f[5], const Functional g[5], vector8 *result)
 {
   for (int I = 0; I < 4; ++I)
     for (int c = 0; c < 3; ++c)
@@ -142,7 +139,7 @@ static void add_products(const Functional f[5], const Functional g[5], tile_vect
         for (int d = 0; d < 3; ++d)
           if (J < I || d <= c)
             {
-              tile_vector sum = component(f[0], J, d) * component(g[0], I, c);
+              vector8 sum = component(f[0], J, d) * component(g[0], I, c);
               for (int k = 1; k < 5; ++k)
                 sum += component(f[k], J, d) * component(g[k], I, c);
               result[entry(3 * J + d, 3 * I + c)] += sum;
@@ -156,20 +153,19 @@ static void conjugate(const FinestPatch &patch,
                       const Functional f[5],
                       Functional g[5])
 {
-  tile_vector d[n_finest_coefficients];
+  vector8 d[n_finest_coefficients];
   for (unsigned int k = 0; k < n_finest_coefficients; ++k)
-    d[k] = load_lanes(patch.coefficient[b][a][k]);
+    d[k] = load(patch.coefficient[b][a][k]);
   for (int J = 0; J < 4; ++J)
     for (int c = 0; c < 3; ++c)
       {
-        const tile_vector xx = component(f[0], J, c), yy = component(f[1], J, c),
-                          xy = component(f[2], J, c), hu = component(f[3], J, c),
-                          hv    = component(f[4], J, c);
-        const tile_vector s[5] = {d[d11] * xx + d[d12] * yy + d[d13] * xy,
-                                  d[d12] * xx + d[d22] * yy + d[d23] * xy,
-                                  d[d13] * xx + d[d23] * yy + d[d33] * xy,
-                                  d[h11] * hu + d[h12] * hv,
-                                  d[h12] * hu + d[h22] * hv};
+        const vector8 xx = component(f[0], J, c), yy = component(f[1], J, c),
+                      xy = component(f[2], J, c), hu = component(f[3], J, c),
+                      hv   = component(f[4], J, c);
+        const vector8 s[5] = {d[d11] * xx + d[d12] * yy + d[d13] * xy,
+                              d[d12] * xx + d[d22] * yy + d[d23] * xy,
+                              d[d13] * xx + d[d23] * yy + d[d33] * xy,
+                              d[h11] * hu + d[h12] * hv, d[h12] * hu + d[h22] * hv};
         for (int k = 0; k < 5; ++k)
           (c == 0 ? g[k].u[J] : c == 1 ? g[k].v[J] : g[k].r[J]) = s[k];
       }
@@ -179,25 +175,26 @@ static void conjugate(const FinestPatch &patch,
  * The rotations of the corners mean nothing where the weights are those of bilinear
  * interpolation: they are tied, softly, to the rotation of the coarse cell.
  */
-static void add_rotation_stiffness(const FinestPatch &patch, tile_vector *k)
+static void add_rotation_stiffness(const FinestPatch &patch, vector8 *k)
 {
-  tile_vector m[12];
-  const tile_vector stiffness = load_lanes(patch.rotation_stiffness);
-  const tile_vector inverse_w = 0.25F / load_lanes(patch.width);
+  vector8 m[12];
+  const vector8 stiffness = load(patch.rotation_stiffness);
+  const vector8 inverse_w = 0.25 / load(patch.width);
   for (int J = 0; J < 4; ++J)
     {
-      m[3 * J]     = tile_vector{} + (J < 2 ? -0.25F : 0.25F) / patch.height;
+      m[3 * J]     = vector8{} + (J < 2 ? -0.25 : 0.25) / patch.height;
       m[3 * J + 1] = J % 2 == 0 ? inverse_w : -inverse_w;
-      m[3 * J + 2] = tile_vector{} + 0.25F;
+      m[3 * J + 2] = vector8{} + 0.25;
     }
   for (int r = 0; r < 12; ++r)
     for (int c = r; c < 12; ++c)
       k[entry(r, c)] += stiffness * m[r] * m[c];
 }
 
-static void galerkin_finest(const FinestPatch &patch, float *out, const std::size_t stride)
+static void
+galerkin_finest(const FinestPatch &patch, double *out, const std::size_t stride)
 {
-  tile_vector result[n_cell_entries] = {};
+  vector8 result[n_cell_entries] = {};
   for (unsigned int b = 0; b < patch.n_rows; ++b)
     for (unsigned int a = 0; a < 2; ++a)
       {
@@ -205,22 +202,22 @@ static void galerkin_finest(const FinestPatch &patch, float *out, const std::siz
         for (unsigned int n = 0; n < 4; ++n)
           {
             const unsigned int i = a + n % 2, j = b + n / 2;
-            const float dx = n % 2 == 0 ? -0.5F : 0.5F;
-            const float dy = (n / 2 == 0 ? -0.5F : 0.5F) / patch.cell_height;
-            const float h  = n == 0 || n == 3 ? 1.F : -1.F;
-            const tile_vector x = load_lanes(patch.x[i]);
-            tile_vector wu[4], wv[4];
+            const double dx = n % 2 == 0 ? -0.5 : 0.5;
+            const double dy = (n / 2 == 0 ? -0.5 : 0.5) / patch.cell_height;
+            const double h  = n == 0 || n == 3 ? 1. : -1.;
+            const vector8 x = load(patch.x[i]);
+            vector8 wu[4], wv[4];
             for (int J = 0; J < 4; ++J)
               {
-                const tile_vector w = load_lanes(patch.weight[j][i][J]);
-                wu[J]               = w * load_lanes(patch.free_x[j][i]);
-                wv[J]               = w * load_lanes(patch.free_y[j][i]);
+                const vector8 w = load(patch.weight[j][i][J]);
+                wu[J]           = w * load(patch.free_x[j][i]);
+                wv[J]           = w * load(patch.free_y[j][i]);
               }
-            add_node(wu, wv, x, patch.y[j], dx, 0.F, f[0]);
-            add_node(wu, wv, x, patch.y[j], 0.F, dy, f[1]);
+            add_node(wu, wv, x, patch.y[j], dx, 0., f[0]);
+            add_node(wu, wv, x, patch.y[j], 0., dy, f[1]);
             add_node(wu, wv, x, patch.y[j], dy, dx, f[2]);
-            add_node(wu, wv, x, patch.y[j], h, 0.F, f[3]);
-            add_node(wu, wv, x, patch.y[j], 0.F, h, f[4]);
+            add_node(wu, wv, x, patch.y[j], h, 0., f[3]);
+            add_node(wu, wv, x, patch.y[j], 0., h, f[4]);
           }
         conjugate(patch, b, a, f, g);
         add_products(f, g, result);

@@ -12,8 +12,8 @@ namespace mesoslip
 namespace multigrid
 {
 /**
- * The unknowns of one grid that stay zero, by node rows. On coarse grids a node holds what
- * the fine node at its place holds; its rotation if both displacements are held.
+ * The unknowns of one grid that stay zero, by node rows. On coarse grids a node holds
+ * what the fine node at its place holds; its rotation if both displacements are held.
  */
 class HeldUnknowns
 {

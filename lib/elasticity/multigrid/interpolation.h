@@ -74,9 +74,11 @@ public:
                 const bool halve_y,
                 const Conductor &conductor);
 
-  /** Weights and places of the fine nodes of coarse cells I0, ..., I0 + 15 of row @p J,
-   *  zero in lanes beyond the grid. */
-  void fill_patch(const unsigned int I0, const unsigned int J, Patch &patch) const;
+  /** Weights and places of the fine nodes of the coarse cells from I0 on in row @p J,
+   *  zero in lanes beyond the grid. Number: float, double. */
+  template <typename Number>
+  void
+  fill_patch(const unsigned int I0, const unsigned int J, Patch<Number> &patch) const;
 
   /** The conductor P^T A P on the coarse grid. */
   Conductor coarse_conductor(const Conductor &fine) const;
@@ -93,20 +95,26 @@ public:
   /** Weights of the corners 0 to 3 for the centre of coarse cell (I, J). */
   PaddedRows<float> corners;
 
-  /** Array 0, 1: distance of the middle of cell I from its left and right node. */
-  PaddedRows<float> x_distance;
-  /** The same for cell rows: from the lower and the upper node. */
-  std::vector<std::array<float, 2>> y_distance;
+  /** Distance of the middle of cell I from its left and its right node. */
+  std::vector<std::array<double, 2>> x_distance;
+  /** Distance of the middle of cell row J from its lower and its upper node. */
+  std::vector<std::array<double, 2>> y_distance;
 
 private:
-  void set_distances(const Axis &fine_x, const Axis &fine_y);
-  void set_left_weights(const int J, const PaddedRows<float> &below, const PaddedRows<float> &above);
-  void set_lower_weights(const int J, const PaddedRows<float> &below, const PaddedRows<float> &above);
-  void set_corner_weights(const int J, const PaddedRows<float> &below, const PaddedRows<float> &above);
+  void set_left_weights(const int J,
+                        const PaddedRows<float> &below,
+                        const PaddedRows<float> &above);
+  void set_lower_weights(const int J,
+                         const PaddedRows<float> &below,
+                         const PaddedRows<float> &above);
+  void set_corner_weights(const int J,
+                          const PaddedRows<float> &below,
+                          const PaddedRows<float> &above);
+  template <typename Number>
   void fill_lane(const unsigned int l,
                  const unsigned int I,
                  const unsigned int J,
-                 Patch &patch) const;
+                 Patch<Number> &patch) const;
 };
 } // namespace multigrid
 } // namespace mesoslip

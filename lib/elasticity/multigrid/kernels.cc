@@ -27,5 +27,17 @@ const Kernels &kernels()
   static const Kernels &chosen = choose();
   return chosen;
 }
+
+template <>
+const GridKernels<float> &grid_kernels<float>()
+{
+  return kernels().single;
+}
+
+template <>
+const GridKernels<double> &grid_kernels<double>()
+{
+  return kernels().twice;
+}
 } // namespace multigrid
 } // namespace mesoslip

@@ -1,17 +1,24 @@
 // The table of the kernels. Included inside a namespace by kernels_x86_64*.cc, last.
 
+template <typename Number>
+static GridKernels<Number> grid_kernels_of()
+{
+  return {stencil_residual<Number>,
+          {eliminate<2, Number>, eliminate<3, Number>},
+          {substitute<2, Number>, substitute<3, Number>},
+          {solve_tile<2, Number>, solve_tile<3, Number>},
+          load_tile<Number>,
+          add_tile<Number>,
+          split<Number>,
+          merge<Number>,
+          {restrict_row<2, Number>, restrict_row<3, Number>},
+          {prolongate_row<2, Number>, prolongate_row<3, Number>}};
+}
+
 const Kernels &kernels()
 {
-  static const Kernels table = {stencil_residual,
-                                {eliminate<2>, eliminate<3>},
-                                {substitute<2>, substitute<3>},
-                                {solve_tile<2>, solve_tile<3>},
-                                load_tile,
-                                add_tile,
-                                split,
-                                merge,
-                                {restrict_row<2>, restrict_row<3>},
-                                {prolongate_row<2>, prolongate_row<3>},
+  static const Kernels table = {grid_kernels_of<float>(),
+                                grid_kernels_of<double>(),
                                 galerkin_finest,
                                 galerkin_coarse,
                                 dense,

@@ -11,6 +11,8 @@ namespace x86_64_v3
 //
 #include "elasticity/multigrid/galerkin_impl.h"
 //
+#include "elasticity/multigrid/vector_kernels_impl.h"
+//
 #include "elasticity/multigrid/kernels_table.h"
 } // namespace x86_64_v3
 } // namespace multigrid

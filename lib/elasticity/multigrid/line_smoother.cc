@@ -13,8 +13,8 @@ namespace
 template <int n>
 using Block = Eigen::Matrix<double, n, n>;
 
-template <int n>
-Block<n> symmetric_block(const float *upper, const std::size_t stride)
+template <int n, typename Number>
+Block<n> symmetric_block(const Number *upper, const std::size_t stride)
 {
   Block<n> block;
   for (int r = 0; r < n; ++r)
@@ -23,8 +23,8 @@ Block<n> symmetric_block(const float *upper, const std::size_t stride)
   return block;
 }
 
-template <int n>
-Block<n> full_block(const float *entries, const std::size_t stride)
+template <int n, typename Number>
+Block<n> full_block(const Number *entries, const std::size_t stride)
 {
   Block<n> block;
   for (int r = 0; r < n; ++r)
@@ -61,28 +61,31 @@ struct Pivot
     inverse = safe_inverse<n>(diagonal - coupling.transpose() * product, diagonal);
   }
 
-  void store(float *to, const std::size_t stride) const
+  template <typename Number>
+  void store(Number *to, const std::size_t stride) const
   {
     for (int r = 0; r < n; ++r)
       for (int c = 0; c < n; ++c, to += stride)
-        *to = static_cast<float>(multiplier(r, c));
+        *to = static_cast<Number>(multiplier(r, c));
     for (int r = 0; r < n; ++r)
       for (int c = r; c < n; ++c, to += stride)
-        *to = static_cast<float>(inverse(r, c));
+        *to = static_cast<Number>(inverse(r, c));
   }
 };
 } // namespace
 
-template <int n_components>
-LineSmoother<n_components>::LineSmoother(
+template <int n_components, typename Number>
+LineSmoother<n_components, Number>::LineSmoother(
   const unsigned int columns_of_grid,
   const unsigned int rows_of_grid,
-  const std::function<LineBlocks(unsigned int)> &blocks)
+  const std::function<LineBlocks<Number>(unsigned int)> &blocks)
   : n_columns(columns_of_grid)
   , n_rows(rows_of_grid)
   , column_factors(n_factors, rows_of_grid, columns_of_grid)
-  , row_factors(1, (rows_of_grid + lanes<float> - 1) / lanes<float>, columns_of_grid * n_factors * lanes<float>)
-  , tile(1, 1, (columns_of_grid + 3) * n_components * lanes<float>)
+  , row_factors(1,
+                (rows_of_grid + lanes<Number> - 1) / lanes<Number>,
+                columns_of_grid * n_factors * lanes<Number>)
+  , tile(1, 1, (columns_of_grid + 3) * n_components * lanes<Number>)
   , eliminated(n_components, 2, columns_of_grid)
 {
   using B = Block<n_components>;
@@ -91,9 +94,10 @@ LineSmoother<n_components>::LineSmoother(
   std::vector<B, Eigen::aligned_allocator<B>> below(n_columns, B::Zero());
   for (unsigned int j = 0; j < n_rows; ++j)
     {
-      const LineBlocks b = blocks(j);
-      float *to_columns  = column_factors.row(0, static_cast<int>(j));
-      float *to_rows     = row_factors.row(0, static_cast<int>(j / lanes<float>)) + j % lanes<float>;
+      const LineBlocks<Number> b = blocks(j);
+      Number *to_columns         = column_factors.row(0, static_cast<int>(j));
+      Number *to_rows =
+        row_factors.row(0, static_cast<int>(j / lanes<Number>)) + j % lanes<Number>;
       Pivot<n_components> pivot;
       B left = B::Zero();
       for (unsigned int i = 0; i < n_columns; ++i)
@@ -102,14 +106,15 @@ LineSmoother<n_components>::LineSmoother(
           column[i].advance(diagonal, below[i]);
           column[i].store(to_columns + i, column_factors.array_stride());
           pivot.advance(diagonal, left);
-          pivot.store(to_rows + i * n_factors * lanes<float>, lanes<float>);
+          pivot.store(to_rows + i * n_factors * lanes<Number>, lanes<Number>);
           left     = full_block<n_components>(b.east + i, b.stride);
           below[i] = full_block<n_components>(b.north + i, b.stride);
         }
     }
 }
 
-template class LineSmoother<2>;
-template class LineSmoother<3>;
+template class LineSmoother<2, float>;
+template class LineSmoother<3, float>;
+template class LineSmoother<3, double>;
 } // namespace multigrid
 } // namespace mesoslip

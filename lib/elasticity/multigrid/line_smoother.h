@@ -12,11 +12,12 @@ namespace multigrid
 {
 /** The blocks of one node row that lines need: of nodes with themselves (upper triangle),
  *  with their right and with their upper neighbours. Arrays @p stride apart. */
+template <typename Number>
 struct LineBlocks
 {
-  const float *centre;
-  const float *east;
-  const float *north;
+  const Number *centre;
+  const Number *east;
+  const Number *north;
   std::size_t stride;
 };
 
@@ -29,7 +30,7 @@ struct LineBlocks
  * and no eigenvalue of the preconditioned matrix exceeds 2: any damping below 1
  * converges. Lines that close periodically are cut, which raises this a little.
  */
-template <int n_components>
+template <int n_components, typename Number>
 class LineSmoother
 {
 public:
@@ -39,12 +40,12 @@ public:
    *  after the other. */
   LineSmoother(const unsigned int n_columns,
                const unsigned int n_rows,
-               const std::function<LineBlocks(unsigned int)> &blocks);
+               const std::function<LineBlocks<Number>(unsigned int)> &blocks);
 
   double damping = 0.8;
 
   /** x += damping T^-1 r, or x = ... unless @p add; T holds the columns alone. @p r is
-   *  overwritten. Field: NodalField<float> or PaddedRows<float>. */
+   *  overwritten. Field: NodalField<Number> or PaddedRows<Number>. */
   template <typename Field>
   void columns(Field &r, Field &x, const bool add) const;
 
@@ -57,26 +58,26 @@ private:
 
   unsigned int n_columns = 0;
   unsigned int n_rows    = 0;
-  PaddedRows<float> column_factors;
-  /** One row a tile of 16 lines: [column][entry][16]. */
-  PaddedRows<float> row_factors;
-  mutable PaddedRows<float> tile;
+  PaddedRows<Number> column_factors;
+  /** One row a tile of lines: [column][entry][lane]. */
+  PaddedRows<Number> row_factors;
+  mutable PaddedRows<Number> tile;
   /** Two rows of eliminated right-hand sides. */
-  mutable PaddedRows<float> eliminated;
+  mutable PaddedRows<Number> eliminated;
 };
 
-template <int n_components>
+template <int n_components, typename Number>
 template <typename Field>
-void LineSmoother<n_components>::columns(Field &r, Field &x, const bool add) const
+void LineSmoother<n_components, Number>::columns(Field &r, Field &x, const bool add) const
 {
-  const Kernels &k       = kernels();
-  const unsigned int n   = whole_vectors<float>(n_columns);
-  const std::size_t s    = column_factors.array_stride();
-  const auto rows_of     = [](Field &field, const unsigned int j, float *to[3]) {
+  const GridKernels<Number> &k = grid_kernels<Number>();
+  const unsigned int n         = whole_vectors<Number>(n_columns);
+  const std::size_t s          = column_factors.array_stride();
+  const auto rows_of           = [](Field &field, const unsigned int j, Number *to[3]) {
     for (unsigned int c = 0; c < n_components; ++c)
       to[c] = field.row(c, j);
   };
-  float *row[3], *other[3], *buffer[3], *before[3];
+  Number *row[3], *other[3], *buffer[3], *before[3];
   for (unsigned int j = 0; j < n_rows; ++j)
     {
       rows_of(r, j, row);
@@ -95,43 +96,45 @@ void LineSmoother<n_components>::columns(Field &r, Field &x, const bool add) con
       rows_of(r, last ? j : j + 1, before);
       rows_of(x, j, other);
       k.substitute[n_components - 2](n, last ? nullptr : column_factors.row(0, j + 1), s,
-                                     before, row, static_cast<float>(damping), add,
+                                     before, row, static_cast<Number>(damping), add,
                                      other);
     }
 }
 
-template <int n_components>
+template <int n_components, typename Number>
 template <typename Field>
-void LineSmoother<n_components>::rows(const Field &r, Field &x) const
+void LineSmoother<n_components, Number>::rows(const Field &r, Field &x) const
 {
-  const Kernels &k = kernels();
-  float *t         = tile.row(0, 0);
-  for (unsigned int j0 = 0; j0 < n_rows; j0 += lanes<float>)
+  const GridKernels<Number> &k = grid_kernels<Number>();
+  Number *t                    = tile.row(0, 0);
+  for (unsigned int j0 = 0; j0 < n_rows; j0 += lanes<Number>)
     {
       // Lanes beyond the last row repeat it; what they hold is not used.
-      const unsigned int n_lanes = n_rows - j0 < lanes<float> ? n_rows - j0 : lanes<float>;
+      const unsigned int n_lanes =
+        n_rows - j0 < lanes<Number> ? n_rows - j0 : lanes<Number>;
       for (unsigned int c = 0; c < n_components; ++c)
         {
-          const float *from[lanes<float>];
-          for (unsigned int l = 0; l < lanes<float>; ++l)
+          const Number *from[lanes<Number>];
+          for (unsigned int l = 0; l < lanes<Number>; ++l)
             from[l] = r.row(c, j0 + (l < n_lanes ? l : n_lanes - 1));
-          k.load_tile(n_columns, n_components, from, t + c * lanes<float>);
+          k.load_tile(n_columns, n_components, from, t + c * lanes<Number>);
         }
-      k.solve_tile[n_components - 2](n_columns,
-                                     row_factors.row(0, static_cast<int>(j0 / lanes<float>)), t);
+      k.solve_tile[n_components - 2](
+        n_columns, row_factors.row(0, static_cast<int>(j0 / lanes<Number>)), t);
       for (unsigned int c = 0; c < n_components; ++c)
         {
-          float *to[lanes<float>];
+          Number *to[lanes<Number>];
           for (unsigned int l = 0; l < n_lanes; ++l)
             to[l] = x.row(c, j0 + l);
-          k.add_tile(n_columns, n_components, n_lanes, t + c * lanes<float>,
-                     static_cast<float>(damping), to);
+          k.add_tile(n_columns, n_components, n_lanes, t + c * lanes<Number>,
+                     static_cast<Number>(damping), to);
         }
     }
 }
 
-extern template class LineSmoother<2>;
-extern template class LineSmoother<3>;
+extern template class LineSmoother<2, float>;
+extern template class LineSmoother<3, float>;
+extern template class LineSmoother<3, double>;
 } // namespace multigrid
 } // namespace mesoslip
 

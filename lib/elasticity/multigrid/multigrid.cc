@@ -5,6 +5,7 @@
 #include <xmmintrin.h>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace mesoslip
 {
@@ -18,7 +19,7 @@ constexpr unsigned int max_bottom_nodes = 64;
 constexpr unsigned int min_cells_to_halve = 3;
 
 /** Ratio of shear moduli beyond which one visit of the coarse grids is not enough. */
-constexpr double strong_contrast_ratio = 1e30;
+constexpr double strong_contrast_ratio = 50.;
 
 /**
  * Numbers below the range of single precision count as zero while this lives: what decays
@@ -91,16 +92,25 @@ void Multigrid::build_interpolations()
       y         = interpolations.back().coarse_y;
       conductor = interpolations.back().coarse_conductor(conductor);
     }
-  for (const Interpolation &interpolation : interpolations)
-    transfers.emplace_back(interpolation);
-  levels.resize(interpolations.size() + 1);
-  for (unsigned int l = 1; l < levels.size(); ++l)
+  build_levels();
+}
+
+void Multigrid::build_levels()
+{
+  if (bottom() == 0)
+    return;
+  from_finest = Transfer<float>(interpolations[0]);
+  first       = Level<float>(interpolations[0].coarse_x, interpolations[0].coarse_y);
+  if (bottom() == 1)
+    return;
+  first.to_coarse = Transfer<float>(interpolations[1]);
+  interface       = PaddedRows<float>(3, interpolations[1].coarse_y.n_nodes(),
+                                interpolations[1].coarse_x.n_nodes());
+  for (unsigned int l = 2; l <= bottom(); ++l)
     {
-      const unsigned int nx = interpolations[l - 1].coarse_x.n_nodes(),
-                         ny = interpolations[l - 1].coarse_y.n_nodes();
-      levels[l].x = PaddedRows<float>(3, ny, nx);
-      levels[l].b = PaddedRows<float>(3, ny, nx);
-      levels[l].r = PaddedRows<float>(3, ny, nx);
+      rest.emplace_back(interpolations[l - 1].coarse_x, interpolations[l - 1].coarse_y);
+      if (l < bottom())
+        rest.back().to_coarse = Transfer<double>(interpolations[l]);
     }
 }
 
@@ -108,33 +118,36 @@ void Multigrid::set_held(const DofMask &mask)
 {
   modes = RigidModes(material, mask);
   held.assign(1, HeldUnknowns(mask, finest_x, finest_y));
-  std::vector<Stencil> new_stencils(1);
   for (const Interpolation &interpolation : interpolations)
+    held.emplace_back(held.back(), interpolation);
+  if (bottom() > 0)
     {
-      held.emplace_back(held.back(), interpolation);
-      new_stencils.emplace_back(interpolation.coarse_x, interpolation.coarse_y);
+      std::vector<Stencil<double>> stencils;
+      first.stencil =
+        Stencil<float>(interpolations[0].coarse_x, interpolations[0].coarse_y);
+      for (unsigned int l = 2; l <= bottom(); ++l)
+        stencils.emplace_back(interpolations[l - 1].coarse_x,
+                              interpolations[l - 1].coarse_y);
+      Galerkin(material, interpolations, held).compute(first.stencil, stencils);
+      for (unsigned int l = 2; l <= bottom(); ++l)
+        rest[l - 2].stencil = std::move(stencils[l - 2]);
+      build_finest_smoother();
     }
-  stencils = std::move(new_stencils);
-  Galerkin(material, interpolations, held).compute(stencils);
-  for (unsigned int l = 1; l + 1 < levels.size(); ++l)
+  for (unsigned int l = 1; l < bottom(); ++l)
     {
-      const Stencil &stencil = stencils[l];
-      levels[l].smoother     = LineSmoother<3>(
-        interpolations[l - 1].coarse_x.n_nodes(), interpolations[l - 1].coarse_y.n_nodes(),
-        [&stencil](const unsigned int row) {
-          const int j = static_cast<int>(row);
-          return LineBlocks{stencil.row(centre, j), stencil.row(east, j),
-                                stencil.row(north, j), stencil.array_stride()};
-        });
+      const Interpolation &p = interpolations[l - 1];
+      if (l == 1)
+        build_smoother(first, p.coarse_x, p.coarse_y);
+      else
+        build_smoother(rest[l - 2], p.coarse_x, p.coarse_y);
     }
-  if (!interpolations.empty())
-    build_finest_smoother();
   build_bottom();
 }
 
 void Multigrid::copy_duplicates(NodalField<float> &x) const
 {
-  const unsigned int last_column = material.n_columns() - 1, last_row = material.n_rows() - 1;
+  const unsigned int last_column = material.n_columns() - 1,
+                     last_row    = material.n_rows() - 1;
   for (unsigned int c = 0; c < 2; ++c)
     {
       if (finest_x.periodic)
@@ -158,31 +171,22 @@ void Multigrid::finest_residual(const NodalField<float> &x, const NodalField<flo
 void Multigrid::vmult(NodalField<float> &x, const NodalField<float> &b)
 {
   const FlushDenormals flush;
-  finest_r = b;
-  if (interpolations.empty())
+  if (bottom() == 0)
     {
-      for (unsigned int k = 0, j = 0; j < finest_y.n_nodes(); ++j)
-        for (unsigned int i = 0; i < finest_x.n_nodes(); ++i)
-          for (unsigned int c = 0; c < 2; ++c, ++k)
-            bottom_vectors.row(0, 0)[k] = b.row(c, j)[i];
-      solve_bottom();
-      for (unsigned int k = 0, j = 0; j < finest_y.n_nodes(); ++j)
-        for (unsigned int i = 0; i < finest_x.n_nodes(); ++i)
-          for (unsigned int c = 0; c < 2; ++c, ++k)
-            x.row(c, j)[i] = bottom_vectors.row(1, 0)[k];
-      copy_duplicates(x);
-      return;
+      solve_bottom(x, b, finest_x, finest_y, 2);
+      return copy_duplicates(x);
     }
+  finest_r = b;
   finest_smoother.columns(finest_r, x, false);
   copy_duplicates(x);
   finest_residual(x, b);
   finest_smoother.rows(finest_r, x);
   copy_duplicates(x);
   finest_residual(x, b);
-  transfers[0].restrict_to<2>(finest_r, levels[1].b);
-  held[1].clear(levels[1].b, 3);
-  visit(1);
-  transfers[0].prolongate_from<2>(levels[1].x, x);
+  from_finest.restrict_to<2>(finest_r, first.b);
+  held[1].clear(first.b, 3);
+  visit_first();
+  from_finest.prolongate_from<2>(first.x, x);
   held[0].clear(x, 2);
   copy_duplicates(x);
   finest_residual(x, b);
@@ -194,55 +198,82 @@ void Multigrid::vmult(NodalField<float> &x, const NodalField<float> &b)
   copy_duplicates(x);
 }
 
-void Multigrid::visit(const unsigned int l)
+void Multigrid::visit_first()
 {
-  if (l + 1 == levels.size())
-    {
-      Level &level = levels[l];
-      const unsigned int nx = level.x.n_columns(), ny = level.x.n_rows();
-      for (unsigned int k = 0, j = 0; j < ny; ++j)
-        for (unsigned int i = 0; i < nx; ++i)
-          for (unsigned int c = 0; c < 3; ++c, ++k)
-            bottom_vectors.row(0, 0)[k] = level.b.row(c, j)[i];
-      solve_bottom();
-      for (unsigned int k = 0, j = 0; j < ny; ++j)
-        for (unsigned int i = 0; i < nx; ++i)
-          for (unsigned int c = 0; c < 3; ++c, ++k)
-            level.x.row(c, j)[i] = bottom_vectors.row(1, 0)[k];
-      return;
-    }
-  sweep(l, true);
-  if (strong_contrast)
-    sweep(l, false);
+  if (bottom() == 1)
+    return solve_bottom(first.x, first.b, interpolations[0].coarse_x,
+                        interpolations[0].coarse_y, 3);
+  sweep(first, true, [this]() {
+    Level<double> &next = rest[0];
+    first.to_coarse.restrict_to<3>(first.r, interface);
+    next.b.convert_from(interface);
+    held[2].clear(next.b, 3);
+    visit(2);
+    interface.convert_from(next.x);
+    first.to_coarse.prolongate_from<3>(interface, first.x);
+  });
 }
 
-void Multigrid::sweep(const unsigned int l, const bool from_zero)
+void Multigrid::visit(const unsigned int l)
 {
-  Level &level           = levels[l];
-  const Stencil &stencil = stencils[l];
+  Level<double> &level = rest[l - 2];
+  if (l == bottom())
+    return solve_bottom(level.x, level.b, interpolations[l - 1].coarse_x,
+                        interpolations[l - 1].coarse_y, 3);
+  const auto correct = [this, l, &level]() {
+    Level<double> &next = rest[l - 1];
+    level.to_coarse.restrict_to<3>(level.r, next.b);
+    held[l + 1].clear(next.b, 3);
+    visit(l + 1);
+    level.to_coarse.prolongate_from<3>(next.x, level.x);
+  };
+  sweep(level, true, correct);
+  if (strong_contrast)
+    sweep(level, false, correct);
+}
+
+/** Columns, rows, coarse grid, rows, columns. */
+template <typename Number, typename Correct>
+void Multigrid::sweep(Level<Number> &level, const bool from_zero, const Correct &correct)
+{
+  const Stencil<Number> &A = level.stencil;
   if (from_zero)
-    level.r.copy_from(level.b);
+    level.r.convert_from(level.b);
   else
-    stencil.residual(level.x, level.b, level.r);
+    A.residual(level.x, level.b, level.r);
   level.smoother.columns(level.r, level.x, !from_zero);
-  stencil.residual(level.x, level.b, level.r);
+  A.residual(level.x, level.b, level.r);
   level.smoother.rows(level.r, level.x);
-  stencil.residual(level.x, level.b, level.r);
-  transfers[l].restrict_to<3>(level.r, levels[l + 1].b);
-  held[l + 1].clear(levels[l + 1].b, 3);
-  visit(l + 1);
-  transfers[l].prolongate_from<3>(levels[l + 1].x, level.x);
-  stencil.residual(level.x, level.b, level.r);
+  A.residual(level.x, level.b, level.r);
+  correct();
+  A.residual(level.x, level.b, level.r);
   level.smoother.rows(level.r, level.x);
-  stencil.residual(level.x, level.b, level.r);
+  A.residual(level.x, level.b, level.r);
   level.smoother.columns(level.r, level.x, true);
 }
 
-void Multigrid::solve_bottom()
+template <typename Field>
+void Multigrid::solve_bottom(Field &x,
+                             const Field &b,
+                             const Axis &axis_x,
+                             const Axis &axis_y,
+                             const unsigned int n_components)
 {
+  double *in = bottom_vectors.row(0, 0), *out = bottom_vectors.row(1, 0);
+  const auto for_each_unknown = [&](const auto &function) {
+    for (unsigned int k = 0, j = 0; j < axis_y.n_nodes(); ++j)
+      for (unsigned int i = 0; i < axis_x.n_nodes(); ++i)
+        for (unsigned int c = 0; c < n_components; ++c, ++k)
+          function(k, c, j, i);
+  };
+  using Number = std::decay_t<decltype(x.row(0, 0)[0])>;
+  for_each_unknown([&](const unsigned int k, const unsigned int c, const unsigned int j,
+                       const unsigned int i) { in[k] = b.row(c, j)[i]; });
   kernels().dense(bottom_vectors.n_columns(), bottom_inverse.row(0, 0),
-                  bottom_inverse.array_stride(), bottom_vectors.row(0, 0),
-                  bottom_vectors.row(1, 0));
+                  bottom_inverse.array_stride(), in, out);
+  for_each_unknown(
+    [&](const unsigned int k, const unsigned int c, const unsigned int j,
+        const unsigned int i) { x.row(c, j)[i] = static_cast<Number>(out[k]); });
 }
 } // namespace multigrid
 } // namespace mesoslip

@@ -20,14 +20,18 @@ namespace mesoslip
 namespace multigrid
 {
 /**
- * A preconditioner for the stiffness of a uniform grid: one multigrid cycle in single
- * precision, symmetric and positive definite (on the complement of rigid motions).
+ * A preconditioner for the stiffness of a uniform grid: one multigrid cycle, symmetric
+ * and positive definite (on the complement of rigid motions).
  *
  * Finest grid matrix-free; coarse grids of rigid nodes (displacement and rotation) with
  * Galerkin operators; weights of interpolation that follow the stiffness; columns, then
  * rows as smoothers, backwards after the coarse grid; dense inverse at the bottom. Its
  * convergence depends little on size, cell shape and contrast (stiff fibres one cell
- * wide, soft inclusions). With strong contrast coarse grids are visited twice.
+ * wide, soft inclusions).
+ *
+ * Grids 0 and 1 work in single precision. The coarser ones, a sixteenth of the unknowns,
+ * work in double: with strong contrast they are visited twice, and the residual of the
+ * second visit would drown in the round-off of single precision.
  */
 class Multigrid
 {
@@ -55,38 +59,74 @@ public:
   }
 
 private:
+  /** A coarse grid. */
+  template <typename Number>
   struct Level
   {
-    LineSmoother<3> smoother;
-    PaddedRows<float> x, b, r;
+    Level() = default;
+    Level(const Axis &x, const Axis &y)
+      : x(3, y.n_nodes(), x.n_nodes())
+      , b(3, y.n_nodes(), x.n_nodes())
+      , r(3, y.n_nodes(), x.n_nodes())
+    {
+    }
+
+    Stencil<Number> stencil;
+    LineSmoother<3, Number> smoother;
+    Transfer<Number> to_coarse;
+    PaddedRows<Number> x, b, r;
   };
 
   void build_interpolations();
+  void build_levels();
+  template <typename Number>
+  void build_smoother(Level<Number> &level, const Axis &x, const Axis &y);
   void build_finest_smoother();
   void build_bottom();
+
   void finest_residual(const NodalField<float> &x, const NodalField<float> &b);
   void copy_duplicates(NodalField<float> &x) const;
+  void visit_first();
   void visit(const unsigned int l);
-  void sweep(const unsigned int l, const bool from_zero);
-  void solve_bottom();
+  template <typename Number, typename Correct>
+  void sweep(Level<Number> &level, const bool from_zero, const Correct &correct);
+  template <typename Field>
+  void solve_bottom(Field &x,
+                    const Field &b,
+                    const Axis &axis_x,
+                    const Axis &axis_y,
+                    const unsigned int n_components);
+
+  unsigned int bottom() const
+  {
+    return static_cast<unsigned int>(interpolations.size());
+  }
 
   const UniformMaterial &material;
   const UniformGridOperator &stiffness;
   Axis finest_x, finest_y;
   bool strong_contrast = false;
 
+  /** Between grids l and l + 1. */
   std::vector<Interpolation> interpolations;
-  std::vector<Transfer> transfers;
+  /** Of grid l. */
   std::vector<HeldUnknowns> held;
   RigidModes modes;
-  LineSmoother<2> finest_smoother;
+
+  LineSmoother<2, float> finest_smoother;
+  Transfer<float> from_finest;
   NodalField<float> finest_r;
-  std::vector<Stencil> stencils;
-  std::vector<Level> levels;
+
+  /** Grid 1. */
+  Level<float> first;
+  /** Right-hand side and solution of grid 2 on their way from and to grid 1. */
+  PaddedRows<float> interface;
+  /** rest[l - 2] is grid l. */
+  std::vector<Level<double>> rest;
 
   /** Inverse on the coarsest grid (all unknowns of a node together). */
-  PaddedRows<float> bottom_inverse;
-  PaddedRows<float> bottom_vectors;
+  PaddedRows<double> bottom_inverse;
+  PaddedRows<double> bottom_vectors;
 };
 } // namespace multigrid
 } // namespace mesoslip

@@ -30,7 +30,7 @@ public:
         finest_cell_matrix(c.stiffness, y.position[1] / x.position[1]).cast<float>());
   }
 
-  LineBlocks operator()(const unsigned int j)
+  LineBlocks<float> operator()(const unsigned int j)
   {
     arrays.set_zero();
     const unsigned int ny = y.n_cells();
@@ -125,8 +125,9 @@ Eigen::MatrixXd finest_dense(const UniformMaterial &material,
   for (unsigned int j = 0; j < y.n_cells(); ++j)
     for (unsigned int i = 0; i < x.n_cells(); ++i)
       {
-        const auto K = finest_cell_matrix(material.classes()[material.class_of(i, j)].stiffness,
-                                          y.position[1] / x.position[1]);
+        const auto K =
+          finest_cell_matrix(material.classes()[material.class_of(i, j)].stiffness,
+                             y.position[1] / x.position[1]);
         const auto unknown = [&](const unsigned int k) {
           const unsigned int n = k / 2;
           return 2 * ((j + n / 2) % ny * nx + (i + n % 2) % nx) + k % 2;
@@ -152,9 +153,25 @@ Eigen::MatrixXd finest_dense(const UniformMaterial &material,
 void Multigrid::build_finest_smoother()
 {
   FinestBlocks blocks(material, finest_x, finest_y, held[0]);
-  finest_smoother = LineSmoother<2>(finest_x.n_nodes(), finest_y.n_nodes(),
-                                    [&blocks](const unsigned int j) { return blocks(j); });
+  finest_smoother =
+    LineSmoother<2, float>(finest_x.n_nodes(), finest_y.n_nodes(),
+                           [&blocks](const unsigned int j) { return blocks(j); });
 }
+
+template <typename Number>
+void Multigrid::build_smoother(Level<Number> &level, const Axis &x, const Axis &y)
+{
+  const Stencil<Number> &stencil = level.stencil;
+  level.smoother =
+    LineSmoother<3, Number>(x.n_nodes(), y.n_nodes(), [&stencil](const unsigned int row) {
+      const int j = static_cast<int>(row);
+      return LineBlocks<Number>{stencil.row(centre, j), stencil.row(east, j),
+                                stencil.row(north, j), stencil.array_stride()};
+    });
+}
+
+template void Multigrid::build_smoother(Level<float> &, const Axis &, const Axis &);
+template void Multigrid::build_smoother(Level<double> &, const Axis &, const Axis &);
 
 void Multigrid::build_bottom()
 {
@@ -162,9 +179,10 @@ void Multigrid::build_bottom()
   const Axis &x                 = only_grid ? finest_x : interpolations.back().coarse_x;
   const Axis &y                 = only_grid ? finest_y : interpolations.back().coarse_y;
   const unsigned int components = only_grid ? 2 : 3;
-  Eigen::MatrixXd matrix =
-    only_grid ? finest_dense(material, x, y, held[0]) : stencils.back().dense();
-  const unsigned int n = static_cast<unsigned int>(matrix.rows());
+  Eigen::MatrixXd matrix        = only_grid      ? finest_dense(material, x, y, held[0])
+                                  : rest.empty() ? first.stencil.dense()
+                                                 : rest.back().stencil.dense();
+  const unsigned int n          = static_cast<unsigned int>(matrix.rows());
 
   // Rigid motions get an energy: they are not in the right-hand side, but for round-off.
   const double scale = matrix.trace() / n;
@@ -184,11 +202,11 @@ void Multigrid::build_bottom()
       matrix += scale * z * z.transpose();
     }
   const Eigen::MatrixXd inverse = matrix.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
-  bottom_inverse                = PaddedRows<float>(n, 1, n);
-  bottom_vectors                = PaddedRows<float>(2, 1, n);
+  bottom_inverse                = PaddedRows<double>(n, 1, n);
+  bottom_vectors                = PaddedRows<double>(2, 1, n);
   for (unsigned int r = 0; r < n; ++r)
     for (unsigned int c = 0; c < n; ++c)
-      bottom_inverse.row(r, 0)[c] = static_cast<float>(0.5 * (inverse(r, c) + inverse(c, r)));
+      bottom_inverse.row(r, 0)[c] = 0.5 * (inverse(r, c) + inverse(c, r));
 }
 } // namespace multigrid
 } // namespace mesoslip

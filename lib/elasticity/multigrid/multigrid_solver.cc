@@ -17,9 +17,8 @@ namespace
 using multigrid::kernels;
 
 
-[[noreturn]] void fail(const std::string &what,
-                       const unsigned int iterations,
-                       const double residual)
+[[noreturn]] void
+fail(const std::string &what, const unsigned int iterations, const double residual)
 {
   std::ostringstream text;
   text << "multigrid conjugate gradients " << what << " after " << iterations
@@ -30,7 +29,8 @@ using multigrid::kernels;
 
 struct MultigridSolver::Implementation
 {
-  Implementation(const UniformMaterial &the_material, const unsigned int the_max_iterations)
+  Implementation(const UniformMaterial &the_material,
+                 const unsigned int the_max_iterations)
     : material(the_material)
     , stiffness(the_material)
     , preconditioner(the_material, stiffness)
@@ -108,7 +108,8 @@ struct MultigridSolver::Implementation
 
   double right_hand_side_norm(const NodalField<double> &u, const NodalField<double> &f);
   void precondition(const double scale);
-  SolverReport iterate(NodalField<double> &u, const double reference, const double tolerance);
+  SolverReport
+  iterate(NodalField<double> &u, const double reference, const double tolerance);
 
   const UniformMaterial &material;
   UniformGridOperator stiffness;
@@ -163,9 +164,8 @@ void MultigridSolver::set_held(const DofMask &mask)
 }
 
 /** || f - K u_held ||: the scale of the residual, whatever the first guess. */
-double
-MultigridSolver::Implementation::right_hand_side_norm(const NodalField<double> &u,
-                                                        const NodalField<double> &f)
+double MultigridSolver::Implementation::right_hand_side_norm(const NodalField<double> &u,
+                                                             const NodalField<double> &f)
 {
   p.set_zero();
   for (const std::array<unsigned int, 3> &dof : held_dofs)
@@ -249,7 +249,8 @@ SolverReport MultigridSolver::Implementation::iterate(NodalField<double> &u,
       alpha      = rz / pq;
       double sum = 0.;
       for_each_row([&](const unsigned int c, const unsigned int j) {
-        sum += kernels().step(n, alpha, p.row(c, j), q.row(c, j), u.row(c, j), r.row(c, j));
+        sum +=
+          kernels().step(n, alpha, p.row(c, j), q.row(c, j), u.row(c, j), r.row(c, j));
       });
       residual_norm   = std::sqrt(sum);
       report.residual = residual_norm / scale;

@@ -16,8 +16,8 @@ void PaddedRows<Number>::Free::operator()(Number *p) const
 
 template <typename Number>
 PaddedRows<Number>::PaddedRows(const unsigned int n_arrays,
-                       const unsigned int n_rows,
-                       const unsigned int n_columns)
+                               const unsigned int n_rows,
+                               const unsigned int n_columns)
   : arrays(n_arrays)
   , rows(n_rows)
   , columns(n_columns)
@@ -40,9 +40,20 @@ void PaddedRows<Number>::set_zero()
 }
 
 template <typename Number>
-void PaddedRows<Number>::copy_from(const PaddedRows &other)
+template <typename Other>
+void PaddedRows<Number>::convert_from(const PaddedRows<Other> &other)
 {
-  std::copy_n(other.data.get(), size(), data.get());
+  for (int j = -1; j <= static_cast<int>(rows); ++j)
+    for (unsigned int k = 0; k < arrays; ++k)
+      {
+        const Other *from    = other.row(k, j) - 1;
+        Number *to           = row(k, j) - 1;
+        const unsigned int n = columns + 2, end = whole_vectors<Number>(columns) + 1;
+        for (unsigned int i = 0; i < n; ++i)
+          to[i] = static_cast<Number>(from[i]);
+        for (unsigned int i = n; i < end; ++i)
+          to[i] = 0;
+      }
 }
 
 template <typename Number>
@@ -52,7 +63,7 @@ void PaddedRows<Number>::fill_ghosts(const bool x, const bool y)
     for (int j = 0; j < static_cast<int>(rows); ++j)
       for (unsigned int k = 0; k < arrays; ++k)
         {
-          Number *p   = row(k, j);
+          Number *p  = row(k, j);
           p[-1]      = p[columns - 1];
           p[columns] = p[0];
         }
@@ -68,5 +79,9 @@ void PaddedRows<Number>::fill_ghosts(const bool x, const bool y)
 
 template class PaddedRows<float>;
 template class PaddedRows<double>;
+template void PaddedRows<float>::convert_from(const PaddedRows<float> &);
+template void PaddedRows<float>::convert_from(const PaddedRows<double> &);
+template void PaddedRows<double>::convert_from(const PaddedRows<float> &);
+template void PaddedRows<double>::convert_from(const PaddedRows<double> &);
 } // namespace multigrid
 } // namespace mesoslip

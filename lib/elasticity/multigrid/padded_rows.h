@@ -64,8 +64,10 @@ public:
 
   void set_zero();
 
-  /** Copies an object of the same extents. */
-  void copy_from(const PaddedRows &other);
+  /** Takes the numbers of an object of the same extents, ghosts included; what lies
+   *  further out becomes zero. */
+  template <typename Other>
+  void convert_from(const PaddedRows<Other> &other);
 
 
   /** Fills column -1 and n_columns() (if @p x) and rows -1 and n_rows() (if @p y). */

@@ -5,30 +5,33 @@ namespace mesoslip
 {
 namespace multigrid
 {
-/** Numbers of the upper triangle of the matrix of a coarse cell: 4 nodes of 3 unknowns. */
+/** Numbers of the upper triangle of the matrix of a coarse cell: 4 nodes of 3 unknowns.
+ */
 constexpr unsigned int n_cell_entries = 78;
 
 /**
- * Sixteen neighbouring coarse cells and the fine cells they are made of. A coarse cell is
- * 2x2 fine cells, or fewer where the grid is not halved; the fine nodes are [row][column]
- * of a 3x3 patch of which the last row or column may be missing. The lane is last; arrays of lanes come first, for alignment.
+ * As many neighbouring coarse cells as numbers fit in 64 bytes, and the fine cells they
+ * are made of. A coarse cell is 2x2 fine cells, or fewer where the grid is not halved;
+ * the fine nodes are [row][column] of a 3x3 patch of which the last row or column may be
+ * missing. The lane is last; arrays of lanes come first, for alignment.
  */
+template <typename Number>
 struct alignas(64) Patch
 {
-  static constexpr unsigned int n = 16;
+  static constexpr unsigned int n = 64 / sizeof(Number);
 
   /** Weights of the corners of the coarse cell for the fine nodes. */
-  float weight[3][3][4][n];
+  Number weight[3][3][4][n];
 
   /** x of the fine nodes from the left side, x[2] or x[1] being the right side. */
-  float x[3][n];
+  Number x[3][n];
 
   /** Extents of the coarse cell. */
-  float width[n];
-  float height;
+  Number width[n];
+  Number height;
 
   /** y of the fine nodes from the lower side. */
-  float y[3];
+  Number y[3];
 
   /** Number of fine cell rows, 1 or 2. */
   unsigned int n_rows;
@@ -52,25 +55,25 @@ enum FinestCoefficient : unsigned int
 };
 
 /** Patch of the finest grid, whose cells are 1 wide. */
-struct alignas(64) FinestPatch : Patch
+struct alignas(64) FinestPatch : Patch<double>
 {
   /** Of fine cells [row][column]; zero where there is none. */
-  alignas(64) float coefficient[2][2][n_finest_coefficients][n];
+  alignas(64) double coefficient[2][2][n_finest_coefficients][n];
 
   /** 0 for held components of the fine nodes, else 1. */
-  float free_x[3][3][n];
-  float free_y[3][3][n];
+  double free_x[3][3][n];
+  double free_y[3][3][n];
 
   /** Energy (times 2) of unit difference of the nodal rotations from that of the cell. */
-  float rotation_stiffness[n];
+  double rotation_stiffness[n];
 
-  float cell_height;
+  double cell_height;
 };
 
 /** Patch of another grid: matrices of fine cells [row][column]; zero where none. */
-struct alignas(64) CoarsePatch : Patch
+struct alignas(64) CoarsePatch : Patch<double>
 {
-  alignas(64) float matrix[2][2][n_cell_entries][n];
+  alignas(64) double matrix[2][2][n_cell_entries][n];
 };
 } // namespace multigrid
 } // namespace mesoslip

@@ -17,7 +17,7 @@ RigidModes::RigidModes(const UniformMaterial &material, const DofMask &held)
     centre[d] = 0.5 * (n_nodes[d] - 1);
 
   // Measured by the size of the grid, motions are vectors of comparable components.
-  const double size = std::hypot(n_nodes[0], n_nodes[1] * aspect);
+  const double size    = std::hypot(n_nodes[0], n_nodes[1] * aspect);
   Eigen::Matrix3d hold = Eigen::Matrix3d::Zero();
   if (periodic.x || periodic.y)
     hold(2, 2) = 1.;
@@ -34,7 +34,7 @@ RigidModes::RigidModes(const UniformMaterial &material, const DofMask &held)
       }
 
   // x and y sum to zero over the nodes, so the three motions are orthogonal.
-  const double n = static_cast<double>(n_nodes[0]) * n_nodes[1];
+  const double n           = static_cast<double>(n_nodes[0]) * n_nodes[1];
   const auto second_moment = [](const double m) { return (m * m - 1.) / 12.; };
   const double moment =
     n * (second_moment(n_nodes[0]) + aspect * aspect * second_moment(n_nodes[1]));

@@ -33,14 +33,17 @@ unsigned int upper(const unsigned int n, const unsigned int r, const unsigned in
 }
 } // namespace
 
-Stencil::Stencil(const Axis &x, const Axis &y)
+template <typename Number>
+Stencil<Number>::Stencil(const Axis &x, const Axis &y)
   : periodic_x(x.periodic)
   , periodic_y(y.periodic)
   , arrays(n_stencil_arrays, y.n_nodes(), x.n_nodes())
 {
 }
 
-void Stencil::add_cell_row(const unsigned int j, const PaddedRows<float> &matrices)
+template <typename Number>
+void Stencil<Number>::add_cell_row(const unsigned int j,
+                                   const PaddedRows<double> &matrices)
 {
   const unsigned int n_cells = matrices.n_columns();
   for (const Block &block : blocks)
@@ -52,20 +55,22 @@ void Stencil::add_cell_row(const unsigned int j, const PaddedRows<float> &matric
           {
             const unsigned int k =
               block.a == block.b ? upper(3, r, c) : block.array + 3 * r + c;
-            const float *from = matrices.row(upper(12, 3 * block.a + r, 3 * block.b + c), 0);
-            float *to = arrays.row(k, row);
+            const double *from =
+              matrices.row(upper(12, 3 * block.a + r, 3 * block.b + c), 0);
+            Number *to = arrays.row(k, row);
             for (unsigned int i = 0; i < n_cells; ++i)
-              to[i + shift] += from[i];
+              to[i + shift] += static_cast<Number>(from[i]);
             if (periodic_x && shift == 1)
               {
                 to[0] += to[n_cells];
-                to[n_cells] = 0.F;
+                to[n_cells] = 0;
               }
           }
     }
 }
 
-void Stencil::finish(const HeldUnknowns &held)
+template <typename Number>
+void Stencil<Number>::finish(const HeldUnknowns &held)
 {
   constexpr unsigned int diagonal[3] = {0, 3, 5};
   const int n                        = static_cast<int>(arrays.n_rows());
@@ -73,28 +78,31 @@ void Stencil::finish(const HeldUnknowns &held)
     {
       for (unsigned int c = 0; c < 3; ++c)
         {
-          float *d = arrays.row(centre + diagonal[c], j);
+          Number *d = arrays.row(centre + diagonal[c], j);
           for (unsigned int i = 0; i < arrays.n_columns(); ++i)
-            if (!(d[i] > 0.F))
-              d[i] = 1.F;
+            if (!(d[i] > 0))
+              d[i] = 1;
         }
       for (const HeldUnknowns::Node &node : held.row(static_cast<unsigned int>(j)))
         for (unsigned int c = 0; c < 3; ++c)
           if (node.holds(c))
-            arrays.row(centre + diagonal[c], j)[node.column] = 1.F;
+            arrays.row(centre + diagonal[c], j)[node.column] = 1;
     }
   arrays.fill_ghosts(periodic_x, periodic_y);
 }
 
-void Stencil::residual(PaddedRows<float> &x, const PaddedRows<float> &b, PaddedRows<float> &r) const
+template <typename Number>
+void Stencil<Number>::residual(PaddedRows<Number> &x,
+                               const PaddedRows<Number> &b,
+                               PaddedRows<Number> &r) const
 {
   x.fill_ghosts(periodic_x, periodic_y);
-  const unsigned int n = whole_vectors<float>(arrays.n_columns());
-  const Kernels &k     = kernels();
+  const unsigned int n         = whole_vectors<Number>(arrays.n_columns());
+  const GridKernels<Number> &k = grid_kernels<Number>();
   for (int j = 0; j < static_cast<int>(arrays.n_rows()); ++j)
     {
-      const float *rows[9], *right[3];
-      float *result[3];
+      const Number *rows[9], *right[3];
+      Number *result[3];
       for (unsigned int c = 0; c < 3; ++c)
         {
           for (int dj = -1; dj <= 1; ++dj)
@@ -107,11 +115,12 @@ void Stencil::residual(PaddedRows<float> &x, const PaddedRows<float> &b, PaddedR
     }
 }
 
-Eigen::MatrixXd Stencil::dense() const
+template <typename Number>
+Eigen::MatrixXd Stencil<Number>::dense() const
 {
   const unsigned int nx = arrays.n_columns(), ny = arrays.n_rows();
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * nx * ny, 3 * nx * ny);
-  const auto add = [&](const unsigned int from, const int i, const int j,
+  const auto add         = [&](const unsigned int from, const int i, const int j,
                        const unsigned int array) {
     if ((!periodic_x && (i < 0 || i >= static_cast<int>(nx))) ||
         (!periodic_y && j >= static_cast<int>(ny)))
@@ -144,5 +153,8 @@ Eigen::MatrixXd Stencil::dense() const
     }
   return matrix;
 }
+
+template class Stencil<float>;
+template class Stencil<double>;
 } // namespace multigrid
 } // namespace mesoslip

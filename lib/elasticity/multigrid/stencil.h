@@ -15,7 +15,9 @@ namespace multigrid
 /**
  * The operator of a coarse grid as a symmetric 9-point stencil of 3x3 blocks, the
  * arrays of which are listed in StencilArray; one row of the arrays for each node row.
+ * Single precision on the first coarse grid, double on the others.
  */
+template <typename Number>
 class Stencil
 {
 public:
@@ -24,16 +26,18 @@ public:
   Stencil(const Axis &x, const Axis &y);
 
   /** Adds the matrices of cell row @p j (n_cell_entries arrays of one row). */
-  void add_cell_row(const unsigned int j, const PaddedRows<float> &matrices);
+  void add_cell_row(const unsigned int j, const PaddedRows<double> &matrices);
 
   /** After the last row: held and empty rows get a unit diagonal, ghosts are filled. */
   void finish(const HeldUnknowns &held);
 
   /** r = b - A x; fills the ghosts of @p x. Three components. */
-  void residual(PaddedRows<float> &x, const PaddedRows<float> &b, PaddedRows<float> &r) const;
+  void residual(PaddedRows<Number> &x,
+                const PaddedRows<Number> &b,
+                PaddedRows<Number> &r) const;
 
   /** Array @p k of node row @p j. */
-  const float *row(const unsigned int k, const int j) const
+  const Number *row(const unsigned int k, const int j) const
   {
     return arrays.row(k, j);
   }
@@ -49,8 +53,11 @@ public:
 private:
   bool periodic_x = false;
   bool periodic_y = false;
-  PaddedRows<float> arrays;
+  PaddedRows<Number> arrays;
 };
+
+extern template class Stencil<float>;
+extern template class Stencil<double>;
 } // namespace multigrid
 } // namespace mesoslip
 

@@ -10,54 +10,60 @@ namespace mesoslip
 namespace multigrid
 {
 /** Applies an Interpolation P and its transpose to fields, row by row. */
+template <typename Number>
 class Transfer
 {
 public:
   Transfer() = default;
 
+  /** @p interpolation must outlive this object. */
   explicit Transfer(const Interpolation &interpolation);
 
   /**
    * coarse = P^T fine. The duplicate column and row that @p fine may have at periodic
-   * sides are not read. Field: NodalField<float> (2 components) or PaddedRows<float> (3).
+   * sides are not read. Field: NodalField<Number> (2 components) or PaddedRows<Number>
+   * (3).
    */
   template <int n_components, typename Field>
-  void restrict_to(const Field &fine, PaddedRows<float> &coarse) const;
+  void restrict_to(const Field &fine, PaddedRows<Number> &coarse) const;
 
   /** fine += P coarse, duplicates left alone; fills the ghosts of @p coarse. */
   template <int n_components, typename Field>
-  void prolongate_from(PaddedRows<float> &coarse, Field &fine) const;
+  void prolongate_from(PaddedRows<Number> &coarse, Field &fine) const;
 
 private:
-  void split(const float *row, const unsigned int component) const;
-  void merge(float *row, const unsigned int component) const;
+  void split(const Number *row, const unsigned int component) const;
+  void merge(Number *row, const unsigned int component) const;
 
-  /** Fine row at coarse node row J, fine row below (above) the middle one of cell row J. */
-  TransferRow at_node(const unsigned int J) const;
-  TransferRow to_lower(const unsigned int J) const;
-  TransferRow to_upper(const unsigned int J) const;
-  void set_complement(const float *weights) const;
+  /** Fine row at coarse node row J, middle row of cell row J from below and above. */
+  TransferRow<Number> at_node(const unsigned int J) const;
+  TransferRow<Number> to_lower(const unsigned int J) const;
+  TransferRow<Number> to_upper(const unsigned int J) const;
+
+  /** The weights of the row in question: even, odd_left, odd_right. */
+  TransferRow<Number> row_of_weights(const double dy) const;
 
   const Interpolation *p = nullptr;
   unsigned int n_vectors = 0;
-  PaddedRows<float> ones;
-  mutable PaddedRows<float> complement;
-  mutable PaddedRows<float> even;
-  mutable PaddedRows<float> odd;
+  PaddedRows<Number> distances;
+  mutable PaddedRows<Number> weights;
+  mutable PaddedRows<Number> even;
+  mutable PaddedRows<Number> odd;
 };
 
+template <typename Number>
 template <int n_components, typename Field>
-void Transfer::restrict_to(const Field &fine, PaddedRows<float> &coarse) const
+void Transfer<Number>::restrict_to(const Field &fine, PaddedRows<Number> &coarse) const
 {
-  const auto restrict_row = kernels().restrict_row[n_components - 2];
-  const float *e[3], *o[3];
+  const auto restrict_row = grid_kernels<Number>().restrict_row[n_components - 2];
+  const Number *e[3], *o[3];
   for (unsigned int c = 0; c < n_components; ++c)
     {
       e[c] = even.row(c, 0);
       o[c] = odd.row(c, 0);
     }
-  const auto add = [&](const TransferRow &row, const unsigned int J) {
-    float *to[3] = {coarse.row(0, J), coarse.row(1, J), coarse.row(2, J)};
+  const auto add = [&](const TransferRow<Number> &row, const unsigned int J) {
+    Number *to[3] = {coarse.row(0, J), coarse.row(1, J), coarse.row(2, J)};
     restrict_row(n_vectors, row, e, o, to);
   };
   const unsigned int n_rows = p->coarse_y.n_nodes();
@@ -78,25 +84,27 @@ void Transfer::restrict_to(const Field &fine, PaddedRows<float> &coarse) const
     for (unsigned int J = 0; J < n_rows; ++J)
       for (unsigned int c = 0; c < 3; ++c)
         {
-          float *row = coarse.row(c, J);
+          Number *row = coarse.row(c, J);
           row[0] += row[coarse.n_columns()];
-          row[coarse.n_columns()] = 0.F;
+          row[coarse.n_columns()] = 0;
         }
 }
 
+template <typename Number>
 template <int n_components, typename Field>
-void Transfer::prolongate_from(PaddedRows<float> &coarse, Field &fine) const
+void Transfer<Number>::prolongate_from(PaddedRows<Number> &coarse, Field &fine) const
 {
-  const auto prolongate_row = kernels().prolongate_row[n_components - 2];
+  const auto prolongate_row = grid_kernels<Number>().prolongate_row[n_components - 2];
   coarse.fill_ghosts(p->coarse_x.periodic, p->coarse_y.periodic);
-  float *e[3], *o[3];
+  Number *e[3], *o[3];
   for (unsigned int c = 0; c < n_components; ++c)
     {
       e[c] = even.row(c, 0);
       o[c] = odd.row(c, 0);
     }
-  const auto get = [&](const TransferRow &row, const bool add, const unsigned int J) {
-    const float *from[3] = {coarse.row(0, J), coarse.row(1, J), coarse.row(2, J)};
+  const auto get = [&](const TransferRow<Number> &row, const bool add,
+                       const unsigned int J) {
+    const Number *from[3] = {coarse.row(0, J), coarse.row(1, J), coarse.row(2, J)};
     prolongate_row(n_vectors, row, add, from, e, o);
   };
   for (unsigned int J = 0; J < p->coarse_y.n_nodes(); ++J)
@@ -112,6 +120,9 @@ void Transfer::prolongate_from(PaddedRows<float> &coarse, Field &fine) const
         merge(fine.row(c, p->y.start(J) + 1), c);
     }
 }
+
+extern template class Transfer<float>;
+extern template class Transfer<double>;
 } // namespace multigrid
 } // namespace mesoslip
 

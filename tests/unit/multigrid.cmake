@@ -1,0 +1,1 @@
+mesoslip_test(unit multigrid LIBS mesoslip_elasticity)
