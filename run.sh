@@ -6,11 +6,11 @@ cd "$(dirname "$(readlink -f "$0")")"
 
 for argument in "$@"; do
   case $argument in
-    -h | --help) exec python3 applications/run_chain.py --help ;;
+    -h | --help) exec "$python" applications/run_chain.py --help ;;
   esac
 done
 caller=${OLDPWD:-$PWD}
 install_packages
 cmake_options=()
 build build rve_homogenization contact_dynamics stress_localization
-exec /usr/bin/env python3 applications/run_chain.py --programs build/applications --from "$caller" "$@"
+exec "$python" applications/run_chain.py --programs build/applications --from "$caller" "$@"

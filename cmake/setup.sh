@@ -7,6 +7,10 @@ mesoslip_packages=(
   python3 python3-numpy python3-h5py python3-matplotlib
   libgtest-dev)
 
+# Debian's python has numpy, h5py and matplotlib; another one in PATH may not.
+python=/usr/bin/python3
+[ -x "$python" ] || python=python3
+
 say() { printf '%s\n' "$*"; }
 fail() { printf '%s: %s\n' "${0##*/}" "$*" >&2; exit 2; }
 

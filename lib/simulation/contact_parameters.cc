@@ -204,6 +204,10 @@ ContactParameters::parse(dealii::ParameterHandler &prm)
   parameters.time            = parse_time(prm);
   parameters.top             = parse_top(prm);
   parse_sides(prm, parameters);
+  if (parameters.top.kind == TopSetup::Kind::platen &&
+      (parameters.sides.left_held[1] || parameters.sides.right_held[1]))
+    throw UserError("Sides: u_y is held on a side, but the platen of Top/Kind moves its corner; hold "
+                    "u_x only, or set Top/Kind = pressure or held");
   parameters.friction    = parse_friction(prm);
   parameters.observation = parse_observation(prm);
   {

@@ -254,6 +254,13 @@ Transient::set_initial_velocity()
   };
   hold(parameters.sides.left_held, 0);
   hold(parameters.sides.right_held, w.n_columns() - 1);
+  // What the top holds does not move from the start.
+  const TopSetup::Kind kind = parameters.top.kind;
+  const bool held_x = kind != TopSetup::Kind::pressure || parameters.top.lateral_held;
+  if (rows.end == rows.n_global)
+    for (unsigned int c = 0; c < 2; ++c)
+      if (c == 0 ? held_x : kind == TopSetup::Kind::held)
+        std::fill_n(w.row(c, rows.local(rows.n_global - 1)), w.n_columns(), 0.);
 }
 
 void
