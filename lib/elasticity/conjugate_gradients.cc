@@ -6,15 +6,15 @@
 namespace mesoslip
 {
 ConjugateGradients::ConjugateGradients(const UniformMaterial &material,
-                                       const unsigned int     max_iterations)
+                                       const unsigned int max_iterations)
   : material(material)
   , stiffness(material)
   , held(material.n_columns(), material.n_rows())
   , max_iterations(max_iterations)
-{}
+{
+}
 
-void
-ConjugateGradients::set_held(const DofMask &new_held)
+void ConjugateGradients::set_held(const DofMask &new_held)
 {
   held     = new_held;
   singular = true;
@@ -24,8 +24,7 @@ ConjugateGradients::set_held(const DofMask &new_held)
   prepare();
 }
 
-void
-ConjugateGradients::clear_held(NodalField<double> &x) const
+void ConjugateGradients::clear_held(NodalField<double> &x) const
 {
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < x.n_rows(); ++j)
@@ -37,8 +36,7 @@ ConjugateGradients::clear_held(NodalField<double> &x) const
       }
 }
 
-void
-ConjugateGradients::copy_duplicates(NodalField<double> &x) const
+void ConjugateGradients::copy_duplicates(NodalField<double> &x) const
 {
   const Periodicity periodic = material.periodicity();
   for (unsigned int c = 0; c < 2; ++c)
@@ -53,8 +51,7 @@ ConjugateGradients::copy_duplicates(NodalField<double> &x) const
 // On a floating body residuals are in equilibrium up to round-off; without this that
 // round-off would grow. Rotations need no such care in practice: they converge last and
 // change no strain.
-void
-ConjugateGradients::remove_translations(NodalField<double> &x) const
+void ConjugateGradients::remove_translations(NodalField<double> &x) const
 {
   const unsigned int nx = x.n_columns() - (material.periodicity().x ? 1 : 0);
   const unsigned int ny = x.n_rows() - (material.periodicity().y ? 1 : 0);
@@ -75,18 +72,18 @@ ConjugateGradients::remove_translations(NodalField<double> &x) const
     }
 }
 
-double
-ConjugateGradients::dot(const NodalField<double> &x, const NodalField<double> &y) const
+double ConjugateGradients::dot(const NodalField<double> &x,
+                               const NodalField<double> &y) const
 {
-  const unsigned int nx  = x.n_columns() - (material.periodicity().x ? 1 : 0);
-  const unsigned int ny  = x.n_rows() - (material.periodicity().y ? 1 : 0);
-  double             sum = 0.;
+  const unsigned int nx = x.n_columns() - (material.periodicity().x ? 1 : 0);
+  const unsigned int ny = x.n_rows() - (material.periodicity().y ? 1 : 0);
+  double sum            = 0.;
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < ny; ++j)
       {
         const double *a = x.row(c, j), *b = y.row(c, j);
-        double        lanes[8] = {};
-        unsigned int  i        = 0;
+        double lanes[8] = {};
+        unsigned int i  = 0;
         for (; i + 8 <= nx; i += 8)
           for (unsigned int l = 0; l < 8; ++l)
             lanes[l] += a[i + l] * b[i + l];
@@ -98,12 +95,11 @@ ConjugateGradients::dot(const NodalField<double> &x, const NodalField<double> &y
   return sum;
 }
 
-SolverReport
-ConjugateGradients::solve(NodalField<double>       &u,
-                          const NodalField<double> &force,
-                          const double              tolerance)
+SolverReport ConjugateGradients::solve(NodalField<double> &u,
+                                       const NodalField<double> &force,
+                                       const double tolerance)
 {
-  const std::size_t  n = u.size();
+  const std::size_t n = u.size();
   NodalField<double> r(u.n_columns(), u.n_rows()), z = r, p = r, Kp = r;
 
   // Start from the prescribed values and zero elsewhere if u brings nothing.
@@ -116,7 +112,7 @@ ConjugateGradients::solve(NodalField<double>       &u,
 
   SolverReport report;
   const double initial = std::sqrt(dot(r, r));
-  double       rho     = 0.;
+  double rho           = 0.;
   while (initial > 0.)
     {
       const double norm = std::sqrt(dot(r, r));
@@ -127,8 +123,8 @@ ConjugateGradients::solve(NodalField<double>       &u,
         {
           std::ostringstream message;
           message << "conjugate gradients stopped after " << report.iterations
-                  << " iterations at a relative residual of " << report.residual << ", wanted "
-                  << tolerance;
+                  << " iterations at a relative residual of " << report.residual
+                  << ", wanted " << tolerance;
           throw NotConverged(message.str());
         }
       precondition(z, r);
@@ -155,10 +151,10 @@ ConjugateGradients::solve(NodalField<double>       &u,
 JacobiSolver::JacobiSolver(const UniformMaterial &material)
   : ConjugateGradients(material, 100000)
   , inverse_diagonal(material.n_columns(), material.n_rows())
-{}
+{
+}
 
-void
-JacobiSolver::prepare()
+void JacobiSolver::prepare()
 {
   stiffness.diagonal(inverse_diagonal);
   for (unsigned int c = 0; c < 2; ++c)
@@ -170,8 +166,7 @@ JacobiSolver::prepare()
         }
 }
 
-void
-JacobiSolver::precondition(NodalField<double> &z, const NodalField<double> &r)
+void JacobiSolver::precondition(NodalField<double> &z, const NodalField<double> &r)
 {
   for (std::size_t k = 0; k < r.size(); ++k)
     z.begin()[k] = inverse_diagonal.begin()[k] * r.begin()[k];

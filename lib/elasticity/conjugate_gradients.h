@@ -16,39 +16,33 @@ class ConjugateGradients : public StaticSolver
 {
 public:
   explicit ConjugateGradients(const UniformMaterial &material,
-                              const unsigned int     max_iterations);
+                              const unsigned int max_iterations);
 
-  void
-  set_held(const DofMask &held) override;
+  void set_held(const DofMask &held) override;
 
-  SolverReport
-  solve(NodalField<double> &u, const NodalField<double> &force, const double tolerance) override;
+  SolverReport solve(NodalField<double> &u,
+                     const NodalField<double> &force,
+                     const double tolerance) override;
 
 protected:
   /** Called by set_held(). */
-  virtual void
-  prepare() = 0;
+  virtual void prepare() = 0;
 
   /** z = M^-1 r; both vanish at held entries. */
-  virtual void
-  precondition(NodalField<double> &z, const NodalField<double> &r) = 0;
+  virtual void precondition(NodalField<double> &z, const NodalField<double> &r) = 0;
 
-  const UniformMaterial    &material;
+  const UniformMaterial &material;
   const UniformGridOperator stiffness;
-  DofMask                   held;
+  DofMask held;
 
 private:
-  void
-  clear_held(NodalField<double> &x) const;
-  void
-  copy_duplicates(NodalField<double> &x) const;
-  void
-  remove_translations(NodalField<double> &x) const;
-  double
-  dot(const NodalField<double> &x, const NodalField<double> &y) const;
+  void clear_held(NodalField<double> &x) const;
+  void copy_duplicates(NodalField<double> &x) const;
+  void remove_translations(NodalField<double> &x) const;
+  double dot(const NodalField<double> &x, const NodalField<double> &y) const;
 
   const unsigned int max_iterations;
-  bool               singular = false;
+  bool singular = false;
 };
 
 /** The diagonal of K as preconditioner. */
@@ -58,10 +52,8 @@ public:
   explicit JacobiSolver(const UniformMaterial &material);
 
 protected:
-  void
-  prepare() override;
-  void
-  precondition(NodalField<double> &z, const NodalField<double> &r) override;
+  void prepare() override;
+  void precondition(NodalField<double> &z, const NodalField<double> &r) override;
 
 private:
   NodalField<double> inverse_diagonal;

@@ -20,14 +20,13 @@ enum class StaticSolverKind
 };
 
 /** @throws std::invalid_argument unless @p name is multigrid, jacobi or assembled. */
-StaticSolverKind
-static_solver_kind(const std::string &name);
+StaticSolverKind static_solver_kind(const std::string &name);
 
 /** What a solve took. */
 struct SolverReport
 {
   unsigned int iterations = 0;
-  double       residual   = 0.; ///< relative to the right-hand side
+  double residual         = 0.; ///< relative to the right-hand side
 };
 
 /** The iteration limit was reached, or something was not finite. */
@@ -48,8 +47,7 @@ public:
   virtual ~StaticSolver() = default;
 
   /** Which degrees of freedom are held from now on; the costly part of the set-up. */
-  virtual void
-  set_held(const DofMask &held) = 0;
+  virtual void set_held(const DofMask &held) = 0;
 
   /**
    * Solves for the free entries of @p u; the held ones are prescribed values on entry.
@@ -57,13 +55,14 @@ public:
    * residual of the prescribed values alone.
    * @throws NotConverged
    */
-  virtual SolverReport
-  solve(NodalField<double> &u, const NodalField<double> &force, const double tolerance) = 0;
+  virtual SolverReport solve(NodalField<double> &u,
+                             const NodalField<double> &force,
+                             const double tolerance) = 0;
 };
 
 /** @p material has to outlive the solver. */
-std::unique_ptr<StaticSolver>
-make_static_solver(const StaticSolverKind kind, const UniformMaterial &material);
+std::unique_ptr<StaticSolver> make_static_solver(const StaticSolverKind kind,
+                                                 const UniformMaterial &material);
 } // namespace mesoslip
 
 #endif
