@@ -2,6 +2,8 @@
 
 #include "elasticity/uniform_grid_operator.h"
 
+#include <Eigen/Dense>
+
 #include <stdexcept>
 
 namespace mesoslip
@@ -37,6 +39,20 @@ add(NodalField<double> &x, const NodalField<double> &y, const double factor)
         x.row(c, j)[i] += factor * y.row(c, j)[i];
 }
 
+/** Mean stiffness (Pa) of the cells. */
+VoigtMatrix<2>
+voigt_mean(const UniformMaterial &material)
+{
+  std::vector<std::size_t> n(256, 0);
+  for (unsigned int j = 0; j < material.grid().cells[1]; ++j)
+    for (unsigned int i = 0; i < material.grid().cells[0]; ++i)
+      ++n[material.class_of(i, j)];
+  VoigtMatrix<2> mean = VoigtMatrix<2>::Zero();
+  for (std::size_t c = 0; c < material.classes().size(); ++c)
+    mean += n[c] * material.classes()[c].stiffness / material.grid().n_cells();
+  return mean;
+}
+
 /** Solver and material of one kind of boundary condition, set up when first needed. */
 class CaseSolver
 {
@@ -45,25 +61,32 @@ public:
     : material(material)
     , kind(kind)
     , tolerance(tolerance)
+    , affine_operator(material)
   {}
 
   SolverReport
   solve(const BoundaryCondition condition, const unsigned int k, NodalField<double> &u)
   {
     const UniformGrid<2> &grid = material.grid();
-    set_up(condition);
     if (condition == BoundaryCondition::SUBC)
       {
-        u = zero_field(grid);
+        // Exact in a homogeneous body, a fair guess in others.
+        const VoigtMatrix<2> compliance = voigt_mean(material).inverse();
+        set_up(condition);
+        u = affine_displacement(grid, VoigtVector<2>(compliance.col(k)));
         return solver->solve(u, uniform_traction(grid, k), tolerance);
       }
     u = affine_displacement(grid, k);
-    if (condition == BoundaryCondition::KUBC)
-      return solver->solve(u, zero_field(grid), tolerance);
+    if (material.is_homogeneous())
+      return SolverReport();
 
+    // The unknown is the fluctuation: its forces, those of the heterogeneity alone, are
+    // what the tolerance refers to.
+    set_up(condition);
     NodalField<double> force = zero_field(grid), fluctuation = zero_field(grid);
-    affine_operator->vmult(force, u);
-    fold(force);
+    affine_operator.vmult(force, u);
+    if (condition == BoundaryCondition::PBC)
+      fold(force);
     for (std::size_t n = 0; n < force.size(); ++n)
       force.begin()[n] *= -1.;
     const SolverReport report = solver->solve(fluctuation, force, tolerance);
@@ -90,7 +113,6 @@ private:
           classes = {material.classes()[material.homogeneous_class()]};
         periodic_material = std::make_unique<UniformMaterial>(
           material.grid(), classes, ids, Periodicity{true, true});
-        affine_operator = std::make_unique<UniformGridOperator>(material);
         solver          = make_static_solver(kind, *periodic_material);
         solver->set_held(DofMask(nx, ny));
         return;
@@ -107,7 +129,7 @@ private:
   const double                         tolerance;
   BoundaryCondition                    current = BoundaryCondition::KUBC;
   std::unique_ptr<UniformMaterial>     periodic_material;
-  std::unique_ptr<UniformGridOperator> affine_operator;
+  const UniformGridOperator            affine_operator;
   std::shared_ptr<StaticSolver>        plain_solver, solver;
 };
 
@@ -144,17 +166,23 @@ boundary_condition(const std::string &name)
 }
 
 NodalField<double>
-affine_displacement(const UniformGrid<2> &grid, const unsigned int k)
+affine_displacement(const UniformGrid<2> &grid, const VoigtVector<2> &strain)
 {
   NodalField<double> u = zero_field(grid);
   for (unsigned int j = 0; j < u.n_rows(); ++j)
     for (unsigned int i = 0; i < u.n_columns(); ++i)
       {
         const double x = i * grid.spacing[0], y = j * grid.spacing[1];
-        u.row(0, j)[i] = k == 0 ? x : k == 2 ? 0.5 * y : 0.;
-        u.row(1, j)[i] = k == 1 ? y : k == 2 ? 0.5 * x : 0.;
+        u.row(0, j)[i] = strain[0] * x + 0.5 * strain[2] * y;
+        u.row(1, j)[i] = strain[1] * y + 0.5 * strain[2] * x;
       }
   return u;
+}
+
+NodalField<double>
+affine_displacement(const UniformGrid<2> &grid, const unsigned int k)
+{
+  return affine_displacement(grid, VoigtVector<2>(VoigtVector<2>::Unit(k)));
 }
 
 NodalField<double>

@@ -4,6 +4,7 @@
 #include "elasticity/static_solver.h"
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
+#include "material/voigt.h"
 
 #include <array>
 #include <functional>
@@ -58,7 +59,11 @@ solve_load_cases(const UniformMaterial                &material,
                  const MPI_Comm                        communicator,
                  const LoadCaseProgress               &progress = LoadCaseProgress());
 
-/** u = E.x for the unit strain number @p k, x from the lower left corner. */
+/** u = E.x for a strain (engineering shear), x from the lower left corner. */
+NodalField<double>
+affine_displacement(const UniformGrid<2> &grid, const VoigtVector<2> &strain);
+
+/** The same for the unit strain number @p k. */
 NodalField<double>
 affine_displacement(const UniformGrid<2> &grid, const unsigned int k);
 
