@@ -1,0 +1,1 @@
+mesoslip_test(verification homogenization RANKS 2 LIBS mesoslip_homogenization)

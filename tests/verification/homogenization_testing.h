@@ -1,0 +1,98 @@
+#ifndef mesoslip_tests_verification_homogenization_testing_h
+#define mesoslip_tests_verification_homogenization_testing_h
+
+#include "homogenization/ensemble.h"
+#include "homogenization/response.h"
+#include "material/stiffness.h"
+
+#include <mpi.h>
+
+#include <random>
+#include <vector>
+
+/** Small volumes and what is known about them. */
+namespace homogenization_testing
+{
+using namespace mesoslip;
+
+constexpr unsigned int seed = 20081;
+
+inline const std::vector<BoundaryCondition> all_conditions = {
+  BoundaryCondition::KUBC, BoundaryCondition::SUBC, BoundaryCondition::PBC};
+
+/** Table 1 of the paper. */
+inline std::vector<VoigtMatrix<2>> matrix_and_fibre()
+{
+  return {isotropic_stiffness<2>(30e9, 0.2), isotropic_stiffness<2>(240e9, 0.2)};
+}
+
+struct Volume
+{
+  UniformGrid<2> grid;
+  std::vector<std::uint8_t> id;
+  std::vector<VoigtMatrix<2>> stiffness;
+
+  UniformMaterial material() const
+  {
+    std::vector<ElasticClass> classes;
+    for (const VoigtMatrix<2> &C : stiffness)
+      classes.push_back({C, 1.});
+    return UniformMaterial(grid, classes, id);
+  }
+
+  double fraction(const unsigned int phase) const
+  {
+    double n = 0.;
+    for (const std::uint8_t p : id)
+      n += p == phase;
+    return n / id.size();
+  }
+};
+
+inline Volume make_volume(const unsigned int nx,
+                          const unsigned int ny,
+                          const std::vector<VoigtMatrix<2>> &stiffness,
+                          const double hx = 1e-4,
+                          const double hy = 1e-4)
+{
+  Volume volume;
+  volume.grid.cells   = {{nx, ny}};
+  volume.grid.spacing = {{hx, hy}};
+  volume.id.assign(static_cast<std::size_t>(nx) * ny, 0);
+  volume.stiffness = stiffness;
+  return volume;
+}
+
+/** Every cell by itself. */
+inline void make_random(Volume &volume)
+{
+  std::mt19937_64 random(seed);
+  for (std::uint8_t &phase : volume.id)
+    phase = static_cast<std::uint8_t>(random() % volume.stiffness.size());
+}
+
+/** Responses of all three conditions. */
+inline std::vector<HomogenizedResponse>
+respond(const Volume &volume,
+        const double tolerance        = 1e-10,
+        const StaticSolverKind solver = StaticSolverKind::multigrid,
+        const MPI_Comm communicator   = MPI_COMM_SELF)
+{
+  const UniformMaterial material = volume.material();
+  std::vector<HomogenizedResponse> responses;
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  for (const LoadCaseSolutions &solutions :
+       solve_load_cases(material, all_conditions, solver, tolerance, communicator))
+    if (rank == 0)
+      responses.push_back(homogenize(material, solutions, false));
+  return responses;
+}
+
+inline double distance(const VoigtMatrix<2> &a, const VoigtMatrix<2> &b)
+{
+  return (a - b).norm() / b.norm();
+}
+} // namespace homogenization_testing
+
+#endif
