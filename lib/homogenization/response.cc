@@ -90,6 +90,33 @@ energy_products(const UniformMaterial &material, const LoadCaseSolutions &soluti
     }
   return products / (material.grid().extent(0) * material.grid().extent(1));
 }
+// Means of the tensors over two phases against what the stiffness says they are.
+std::optional<double>
+two_phase_residual(const UniformMaterial     &material,
+                   const HomogenizedResponse &response,
+                   const std::vector<PhaseSums> &sums)
+{
+  std::vector<std::size_t> present;
+  for (std::size_t p = 0; p < sums.size(); ++p)
+    if (sums[p].cells > 0)
+      present.push_back(p);
+  if (present.size() != 2)
+    return {};
+  const bool stresses = response.condition == BoundaryCondition::SUBC;
+  const auto tensor   = [stresses](const VoigtMatrix<2> &C) {
+    return stresses ? VoigtMatrix<2>(C.inverse()) : C;
+  };
+  const VoigtMatrix<2> C_m = tensor(material.classes()[present[0]].stiffness),
+                       C_i = tensor(material.classes()[present[1]].stiffness),
+                       D   = tensor(response.stiffness);
+  // The difference has to be invertible, with digits to spare.
+  const VoigtMatrix<2> inverse = (C_i - C_m).inverse();
+  if (!(inverse.norm() * C_m.norm() < 1e6))
+    return {};
+  const double f = static_cast<double>(sums[present[1]].cells) / material.grid().n_cells();
+  const VoigtMatrix<2> expected = inverse * (D - C_m) / f;
+  return (response.phase_means[present[1]] - expected).norm() / expected.norm();
+}
 } // namespace
 
 HomogenizedResponse
@@ -121,6 +148,7 @@ homogenize(const UniformMaterial   &material,
   response.symmetry_residual       = (mean - mean.transpose()).norm() / mean.norm();
   response.hill_mandel_residual    = (mean - response.stiffness_from_energy).norm() / mean.norm();
   response.stiffness               = 0.5 * (mean + mean.transpose());
+  response.two_phase_residual      = two_phase_residual(material, response, sums);
   return response;
 }
 } // namespace mesoslip

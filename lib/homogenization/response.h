@@ -4,6 +4,7 @@
 #include "homogenization/load_cases.h"
 #include "material/voigt.h"
 
+#include <optional>
 #include <vector>
 
 namespace mesoslip
@@ -27,6 +28,13 @@ struct HomogenizedResponse
 
   /** |<L> - I| (KUBC, PBC) or |<B> - I| (SUBC). */
   double mean_residual = 0.;
+
+  /**
+   * With two phases their mean tensors follow from the stiffness alone: (C_i - C_m)^-1
+   * (D - C_m) / f, and the like with compliances for B. Relative distance of the stiffer
+   * one from that; empty for other numbers of phases or phases that do not differ enough.
+   */
+  std::optional<double> two_phase_residual;
 
   /**
    * Cell means of the concentration tensor [ny][nx][3][3], row local, column macroscopic

@@ -118,6 +118,25 @@ log_stiffness(const RveParameters &parameters, const RveResults &results, RunCon
       context.log(line.str());
     }
 }
+// What every solve has to fulfil, and how well it does.
+void
+log_identities(const EnsembleMember &member, RunContext &context)
+{
+  for (const HomogenizedResponse &r : member.responses)
+    {
+      const bool         stresses = r.condition == BoundaryCondition::SUBC;
+      std::ostringstream line;
+      line << to_string(r.condition) << ": iterations";
+      for (const SolverReport &report : r.reports)
+        line << " " << report.iterations;
+      line << std::scientific << std::setprecision(1) << "; residuals: Hill-Mandel "
+           << r.hill_mandel_residual << ", symmetry " << r.symmetry_residual
+           << (stresses ? ", <B> = I " : ", <L> = I ") << r.mean_residual;
+      if (r.two_phase_residual)
+        line << ", two phases " << *r.two_phase_residual;
+      context.log(line.str());
+    }
+}
 } // namespace
 
 void
@@ -142,6 +161,8 @@ write_rve_summary(const RveParameters &parameters, const RveResults &results, Ru
       out["hill_mandel_residual"][name]    = response.hill_mandel_residual;
       out["symmetry_residual"][name]       = response.symmetry_residual;
       out["mean_concentration_residual"][name] = response.mean_residual;
+      out["two_phase_residual"][name] =
+        response.two_phase_residual ? json(*response.two_phase_residual) : json(nullptr);
       for (const SolverReport &report : response.reports)
         out["iterations"][name].push_back(report.iterations);
     }
@@ -154,5 +175,6 @@ write_rve_summary(const RveParameters &parameters, const RveResults &results, Ru
   if (parameters.reference)
     out["reference_stiffness"] = matrix_json(*parameters.reference);
   log_stiffness(parameters, results, context);
+  log_identities(first, context);
 }
 } // namespace mesoslip

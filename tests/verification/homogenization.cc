@@ -101,6 +101,8 @@ TEST(Homogenization, IdentitiesOfEverySolve)
       EXPECT_LT(r.hill_mandel_residual, 1e-9);
       EXPECT_LT(r.symmetry_residual, 1e-9);
       EXPECT_LT(r.mean_residual, 1e-9);
+      ASSERT_TRUE(r.two_phase_residual.has_value());
+      EXPECT_LT(*r.two_phase_residual, 1e-8);
       // The phase means follow from the stiffness alone.
       const VoigtMatrix<2> &D = r.stiffness;
       if (r.condition != BoundaryCondition::SUBC)
