@@ -1,0 +1,92 @@
+"""doc/parameters is what the programs print, and every .prm file under prm/ is accepted.
+
+    parameter_reference.py <folder with the programs> [--update]
+
+--update renews the pages. A .prm file whose input an earlier step leaves may fail, but only on that missing file.
+"""
+
+import glob
+import os
+import re
+import subprocess
+import sys
+
+TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+PAGES = os.path.join(TOP, "doc", "parameters")
+PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
+MISSING_INPUT = re.compile(r"there is no (file|folder) (\S+)")
+
+
+def run(programs, name, *arguments):
+    return subprocess.run([os.path.join(programs, name), *arguments], text=True, cwd=TOP,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+
+def check_page(programs, name, update):
+    """A sentence when the page of a program is missing or stale, else nothing."""
+    done = run(programs, name, "--print-parameters")
+    if done.returncode != 0:
+        return [f"{name} --print-parameters: exit status {done.returncode}: {done.stderr.strip()}"]
+    path = os.path.join(PAGES, name + ".prm")
+    if update:
+        os.makedirs(PAGES, exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(done.stdout)
+        return []
+    try:
+        with open(path, encoding="utf-8") as file:
+            page = file.read()
+    except OSError:
+        page = ""
+    if page == done.stdout:
+        return []
+    return [f"doc/parameters/{name}.prm differs from {name} --print-parameters; "
+            "parameter_reference.py <programs> --update renews it"]
+
+
+def program_of(path):
+    """The program in a file's name, or the first that its comments name."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    named = [p for p in PROGRAMS if p in os.path.basename(path)]
+    named += sorted((p for p in PROGRAMS if p in text), key=text.index)
+    return named[0] if named else None
+
+
+def is_left_by_a_run(path):
+    """Whether a missing input is what a run leaves: an HDF5 file or a folder of results, not a file to be shipped."""
+    return path.endswith(".h5") or "." not in os.path.basename(path)
+
+
+def check_file(programs, path):
+    shown = os.path.relpath(path, TOP)
+    name = program_of(path)
+    if name is None:
+        return [f"{shown}: names no program, neither in its name nor in its comments"]
+    # Names of sections and keys, and the form of the values.
+    done = run(programs, name, "--print-parameters", path)
+    if done.returncode != 0:
+        return [f"{shown}: {done.stderr.strip()}"]
+    # What the values mean together, as far as the inputs are there.
+    done = run(programs, name, "--validate", path)
+    missing = MISSING_INPUT.search(done.stderr)
+    if done.returncode == 0:
+        return []
+    if done.returncode == 2 and missing and is_left_by_a_run(missing.group(2).rstrip(";,.")):
+        return []
+    return [f"{shown}: exit status {done.returncode}: {done.stderr.strip()}"]
+
+
+def main():
+    programs, update = os.path.abspath(sys.argv[1]), "--update" in sys.argv
+    problems = [p for name in PROGRAMS for p in check_page(programs, name, update)]
+    files = sorted(glob.glob(os.path.join(TOP, "prm", "**", "*.prm"), recursive=True))
+    assert files, "no .prm file under prm/"
+    for path in files:
+        problems += check_file(programs, path)
+    print("\n".join(problems) or f"{len(PROGRAMS)} pages and {len(files)} files")
+    sys.exit(1 if problems else 0)
+
+
+if __name__ == "__main__":
+    main()
