@@ -9,11 +9,11 @@
 
 namespace mesoslip
 {
-EntryStatistics
-entry_statistics(const std::vector<double> &values, const double confidence)
+EntryStatistics entry_statistics(const std::vector<double> &values,
+                                 const double confidence)
 {
   EntryStatistics s;
-  const double    n = values.size();
+  const double n = values.size();
   for (const double value : values)
     s.mean += value / n;
   if (values.size() < 2)
@@ -30,10 +30,9 @@ entry_statistics(const std::vector<double> &values, const double confidence)
   return s;
 }
 
-StiffnessStatistics
-stiffness_statistics(const std::vector<EnsembleMember> &members,
-                     const std::size_t                  condition,
-                     const double                       confidence)
+StiffnessStatistics stiffness_statistics(const std::vector<EnsembleMember> &members,
+                                         const std::size_t condition,
+                                         const double confidence)
 {
   StiffnessStatistics statistics;
   std::vector<double> values(members.size());
@@ -46,8 +45,7 @@ stiffness_statistics(const std::vector<EnsembleMember> &members,
   return statistics;
 }
 
-UniformMaterial
-make_material(const Microstructure &microstructure)
+UniformMaterial make_material(const Microstructure &microstructure)
 {
   std::vector<ElasticClass> classes;
   // Statics need no density; a phase may come without one.
@@ -63,12 +61,12 @@ make_material(const Microstructure &microstructure)
     }
 }
 
-VoigtMatrix<2>
-effective_stiffness(const std::vector<EnsembleMember> &members, const RveParameters &parameters)
+VoigtMatrix<2> effective_stiffness(const std::vector<EnsembleMember> &members,
+                                   const RveParameters &parameters)
 {
   const auto has = [&](const BoundaryCondition wanted) {
-    return std::find(parameters.conditions.begin(), parameters.conditions.end(), wanted) !=
-           parameters.conditions.end();
+    return std::find(parameters.conditions.begin(), parameters.conditions.end(),
+                     wanted) != parameters.conditions.end();
   };
   const bool both = has(BoundaryCondition::KUBC) && has(BoundaryCondition::SUBC);
   const auto used = [&](const BoundaryCondition condition) {
@@ -78,7 +76,7 @@ effective_stiffness(const std::vector<EnsembleMember> &members, const RveParamet
   };
 
   VoigtMatrix<2> sum = VoigtMatrix<2>::Zero();
-  double         n   = 0.;
+  double n           = 0.;
   for (const EnsembleMember &member : members)
     for (const HomogenizedResponse &response : member.responses)
       if (used(response.condition))

@@ -14,8 +14,8 @@ namespace mesoslip
 /** One morphology and what was computed for it. */
 struct EnsembleMember
 {
-  std::uint64_t                    seed = 0;
-  std::vector<double>              fractions; ///< of the phases
+  std::uint64_t seed = 0;
+  std::vector<double> fractions;              ///< of the phases
   std::vector<HomogenizedResponse> responses; ///< in the order of the conditions
 };
 
@@ -24,7 +24,7 @@ struct EntryStatistics
 {
   double mean               = 0.; ///< Pa
   double standard_deviation = 0.; ///< Pa, of a member; 0 for a single one
-  double half_width         = 0.; ///< Pa, of the confidence interval of the mean (Student)
+  double half_width = 0.; ///< Pa, of the confidence interval of the mean (Student)
 
   /** 2 s / (sqrt(n) mean), Kanit et al. (2003); 0 for a single member. */
   double relative_error = 0.;
@@ -34,25 +34,23 @@ struct EntryStatistics
 using StiffnessStatistics = std::array<EntryStatistics, 9>;
 
 /** Statistics of a sample of numbers. */
-EntryStatistics
-entry_statistics(const std::vector<double> &values, const double confidence);
+EntryStatistics entry_statistics(const std::vector<double> &values,
+                                 const double confidence);
 
 /** For one boundary condition. */
-StiffnessStatistics
-stiffness_statistics(const std::vector<EnsembleMember> &members,
-                     const std::size_t                  condition,
-                     const double                       confidence);
+StiffnessStatistics stiffness_statistics(const std::vector<EnsembleMember> &members,
+                                         const std::size_t condition,
+                                         const double confidence);
 
 /** The material of a morphology on its grid. */
-UniformMaterial
-make_material(const Microstructure &microstructure);
+UniformMaterial make_material(const Microstructure &microstructure);
 
 /**
  * The stiffness that stands for the composite: the mean over the members of the chosen
  * condition, or of the mean of KUBC and SUBC (of all, if those two are not both there).
  */
-VoigtMatrix<2>
-effective_stiffness(const std::vector<EnsembleMember> &members, const RveParameters &parameters);
+VoigtMatrix<2> effective_stiffness(const std::vector<EnsembleMember> &members,
+                                   const RveParameters &parameters);
 } // namespace mesoslip
 
 #endif

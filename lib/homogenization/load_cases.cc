@@ -10,15 +10,13 @@ namespace mesoslip
 {
 namespace
 {
-NodalField<double>
-zero_field(const UniformGrid<2> &grid)
+NodalField<double> zero_field(const UniformGrid<2> &grid)
 {
   return NodalField<double>(grid.cells[0] + 1, grid.cells[1] + 1);
 }
 
 // Forces on both copies of a node of a periodic side add up.
-void
-fold(NodalField<double> &f)
+void fold(NodalField<double> &f)
 {
   const unsigned int nx = f.n_columns() - 1, ny = f.n_rows() - 1;
   for (unsigned int c = 0; c < 2; ++c)
@@ -30,8 +28,7 @@ fold(NodalField<double> &f)
     }
 }
 
-void
-add(NodalField<double> &x, const NodalField<double> &y, const double factor)
+void add(NodalField<double> &x, const NodalField<double> &y, const double factor)
 {
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < x.n_rows(); ++j)
@@ -40,8 +37,7 @@ add(NodalField<double> &x, const NodalField<double> &y, const double factor)
 }
 
 /** Mean stiffness (Pa) of the cells. */
-VoigtMatrix<2>
-voigt_mean(const UniformMaterial &material)
+VoigtMatrix<2> voigt_mean(const UniformMaterial &material)
 {
   std::vector<std::size_t> n(256, 0);
   for (unsigned int j = 0; j < material.grid().cells[1]; ++j)
@@ -57,12 +53,15 @@ voigt_mean(const UniformMaterial &material)
 class CaseSolver
 {
 public:
-  CaseSolver(const UniformMaterial &material, const StaticSolverKind kind, const double tolerance)
+  CaseSolver(const UniformMaterial &material,
+             const StaticSolverKind kind,
+             const double tolerance)
     : material(material)
     , kind(kind)
     , tolerance(tolerance)
     , affine_operator(material)
-  {}
+  {
+  }
 
   SolverReport
   solve(const BoundaryCondition condition, const unsigned int k, NodalField<double> &u)
@@ -95,13 +94,12 @@ public:
   }
 
 private:
-  void
-  set_up(const BoundaryCondition condition)
+  void set_up(const BoundaryCondition condition)
   {
     if (solver && condition == current)
       return;
-    current                  = condition;
-    const unsigned int nx    = material.n_columns(), ny = material.n_rows();
+    current               = condition;
+    const unsigned int nx = material.n_columns(), ny = material.n_rows();
     if (condition == BoundaryCondition::PBC)
       {
         std::vector<std::uint8_t> ids;
@@ -113,28 +111,30 @@ private:
           classes = {material.classes()[material.homogeneous_class()]};
         periodic_material = std::make_unique<UniformMaterial>(
           material.grid(), classes, ids, Periodicity{true, true});
-        solver          = make_static_solver(kind, *periodic_material);
+        solver = make_static_solver(kind, *periodic_material);
         solver->set_held(DofMask(nx, ny));
         return;
       }
     if (!plain_solver)
       plain_solver = make_static_solver(kind, material);
     solver = plain_solver;
-    solver->set_held(condition == BoundaryCondition::KUBC ? DofMask::boundary(nx, ny) :
-                                                            DofMask(nx, ny));
+    solver->set_held(condition == BoundaryCondition::KUBC ? DofMask::boundary(nx, ny)
+                                                          : DofMask(nx, ny));
   }
 
-  const UniformMaterial               &material;
-  const StaticSolverKind               kind;
-  const double                         tolerance;
-  BoundaryCondition                    current = BoundaryCondition::KUBC;
-  std::unique_ptr<UniformMaterial>     periodic_material;
-  const UniformGridOperator            affine_operator;
-  std::shared_ptr<StaticSolver>        plain_solver, solver;
+  const UniformMaterial &material;
+  const StaticSolverKind kind;
+  const double tolerance;
+  BoundaryCondition current = BoundaryCondition::KUBC;
+  std::unique_ptr<UniformMaterial> periodic_material;
+  const UniformGridOperator affine_operator;
+  std::shared_ptr<StaticSolver> plain_solver, solver;
 };
 
-void
-send_to_root(NodalField<double> &u, SolverReport &report, const int owner, const MPI_Comm comm)
+void send_to_root(NodalField<double> &u,
+                  SolverReport &report,
+                  const int owner,
+                  const MPI_Comm comm)
 {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
@@ -147,26 +147,25 @@ send_to_root(NodalField<double> &u, SolverReport &report, const int owner, const
 }
 } // namespace
 
-std::string
-to_string(const BoundaryCondition condition)
+std::string to_string(const BoundaryCondition condition)
 {
-  return condition == BoundaryCondition::KUBC ? "KUBC" :
-         condition == BoundaryCondition::SUBC ? "SUBC" :
-                                                "PBC";
+  return condition == BoundaryCondition::KUBC   ? "KUBC"
+         : condition == BoundaryCondition::SUBC ? "SUBC"
+                                                : "PBC";
 }
 
-BoundaryCondition
-boundary_condition(const std::string &name)
+BoundaryCondition boundary_condition(const std::string &name)
 {
   for (const BoundaryCondition condition :
        {BoundaryCondition::KUBC, BoundaryCondition::SUBC, BoundaryCondition::PBC})
     if (to_string(condition) == name)
       return condition;
-  throw std::invalid_argument("'" + name + "' is no boundary condition; use KUBC, SUBC or PBC");
+  throw std::invalid_argument("'" + name +
+                              "' is no boundary condition; use KUBC, SUBC or PBC");
 }
 
-NodalField<double>
-affine_displacement(const UniformGrid<2> &grid, const VoigtVector<2> &strain)
+NodalField<double> affine_displacement(const UniformGrid<2> &grid,
+                                       const VoigtVector<2> &strain)
 {
   NodalField<double> u = zero_field(grid);
   for (unsigned int j = 0; j < u.n_rows(); ++j)
@@ -179,18 +178,16 @@ affine_displacement(const UniformGrid<2> &grid, const VoigtVector<2> &strain)
   return u;
 }
 
-NodalField<double>
-affine_displacement(const UniformGrid<2> &grid, const unsigned int k)
+NodalField<double> affine_displacement(const UniformGrid<2> &grid, const unsigned int k)
 {
   return affine_displacement(grid, VoigtVector<2>(VoigtVector<2>::Unit(k)));
 }
 
-NodalField<double>
-uniform_traction(const UniformGrid<2> &grid, const unsigned int k)
+NodalField<double> uniform_traction(const UniformGrid<2> &grid, const unsigned int k)
 {
   NodalField<double> f  = zero_field(grid);
   const unsigned int nx = grid.cells[0], ny = grid.cells[1];
-  const double       sxx = k == 0 ? 1. : 0., syy = k == 1 ? 1. : 0., sxy = k == 2 ? 1. : 0.;
+  const double sxx = k == 0 ? 1. : 0., syy = k == 1 ? 1. : 0., sxy = k == 2 ? 1. : 0.;
   for (unsigned int j = 0; j <= ny; ++j)
     {
       const double length = grid.spacing[1] * (j == 0 || j == ny ? 0.5 : 1.);
@@ -211,12 +208,12 @@ uniform_traction(const UniformGrid<2> &grid, const unsigned int k)
 }
 
 std::vector<LoadCaseSolutions>
-solve_load_cases(const UniformMaterial                &material,
+solve_load_cases(const UniformMaterial &material,
                  const std::vector<BoundaryCondition> &conditions,
-                 const StaticSolverKind                kind,
-                 const double                          tolerance,
-                 const MPI_Comm                        communicator,
-                 const LoadCaseProgress               &progress)
+                 const StaticSolverKind kind,
+                 const double tolerance,
+                 const MPI_Comm communicator,
+                 const LoadCaseProgress &progress)
 {
   int rank = 0, n_ranks = 1;
   MPI_Comm_rank(communicator, &rank);
@@ -224,9 +221,11 @@ solve_load_cases(const UniformMaterial                &material,
   const unsigned int n_cases = 3 * conditions.size();
 
   std::vector<LoadCaseSolutions> solutions(conditions.size());
-  CaseSolver                     solver(material, kind, tolerance);
+  CaseSolver solver(material, kind, tolerance);
   // Contiguous shares, so that a rank sets up as few kinds of boundary as possible.
-  const auto owner = [&](const unsigned int n) { return static_cast<int>(n * n_ranks / n_cases); };
+  const auto owner = [&](const unsigned int n) {
+    return static_cast<int>(n * n_ranks / n_cases);
+  };
   for (unsigned int n = 0; n < n_cases; ++n)
     {
       LoadCaseSolutions &solution = solutions[n / 3];
@@ -242,10 +241,8 @@ solve_load_cases(const UniformMaterial                &material,
         solution.displacement[n % 3] = zero_field(material.grid());
     }
   for (unsigned int n = 0; n < n_cases; ++n)
-    send_to_root(solutions[n / 3].displacement[n % 3],
-                 solutions[n / 3].reports[n % 3],
-                 owner(n),
-                 communicator);
+    send_to_root(solutions[n / 3].displacement[n % 3], solutions[n / 3].reports[n % 3],
+                 owner(n), communicator);
   return solutions;
 }
 } // namespace mesoslip

@@ -22,12 +22,10 @@ enum class BoundaryCondition
   PBC   ///< u = E.x + periodic
 };
 
-std::string
-to_string(const BoundaryCondition condition);
+std::string to_string(const BoundaryCondition condition);
 
 /** @throws std::invalid_argument */
-BoundaryCondition
-boundary_condition(const std::string &name);
+BoundaryCondition boundary_condition(const std::string &name);
 
 /** The three solutions for unit macroscopic strains (KUBC, PBC) or stresses (SUBC). */
 struct LoadCaseSolutions
@@ -52,24 +50,22 @@ using LoadCaseProgress = std::function<void(const unsigned int, const unsigned i
  * @throws NotConverged
  */
 std::vector<LoadCaseSolutions>
-solve_load_cases(const UniformMaterial                &material,
+solve_load_cases(const UniformMaterial &material,
                  const std::vector<BoundaryCondition> &conditions,
-                 const StaticSolverKind                solver,
-                 const double                          tolerance,
-                 const MPI_Comm                        communicator,
-                 const LoadCaseProgress               &progress = LoadCaseProgress());
+                 const StaticSolverKind solver,
+                 const double tolerance,
+                 const MPI_Comm communicator,
+                 const LoadCaseProgress &progress = LoadCaseProgress());
 
 /** u = E.x for a strain (engineering shear), x from the lower left corner. */
-NodalField<double>
-affine_displacement(const UniformGrid<2> &grid, const VoigtVector<2> &strain);
+NodalField<double> affine_displacement(const UniformGrid<2> &grid,
+                                       const VoigtVector<2> &strain);
 
 /** The same for the unit strain number @p k. */
-NodalField<double>
-affine_displacement(const UniformGrid<2> &grid, const unsigned int k);
+NodalField<double> affine_displacement(const UniformGrid<2> &grid, const unsigned int k);
 
 /** Nodal forces (N/m) of the traction S.n for the unit stress number @p k. */
-NodalField<double>
-uniform_traction(const UniformGrid<2> &grid, const unsigned int k);
+NodalField<double> uniform_traction(const UniformGrid<2> &grid, const unsigned int k);
 } // namespace mesoslip
 
 #endif

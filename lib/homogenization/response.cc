@@ -13,20 +13,19 @@ struct PhaseSums
 {
   VoigtMatrix<2> strain = VoigtMatrix<2>::Zero();
   VoigtMatrix<2> stress = VoigtMatrix<2>::Zero();
-  std::size_t    cells  = 0;
+  std::size_t cells     = 0;
 };
 
-std::vector<PhaseSums>
-sum_over_phases(const UniformMaterial   &material,
-                const LoadCaseSolutions &solutions,
-                std::vector<double>     *concentration)
+std::vector<PhaseSums> sum_over_phases(const UniformMaterial &material,
+                                       const LoadCaseSolutions &solutions,
+                                       std::vector<double> *concentration)
 {
-  const UniformGrid<2>     &grid = material.grid();
+  const UniformGrid<2> &grid = material.grid();
   const UniformGridOperator op(material);
-  const unsigned int        nx = grid.cells[0], ny = grid.cells[1];
-  const bool                stresses = solutions.condition == BoundaryCondition::SUBC;
-  std::vector<PhaseSums>    sums(material.classes().size());
-  std::vector<double>       exx(3 * nx), eyy(3 * nx), gxy(3 * nx);
+  const unsigned int nx = grid.cells[0], ny = grid.cells[1];
+  const bool stresses = solutions.condition == BoundaryCondition::SUBC;
+  std::vector<PhaseSums> sums(material.classes().size());
+  std::vector<double> exx(3 * nx), eyy(3 * nx), gxy(3 * nx);
   if (concentration != nullptr)
     concentration->resize(9 * grid.n_cells());
 
@@ -38,7 +37,7 @@ sum_over_phases(const UniformMaterial   &material,
       for (unsigned int i = 0; i < nx; ++i)
         {
           const unsigned int phase = material.class_of(i, j);
-          VoigtMatrix<2>     local;
+          VoigtMatrix<2> local;
           for (unsigned int k = 0; k < 3; ++k)
             local.col(k) << exx[k * nx + i], eyy[k * nx + i], gxy[k * nx + i];
           row[phase].strain += local;
@@ -47,9 +46,9 @@ sum_over_phases(const UniformMaterial   &material,
             {
               if (stresses)
                 local = material.classes()[phase].stiffness * local;
-              std::copy_n(local.data(),
-                          9,
-                          concentration->data() + 9 * (static_cast<std::size_t>(j) * nx + i));
+              std::copy_n(local.data(), 9,
+                          concentration->data() +
+                            9 * (static_cast<std::size_t>(j) * nx + i));
             }
         }
       for (std::size_t p = 0; p < sums.size(); ++p)
@@ -64,13 +63,13 @@ sum_over_phases(const UniformMaterial   &material,
 }
 
 // u_k.K u_l / V
-VoigtMatrix<2>
-energy_products(const UniformMaterial &material, const LoadCaseSolutions &solutions)
+VoigtMatrix<2> energy_products(const UniformMaterial &material,
+                               const LoadCaseSolutions &solutions)
 {
   const UniformGridOperator op(material);
-  VoigtMatrix<2>            products;
-  const auto               &u = solutions.displacement;
-  NodalField<double>        Ku(u[0].n_columns(), u[0].n_rows());
+  VoigtMatrix<2> products;
+  const auto &u = solutions.displacement;
+  NodalField<double> Ku(u[0].n_columns(), u[0].n_rows());
   for (unsigned int l = 0; l < 3; ++l)
     {
       op.vmult(Ku, u[l]);
@@ -91,10 +90,9 @@ energy_products(const UniformMaterial &material, const LoadCaseSolutions &soluti
   return products / (material.grid().extent(0) * material.grid().extent(1));
 }
 // Means of the tensors over two phases against what the stiffness says they are.
-std::optional<double>
-two_phase_residual(const UniformMaterial     &material,
-                   const HomogenizedResponse &response,
-                   const std::vector<PhaseSums> &sums)
+std::optional<double> two_phase_residual(const UniformMaterial &material,
+                                         const HomogenizedResponse &response,
+                                         const std::vector<PhaseSums> &sums)
 {
   std::vector<std::size_t> present;
   for (std::size_t p = 0; p < sums.size(); ++p)
@@ -113,21 +111,21 @@ two_phase_residual(const UniformMaterial     &material,
   const VoigtMatrix<2> inverse = (C_i - C_m).inverse();
   if (!(inverse.norm() * C_m.norm() < 1e6))
     return {};
-  const double f = static_cast<double>(sums[present[1]].cells) / material.grid().n_cells();
+  const double f =
+    static_cast<double>(sums[present[1]].cells) / material.grid().n_cells();
   const VoigtMatrix<2> expected = inverse * (D - C_m) / f;
   return (response.phase_means[present[1]] - expected).norm() / expected.norm();
 }
 } // namespace
 
-HomogenizedResponse
-homogenize(const UniformMaterial   &material,
-           const LoadCaseSolutions &solutions,
-           const bool               keep_concentration)
+HomogenizedResponse homogenize(const UniformMaterial &material,
+                               const LoadCaseSolutions &solutions,
+                               const bool keep_concentration)
 {
-  const bool          stresses = solutions.condition == BoundaryCondition::SUBC;
+  const bool stresses = solutions.condition == BoundaryCondition::SUBC;
   HomogenizedResponse response;
-  response.condition = solutions.condition;
-  response.reports   = solutions.reports;
+  response.condition                = solutions.condition;
+  response.reports                  = solutions.reports;
   const std::vector<PhaseSums> sums = sum_over_phases(
     material, solutions, keep_concentration ? &response.concentration : nullptr);
 
@@ -137,18 +135,20 @@ homogenize(const UniformMaterial   &material,
       strain += phase.strain / material.grid().n_cells();
       stress += phase.stress / material.grid().n_cells();
       const VoigtMatrix<2> &mean = stresses ? phase.stress : phase.strain;
-      response.phase_means.push_back(phase.cells > 0 ? VoigtMatrix<2>(mean / phase.cells) :
-                                                       VoigtMatrix<2>(VoigtMatrix<2>::Zero()));
+      response.phase_means.push_back(phase.cells > 0
+                                       ? VoigtMatrix<2>(mean / phase.cells)
+                                       : VoigtMatrix<2>(VoigtMatrix<2>::Zero()));
     }
   const VoigtMatrix<2> energy = energy_products(material, solutions);
   response.mean_residual =
     ((stresses ? stress : strain) - VoigtMatrix<2>(VoigtMatrix<2>::Identity())).norm();
-  const VoigtMatrix<2> mean        = stresses ? VoigtMatrix<2>(strain.inverse()) : stress;
-  response.stiffness_from_energy   = stresses ? VoigtMatrix<2>(energy.inverse()) : energy;
-  response.symmetry_residual       = (mean - mean.transpose()).norm() / mean.norm();
-  response.hill_mandel_residual    = (mean - response.stiffness_from_energy).norm() / mean.norm();
-  response.stiffness               = 0.5 * (mean + mean.transpose());
-  response.two_phase_residual      = two_phase_residual(material, response, sums);
+  const VoigtMatrix<2> mean      = stresses ? VoigtMatrix<2>(strain.inverse()) : stress;
+  response.stiffness_from_energy = stresses ? VoigtMatrix<2>(energy.inverse()) : energy;
+  response.symmetry_residual     = (mean - mean.transpose()).norm() / mean.norm();
+  response.hill_mandel_residual =
+    (mean - response.stiffness_from_energy).norm() / mean.norm();
+  response.stiffness          = 0.5 * (mean + mean.transpose());
+  response.two_phase_residual = two_phase_residual(material, response, sums);
   return response;
 }
 } // namespace mesoslip

@@ -52,10 +52,9 @@ struct HomogenizedResponse
  * Evaluates the solutions on the rank that holds them. Fields are kept only if
  * @p keep_concentration.
  */
-HomogenizedResponse
-homogenize(const UniformMaterial   &material,
-           const LoadCaseSolutions &solutions,
-           const bool               keep_concentration);
+HomogenizedResponse homogenize(const UniformMaterial &material,
+                               const LoadCaseSolutions &solutions,
+                               const bool keep_concentration);
 } // namespace mesoslip
 
 #endif

@@ -16,20 +16,20 @@ namespace
 {
 const char *const voigt_name[3] = {"xx", "yy", "xy"};
 
-void
-write_phases(Hdf5File &file, const Microstructure &microstructure)
+void write_phases(Hdf5File &file, const Microstructure &microstructure)
 {
-  std::vector<double>      stiffness, density, friction;
+  std::vector<double> stiffness, density, friction;
   std::vector<std::string> names;
   for (const Phase<2> &phase : microstructure.phases)
     {
-      stiffness.insert(stiffness.end(), phase.stiffness.data(), phase.stiffness.data() + 9);
+      stiffness.insert(stiffness.end(), phase.stiffness.data(),
+                       phase.stiffness.data() + 9);
       density.push_back(phase.density);
       friction.push_back(phase.friction_coefficient);
       names.push_back(phase.name);
     }
   const UniformGrid<2> &grid = microstructure.map.grid;
-  const std::size_t     n    = names.size();
+  const std::size_t n        = names.size();
   file.write("/phase/id", {grid.cells[1], grid.cells[0]}, microstructure.map.id);
   file.write("/phase/stiffness", {n, 3, 3}, stiffness);
   file.write("/phase/density", {n}, density);
@@ -37,27 +37,19 @@ write_phases(Hdf5File &file, const Microstructure &microstructure)
   file.write_strings("/phase/name", names);
 }
 
-std::string
-concentration_name(const BoundaryCondition condition)
+std::string concentration_name(const BoundaryCondition condition)
 {
-  return (condition == BoundaryCondition::SUBC ? "/stress_concentration/" : "/concentration/") +
+  return (condition == BoundaryCondition::SUBC ? "/stress_concentration/"
+                                               : "/concentration/") +
          to_string(condition);
 }
 
-std::vector<std::string>
-stiffness_headings(const std::string &first)
+std::vector<std::string> stiffness_headings(const std::string &first)
 {
-  return {first,
-          "D11 [Pa]",
-          "D12 [Pa]",
-          "D13 [Pa]",
-          "D22 [Pa]",
-          "D23 [Pa]",
-          "D33 [Pa]"};
+  return {first, "D11 [Pa]", "D12 [Pa]", "D13 [Pa]", "D22 [Pa]", "D23 [Pa]", "D33 [Pa]"};
 }
 
-std::vector<std::string>
-stiffness_row(const std::string &name, const VoigtMatrix<2> &D)
+std::vector<std::string> stiffness_row(const std::string &name, const VoigtMatrix<2> &D)
 {
   std::vector<std::string> row = {name};
   for (unsigned int i = 0; i < 3; ++i)
@@ -67,14 +59,13 @@ stiffness_row(const std::string &name, const VoigtMatrix<2> &D)
 }
 } // namespace
 
-void
-write_rve_file(const RveParameters &parameters,
-               const RveResults    &results,
-               const std::string   &digest,
-               RunContext          &context)
+void write_rve_file(const RveParameters &parameters,
+                    const RveResults &results,
+                    const std::string &digest,
+                    RunContext &context)
 {
   const UniformGrid<2> &grid = results.microstructure.map.grid;
-  Hdf5File              file = Hdf5File::create(context.file("rve.h5"));
+  Hdf5File file              = Hdf5File::create(context.file("rve.h5"));
   file.write_header("mesoslip-rve", rve_format_version, 2, digest);
   file.write_attribute("/", "summary", context.summary().dump());
   write_grid(file, grid);
@@ -88,11 +79,11 @@ write_rve_file(const RveParameters &parameters,
   xdmf_grid.cells   = {{grid.cells[0], grid.cells[1], 1}};
   xdmf_grid.spacing = {{grid.spacing[0], grid.spacing[1], 1.}};
   XdmfField phase;
-  phase.name    = "phase";
-  phase.file    = "rve.h5";
-  phase.dataset = "/phase/id";
-  phase.centre  = XdmfField::Centre::cell;
-  phase.number  = XdmfField::Number::uint8;
+  phase.name                    = "phase";
+  phase.file                    = "rve.h5";
+  phase.dataset                 = "/phase/id";
+  phase.centre                  = XdmfField::Centre::cell;
+  phase.number                  = XdmfField::Number::uint8;
   std::vector<XdmfField> fields = {phase};
 
   for (const HomogenizedResponse &response : results.members[0].responses)
@@ -114,22 +105,20 @@ write_rve_file(const RveParameters &parameters,
   write_xdmf(context.file("rve.xdmf"), xdmf_grid, fields);
 }
 
-void
-restore_rve_summary(RunContext &context)
+void restore_rve_summary(RunContext &context)
 {
   const Hdf5File file = Hdf5File::open(context.file("rve.h5"));
   if (!file.has_attribute("/", "summary"))
     return;
-  const auto stored =
-    nlohmann::json::parse(file.read_attribute<std::string>("/", "summary"), nullptr, false);
+  const auto stored = nlohmann::json::parse(
+    file.read_attribute<std::string>("/", "summary"), nullptr, false);
   if (stored.is_object())
     context.summary().update(stored);
 }
 
-void
-write_rve_tables(const RveParameters &parameters,
-                 const RveResults    &results,
-                 const RunContext    &context)
+void write_rve_tables(const RveParameters &parameters,
+                      const RveResults &results,
+                      const RunContext &context)
 {
   const EnsembleMember &first = results.members[0];
   TableWriter stiffness(context.file("stiffness.csv"), stiffness_headings("of"));
@@ -137,7 +126,8 @@ write_rve_tables(const RveParameters &parameters,
     {
       const std::string name = to_string(response.condition);
       stiffness.add_row(stiffness_row(name, response.stiffness));
-      stiffness.add_row(stiffness_row(name + " from energy", response.stiffness_from_energy));
+      stiffness.add_row(
+        stiffness_row(name + " from energy", response.stiffness_from_energy));
     }
   stiffness.add_row(stiffness_row("effective", results.effective));
   if (parameters.reference)
@@ -168,14 +158,9 @@ write_rve_tables(const RveParameters &parameters,
   means.flush();
 
   TableWriter ensemble(context.file("ensemble.csv"),
-                       {"condition",
-                        "entry",
-                        "mean [Pa]",
-                        "standard_deviation [Pa]",
-                        "confidence_half_width [Pa]",
-                        "relative_error [-]",
-                        "reference [Pa]",
-                        "difference [%]"});
+                       {"condition", "entry", "mean [Pa]", "standard_deviation [Pa]",
+                        "confidence_half_width [Pa]", "relative_error [-]",
+                        "reference [Pa]", "difference [%]"});
   for (std::size_t c = 0; c < parameters.conditions.size(); ++c)
     {
       const StiffnessStatistics statistics =
@@ -187,10 +172,8 @@ write_rve_tables(const RveParameters &parameters,
             const double ref = parameters.reference ? (*parameters.reference)(i, j) : 0.;
             ensemble.add_row({to_string(parameters.conditions[c]),
                               "D" + std::to_string(i + 1) + std::to_string(j + 1),
-                              to_text(s.mean),
-                              to_text(s.standard_deviation),
-                              to_text(s.half_width),
-                              to_text(s.relative_error),
+                              to_text(s.mean), to_text(s.standard_deviation),
+                              to_text(s.half_width), to_text(s.relative_error),
                               parameters.reference ? to_text(ref) : "",
                               ref != 0. ? to_text(100. * (s.mean / ref - 1.)) : ""});
           }

@@ -10,33 +10,31 @@ class RunContext;
 /** Everything a run of rve_homogenization has found out; on rank 0. */
 struct RveResults
 {
-  Microstructure              microstructure; ///< of the first member
+  Microstructure microstructure; ///< of the first member
   std::vector<EnsembleMember> members;
-  VoigtMatrix<2>              effective = VoigtMatrix<2>::Zero();
+  VoigtMatrix<2> effective = VoigtMatrix<2>::Zero();
 };
 
-/** rve.h5 (with the summary written before) and rve.xdmf; @p digest identifies the inputs. */
-void
-write_rve_file(const RveParameters &parameters,
-               const RveResults    &results,
-               const std::string   &digest,
-               RunContext          &context);
+/** rve.h5 (with the summary written before) and rve.xdmf; @p digest identifies the
+ * inputs. */
+void write_rve_file(const RveParameters &parameters,
+                    const RveResults &results,
+                    const std::string &digest,
+                    RunContext &context);
 
 /** The summary of the run that wrote the rve.h5 in the output folder. */
-void
-restore_rve_summary(RunContext &context);
+void restore_rve_summary(RunContext &context);
 
-/** stiffness.csv, engineering_constants.csv, phase_means.csv, ensemble.csv, rectangles.csv. */
-void
-write_rve_tables(const RveParameters &parameters,
-                 const RveResults    &results,
-                 const RunContext    &context);
+/** stiffness.csv, engineering_constants.csv, phase_means.csv, ensemble.csv,
+ * rectangles.csv. */
+void write_rve_tables(const RveParameters &parameters,
+                      const RveResults &results,
+                      const RunContext &context);
 
 /** summary.json, and the key numbers on the console. */
-void
-write_rve_summary(const RveParameters &parameters,
-                  const RveResults    &results,
-                  RunContext          &context);
+void write_rve_summary(const RveParameters &parameters,
+                       const RveResults &results,
+                       RunContext &context);
 } // namespace mesoslip
 
 #endif

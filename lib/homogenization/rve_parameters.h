@@ -20,10 +20,10 @@ namespace mesoslip
 /** All of rve_homogenization's parameters. */
 struct RveParameters
 {
-  MicrostructureParameters       microstructure;
+  MicrostructureParameters microstructure;
   std::vector<BoundaryCondition> conditions;
-  StaticSolverKind               solver    = StaticSolverKind::multigrid;
-  double                         tolerance = 0.;
+  StaticSolverKind solver = StaticSolverKind::multigrid;
+  double tolerance        = 0.;
 
   /** mean (of KUBC and SUBC), KUBC, SUBC or PBC: what /stiffness/effective is. */
   std::string effective;
@@ -35,18 +35,16 @@ struct RveParameters
   bool reuse               = true;
 
   /** Seeds seed, seed + 1, ... */
-  unsigned int n_members  = 1;
-  double       confidence = 0.95;
+  unsigned int n_members = 1;
+  double confidence      = 0.95;
 
   /** Pa; compared with the results. */
   std::optional<VoigtMatrix<2>> reference;
 
-  static void
-  declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+  static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
 
   /** Parsed and checked. @throws UserError naming the key. */
-  static RveParameters
-  parse(dealii::ParameterHandler &prm);
+  static RveParameters parse(dealii::ParameterHandler &prm);
 };
 } // namespace mesoslip
 

@@ -16,8 +16,8 @@ namespace mesoslip
 namespace
 {
 // What determines rve.h5: the parameters that matter and the content of the input file.
-std::string
-inputs_digest(const dealii::ParameterHandler &prm, const RveParameters &parameters)
+std::string inputs_digest(const dealii::ParameterHandler &prm,
+                          const RveParameters &parameters)
 {
   Digest digest;
   digest.add(canonical_parameters(prm, {"Output folder", "Homogenization/Reuse"}));
@@ -26,8 +26,7 @@ inputs_digest(const dealii::ParameterHandler &prm, const RveParameters &paramete
   return digest.hex();
 }
 
-bool
-is_up_to_date(const std::string &path, const std::string &digest)
+bool is_up_to_date(const std::string &path, const std::string &digest)
 {
   if (!std::filesystem::exists(path))
     return false;
@@ -41,33 +40,31 @@ is_up_to_date(const std::string &path, const std::string &digest)
     }
 }
 
-EnsembleMember
-compute_member(const RveParameters    &parameters,
-               const Microstructure   &microstructure,
-               const MPI_Comm          communicator,
-               const bool              keep_concentration,
-               const LoadCaseProgress &progress)
+EnsembleMember compute_member(const RveParameters &parameters,
+                              const Microstructure &microstructure,
+                              const MPI_Comm communicator,
+                              const bool keep_concentration,
+                              const LoadCaseProgress &progress)
 {
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
   const UniformMaterial material = make_material(microstructure);
-  EnsembleMember        member;
+  EnsembleMember member;
   member.seed      = parameters.microstructure.placement.seed;
   member.fractions = area_fractions(microstructure.map, microstructure.phases.size());
-  const auto solutions = solve_load_cases(material,
-                                          parameters.conditions,
-                                          parameters.solver,
-                                          parameters.tolerance,
-                                          communicator,
-                                          progress);
+  const auto solutions =
+    solve_load_cases(material, parameters.conditions, parameters.solver,
+                     parameters.tolerance, communicator, progress);
   for (const LoadCaseSolutions &solution : solutions)
     if (rank == 0)
       member.responses.push_back(homogenize(material, solution, keep_concentration));
   return member;
 }
 
-void
-exchange(EnsembleMember &member, const std::size_t n_conditions, const int owner, const MPI_Comm comm)
+void exchange(EnsembleMember &member,
+              const std::size_t n_conditions,
+              const int owner,
+              const MPI_Comm comm)
 {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
@@ -83,20 +80,21 @@ exchange(EnsembleMember &member, const std::size_t n_conditions, const int owner
         MPI_Send(response.stiffness.data(), 9, MPI_DOUBLE, 0, 3, comm);
       return;
     }
-  MPI_Recv(&member.seed, sizeof(member.seed), MPI_BYTE, owner, 0, comm, MPI_STATUS_IGNORE);
+  MPI_Recv(&member.seed, sizeof(member.seed), MPI_BYTE, owner, 0, comm,
+           MPI_STATUS_IGNORE);
   MPI_Recv(&n_phases, 1, MPI_UNSIGNED_LONG, owner, 1, comm, MPI_STATUS_IGNORE);
   member.fractions.resize(n_phases);
-  MPI_Recv(member.fractions.data(), n_phases, MPI_DOUBLE, owner, 2, comm, MPI_STATUS_IGNORE);
+  MPI_Recv(member.fractions.data(), n_phases, MPI_DOUBLE, owner, 2, comm,
+           MPI_STATUS_IGNORE);
   member.responses.resize(n_conditions);
   for (HomogenizedResponse &response : member.responses)
     MPI_Recv(response.stiffness.data(), 9, MPI_DOUBLE, owner, 3, comm, MPI_STATUS_IGNORE);
 }
 
 // A single member shares its load cases among the ranks; several are dealt out whole.
-RveResults
-compute(const RveParameters &parameters, RunContext &context)
+RveResults compute(const RveParameters &parameters, RunContext &context)
 {
-  RveResults         results;
+  RveResults results;
   const unsigned int n = parameters.n_members;
   results.members.resize(n);
   const unsigned int n_cases = 3 * parameters.conditions.size();
@@ -113,32 +111,29 @@ compute(const RveParameters &parameters, RunContext &context)
       }();
       for (const std::string &warning : microstructure.warnings)
         context.warn(warning);
-      const auto scope    = context.timer().scope("Load cases");
-      results.members[m] = compute_member(own,
-                                          microstructure,
-                                          n > 1 ? MPI_COMM_SELF : context.communicator(),
-                                          parameters.write_concentration && m == 0,
-                                          [&](const unsigned int done, const unsigned int) {
-                                            context.progress().update(m * n_cases + done);
-                                          });
+      const auto scope   = context.timer().scope("Load cases");
+      results.members[m] = compute_member(
+        own, microstructure, n > 1 ? MPI_COMM_SELF : context.communicator(),
+        parameters.write_concentration && m == 0,
+        [&](const unsigned int done, const unsigned int) {
+          context.progress().update(m * n_cases + done);
+        });
       if (m == 0)
         results.microstructure = microstructure;
     }
   context.progress().finish();
   for (unsigned int m = 0; n > 1 && m < n; ++m)
-    exchange(results.members[m],
-             parameters.conditions.size(),
-             static_cast<int>(m) % context.n_ranks(),
-             context.communicator());
+    exchange(results.members[m], parameters.conditions.size(),
+             static_cast<int>(m) % context.n_ranks(), context.communicator());
   return results;
 }
 
-void
-run(dealii::ParameterHandler &prm, RunContext &context)
+void run(dealii::ParameterHandler &prm, RunContext &context)
 {
   const RveParameters parameters = RveParameters::parse(prm);
-  const std::string   digest     = inputs_digest(prm, parameters);
-  int reuse = context.root() && parameters.reuse && is_up_to_date(context.file("rve.h5"), digest);
+  const std::string digest       = inputs_digest(prm, parameters);
+  int reuse =
+    context.root() && parameters.reuse && is_up_to_date(context.file("rve.h5"), digest);
   MPI_Bcast(&reuse, 1, MPI_INT, 0, context.communicator());
   if (reuse != 0)
     {
@@ -155,8 +150,9 @@ run(dealii::ParameterHandler &prm, RunContext &context)
     }
   catch (const NotConverged &e)
     {
-      throw NumericalFailure(std::string(e.what()) +
-                             "; loosen Homogenization/Tolerance or set Solver = assembled");
+      throw NumericalFailure(
+        std::string(e.what()) +
+        "; loosen Homogenization/Tolerance or set Solver = assembled");
     }
   if (!context.root())
     return;
@@ -168,21 +164,20 @@ run(dealii::ParameterHandler &prm, RunContext &context)
 }
 } // namespace
 
-Program
-rve_homogenization_program()
+Program rve_homogenization_program()
 {
   Program program;
   program.name = "rve_homogenization";
   program.description =
     "Effective stiffness and concentration tensors of a representative volume.";
-  program.declare = RveParameters::declare;
-  program.check   = [](dealii::ParameterHandler &prm) { RveParameters::parse(prm); };
+  program.declare  = RveParameters::declare;
+  program.check    = [](dealii::ParameterHandler &prm) { RveParameters::parse(prm); };
   program.estimate = [](dealii::ParameterHandler &prm, std::ostream &report) {
-    const RveParameters   parameters = RveParameters::parse(prm);
-    const UniformGrid<2>  grid       = parameters.microstructure.grid.grid();
+    const RveParameters parameters = RveParameters::parse(prm);
+    const UniformGrid<2> grid      = parameters.microstructure.grid.grid();
     report << grid.cells[0] << " x " << grid.cells[1] << " cells, " << 2 * grid.n_nodes()
-           << " degrees of freedom, " << 3 * parameters.conditions.size() * parameters.n_members
-           << " load cases\n";
+           << " degrees of freedom, "
+           << 3 * parameters.conditions.size() * parameters.n_members << " load cases\n";
   };
   program.run = run;
   return program;

@@ -14,8 +14,7 @@ namespace
 {
 using nlohmann::json;
 
-json
-matrix_json(const VoigtMatrix<2> &D)
+json matrix_json(const VoigtMatrix<2> &D)
 {
   json rows = json::array();
   for (unsigned int i = 0; i < 3; ++i)
@@ -23,8 +22,8 @@ matrix_json(const VoigtMatrix<2> &D)
   return rows;
 }
 
-json
-bounds_json(const Microstructure &microstructure, const std::vector<double> &fractions)
+json bounds_json(const Microstructure &microstructure,
+                 const std::vector<double> &fractions)
 {
   json bounds = {{"voigt", matrix_json(voigt_bound<2>(microstructure.phases, fractions))},
                  {"reuss", matrix_json(reuss_bound<2>(microstructure.phases, fractions))},
@@ -38,16 +37,17 @@ bounds_json(const Microstructure &microstructure, const std::vector<double> &fra
   return bounds;
 }
 
-json
-ensemble_json(const RveParameters &parameters, const RveResults &results)
+json ensemble_json(const RveParameters &parameters, const RveResults &results)
 {
-  json ensemble = {{"members", results.members.size()}, {"confidence", parameters.confidence}};
+  json ensemble = {{"members", results.members.size()},
+                   {"confidence", parameters.confidence}};
   for (const EnsembleMember &member : results.members)
     ensemble["seeds"].push_back(member.seed);
   for (std::size_t c = 0; c < parameters.conditions.size(); ++c)
     {
       VoigtMatrix<2> mean, deviation, half_width;
-      const auto     statistics = stiffness_statistics(results.members, c, parameters.confidence);
+      const auto statistics =
+        stiffness_statistics(results.members, c, parameters.confidence);
       for (unsigned int e = 0; e < 9; ++e)
         {
           mean(e / 3, e % 3)       = statistics[e].mean;
@@ -62,19 +62,20 @@ ensemble_json(const RveParameters &parameters, const RveResults &results)
   return ensemble;
 }
 
-std::string
-row_text(const std::string &name, const VoigtMatrix<2> &D)
+std::string row_text(const std::string &name, const VoigtMatrix<2> &D)
 {
   std::ostringstream line;
-  line << std::left << std::setw(22) << name << std::right << std::fixed << std::setprecision(3);
+  line << std::left << std::setw(22) << name << std::right << std::fixed
+       << std::setprecision(3);
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = i; j < 3; ++j)
       line << std::setw(9) << D(i, j) * 1e-9;
   return line.str();
 }
 
-void
-log_stiffness(const RveParameters &parameters, const RveResults &results, RunContext &context)
+void log_stiffness(const RveParameters &parameters,
+                   const RveResults &results,
+                   RunContext &context)
 {
   std::ostringstream heading;
   heading << std::left << std::setw(22) << "Stiffness (GPa)" << std::right;
@@ -84,7 +85,8 @@ log_stiffness(const RveParameters &parameters, const RveResults &results, RunCon
   const bool several = results.members.size() > 1;
   for (std::size_t c = 0; c < parameters.conditions.size(); ++c)
     {
-      const auto     statistics = stiffness_statistics(results.members, c, parameters.confidence);
+      const auto statistics =
+        stiffness_statistics(results.members, c, parameters.confidence);
       VoigtMatrix<2> mean, deviation;
       for (unsigned int e = 0; e < 9; ++e)
         {
@@ -119,12 +121,11 @@ log_stiffness(const RveParameters &parameters, const RveResults &results, RunCon
     }
 }
 // What every solve has to fulfil, and how well it does.
-void
-log_identities(const EnsembleMember &member, RunContext &context)
+void log_identities(const EnsembleMember &member, RunContext &context)
 {
   for (const HomogenizedResponse &r : member.responses)
     {
-      const bool         stresses = r.condition == BoundaryCondition::SUBC;
+      const bool stresses = r.condition == BoundaryCondition::SUBC;
       std::ostringstream line;
       line << to_string(r.condition) << ": iterations";
       for (const SolverReport &report : r.reports)
@@ -139,12 +140,13 @@ log_identities(const EnsembleMember &member, RunContext &context)
 }
 } // namespace
 
-void
-write_rve_summary(const RveParameters &parameters, const RveResults &results, RunContext &context)
+void write_rve_summary(const RveParameters &parameters,
+                       const RveResults &results,
+                       RunContext &context)
 {
   const EnsembleMember &first = results.members[0];
   const UniformGrid<2> &grid  = results.microstructure.map.grid;
-  json                 &out   = context.summary();
+  json &out                   = context.summary();
 
   out["dim"]   = 2;
   out["cells"] = grid.n_cells();
@@ -155,11 +157,11 @@ write_rve_summary(const RveParameters &parameters, const RveResults &results, Ru
   out["stiffness"] = {{"KUBC", nullptr}, {"SUBC", nullptr}, {"PBC", nullptr}};
   for (const HomogenizedResponse &response : first.responses)
     {
-      const std::string name               = to_string(response.condition);
-      out["stiffness"][name]               = matrix_json(response.stiffness);
-      out["stiffness_from_energy"][name]   = matrix_json(response.stiffness_from_energy);
-      out["hill_mandel_residual"][name]    = response.hill_mandel_residual;
-      out["symmetry_residual"][name]       = response.symmetry_residual;
+      const std::string name             = to_string(response.condition);
+      out["stiffness"][name]             = matrix_json(response.stiffness);
+      out["stiffness_from_energy"][name] = matrix_json(response.stiffness_from_energy);
+      out["hill_mandel_residual"][name]  = response.hill_mandel_residual;
+      out["symmetry_residual"][name]     = response.symmetry_residual;
       out["mean_concentration_residual"][name] = response.mean_residual;
       out["two_phase_residual"][name] =
         response.two_phase_residual ? json(*response.two_phase_residual) : json(nullptr);

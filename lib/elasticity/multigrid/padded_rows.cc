@@ -21,7 +21,7 @@ PaddedRows<Number>::PaddedRows(const unsigned int n_arrays,
   : arrays(n_arrays)
   , rows(n_rows)
   , columns(n_columns)
-  , stride(whole_vectors<Number>(n_columns) + 2 * lanes<Number>)
+  , stride(whole_vectors<Number>(n_columns + 1) + 2 * lanes<Number>)
 {
   // An odd number of cache lines keeps equal columns off the same cache set.
   if ((stride / lanes<Number>) % 2 == 0)
