@@ -309,9 +309,15 @@ declare_other_analyses(Handler &prm)
   declare_selection(prm,
                     "Pressures from",
                     "auto",
-                    {"auto", "static contact", "surface fractions", "volume fractions"},
-                    "Pressures of the phases for mu_homo: a static contact analysis (auto: if "
-                    "named), or eq. (19) with the fractions of contact line (auto) or volume");
+                    {"auto",
+                     "static contact",
+                     "surface fractions",
+                     "volume fractions",
+                     "nodes in static contact",
+                     "nodes"},
+                    "Pressures for mu_homo, eq. (17): of the phases in a static contact analysis "
+                    "(auto: if named), or by eq. (19) with their fractions of the contact line "
+                    "(auto) or the volume; or of the contact nodes, with their own coefficients");
   declare_bool(prm,
                "Calibrate",
                false,

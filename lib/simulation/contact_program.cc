@@ -39,7 +39,9 @@ void
 estimate(dealii::ParameterHandler &prm, std::ostream &report)
 {
   const ContactParameters parameters = ContactParameters::parse(prm);
-  const Scene             scene      = make_scene(parameters);
+  if (parameters.analysis == ContactAnalysis::friction_homogenization)
+    return;
+  const Scene scene = make_scene(parameters);
   report << "Body: " << scene.grid.cells[0] << " x " << scene.grid.cells[1] << " cells, "
          << 2 * scene.grid.n_nodes() << " degrees of freedom\n";
   if (parameters.analysis != ContactAnalysis::transient)
@@ -61,6 +63,9 @@ void
 run(dealii::ParameterHandler &prm, RunContext &context)
 {
   const ContactParameters parameters = ContactParameters::parse(prm);
+  if (context.n_ranks() > 1 && (parameters.analysis == ContactAnalysis::modal ||
+                                parameters.analysis == ContactAnalysis::static_contact))
+    context.warn("this analysis runs on one rank, all others repeat it; start it without mpirun");
   switch (parameters.analysis)
     {
       case ContactAnalysis::transient:
@@ -90,6 +95,11 @@ contact_dynamics_program()
     const UniformMaterial material = scene.make_material(parameters.periodic);
     if (parameters.analysis == ContactAnalysis::transient)
       check_time_step(parameters, material);
+    if (parameters.analysis == ContactAnalysis::static_contact)
+      check_static_contact(parameters, scene);
+    if (parameters.analysis == ContactAnalysis::friction_homogenization)
+      friction_estimates(
+        read_friction_homogenization(parameters.homogenization, parameters.body.rve_file));
   };
   program.estimate = estimate;
   program.run      = run;

@@ -163,6 +163,10 @@ std::vector<FrictionEstimate> friction_estimates(const FrictionHomogenizationInp
   coefficients.emplace_back("volume fractions",
                             homogenized_friction_coefficient(input.volume));
 
+  if (input.static_mu_of_nodes)
+    coefficients.emplace_back("nodes in static contact", *input.static_mu_of_nodes);
+  coefficients.emplace_back("nodes", input.mu_of_nodes);
+
   std::vector<FrictionEstimate> estimates;
   for (const auto &[pressures, mu] : coefficients)
     for (const auto &[of, duration] : durations)
@@ -178,6 +182,27 @@ std::vector<FrictionEstimate> friction_estimates(const FrictionHomogenizationInp
         estimates.push_back(e);
       }
   return estimates;
+}
+
+std::string node_warning(const FrictionHomogenizationInput &input)
+{
+  const bool by_statics = input.static_mu_of_nodes && !input.static_pressures.empty();
+  const double phases =
+    by_statics ? homogenized_friction_coefficient(input.surface, input.static_pressures)
+               : homogenized_friction_coefficient(input.surface);
+  const double nodes = by_statics ? *input.static_mu_of_nodes : input.mu_of_nodes;
+  if (!(std::fabs(nodes - phases) > 0.02 * phases))
+    return "";
+  std::ostringstream text;
+  text.precision(4);
+  text << "the contact nodes of the heterogeneous run, with the coefficients that "
+          "Friction/Node rule gave them, have mu_homo = "
+       << nodes << " instead of " << phases
+       << " of the phases, because phases are hardly wider than cells; refine "
+          "Body/Cells, or set Pressures from = nodes"
+       << (by_statics ? " in static contact" : "")
+       << " for a model that is equivalent to that run";
+  return text.str();
 }
 
 const FrictionEstimate &
@@ -220,6 +245,8 @@ void run_friction_homogenization(const ContactParameters &parameters, RunContext
     read_friction_homogenization(parameters.homogenization, parameters.body.rve_file);
   const std::vector<FrictionEstimate> estimates = friction_estimates(input);
   log_estimates(input, estimates, context);
+  if (const std::string warning = node_warning(input); !warning.empty())
+    context.warn(warning);
   if (context.root())
     write_table(estimates, context.file("friction_homogenization.csv"));
 

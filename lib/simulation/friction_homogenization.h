@@ -34,12 +34,20 @@ struct FrictionHomogenizationInput
 
   /** Pressures (Pa) of those phases in a static contact analysis; empty without one. */
   std::vector<double> static_pressures;
+
+  /**
+   * Eq. (17) over the contact nodes of the run with their own coefficients, which differ
+   * from the phases' where phases meet: with eq. (19), and with the static contact
+   * analysis if there is one on the same nodes.
+   */
+  double mu_of_nodes = 0.;
+  std::optional<double> static_mu_of_nodes;
 };
 
 /** One way to the coefficient and the regularization time of the homogeneous model. */
 struct FrictionEstimate
 {
-  std::string pressures; ///< "surface fractions", "volume fractions", "static contact"
+  std::string pressures; ///< a choice of the key Pressures from
   std::string duration;  ///< whose T_G: "heterogeneous", "homogeneous"
   double mu_homo          = 0.;
   double contact_duration = 0.;     ///< T_G (s)
@@ -64,6 +72,12 @@ read_friction_homogenization(const FrictionHomogenizationParameters &parameters,
  */
 std::vector<FrictionEstimate>
 friction_estimates(const FrictionHomogenizationInput &input);
+
+/**
+ * A warning if the run itself slides with another coefficient than its phases suggest; ""
+ * otherwise.
+ */
+std::string node_warning(const FrictionHomogenizationInput &input);
 
 /** The estimate that section Friction homogenization asks for. @throws UserError */
 const FrictionEstimate &

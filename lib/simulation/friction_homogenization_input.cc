@@ -2,6 +2,7 @@
 #include "io/errors.h"
 #include "io/hdf5_file.h"
 #include "io/parameters.h"
+#include "material/engineering_constants.h"
 #include "simulation/friction_homogenization.h"
 #include "simulation/run_summary.h"
 #include "simulation/static_contact.h"
@@ -30,12 +31,15 @@ FrictionRun read_run(const RunSummary &summary)
   return run;
 }
 
-/** The phases of the heterogeneous body and what of the contact and the volume they take.
+/** The phases of the heterogeneous body, its contact nodes, and what of the contact and
+ * the volume they take.
  */
 struct Morphology
 {
   std::vector<Phase<2>> phases;
   std::vector<double> surface, volume;
+  std::vector<std::uint8_t> bottom; ///< phases of the bottom cells
+  std::vector<double> node_friction;
   std::string rve_digest;
 };
 
@@ -63,6 +67,9 @@ Morphology read_morphology(const RunSummary &summary)
       phase.stiffness = Eigen::Map<const VoigtMatrix<2>>(D.data() + 9 * p);
       m.phases.push_back(phase);
     }
+  m.node_friction = file.read<double>("/contact/friction_coefficient",
+                                      {grid.cells[0] + std::size_t(1)}, hint);
+  m.bottom.assign(id.begin(), id.begin() + grid.cells[0]);
   for (std::size_t k = 0; k < id.size(); ++k)
     {
       if (id[k] >= n)
@@ -96,6 +103,32 @@ void set_friction_coefficients(Morphology &m,
                     "); name that one");
   for (std::size_t p = 0; p < m.phases.size(); ++p)
     m.phases[p].friction_coefficient = rve.phases().at(p).friction_coefficient;
+}
+
+/** Eq. (17) over nodes; the ends stand for half a cell (also of a periodic body). */
+double coefficient_of_nodes(const std::vector<double> &mu,
+                            const std::vector<double> &pressure)
+{
+  double friction = 0., force = 0.;
+  for (std::size_t i = 0; i < mu.size(); ++i)
+    {
+      const double f = (i == 0 || i + 1 == mu.size() ? 0.5 : 1.) * pressure[i];
+      force += f;
+      friction += f * mu[i];
+    }
+  return friction / force;
+}
+
+/** Eq. (19): the pressure of a node goes with the moduli of the cells beside it. */
+std::vector<double> moduli_of_nodes(const Morphology &m)
+{
+  const std::size_t n = m.bottom.size();
+  std::vector<double> cells, nodes;
+  for (const std::uint8_t id : m.bottom)
+    cells.push_back(closest_isotropic<2>(m.phases[id].stiffness).young_modulus);
+  for (std::size_t i = 0; i <= n; ++i)
+    nodes.push_back(0.5 * (cells[i > 0 ? i - 1 : 0] + cells[i < n ? i : n - 1]));
+  return nodes;
 }
 
 std::vector<double> read_static_pressures(const std::string &folder,
@@ -154,9 +187,17 @@ read_friction_homogenization(const FrictionHomogenizationParameters &parameters,
   for (std::size_t p = 0; p < m.phases.size(); ++p)
     if (m.surface[p] > 0.)
       input.phase_names.push_back(m.phases[p].name);
-  if (!parameters.static_contact.empty())
-    input.static_pressures =
-      read_static_pressures(parameters.static_contact, input.phase_names, m.rve_digest);
+  input.mu_of_nodes = coefficient_of_nodes(m.node_friction, moduli_of_nodes(m));
+  if (parameters.static_contact.empty())
+    return input;
+  input.static_pressures =
+    read_static_pressures(parameters.static_contact, input.phase_names, m.rve_digest);
+  const RunSummary static_contact(section + "Static contact", parameters.static_contact);
+  const auto pressure = Hdf5File::open(static_contact.file("dynamics.h5"))
+                          .read<double>("/static_contact/pressure", {any_extent},
+                                        "run the static contact analysis again");
+  if (pressure.size() == m.node_friction.size())
+    input.static_mu_of_nodes = coefficient_of_nodes(m.node_friction, pressure);
   return input;
 }
 } // namespace mesoslip

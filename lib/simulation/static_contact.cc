@@ -29,42 +29,6 @@ int sliding_direction(const ContactParameters &parameters)
   return v > 0. ? 1 : (v < 0. ? -1 : 0);
 }
 
-void require_supports(const ContactParameters &parameters, const Scene &scene)
-{
-  const TopSetup &top = parameters.top;
-  if (top.kind == TopSetup::Kind::held)
-    throw UserError(
-      "Top/Kind is held, so nothing presses the body on the flat; use platen or "
-      "pressure for a static contact analysis");
-  if (!(top.pressure.amplitude() > 0.))
-    throw UserError("Top/Pressure is " + to_text(top.pressure.amplitude()) +
-                    " Pa; a static contact analysis needs a positive one");
-  if (parameters.friction.gap != 0.)
-    throw UserError(
-      "Flat/Gap is " + to_text(parameters.friction.gap) +
-      " m; a static contact analysis starts from a body that touches the flat, "
-      "set it to 0");
-  const auto &left = parameters.sides.left_held, &right = parameters.sides.right_held;
-  const bool platen = top.kind == TopSetup::Kind::platen;
-  if (platen && (left[1] || right[1]))
-    throw UserError(
-      "Sides/Left or Right hold u_y, which contradicts the motion of the platen; "
-      "hold u_x only or use Top/Kind = pressure");
-  if (platen &&
-      (parameters.body.acceleration[0] != 0. || parameters.body.acceleration[1] != 0.))
-    throw UserError(
-      "Body/Acceleration is not zero, which a static contact analysis under a "
-      "platen does not take; use Top/Kind = pressure");
-  const bool rough = std::any_of(scene.node_friction.begin(), scene.node_friction.end(),
-                                 [](const double mu) { return mu > 0.; });
-  if (!platen && !top.lateral_held && !left[0] && !right[0] && rough &&
-      sliding_direction(parameters) != 0)
-    throw UserError(
-      "Nothing holds the body against the friction of the sliding flat: set "
-      "Top/Lateral held, hold a side in u_x, use a platen, Friction/Coefficient = 0 "
-      "or Flat/Velocity = 0");
-}
-
 StaticContactProblem make_problem(const ContactParameters &parameters,
                                   const Scene &scene,
                                   const UniformMaterial &material)
@@ -162,6 +126,42 @@ void evaluate_phases(const Scene &scene,
 }
 } // namespace
 
+void check_static_contact(const ContactParameters &parameters, const Scene &scene)
+{
+  const TopSetup &top = parameters.top;
+  if (top.kind == TopSetup::Kind::held)
+    throw UserError(
+      "Top/Kind is held, so nothing presses the body on the flat; use platen or "
+      "pressure for a static contact analysis");
+  if (!(top.pressure.amplitude() > 0.))
+    throw UserError("Top/Pressure is " + to_text(top.pressure.amplitude()) +
+                    " Pa; a static contact analysis needs a positive one");
+  if (parameters.friction.gap != 0.)
+    throw UserError(
+      "Flat/Gap is " + to_text(parameters.friction.gap) +
+      " m; a static contact analysis starts from a body that touches the flat, "
+      "set it to 0");
+  const auto &left = parameters.sides.left_held, &right = parameters.sides.right_held;
+  const bool platen = top.kind == TopSetup::Kind::platen;
+  if (platen && (left[1] || right[1]))
+    throw UserError(
+      "Sides/Left or Right hold u_y, which contradicts the motion of the platen; "
+      "hold u_x only or use Top/Kind = pressure");
+  if (platen &&
+      (parameters.body.acceleration[0] != 0. || parameters.body.acceleration[1] != 0.))
+    throw UserError(
+      "Body/Acceleration is not zero, which a static contact analysis under a "
+      "platen does not take; use Top/Kind = pressure");
+  const bool rough = std::any_of(scene.node_friction.begin(), scene.node_friction.end(),
+                                 [](const double mu) { return mu > 0.; });
+  if (!platen && !top.lateral_held && !left[0] && !right[0] && rough &&
+      sliding_direction(parameters) != 0)
+    throw UserError(
+      "Nothing holds the body against the friction of the sliding flat: set "
+      "Top/Lateral held, hold a side in u_x, use a platen, Friction/Coefficient = 0 "
+      "or Flat/Velocity = 0");
+}
+
 std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
                                          const std::vector<double> &fractions)
 {
@@ -182,7 +182,7 @@ StaticContactResult compute_static_contact(const ContactParameters &parameters,
                                            const Scene &scene,
                                            const StaticContactOptions &options)
 {
-  require_supports(parameters, scene);
+  check_static_contact(parameters, scene);
   const UniformMaterial material = scene.make_material(parameters.periodic);
   StaticContactResult result;
   result.solution =

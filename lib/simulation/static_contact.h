@@ -36,6 +36,9 @@ struct StaticContactResult
   double pressure_imbalance = 0.;
 };
 
+/** @throws UserError if supports and loads allow no equilibrium. */
+void check_static_contact(const ContactParameters &parameters, const Scene &scene);
+
 /** Solves for equilibrium. @throws UserError if there is none by the choice of supports.
  */
 StaticContactResult compute_static_contact(const ContactParameters &parameters,
