@@ -8,6 +8,8 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
+#include <Epetra_CrsMatrix.h>
+
 #include <cmath>
 
 namespace mesoslip
@@ -93,15 +95,26 @@ struct AssembledGridSolver::Implementation
               unknown(c, std::lround(x[0] / material.grid().spacing[0]),
                       std::lround(x[1] / material.grid().spacing[1]));
         }
+    // deal.II's iterators clear a buffer as long as the matrix is wide for each row.
+    const Epetra_CrsMatrix &epetra = op.matrix().trilinos_matrix();
+    const auto for_each_entry      = [&](const auto &function) {
+      for (int row = 0; row < epetra.NumMyRows(); ++row)
+        {
+          int n = 0, *columns = nullptr;
+          double *values = nullptr;
+          epetra.ExtractMyRowView(row, n, values, columns);
+          for (int k = 0; k < n; ++k)
+            function(map[epetra.GRID64(row)], map[epetra.GCID64(columns[k])], values[k]);
+        }
+    };
     dealii::DynamicSparsityPattern pattern(n_unknowns());
-    for (unsigned int row = 0; row < map.size(); ++row)
-      for (auto entry = op.matrix().begin(row); entry != op.matrix().end(row); ++entry)
-        pattern.add(map[row], map[entry->column()]);
+    for_each_entry([&](const unsigned int row, const unsigned int column, double) {
+      pattern.add(row, column);
+    });
     matrix.reinit(dealii::complete_index_set(n_unknowns()), pattern, MPI_COMM_SELF,
                   false);
-    for (unsigned int row = 0; row < map.size(); ++row)
-      for (auto entry = op.matrix().begin(row); entry != op.matrix().end(row); ++entry)
-        matrix.add(map[row], map[entry->column()], entry->value());
+    for_each_entry([&](const unsigned int row, const unsigned int column,
+                       const double value) { matrix.add(row, column, value); });
     matrix.compress(dealii::VectorOperation::add);
   }
 

@@ -3,6 +3,7 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
+#include <Epetra_CrsMatrix.h>
 #include <Teuchos_ParameterList.hpp>
 #include <ml_MultiLevelPreconditioner.h>
 
@@ -26,24 +27,32 @@ MlConjugateGradients::MlConjugateGradients(
 {
 }
 
-// Dropping rows and columns keeps the matrix symmetric, which ML relies on.
+// Dropping rows and columns keeps the matrix symmetric, which ML relies on. (deal.II's
+// iterators clear a buffer as long as the matrix is wide for each row they visit.)
 void MlConjugateGradients::copy_without_held()
 {
   constrained.copy_from(matrix);
-  const auto range = constrained.local_range();
-  for (auto row = range.first; row < range.second; ++row)
+  const Epetra_CrsMatrix &epetra = constrained.trilinos_matrix();
+  for (int i = 0; i < epetra.NumMyRows(); ++i)
     {
+      int n = 0, *columns = nullptr;
+      double *values = nullptr;
+      epetra.ExtractMyRowView(i, n, values, columns);
+      const auto row         = epetra.GRID64(i);
       const bool row_is_held = held.is_element(row);
-      for (auto entry = constrained.begin(row); entry != constrained.end(row); ++entry)
-        if (entry->column() != row && (row_is_held || held.is_element(entry->column())))
-          entry->value() = 0.;
+      for (int k = 0; k < n; ++k)
+        {
+          const auto column = epetra.GCID64(columns[k]);
+          if (column != row && (row_is_held || held.is_element(column)))
+            values[k] = 0.;
+        }
     }
-  constrained.compress(dealii::VectorOperation::insert);
 }
 
 void MlConjugateGradients::set_held(const dealii::IndexSet &new_held)
 {
   held = new_held;
+  held.compress();
   copy_without_held();
 
   // ML takes the motions one after the other, zero where entries are held.
