@@ -157,9 +157,10 @@ def write_report(steps, target):
     page = os.path.join(target, "report.html")
     folders = [s.output for s in steps if os.path.exists(os.path.join(s.output, "summary.json"))]
     if not folders or not os.path.exists(script):
-        return
-    if subprocess.call([sys.executable, script, "--output", page, *folders]) == 0:
-        print(f"Report: {page}")
+        return 0
+    status = subprocess.call([sys.executable, script, "--output", page, *folders])
+    print(f"Report: {page}" if status == 0 else f"run.sh: the report could not be written to {page}")
+    return status
 
 
 def parse_arguments():
@@ -209,7 +210,7 @@ def main():
         steps.append(step)
     status = Runner(steps, arguments.jobs, arguments.ranks, arguments.resume).run()
     if not arguments.no_report:
-        write_report(steps, target)
+        status = status or write_report(steps, target)
     sys.exit(status)
 
 

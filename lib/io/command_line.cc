@@ -28,7 +28,7 @@ po::options_description visible_options()
     ("output,o", po::value<std::string>()->value_name("DIR"),
                  "output folder, relative to the current folder; goes before the file's "
                  "'Output folder'")
-    ("resume",   "continue from the checkpoint in the output folder")
+    ("resume",   "continue from the checkpoint in the output folder (where a program writes one)")
     ("quiet,q",  "print nothing but warnings and errors")
     ("profile",  "print at the end where the time went");
   // clang-format on
@@ -106,7 +106,7 @@ std::string CommandLine::help_text(const std::string &program,
           "folder' the results go to output/<name of the .prm>.\n\n"
           "A run is stopped by Ctrl-C or by a file named 'terminate' in its output "
           "folder (under\n"
-          "mpirun use the file); it then saves its state, where it can be resumed, and "
+          "mpirun use the file); it then keeps what it has observed and "
           "returns "
           "130.\n\n"
           "Exit status: 0 done; 2 bad input; 3 numerical failure; 130 interrupted; 1 "

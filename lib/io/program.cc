@@ -92,6 +92,9 @@ void run(const Program &program,
          const std::string &original,
          const MPI_Comm communicator)
 {
+  if (line.resume && !program.resumable)
+    throw UserError("--resume: " + program.name +
+                    " writes no checkpoints yet; start the run again without it");
   RunOptions options;
   options.program       = program.name;
   options.prm_file      = line.prm_file;

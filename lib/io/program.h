@@ -45,6 +45,9 @@ struct Program
    */
   std::function<void(dealii::ParameterHandler &prm, std::ostream &report)> estimate;
 
+  /** Whether --resume continues from a checkpoint; otherwise it is refused. */
+  bool resumable = false;
+
   /** The work itself. */
   std::function<void(dealii::ParameterHandler &prm, RunContext &context)> run;
 };

@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <sstream>
 
 namespace mesoslip
 {
@@ -32,6 +33,27 @@ LocalizationMonitor make_monitor(RunContext &context)
       throw Interrupted("stopped before anything was written; start the run again");
   };
   return monitor;
+}
+
+/** The errors that a user looks for first, in per cent. */
+void log_key_numbers(RunContext &context)
+{
+  const nlohmann::json &summary = context.summary();
+  if (!summary.contains("field_errors"))
+    return;
+  for (const char *quantity : {"mean_von_mises", "mean_sigma_yy"})
+    {
+      const auto field = summary["field_errors"].find(quantity);
+      if (field == summary["field_errors"].end())
+        continue;
+      std::ostringstream line;
+      line.precision(3);
+      line << quantity << " against the direct run (relative L2):";
+      for (const char *region : {"interior", "surface", "matrix", "fibres"})
+        if (field->contains(region) && (*field)[region].is_number())
+          line << ' ' << region << ' ' << 100. * (*field)[region].get<double>() << " %";
+      context.log(line.str());
+    }
 }
 
 /**
@@ -57,6 +79,8 @@ void run(dealii::ParameterHandler &prm, RunContext &context)
     summarize_localization(localized, context.summary());
     context.summary()["concentration"] = parameters.concentration;
   });
+  if (context.root())
+    log_key_numbers(context);
 }
 
 void estimate(dealii::ParameterHandler &prm, std::ostream &report)

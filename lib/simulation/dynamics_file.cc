@@ -187,6 +187,9 @@ DynamicsFile::write_contact(const TransientObservations &observed, const Transie
       stick.push_back(shares.stick);
       separated.push_back(shares.separation);
     }
+  if (parameters.periodic && !slip.empty())
+    for (std::vector<double> *shares : {&slip, &stick, &separated})
+      shares->push_back(shares->front()); // the last node is the first one again
   write_column("/contact/slip", slip);
   write_column("/contact/stick", stick);
   write_column("/contact/separated", separated);

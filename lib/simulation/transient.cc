@@ -464,6 +464,8 @@ run_transient(const ContactParameters &parameters, const Scene &scene, RunContex
       file.write(observed, summary);
       write_summary(parameters, scene, time, observed, summary, context);
     }
+  if (observed.interrupted && context.root())
+    context.write_summary();
   if (observed.interrupted)
     throw Interrupted("stopped on request after step " + std::to_string(observed.steps_done) +
                       "; what was observed so far is in " + context.output_folder());

@@ -119,7 +119,8 @@ evaluate_energy(const TransientObservations &observed, TransientSummary &summary
     scale = std::max({scale, e.kinetic[k] + e.elastic[k]});
   const double friction = std::fabs(e.friction.back());
   // Hardly any sliding yet: a share of the energy in the body says more.
-  scale = friction > 1e-3 * scale ? friction : scale;
+  summary.residual_of_friction = friction > 1e-3 * scale;
+  scale                        = summary.residual_of_friction ? friction : scale;
   if (scale > 0.)
     summary.energy_residual = largest / scale;
 }
@@ -146,8 +147,12 @@ log_key_numbers(const TransientObservations &observed,
   std::ostringstream line;
   line.precision(4);
   if (summary.mu_inter)
-    line << "mu_inter = " << summary.mu_inter->value << " +- " << summary.mu_inter->half_width
-         << " (95 %), ";
+    {
+      line << "mu_inter = " << summary.mu_inter->value;
+      if (summary.mu_inter->batches > 1)
+        line << " +- " << summary.mu_inter->half_width << " (95 %)";
+      line << ", ";
+    }
   if (summary.frequencies)
     line << "main frequency " << summary.frequencies->main.frequency / 1e3 << " kHz, ";
   line << "slip " << 100. * summary.contact.shares.slip << " %, stick "
@@ -159,7 +164,8 @@ log_key_numbers(const TransientObservations &observed,
       std::ostringstream energy;
       energy.precision(3);
       energy << "Energy balance closes to " << *summary.energy_residual
-             << " of the frictional work";
+             << (summary.residual_of_friction ? " of the frictional work" :
+                                                " of the energy in the body");
       context.log(energy.str());
     }
 }
@@ -227,7 +233,9 @@ write_summary(const ContactParameters     &parameters,
 
   json["global_interface_friction_coefficient"] = value_or_null(summary.mu_inter);
   json["global_interface_friction_coefficient_95"] =
-    summary.mu_inter ? nlohmann::json(summary.mu_inter->half_width) : nlohmann::json();
+    summary.mu_inter && summary.mu_inter->batches > 1 ?
+      nlohmann::json(summary.mu_inter->half_width) :
+      nlohmann::json();
   json["mean_apparent_friction_coefficient"] = value_or_null(summary.mean_apparent_friction);
   json["slip_fraction"]                      = summary.contact.shares.slip;
   json["stick_fraction"]                     = summary.contact.shares.stick;

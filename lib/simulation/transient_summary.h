@@ -30,8 +30,12 @@ struct TransientSummary
   PhaseDiagram                   phase_diagram;
   double                         friction_energy = 0.; ///< J/m
 
-  /** Largest residual of the energy balance as a share of the frictional work. */
+  /**
+   * Largest residual of the energy balance as a share of the frictional work or, while
+   * there is hardly any, of the largest energy in the body.
+   */
   std::optional<double> energy_residual;
+  bool                  residual_of_friction = true;
 };
 
 /** Evaluates the steady part of a run; the root's business. */

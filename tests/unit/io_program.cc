@@ -93,6 +93,7 @@ int main(int argc, char **argv)
   program.estimate    = [](dealii::ParameterHandler &, std::ostream &report) {
     report << "memory 1 MB\n";
   };
-  program.run = run;
+  program.run         = run;
+  program.resumable   = true;
   return mesoslip::run_program(argc, argv, program);
 }
