@@ -9,6 +9,8 @@ namespace x86_64_v3
 {
 #include "elasticity/multigrid/kernels_impl.h"
 //
+#include "elasticity/multigrid/line_kernels_impl.h"
+//
 #include "elasticity/multigrid/galerkin_impl.h"
 //
 #include "elasticity/multigrid/vector_kernels_impl.h"
