@@ -102,6 +102,8 @@ private:
     const unsigned int nx = material.n_columns(), ny = material.n_rows();
     if (condition == BoundaryCondition::PBC)
       {
+        plain_solver.reset();
+        solver.reset();
         std::vector<std::uint8_t> ids;
         if (!material.is_homogeneous())
           for (unsigned int j = 0; j + 1 < ny; ++j)

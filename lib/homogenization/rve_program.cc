@@ -52,12 +52,15 @@ EnsembleMember compute_member(const RveParameters &parameters,
   EnsembleMember member;
   member.seed      = parameters.microstructure.placement.seed;
   member.fractions = area_fractions(microstructure.map, microstructure.phases.size());
-  const auto solutions =
+  auto solutions =
     solve_load_cases(material, parameters.conditions, parameters.solver,
                      parameters.tolerance, communicator, progress);
-  for (const LoadCaseSolutions &solution : solutions)
-    if (rank == 0)
-      member.responses.push_back(homogenize(material, solution, keep_concentration));
+  for (LoadCaseSolutions &solution : solutions)
+    {
+      if (rank == 0)
+        member.responses.push_back(homogenize(material, solution, keep_concentration));
+      solution.displacement = {};
+    }
   return member;
 }
 
@@ -128,6 +131,18 @@ RveResults compute(const RveParameters &parameters, RunContext &context)
   return results;
 }
 
+// Libraries, solver, displacements of all load cases, concentration tensors; as measured.
+unsigned long estimated_megabytes(const RveParameters &parameters)
+{
+  const double n_cells = parameters.microstructure.grid.grid().n_cells();
+  const double n       = parameters.conditions.size();
+  const double solver  = parameters.solver == StaticSolverKind::multigrid ? 330. :
+                         parameters.solver == StaticSolverKind::jacobi    ? 100. :
+                                                                            4000.;
+  const double fields  = n * (48. + (parameters.write_concentration ? 72. : 0.));
+  return 150 + static_cast<unsigned long>(n_cells * (solver + fields) * 1e-6);
+}
+
 void run(dealii::ParameterHandler &prm, RunContext &context)
 {
   const RveParameters parameters = RveParameters::parse(prm);
@@ -177,7 +192,8 @@ Program rve_homogenization_program()
     const UniformGrid<2> grid      = parameters.microstructure.grid.grid();
     report << grid.cells[0] << " x " << grid.cells[1] << " cells, " << 2 * grid.n_nodes()
            << " degrees of freedom, "
-           << 3 * parameters.conditions.size() * parameters.n_members << " load cases\n";
+           << 3 * parameters.conditions.size() * parameters.n_members
+           << " load cases, about " << estimated_megabytes(parameters) << " MB\n";
   };
   program.run = run;
   return program;
