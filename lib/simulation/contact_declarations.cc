@@ -193,9 +193,10 @@ declare_friction(Handler &prm)
                  "V_ref of the slip-rate law [m/s]");
   declare_selection(prm,
                     "Node rule",
-                    "mean",
-                    {"mean", "largest", "smallest"},
-                    "Coefficient of a node between cells of two phases");
+                    "stiffness",
+                    {"stiffness", "mean", "largest", "smallest"},
+                    "Coefficient of a node between cells of two phases: their mean weighted with the "
+                    "stiffness D22, as the pressure is shared, the plain mean, or one of the two");
 }
 
 void

@@ -63,7 +63,7 @@ struct FrictionParameters
   FrictionLaw law;
   bool        coefficient_by_phase = false;
   double      coefficient          = 0.;
-  std::string node_rule; ///< mean, largest or smallest of the adjacent cells
+  std::string node_rule; ///< stiffness, mean, largest or smallest of the adjacent cells
 };
 
 /** A point that is watched. */

@@ -99,22 +99,36 @@ bottom_friction(const Scene &scene, const FrictionParameters &friction)
     }
   return mu;
 }
+
+std::vector<double>
+bottom_stiffness(const Scene &scene)
+{
+  std::vector<double> D22(scene.grid.cells[0]);
+  for (unsigned int i = 0; i < scene.grid.cells[0]; ++i)
+    D22[i] = scene.phases[scene.phase_id.empty() ? 0 : scene.phase_id[i]].stiffness(1, 1);
+  return D22;
+}
 } // namespace
 
 std::vector<double>
 friction_of_nodes(const std::vector<double> &friction_of_bottom_cells,
+                  const std::vector<double> &stiffness_of_bottom_cells,
                   const std::string         &rule,
                   const bool                 periodic)
 {
-  const std::vector<double> &mu = friction_of_bottom_cells;
-  std::vector<double>        nodes(mu.size() + 1);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
+  const std::vector<double> &mu = friction_of_bottom_cells, &D = stiffness_of_bottom_cells;
+  const std::size_t          n = mu.size();
+  std::vector<double>        nodes(n + 1);
+  for (std::size_t i = 0; i <= n; ++i)
     {
-      const double left  = i > 0 ? mu[i - 1] : (periodic ? mu.back() : mu.front());
-      const double right = i < mu.size() ? mu[i] : (periodic ? mu.front() : mu.back());
-      nodes[i]           = rule == "mean"    ? 0.5 * (left + right) :
-                           rule == "largest" ? std::max(left, right) :
-                                               std::min(left, right);
+      const std::size_t left  = i > 0 ? i - 1 : (periodic ? n - 1 : 0);
+      const std::size_t right = i < n ? i : (periodic ? 0 : n - 1);
+      if (rule == "stiffness")
+        nodes[i] = (D[left] * mu[left] + D[right] * mu[right]) / (D[left] + D[right]);
+      else
+        nodes[i] = rule == "mean"    ? 0.5 * (mu[left] + mu[right]) :
+                   rule == "largest" ? std::max(mu[left], mu[right]) :
+                                       std::min(mu[left], mu[right]);
     }
   return nodes;
 }
@@ -177,6 +191,7 @@ make_scene(const ContactParameters &parameters)
         scene.phases = {effective_phase(rve, body.stiffness_name)};
     }
   scene.node_friction = friction_of_nodes(bottom_friction(scene, parameters.friction),
+                                          bottom_stiffness(scene),
                                           parameters.friction.node_rule,
                                           parameters.periodic);
   return scene;

@@ -43,11 +43,13 @@ Scene
 make_scene(const ContactParameters &parameters);
 
 /**
- * Coefficient of each of the cells+1 bottom nodes from those of the two cells beside it;
- * @p rule is mean, largest or smallest.
+ * Coefficient of each of the cells+1 bottom nodes from those of the two cells beside it.
+ * @p rule: stiffness (mean weighted with @p stiffness_of_bottom_cells, D22, as the pressure
+ * is shared when both cells are compressed alike, eq. 18), mean, largest or smallest.
  */
 std::vector<double>
 friction_of_nodes(const std::vector<double> &friction_of_bottom_cells,
+                  const std::vector<double> &stiffness_of_bottom_cells,
                   const std::string         &rule,
                   const bool                 periodic);
 } // namespace mesoslip
