@@ -36,6 +36,12 @@ ProbeRecorder::ProbeRecorder(const std::vector<Point> &points,
       history.on_contact = place.j == 0 && place.xi[1] < 1e-6;
       histories.push_back(history);
     }
+  int between = 0;
+  for (const Place &place : places)
+    if (place.owned && place.j + 1 == rows.end && rows.has_upper_ghost())
+      between = 1;
+  MPI_Allreduce(MPI_IN_PLACE, &between, 1, MPI_INT, MPI_MAX, communicator);
+  needs_ghosts = between != 0;
 }
 
 ProbeRecorder::Place
@@ -95,8 +101,11 @@ ProbeRecorder::before_step(const std::uint64_t n)
 {
   if (n % interval != 0 || places.empty())
     return;
-  update_ghost_rows(u, rows, communicator);
-  update_ghost_rows(w, rows, communicator);
+  if (needs_ghosts)
+    {
+      update_ghost_rows(u, rows, communicator);
+      update_ghost_rows(w, rows, communicator);
+    }
   for (std::size_t k = 0; k < places.size(); ++k)
     if (places[k].owned)
       {
@@ -118,7 +127,8 @@ ProbeRecorder::after_step(const std::uint64_t n)
 {
   if (n % interval != 0 || places.empty())
     return;
-  update_ghost_rows(w, rows, communicator);
+  if (needs_ghosts)
+    update_ghost_rows(w, rows, communicator);
   for (std::size_t k = 0; k < places.size(); ++k)
     if (places[k].owned)
       {

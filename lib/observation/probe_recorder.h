@@ -123,6 +123,7 @@ private:
   const MPI_Comm         communicator;
 
   std::vector<Place>        places;
+  bool                      needs_ghosts = false; ///< a probe lies between two ranks
   std::vector<ProbeHistory> histories;
 };
 } // namespace mesoslip

@@ -7,32 +7,13 @@
 #include "observation/probe_recorder.h"
 #include "simulation/contact_parameters.h"
 #include "simulation/scene.h"
+#include "simulation/time_step_choice.h"
 
 #include <memory>
 
 namespace mesoslip
 {
 class RunContext;
-
-/** Time step and what it was chosen from. */
-struct TimeStepChoice
-{
-  StepParameters step;
-  double         critical = 0.; ///< s
-  std::uint64_t  n_steps  = 0;
-
-  /** "dt = 13.2 ns, 95 % of the critical 13.9 ns; beta2 = 0.5, beta = 4.4 ns". */
-  std::string
-  text() const;
-};
-
-/** @throws UserError when a given time step is above the critical one. */
-TimeStepChoice
-choose_time_step(const ContactParameters &parameters, const UniformMaterial &material);
-
-/** Whether a given time step is stable, as cheaply as can be told. @throws UserError */
-void
-check_time_step(const ContactParameters &parameters, const UniformMaterial &material);
 
 /** Everything a finished run has observed; complete on rank 0. */
 struct TransientObservations
