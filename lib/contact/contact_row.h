@@ -131,11 +131,6 @@ public:
     return finite;
   }
 
-  /** Saves or restores everything that a continued run needs (Boost.Serialization). */
-  template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int version);
-
 private:
   enum Column
   {

@@ -87,11 +87,6 @@ public:
   EnergyHistory
   reduce() const;
 
-  /** Saves or restores the samples and sums (Boost.Serialization). */
-  template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int version);
-
 private:
   /** Local sums of one sample. */
   struct Sums

@@ -83,11 +83,6 @@ public:
   double
   platen_kinetic_energy() const;
 
-  /** Saves or restores everything that a continued run needs (Boost.Serialization). */
-  template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int version);
-
 private:
   /** Forces on the body during one step. */
   struct Load

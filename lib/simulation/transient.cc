@@ -49,8 +49,8 @@ private:
   top_setup() const;
   LimitCycleCriterion
   criterion() const;
-  double
-  reference_x() const;
+  unsigned int
+  reference_node() const;
   std::vector<ProbeRecorder::Point>
   probe_points() const;
   BoundaryWork
@@ -157,11 +157,12 @@ Transient::Transient(const ContactParameters &parameters,
       context.communicator());
 }
 
-double
-Transient::reference_x() const
+unsigned int
+Transient::reference_node() const
 {
-  const double x = parameters.observation.reference_x;
-  return std::isnan(x) ? 0.5 * scene.grid.extent(0) : x;
+  const double wanted = parameters.observation.reference_x;
+  const double x      = std::isnan(wanted) ? 0.5 * scene.grid.extent(0) : wanted;
+  return std::lround(std::clamp(x, 0., scene.grid.extent(0)) / scene.grid.spacing[0]);
 }
 
 ContactSetup
@@ -176,8 +177,7 @@ Transient::contact_setup() const
   setup.history_interval     = parameters.observation.history_interval;
   setup.steps_per_block =
     std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
-  setup.monitored_nodes = {static_cast<unsigned int>(
-    std::lround(std::clamp(reference_x(), 0., scene.grid.extent(0)) / scene.grid.spacing[0]))};
+  setup.monitored_nodes = {reference_node()};
   return setup;
 }
 
@@ -376,7 +376,7 @@ Transient::collect()
     all.probes = probes->gather();
   all.steps_done          = stepper.step_number();
   all.dt                  = time.step.dt;
-  all.reference_node      = contact_setup().monitored_nodes[0];
+  all.reference_node      = reference_node();
   all.loop_seconds        = loop_seconds;
   all.interrupted         = interrupted;
   all.kernel              = stepper.kernel_name();
