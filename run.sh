@@ -1,16 +1,28 @@
 #!/usr/bin/env bash
 # Runs a chain of .prm files: ./run.sh [options] [folder]      (./run.sh --help)
+# or a study: ./run.sh paper | prediction | stability | benchmarks [options]      (./run.sh paper --help)
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")"
 . cmake/setup.sh
 
+# Studies are scripts of their own.
+script=applications/run_chain.py
+for study in "applications/studies/${1:-none}/run.py" "tests/${1:-none}/run.py"; do
+  if [ -f "$study" ]; then
+    script=$study
+    shift
+    break
+  fi
+done
+
 for argument in "$@"; do
   case $argument in
-    -h | --help) exec "$python" applications/run_chain.py --help ;;
+    -h | --help) exec "$python" "$script" --help ;;
   esac
 done
 caller=${OLDPWD:-$PWD}
 install_packages
 cmake_options=()
 build build rve_homogenization contact_dynamics stress_localization
-exec "$python" applications/run_chain.py --programs build/applications --from "$caller" "$@"
+[ "$script" != applications/run_chain.py ] || set -- --from "$caller" "$@"
+exec "$python" "$script" --programs build/applications "$@"
