@@ -1,5 +1,6 @@
 #include "simulation/transient.h"
 
+#include "dynamics/stability_monitor.h"
 #include "dynamics/time_loop.h"
 #include "elasticity/row_partition.h"
 #include "elasticity/uniform_grid_operator.h"
@@ -11,6 +12,7 @@
 #include "observation/snapshot_recorder.h"
 #include "observation/steady_state.h"
 #include "simulation/dynamics_file.h"
+#include "simulation/runaway_report.h"
 #include "simulation/transient_summary.h"
 
 #include <algorithm>
@@ -63,8 +65,6 @@ private:
   control(const std::uint64_t n);
   void
   feed_detector();
-  void
-  require_sound(const std::uint64_t n) const;
   TopHistory
   gather_top() const;
   TransientObservations
@@ -82,6 +82,7 @@ private:
   MPIHalo                  halo;
   ExplicitStepper          stepper;
   UniformGridOperator      op;
+  StabilityMonitor         monitor;
   LimitCycleDetector       detector;
   std::size_t              samples_fed = 0;
   bool                     interrupted = false;
@@ -131,6 +132,16 @@ Transient::Transient(const ContactParameters &parameters,
             context.n_ranks() > 1 ? &halo : nullptr,
             sweep_options(parameters))
   , op(material, rows)
+  , monitor(
+      op,
+      time.step,
+      u,
+      w,
+      [this]() { return boundary_work(); },
+      [this](const Runaway &found, const std::uint64_t n) {
+        report_runaway(found, n, this->time, this->parameters);
+      },
+      context.communicator())
   , detector(criterion())
 {
   set_initial_velocity();
@@ -261,33 +272,9 @@ Transient::feed_detector()
     detector.add(h.time[samples_fed], h.nodes[0].ux[samples_fed], h.friction_energy[samples_fed]);
 }
 
-// The body as a whole moves by less than a thousand times its size.
-void
-Transient::require_sound(const std::uint64_t n) const
-{
-  const double limit = 1e3 * std::max(scene.grid.extent(0), scene.grid.extent(1));
-  for (unsigned int c = 0; c < 2; ++c)
-    for (unsigned int j = rows.local(rows.begin); j < rows.local(rows.end); ++j)
-      for (unsigned int i = 0; i < u.n_columns(); ++i)
-        if (!(std::fabs(u.row(c, j)[i]) <= limit))
-          {
-            std::ostringstream what;
-            what << "the displacement u_" << "xy"[c] << " = " << u.row(c, j)[i]
-                 << " m is out of all bounds; the time step is "
-                 << 100. * time.step.dt / time.critical
-                 << " % of the critical one: reduce Time/Time step or Safety factor, found";
-            throw NumericalFailure(what.str(),
-                                   n,
-                                   n * time.step.dt,
-                                   "node (" + std::to_string(i) + ", " +
-                                     std::to_string(j + rows.first()) + ")");
-          }
-}
-
 bool
 Transient::control(const std::uint64_t n)
 {
-  require_sound(n);
   int stop = 0;
   if (rows.begin == 0)
     {
@@ -307,7 +294,7 @@ TransientObservations
 Transient::run(SnapshotRecorder::Writer write_snapshot)
 {
   const ObservationParameters &o = parameters.observation;
-  std::vector<StepObserver *>  observers;
+  std::vector<StepObserver *>  observers = {&monitor};
   if (energy)
     observers.push_back(energy.get());
   if (probes)
@@ -326,6 +313,7 @@ Transient::run(SnapshotRecorder::Writer write_snapshot)
         context.communicator(),
         write_snapshot);
       observers.push_back(snapshots.get());
+      monitor.guard(*snapshots);
     }
 
   context.progress().start("Sliding", time.n_steps, scene.grid.n_cells());
@@ -337,6 +325,7 @@ Transient::run(SnapshotRecorder::Writer write_snapshot)
                   time.n_steps,
                   control_interval(scene.grid),
                   [this](const std::uint64_t n) { return control(n); });
+    monitor.check(stepper.step_number());
   }
   loop_seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

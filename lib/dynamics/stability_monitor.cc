@@ -1,0 +1,135 @@
+#include "dynamics/stability_monitor.h"
+
+#include "elasticity/row_partition.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace mesoslip
+{
+namespace
+{
+constexpr std::uint64_t longest_interval = 1024, shortest_interval = 64;
+constexpr double too_much = 1e6;
+// Of the boundary's works, which nearly cancel when the flat is very fast.
+constexpr double round_off = 1e-9;
+} // namespace
+
+StabilityMonitor::StabilityMonitor(
+  const UniformGridOperator &op,
+  const StepParameters &step,
+  NodalField<double> &u,
+  const NodalField<double> &w,
+  const std::function<BoundaryWork()> &boundary_work,
+  const std::function<void(const Runaway &, std::uint64_t)> &stop,
+  const MPI_Comm communicator)
+  : op(op)
+  , step(step)
+  , u(u)
+  , w(w)
+  , boundary_work(boundary_work)
+  , stop(stop)
+  , communicator(communicator)
+{
+}
+
+std::uint64_t StabilityMonitor::next_step(const std::uint64_t n) const
+{
+  std::uint64_t next = n == 0 ? 0 : next_multiple(n, longest_interval);
+  for (std::uint64_t early = shortest_interval; n > 0 && early < longest_interval;
+       early *= 2)
+    if (early >= n)
+      {
+        next = early;
+        break;
+      }
+  for (const StepObserver *observer : guarded)
+    next = std::min(next, observer->next_step(n));
+  return next;
+}
+
+void StabilityMonitor::check(const std::uint64_t n)
+{
+  const Sums found = sums();
+  if (!started)
+    start = found.energy - found.gravity_work;
+  started = true;
+  // Running: in a blow-up the boundary may take away more than there ever was.
+  supply = std::max({supply, start, start + found.put_in + found.gravity_work});
+  if (std::isfinite(found.put_in) && std::isfinite(found.energy) &&
+      found.energy <= too_much * supply)
+    return;
+  Runaway runaway = locate();
+  runaway.energy  = found.energy;
+  runaway.put_in  = supply;
+  stop(runaway, n);
+}
+
+StabilityMonitor::Sums StabilityMonitor::sums() const
+{
+  const NodeRows &rows          = op.rows();
+  const unsigned int n_distinct = u.n_columns() - (op.material().periodicity().x ? 1 : 0);
+  const BoundaryWork work       = boundary_work();
+  std::array<double, 3> local   = {{0., 0., 0.}};
+  std::vector<double> mass(u.n_columns());
+  local[2] = work.external - work.friction - work.impact +
+             round_off * (std::fabs(work.external) + std::fabs(work.friction));
+  update_ghost_rows(u, rows, communicator);
+  local[0] = op.elastic_energy(u);
+  for (unsigned int j = rows.begin; j < rows.end; ++j)
+    {
+      op.material().mass_row(j, mass.data());
+      for (unsigned int c = 0; c < 2; ++c)
+        {
+          const double *ur = u.row(c, rows.local(j)), *wr = w.row(c, rows.local(j));
+          double kinetic = 0., moved = 0.;
+          for (unsigned int i = 0; i < n_distinct; ++i)
+            {
+              kinetic += mass[i] * wr[i] * wr[i];
+              moved += mass[i] * ur[i];
+            }
+          local[0] += 0.5 * kinetic;
+          local[1] += step.acceleration[c] * moved;
+        }
+    }
+  MPI_Allreduce(MPI_IN_PLACE, local.data(), 3, MPI_DOUBLE, MPI_SUM, communicator);
+  return {local[0], local[1], local[2]};
+}
+
+// The same on all ranks: that of the rank with the fastest node, NaN being fastest.
+Runaway StabilityMonitor::locate() const
+{
+  const NodeRows &rows = op.rows();
+  Runaway worst;
+  double fastest = -1.;
+  for (unsigned int j = rows.begin; j < rows.end; ++j)
+    for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int i = 0; i < u.n_columns(); ++i)
+        {
+          const double x = u.row(c, rows.local(j))[i], v = w.row(c, rows.local(j))[i];
+          const double speed = std::isfinite(x) && std::isfinite(v)
+                                 ? std::fabs(v)
+                                 : std::numeric_limits<double>::infinity();
+          if (speed > fastest)
+            {
+              fastest            = speed;
+              worst.column       = i;
+              worst.row          = j;
+              worst.component    = c;
+              worst.displacement = x;
+              worst.velocity     = v;
+            }
+        }
+  struct
+  {
+    double value;
+    int rank;
+  } mine = {fastest, 0}, best;
+  MPI_Comm_rank(communicator, &mine.rank);
+  MPI_Allreduce(&mine, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, communicator);
+  MPI_Bcast(&worst, sizeof(worst), MPI_BYTE, best.rank, communicator);
+  return worst;
+}
+} // namespace mesoslip

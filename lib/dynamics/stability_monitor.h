@@ -1,0 +1,93 @@
+#ifndef mesoslip_dynamics_stability_monitor_h
+#define mesoslip_dynamics_stability_monitor_h
+
+#include "dynamics/energy_audit.h"
+#include "dynamics/step_observer.h"
+
+#include <functional>
+#include <mpi.h>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** What a run that has gone wrong looks like; the same on all ranks. */
+struct Runaway
+{
+  double energy =
+    0.; ///< kinetic and elastic (J/m), infinite or NaN when a value is not finite
+  double put_in = 0.; ///< the largest energy that was ever there to be had (J/m)
+
+  /** The node that is fastest or, if there is one, the first that is not finite. */
+  unsigned int column = 0, row = 0, component = 0;
+  double displacement = 0., velocity = 0.; ///< its component (m, m/s)
+};
+
+/**
+ * Stops a run whose fields cannot be right. Below the critical time step the energy
+ * E = w.M w / 2 + u.K u / 2 stays within a small multiple of what was put in (start, work
+ * of top, flat and body force, less friction and impact): with W = omega dt the discrete
+ * energy H of EnergyAudit is at least (1 - b W^2 / 2) times its kinetic part. Above it E
+ * grows without bound while H stays. So E beyond a million times that, amplitudes a
+ * thousand times too large, is a blow-up, and so is whatever is not finite.
+ *
+ * Looks after 64, 128, ... 1024 steps, then every 1024 steps (well below 1 % of the
+ * time), and before every step that a guarded observer records.
+ */
+class StabilityMonitor : public StepObserver
+{
+public:
+  /** As of EnergyAudit; @p u and @p w are referenced. @p stop is called on all ranks with
+   *  what was found and the number of the step; it has to throw. */
+  StabilityMonitor(const UniformGridOperator &op,
+                   const StepParameters &step,
+                   NodalField<double> &u,
+                   const NodalField<double> &w,
+                   const std::function<BoundaryWork()> &boundary_work,
+                   const std::function<void(const Runaway &, std::uint64_t)> &stop,
+                   const MPI_Comm communicator);
+
+  /** What @p observer records is looked at first. */
+  void guard(const StepObserver &observer)
+  {
+    guarded.push_back(&observer);
+  }
+
+  std::uint64_t next_step(const std::uint64_t n) const override;
+
+  void before_step(const std::uint64_t n) override
+  {
+    check(n);
+  }
+
+  void after_step(const std::uint64_t) override
+  {
+  }
+
+  /** Looks at u_n, w_n. Collective. */
+  void check(const std::uint64_t n);
+
+private:
+  struct Sums
+  {
+    double energy = 0., gravity_work = 0., put_in = 0.;
+  };
+
+  Sums sums() const;
+  Runaway locate() const;
+
+  const UniformGridOperator &op;
+  const StepParameters step;
+  NodalField<double> &u;
+  const NodalField<double> &w;
+  const std::function<BoundaryWork()> boundary_work;
+  const std::function<void(const Runaway &, std::uint64_t)> stop;
+  const MPI_Comm communicator;
+  std::vector<const StepObserver *> guarded;
+  double start  = 0.; ///< energy (J/m)
+  double supply = 0.; ///< its largest
+  bool started  = false;
+};
+} // namespace mesoslip
+
+#endif
