@@ -1,6 +1,1 @@
-if(MESOSLIP_BUILD_BENCHMARKS)
-  add_executable(step_benchmark ${CMAKE_CURRENT_LIST_DIR}/step_benchmark.cc)
-  mesoslip_warnings(step_benchmark)
-  deal_ii_setup_target(step_benchmark)
-  target_link_libraries(step_benchmark mesoslip_elasticity)
-endif()
+mesoslip_benchmark(step_benchmark LIBS mesoslip_elasticity)

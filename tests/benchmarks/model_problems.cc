@@ -1,0 +1,218 @@
+/**
+ * Errors and times of three problems whose answers are known: a mode of the rectangle,
+ * the bar that hits the wall, the growth of steady sliding.
+ *
+ *   model_problems mode|bar|growth <repetitions> <cells over the
+ * height>:<share>:<beta2>...
+ *
+ * share is that of the critical time step. Each choice gives one line of CSV; cpu_s is
+ * that of the time loop alone, without observers: median, lowest and highest of the
+ * repetitions.
+ */
+#include "../verification/impact_bar.h"
+#include "../verification/rectangle_mode.h"
+#include "../verification/sliding_layer.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace verification;
+
+namespace
+{
+struct Choice
+{
+  unsigned int n;
+  double share, beta2;
+};
+
+/** What one choice gave. */
+struct Outcome
+{
+  double cells, dt, steps;
+  /** Relative; their names are the problem's columns. */
+  std::vector<double> errors;
+  std::vector<double> cpu_seconds;
+};
+
+double cpu_seconds(const std::function<void()> &run)
+{
+  const std::clock_t begin = std::clock();
+  run();
+  return double(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+std::vector<double> repeat(const unsigned int repetitions,
+                           const std::function<double()> &one)
+{
+  std::vector<double> seconds;
+  for (unsigned int r = 0; r < repetitions; ++r)
+    seconds.push_back(one());
+  std::sort(seconds.begin(), seconds.end());
+  return seconds;
+}
+
+Outcome outcome(const BodySetup &setup, const double end)
+{
+  return {double(setup.cells[0]) * setup.cells[1],
+          setup.step.dt,
+          double(std::lround(end / setup.step.dt)),
+          {},
+          {}};
+}
+
+/** Circular frequency of samples q from q_(n+1) = z1 q_n - z2 q_(n-1), least squares. */
+double frequency(const std::vector<double> &q, const double interval)
+{
+  Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d r = Eigen::Vector2d::Zero();
+  for (std::size_t n = 1; n + 1 < q.size(); ++n)
+    {
+      const Eigen::Vector2d row(q[n], q[n - 1]);
+      A += row * row.transpose();
+      r += row * q[n + 1];
+    }
+  const Eigen::Vector2d z = A.inverse() * r;
+  return std::acos(0.5 * z(0) / std::sqrt(-z(1))) / interval;
+}
+
+/** Five periods of the slowest shear mode, from rest; the error is that of its frequency.
+ */
+Outcome mode(const Choice &choice, const unsigned int repetitions)
+{
+  using namespace exact_modes;
+  const Mode mode{1, 0, true};
+  BodySetup setup  = rectangle(choice.n);
+  setup.step.beta2 = choice.beta2;
+  setup.choose_time_step(choice.share);
+  const double exact = mode.omega(setup.classes[0]), period = 2. * M_PI / exact;
+  const DiscreteMode discrete = discrete_mode(setup, mode);
+  Outcome result              = outcome(setup, 5. * period);
+  const unsigned int interval = std::max(1l, std::lround(period / 40. / setup.step.dt));
+  result.cpu_seconds          = repeat(repetitions, [&]() {
+    HeldBelow bottom(setup.step);
+    SlidingBody body(setup, MPI_COMM_SELF, &bottom);
+    body.u = discrete.shape;
+    std::vector<double> q;
+    double seconds = 0.;
+    for (double step = 0; step < result.steps; step += interval)
+      {
+        q.push_back(mass_product(body.material, body.u, discrete.shape));
+        seconds += cpu_seconds([&]() { body.run(interval); });
+      }
+    result.errors = {frequency(q, interval * setup.step.dt) / exact - 1.};
+    return seconds;
+  });
+  return result;
+}
+
+/** One impact: share of the energy that is lost, relative error of the time of contact.
+ */
+Outcome bar(const Choice &choice, const unsigned int repetitions)
+{
+  using namespace impact_bar;
+  BodySetup setup = impact_bar::bar(choice.n, choice.beta2, 1.);
+  setup.choose_time_step(choice.share);
+  Outcome result      = outcome(setup, 2.);
+  const Impact impact = impact_bar::impact(setup);
+  if (!impact.separated)
+    throw std::runtime_error("the bar is still on the wall");
+  result.errors         = {1. - impact.balanced, impact.duration / exact_duration - 1.};
+  setup.energy_interval = 0;
+  result.cpu_seconds    = repeat(repetitions, [&]() {
+    SlidingBody body(setup);
+    throw_down(body);
+    return cpu_seconds([&]() { body.run(result.steps); });
+  });
+  return result;
+}
+
+/** Growth rate and frequency of the fastest wave of regularized, damped sliding. */
+Outcome growth(const Choice &choice, const unsigned int repetitions)
+{
+  using namespace sliding_layer;
+  const Layer layer{1., 0.25, 1.5e-6, 4.4e-9};
+  const Complex exact = layer.fastest();
+  BodySetup setup     = layer_setup(layer, choice.n);
+  setup.step.beta2    = choice.beta2;
+  setup.choose_time_step(choice.share);
+  Outcome result    = outcome(setup, 400e-6);
+  const Growth seen = observed(setup, layer, exact);
+  if (!seen.slipping)
+    throw std::runtime_error("a node does not slip");
+  result.errors      = {seen.rate.real() / exact.real() - 1.,
+                        seen.rate.imag() / exact.imag() - 1.};
+  result.cpu_seconds = repeat(repetitions, [&]() {
+    SlidingBody body(setup);
+    start_sliding(body, layer, exact);
+    return cpu_seconds([&]() { body.run(result.steps); });
+  });
+  return result;
+}
+
+struct Problem
+{
+  std::string name, columns;
+  std::function<Outcome(const Choice &, unsigned int)> solve;
+};
+
+void print(const Choice &choice, const Outcome &o)
+{
+  const auto &s = o.cpu_seconds;
+  std::printf("%u,%g,%g,%.0f,%.10g,%.0f", choice.n, choice.share, choice.beta2, o.cells,
+              o.dt, o.steps);
+  for (const double e : o.errors)
+    std::printf(",%.10g", e);
+  std::printf(",%.6g,%.6g,%.6g,%zu\n", s[s.size() / 2], s.front(), s.back(), s.size());
+  std::fflush(stdout);
+}
+
+int run(const int argc, char **argv)
+{
+  const std::vector<Problem> problems = {
+    {"mode", "frequency_error", mode},
+    {"bar", "energy_lost,contact_time_error", bar},
+    {"growth", "growth_error,frequency_error", growth}};
+  for (const Problem &problem : problems)
+    if (argc > 3 && problem.name == argv[1])
+      {
+        std::printf("n,share,beta2,cells,dt_s,steps,%s,cpu_s,cpu_s_low,cpu_s_high,"
+                    "repetitions\n",
+                    problem.columns.c_str());
+        const unsigned int repetitions = std::max(1, std::atoi(argv[2]));
+        for (int k = 3; k < argc; ++k)
+          {
+            Choice choice{};
+            if (std::sscanf(argv[k], "%u:%lf:%lf", &choice.n, &choice.share,
+                            &choice.beta2) != 3)
+              throw std::runtime_error(std::string("not cells:share:beta2: ") + argv[k]);
+            print(choice, problem.solve(choice, repetitions));
+          }
+        return 0;
+      }
+  throw std::runtime_error(
+    "which problem? mode, bar or growth, then repetitions, choices");
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MPI_Init(&argc, &argv);
+  int status = 0;
+  try
+    {
+      status = run(argc, argv);
+    }
+  catch (const std::exception &error)
+    {
+      std::fprintf(stderr, "model_problems: %s\n", error.what());
+      status = 2;
+    }
+  MPI_Finalize();
+  return status;
+}
