@@ -21,9 +21,7 @@ ContactRow::ContactRow(const ContactSetup &setup, const StepParameters &step)
   std::copy(setup.friction_coefficient.begin(),
             setup.friction_coefficient.end(),
             column(friction_coefficient));
-  const bool constant = setup.law.regularization == FrictionLaw::Regularization::constant_time;
-  const double factor =
-    constant && setup.law.time > 0. ? std::exp(-step.dt / setup.law.time) : 0.;
+  const double factor = setup.law.time > 0. ? std::exp(-step.dt / setup.law.time) : 0.;
   std::fill_n(column(decay), values.stride(), factor);
   samples.nodes.resize(setup.monitored_nodes.size());
 }
@@ -63,8 +61,11 @@ ContactRow::advance(const RowView &row)
   const double flat_velocity = setup.flat_velocity(row.time);
   if (!started)
     initialize_increments(row);
-  if (setup.law.regularization == FrictionLaw::Regularization::slip_rate)
-    update_decay(row, flat_velocity);
+  if (setup.law.node_law)
+    setup.law.node_law->update({n_nodes, row.wx, flat_velocity},
+                               step.dt,
+                               column(friction_coefficient),
+                               column(decay));
 
   const bool sampled =
     setup.history_interval > 0 && row.step % setup.history_interval == 0;
@@ -102,16 +103,6 @@ ContactRow::initialize_increments(const RowView &row)
       column(increment_y)[i] = step.dt * row.wy[i];
     }
   started = true;
-}
-
-// delta = L / (|V_rel| + V_ref)
-void
-ContactRow::update_decay(const RowView &row, const double flat_velocity)
-{
-  const double rate = step.dt / setup.law.length;
-  for (unsigned int i = 0; i < n_nodes; ++i)
-    column(decay)[i] = std::exp(
-      -rate * (std::fabs(flat_velocity - row.wx[i]) + setup.law.reference_velocity));
 }
 
 void

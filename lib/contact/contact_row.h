@@ -164,9 +164,6 @@ private:
   arrays(const RowView &row);
 
   void
-  update_decay(const RowView &row, const double flat_velocity);
-
-  void
   initialize_increments(const RowView &row);
 
   void

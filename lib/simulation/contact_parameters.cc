@@ -134,12 +134,10 @@ parse_friction(Handler &prm)
   }
   const ParameterSection section(prm, "Friction");
   const std::string      law = get_string(prm, "Law");
-  friction.law.time               = get_double(prm, "Regularization time");
-  friction.law.length             = get_double(prm, "Length");
-  friction.law.reference_velocity = get_double(prm, "Reference velocity");
-  friction.law.regularization     = law == "coulomb" ? FrictionLaw::Regularization::none :
-                                    law == "slip rate" ? FrictionLaw::Regularization::slip_rate :
-                                                         FrictionLaw::Regularization::constant_time;
+  friction.law.time      = law == "coulomb" ? 0. : get_double(prm, "Regularization time");
+  if (law == "slip rate")
+    friction.law.node_law = std::make_shared<SlipRateRegularization>(
+      get_double(prm, "Length"), get_double(prm, "Reference velocity"));
   friction.coefficient_by_phase = get_string(prm, "Coefficient from") == "phases";
   friction.coefficient          = get_double(prm, "Coefficient");
   friction.node_rule            = get_string(prm, "Node rule");

@@ -223,10 +223,10 @@ write_summary(const ContactParameters     &parameters,
   json["cell_updates_per_second"] = speed;
   json["pressure"]                = parameters.top.pressure.amplitude();
   json["flat_velocity"]           = parameters.friction.flat_velocity.amplitude();
-  json["regularization_time"]     = parameters.friction.law.regularization ==
-                                    FrictionLaw::Regularization::constant_time ?
-                                      nlohmann::json(parameters.friction.law.time) :
-                                      nlohmann::json();
+
+  const FrictionLaw &law      = parameters.friction.law;
+  json["regularization_time"] = law.time > 0. && !law.node_law ? nlohmann::json(law.time) :
+                                                                 nlohmann::json();
   json["friction_coefficient"] = parameters.friction.coefficient_by_phase ?
                                    nlohmann::json() :
                                    nlohmann::json(parameters.friction.coefficient);

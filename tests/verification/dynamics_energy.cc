@@ -126,8 +126,8 @@ TEST(Energy, ClosesWithEverythingElse)
   expect_closed(setup, "gravity, damping");
   setup.step.beta2 = 0.8;
   expect_closed(setup, "gravity, damping, beta2 = 0.8");
-  setup.contact.law.regularization = FrictionLaw::Regularization::slip_rate;
-  setup.contact.flat_velocity      = LoadHistory(V, "2*cos(2*pi*2e4*t)");
+  setup.contact.law.node_law  = std::make_shared<SlipRateRegularization>(3e-6, 1e-3);
+  setup.contact.flat_velocity = LoadHistory(V, "2*cos(2*pi*2e4*t)");
   expect_closed(setup, "slip rate, flat to and fro");
   setup.sides.left_held  = {{true, false}};
   setup.sides.right_held = {{true, true}};
