@@ -20,6 +20,7 @@ function(mesoslip_library topic)
     add_library(${target} INTERFACE)
     return()
   endif()
+  set_property(GLOBAL APPEND PROPERTY mesoslip_topics ${topic})
   add_library(${target} STATIC ${sources})
   add_library(mesoslip::${topic} ALIAS ${target})
   target_include_directories(${target} PUBLIC

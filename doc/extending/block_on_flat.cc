@@ -1,0 +1,72 @@
+// A block thrown along a resting flat, slowed by a friction law of our own.
+#include "velocity_weakening.h"
+
+#include <contact/contact_row.h>
+#include <elasticity/critical_time_step.h>
+#include <elasticity/explicit_stepper.h>
+#include <material/stiffness.h>
+
+#include <cstdio>
+#include <numeric>
+
+using namespace mesoslip;
+
+namespace
+{
+constexpr double mu_rest = 0.6, mu_fast = 0.2, critical_velocity = 0.3; // -, -, m/s
+constexpr double thrown = 1., gravity = 1e5;                            // m/s, m/s^2
+
+UniformMaterial block()
+{
+  UniformGrid<2> grid;
+  grid.cells   = {{10, 5}};
+  grid.spacing = {{1e-4, 1e-4}};
+  const ElasticClass steel = {isotropic_stiffness<2>(210e9, 0.3), 7800.};
+  return UniformMaterial(grid, {steel}, std::vector<std::uint8_t>(grid.n_cells(), 0));
+}
+
+/** When a rigid block stops: dv/dt = -g mu(v), solved for y = exp(v / V_c). */
+double exact_stop()
+{
+  const double ratio = (mu_rest - mu_fast) / mu_fast;
+  return critical_velocity / (gravity * mu_fast) *
+         std::log((std::exp(thrown / critical_velocity) + ratio) / (1. + ratio));
+}
+
+double mean_velocity(const NodalField<double> &w)
+{
+  double sum = 0.;
+  for (unsigned int j = 0; j < w.n_rows(); ++j)
+    sum += std::accumulate(w.row(0, j), w.row(0, j) + w.n_columns(), 0.);
+  return sum / (w.n_rows() * w.n_columns());
+}
+} // namespace
+
+int main()
+{
+  const UniformMaterial material = block();
+  StepParameters        step;
+  step.beta         = 2e-8; // s, so that the landing does not ring on
+  step.dt           = 0.5 * critical_time_step(material, step.beta2, step.beta);
+  step.acceleration = {{0., -gravity}};
+
+  ContactSetup setup;
+  setup.law.time             = 0.; // plain Coulomb with our coefficient
+  setup.law.node_law         = std::make_shared<VelocityWeakening>(mu_rest, mu_fast, critical_velocity);
+  setup.friction_coefficient = std::vector<double>(material.n_columns(), mu_rest);
+  setup.flat_velocity        = LoadHistory(0.);
+  ContactRow contact(setup, step);
+
+  NodalField<double> u(material.n_columns(), material.n_rows());
+  NodalField<double> w(material.n_columns(), material.n_rows());
+  for (unsigned int j = 0; j < w.n_rows(); ++j)
+    std::fill_n(w.row(0, j), w.n_columns(), thrown);
+
+  ExplicitStepper stepper(material, step, SideConstraints(), u, w, &contact);
+  while (mean_velocity(w) > 0.)
+    stepper.advance(10);
+  const double stopped = step.dt * stepper.step_number();
+  std::printf("stops after %.3f microseconds, exact for a rigid block %.3f\n",
+              1e6 * stopped,
+              1e6 * exact_stop());
+}
