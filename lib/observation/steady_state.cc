@@ -4,55 +4,93 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace mesoslip
 {
 namespace
 {
-constexpr std::size_t record_capacity = 8192;
-
-/** Growth that a negligible amplitude may show among the windows compared. */
+/** Growth that a negligible amplitude may show among the parts compared. */
 constexpr double sliding_growth = 1.5;
 
-/** Largest relative difference within windows [first, last): amplitude, mean, power. */
-double disagreement(const std::vector<CycleWindow>::const_iterator first,
-                    const std::vector<CycleWindow>::const_iterator last)
+/** Difference, relative to the tolerance, at which a judgement is withdrawn. */
+constexpr double withdrawal = 2.;
+
+/** Time between two checks, relative to the time so far. */
+constexpr double check_spacing = 0.02;
+
+/** Columns of the record; the displacements follow. */
+enum Column : std::size_t
 {
-  const double n      = static_cast<double>(last - first);
-  bool sliding        = true;
-  double amplitude[3] = {0., first->amplitude, first->amplitude};
-  double mean[3]      = {0., first->mean, first->mean};
-  double power[3]     = {0., first->power, first->power};
-  const auto include  = [n](double(&range)[3], const double value) {
-    range[0] += value / n;
-    range[1] = std::min(range[1], value);
-    range[2] = std::max(range[2], value);
-  };
-  for (auto window = first; window != last; ++window)
-    {
-      include(amplitude, window->amplitude);
-      include(mean, window->mean);
-      include(power, window->power);
-      sliding = sliding && window->sliding;
-    }
-  const auto relative = [](const double(&range)[3], const double scale) {
-    return range[2] > range[1] ? (range[2] - range[1]) / scale : 0.;
-  };
-  const bool growing = (last - 1)->amplitude > sliding_growth * first->amplitude;
-  const double changes =
-    std::max(relative(mean, std::max(amplitude[0], std::abs(mean[0]))),
-             relative(power, std::abs(power[0])));
-  if (sliding && !growing)
-    return changes;
-  return std::max(changes, relative(amplitude, amplitude[0]));
-}
+  power,
+  normal_force,
+  tangential_force,
+  sticking,
+  slipping,
+  kinetic_energy,
+  elastic_energy,
+  first_displacement
+};
 } // namespace
+
+/** The values of one quantity in the parts. */
+class LimitCycleDetector::PartValues
+{
+public:
+  explicit PartValues(std::vector<double> values)
+    : values(std::move(values))
+  {
+  }
+
+  double mean() const
+  {
+    return std::accumulate(values.begin(), values.end(), 0.) /
+           static_cast<double>(values.size());
+  }
+
+  double spread() const
+  {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return *most - *least;
+  }
+
+  /** Spread over the larger of |mean| and @p scale. */
+  double relative(const double scale = 0.) const
+  {
+    return spread() > 0. ? spread() / std::max(std::fabs(mean()), scale) : 0.;
+  }
+
+  double first() const
+  {
+    return values.front();
+  }
+
+  double last() const
+  {
+    return values.back();
+  }
+
+private:
+  std::vector<double> values;
+};
+
+template <typename Function>
+LimitCycleDetector::PartValues LimitCycleDetector::of_parts(const Parts &parts,
+                                                            const Function &value) const
+{
+  std::vector<double> values;
+  for (unsigned int k = 0; k < criterion_.windows; ++k)
+    values.push_back(
+      value(parts.first + k * parts.length, parts.first + (k + 1) * parts.length));
+  return PartValues(std::move(values));
+}
 
 LimitCycleDetector::LimitCycleDetector(const LimitCycleCriterion &criterion)
   : criterion_(criterion)
+  , period_(criterion.expected_period)
 {
   if (criterion.periods < 1 || criterion.windows < 2 || !(criterion.tolerance > 0.) ||
       !(criterion.expected_period > 0.))
@@ -61,72 +99,74 @@ LimitCycleDetector::LimitCycleDetector(const LimitCycleCriterion &criterion)
       "a positive expected period");
 }
 
-bool LimitCycleDetector::add(const double time,
-                             const double displacement,
-                             const double friction_energy)
+bool LimitCycleDetector::add(const CycleSample &sample)
 {
-  if (!std::isfinite(time + displacement + friction_energy))
-    throw NumericalFailure("the reference displacement or the frictional energy is not "
-                           "finite at t = " +
-                           std::to_string(time) + " s");
-  record(displacement);
-  last_time_ = time;
-  if (n_samples_ == 1)
-    {
-      first_time_ = time;
-      open_window(time, friction_energy);
-      return reached_;
-    }
-  ++window_samples_;
-  const double difference = displacement - window_mean_;
-  window_mean_ += difference / static_cast<double>(window_samples_);
-  window_square_ += difference * (displacement - window_mean_);
-
-  if (time >= window_end_ - 1e-9 * window_period_)
-    {
-      close_window(time, friction_energy);
-      open_window(time, friction_energy);
-    }
-  return reached_;
-}
-
-bool LimitCycleDetector::add(const std::vector<double> &time,
-                             const std::vector<double> &displacement,
-                             const std::vector<double> &friction_energy)
-{
-  if (displacement.size() != time.size() || friction_energy.size() != time.size())
-    throw std::invalid_argument("LimitCycleDetector: arrays of different lengths");
-  for (std::size_t i = 0; i < time.size(); ++i)
-    add(time[i], displacement[i], friction_energy[i]);
-  return reached_;
-}
-
-void LimitCycleDetector::record(const double displacement)
-{
+  std::vector<double> values = {sample.friction_energy - last_friction_energy_,
+                                sample.normal_force,
+                                sample.tangential_force,
+                                sample.sticking,
+                                sample.slipping,
+                                sample.kinetic_energy,
+                                sample.elastic_energy};
+  values.insert(values.end(), sample.displacement.begin(), sample.displacement.end());
+  for (const double value : values)
+    if (!std::isfinite(value))
+      throw NumericalFailure(
+        "a displacement, force or energy of the contact is not finite at "
+        "t = " +
+        std::to_string(sample.time) + " s");
+  if (n_samples_ == 0)
+    first_time_ = next_check_ = sample.time;
+  n_nodes_              = sample.displacement.size();
+  last_friction_energy_ = sample.friction_energy;
+  last_time_            = sample.time;
   ++n_samples_;
-  pending_sum_ += displacement;
-  if (++pending_ < stride_)
+  record_.add(values);
+  if (sample.time >= next_check_)
+    check();
+  return reached();
+}
+
+double LimitCycleDetector::sample_step() const
+{
+  return n_samples_ > 1 ? (last_time_ - first_time_) / static_cast<double>(n_samples_ - 1)
+                        : 0.;
+}
+
+void LimitCycleDetector::check()
+{
+  next_check_ = last_time_ + std::max(criterion_.periods * period_,
+                                      check_spacing * (last_time_ - first_time_));
+  if (n_samples_ < 2)
     return;
-  record_.push_back(pending_sum_ / static_cast<double>(stride_));
-  pending_     = 0;
-  pending_sum_ = 0.;
-  if (record_.size() == record_capacity)
+  period_ = estimate_period().value_or(criterion_.expected_period);
+  // Once reached, everything since the steady part began is judged.
+  const double bin = sample_step() * static_cast<double>(record_.stride());
+  const auto first =
+    reached() ? static_cast<std::size_t>(std::ceil((steady_from_ - first_time_) / bin))
+              : (record_.size() + 1) / 2;
+  const auto compared = parts(first);
+  if (!compared)
+    return;
+  compare(*compared);
+  if (reached())
     {
-      for (std::size_t i = 0; i < record_capacity / 2; ++i)
-        record_[i] = 0.5 * (record_[2 * i] + record_[2 * i + 1]);
-      record_.resize(record_capacity / 2);
-      stride_ *= 2;
+      if (!(difference_ <= withdrawal * criterion_.tolerance))
+        reached_at_ = 0.;
+    }
+  else if (difference_ <= criterion_.tolerance)
+    {
+      reached_at_  = last_time_;
+      steady_from_ = first_time_ + static_cast<double>(compared->first) * bin;
     }
 }
 
 std::optional<double> LimitCycleDetector::estimate_period() const
 {
-  const std::vector<double> half(
-    record_.begin() + static_cast<std::ptrdiff_t>(record_.size() / 2), record_.end());
+  const auto half = record_.column(first_displacement, record_.size() / 2);
   if (half.size() < 16)
     return std::nullopt;
-  const double step = (last_time_ - first_time_) / static_cast<double>(n_samples_ - 1) *
-                      static_cast<double>(stride_);
+  const double step = sample_step() * static_cast<double>(record_.stride());
   const auto summary =
     summarize_spectrum(amplitude_spectrum(half, step, 2), criterion_.band);
   // Fewer than two periods are rather a drift than a vibration.
@@ -136,98 +176,118 @@ std::optional<double> LimitCycleDetector::estimate_period() const
   return 1. / summary->main.frequency;
 }
 
-void LimitCycleDetector::open_window(const double time, const double friction_energy)
+std::optional<LimitCycleDetector::Parts>
+LimitCycleDetector::parts(const std::size_t first) const
 {
-  window_period_ = criterion_.expected_period;
-  if (!windows_.empty() && !windows_.back().sliding)
-    window_period_ = estimate_period().value_or(windows_.back().period);
-  window_begin_   = time;
-  window_end_     = time + criterion_.periods * window_period_;
-  window_energy_  = friction_energy;
-  window_samples_ = 0;
-  window_mean_    = 0.;
-  window_square_  = 0.;
+  if (record_.size() <= first)
+    return std::nullopt;
+  const double period =
+    period_ / (sample_step() * static_cast<double>(record_.stride())); // in bins
+  const double periods =
+    std::floor(static_cast<double>(record_.size() - first) / criterion_.windows / period);
+  const auto length = static_cast<std::size_t>(periods * period);
+  if (periods < criterion_.periods || length < 1)
+    return std::nullopt;
+  return Parts{record_.size() - criterion_.windows * length, length};
 }
 
-void LimitCycleDetector::close_window(const double time, const double friction_energy)
+void LimitCycleDetector::compare(const Parts &parts)
 {
-  CycleWindow window;
-  window.begin     = window_begin_;
-  window.end       = time;
-  window.period    = window_period_;
-  window.mean      = window_mean_;
-  window.amplitude = std::sqrt(window_square_ / static_cast<double>(window_samples_));
-  window.power     = (friction_energy - window_energy_) / (time - window_begin_);
-  window.sliding =
-    window.amplitude <= std::max(criterion_.negligible_amplitude,
-                                 criterion_.negligible_fraction * std::abs(window.mean));
-  windows_.push_back(window);
-  if (windows_.size() > 1)
-    windows_.back().change = disagreement(windows_.end() - 2, windows_.end());
-  if (!reached_)
-    decide(time);
+  difference_ = 0.;
+  quantity_   = "nothing";
+  compare_resultants(parts);
+  compare_motion(parts);
 }
 
-void LimitCycleDetector::decide(const double time)
+void LimitCycleDetector::include(const double difference, const char *quantity)
 {
-  if (windows_.size() < criterion_.windows)
+  if (difference <= difference_)
     return;
-  const auto first = windows_.cend() - criterion_.windows;
-  if (first->begin < criterion_.minimum_time ||
-      !(disagreement(first, windows_.cend()) <= criterion_.tolerance))
-    return;
-  reached_     = true;
-  reached_at_  = time;
-  steady_from_ = first->begin;
+  difference_ = difference;
+  quantity_   = quantity;
 }
 
-bool LimitCycleDetector::steady_sliding() const
+void LimitCycleDetector::compare_resultants(const Parts &parts)
 {
-  return reached_ && windows_.back().sliding;
+  const auto means = [&](const Column column) {
+    return of_parts(parts, [&](const std::size_t first, const std::size_t last) {
+      return record_.mean(column, first, last);
+    });
+  };
+  const double little = criterion_.negligible_fraction;
+  include(means(power).relative(little * criterion_.reference_power * sample_step()),
+          "the frictional power");
+  include(of_parts(parts,
+                   [&](const std::size_t first, const std::size_t last) {
+                     const double pressing = record_.mean(normal_force, first, last);
+                     return pressing > 0.
+                              ? record_.mean(tangential_force, first, last) / pressing
+                              : 0.;
+                   })
+            .relative(little),
+          "the apparent friction");
+  include(means(sticking).spread(), "the share of sticking nodes");
+  include(means(slipping).spread(), "the share of slipping nodes");
+  const PartValues elastic = means(elastic_energy);
+  include(elastic.relative(), "the elastic energy");
+  include(means(kinetic_energy).relative(little * elastic.mean()), "the kinetic energy");
+}
+
+void LimitCycleDetector::compare_motion(const Parts &parts)
+{
+  sliding_            = true;
+  double of_amplitude = 0.;
+  for (std::size_t c = first_displacement; c < first_displacement + n_nodes_; ++c)
+    {
+      const PartValues mean =
+        of_parts(parts, [&](const std::size_t first, const std::size_t last) {
+          return record_.mean(c, first, last);
+        });
+      const PartValues amplitude =
+        of_parts(parts, [&](const std::size_t first, const std::size_t last) {
+          return std::sqrt(record_.variance(c, first, last));
+        });
+      include(mean.relative(amplitude.mean()), "a mean displacement");
+      of_amplitude = std::max(of_amplitude, amplitude.relative());
+      sliding_ =
+        sliding_ &&
+        amplitude.mean() <= criterion_.negligible_fraction * std::fabs(mean.mean()) &&
+        !(amplitude.last() > sliding_growth * amplitude.first());
+    }
+  if (!sliding_)
+    include(of_amplitude, "an amplitude");
 }
 
 std::optional<double> LimitCycleDetector::reached_at() const
 {
-  return reached_ ? std::optional<double>(reached_at_) : std::nullopt;
+  return reached() ? std::optional<double>(reached_at_) : std::nullopt;
 }
 
-double LimitCycleDetector::period() const
+double LimitCycleDetector::steady_from() const
 {
-  return windows_.empty() ? criterion_.expected_period : windows_.back().period;
+  return reached() ? steady_from_ : 0.5 * (first_time_ + last_time_);
 }
 
-double LimitCycleDetector::steady_from(const double fallback) const
-{
-  if (reached_)
-    return steady_from_;
-  const double duration = last_time_ - first_time_;
-  if (fallback >= first_time_ && last_time_ - fallback >= 0.25 * duration)
-    return fallback;
-  return first_time_ + 0.5 * duration;
-}
-
-std::string LimitCycleDetector::description(const double fallback) const
+std::string LimitCycleDetector::description() const
 {
   std::ostringstream text;
-  text << "limit cycle: rms amplitude, mean and frictional power of "
-       << criterion_.windows << " consecutive windows of " << criterion_.periods
-       << " periods agree within " << 100. * criterion_.tolerance << " %; ";
-  if (reached_)
+  text << "limit cycle: motion of " << n_nodes_
+       << " contact nodes, frictional power, apparent "
+       << "friction, contact shares and energies of " << criterion_.windows
+       << " equal parts (of at least " << criterion_.periods
+       << " periods) of the second half of the run agree within "
+       << 100. * criterion_.tolerance << " %; ";
+  text.precision(4);
+  if (reached())
     text << (steady_sliding() ? "steady sliding" : "reached") << " at t = " << reached_at_
-         << " s, steady from " << steady_from_ << " s, period " << period() << " s";
+         << " s, steady from " << steady_from_ << " s, period " << period_ << " s";
   else
-    text << "not reached by t = " << last_time_ << " s, statistics from "
-         << steady_from(fallback) << " s on";
+    {
+      text << "not reached by t = " << last_time_ << " s";
+      if (difference_ >= 0.)
+        text << " (" << quantity_ << " differs by " << 100. * difference_ << " %)";
+      text << ", statistics from " << steady_from() << " s on";
+    }
   return text.str();
-}
-
-LimitCycleDetector detect_limit_cycle(const std::vector<double> &time,
-                                      const std::vector<double> &displacement,
-                                      const std::vector<double> &friction_energy,
-                                      const LimitCycleCriterion &criterion)
-{
-  LimitCycleDetector detector(criterion);
-  detector.add(time, displacement, friction_energy);
-  return detector;
 }
 } // namespace mesoslip

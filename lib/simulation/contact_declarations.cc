@@ -223,7 +223,7 @@ declare_observation(Handler &prm, const RawParameters &raw)
                            "Steady from",
                            "auto",
                            Range::non_negative(),
-                           "Start of the steady part; auto: when the limit cycle is reached [s]");
+                           "Start of the steady part; auto: that of the limit cycle, or half of the run without one [s]");
     declare_double_or_auto(prm,
                            "Reference x",
                            "auto",
@@ -232,16 +232,20 @@ declare_observation(Handler &prm, const RawParameters &raw)
     declare_bool(prm,
                  "Stop at limit cycle",
                  false,
-                 "Ends the run when the limit cycle was reached and observed for as many windows "
-                 "again");
+                 "Ends the run when the second half of it was a limit cycle");
     declare_double(prm,
                    "Limit cycle tolerance",
                    0.02,
                    Range::positive(),
-                   "Largest relative change between windows of a limit cycle [-]");
-    declare_integer(prm, "Limit cycle periods", 3, 1, 1000, "Periods in a window [-]");
+                   "Largest relative difference among the windows of a limit cycle [-]");
     declare_integer(
-      prm, "Limit cycle windows", 3, 2, 1000, "Windows that have to agree [-]");
+      prm, "Limit cycle periods", 3, 1, 1000, "Periods that a window has at least [-]");
+    declare_integer(prm,
+                    "Limit cycle windows",
+                    3,
+                    2,
+                    1000,
+                    "Equal windows, together the second half of the run, that have to agree [-]");
     declare_word_list(prm, "Probes", {}, {}, "Names of probes, each with a subsection");
     declare_integer(
       prm, "Probe interval", 10, 1, many, "Steps between samples of the probes [-]");

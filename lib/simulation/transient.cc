@@ -63,6 +63,10 @@ private:
   set_initial_velocity();
   bool
   control(const std::uint64_t n);
+  std::vector<unsigned int>
+  monitored_nodes() const;
+  void
+  gather_energies();
   void
   feed_detector();
   TopHistory
@@ -85,6 +89,7 @@ private:
   StabilityMonitor         monitor;
   LimitCycleDetector       detector;
   std::size_t              samples_fed = 0;
+  std::vector<double>      kinetic_energy, elastic_energy; ///< of all ranks, samples so far
   bool                     interrupted = false;
   double                   loop_seconds = 0.;
 
@@ -188,7 +193,7 @@ Transient::contact_setup() const
   setup.history_interval     = parameters.observation.history_interval;
   setup.steps_per_block =
     std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
-  setup.monitored_nodes = {reference_node()};
+  setup.monitored_nodes = monitored_nodes();
   return setup;
 }
 
@@ -209,6 +214,9 @@ Transient::criterion() const
   c.periods   = parameters.observation.limit_cycle_periods;
   c.windows   = parameters.observation.limit_cycle_windows;
   c.tolerance = parameters.observation.limit_cycle_tolerance;
+  c.reference_power =
+    std::fabs(parameters.top.pressure.amplitude() * scene.grid.extent(0) *
+              parameters.friction.flat_velocity.amplitude());
   return c;
 }
 
@@ -264,25 +272,74 @@ Transient::set_initial_velocity()
         std::fill_n(w.row(c, rows.local(rows.n_global - 1)), w.n_columns(), 0.);
 }
 
+// The reference node and four more along the contact, for the judgement of the limit cycle.
+std::vector<unsigned int>
+Transient::monitored_nodes() const
+{
+  std::vector<unsigned int> nodes = {reference_node()};
+  for (const unsigned int sixth : {1, 2, 4, 5})
+    nodes.push_back(sixth * scene.grid.cells[0] / 6);
+  return nodes;
+}
+
+// Collective.
+void
+Transient::gather_energies()
+{
+  if (!energy)
+    return;
+  const EnergyHistory &local = energy->local_history();
+  const auto           sum   = [&](const std::vector<double> &part, std::vector<double> &all) {
+    const std::size_t known = all.size();
+    all.insert(all.end(), part.begin() + known, part.end());
+    MPI_Allreduce(MPI_IN_PLACE,
+                  all.data() + known,
+                  all.size() - known,
+                  MPI_DOUBLE,
+                  MPI_SUM,
+                  context.communicator());
+  };
+  sum(local.kinetic, kinetic_energy);
+  sum(local.elastic, elastic_energy);
+}
+
 void
 Transient::feed_detector()
 {
-  const ContactHistory &h = contact.history();
+  const ContactHistory &h       = contact.history();
+  const double          n_nodes = material.n_columns() - (parameters.periodic ? 1 : 0);
+  CycleSample           sample;
+  sample.displacement.resize(h.nodes.size());
   for (; samples_fed < h.time.size(); ++samples_fed)
-    detector.add(h.time[samples_fed], h.nodes[0].ux[samples_fed], h.friction_energy[samples_fed]);
+    {
+      const std::size_t k = samples_fed;
+      for (std::size_t node = 0; node < h.nodes.size(); ++node)
+        sample.displacement[node] = h.nodes[node].ux[k];
+      sample.time             = h.time[k];
+      sample.friction_energy  = h.friction_energy[k];
+      sample.normal_force     = h.normal_force[k];
+      sample.tangential_force = h.tangential_force[k];
+      sample.sticking         = h.sticking[k] / n_nodes;
+      sample.slipping         = h.slipping[k] / n_nodes;
+      if (energy) // the last one known at that step
+        {
+          const std::size_t e   = h.step[k] / parameters.observation.energy_interval;
+          sample.kinetic_energy = kinetic_energy[e];
+          sample.elastic_energy = elastic_energy[e];
+        }
+      detector.add(sample);
+    }
 }
 
 bool
 Transient::control(const std::uint64_t n)
 {
+  gather_energies();
   int stop = 0;
   if (rows.begin == 0)
     {
       feed_detector();
-      // As long again as it took to decide, so that there is a steady part to evaluate.
-      if (parameters.observation.stop_at_limit_cycle && detector.reached() &&
-          n * time.step.dt >= 2. * *detector.reached_at() - detector.steady_from())
-        stop = 1;
+      stop = parameters.observation.stop_at_limit_cycle && detector.reached();
     }
   MPI_Bcast(&stop, 1, MPI_INT, 0, context.communicator());
   interrupted = context.stop_requested();
