@@ -79,8 +79,26 @@ struct ContactSums
  * Work is formed with the central increment (u_(n+1) - u_(n-1)) / 2, for which the
  * discrete energy balance is exact.
  */
-ContactSums
-advance_contact(const ContactArrays &arrays, const ContactStep &step);
+using ContactFunction = void (*)(const ContactArrays &arrays,
+                                 const ContactStep &step,
+                                 ContactSums &sums);
+
+/** One for each instruction set, see contact_function.h. */
+namespace contact_kernels
+{
+namespace x86_64
+{
+void advance(const ContactArrays &, const ContactStep &, ContactSums &);
+}
+namespace x86_64_v3
+{
+void advance(const ContactArrays &, const ContactStep &, ContactSums &);
+}
+namespace x86_64_v4
+{
+void advance(const ContactArrays &, const ContactStep &, ContactSums &);
+}
+} // namespace contact_kernels
 } // namespace mesoslip
 
 #endif

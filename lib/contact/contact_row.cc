@@ -78,8 +78,8 @@ ContactRow::advance(const RowView &row)
         w_before_y[k] = row.wy[setup.monitored_nodes[k]];
       }
 
-  const ContactSums sums =
-    advance_contact(arrays(row), {step.dt, step.beta2, flat_velocity * step.dt});
+  ContactSums sums;
+  advance_nodes(arrays(row), {step.dt, step.beta2, flat_velocity * step.dt}, sums);
 
   if (setup.periodic)
     for (double *component : {row.ux, row.uy, row.wx, row.wy})

@@ -1,7 +1,7 @@
 #ifndef mesoslip_contact_contact_row_h
 #define mesoslip_contact_contact_row_h
 
-#include "contact/contact_kernel.h"
+#include "contact/contact_function.h"
 #include "contact/friction_law.h"
 #include "contact/load_history.h"
 #include "elasticity/explicit_stepper.h"
@@ -171,6 +171,8 @@ private:
 
   void
   count_step();
+
+  const ContactFunction advance_nodes = contact_function();
 
   const ContactSetup   setup;
   const StepParameters step;

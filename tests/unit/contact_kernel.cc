@@ -2,6 +2,7 @@
 
 #include "contact_testing.h"
 
+#include <cstring>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -149,6 +150,64 @@ TEST(ContactKernel, EqualsTheBranchesNodeByNode)
           for (unsigned int s = 0; s < 3 && n > 1; ++s)
             EXPECT_GT(seen[s], 20u) << "status " << s << " hardly seen";
         }
+}
+
+TEST(ContactKernel, TheSameBitsFromEveryInstructionSet)
+{
+  SCOPED_TRACE(seed);
+  constexpr std::size_t n = 40;
+  const auto advanced     = [](const InstructionSet isa, ContactSums &sums) {
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> random(-1., 1.);
+    NodalField<double> values(n, 10);
+    unsigned int next = 0;
+    const auto row    = [&](const double centre, const double width) {
+      double *r = values.row(next % 2, next / 2);
+      ++next;
+      for (std::size_t i = 0; i < n; ++i)
+        r[i] = centre + width * random(generator);
+      return r;
+    };
+    ContactArrays a;
+    a.n                    = n;
+    a.internal_x           = row(0., 10.);
+    a.internal_y           = row(5., 10.);
+    a.inverse_mass_x       = row(1., 0.3);
+    a.inverse_mass_y       = row(1., 0.3);
+    a.u_x                  = row(0., 1e-3);
+    a.u_y                  = row(0., 1e-3);
+    a.w_x                  = row(0., 0.1);
+    a.w_y                  = row(0., 0.1);
+    a.gap                  = row(0., 1e-4);
+    a.friction_coefficient = row(0.5, 0.5);
+    a.decay                = row(0.5, 0.5);
+    a.increment_x          = row(0., 1e-3);
+    a.increment_y          = row(0., 1e-3);
+    a.tangential_force     = row(0., 5.);
+    a.touching             = row(0.5, 0.);
+    a.normal_force         = row(0., 0.);
+    a.sticking             = row(0., 0.);
+    a.stick_count          = row(0., 0.);
+    a.slip_count           = row(0., 0.);
+    a.landing_count        = row(0., 0.);
+    for (unsigned int k = 0; k < 5; ++k)
+      contact_function(isa)(a, {1e-2, 0.7, 1e-3}, sums);
+    return values;
+  };
+  ContactSums first;
+  const NodalField<double> expected = advanced(InstructionSet::x86_64, first);
+  EXPECT_GT(first.sticking, 0.);
+  EXPECT_GT(first.slipping, 0.);
+  EXPECT_LT(first.sticking + first.slipping, n);
+  for (const InstructionSet isa : available_instruction_sets())
+    {
+      ContactSums sums;
+      const NodalField<double> found = advanced(isa, sums);
+      EXPECT_TRUE(std::equal(expected.begin(), expected.begin() + expected.size(),
+                             found.begin()))
+        << to_string(isa);
+      EXPECT_EQ(std::memcmp(&sums, &first, sizeof sums), 0) << to_string(isa);
+    }
 }
 
 TEST(ContactKernel, NaNDoesNotHide)
