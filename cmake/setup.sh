@@ -4,7 +4,7 @@
 # Debian packages; the programs need all but the last line, the tests also that.
 mesoslip_packages=(
   build-essential cmake ninja-build libdeal.ii-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev libpng-dev
-  python3 python3-numpy python3-h5py python3-matplotlib
+  python3 python3-numpy python3-scipy python3-h5py python3-matplotlib
   libgtest-dev)
 
 # Debian's python has numpy, h5py and matplotlib; another one in PATH may not.
