@@ -36,18 +36,20 @@ void require_finite(const LoadHistory &load,
 
 std::string likely_cause(const Runaway &found, const TimeStepChoice &time)
 {
-  const double dt = time.step.dt;
   std::ostringstream text;
   text.precision(4);
-  text << "the time step is " << 100. * dt / time.critical << " % of the critical one";
-  if (dt > time.critical)
-    text << "; use Time/Time step = auto or a smaller one";
+  const double share = 100. * time.step.dt / time.critical;
+  if (share > 100.)
+    text << "the time step is " << share
+         << " % of the critical one; use Time/Time step = auto or a smaller one";
   else if (!std::isfinite(found.energy))
-    text
-      << ", so that loads are to blame that overflow: see Top/Pressure, Flat/Velocity, "
-         "Body/Initial velocity and Acceleration";
+    text << "loads that overflow (Top/Pressure, Flat/Velocity, Body/Initial velocity, "
+            "Acceleration), as the time step is "
+         << share << " % of the critical one";
   else
-    text << ", too close to it; reduce Time/Safety factor or Time step";
+    text << "the time step is " << share
+         << " % of the critical one, too close to it; reduce Time/Safety factor or Time "
+            "step";
   return text.str();
 }
 } // namespace

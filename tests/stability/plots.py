@@ -1,0 +1,128 @@
+"""The pictures of the study. Colours and style are those of the report."""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "applications", "report"))
+import matplotlib.pyplot as plt  # noqa: E402  (figures chooses the backend)
+import numpy as np  # noqa: E402
+from figures import BLUE, GREEN, GREY, ORANGE, PINK, RUN_COLOURS, above  # noqa: E402
+
+OUTCOME_COLOURS = {"stable": BLUE, "stopped": ORANGE}
+TINY = 1e-17  # a residual of zero on a logarithmic axis
+
+
+def time_step(sweep, limits):
+    figure, (upper, lower) = plt.subplots(2, 1, figsize=(7.2, 7.4), height_ratios=(1, 1.15))
+    for beta2, tint in zip(sorted({beta2 for beta2, _ in sweep}), RUN_COLOURS):
+        stable = [(share, v.growth) for (b, share), v in sweep.items() if b == beta2 and v.outcome == "stable"]
+        stopped = [share for (b, share), v in sweep.items() if b == beta2 and v.outcome == "stopped"]
+        upper.plot(*zip(*stable), "o-", color=tint, label=f"beta2 = {beta2:g}", markersize=4)
+        upper.plot(stopped, [1e6] * len(stopped), "^", color=tint, markersize=7, alpha=0.6)
+    upper.axvline(1.0, color=GREY, linestyle=":")
+    upper.axhline(1e6, color=GREY, linewidth=0.8)
+    upper.text(0.5, 4e5, "stopped here (triangles)", color=GREY, va="top")
+    upper.set(yscale="log", ylim=(0.3, 4e6), xlabel="time step / predicted critical time step",
+              ylabel="largest energy / energy put in")
+    above(upper, columns=4)
+
+    bodies = list(dict.fromkeys(limit.body for limit in limits))
+    for limit in limits:
+        y = bodies.index(limit.body) + 0.1 * ((limits.index(limit) % 5) - 2)
+        lower.plot([limit.low, limit.high], [y, y], "-", color=BLUE, linewidth=4)
+    lower.axvspan(0.99, 1.01, color=GREEN, alpha=0.12)
+    lower.text(1.0, -0.62, "1 %", color=GREEN, ha="center")
+    lower.set(yticks=range(len(bodies)), yticklabels=bodies, xlabel="observed / predicted critical time step",
+              xlim=(0.975, 1.025), ylim=(len(bodies) - 0.4, -0.9))
+    return figure
+
+
+def energy_residuals(verdicts):
+    groups = list(dict.fromkeys(group for group, _ in verdicts))
+    figure, axes = plt.subplots(figsize=(7.2, 5.2))
+    for group, value in verdicts:
+        verdict = verdicts[group, value]
+        if verdict.residual is not None:
+            axes.plot(max(verdict.residual, TINY), groups.index(group), "o", color=OUTCOME_COLOURS[verdict.outcome], alpha=0.6)
+    axes.axvline(np.finfo(float).eps, color=GREY, linestyle=":")
+    axes.text(np.finfo(float).eps, -0.75, " round-off of one operation", color=GREY)
+    shown = [group for group in groups if group != "to be stopped"]
+    axes.set(xscale="log", yticks=range(len(shown)), yticklabels=shown, ylim=(len(shown) - 0.5, -1.2), xlim=(1e-17, 1e-11),
+             xlabel="error of the energy balance / largest energy")
+    return figure
+
+
+def drift(curves):
+    figure, axes = plt.subplots(figsize=(7.2, 3.8))
+    for (name, (step, residual)), tint in zip(curves.items(), RUN_COLOURS):
+        axes.plot(step[1:], np.maximum(residual[1:], TINY), color=tint, label=name, linewidth=0.9)
+    axes.set(xscale="log", yscale="log", xlabel="time step", ylabel="error of the energy balance\n/ largest energy")
+    above(axes, columns=2)
+    return figure
+
+
+def _title(delta):
+    return "plain Coulomb, delta = 0" if delta == 0 else f"delta = {delta * 1e9:.0f} ns"
+
+
+def figure_five(nodes):
+    """nodes: {(delta, h): Node}. The paper's figure 5, a column for each law."""
+    deltas = sorted({delta for delta, _ in nodes})
+    figure, axes = plt.subplots(3, len(deltas), figsize=(9.6, 10.2), sharey="row")
+    tints = dict(zip(sorted({h for _, h in nodes}, reverse=True), (GREY, GREEN, BLUE, ORANGE)))
+    for column, delta in enumerate(deltas):
+        path, cycle, spectrum = axes[:, column]
+        for (d, h), node in nodes.items():
+            if d != delta:
+                continue
+            path.plot(node.time * 1e3, node.displacement * 1e6, color=tints[h], linewidth=0.7, label=f"h = {h:g} mm")
+            late = node.time > node.time[-1] - 1e-4
+            cycle.plot(node.displacement[late] * 1e6, node.velocity[late], color=tints[h], linewidth=0.5)
+            frequency, amplitude = node.spectrum
+            spectrum.semilogy(frequency * 1e-3, amplitude * 1e9, color=tints[h], linewidth=0.8)
+        path.set_title(_title(delta), loc="left", pad=24)
+        above(path, columns=2)
+        path.set_xlabel("t (ms)")
+        cycle.set_xlabel("u_x (µm), last 0.1 ms")
+        spectrum.set(xlabel="frequency (kHz)", xlim=(0, 800), ylim=(1e-3, 2e3))
+    for row, label in zip(axes, ("u_x of the middle node (µm)", "v_x (m/s)", "amplitude of u_x (nm)")):
+        row[0].set_ylabel(label)
+    return figure
+
+
+def refinement_numbers(numbers):
+    """numbers: {(beta, delta, h): {name: value}}."""
+    shown = ("mu_inter", "rms v_x (m/s)", "share of v_x above 400 kHz", "largest pressure (Pa)")
+    figure, axes = plt.subplots(2, 2, figsize=(8.6, 6.2))
+    for axis, name in zip(axes.flat, shown):
+        for (beta, delta), (tint, mark) in zip(dict.fromkeys((b, d) for b, d, _ in numbers),
+                                               ((ORANGE, "o-"), (BLUE, "o-"), (ORANGE, "s--"), (BLUE, "s--"))):
+            points = [(h, values[name]) for (b, d, h), values in numbers.items() if (b, d) == (beta, delta)]
+            axis.plot(*zip(*points), mark, color=tint, markersize=5, label=f"delta = {delta * 1e9:g} ns, beta = {beta * 1e9:g} ns")
+        axis.set(xscale="log", xlabel="h (mm)", ylabel=name, xticks=(0.05, 0.1, 0.2, 0.4), xticklabels=("0.05", "0.1", "0.2", "0.4"))
+        axis.minorticks_off()
+        axis.set_ylim(bottom=0)
+    axes[0, 0].legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2)
+    return figure
+
+
+def sensitivity(table, base):
+    parameters = list(dict.fromkeys(parameter for parameter, _ in table))
+    results = list(next(iter(table.values())))
+    figure, axes = plt.subplots(len(results), len(parameters), figsize=(9.6, 8.2), sharey="row")
+    scales = {"delta": (1e6, "delta (µs)"), "beta2": (1, "beta2"), "beta": (1e9, "beta (ns)")}
+    for column, parameter in enumerate(parameters):
+        factor, label = scales[parameter]
+        values = [value for name, value in table if name == parameter]
+        for row, result in enumerate(results):
+            mean, half = np.array([table[parameter, value][result] for value in values]).T
+            unit = 1e-3 if "Hz" in result else 1.0
+            axis = axes[row, column]
+            axis.errorbar(np.array(values) * factor, mean * unit, half * unit, fmt="o-", color=BLUE, capsize=3, markersize=4)
+            axis.axvline(base[parameter] * factor, color=PINK, linestyle=":")
+            if column == 0:
+                axis.set_ylabel(result.replace("Hz", "kHz"))
+            if row == len(results) - 1:
+                axis.set_xlabel(label)
+            axis.set_ylim(bottom=0)
+    return figure

@@ -1,0 +1,42 @@
+"""Stability under stress: time steps around the limit, settings far beyond the paper's, a million steps, refinement with
+and without regularization, sensitivity. Leaves tables and pictures in doc/stability."""
+
+import os
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+TOP = os.path.dirname(os.path.dirname(HERE))
+sys.path[:0] = [HERE, os.path.join(TOP, "applications", "studies")]
+
+import sections  # noqa: E402
+from page import Page  # noqa: E402
+from study import Study, parse_arguments  # noqa: E402
+
+PARTS = {"limit": sections.limit_part, "stress": sections.stress_part, "long": sections.long_part,
+         "refinement": sections.refinement_part, "sensitivity": sections.sensitivity_part}
+INTRODUCTION = """
+# Stability under stress
+
+Written by `./run.sh stability`; every number on this page is inserted by it. A run has to end stable or be stopped by the program with exit status 3, naming step,
+time, place and likely cause. A run counts as stable when every data set of its `dynamics.h5` is finite, its energy balance closes to round-off and the body never holds more energy than was
+put in. A short form of the first three parts is a test (`verification/stability`).
+"""
+
+
+def main():
+    arguments = parse_arguments(__doc__, "stability", list(PARTS))
+    study = Study(arguments.output, arguments.programs, arguments.jobs, arguments.keep)
+    page = Page(os.path.join(TOP, "doc", "stability"), os.path.join(arguments.output, "page"))
+    wrong = []
+    for part in arguments.parts:
+        verdicts, findings = PARTS[part](study, page)
+        wrong += findings + [verdict.outcome for verdict in verdicts if not verdict.good]
+    page.write(INTRODUCTION, PARTS)
+    for sentence in wrong:
+        print("stability: " + sentence, file=sys.stderr)
+    print(f"doc/stability/README.md: {'all as it should be' if not wrong else f'{len(wrong)} runs are not as they should be'}")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
