@@ -97,6 +97,28 @@ TEST(AssembledOperator, EqualsUniformGridOperator)
         compare(random_material(random, cells, n_classes, anisotropic, false), random);
 }
 
+TEST(AssembledOperator, EqualsUniformGridOperatorOnRandomGrids)
+{
+  Random random;
+  SCOPED_TRACE(seed);
+  for (unsigned int member = 0; member < 30; ++member)
+    {
+      UniformGrid<2> grid;
+      grid.cells         = {{2 + random.integer(30), 2 + random.integer(30)}};
+      grid.spacing       = {{random(0.2, 2.), random(0.2, 2.)}};
+      const double lower = std::min(grid.spacing[0], grid.spacing[1]),
+                   upper = std::max(grid.spacing[0], grid.spacing[1]);
+      std::vector<ElasticClass> classes(1 + random.integer(6));
+      for (ElasticClass &c : classes) // forces of order one whatever the shape
+        c = {random.stiffness(true) * lower / upper, random(0.1, 1.)};
+      std::vector<std::uint8_t> ids;
+      for (std::size_t i = 0; i < grid.n_cells(); ++i)
+        ids.push_back(random.integer(classes.size()));
+      SCOPED_TRACE(std::to_string(grid.cells[0]) + " x " + std::to_string(grid.cells[1]));
+      compare(UniformMaterial(grid, classes, ids), random);
+    }
+}
+
 TEST(AssembledOperator, ConstantStrainInThreeDimensions)
 {
   // Every component of strain: the energy shows Voigt order and engineering shear.

@@ -4,4 +4,5 @@ target_sources(verification_dynamics PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/dynamics_energy.cc
   ${CMAKE_CURRENT_LIST_DIR}/dynamics_monitor.cc
   ${CMAKE_CURRENT_LIST_DIR}/dynamics_stability.cc
-  ${CMAKE_CURRENT_LIST_DIR}/dynamics_top.cc)
+  ${CMAKE_CURRENT_LIST_DIR}/dynamics_top.cc
+  ${CMAKE_CURRENT_LIST_DIR}/dynamics_turned.cc)

@@ -72,6 +72,44 @@ TEST(Bar, EnergyLossOfOneImpact)
   EXPECT_NEAR(orders(damped_loss).back(), 0.5, 0.05);
 }
 
+// In the falling frame the flat pushes the lower end by v t + g t^2 / 2, which sends up a
+// wave with the pressure rho c (v + g t); its echo comes back at T = 2 L / c, when the
+// bar would be pulled: contact from 1 to 1 + T with the impulse rho c (v T + g T^2 / 2).
+TEST(Bar, FirstBounceUnderGravity)
+{
+  constexpr double g = 10., T = exact_duration;
+  std::vector<double> impulse_errors, pressure_errors;
+  for (const unsigned int n : {50, 100, 200, 400})
+    {
+      BodySetup setup         = bar(n, 0.5, 0.9);
+      setup.step.acceleration = {{0., -g}};
+      SlidingBody body(setup);
+      const double dt = setup.step.dt, width = setup.spacing[0];
+      body.run(std::lround(2.2 / dt));
+      const ContactHistory &h = body.contact.history();
+      double impulse = 0., squares = 0., n_samples = 0., after = 0.;
+      for (std::size_t k = 0; k < h.time.size(); ++k)
+        {
+          const double t = h.time[k] - 1., pressure = h.normal_force[k] / width;
+          impulse += h.normal_force[k] * dt / width;
+          if (t > 0.1 * T && t < 0.9 * T)
+            {
+              squares += std::pow(pressure - c * (v + g * t), 2);
+              n_samples += 1.;
+            }
+          after += t > 1.1 * T ? pressure : 0.;
+        }
+      EXPECT_EQ(after, 0.);
+      impulse_errors.push_back(impulse - c * (v * T + 0.5 * g * T * T));
+      pressure_errors.push_back(std::sqrt(squares / n_samples));
+      EXPECT_NEAR(impulse_errors.back() / (c * (v * T + 0.5 * g * T * T)), 0., 1e-3);
+    }
+  for (const double order : orders(pressure_errors))
+    EXPECT_NEAR(order, 1., 0.05);
+  EXPECT_LT(pressure_errors.back(), 1e-3 * c * v);
+  EXPECT_LT(std::abs(impulse_errors.back()), 0.1 * std::abs(impulse_errors.front()));
+}
+
 TEST(Bar, BouncingUnderGravityGainsNoEnergy)
 {
   for (const double b : {0.5, 0.8})

@@ -1,1 +1,3 @@
 mesoslip_test(verification homogenization RANKS 2 LIBS mesoslip_homogenization)
+target_sources(verification_homogenization PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/random_microstructures.cc)
