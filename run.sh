@@ -23,6 +23,8 @@ done
 caller=${OLDPWD:-$PWD}
 install_packages
 cmake_options=()
-build build rve_homogenization contact_dynamics stress_localization
+programs=(rve_homogenization contact_dynamics stress_localization)
+[ "$script" != tests/benchmarks/run.py ] || programs+=(model_problems scaling_benchmark)
+build build "${programs[@]}"
 [ "$script" != applications/run_chain.py ] || set -- --from "$caller" "$@"
 exec "$python" "$script" --programs build/applications "$@"

@@ -187,8 +187,9 @@ def _text(value):
     return str(value)
 
 
-def parse_arguments(description, default_output, parts):
-    """The command line that all studies share: which `parts` (names, default all) to run, and where."""
+def parse_arguments(description, default_output, parts, add_options=None):
+    """The command line that all studies share: which `parts` (names, default all) to run, and where.
+    `add_options(parser)` adds what only this study knows."""
     top = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="*", metavar="part", help="of " + ", ".join(parts) + " (default: all)")
@@ -197,6 +198,8 @@ def parse_arguments(description, default_output, parts):
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs side by side (default: all cores)")
     parser.add_argument("--keep", action="store_true", help="take the runs of an earlier build of the programs as they are")
     parser.add_argument("--programs", default=os.path.join(top, "build", "applications"), help=argparse.SUPPRESS)
+    if add_options:
+        add_options(parser)
     arguments = parser.parse_args()
     unknown = [part for part in arguments.parts if part not in parts]
     if unknown:

@@ -66,8 +66,10 @@ Outcome outcome(const BodySetup &setup, const double end)
           {}};
 }
 
-/** Circular frequency of samples q from q_(n+1) = z1 q_n - z2 q_(n-1), least squares. */
-double frequency(const std::vector<double> &q, const double interval)
+/** Circular frequency and decay rate (1/s) of samples q from q_(n+1) = z1 q_n - z2
+ * q_(n-1), by least squares. */
+std::array<double, 2> frequency_and_decay(const std::vector<double> &q,
+                                          const double interval)
 {
   Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
   Eigen::Vector2d r = Eigen::Vector2d::Zero();
@@ -78,7 +80,8 @@ double frequency(const std::vector<double> &q, const double interval)
       r += row * q[n + 1];
     }
   const Eigen::Vector2d z = A.inverse() * r;
-  return std::acos(0.5 * z(0) / std::sqrt(-z(1))) / interval;
+  return {{std::acos(0.5 * z(0) / std::sqrt(-z(1))) / interval,
+           -0.5 * std::log(-z(1)) / interval}};
 }
 
 /** Five periods of the slowest shear mode, from rest; the error is that of its frequency.
@@ -105,7 +108,8 @@ Outcome mode(const Choice &choice, const unsigned int repetitions)
         q.push_back(mass_product(body.material, body.u, discrete.shape));
         seconds += cpu_seconds([&]() { body.run(interval); });
       }
-    result.errors = {frequency(q, interval * setup.step.dt) / exact - 1.};
+    const auto [omega, decay] = frequency_and_decay(q, interval * setup.step.dt);
+    result.errors             = {omega / exact - 1., decay * period};
     return seconds;
   });
   return result;
@@ -175,7 +179,7 @@ void print(const Choice &choice, const Outcome &o)
 int run(const int argc, char **argv)
 {
   const std::vector<Problem> problems = {
-    {"mode", "frequency_error", mode},
+    {"mode", "frequency_error,amplitude_lost", mode},
     {"bar", "energy_lost,contact_time_error", bar},
     {"growth", "growth_error,frequency_error", growth}};
   for (const Problem &problem : problems)

@@ -1,0 +1,38 @@
+"""Run time against error, and scaling: runs the studies and redraws the diagrams of doc/performance/.
+
+    ./run.sh benchmarks [part...] [--quick]
+
+Every diagram has a CSV beside it, which names machine, compiler, instruction set, ranks and repetitions. Costs are
+CPU seconds (user and system) of whole programs or of the time loop, as the headings say.
+"""
+
+import importlib
+import os
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+from common import TOP, Bench  # noqa: E402
+from study import parse_arguments  # noqa: E402
+
+PARTS = ["modes", "bar", "sliding_growth", "stiffness", "localization", "pin", "step_scaling", "static_scaling"]
+
+
+def main():
+    def options(parser):
+        parser.add_argument("--quick", action="store_true",
+                            help="small cases only; the diagrams go beside the runs instead of to doc/performance")
+
+    arguments = parse_arguments(__doc__, "benchmarks", PARTS, options)
+    runs = os.path.join(arguments.output, "quick") if arguments.quick else arguments.output
+    pictures = os.path.join(runs, "diagrams") if arguments.quick else os.path.join(TOP, "doc", "performance")
+    bench = Bench(runs, arguments.programs, pictures, arguments.jobs, arguments.keep, arguments.quick)
+    for part in arguments.parts:
+        print(f"{part}", file=sys.stderr, flush=True)
+        importlib.import_module(part).run(bench)
+    print(f"diagrams in {os.path.relpath(pictures)}")
+
+
+if __name__ == "__main__":
+    main()

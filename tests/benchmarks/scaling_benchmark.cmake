@@ -1,0 +1,1 @@
+mesoslip_benchmark(scaling_benchmark LIBS mesoslip_dynamics)

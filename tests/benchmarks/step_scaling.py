@@ -1,0 +1,126 @@
+"""The explicit step against cells and ranks: measured, and predicted by a model whose constants are measured apart from it
+(work a cell, a row, a step; bandwidth by working set; messages), carried to 1000 ranks and 1e9 cells."""
+
+import numpy as np
+
+from plots import curve, legend, logarithmic, panels
+
+BYTES_A_NODE = 32  # u and w, two components each
+TRAFFIC = 64  # bytes a cell and sweep: all of them read and written
+# Grids that fit the second-level cache: they give work a cell, a row and a step.
+SMALL = [(32, 32), (200, 20), (64, 128), (100, 100), (250, 40)]
+LARGE = [(316, 316), (560, 160), (1120, 320), (1000, 1000), (2240, 640), (3162, 3162)]
+STREAM = [2 ** k for k in range(12, 29, 2)]
+MESSAGES = [8, 1024, 4096, 16384, 32768, 65536, 262144]
+# Assumed of a cluster, for the prediction: ranks a node, its memory bandwidth (B/s), network of a node (B/s), latency (s).
+CLUSTER = {"ranks": 48, "memory": 200e9, "network": 12.5e9, "latency": 2e-6}
+REPETITIONS = 41
+
+
+def run(bench):
+    large = LARGE[:3] if bench.quick else LARGE
+    stream = bench.tool("scaling_benchmark", "stream", *(STREAM[:-2] if bench.quick else STREAM))
+    messages = bench.tool("scaling_benchmark", "message", *MESSAGES, ranks=2)
+    small = [row for nx, ny in SMALL for row in steps(bench, nx, ny, 1)]
+    model = Model(small, stream, messages)
+    rows = small + [row for nx, ny in large for depth in (1, 0) for row in steps(bench, nx, ny, depth)]
+    rows += [row for nx, ny in SMALL[3:] + large for row in steps(bench, nx, ny, 1, ranks=2)]
+    for row in rows:
+        row["predicted"] = model.step(row["nx"], row["ny"], row["in_flight"], row["ranks"])
+        row["measured_over_predicted"] = row["seconds_low"] / row["predicted"]
+    bench.write("step-scaling", rows, "seconds a step of a body on the flat, without observers; bytes: memory of the grid; the "
+                "prediction is compared with the fastest repetition", ranks="1 and 2", repetitions=REPETITIONS)
+    bench.write("step-scaling-machine", [{"constant": k, "value": v} for k, v in model.constants().items()],
+                "constants of the model, from grids within the second-level cache and from two ranks", repetitions=REPETITIONS)
+    bench.write("stream", stream, "numbers read and written in place, seconds a sweep", repetitions=REPETITIONS)
+    bench.write("messages", messages, "seconds of half a round trip", ranks=2, repetitions=REPETITIONS)
+    bench.write("step-scaling-1000-ranks", model.cluster(), "predicted: 1e9 cells on 1000 ranks; assumed: "
+                f"{CLUSTER['ranks']} ranks a node with {CLUSTER['memory'] / 1e9:g} GB/s of memory, network "
+                f"{CLUSTER['network'] / 1e9:g} GB/s a node, latency {1e6 * CLUSTER['latency']:g} us", ranks=1000)
+    draw(bench, rows, stream, messages)
+
+
+def steps(bench, nx, ny, depth, ranks=1):
+    """One process for each grid, so that memory is its own."""
+    return bench.tool("scaling_benchmark", "step", f"{nx}:{ny}:{depth}", ranks=ranks)
+
+
+class Model:
+    """Seconds a step: the slower of work and memory, and messages that nothing hides."""
+
+    def __init__(self, small, stream, messages):
+        terms = np.array([[row["nx"] * row["ny"], row["ny"], 1.0] for row in small])
+        times = np.array([row["seconds_low"] for row in small])
+        best = np.linalg.lstsq(terms / times[:, None], np.ones(len(times)), rcond=None)[0]  # relative errors weigh
+        self.cell, self.row, self.start = np.maximum(best, 0.0)
+        self.sizes = [row["bytes"] for row in stream]
+        self.bandwidths = [2 * row["bytes"] / row["seconds_low"] for row in stream]
+        self.message_sizes = [row["bytes"] for row in messages]
+        self.message_times = [row["seconds_low"] for row in messages]
+
+    def bandwidth(self, working_set):
+        return float(np.interp(np.log(working_set), np.log(self.sizes), self.bandwidths))
+
+    def message(self, size):
+        return float(np.interp(size, self.message_sizes, self.message_times))
+
+    def work(self, nx, ny):
+        return nx * ny * self.cell + ny * self.row + self.start
+
+    def step(self, nx, ny, in_flight=1, ranks=1):
+        own = ny / ranks
+        memory = TRAFFIC * nx * own / in_flight / self.bandwidth(BYTES_A_NODE * nx * own)
+        halo = self.message(BYTES_A_NODE * nx) if ranks > 1 else 0.0
+        return max(self.work(nx, own), memory) + halo
+
+    def constants(self):
+        return {"work_s_per_cell": self.cell, "work_s_per_row": self.row, "work_s_per_step": self.start,
+                "bytes_per_node": BYTES_A_NODE, "traffic_bytes_per_cell": TRAFFIC, "latency_s": self.message(8),
+                "message_64kB_s": self.message(65536)}
+
+    def cluster(self, cells=1e9, ranks=1000, aspect=3.5):
+        """Slabs of rows as they are, and blocks with a halo of several steps as they might be."""
+        found, share = [], cells / ranks
+        nodes = ranks / CLUSTER["ranks"]
+        memory_rate = CLUSTER["memory"] / CLUSTER["ranks"]
+        width = (cells * aspect) ** 0.5
+        for name, nx, sides, depth in (("slabs of rows, plain sweep", width, 1, 1),
+                                       ("blocks, plain sweep", share ** 0.5, 2, 1),
+                                       ("blocks, 8 steps in flight", share ** 0.5, 2, 8)):
+            ny = share / nx
+            halo_bytes = BYTES_A_NODE * (nx if sides == 1 else 2 * (nx + ny))  # sent a step
+            # Only what leaves a node crosses the network: one of a node's slabs, the rim of its blocks.
+            crossing = halo_bytes if sides == 1 else halo_bytes * CLUSTER["ranks"] ** 0.5
+            parts = {"work_s": self.work(nx, ny), "memory_s": TRAFFIC * share / depth / memory_rate,
+                     "halo_s": CLUSTER["latency"] * 2 * sides / depth + crossing / CLUSTER["network"],
+                     "halo_bytes_per_rank": halo_bytes}
+            total = max(parts["work_s"], parts["memory_s"]) + parts["halo_s"]
+            found.append({"layout": name, "cells_per_rank": share, "nodes": nodes, **parts, "step_s": total,
+                          "million_cells_per_s": 1e-6 * cells / total,
+                          "efficiency": self.cell * share / total, "memory_GB_per_rank": BYTES_A_NODE * share / 1e9})
+        return found
+
+
+def draw(bench, rows, stream, messages):
+    figure, (cells, ranks, machine) = panels(3, width=15.5)
+    logarithmic(cells, "cells", "ns a cell and step (fastest of the repetitions)", "one rank", percent=False)
+    for k, (label, chosen) in enumerate((("plain sweep", lambda r: r["in_flight"] == 1),
+                                         ("several steps in flight", lambda r: r["in_flight"] > 1))):
+        own = sorted([r for r in rows if r["ranks"] == 1 and chosen(r)], key=lambda r: r["nx"] * r["ny"])
+        draw_measured(cells, k, own, label)
+    logarithmic(ranks, "cells", "ns a cell and step (fastest of the repetitions)", "two ranks", percent=False)
+    draw_measured(ranks, 0, sorted([r for r in rows if r["ranks"] == 2], key=lambda r: r["nx"] * r["ny"]), "two ranks")
+    logarithmic(machine, "bytes", "GB/s", "what the model knows of the machine", percent=False)
+    curve(machine, 0, [r["bytes"] for r in stream], [2e-9 * r["bytes"] / r["seconds_low"] for r in stream],
+          "update in place, by working set")
+    curve(machine, 1, [r["bytes"] for r in messages], [1e-9 * r["bytes"] / r["seconds_low"] for r in messages],
+          "message between two ranks")
+    for axes in (cells, ranks, machine):
+        legend(axes, 1)
+    bench.draw("step-scaling", figure)
+
+
+def draw_measured(axes, index, rows, label):
+    count = [r["nx"] * r["ny"] for r in rows]
+    curve(axes, index, count, [1e9 * r["seconds_low"] / n for r, n in zip(rows, count)], f"{label}, measured", ls="")
+    curve(axes, index, count, [1e9 * r["predicted"] / n for r, n in zip(rows, count)], f"{label}, predicted", marker="")

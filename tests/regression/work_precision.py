@@ -1,0 +1,122 @@
+"""Helpers of the benchmarks on data whose answers are known.
+
+    work_precision.py <folder with the programs>
+"""
+
+import math
+import os
+import sys
+import tempfile
+
+import numpy as np
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(HERE, "..", "benchmarks"))
+
+import common  # noqa: E402
+import fits  # noqa: E402
+import pin  # noqa: E402
+import plots  # noqa: E402
+import step_scaling  # noqa: E402
+
+SIZES = [0.4, 0.2, 0.1, 0.05]
+
+
+def close(found, expected, tolerance):
+    assert abs(found - expected) <= tolerance, f"{found} instead of {expected}"
+
+
+def refuses(call, *arguments):
+    try:
+        call(*arguments)
+    except ValueError:
+        return
+    raise AssertionError(f"{call.__name__} accepted {arguments}")
+
+
+def test_orders():
+    close(fits.fitted_order(SIZES, [3 * h ** 1.5 for h in SIZES]), 1.5, 1e-12)
+    close(fits.fitted_order(SIZES, [-0.1 * h ** 2 for h in SIZES]), 2.0, 1e-12)
+    refuses(fits.fitted_order, SIZES, [1.0, 0.1, 0.0, 0.1])
+    limit, order = fits.richardson([7 + 2 * h ** 1.3 for h in SIZES])
+    close(limit, 7, 1e-12)
+    close(order, 1.3, 1e-10)
+    limit, order = fits.richardson([5 - h ** 2 for h in (9.0, 3.0, 1.0)], ratio=3.0)
+    close(limit, 5, 1e-12)
+    close(order, 2, 1e-12)
+    refuses(fits.richardson, [1.0, 2.0, 1.0])
+    refuses(fits.richardson, [1.0, 1.0, 1.0])
+
+
+def test_statistics():
+    close(fits.half_width([1, 2, 3, 4, 5]), 2.776 * math.sqrt(2.5 / 5), 1e-12)
+    assert math.isinf(fits.half_width([1.0]))
+    # A steady rate of 3 with an oscillation: whole periods see the rate alone.
+    time = np.linspace(0, 2, 20001)
+    rates = fits.block_rates(time, 3 * time + 0.1 * np.sin(2 * math.pi * 8 * time), 1.0, 2.0, 4)
+    close(np.abs(rates - 3).max(), 0, 1e-9)
+    refuses(fits.block_rates, time, time, 1.0, 2.5, 4)
+    time = np.linspace(0, 1e-3, 5001)
+    signal = 4 * time + 2e-7 * np.sin(2 * math.pi * 41200 * time) + 5e-8 * np.sin(2 * math.pi * 82400 * time)
+    close(fits.main_frequency(time, signal), 41200, 5)
+    rows = [{"e": 0.02, "c": 1.0}, {"e": -0.004, "c": 3.0}, {"e": 0.001, "c": 9.0}, {"e": math.nan, "c": 0.1}]
+    assert fits.cheapest(rows, "e", "c", 0.01)["c"] == 3.0
+    assert fits.cheapest(rows, "e", "c", 1e-4) is None
+    assert fits.median_and_range([3.0, 1.0, 2.0]) == (2.0, 1.0, 3.0)
+
+
+def test_limit_of_the_pin():
+    """value + a h^2 + b dt is found from runs that obey it."""
+    rows = [{"name": f"{h}{dt}", "material": "homogeneous", "beta2": 0.5, "h_mm": h, "dt_s": dt,
+             **{q: 0.2 + 0.01 * h * h + 1e6 * dt for q in pin.QUANTITIES}}
+            for h in SIZES for dt in (1e-8 * h, 2e-8 * h)]
+    limit = pin.continuum(rows)["mu_inter"]
+    close(limit["value"], 0.2, 1e-12)
+    close(limit["per_mm2"], 0.01, 1e-9)
+    close(limit["per_ns"], 1e-3, 1e-9)
+
+
+def test_model_of_the_step():
+    """Work a cell, a row and a step are recovered; a slow memory takes over; ranks add a message."""
+    small = [{"nx": x, "ny": y, "seconds_low": 2e-9 * x * y + 1e-8 * y + 1e-6} for x, y in step_scaling.SMALL]
+    stream = [{"bytes": b, "seconds_low": 2 * b / (100e9 if b < 1e6 else 8e9)} for b in step_scaling.STREAM]
+    messages = [{"bytes": b, "seconds_low": 1e-6 + b / 5e9} for b in step_scaling.MESSAGES]
+    model = step_scaling.Model(small, stream, messages)
+    close(model.cell, 2e-9, 1e-15)
+    close(model.start, 1e-6, 1e-12)
+    close(model.step(100, 100), 2e-9 * 1e4 + 1e-6 + 1e-6, 1e-12)
+    close(model.step(3000, 3000), 64 * 9e6 / 8e9, 1e-9)
+    close(model.step(1024, 32, ranks=2), 2e-9 * 1024 * 16 + 1.6e-7 + 1e-6 + 1e-6 + 32768 / 5e9, 1e-12)
+
+
+def test_files(programs):
+    rows = [{"n": 1, "error": 0.5, "choice": "a, b"}, {"n": 2, "error": 0.25, "choice": "c"}]
+    with tempfile.TemporaryDirectory() as folder:
+        bench = common.Bench(folder, programs, folder, 1, False, True)
+        bench.write("table", rows, "a test", ranks=2, repetitions=3)
+        found, facts = common.read_csv(os.path.join(folder, "table.csv"))
+        assert found == rows, found
+        assert facts["ranks"] == "2" and facts["repetitions"] == "3" and facts["compiler"] != "unknown", facts
+        pictures = []
+        for _ in range(2):
+            figure, (axes,) = plots.panels(1)
+            plots.logarithmic(axes, "seconds", "error in %")
+            plots.curve(axes, 0, [1, 2], [1.0, 0.1], "a", ([0.9, 0.09], [1.1, 0.11]))
+            plots.legend(axes)
+            bench.draw("picture", figure)
+            with open(os.path.join(folder, "picture.svg"), "rb") as file:
+                pictures.append(file.read())
+        assert len(pictures[0]) > 5000 and pictures[0] == pictures[1], "the picture is not the same twice"
+
+
+def main():
+    test_orders()
+    test_statistics()
+    test_limit_of_the_pin()
+    test_model_of_the_step()
+    test_files(sys.argv[1])
+
+
+if __name__ == "__main__":
+    main()
