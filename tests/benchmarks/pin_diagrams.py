@@ -53,6 +53,7 @@ def history(bench, found):
     axes.axvspan(2, 3, color=GREY, alpha=0.12, lw=0, label="evaluated")
     axes.set(xlabel="time in ms", ylabel=r"$\mu_\mathrm{inter}$ in blocks of 50 $\mu$s")
     axes.margins(x=0)
+    axes.set_ylim(bottom=0.17)
     legend(axes, 3)
     bench.draw("pin-history", figure)
 
@@ -65,8 +66,9 @@ def homogenization(bench, rows):
     for panel, (quantity, title) in zip(axes, TITLES.items()):
         scale, unit = (1e-3, " in kHz") if quantity == "frequency_Hz" else (1.0, "")
         panel.set(xscale="log", xlabel="CPU seconds (program, 3 ms)", ylabel=title + unit)
-        draw_values(panel, plain, quantity, scale, 0, "homogeneous", "h = {h_mm:g} mm")
-        draw_values(panel, direct, quantity, scale, 1, "heterogeneous, h = 0.1 mm", "seed {seed}")
+        panel.margins(x=0.25)
+        draw_values(panel, plain, quantity, scale, 0, "homogeneous", "h = {h_mm:g} mm", -58)
+        draw_values(panel, direct, quantity, scale, 1, "heterogeneous, h = 0.1 mm", "seed {seed}", 7)
         values = [scale * row[quantity] for row in direct]
         mean, spread = np.mean(values), np.std(values, ddof=1)
         panel.axhspan(mean - spread, mean + spread, color=COLOURS[1], alpha=0.15, lw=0,
@@ -76,10 +78,10 @@ def homogenization(bench, rows):
     bench.draw("pin-homogenization", figure)
 
 
-def draw_values(panel, rows, quantity, scale, index, label, note):
+def draw_values(panel, rows, quantity, scale, index, label, note, shift):
     panel.errorbar([row["cpu_s"] for row in rows], [scale * row[quantity] for row in rows],
                    yerr=[scale * row[quantity + "_95"] for row in rows], color=COLOURS[index], marker=MARKERS[index],
                    ls="", capsize=2.5, label=label)
-    for k, row in enumerate(rows):
-        panel.annotate(note.format(**row), (row["cpu_s"], scale * row[quantity]), xytext=(6, 4 - 11 * (k % 2)),
+    for row in rows:
+        panel.annotate(note.format(**row), (row["cpu_s"], scale * row[quantity]), xytext=(shift, 4),
                        textcoords="offset points", fontsize=9, color=BLACK)

@@ -73,8 +73,11 @@ void stream(const std::size_t bytes)
   });
   if (values[values.size() / 2] != 1.)
     throw std::runtime_error("stream lost its numbers");
-  std::printf("%zu,", bytes);
-  print_times(seconds, 1. / sweeps);
+  if (rank() == 0)
+    {
+      std::printf("%zu,", bytes);
+      print_times(seconds, 1. / sweeps);
+    }
 }
 
 /** One message to the other rank and one back, twenty times. */

@@ -10,7 +10,7 @@ TRAFFIC = 64  # bytes a cell and sweep: all of them read and written
 # Grids that fit the second-level cache: they give work a cell, a row and a step.
 SMALL = [(32, 32), (200, 20), (64, 128), (100, 100), (250, 40)]
 LARGE = [(316, 316), (560, 160), (1120, 320), (1000, 1000), (2240, 640), (3162, 3162)]
-STREAM = [2 ** k for k in range(12, 29, 2)]
+STREAM = [2 ** k for k in (12, 14, 16, 18, 20, 22, 23, 24, 25, 26, 27, 28)]
 MESSAGES = [8, 1024, 4096, 16384, 32768, 65536, 262144]
 # Assumed of a cluster, for the prediction: ranks a node, its memory bandwidth (B/s), network of a node (B/s), latency (s).
 CLUSTER = {"ranks": 48, "memory": 200e9, "network": 12.5e9, "latency": 2e-6}
@@ -19,7 +19,9 @@ REPETITIONS = 41
 
 def run(bench):
     large = LARGE[:3] if bench.quick else LARGE
-    stream = bench.tool("scaling_benchmark", "stream", *(STREAM[:-2] if bench.quick else STREAM))
+    sizes = STREAM[:-3] if bench.quick else STREAM
+    stream = [{"ranks": ranks, **row} for ranks in (1, 2)
+              for row in bench.tool("scaling_benchmark", "stream", *sizes, ranks=ranks)]
     messages = bench.tool("scaling_benchmark", "message", *MESSAGES, ranks=2)
     small = [row for nx, ny in SMALL for row in steps(bench, nx, ny, 1)]
     model = Model(small, stream, messages)
@@ -32,7 +34,8 @@ def run(bench):
                 "prediction is compared with the fastest repetition", ranks="1 and 2", repetitions=REPETITIONS)
     bench.write("step-scaling-machine", [{"constant": k, "value": v} for k, v in model.constants().items()],
                 "constants of the model, from grids within the second-level cache and from two ranks", repetitions=REPETITIONS)
-    bench.write("stream", stream, "numbers read and written in place, seconds a sweep", repetitions=REPETITIONS)
+    bench.write("stream", stream, "numbers read and written in place by every rank at once, seconds a sweep; bytes: of one rank",
+                ranks="1 and 2", repetitions=REPETITIONS)
     bench.write("messages", messages, "seconds of half a round trip", ranks=2, repetitions=REPETITIONS)
     bench.write("step-scaling-1000-ranks", model.cluster(), "predicted: 1e9 cells on 1000 ranks; assumed: "
                 f"{CLUSTER['ranks']} ranks a node with {CLUSTER['memory'] / 1e9:g} GB/s of memory, network "
@@ -53,13 +56,15 @@ class Model:
         times = np.array([row["seconds_low"] for row in small])
         best = np.linalg.lstsq(terms / times[:, None], np.ones(len(times)), rcond=None)[0]  # relative errors weigh
         self.cell, self.row, self.start = np.maximum(best, 0.0)
-        self.sizes = [row["bytes"] for row in stream]
-        self.bandwidths = [2 * row["bytes"] / row["seconds_low"] for row in stream]
+        self.sizes = sorted({row["bytes"] for row in stream})
+        self.bandwidths = {ranks: [2 * row["bytes"] / row["seconds_low"] for row in stream if row["ranks"] == ranks]
+                           for ranks in (1, 2)}
         self.message_sizes = [row["bytes"] for row in messages]
         self.message_times = [row["seconds_low"] for row in messages]
 
-    def bandwidth(self, working_set):
-        return float(np.interp(np.log(working_set), np.log(self.sizes), self.bandwidths))
+    def bandwidth(self, working_set, ranks):
+        """B/s of one rank, when as many as `ranks` want it."""
+        return float(np.interp(np.log(working_set), np.log(self.sizes), self.bandwidths[ranks]))
 
     def message(self, size):
         return float(np.interp(size, self.message_sizes, self.message_times))
@@ -69,7 +74,7 @@ class Model:
 
     def step(self, nx, ny, in_flight=1, ranks=1):
         own = ny / ranks
-        memory = TRAFFIC * nx * own / in_flight / self.bandwidth(BYTES_A_NODE * nx * own)
+        memory = TRAFFIC * nx * own / in_flight / self.bandwidth(BYTES_A_NODE * nx * own, ranks)
         halo = self.message(BYTES_A_NODE * nx) if ranks > 1 else 0.0
         return max(self.work(nx, own), memory) + halo
 
@@ -102,20 +107,22 @@ class Model:
 
 
 def draw(bench, rows, stream, messages):
-    figure, (cells, ranks, machine) = panels(3, width=15.5)
+    figure, (cells, two, machine) = panels(3, width=15.5)
     logarithmic(cells, "cells", "ns a cell and step (fastest of the repetitions)", "one rank", percent=False)
     for k, (label, chosen) in enumerate((("plain sweep", lambda r: r["in_flight"] == 1),
                                          ("several steps in flight", lambda r: r["in_flight"] > 1))):
         own = sorted([r for r in rows if r["ranks"] == 1 and chosen(r)], key=lambda r: r["nx"] * r["ny"])
         draw_measured(cells, k, own, label)
-    logarithmic(ranks, "cells", "ns a cell and step (fastest of the repetitions)", "two ranks", percent=False)
-    draw_measured(ranks, 0, sorted([r for r in rows if r["ranks"] == 2], key=lambda r: r["nx"] * r["ny"]), "two ranks")
+    logarithmic(two, "cells", "ns a cell and step (fastest of the repetitions)", "two ranks", percent=False)
+    draw_measured(two, 0, sorted([r for r in rows if r["ranks"] == 2], key=lambda r: r["nx"] * r["ny"]), "two ranks")
     logarithmic(machine, "bytes", "GB/s", "what the model knows of the machine", percent=False)
-    curve(machine, 0, [r["bytes"] for r in stream], [2e-9 * r["bytes"] / r["seconds_low"] for r in stream],
-          "update in place, by working set")
-    curve(machine, 1, [r["bytes"] for r in messages], [1e-9 * r["bytes"] / r["seconds_low"] for r in messages],
+    for ranks in (1, 2):
+        own = [r for r in stream if r["ranks"] == ranks]
+        curve(machine, ranks - 1, [r["bytes"] for r in own], [2e-9 * r["bytes"] / r["seconds_low"] for r in own],
+              f"update in place, each of {ranks} rank{'s' if ranks > 1 else ''}, by working set")
+    curve(machine, 2, [r["bytes"] for r in messages], [1e-9 * r["bytes"] / r["seconds_low"] for r in messages],
           "message between two ranks")
-    for axes in (cells, ranks, machine):
+    for axes in (cells, two, machine):
         legend(axes, 1)
     bench.draw("step-scaling", figure)
 

@@ -80,13 +80,15 @@ def test_limit_of_the_pin():
 def test_model_of_the_step():
     """Work a cell, a row and a step are recovered; a slow memory takes over; ranks add a message."""
     small = [{"nx": x, "ny": y, "seconds_low": 2e-9 * x * y + 1e-8 * y + 1e-6} for x, y in step_scaling.SMALL]
-    stream = [{"bytes": b, "seconds_low": 2 * b / (100e9 if b < 1e6 else 8e9)} for b in step_scaling.STREAM]
+    stream = [{"ranks": n, "bytes": b, "seconds_low": 2 * b / (100e9 if b < 1e6 else 8e9 / n)}
+              for n in (1, 2) for b in step_scaling.STREAM]
     messages = [{"bytes": b, "seconds_low": 1e-6 + b / 5e9} for b in step_scaling.MESSAGES]
     model = step_scaling.Model(small, stream, messages)
     close(model.cell, 2e-9, 1e-15)
     close(model.start, 1e-6, 1e-12)
     close(model.step(100, 100), 2e-9 * 1e4 + 1e-6 + 1e-6, 1e-12)
     close(model.step(3000, 3000), 64 * 9e6 / 8e9, 1e-9)
+    close(model.step(3000, 4000, ranks=2), 64 * 6e6 / 4e9 + 1e-6 + 96000 / 5e9, 1e-8)
     close(model.step(1024, 32, ranks=2), 2e-9 * 1024 * 16 + 1.6e-7 + 1e-6 + 1e-6 + 32768 / 5e9, 1e-12)
 
 
