@@ -8,7 +8,7 @@ import numpy as np
 from mixture import coarsen, read_cells
 from sliding_modes import SlidingPin, unstable_modes
 
-CELLS = (70, 20)
+CELLS = (140, 40)
 SIZE = (0.056, 0.016)
 FREQUENCIES = np.arange(36e3, 270e3, 9e3)  # where modes are looked for
 DELTAS = (0.5e-6, 0.75e-6, 1e-6, 1.25e-6, 1.5e-6, 1.75e-6, 2e-6, 2.5e-6, 3e-6)

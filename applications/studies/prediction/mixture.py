@@ -34,15 +34,17 @@ def read_cells(rve):
         return phases[file["phase/id"][:]], float(file["phase/density"][0]), grid["cells"] * grid["spacing"]
 
 
-def write_coarse(rve, folder):
-    """Writes the morphology of the file `rve` on coarser cells, phases.txt (top row first), and the .prm that makes its
+def write_coarse(rve, folder, times=1):
+    """Writes the morphology of the file `rve` coarsened so many times, phases.txt (top row first), and the .prm that makes its
     rve.h5; returns the path of the .prm. Files that would not change stay untouched."""
     field, density, size = read_cells(rve)
-    coarse = coarsen(field)
+    coarse = field
+    for _ in range(times):
+        coarse = coarsen(coarse)
     phases, cells = np.unique(coarse.reshape(-1, 4).round(0), axis=0, return_inverse=True)
     cells = cells.reshape(coarse.shape[:2])
     names = [f"mixture{k}" for k in range(len(phases))]
-    lines = ["# Written by the study: each cell is the mixture of four cells of a morphology.",
+    lines = ["# Written by the study: each cell is the mixture of those of a finer morphology.",
              "subsection Grid", f"  set Cells = {cells.shape[1]}, {cells.shape[0]}",
              f"  set Size = {float(size[0])!r}, {float(size[1])!r}", "end",
              "subsection Phases", "  set Names = " + ", ".join(names)]

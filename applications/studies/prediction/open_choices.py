@@ -1,5 +1,10 @@
 """What the paper's text leaves open, one choice changed at a time from the reading that the project takes."""
 
+import os
+
+import h5py
+import numpy as np
+
 from measures import measure
 from regime_map import CELLS, start_settings
 
@@ -29,7 +34,7 @@ CHOICES = {
 }
 
 
-def add_runs(study, prm, confirm=True):
+def add_runs(study, prm, confirm=False):
     """All choices on cells of 0.4 mm; the pressures, with `confirm`, also on cells of 0.1 mm."""
     for name, (_, settings) in CHOICES.items():
         study.add(name, "contact_dynamics", prm, {"Body/Cells": list(CELLS), "Top/Pressure": PRESSURE, "Time/End time": END,
@@ -42,5 +47,42 @@ def add_runs(study, prm, confirm=True):
 
 def collect(results):
     """{name: (early, late)}"""
-    return {name: (measure(result.folder, *EARLY), measure(result.folder, *LATE)) for name, result in results.items()
-            if result.status == 0}
+    return {name: (measure(results[name].folder, *EARLY), measure(results[name].folder, *LATE)) for name in results
+            if name.split("-fine")[0] in CHOICES and results[name].status == 0}
+
+
+FIBRES = "Microstructure/Random fibres/"
+# name: (what is changed, settings); each over PLACEMENT_SEEDS
+PLACEMENTS = {
+    "taken": ("independent, 10 % nominal, cut by the border (taken)", {}),
+    "actual": ("no overlap, 10 % actual, cut by the border",
+               {FIBRES + "Fraction rule": "actual", FIBRES + "Allow overlap": False}),
+    "inside": ("independent, 10 % nominal, all fibres inside", {FIBRES + "Cut by border": False}),
+    "wide": ("the same as taken with fibres of 0.2 mm", {FIBRES + "Fibre width": 2e-4}),
+}
+PLACEMENT_SEEDS = (1, 2, 3, 4)
+PAPER_STIFFNESS = np.array([36.54e9, 9.1e9, 47.26e9, 13.785e9])  # eq. (10)
+
+
+def add_placements(study, prm):
+    for name, (_, settings) in PLACEMENTS.items():
+        for seed in PLACEMENT_SEEDS:
+            study.add(f"placement-{name}-{seed}", "rve_homogenization", prm, {FIBRES + "Seed": seed, **settings})
+
+
+def placements(results):
+    """{name: (covered area, covered contact line, relative differences of D11, D12, D22, D33 from eq. (10))}, means over
+    the seeds."""
+    found = {}
+    for name in PLACEMENTS:
+        done = [results[f"placement-{name}-{s}"] for s in PLACEMENT_SEEDS if results[f"placement-{name}-{s}"].status == 0]
+        fibre = [_fibre_cells(r.folder) for r in done]
+        d = np.array([r.summary["stiffness"]["effective"] for r in done])
+        values = np.stack([d[:, 0, 0], d[:, 0, 1], d[:, 1, 1], d[:, 2, 2]], axis=-1).mean(axis=0)
+        found[name] = (np.mean([f.mean() for f in fibre]), np.mean([f[0].mean() for f in fibre]), values / PAPER_STIFFNESS - 1)
+    return found
+
+
+def _fibre_cells(folder):
+    with h5py.File(os.path.join(folder, "rve.h5"), "r") as file:
+        return file["phase/id"][:] == 1

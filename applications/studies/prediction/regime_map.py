@@ -8,7 +8,6 @@ import itertools
 from measures import measure
 
 CELLS = (140, 40)
-CELLS_CONFIRM = (560, 160)
 END = 3e-3
 EARLY, LATE = (2.5e-4, 1e-3), (2e-3, 3e-3)  # the paper's steady state from 0.25 ms on; what it turns into
 VELOCITY = 2.0
@@ -45,21 +44,20 @@ def name_of(pressure, delta, start, prefix="map"):
     return f"{prefix}-P{pressure / 1e6:g}-d{delta * 1e9:g}-{start.split(',')[0].replace(' ', '_')}"
 
 
-def points(quick=False):
+def points():
     """All (P, delta, start) of the map."""
-    pressures, deltas = (PRESSURES[::3], DELTAS[::3]) if quick else (PRESSURES, DELTAS)
-    return list(itertools.product(pressures, deltas, STARTS))
+    return list(itertools.product(PRESSURES, DELTAS, STARTS))
 
 
-def add_runs(study, prm, quick=False):
-    for pressure, delta, start in points(quick):
+def add_runs(study, prm):
+    for pressure, delta, start in points():
         study.add(name_of(pressure, delta, start), "contact_dynamics", prm, settings(pressure, delta, start))
 
 
-def collect(results, quick=False):
+def collect(results):
     """{(P, delta, start): (early, late)} of the runs that ended well."""
     found = {}
-    for point in points(quick):
+    for point in points():
         result = results.get(name_of(*point))
         if result and result.status == 0:
             found[point] = (measure(result.folder, *EARLY), measure(result.folder, *LATE))

@@ -8,8 +8,12 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, ".."), HERE]
 
+import growth  # noqa: E402
 import open_choices  # noqa: E402
+import prediction_page  # noqa: E402
 import regime_map  # noqa: E402
+import regimes_page  # noqa: E402
+import rules  # noqa: E402
 import seeds  # noqa: E402
 from study import Study, parse_arguments  # noqa: E402
 
@@ -21,29 +25,55 @@ def prm(name):
     return os.path.join(PRM, name + ".prm")
 
 
+def study_of(arguments, part):
+    return Study(os.path.join(arguments.output, part), arguments.programs, arguments.jobs, arguments.keep)
+
+
 def run_map(arguments):
-    study = Study(os.path.join(arguments.output, "map"), arguments.programs, arguments.jobs, arguments.keep)
+    study = study_of(arguments, "map")
     regime_map.add_runs(study, prm("contact_dynamics-homogeneous"))
-    study.run()
-
-
-def run_seeds(arguments):
-    study = Study(os.path.join(arguments.output, "seeds"), arguments.programs, arguments.jobs, arguments.keep)
-    seeds.add_morphologies(study, prm("rve_homogenization-morphology"))
-    results = study.run()
-    seeds.add_heterogeneous(study, prm("contact_dynamics-heterogeneous"))
-    seeds.add_coarse(study, prm("contact_dynamics-heterogeneous"), results)
-    seeds.add_homogeneous(study, prm("contact_dynamics-homogeneous"), results)
-    study.run()
+    return study.run()
 
 
 def run_choices(arguments):
-    study = Study(os.path.join(arguments.output, "choices"), arguments.programs, arguments.jobs, arguments.keep)
+    study = study_of(arguments, "choices")
     open_choices.add_runs(study, prm("contact_dynamics-homogeneous"))
+    open_choices.add_placements(study, prm("rve_homogenization-morphology"))
+    return study.run()
+
+
+def run_seeds(arguments):
+    study = study_of(arguments, "seeds")
+    seeds.add_morphologies(study, prm("rve_homogenization-morphology"))
+    results = study.run()
+    seeds.add_homogeneous(study, prm("contact_dynamics-homogeneous"), results)
+    for times in (2, 1):
+        seeds.add_coarse(study, prm("contact_dynamics-heterogeneous"), results, times)
     study.run()
+    seeds.add_fine(study, prm("contact_dynamics-homogeneous"), prm("contact_dynamics-heterogeneous"), results)
+    return study.run()
 
 
-PARTS = {"map": run_map, "choices": run_choices, "seeds": run_seeds}
+def growth_rates(arguments, results):
+    """Of the homogeneous pin with the mean stiffness, and of the morphologies."""
+    mean, _ = seeds.mean_stiffness(results)
+    files = {seed: os.path.join(results[f"rve-{seed}"].folder, "rve.h5") for seed in seeds.SEEDS}
+    return growth.table(os.path.join(arguments.output, "growth"), mean, files)
+
+
+def write_pages(arguments):
+    """Both pages; runs that are missing are made first."""
+    folder = os.path.join(TOP, "doc", "paper")
+    results = run_seeds(arguments)
+    modes, morphologies = growth_rates(arguments, results)
+    data = rules.Data(results, modes, morphologies)
+    choices = run_choices(arguments)
+    regimes_page.write(folder, regime_map.collect(run_map(arguments)), choices, data)
+    prediction_page.write(folder, data)
+    print(os.path.join(folder, "regimes.md"), os.path.join(folder, "prediction.md"), sep="\n")
+
+
+PARTS = {"map": run_map, "choices": run_choices, "seeds": run_seeds, "pages": write_pages}
 
 
 def main():

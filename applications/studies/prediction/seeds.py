@@ -5,15 +5,14 @@ import os
 
 import numpy as np
 
-from measures import measure
 from mixture import write_coarse
 
 SEEDS = tuple(range(1, 11))
 DELTA = 1.5e-6
 PRESSURES = (5e6, 4e6)  # ten times the printed ones; the fine grid runs the first only
+FINE_SEEDS = (1, 2, 3)
 SWEEP = (0.5e-6, 1e-6, 1.25e-6, 1.5e-6, 1.75e-6, 2e-6, 2.5e-6, 3e-6)
-CHECKED = (1e-6, 1.5e-6, 2e-6)  # of the sweep, repeated on the grid of the morphologies
-FINE, COARSE = (560, 160), (280, 80)
+FINE, COARSE, COARSER = (560, 160), (280, 80), (140, 40)
 END = 2e-3
 EARLY, LATE = (2.5e-4, 1e-3), (1e-3, 2e-3)
 
@@ -23,22 +22,20 @@ def add_morphologies(study, prm, seeds=SEEDS):
         study.add(f"rve-{seed}", "rve_homogenization", prm, {"Microstructure/Random fibres/Seed": seed})
 
 
-def add_heterogeneous(study, prm, seeds=SEEDS):
+def add_coarse(study, prm, results, times, seeds=SEEDS):
+    """The morphologies of finished runs on cells twice (`times` = 1) or four times (2) as large."""
     for seed in seeds:
-        study.add(f"het-{seed}", "contact_dynamics", prm,
-                  {"Body/RVE file": f"{{rve-{seed}}}/rve.h5", "Top/Pressure": PRESSURES[0], "Time/End time": END,
-                   "Friction/Regularization time": DELTA})
-
-
-def add_coarse(study, prm, results, seeds=SEEDS):
-    """The morphologies of finished runs on cells twice as large; also with a ramped start, for growth rates."""
-    for seed in seeds:
-        made = write_coarse(os.path.join(results[f"rve-{seed}"].folder, "rve.h5"), study.path(f"coarse-map-{seed}"))
-        study.add(f"coarse-rve-{seed}", "rve_homogenization", made)
-        for pressure in PRESSURES:
-            study.add(f"coarse-{seed}-P{pressure / 1e6:g}", "contact_dynamics", prm,
-                      {"Body/RVE file": f"{{coarse-rve-{seed}}}/rve.h5", "Top/Pressure": pressure, "Time/End time": END,
+        made = write_coarse(os.path.join(results[f"rve-{seed}"].folder, "rve.h5"), study.path(f"coarse-map-{seed}-{times}"), times)
+        study.add(f"coarse-rve-{seed}-{times}", "rve_homogenization", made)
+    for pressure in PRESSURES:
+        for seed in seeds:
+            study.add(het_name(seed, pressure, times), "contact_dynamics", prm,
+                      {"Body/RVE file": f"{{coarse-rve-{seed}-{times}}}/rve.h5", "Top/Pressure": pressure, "Time/End time": END,
                        "Friction/Regularization time": DELTA})
+
+
+def het_name(seed, pressure, times):
+    return f"het-{seed}-P{pressure / 1e6:g}-coarse{times}"
 
 
 def mean_stiffness(results, prefix="rve", seeds=SEEDS):
@@ -63,20 +60,24 @@ def add_homogeneous(study, prm, results, seeds=SEEDS):
     mean, _ = mean_stiffness(results, seeds=seeds)
     for pressure in PRESSURES:
         for delta in SWEEP:
-            study.add(hom_name(pressure, delta), "contact_dynamics", prm, homogeneous_settings(mean, pressure, delta, COARSE))
+            for cells in (COARSE, COARSER):
+                study.add(hom_name(pressure, delta, cells), "contact_dynamics", prm,
+                          homogeneous_settings(mean, pressure, delta, cells))
         for seed in seeds:
             study.add(f"own-{seed}-P{pressure / 1e6:g}", "contact_dynamics", prm,
                       homogeneous_settings(entries(results[f"rve-{seed}"]), pressure, DELTA, COARSE))
-    for delta in CHECKED:
-        study.add(hom_name(PRESSURES[0], delta, fine=True), "contact_dynamics", prm,
-                  homogeneous_settings(mean, PRESSURES[0], delta, FINE))
 
 
-def hom_name(pressure, delta, fine=False):
-    return f"hom-P{pressure / 1e6:g}-d{delta * 1e9:g}" + ("-fine" if fine else "")
+def add_fine(study, homogeneous, heterogeneous, results, seeds=FINE_SEEDS):
+    """Some of the morphologies on their own grid, and the homogeneous pin there."""
+    mean, _ = mean_stiffness(results)
+    for seed in seeds:
+        study.add(f"het-{seed}", "contact_dynamics", heterogeneous,
+                  {"Body/RVE file": f"{{rve-{seed}}}/rve.h5", "Top/Pressure": PRESSURES[0], "Time/End time": END,
+                   "Friction/Regularization time": DELTA})
+    study.add(hom_name(PRESSURES[0], DELTA, FINE), "contact_dynamics", homogeneous,
+              homogeneous_settings(mean, PRESSURES[0], DELTA, FINE))
 
 
-def collect(results, names):
-    """{name: (early, late)} of finished runs."""
-    return {name: (measure(results[name].folder, *EARLY), measure(results[name].folder, *LATE)) for name in names
-            if name in results and results[name].status == 0}
+def hom_name(pressure, delta, cells=COARSE):
+    return f"hom-P{pressure / 1e6:g}-d{delta * 1e9:g}" + ("" if cells == COARSE else f"-{cells[0]}")

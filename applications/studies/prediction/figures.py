@@ -1,0 +1,127 @@
+"""Pictures of the prediction study; each function writes one PNG."""
+
+import os
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+
+import growth  # noqa: E402
+import regime_map  # noqa: E402
+
+BLUE, ORANGE, GREEN, PINK, SKY, YELLOW, GREY = (
+    "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#6b7280")
+COLOURS = [BLUE, ORANGE, GREEN, PINK, SKY, YELLOW]
+plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.color": "#e3e7eb", "axes.axisbelow": True,
+                     "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False,
+                     "figure.constrained_layout.use": True, "lines.linewidth": 1.3})
+PAPER_REGIMES = {1: (0.30, 0.21), 2: (0.80, 0.17)}  # separation of M, mu_inter (section 2.4, fig. 7)
+
+
+def save(figure, folder, name):
+    os.makedirs(folder, exist_ok=True)
+    figure.savefig(os.path.join(folder, name), dpi=90)
+    plt.close(figure)
+    return name
+
+
+def growth_over_delta(folder, homogeneous, morphologies):
+    """Growth rates of the modes over delta, with the morphologies at theirs."""
+    figure, axes = plt.subplots(figsize=(6.4, 3.6))
+    ns = np.array(growth.DELTAS) * 1e9
+    at = growth.DELTAS.index(growth.START)
+    for k in range(homogeneous.shape[1]):
+        frequency = homogeneous[at, k].imag / (2 * np.pi)
+        axes.plot(ns, homogeneous[:, k].real, "-o", ms=3, color=COLOURS[k % len(COLOURS)], label=f"{frequency / 1e3:.1f} kHz")
+        values = [s[k].real for s in morphologies.values()]
+        axes.plot(np.full(len(values), ns[at]) + 25, values, "_", ms=9, color=COLOURS[k % len(COLOURS)])
+    axes.axhline(0, color="black", lw=0.8)
+    axes.set(xlabel="δ [ns]", ylabel="growth rate [1/s]", yscale="symlog")
+    axes.set_yscale("symlog", linthresh=100)
+    axes.legend(title="frequency at 1500 ns", ncol=2, fontsize=8)
+    return save(figure, folder, "growth.png")
+
+
+def regime_maps(folder, found, starts=regime_map.STARTS):
+    """Rows: mu_inter, separation of M, main frequency; columns: starts; each over P/V and delta."""
+    pressures = sorted({p for p, _, _ in found})
+    deltas = sorted({d for _, d, _ in found})
+    rows = [("μ_inter", lambda m: m.mu, "viridis", 0.12, 0.25), ("separation of M", lambda m: m.middle[2], "magma", 0, 0.8),
+            ("frequency [kHz]", lambda m: m.frequency / 1e3, "turbo", 30, 260)]
+    figure, grid = plt.subplots(len(rows), len(starts), figsize=(10.4, 7.4), sharex=True, sharey=True)
+    for row, (line, (title, value, colours, low, high)) in enumerate(zip(grid, rows)):
+        for axes, start in zip(line, starts):
+            field = np.full((len(deltas), len(pressures)), np.nan)
+            for (p, d, s), (_, late) in found.items():
+                if s == start:
+                    field[deltas.index(d), pressures.index(p)] = np.nan if title[0] == "f" and late.slides else value(late)
+            picture = axes.pcolormesh(np.arange(len(pressures) + 1), np.arange(len(deltas) + 1), field, cmap=colours, vmin=low,
+                                      vmax=high)
+            axes.grid(False)
+            axes.set_facecolor("#d5d9de")
+            for (i, j), v in np.ndenumerate(field):
+                if np.isfinite(v):
+                    dark = (v - low) / (high - low) < 0.55 if colours != "turbo" else not 0.25 < (v - low) / (high - low) < 0.8
+                    axes.text(j + 0.5, i + 0.5, f"{v:.0f}" if high > 1 else f"{abs(v):.2f}".lstrip("0"), ha="center", va="center",
+                              fontsize=6.5, color="white" if dark else "black")
+            if row == 0:
+                axes.set_title(start, fontsize=9)
+            axes.set_xticks(np.arange(len(pressures)) + 0.5, [f"{p / regime_map.VELOCITY / 1e6:g}" for p in pressures],
+                            fontsize=7)
+            axes.set_yticks(np.arange(len(deltas)) + 0.5, [f"{d * 1e9:g}" for d in deltas], fontsize=7)
+        line[0].set_ylabel("δ [ns]")
+        figure.colorbar(picture, ax=line, label=title, aspect=18)
+    for axes in grid[-1]:
+        axes.set_xlabel("P/V [MPa s/m]")
+    return save(figure, folder, "regime_map.png")
+
+
+def search(folder, found):
+    """All runs in the plane of the paper's two regimes: separation of M and mu_inter, coloured by frequency."""
+    figure, grid = plt.subplots(1, 2, figsize=(8.4, 3.6), sharey=True)
+    for axes, which, title in zip(grid, (0, 1), (regime_map.EARLY, regime_map.LATE)):
+        runs = [pair[which] for pair in found.values() if not pair[which].slides]
+        points = axes.scatter([m.middle[2] for m in runs], [m.mu for m in runs], c=[m.frequency / 1e3 for m in runs], s=14,
+                              cmap="turbo", vmin=30, vmax=260)
+        for number, (x, y) in PAPER_REGIMES.items():
+            axes.plot(x, y, "*", ms=14, mfc="none", mec="black")
+            axes.annotate(f"paper, regime {number}", (x, y), xytext=(0, 12), textcoords="offset points", ha="center",
+                          bbox={"fc": "white", "ec": "none", "alpha": 0.85, "pad": 1})
+        axes.set(xlim=(-0.03, 1), title=f"{title[0] * 1e3:g} to {title[1] * 1e3:g} ms", xlabel="share of time in which M is separated")
+    grid[0].set_ylabel("μ_inter")
+    figure.colorbar(points, ax=grid, label="main frequency [kHz]")
+    return save(figure, folder, "regime2_search.png")
+
+
+def mu_over_delta(folder, sweeps, morphologies):
+    """mu_inter of the homogeneous pin over delta with the heterogeneous pins beside it; `sweeps` and `morphologies`
+    {(P, window): ...}, the latter lists of Measures."""
+    keys = list(sweeps)
+    figure, grid = plt.subplots(1, len(keys), figsize=(2.6 * len(keys), 3.3), sharey=True, squeeze=False)
+    for axes, key in zip(grid[0], keys):
+        sweep, runs = sweeps[key], morphologies[key]
+        axes.errorbar(sweep.deltas * 1e9, [m.mu for m in sweep.measures], yerr=[m.mu_error for m in sweep.measures], fmt="-o", ms=3,
+                      color=BLUE, label="homogeneous", capsize=2)
+        axes.errorbar(np.full(len(runs), 1500.) + 20 * (np.arange(len(runs)) - len(runs) / 2), [m.mu for m in runs],
+                      yerr=[m.mu_error for m in runs], fmt="_", ms=5, color=ORANGE, lw=0.8, label="morphologies, δ = 1500 ns")
+        axes.set(title=f"{key[0] / 1e6:g} MPa, {key[1]}", xlabel="δ [ns]")
+    grid[0][0].set_ylabel("μ_inter")
+    grid[0][0].legend(fontsize=7, loc="lower right")
+    return save(figure, folder, "mu_over_delta.png")
+
+
+def rule_errors(folder, rows, key):
+    """Error of mu_inter of each rule, a point a morphology; `rows` {rule: array}."""
+    figure, axes = plt.subplots(figsize=(6.4, 0.45 * len(rows) + 1.2))
+    for k, (name, values) in enumerate(rows.items()):
+        y = k + 0.3 * (np.arange(len(values)) / max(1, len(values) - 1) - 0.5)
+        axes.plot(values, y, "o", ms=4, color=BLUE, alpha=0.75)
+        axes.plot(np.mean(values), k, "|", ms=20, mew=2, color=ORANGE)
+    axes.axvline(0, color="black", lw=0.8)
+    axes.set_yticks(range(len(rows)), list(rows))
+    axes.invert_yaxis()
+    axes.set(xlabel="μ_inter of the homogeneous pin with δ* minus that of the heterogeneous one",
+             title=f"{key[0] / 1e6:g} MPa, {key[1]} (bar: mean)")
+    return save(figure, folder, f"rules_{key[0] / 1e6:g}MPa_{key[1].split()[0]}.png")

@@ -1,0 +1,157 @@
+"""Writes doc/paper/prediction.md: scatter over morphologies, rules for delta*, and how far each gets."""
+
+import os
+
+import numpy as np
+
+import delta_rules
+import figures
+import growth
+import rules
+import seeds
+from measures import measure
+from tables import MEASURE_COLUMNS, markdown, measure_row, write_csv
+
+
+def write(folder, data):
+    pictures = os.path.join(folder, "prediction")
+    keys = [(p, name) for p in seeds.PRESSURES for name in rules.WINDOWS]
+    sweeps = {key: data.sweep(key[0], rules.WINDOWS[key[1]]) for key in keys}
+    runs = {key: data.heterogeneous(key[0], rules.WINDOWS[key[1]]) for key in keys}
+    tried = {key: rules.all_rules(data, key[0], rules.WINDOWS[key[1]]) for key in keys}
+    errors = {key: {name: delta_rules.errors(sweeps[key], deltas, runs[key]) for name, (_, _, deltas) in tried[key].items()}
+              for key in keys}
+    write_csv(pictures, "morphologies.csv", ["P [Pa]", "window", "seed"] + MEASURE_COLUMNS,
+              [[p, w, s, *measure_row(m)] for (p, w), found in runs.items() for s, m in found.items()])
+    write_csv(pictures, "homogeneous.csv", ["P [Pa]", "window", "delta [s]"] + MEASURE_COLUMNS,
+              [[p, w, d, *measure_row(m)] for (p, w), sweep in sweeps.items() for d, m in zip(sweep.deltas, sweep.measures)])
+    write_csv(pictures, "rules.csv", ["P [Pa]", "window", "rule", "seed", "delta* [s]"],
+              [[*key, name, s, f"{d:.5g}"] for key in keys for name, (_, _, deltas) in tried[key].items() for s, d in deltas.items()])
+    write_csv(pictures, "growth.csv", ["seed", "mode", "growth [1/s]", "frequency [Hz]"],
+              [[s, k, f"{v.real:.6g}", f"{v.imag / 2 / np.pi:.6g}"] for s, line in data.morphologies.items() for k, v in enumerate(line)])
+    figures.mu_over_delta(pictures, sweeps, {key: list(found.values()) for key, found in runs.items()})
+    for key in keys:
+        figures.rule_errors(pictures, {name: e["mu"] for name, e in errors[key].items()}, key)
+    sections = [*_head(data), *_scatter(data, keys, sweeps, runs), *_growth(data), *_rules(keys, tried, errors, runs),
+                *_verdict(keys, errors, runs, sweeps)]
+    with open(os.path.join(folder, "prediction.md"), "w", encoding="utf-8") as file:
+        file.write("\n\n".join(sections) + "\n")
+
+
+def _head(data):
+    n = len(data.heterogeneous(seeds.PRESSURES[0], seeds.LATE))
+    return ["# Can the regularization time of the homogeneous model be predicted?",
+            "Written by `./run.sh prediction`; every number but the paper's is from its runs.",
+            "The paper ends section 4 by saying that the contact homogenization is not predictive: delta* of the homogeneous "
+            "model is read from the run of the heterogeneous one that it should replace. Here rules that need less are tried on "
+            f"{n} morphologies (`prm/prediction`, seeds {min(seeds.SEEDS)} to {max(seeds.SEEDS)}) at ten times the printed pressures, with V = 2 m/s, "
+            "mu = 0.25, delta = 1500 ns in the heterogeneous pin, all at once at the start. "
+            f"Windows: early, {seeds.EARLY[0] * 1e3:g} to {seeds.EARLY[1] * 1e3:g} ms; late, {seeds.LATE[0] * 1e3:g} to {seeds.LATE[1] * 1e3:g} ms. "
+            "± is a 95 % confidence interval of the mean over the morphologies (Student's t).",
+            "## What theory says",
+            "The law of eq. (7) is linear in the normal force as long as a node slips in one direction. Summed over the nodes of a patch of "
+            "contact it is the same law with the same delta: d(Σ f_t)/dt = -(Σ f_t - mu Σ f_n)/delta. So while all nodes slip, and as long as the "
+            "stiffness is homogenized well, delta* = delta whatever the morphology. Only nodes that separate or stick, each at its own time, "
+            "can ask for another delta*. The growth rates test the first, the runs the second.",
+            f"The morphologies are run on cells of {56 / seeds.COARSE[0]:g} mm, each the mixture of four cells of 0.1 mm (`mixture.py`); "
+            "the homogeneous pin has the mean of their effective stiffnesses, on the same cells."]
+
+
+def _scatter(data, keys, sweeps, runs):
+    rows = []
+    for key in keys:
+        found = list(runs[key].values())
+        mean, deviation, half = delta_rules.interval([m.mu for m in found])
+        own = [measure(data.results[f"own-{s}-P{key[0] / 1e6:g}"].folder, *rules.WINDOWS[key[1]]).mu for s in seeds.SEEDS]
+        slip = delta_rules.interval([m.shares[0] for m in found])
+        hom = sweeps[key].measures[int(np.argmin(np.abs(sweeps[key].deltas - seeds.DELTA)))]
+        rows.append([f"{key[0] / 1e6:g}", key[1], f"{mean:.4f} ± {half:.4f}", f"{deviation:.4f}", f"{np.mean([m.mu_error for m in found]):.4f}",
+                     f"{hom.mu:.4f} ± {2 * hom.mu_error:.4f}", f"{np.std(own, ddof=1):.4f}", f"{mean - hom.mu:+.4f}",
+                     f"{slip[0]:.3f} ± {slip[2]:.3f}", f"{hom.shares[0]:.3f}", _lines(found), f"{hom.frequency / 1e3:.1f}"])
+    header = ["P [MPa]", "window", "μ_inter, morphologies", "their deviation", "their standard error in time", "homogeneous, δ = 1500 ns",
+              "deviation with own stiffness", "difference of means", "slip, morphologies", "slip, homogeneous", "kHz, morphologies",
+              "kHz, homogeneous"]
+    return ["## Morphologies and the homogeneous pin", markdown(header, rows),
+            "*Deviation with own stiffness*: homogeneous pins, each with the effective stiffness of one morphology. It is what the scatter of the "
+            "stiffness alone does. The heterogeneous frequencies are listed with the number of morphologies.",
+            "![mu over delta](prediction/mu_over_delta.png)", *_fine(data, runs)]
+
+
+def _lines(found):
+    """Main frequencies to a kHz with the number of runs that have them."""
+    values, counts = np.unique([round(m.frequency / 1e3) for m in found], return_counts=True)
+    return ", ".join(f"{v} ({c})" for v, c in zip(values, counts))
+
+
+def _fine(data, runs):
+    rows = []
+    names = {f"het-{s}": (s, f"morphology {s}") for s in seeds.FINE_SEEDS}
+    names[seeds.hom_name(seeds.PRESSURES[0], seeds.DELTA, seeds.FINE)] = (None, "homogeneous")
+    for name, (seed, label) in names.items():
+        result = data.results.get(name)
+        if not result or result.status != 0:
+            continue
+        for window, times in rules.WINDOWS.items():
+            m = measure(result.folder, *times)
+            coarse = runs[seeds.PRESSURES[0], window][seed] if seed else measure(
+                data.results[seeds.hom_name(seeds.PRESSURES[0], seeds.DELTA)].folder, *times)
+            rows.append([label, window, f"{m.mu:.4f} ± {2 * m.mu_error:.4f}", f"{coarse.mu:.4f} ± {2 * coarse.mu_error:.4f}",
+                         f"{m.frequency / 1e3:.1f}", f"{coarse.frequency / 1e3:.1f}", f"{m.shares[0]:.3f}", f"{coarse.shares[0]:.3f}"])
+    if not rows:
+        return []
+    return [f"The same on cells of 0.1 mm, {seeds.PRESSURES[0] / 1e6:g} MPa (± twice the standard error in time):",
+            markdown(["body", "window", "μ_inter, 0.1 mm", "0.2 mm", "kHz, 0.1 mm", "0.2 mm", "slip, 0.1 mm", "0.2 mm"], rows)]
+
+
+def _growth(data):
+    at = growth.DELTAS.index(growth.START)
+    rows = []
+    for k, s in enumerate(data.modes[at]):
+        rates = delta_rules.interval([v[k].real for v in data.morphologies.values()])
+        tones = delta_rules.interval([v[k].imag / 2 / np.pi for v in data.morphologies.values()])
+        stars = delta_rules.interval([1e9 * growth.matching_delta(data.modes, v[k], k) for v in data.morphologies.values()])
+        rows.append([f"{s.imag / 2 / np.pi / 1e3:.2f}", f"{tones[0] / 1e3:.2f} ± {tones[2] / 1e3:.2f}", f"{s.real:.0f}",
+                     f"{rates[0]:.0f} ± {rates[2]:.0f}", f"{rates[1]:.0f}", f"{stars[0]:.0f} ± {stars[2]:.0f}", f"{stars[1]:.0f}"])
+    return ["## Growth rates of steady sliding",
+            f"Eigenvalues of the sliding pin on cells of {56 / growth.CELLS[0]:g} mm, homogeneous and with each morphology, and the δ* at which the "
+            "homogeneous mode grows as that of the morphology (by the slope over δ at 1500 ns):",
+            markdown(["kHz, homogeneous", "kHz, morphologies", "growth, homogeneous [1/s]", "growth, morphologies [1/s]", "deviation",
+                      "δ* [ns]", "deviation"], rows)]
+
+
+def _rules(keys, tried, errors, runs):
+    result = ["## The rules",
+              "*growth*: δ* of the table above. *short run*: δ* with which the homogeneous pin has the heterogeneous one's mu_inter from "
+              f"{rules.SHORT[0] * 1e3:g} to {rules.SHORT[1] * 1e3:g} ms. *coarse run*: the same over the whole window, both pins on cells of 0.4 mm. "
+              "*eq. (13)*: the paper's way, from mu_inter and T_G of the full run, not predictive. *best δ\\**: the sweep of the homogeneous pin "
+              "inverted at the mu_inter of the full run, what any rule can reach. Errors are those of the homogeneous pin with δ* against the "
+              "heterogeneous one: mean, and root mean square with its bootstrap interval."]
+    for key in keys:
+        rows = []
+        for name, (needs, cost, deltas) in tried[key].items():
+            stars = [1e9 * d for d in deltas.values() if np.isfinite(d)]
+            star, mu = delta_rules.interval(stars), delta_rules.interval(errors[key][name]["mu"])
+            low, high = delta_rules.rms_interval(errors[key][name]["mu"])
+            rows.append([name, needs, "–" if cost is None else f"{100 * cost:.0f} %", len(stars), f"{star[0]:.0f} ± {star[2]:.0f}",
+                         f"{mu[0]:+.4f} ± {mu[2]:.4f}", f"{delta_rules.rms(errors[key][name]['mu']):.4f} ({low:.4f} to {high:.4f})",
+                         f"{delta_rules.rms(errors[key][name]['frequency']) / 1e3:.1f}", f"{delta_rules.rms(errors[key][name]['slip']):.3f}"])
+        result += [f"### {key[0] / 1e6:g} MPa, {key[1]}",
+                   markdown(["rule", "needs", "cost", "morphologies", "δ* [ns]", "error of μ_inter", "its rms", "rms error, kHz", "rms error, slip"], rows),
+                   f"![rules](prediction/rules_{key[0] / 1e6:g}MPa_{key[1]}.png)"]
+    return result
+
+
+def _verdict(keys, errors, runs, sweeps):
+    rows = []
+    for key in keys:
+        spread = np.std([m.mu for m in runs[key].values()], ddof=1)
+        naive = delta_rules.rms(errors[key]["δ* = δ"]["mu"])
+        predictive = {name: delta_rules.rms(e["mu"]) for name, e in errors[key].items() if name not in ("δ* = δ", "eq. (13)", "best δ*")}
+        best = min(predictive, key=predictive.get)
+        difference = np.abs(errors[key]["δ* = δ"]["mu"]) - np.abs(errors[key][best]["mu"])
+        gain = delta_rules.interval(difference)
+        rows.append([f"{key[0] / 1e6:g}", key[1], f"{spread:.4f}", f"{naive:.4f}", best, f"{predictive[best]:.4f}", f"{gain[0]:+.4f} ± {gain[2]:.4f}"])
+    return ["## What is gained",
+            "The best predictive rule beside the naive choice δ* = δ. *Gain*: by how much its error is smaller, morphology by morphology; the rule was picked "
+            "on these same morphologies, which flatters it.",
+            markdown(["P [MPa]", "window", "deviation over morphologies", "rms error of δ* = δ", "best rule", "its rms error", "gain"], rows)]

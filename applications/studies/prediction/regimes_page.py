@@ -1,0 +1,208 @@
+"""Writes doc/paper/regimes.md: the map of regimes, the search for regime 2, the open choices."""
+
+import itertools
+import os
+
+import numpy as np
+
+import figures
+import growth
+import open_choices
+import regime_map
+import rules
+import seeds
+from tables import MEASURE_COLUMNS, markdown, measure_row, short, write_csv
+
+# The paper's regime 2 with the room it leaves: separation of M 80 %, mu_inter 0.17 to 0.18, 39.6 kHz (bands +- 0.1, 0.005, 1 %).
+CRITERIA = {"M is separated 70 to 90 % of the time": lambda m: 0.7 <= m.middle[2] <= 0.9,
+            "μ_inter is 0.165 to 0.185": lambda m: 0.165 <= m.mu <= 0.185,
+            "main frequency is 39.2 to 40.0 kHz": lambda m: 39.2e3 <= m.frequency <= 40.0e3}
+
+
+def scaling(found):
+    """The two lowest pressures at equal delta and start: how many pairs of runs there are, in how many no node stuck in either window,
+    and the largest differences in those of the share of slip, of mean mu_app and of mu_inter."""
+    low, high = regime_map.PRESSURES[:2]
+    pairs = [(found[low, d, s], found[high, d, s]) for (p, d, s) in found if p == low and (high, d, s) in found]
+    slipping = [(a[w], b[w]) for a, b in pairs if max(m.shares[1] for m in (*a, *b)) == 0 for w in (0, 1)]
+    differences = [max(abs(value(a) - value(b)) for a, b in slipping)
+                   for value in (lambda m: m.shares[0], lambda m: m.mu_app, lambda m: m.mu)]
+    return len(pairs), len(slipping) // 2, *differences
+
+
+def counts(found):
+    rows = []
+    for which, window in enumerate((regime_map.EARLY, regime_map.LATE)):
+        runs = [pair[which] for pair in found.values()]
+        for size in (1, 2, 3):
+            for names in itertools.combinations(CRITERIA, size):
+                n = sum(all(CRITERIA[name](m) for name in names) for m in runs)
+                rows.append((f"{window[0] * 1e3:g} to {window[1] * 1e3:g} ms", "; ".join(names), f"{n} of {len(runs)}"))
+    return rows
+
+
+def nearest(found, how_many=5):
+    """The runs nearest to the paper's regime 2: distances in units of the bands of CRITERIA."""
+    def distance(m):
+        return ((m.middle[2] - 0.8) / 0.1)**2 + ((m.mu - 0.175) / 0.01)**2 + ((m.frequency - 39.6e3) / 0.4e3)**2
+    every = [(distance(pair[w]), point, w, pair[w]) for point, pair in found.items() for w in (0, 1) if not pair[w].slides]
+    return sorted(every, key=lambda row: row[0])[:how_many]
+
+
+def coexisting(found):
+    """Points (P, delta) with their late states from all starts, where these differ: [(P, delta, {start: Measures})]."""
+    points = sorted({(p, d) for p, d, _ in found})
+    result = []
+    for p, d in points:
+        states = {s: found[p, d, s][1] for s in regime_map.STARTS if (p, d, s) in found}
+        mus = [m.mu for m in states.values()]
+        noise = 4 * max(m.mu_error for m in states.values())
+        if max(mus) - min(mus) > max(0.01, noise):
+            result.append((p, d, states))
+    return result
+
+
+def write(folder, found, choice_results, data):
+    """`found` of regime_map.collect, the results of the part `choices`, `data` of the part `seeds` (rules.Data)."""
+    choices, modes = open_choices.collect(choice_results), data.modes
+    pictures = os.path.join(folder, "regimes")
+    write_csv(pictures, "regime_map.csv", ["P [Pa]", "delta [s]", "start", "window"] + MEASURE_COLUMNS,
+              [[p, d, s, w, *measure_row(m)] for (p, d, s), pair in found.items() for w, m in zip(("early", "late"), pair)])
+    write_csv(pictures, "open_choices.csv", ["choice", "window"] + MEASURE_COLUMNS,
+              [[n, w, *measure_row(m)] for n, pair in choices.items() for w, m in zip(("early", "late"), pair)])
+    write_csv(pictures, "growth.csv", ["delta [s]", "mode", "growth [1/s]", "frequency [Hz]"],
+              [[d, k, f"{s.real:.6g}", f"{s.imag / 2 / np.pi:.6g}"] for d, line in zip(growth.DELTAS, modes) for k, s in enumerate(line)])
+    figures.growth_over_delta(pictures, modes, data.morphologies)
+    figures.regime_maps(pictures, found)
+    figures.search(pictures, found)
+    with open(os.path.join(folder, "regimes.md"), "w", encoding="utf-8") as file:
+        file.write("\n\n".join(_sections(found, choices, choice_results, data)) + "\n")
+
+
+def _sections(found, choices, choice_results, data):
+    return [*_head(found), *_short(found, choices, data), *_identity(found), *_growth(data.modes), *_map(), *_search(found),
+            *_coexistence(found), *_over_delta(data), *_choices(choices), *_placements(choice_results)]
+
+
+def _head(found):
+    return ["# Regimes of the homogeneous pin",
+            "Written by `./run.sh prediction`; every number but the paper's is from its runs. Stiffness of eq. (10), mu = 0.25, "
+            f"beta = 4.4 ns, beta2 = 0.5, cells of {56 / regime_map.CELLS[0]:g} mm unless said otherwise. M is the middle "
+            "contact node. Two windows: 0.25 to 1 ms, where the paper has its steady state, and a late one. "
+            "± is twice the standard error of eight block means."]
+
+
+def _short(found, choices, data):
+    every = [(m, point) for point, pair in found.items() for m in pair]
+    met = [sum(rule(m) for m, _ in every) for rule in CRITERIA.values()]
+    both = sum(all(rule(m) for rule in CRITERIA.values()) for m, _ in every)
+    friction = [m for m, _ in every if 0.165 <= m.mu <= 0.185]
+    taken, printed = choices["reading"][0], choices["printed"][0]
+    late = list(data.heterogeneous(4e6, seeds.LATE).values())
+    return ["## In short",
+            "* The printed 0.5 and 0.4 MPa are one motion of one pin but for its size; they cannot be two regimes (next section).\n"
+            f"* Regime 2 is not in the map: of {len(every)} windows ({len(found)} runs) {both} meet its three marks; {met[0]} have its separation, {met[2]} its "
+            f"frequency. Its friction alone occurs ({met[1]} windows), with M separated {100 * min(m.middle[2] for m in friction):.0f} to "
+            f"{100 * max(m.middle[2] for m in friction):.0f} % of the time.\n"
+            "* What the map does have beside vibration near 41 kHz are cycles near 124 and 176 kHz: the modes of steady sliding that grow fastest.\n"
+            "* The top as a platen and ten times the printed pressure are readings, not findings. For the platen: the two modes of fig. 8. For ten "
+            f"times: M moves at {taken.velocity[0]:+.2f} to {taken.velocity[1]:+.2f} m/s (paper about ±0.8), {printed.velocity[0]:+.2f} to {printed.velocity[1]:+.2f} m/s at the "
+            f"printed pressure; and regimes that depend on P at all. Against it: the lift of M, {taken.lift * 1e6:.1f} µm (paper 0.2), {printed.lift * 1e6:.1f} µm at the "
+            "printed pressure.\n"
+            f"* The {len(late)} heterogeneous pins of [prediction](prediction.md) have mu_inter from {min(m.mu for m in late):.3f} to {max(m.mu for m in late):.3f} at 4 MPa (late), as far apart as the "
+            "paper's two at 0.4 MPa (0.173 and 0.213, table 3)."]
+
+
+def _identity(found):
+    total, slipping, share, mu_app, mu = scaling(found)
+    low, high = regime_map.PRESSURES[:2]
+    return ["## What P and V can do",
+            "With the flat touching from the start, (u, P, V) → (s u, s P, s V) takes solutions into solutions: P and V count by "
+            "P/V alone. While no node sticks or reverses its slip V does not count either, and the motion scales with P. Checked with "
+            f"{low / 1e6:g} and {high / 1e6:g} MPa at 2 m/s: in {slipping} of {total} pairs of runs no node stuck in either window; in those the share of slip "
+            f"differs by at most {share:.0e} and the mean apparent friction by at most {mu_app:.0e}. mu_inter itself falls with P/V, by up to "
+            f"{mu:.4f} there: it is the power of friction with the relative velocity, and part of the flat's work goes into the pin. So mean mu_app "
+            "and mu_inter are not equal, other than the paper's remark 1 says. In the other pairs nodes stick, mostly after impacts at small delta, "
+            "and the runs part."]
+
+
+def _growth(modes):
+    at = growth.DELTAS.index(growth.START)
+    rows = [[f"{s.imag / 2 / np.pi / 1e3:.1f}"] + [f"{line[k].real:.0f}" for line in modes] for k, s in enumerate(modes[at])]
+    first = min(range(modes.shape[1]), key=lambda k: abs(modes[at, k].imag / 2 / np.pi - 41.6e3))
+    fastest = max(modes[at], key=lambda s: s.real)
+    ratio = fastest.real / modes[at, first].real
+    return ["## Growth of steady sliding",
+            "Eigenvalues of the pin that slides steadily (`sliding_modes.py`: cells of "
+            f"{56 / growth.CELLS[0]:g} mm, converges at second order to the exact dispersion relation of the layer). Growth in 1/s:",
+            markdown(["kHz at 1500 ns"] + [f"δ = {d * 1e9:g} ns" for d in growth.DELTAS], rows),
+            "![growth](regimes/growth.png)",
+            f"At 1500 ns the mode near 41.6 kHz, the paper's main frequency, grows by {modes[at, first].real:.0f} 1/s: a time constant of "
+            f"{1e3 / modes[at, first].real:.1f} ms. The fastest, at {fastest.imag / 2 / np.pi / 1e3:.0f} kHz, grows {ratio:.0f} times as fast. What a run of 1 ms shows "
+            "near 41 kHz is therefore mostly what the start put there; other modes take over later. "
+            "The short strokes beside 1500 ns are the ten morphologies of [prediction](prediction.md)."]
+
+
+def _map():
+    return ["## The map",
+            "Starts: *at once*, P and V from the first step; *ramped*, P grows in 0.2 ms under the moving flat; *pressed, then dragged*, P "
+            "likewise on the flat at rest, V at once at 0.3 ms; *struck*, at once with a velocity 2 P / (rho c_T) along x. State "
+            f"from {regime_map.LATE[0] * 1e3:g} to {regime_map.LATE[1] * 1e3:g} ms; grey: all nodes slide, no vibration. [Table](regimes/regime_map.csv).",
+            "![map](regimes/regime_map.png)"]
+
+
+def _search(found):
+    rows = [[f"{p / 1e6:g}", f"{d * 1e9:g}", s, "late" if w else "early", *short(m)[:3]] for _, (p, d, s), w, m in nearest(found)]
+    largest = max((pair[w].middle[2], point, w) for point, pair in found.items() for w in (0, 1))
+    return ["## Search for regime 2",
+            "The paper's regime 2: M slips 20 % and is separated 80 % of the time, mu_inter 0.17 to 0.18, 39.6 kHz. Runs of the map that meet it:",
+            markdown(["window", "criteria", "runs"], counts(found)),
+            "![search](regimes/regime2_search.png)",
+            f"The largest separation of M in any run is {100 * largest[0]:.0f} % (P = {largest[1][0] / 1e6:g} MPa at 2 m/s, δ = {largest[1][1] * 1e9:g} ns, {largest[1][2]}). Nearest to regime 2:",
+            markdown(["P [MPa]", "δ [ns]", "start", "window", "μ_inter", "kHz", "M slips / separated [%]"], rows)]
+
+
+def _coexistence(found):
+    states = coexisting(found)
+    shown = sorted(states, key=lambda row: min(m.mu for m in row[2].values()) - max(m.mu for m in row[2].values()))[:8]
+    rows = [[f"{p / 1e6:g}", f"{d * 1e9:g}"] + [f"{m[s].mu:.3f}, {m[s].frequency / 1e3:.0f} kHz" if s in m else "" for s in regime_map.STARTS]
+            for p, d, m in shown]
+    points = len({(p, d) for p, d, _ in found})
+    return ["## States that depend on the start",
+            f"At {len(states)} of {points} points (P, δ) the late mu_inter differs between starts by more than 0.01 and four standard errors. "
+            "Some are coexisting cycles; with the ramped start and slow growth others are not at their end after 3 ms. The largest differences:",
+            markdown(["P [MPa]", "δ [ns]", *regime_map.STARTS], rows)]
+
+
+def _over_delta(data):
+    rows = []
+    for pressure in seeds.PRESSURES:
+        for name, window in rules.WINDOWS.items():
+            sweep = data.sweep(pressure, window)
+            rows.append([f"{pressure / 1e6:g}", name] + [f"{m.mu:.3f}" for m in sweep.measures])
+    header = ["P [MPa]", "window"] + [f"δ = {d * 1e9:g} ns" for d in data.sweep(seeds.PRESSURES[0], seeds.LATE).deltas]
+    return ["## mu_inter over delta, as in fig. 11",
+            f"At once, cells of {56 / seeds.COARSE[0]:g} mm, early 0.25 to 1 ms, late {seeds.LATE[0] * 1e3:g} to {seeds.LATE[1] * 1e3:g} ms. The paper has mu_inter fall up to 1500 ns and rise from there, "
+            "which it puts down to the change from regime 2 to regime 1:", markdown(header, rows)]
+
+
+def _choices(choices):
+    paper = ["**paper, regime 1**", "", "0.21 (0.22: table 2)", "41.2", "70 / 30", "-0.80 to +0.80", "0.2"]
+    rows = [paper]
+    for name, (label, _) in open_choices.CHOICES.items():
+        if name in choices:
+            early, late = choices[name]
+            rows += [[label, "early", *short(early)], ["", "late", *short(late)]]
+    return ["## The open choices",
+            f"One changed at a time from the reading taken; early 0.25 to 1 ms, late {open_choices.LATE[0] * 1e3:g} to {open_choices.LATE[1] * 1e3:g} ms. The velocity of M along x follows "
+            "from the paper's relative velocity, 1.2 to 2.8 m/s (fig. 5); the lift is that of fig. 4.",
+            markdown(["choice", "window", "μ_inter", "kHz", "M slips / separated [%]", "velocity of M [m/s]", "lift [µm]"], rows)]
+
+
+def _placements(results):
+    rows = [[label, f"{100 * area:.1f}", f"{100 * line:.1f}"] + [f"{100 * d:+.1f}" for d in differences]
+            for (label, _), (area, line, differences) in zip(open_choices.PLACEMENTS.values(), open_choices.placements(results).values())]
+    return ["## Placement of the fibres",
+            f"Means over seeds {min(open_choices.PLACEMENT_SEEDS)} to {max(open_choices.PLACEMENT_SEEDS)}; the stiffness is the mean of KUBC and SUBC, its difference from eq. (10) in %:",
+            markdown(["placement", "area [%]", "contact line [%]", "D11", "D12", "D22", "D33"], rows),
+            "With all fibres inside hardly any reaches the contact, which the paper's element A does."]
