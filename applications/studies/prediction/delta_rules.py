@@ -47,16 +47,8 @@ def mu_of(m):
     return m.mu
 
 
-def frequency_of(m):
-    return m.frequency
-
-
 def slip_of(m):
     return m.shares[0]
-
-
-def separation_of(m):
-    return m.shares[2]
 
 
 def nearest(sweep, delta):
@@ -66,11 +58,11 @@ def nearest(sweep, delta):
 
 def errors(sweep, deltas, references):
     """Errors of the homogeneous model with delta*[seed] against the heterogeneous Measures[seed]: dict of arrays
-    mu (difference), frequency (Hz), slip (difference)."""
+    mu (difference), frequency (relative), slip (difference)."""
     seeds = [s for s in references if np.isfinite(deltas[s])]
-    return {"mu": np.array([sweep.at(deltas[s], mu_of) - references[s].mu for s in seeds]),
-            "frequency": np.array([nearest(sweep, deltas[s]).frequency - references[s].frequency for s in seeds]),
-            "slip": np.array([sweep.at(deltas[s], slip_of) - references[s].shares[0] for s in seeds])}
+    return {"mu": np.array([sweep.at(deltas[s], mu_of) - mu_of(references[s]) for s in seeds]),
+            "frequency": np.array([nearest(sweep, deltas[s]).frequency / references[s].frequency - 1 for s in seeds]),
+            "slip": np.array([sweep.at(deltas[s], slip_of) - slip_of(references[s]) for s in seeds])}
 
 
 def interval(values, confidence=0.95):

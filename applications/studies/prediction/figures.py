@@ -122,6 +122,6 @@ def rule_errors(folder, rows, key):
     axes.axvline(0, color="black", lw=0.8)
     axes.set_yticks(range(len(rows)), list(rows))
     axes.invert_yaxis()
-    axes.set(xlabel="μ_inter of the homogeneous pin with δ* minus that of the heterogeneous one",
+    axes.set(xlabel="error of μ_inter, homogeneous minus heterogeneous",
              title=f"{key[0] / 1e6:g} MPa, {key[1]} (bar: mean)")
     return save(figure, folder, f"rules_{key[0] / 1e6:g}MPa_{key[1].split()[0]}.png")

@@ -10,9 +10,9 @@ from sliding_modes import SlidingPin, unstable_modes
 
 CELLS = (140, 40)
 SIZE = (0.056, 0.016)
-FREQUENCIES = np.arange(36e3, 270e3, 9e3)  # where modes are looked for
+FREQUENCIES = np.arange(36e3, 220e3, 4.5e3)  # where modes are looked for
 DELTAS = (0.5e-6, 0.75e-6, 1e-6, 1.25e-6, 1.5e-6, 1.75e-6, 2e-6, 2.5e-6, 3e-6)
-START, MODES = 1.5e-6, 6  # modes are found here and followed from here
+START, MODES = 1.5e-6, 5  # the modes are found here, and followed from here
 MU, BETA, DENSITY = 0.25, 4.4e-9, 1770.
 
 
