@@ -1,0 +1,86 @@
+"""Normal stress at node M (figure 9) and mu_inter against the regularization time (figure 11, eq. 13)."""
+
+import numpy as np
+
+import paper_values as paper
+from cases import P1, P2, PUSHED
+from figures import BLACK, BLUE, GREY, ORANGE, above, panels
+from measures import frequency, mu, reference, regime, slip, spectrum_of
+from page import fixed
+
+PERIODS = 4
+SWEEP = (500, 750, 1000, 1250, 1500, 1750, 2000, 2500, 3000, 4000)  # ns, on cells of 0.2 mm
+FINE = {P1: (1500, 1700), P2: (1500, 1750)}  # on 0.1 mm, from tables 2 and 3
+LABELS = {P1: "0.5 MPa", P2: "0.4 MPa"}
+
+
+def normal_runs(cases):
+    return {pressure: cases.homogeneous(PUSHED, pressure) for pressure in LABELS}
+
+
+def normal(fragment, runs, names):
+    figure, axes = panels(2, 4.6)
+    rows = []
+    for axis, pressure, colour in zip(axes, names, (BLUE, ORANGE)):
+        run = runs[names[pressure]]
+        time, _, _, traction = reference(run)
+        last = time > time[-1] - PERIODS / frequency(run)
+        axis.plot(1e6 * (time[last] - time[last][0]), traction[last, 1] / 1e6, color=colour, lw=1.3)
+        axis.set(ylabel=r"$|\sigma_n|$ in MPa")
+        axis.set_title(LABELS[pressure], loc="left", color=colour)
+        axis.margins(x=0)
+        f, a = spectrum_of(traction[:, 1], time)
+        main = a[(f > 1e4) & (f < 1e5)].max()
+        rows.append([LABELS[pressure], f"{paper.HIGHEST_FREQUENCY / 1e3:.0f}", f"{f[a > 0.1 * main].max() / 1e3:.0f}",
+                     f"{1e6 * run.number('mean_contact_duration'):.2f}"])
+    axes[1].set_xlabel("time in µs, last periods")
+    fragment.table(["", "paper: highest frequency above 10 % of the main one, kHz (section 3.2)", "ours, kHz", "T_G, µs"], rows)
+    fragment.reading("Homogeneous pin, δ = 1500 ns, pressures as printed, pushed at 0.5 m/s. T_G is the mean duration of a contact, over all nodes; the paper prints none. "
+                     "It counts every short touch, of which a period has many.")
+    fragment.figure(figure, f"Normal contact stress at node M over {PERIODS} periods.")
+
+
+def sweep_runs(cases):
+    return {pressure: ([cases.coarse(PUSHED.start, pressure, delta) for delta in SWEEP],
+                       [cases.homogeneous(PUSHED, pressure, delta) for delta in FINE[pressure]]) for pressure in LABELS}
+
+
+def mean_friction(mu_local, delta, duration):
+    """Eq. (13)."""
+    return mu_local * (1 + delta / duration * (np.exp(-duration / delta) - 1))
+
+
+def sweep(fragment, runs, names):
+    figure, axes = panels(2, 6.2, sharex=True)
+    for axis, pressure in zip(axes, names):
+        found, fine = ([runs[name] for name in members] for members in names[pressure])
+        deltas, inter, error, durations, predicted = _columns(found)
+        axis.errorbar(1e9 * deltas, inter, yerr=error, fmt="o-", color=BLUE, capsize=3, label=r"$\mu_\mathrm{inter}$, 0.2 mm")
+        at, values, spread, *_ = _columns(fine)
+        axis.errorbar(1e9 * at, values, yerr=spread, fmt="D", color=BLACK, capsize=3, mfc="white", label="0.1 mm")
+        axis.plot(1e9 * deltas, predicted, "s--", color=ORANGE, label=r"$\bar\mu$, eq. (13), $T_G$ of the run")
+        axis.axvline(1e9 * paper.SLOPE_CHANGE, color=GREY, lw=1, ls=":", label="paper: slope changes")
+        axis.set(ylabel="friction coefficient", ylim=(None, found[0].number("friction_coefficient") + 0.008))
+        axis.text(0.99, 0.95, LABELS[pressure], transform=axis.transAxes, ha="right", va="top", weight="bold")
+        fragment.table([f"{LABELS[pressure]}: δ in ns", *[f"{1e9 * d:.0f}" for d in deltas]],
+                       [["mu_inter", *map(fixed, inter)], ["eq. (13)", *map(fixed, predicted)],
+                        ["T_G in µs", *[fixed(1e6 * t, 1) for t in durations]], ["M slips, %", *[f"{100 * slip(run):.0f}" for run in found]]])
+    axes[1].set_xlabel("δ in ns")
+    above(axes[0], columns=2)
+    fragment.reading("Homogeneous pin, pressures as printed, pushed at 0.5 m/s; each point is a run of its own of 3 ms, of which the latter half counts. The paper says of its curve "
+                     "only that the slope changes sign near 300 Δt = 1500 ns, where regime 2 gives way to regime 1. T_G is the mean over all contacts of all nodes.")
+    fragment.text(f"With us every point of the curve at 0.5 MPa is in regime {_regimes(runs, names[P1])} and every point of that at 0.4 MPa in regime "
+                  f"{_regimes(runs, names[P2])}: at a given push the regime does not depend on δ, and the curves fall throughout but for their scatter.")
+    fragment.figure(figure, "Global interface friction coefficient and the mean coefficient of eq. (13) against the regularization time.")
+
+
+def _regimes(runs, names):
+    return " or ".join(sorted({regime(runs[name]) for members in names for name in members}))
+
+
+def _columns(found):
+    """delta (s), mu_inter, its error, T_G (s) and eq. (13) of runs."""
+    deltas = np.array([run.number("regularization_time") for run in found])
+    durations = np.array([run.number("mean_contact_duration") or np.nan for run in found])
+    error = [run.number("global_interface_friction_coefficient_95") or 0.0 for run in found]
+    return deltas, np.array([mu(run) for run in found]), error, durations, mean_friction(found[0].number("friction_coefficient"), deltas, durations)

@@ -1,0 +1,80 @@
+"""Figures 14 to 16: localized and direct stresses."""
+
+import numpy as np
+
+import paper_values as paper
+from data import Missing
+from figures import BLACK, ORANGE, STRESSES, panels, scaled, above
+import maps
+
+PERIODS = 6
+
+READING = ("Morphology of seed 1, P = 0.5 MPa as printed, pushed at 0.5 m/s; heterogeneous pin with δ = 1500 ns, homogeneous one with 1700 ns, eq. (10), KUBC concentration. "
+           "The cycles of two runs have no common phase: means and deviations over the steady part are compared, and the curves are shown over their last periods. ")
+
+
+def runs(cases):
+    return [cases.localization()]
+
+
+def element_a(fragment, results, names):
+    _element(fragment, results[names[0]], "element_A", "A, fibre at the contact")
+
+
+def element_b(fragment, results, names):
+    _element(fragment, results[names[0]], "element_B", "B, matrix in the middle")
+
+
+def _probe(run, name):
+    for probe in run.summary.get("probes") or []:
+        if probe["name"] == name:
+            return probe
+    raise Missing(f"no probe {name} in {run.name}")
+
+
+def _element(fragment, run, name, label):
+    probe, rows = _probe(run, name), []
+    for component in ("sigma_yy", "sigma_xx", "sigma_xy"):
+        values = probe[component]
+        surface = name == "element_A" and component != "sigma_yy"
+        bound = paper.LOCALIZATION["mean and deviation" if component == "sigma_yy" else "surface" if surface else "volume"]
+        rows.append([component, f"< {100 * bound:.0f} %",
+                     *[f"{values[key] / 1e6:.2f}" for key in ("mean", "direct_mean")], _percent(values["error_mean"]),
+                     *[f"{values[key] / 1e6:.2f}" for key in ("std", "direct_std")], _percent(values["error_std"])])
+    fragment.table(["stress in MPa", "paper", "mean, localized", "direct", "difference", "deviation, localized", "direct", "difference"], rows)
+    fragment.reading(READING)
+    figure, (axes,) = panels(1, 3.2)
+    time, stress, direct = run.need(f"/probes/{name}/time", f"/probes/{name}/stress", f"/probes/{name}/direct_stress")
+    last = time > time[-1] - PERIODS / paper.MAIN_FREQUENCY[1]
+    factor, unit = scaled(stress[last, 1], units=STRESSES)
+    shown = 1e6 * (time[last] - time[last][0])
+    axes.plot(shown, direct[last, 1] / factor, color=BLACK, lw=1.4, label="direct (heterogeneous run)")
+    axes.plot(shown, stress[last, 1] / factor, color=ORANGE, lw=1.4, label="localized (homogeneous run)")
+    axes.axhline(0, color=BLACK, lw=0.6)
+    axes.set(xlabel="time in µs, last periods", ylabel=rf"$\sigma_\mathrm{{yy}}$ in {unit}")
+    axes.margins(x=0)
+    above(axes, columns=2)
+    fragment.figure(figure, f"Normal stress in element {label}.")
+
+
+def _percent(value):
+    return "-" if value is None else f"{100 * value:+.1f} %".replace("-", "−")
+
+
+def mean_von_mises(fragment, results, names):
+    run = results[names[0]]
+    figure, error = maps.mean_von_mises(run)
+    errors = run.summary["field_errors"]
+    mean_strain = (run.summary.get("mean_strain_variant") or {}).get("field_errors") or {}
+    regions = ("all", "matrix", "fibres", "surface", "interior")
+    order = sorted(errors, key=lambda quantity: (quantity != "mean_von_mises", quantity.startswith("deviation")))
+    rows = [[quantity.replace("_", " ").replace("mises", "Mises") + variant, *[_share(found[quantity].get(region)) for region in regions]]
+            for variant, found in (("", errors), (", eq. (23)", mean_strain)) for quantity in order if quantity in found]
+    fragment.table(["relative L2 difference", *regions], rows)
+    fragment.text("The paper shows the two fields and prints no number for them.")
+    fragment.reading(READING + "Averages over the ten periods before the end.")
+    fragment.figure(figure, "Von Mises stress averaged over time: localized, direct, and their difference.", dpi=100)
+
+
+def _share(value):
+    return "-" if value is None else f"{100 * value:.1f} %"

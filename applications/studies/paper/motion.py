@@ -1,0 +1,71 @@
+"""Motion of the contact node M: figures 4 and 5."""
+
+import numpy as np
+
+import paper_values as paper
+from cases import P1, P2, PUSHED
+from figures import BLACK, BLUE, GREEN, GREY, ORANGE, above, plt
+from measures import frequency, height, mu_text, reference, relative_velocity
+from page import fixed, relative
+
+SHOWN_PERIODS = 5
+
+
+def trajectory_runs(cases):
+    return [cases.homogeneous(PUSHED, P1), cases.heterogeneous(PUSHED, P1), cases.homogeneous(PUSHED, P2)]
+
+
+LABELS = ("0.5 MPa, homogeneous", "0.5 MPa, heterogeneous 1", "0.4 MPa, homogeneous")
+
+
+def trajectory(fragment, runs, names):
+    found = [runs[name] for name in names]
+    rows = [["distance from the flat in µm, largest of a period, on average", fixed(1e6 * paper.SEPARATION, 1),
+             *[f"{1e6 * height(run):.2f} ({relative(height(run), paper.SEPARATION)})" for run in found]]]
+    fragment.table(["", "paper", *LABELS], rows)
+    fragment.reading("Node M in the middle of the contact, the last periods; pressures as printed, the pin pushed at 0.5 m/s. The paper shows regime 1.")
+    figure, axes = plt.subplots(1, 3, figsize=(9.6, 3.2), sharey=True)
+    for axis, run, label, colour in zip(axes, found, LABELS, (BLUE, ORANGE, GREEN)):
+        _, u, _, _ = reference(run, run.number("simulated_time") - SHOWN_PERIODS / frequency(run))
+        axis.plot(1e6 * u[:, 0], 1e6 * u[:, 1], color=colour, lw=1)
+        axis.axhline(0, color=BLACK, lw=1.2)
+        axis.axhline(1e6 * paper.SEPARATION, color=GREY, lw=1, ls="--")
+        axis.set(xlabel="X in µm")
+        axis.set_title(label, loc="left")
+    axes[0].set_ylabel("Y in µm")
+    fragment.figure(figure, f"Trajectory of node M over {SHOWN_PERIODS} periods. Y = 0: the rigid flat; dashed: 0.2 µm.")
+
+
+def convergence_runs(cases):
+    return [cases.resolved((560, 160), 5), cases.resolved((700, 200), 2.5)]
+
+
+def convergence(fragment, runs, names):
+    coarse, fine = (runs[name] for name in names)
+    labels = ("h = 0.1 mm, Δt = 5 ns", "h = 0.08 mm, Δt = 2.5 ns")
+    velocities = [relative_velocity(run) for run in (coarse, fine)]
+    rows = [["main frequency in kHz", "40", *[f"{frequency(run) / 1e3:.2f}" for run in (coarse, fine)]],
+            ["relative velocity of the flat, mean cycle, in m/s", "1.2 to 2.8",
+             *[f"{low:.2f} to {high:.2f}" for low, high in velocities]],
+            ["mu_inter", "-", *[mu_text(run) for run in (coarse, fine)]],
+            ["slip of node M", "70 %", *[f"{100 * run.number('reference_node', 'slip'):.0f} %" for run in (coarse, fine)]]]
+    fragment.table(["", "paper", *labels], rows)
+    fragment.reading("P = 0.5 MPa as printed, the pin pushed at 0.5 m/s; 1 ms, of which the paper's steady part, from 0.25 ms on, counts. "
+                     "The paper took these two pairs of cell and time step.")
+    figure, axes = plt.subplots(1, 3, figsize=(10.4, 3.4), gridspec_kw={"width_ratios": [1.5, 1, 1.2]})
+    for run, label, colour, width in zip((coarse, fine), labels, (BLUE, ORANGE), (1.6, 1.0)):
+        time, u, _, _ = reference(run, 0.0)
+        axes[0].plot(1e3 * time, 1e6 * u[:, 0], color=colour, lw=0.6 * width)
+        x, v = run.need("/phase_diagram/displacement", "/phase_diagram/velocity")
+        axes[1].plot(1e6 * np.append(x, x[0]), np.append(v, v[0]), color=colour, lw=width, label=label)
+        f, a = run.need("/spectrum/frequency", "/spectrum/amplitude")
+        shown = (f > 5e3) & (f < 2.5e5)
+        axes[2].semilogy(f[shown] / 1e3, 1e6 * a[shown], color=colour, lw=width)
+    for harmonic in paper.HARMONICS:
+        axes[2].axvline(harmonic / 1e3, color=GREY, lw=0.9, ls="--")
+    axes[0].set(xlabel="time in ms", ylabel="$u_x$ of node M in µm", xlim=(0, None))
+    axes[1].set(xlabel="$u_x$ in µm", ylabel="$v_x$ in m/s")
+    axes[2].set(xlabel="frequency in kHz", ylabel="amplitude of $u_x$ in µm")
+    above(axes[0], axes[1].get_legend_handles_labels()[0], columns=2)
+    fragment.figure(figure, "Node M at two grids and time steps: transient and steady part, mean phase diagram, spectrum; dashed the "
+                            "paper's 40, 80 and 120 kHz.")
