@@ -64,6 +64,14 @@ def height(run):
     return float(u[: periods * n, 1].reshape(periods, n).max(axis=1).mean())
 
 
+def contact_time(run):
+    """s; mean duration of the contacts of node M in the steady part, as sampled in the history; nan if it never lands."""
+    time, _, _, traction = reference(run)
+    touching = traction[:, 1] > 0
+    landings = np.count_nonzero(touching[1:] & ~touching[:-1])
+    return np.count_nonzero(touching) * (time[1] - time[0]) / landings if landings else np.nan
+
+
 def relative_velocity(run):
     """m/s; smallest and largest speed of the flat relative to node M in the steady part, over mean cycles."""
     v = run.need("/phase_diagram/velocity")
