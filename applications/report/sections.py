@@ -82,20 +82,32 @@ def key_numbers(page, run):
         if value is not None:
             remarks.append(f"{words} {quantity(value, unit, 3)}")
     folder = f" <span class=lead>({escape(run.name)})</span>" if run.name != run.label else ""
+    warnings = [run.summary[key] for key in ("mean_contact_duration_warning", "delta_warning")
+                if isinstance(run.summary.get(key), str)]
     return (f"<h3>{escape(run.label)}{folder}</h3>" + html +
-            f'<p class="lead">{"; ".join(remarks)}.</p>' * bool(remarks))
+            f'<p class="lead">{"; ".join(remarks)}.</p>' * bool(remarks) +
+            "".join(f'<p class="note">Warning: {escape(text)}.</p>' for text in warnings))
 
 
-def stiffness_table(page, run):
+def stiffness_matrices(run):
+    """{heading: stiffness (Pa)}; of an ensemble the means, as `effective` is the mean of those."""
+    ensemble = run.summary.get("ensemble")
+    ensemble = ensemble if isinstance(ensemble, dict) else {}
     matrices = {}
     for name in ("KUBC", "PBC", "SUBC", "effective"):
-        value = run.get(f"/stiffness/{name}")
+        mean = ensemble[name].get("mean") if isinstance(ensemble.get(name), dict) else None
+        value = mean if mean is not None else run.get(f"/stiffness/{name}")
         if value is None:
             listed = run.summary.get("stiffness")
             value = listed.get(name) if isinstance(listed, dict) else None
         value = np.array(value, dtype=float) if value is not None else None
         if value is not None and value.shape == (3, 3):
-            matrices[name] = value
+            matrices[f"{name}, mean of {ensemble.get('members')}" if mean is not None else name] = value
+    return matrices
+
+
+def stiffness_table(page, run):
+    matrices = stiffness_matrices(run)
     if not matrices:
         raise Missing(f"{run.name} holds no stiffness of 3 × 3 entries")
     rows = []

@@ -35,6 +35,11 @@ void write_phases(Hdf5File &file, const Microstructure &microstructure)
   file.write("/phase/density", {n}, density);
   file.write("/phase/friction_coefficient", {n}, friction);
   file.write_strings("/phase/name", names);
+  file.write_unit("/phase/id", "-");
+  file.write_unit("/phase/stiffness", "Pa");
+  file.write_unit("/phase/density", "kg/m^3");
+  file.write_unit("/phase/friction_coefficient", "-");
+  file.write_unit("/phase/name", "-");
 }
 
 std::string concentration_name(const BoundaryCondition condition)
@@ -72,6 +77,7 @@ void write_rve_file(const RveParameters &parameters,
   write_phases(file, results.microstructure);
   const auto write_stiffness = [&](const std::string &name, const VoigtMatrix<2> &D) {
     file.write("/stiffness/" + name, {3, 3}, D.data());
+    file.write_unit("/stiffness/" + name, "Pa");
   };
   write_stiffness("effective", results.effective);
 
@@ -93,27 +99,34 @@ void write_rve_file(const RveParameters &parameters,
         continue;
       const std::string name = concentration_name(response.condition);
       file.write(name, {grid.cells[1], grid.cells[0], 3, 3}, response.concentration);
+      file.write_unit(name, "-");
       XdmfField field;
       field.name       = name.substr(1);
       field.file       = "rve.h5";
       field.dataset    = name;
       field.centre     = XdmfField::Centre::cell;
       field.components = 9;
+      field.columns    = 3;
+      for (const char *row : voigt_name)
+        for (const char *column : voigt_name)
+          field.component_names.push_back(std::string(row) + "_" + column);
       fields.push_back(field);
     }
   file.close();
   write_xdmf(context.file("rve.xdmf"), xdmf_grid, fields);
 }
 
-void restore_rve_summary(RunContext &context)
+bool restore_rve_summary(RunContext &context)
 {
   const Hdf5File file = Hdf5File::open(context.file("rve.h5"));
   if (!file.has_attribute("/", "summary"))
-    return;
+    return false;
   const auto stored = nlohmann::json::parse(
     file.read_attribute<std::string>("/", "summary"), nullptr, false);
-  if (stored.is_object())
-    context.summary().update(stored);
+  if (!stored.is_object() || !stored.contains("stiffness"))
+    return false;
+  context.summary().update(stored);
+  return true;
 }
 
 void write_rve_tables(const RveParameters &parameters,
@@ -140,7 +153,7 @@ void write_rve_tables(const RveParameters &parameters,
     constants.add_row({c.name, to_text(c.value), c.unit, c.meaning});
   constants.flush();
 
-  std::vector<std::string> headings = {"condition", "phase", "fraction [-]"};
+  std::vector<std::string> headings = {"condition", "phase", "fraction [-]", "tensor"};
   for (const char *row : voigt_name)
     for (const char *column : voigt_name)
       headings.push_back(std::string("mean_") + row + "_" + column + " [-]");
@@ -150,7 +163,10 @@ void write_rve_tables(const RveParameters &parameters,
       {
         std::vector<std::string> row = {to_string(response.condition),
                                         results.microstructure.phases[p].name,
-                                        to_text(first.fractions[p])};
+                                        to_text(first.fractions[p]),
+                                        response.condition == BoundaryCondition::SUBC ?
+                                          "B (stress)" :
+                                          "L (strain)"};
         for (unsigned int e = 0; e < 9; ++e)
           row.push_back(to_text(response.phase_means[p](e / 3, e % 3)));
         means.add_row(row);

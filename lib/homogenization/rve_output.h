@@ -22,8 +22,14 @@ void write_rve_file(const RveParameters &parameters,
                     const std::string &digest,
                     RunContext &context);
 
-/** The summary of the run that wrote the rve.h5 in the output folder. */
-void restore_rve_summary(RunContext &context);
+/**
+ * Takes over the summary of the run that wrote the rve.h5 in the output folder.
+ * @return false if it holds none
+ */
+bool restore_rve_summary(RunContext &context);
+
+/** The table of stiffnesses of the summary, new or restored, on the console. */
+void log_stiffness(RunContext &context);
 
 /** stiffness.csv, engineering_constants.csv, phase_means.csv, ensemble.csv,
  * rectangles.csv. */

@@ -153,8 +153,8 @@ void run(dealii::ParameterHandler &prm, RunContext &context)
   if (reuse != 0)
     {
       context.log("rve.h5 is up to date: nothing that determines it has changed");
-      if (context.root())
-        restore_rve_summary(context);
+      if (context.root() && restore_rve_summary(context))
+        log_stiffness(context);
       return;
     }
 

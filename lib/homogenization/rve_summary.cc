@@ -62,63 +62,32 @@ json ensemble_json(const RveParameters &parameters, const RveResults &results)
   return ensemble;
 }
 
-std::string row_text(const std::string &name, const VoigtMatrix<2> &D)
+std::string row_text(const std::string &name, const json &D)
 {
   std::ostringstream line;
   line << std::left << std::setw(22) << name << std::right << std::fixed
        << std::setprecision(3);
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = i; j < 3; ++j)
-      line << std::setw(9) << D(i, j) * 1e-9;
+      line << std::setw(9) << D[i][j].get<double>() * 1e-9;
   return line.str();
 }
 
-void log_stiffness(const RveParameters &parameters,
-                   const RveResults &results,
-                   RunContext &context)
+std::string difference_text(const json &effective, const json &reference)
 {
-  std::ostringstream heading;
-  heading << std::left << std::setw(22) << "Stiffness (GPa)" << std::right;
-  for (const char *name : {"D11", "D12", "D13", "D22", "D23", "D33"})
-    heading << std::setw(9) << name;
-  context.log(heading.str());
-  const bool several = results.members.size() > 1;
-  for (std::size_t c = 0; c < parameters.conditions.size(); ++c)
-    {
-      const auto statistics =
-        stiffness_statistics(results.members, c, parameters.confidence);
-      VoigtMatrix<2> mean, deviation;
-      for (unsigned int e = 0; e < 9; ++e)
-        {
-          mean(e / 3, e % 3)      = statistics[e].mean;
-          deviation(e / 3, e % 3) = statistics[e].standard_deviation;
-        }
-      const std::string name = to_string(parameters.conditions[c]);
-      context.log(row_text(several ? name + " mean" : name, mean));
-      if (several)
-        context.log(row_text(name + " deviation", deviation));
-      else
-        context.log(row_text(name + " from energy",
-                             results.members[0].responses[c].stiffness_from_energy));
-    }
-  context.log(row_text("effective", results.effective));
-  if (parameters.reference)
-    {
-      context.log(row_text("reference", *parameters.reference));
-      std::ostringstream line;
-      line << std::left << std::setw(22) << "difference (%)" << std::right << std::fixed
-           << std::setprecision(2);
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = i; j < 3; ++j)
-          {
-            const double ref = (*parameters.reference)(i, j);
-            if (ref != 0.)
-              line << std::setw(9) << 100. * (results.effective(i, j) / ref - 1.);
-            else
-              line << std::setw(9) << "-";
-          }
-      context.log(line.str());
-    }
+  std::ostringstream line;
+  line << std::left << std::setw(22) << "difference (%)" << std::right << std::fixed
+       << std::setprecision(2);
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = i; j < 3; ++j)
+      {
+        const double ref = reference[i][j].get<double>();
+        if (ref != 0.)
+          line << std::setw(9) << 100. * (effective[i][j].get<double>() / ref - 1.);
+        else
+          line << std::setw(9) << "-";
+      }
+  return line.str();
 }
 // What every solve has to fulfil, and how well it does.
 void log_identities(const EnsembleMember &member, RunContext &context)
@@ -139,6 +108,37 @@ void log_identities(const EnsembleMember &member, RunContext &context)
     }
 }
 } // namespace
+
+void log_stiffness(RunContext &context)
+{
+  const json &summary = context.summary();
+  std::ostringstream heading;
+  heading << std::left << std::setw(22) << "Stiffness (GPa)" << std::right;
+  for (const char *name : {"D11", "D12", "D13", "D22", "D23", "D33"})
+    heading << std::setw(9) << name;
+  context.log(heading.str());
+  const bool several = summary.contains("ensemble");
+  for (const char *name : {"KUBC", "SUBC", "PBC"})
+    if (several && summary["ensemble"].contains(name))
+      {
+        const json &entry = summary["ensemble"][name];
+        context.log(row_text(std::string(name) + " mean", entry["mean"]));
+        context.log(
+          row_text(std::string(name) + " deviation", entry["standard_deviation"]));
+      }
+    else if (!several && !summary["stiffness"][name].is_null())
+      {
+        context.log(row_text(name, summary["stiffness"][name]));
+        context.log(row_text(std::string(name) + " from energy",
+                             summary["stiffness_from_energy"][name]));
+      }
+  const json &effective = summary["stiffness"]["effective"];
+  context.log(row_text("effective", effective));
+  if (!summary.contains("reference_stiffness"))
+    return;
+  context.log(row_text("reference", summary["reference_stiffness"]));
+  context.log(difference_text(effective, summary["reference_stiffness"]));
+}
 
 void write_rve_summary(const RveParameters &parameters,
                        const RveResults &results,
@@ -176,7 +176,7 @@ void write_rve_summary(const RveParameters &parameters,
     out["ensemble"] = ensemble_json(parameters, results);
   if (parameters.reference)
     out["reference_stiffness"] = matrix_json(*parameters.reference);
-  log_stiffness(parameters, results, context);
+  log_stiffness(context);
   log_identities(first, context);
 }
 } // namespace mesoslip

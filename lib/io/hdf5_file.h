@@ -97,6 +97,12 @@ public:
                    const std::string &hint = "") const;
 
   bool has_attribute(const std::string &object, const std::string &name) const;
+
+  /** Attribute `unit` of a dataset: SI symbols, "-" for pure numbers. */
+  void write_unit(const std::string &dataset, const std::string &unit)
+  {
+    write_attribute(dataset, "unit", unit);
+  }
   /** @} */
 
   /** @name Whole datasets; writing replaces one of the same name @{ */

@@ -183,7 +183,13 @@ private:
         start.insert(start.begin(), step);
         count.insert(count.begin(), 1);
       }
-    if (field.components > 0)
+    if (field.columns > 0) // a matrix, of which one entry is shown
+      {
+        stored.insert(stored.end(), {field.components / field.columns, field.columns});
+        start.insert(start.end(), {first / field.columns, first % field.columns});
+        count.insert(count.end(), {1, 1});
+      }
+    else if (field.components > 0)
       {
         stored.push_back(field.components);
         start.push_back(first);

@@ -41,6 +41,9 @@ struct XdmfField
   Number number = Number::float64;
   /** Length of the last axis; 0 when there is none. */
   unsigned int components = 0;
+  /** With two last axes, of a matrix a cell: the length of the very last one (components
+   * counts both); otherwise 0. */
+  unsigned int columns = 0;
   /** Suffixes of components that are shown one by one: "xx" for "stress_xx". */
   std::vector<std::string> component_names;
   /** Whether the first axis counts the times; otherwise the field is there always. */

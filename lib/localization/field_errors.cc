@@ -64,13 +64,21 @@ std::vector<double> minus(const std::vector<double> &a, const std::vector<double
 
 std::vector<CellRegion> comparison_regions(const UniformGrid<2> &grid,
                                            const std::vector<std::uint8_t> &phase,
+                                           const std::vector<std::string> &phase_names,
                                            const double surface_depth,
                                            const double edge_distance)
 {
   std::vector<CellRegion> regions = {
-    {"all", {}},           {"surface", {}},         {"bulk", {}},
-    {"matrix", {}},        {"fibres", {}},          {"interior", {}},
-    {"surface_inner", {}}, {"matrix_interior", {}}, {"fibres_interior", {}}};
+    {"all", {}}, {"surface", {}}, {"bulk", {}}, {"interior", {}}, {"surface_inner", {}}};
+  const std::size_t n_places = regions.size();
+  for (const std::string &name : phase_names)
+    {
+      const bool taken =
+        std::any_of(regions.begin(), regions.end(),
+                    [&](const CellRegion &region) { return region.name == name; });
+      regions.push_back({(taken ? "phase_" : "") + name, {}});
+      regions.push_back({regions.back().name + "_interior", {}});
+    }
   std::size_t cell = 0;
   for (unsigned int j = 0; j < grid.cells[1]; ++j)
     for (unsigned int i = 0; i < grid.cells[0]; ++i, ++cell)
@@ -79,14 +87,15 @@ std::vector<CellRegion> comparison_regions(const UniformGrid<2> &grid,
         const double side   = std::min(x, grid.extent(0) - x);
         const bool inner    = side >= edge_distance;
         const bool surface  = y < surface_depth;
-        const bool fibre    = phase[cell] > 0;
         const bool interior = inner && std::min(y, grid.extent(1) - y) >= edge_distance;
-        const bool member[] = {
-          true,     surface,          !surface,           !fibre,           fibre,
-          interior, surface && inner, interior && !fibre, interior && fibre};
-        for (std::size_t r = 0; r < regions.size(); ++r)
+        const bool member[] = {true, surface, !surface, interior, surface && inner};
+        for (std::size_t r = 0; r < n_places; ++r)
           if (member[r])
             regions[r].cells.push_back(cell);
+        const std::size_t of_phase = n_places + 2 * phase[cell];
+        regions[of_phase].cells.push_back(cell);
+        if (interior)
+          regions[of_phase + 1].cells.push_back(cell);
       }
   return regions;
 }

@@ -65,7 +65,7 @@ private:
     if (components > 0)
       shape.push_back(components);
     file.write(name, shape, values);
-    file.write_attribute(name, "unit", std::string("Pa"));
+    file.write_unit(name, "Pa");
     XdmfField field;
     field.name       = name.substr(1);
     field.file       = "localization.h5";
@@ -80,8 +80,13 @@ private:
     const std::size_t n = probe.time.size();
     file.write(group + "/time", {n}, probe.time);
     file.write(group + "/stress", {n, 3}, probe.stress);
+    file.write_unit(group + "/time", "s");
+    file.write_unit(group + "/stress", "Pa");
     if (!probe.direct_stress.empty())
-      file.write(group + "/direct_stress", {n, 3}, probe.direct_stress);
+      {
+        file.write(group + "/direct_stress", {n, 3}, probe.direct_stress);
+        file.write_unit(group + "/direct_stress", "Pa");
+      }
     file.write_attribute(group, "position",
                          std::vector<double>{probe.position[0], probe.position[1]});
     file.write_attribute(group, "cell",
@@ -207,6 +212,8 @@ void summarize_localization(const LocalizationResult &result, json &summary)
 {
   summary["dim"]              = 2;
   summary["cells"]            = result.grid.n_cells();
+  summary["dofs"]             = result.dofs;
+  summary["phases"]           = result.phase_names;
   summary["variant"]          = result.variants[0].name;
   summary["window"]           = {number_or_null(result.window.begin),
                                  number_or_null(result.window.end)};

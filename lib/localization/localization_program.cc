@@ -49,7 +49,10 @@ void log_key_numbers(RunContext &context)
       std::ostringstream line;
       line.precision(3);
       line << quantity << " against the direct run (relative L2):";
-      for (const char *region : {"interior", "surface", "matrix", "fibres"})
+      std::vector<std::string> regions = {"interior", "surface"};
+      for (const auto &phase : summary["phases"])
+        regions.push_back(phase);
+      for (const std::string &region : regions)
         if (field->contains(region) && (*field)[region].is_number())
           line << ' ' << region << ' ' << 100. * (*field)[region].get<double>() << " %";
       context.log(line.str());

@@ -59,6 +59,9 @@ public:
       if (monitor.warn)
         monitor.warn(warning);
     result.grid    = input.rve.grid();
+    result.dofs    = 2 * input.homogeneous.grid().n_nodes();
+    for (const Phase<2> &phase : input.rve.phases())
+      result.phase_names.push_back(phase.name);
     result.digests = {input.rve.digest(), input.homogeneous.digest(),
                       input.direct ? input.direct->digest() : ""};
   }
@@ -110,9 +113,12 @@ private:
       monitor.start("snapshots of the " + role, range.count);
     auto histories = pass_snapshots(run, range, result.grid, work, monitor.update);
     if (monitor.log)
-      monitor.log(std::to_string(range.count) + " snapshots of the " + role + ", " +
-                  to_text(histories.time.front()) + " to " +
-                  to_text(histories.time.back()) + " s");
+      {
+        std::ostringstream line;
+        line << range.count << " snapshots of the " << role << ", "
+             << histories.time.front() << " to " << histories.time.back() << " s";
+        monitor.log(line.str());
+      }
     return histories;
   }
 
@@ -242,9 +248,10 @@ private:
       {
         variant.difference = difference(fields, result.direct);
         variant.errors     = field_errors(fields, result.direct,
-                                          comparison_regions(result.grid, input.phase_id,
-                                                             parameters.surface_depth,
-                                                             parameters.edge_distance));
+                                          comparison_regions(
+                                            result.grid, input.phase_id, result.phase_names,
+                                            parameters.surface_depth,
+                                            parameters.edge_distance));
       }
     variant.fields = std::move(fields);
     result.variants.push_back(std::move(variant));

@@ -50,6 +50,9 @@ struct VariantResult
 struct LocalizationResult
 {
   UniformGrid<2> grid;
+  /** Degrees of freedom of the homogeneous run. */
+  std::size_t dofs = 0;
+  std::vector<std::string> phase_names;
   /** s; first and last time used. */
   TimeWindow window;
   std::size_t n_snapshots        = 0;

@@ -29,9 +29,10 @@ blocks_inside(const std::vector<ContactBlock> &blocks, const double from, const 
   return {first, last};
 }
 
-ContactDuration duration_of(const double contact_time, const double landings)
+ContactDuration
+duration_of(const double contact_time, const double landings, const double node_share)
 {
-  return {landings > 0. ? contact_time / landings : contact_time, landings};
+  return {landings > 0. ? contact_time / landings : contact_time, landings, node_share};
 }
 } // namespace
 
@@ -70,7 +71,7 @@ ContactSummary summarize_contact(const std::vector<ContactBlock> &blocks,
   summary.end   = blocks[last - 1].end;
   // Blocks follow each other, so that this is the time step.
   const double time_step = (summary.end - summary.begin) / steps;
-  double total_weight = 0., contact_time = 0., episodes = 0.;
+  double total_weight = 0., contact_time = 0., episodes = 0., landed = 0.;
   for (std::size_t i = 0; i < n; ++i)
     {
       const double weight = weights.empty() ? 1. : weights[i];
@@ -80,18 +81,20 @@ ContactSummary summarize_contact(const std::vector<ContactBlock> &blocks,
       shares.separation = (steps - slip[i] - stick[i]) / steps;
       summary.node_shares.push_back(shares);
       summary.node_durations.push_back(
-        duration_of((slip[i] + stick[i]) * time_step, landings[i]));
+        duration_of((slip[i] + stick[i]) * time_step, landings[i], landings[i] > 0. ? 1. : 0.));
       summary.shares.slip += weight * shares.slip;
       summary.shares.stick += weight * shares.stick;
       summary.shares.separation += weight * shares.separation;
       total_weight += weight;
       contact_time += (slip[i] + stick[i]) * time_step;
       episodes += landings[i];
+      landed += landings[i] > 0. ? 1. : 0.;
     }
   summary.shares.slip /= total_weight;
   summary.shares.stick /= total_weight;
   summary.shares.separation /= total_weight;
-  summary.duration = duration_of(contact_time, episodes);
+  summary.duration =
+    duration_of(contact_time, episodes, landed / static_cast<double>(n));
   return summary;
 }
 

@@ -40,11 +40,23 @@ struct ContactDuration
   /** Landings in the window. */
   double episodes = 0.;
 
+  /** Share of the nodes that landed at least once. */
+  double node_share = 0.;
+
   /** False: no landing in the window, #mean is only a lower bound (0: never in contact).
    */
   bool complete() const
   {
     return episodes > 0.;
+  }
+
+  /**
+   * False when fewer than half of the nodes landed: then #mean is mostly the time that the
+   * others have been in contact without an end, and grows with the window.
+   */
+  bool representative() const
+  {
+    return complete() && node_share >= 0.5;
   }
 };
 

@@ -39,10 +39,15 @@ void write_material(Hdf5File &file, const Scene &scene)
   file.write("/material/stiffness", {n, 3, 3}, stiffness);
   file.write("/material/density", {n}, density);
   file.write_strings("/material/name", names);
+  file.write_unit("/material/stiffness", "Pa");
+  file.write_unit("/material/density", "kg/m^3");
+  file.write_unit("/material/name", "-");
   file.write_attribute("/material", "rve_digest", scene.rve_digest);
-  if (!scene.phase_id.empty())
-    file.write("/material/phase_id", {scene.grid.cells[1], scene.grid.cells[0]},
-               scene.phase_id);
+  if (scene.phase_id.empty())
+    return;
+  file.write("/material/phase_id", {scene.grid.cells[1], scene.grid.cells[0]},
+             scene.phase_id);
+  file.write_unit("/material/phase_id", "-");
 }
 } // namespace
 
@@ -77,6 +82,8 @@ void create_snapshots(Hdf5File &file, const UniformGrid<2> &grid)
   file.create_extendable<double>("/snapshots/time", {});
   file.create_extendable<double>("/snapshots/displacement",
                                  {grid.cells[1] + 1, grid.cells[0] + 1, 2});
+  file.write_unit("/snapshots/time", "s");
+  file.write_unit("/snapshots/displacement", "m");
 }
 
 void append_snapshot(Hdf5File &file, const double time, const NodalField<double> &u)
@@ -105,16 +112,15 @@ void write_body_xdmf(const std::string &path,
       field.time_series = true;
       fields.push_back(field);
     }
-  if (!scene.phase_id.empty())
-    {
-      XdmfField phase;
-      phase.name    = "phase";
-      phase.file    = h5;
-      phase.dataset = "/material/phase_id";
-      phase.centre  = XdmfField::Centre::cell;
-      phase.number  = XdmfField::Number::uint8;
-      fields.push_back(phase);
-    }
   write_xdmf(path, grid, fields, times);
+  if (scene.phase_id.empty())
+    return;
+  XdmfField phase;
+  phase.name    = "phase";
+  phase.file    = h5;
+  phase.dataset = "/material/phase_id";
+  phase.centre  = XdmfField::Centre::cell;
+  phase.number  = XdmfField::Number::uint8;
+  write_xdmf(path.substr(0, path.rfind('.')) + "-phases.xdmf", grid, {phase});
 }
 } // namespace mesoslip

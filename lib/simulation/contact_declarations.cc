@@ -98,7 +98,7 @@ declare_time(Handler &prm)
 }
 
 void
-declare_ramp(Handler &prm, const std::string &what)
+declare_ramp(Handler &prm, const std::string &what, const std::string &unit)
 {
   declare_selection(prm,
                     "Ramp",
@@ -110,7 +110,7 @@ declare_ramp(Handler &prm, const std::string &what)
                  "Expression",
                  "",
                  "The " + what + " as an expression in the time t (s), instead of a ramp, e.g. "
-                 "2*cos(2*pi*1000*t)");
+                 "2*cos(2*pi*1000*t) [" + unit + "]");
 }
 
 void
@@ -119,7 +119,7 @@ declare_flat(Handler &prm)
   const ParameterSection section(prm, "Flat");
   declare_double(
     prm, "Velocity", 2., Range::any(), "Velocity of the rigid flat along x [m/s]");
-  declare_ramp(prm, "velocity");
+  declare_ramp(prm, "velocity", "m/s");
   declare_double(prm,
                  "Gap",
                  0.,
@@ -138,7 +138,7 @@ declare_top(Handler &prm)
                     "A pressure on each node; a rigid platen (u_x = 0, one common u_y) pushed by "
                     "the pressure's resultant; or u = 0");
   declare_double(prm, "Pressure", 5e6, Range::any(), "Pressure on the top [Pa]");
-  declare_ramp(prm, "pressure");
+  declare_ramp(prm, "pressure", "Pa");
   declare_bool(
     prm, "Lateral held", false, "With a pressure: u_x = 0 on the top, as under a platen");
   declare_double(prm,

@@ -20,6 +20,12 @@ node_positions(const UniformGrid<2> &grid)
     x[i] = i * grid.spacing[0];
   return x;
 }
+// As of a probe there: a point between two cells belongs to the upper one.
+unsigned int
+reference_phase(const Scene &scene, const unsigned int node)
+{
+  return scene.phase_id.empty() ? 0 : scene.phase_id[std::min(node, scene.grid.cells[0] - 1)];
+}
 } // namespace
 
 DynamicsFile::DynamicsFile(RunContext              &context,
@@ -47,9 +53,12 @@ DynamicsFile::add_snapshot(const double time, const NodalField<double> &u)
 }
 
 void
-DynamicsFile::write_column(const std::string &name, const std::vector<double> &values)
+DynamicsFile::write_column(const std::string         &name,
+                           const std::vector<double> &values,
+                           const std::string         &unit)
 {
   file->write(name, {values.size()}, values);
+  file->write_unit(name, unit);
 }
 
 void
@@ -79,10 +88,7 @@ DynamicsFile::write_history(const TransientObservations &observed,
       n = std::min(n, values->size());
       const std::size_t split = heading.find(" [");
       const std::string name  = "/history/" + heading.substr(0, split);
-      write_column(name, *values);
-      file->write_attribute(name,
-                            "unit",
-                            heading.substr(split + 2, heading.size() - split - 3));
+      write_column(name, *values, heading.substr(split + 2, heading.size() - split - 3));
     }
   // A spreadsheet has no use for a million rows.
   const std::size_t   stride = std::max<std::size_t>(1, n / 5000);
@@ -115,10 +121,12 @@ DynamicsFile::write_energy(const EnergyHistory &e)
   std::vector<std::string> headings;
   for (const auto &[name, values] : columns)
     {
-      write_column("/energy/" + name, *values);
-      headings.push_back(name + (name == "time" ? " [s]" : " [J/m]"));
+      const std::string unit = name == "time" ? "s" : "J/m";
+      write_column("/energy/" + name, *values, unit);
+      headings.push_back(name + " [" + unit + "]");
     }
   file->write_attribute("/energy", "initial", e.initial);
+  file->write_attribute("/energy", "unit", std::string("J/m"));
   TableWriter         table(context.file("energy.csv"), headings);
   std::vector<double> row(columns.size());
   for (std::size_t k = 0; k < e.time.size(); ++k)
@@ -135,16 +143,22 @@ DynamicsFile::write_probes(const TransientObservations &observed)
 {
   const auto write = [&](const ProbeHistory &probe, const std::string &group) {
     const std::size_t n = probe.time.size();
-    write_column(group + "/time", probe.time);
-    file->write(group + "/displacement", {n, 2}, probe.displacement);
-    file->write(group + "/velocity", {n, 2}, probe.velocity);
-    if (!probe.strain.empty())
-      {
-        file->write(group + "/strain", {n, 3}, probe.strain);
-        file->write(group + "/stress", {n, 3}, probe.stress);
-      }
+    write_column(group + "/time", probe.time, "s");
+    const auto write_components = [&](const std::string         &name,
+                                      const std::size_t          components,
+                                      const std::vector<double> &values,
+                                      const std::string         &unit) {
+      if (values.empty() && components > 2)
+        return;
+      file->write(group + name, {n, components}, values);
+      file->write_unit(group + name, unit);
+    };
+    write_components("/displacement", 2, probe.displacement, "m");
+    write_components("/velocity", 2, probe.velocity, "m/s");
+    write_components("/strain", 3, probe.strain, "-");
+    write_components("/stress", 3, probe.stress, "Pa");
     if (!probe.traction.empty())
-      file->write(group + "/traction", {n, 2}, probe.traction);
+      write_components("/traction", 2, probe.traction, "Pa");
     file->write_attribute(group, "position", std::vector<double>{probe.position[0], probe.position[1]});
     file->write_attribute(group, "phase", probe.phase);
   };
@@ -162,6 +176,7 @@ DynamicsFile::write_probes(const TransientObservations &observed)
   const double width = end && !parameters.periodic ? 0.5 * dx : dx;
   ProbeHistory reference;
   reference.position = {{observed.reference_node * dx, 0.}};
+  reference.phase    = reference_phase(scene, observed.reference_node);
   reference.time     = h.time;
   for (std::size_t k = 0; k < h.time.size() && k < node.vx.size(); ++k)
     {
@@ -178,8 +193,8 @@ DynamicsFile::write_contact(const TransientObservations &observed, const Transie
 {
   const std::vector<double> x       = node_positions(scene.grid);
   const std::size_t         n_nodes = x.size(), n_blocks = observed.blocks.size();
-  write_column("/contact/x", x);
-  write_column("/contact/friction_coefficient", scene.node_friction);
+  write_column("/contact/x", x, "m");
+  write_column("/contact/friction_coefficient", scene.node_friction, "-");
   std::vector<double> slip, stick, separated;
   for (const ContactShares &shares : summary.contact.node_shares)
     {
@@ -190,9 +205,9 @@ DynamicsFile::write_contact(const TransientObservations &observed, const Transie
   if (parameters.periodic && !slip.empty())
     for (std::vector<double> *shares : {&slip, &stick, &separated})
       shares->push_back(shares->front()); // the last node is the first one again
-  write_column("/contact/slip", slip);
-  write_column("/contact/stick", stick);
-  write_column("/contact/separated", separated);
+  write_column("/contact/slip", slip, "-");
+  write_column("/contact/stick", stick, "-");
+  write_column("/contact/separated", separated, "-");
 
   std::vector<double> times;
   std::vector<float>  block_slip, block_stick, block_separated;
@@ -206,10 +221,12 @@ DynamicsFile::write_contact(const TransientObservations &observed, const Transie
           block_separated.push_back(1.f - block_slip.back() - block_stick.back());
         }
     }
-  write_column("/contact/blocks/time", times);
+  write_column("/contact/blocks/time", times, "s");
   file->write("/contact/blocks/slip", {n_blocks, n_nodes}, block_slip);
   file->write("/contact/blocks/stick", {n_blocks, n_nodes}, block_stick);
   file->write("/contact/blocks/separated", {n_blocks, n_nodes}, block_separated);
+  for (const char *state : {"slip", "stick", "separated"})
+    file->write_unit(std::string("/contact/blocks/") + state, "-");
 }
 
 void
@@ -217,16 +234,16 @@ DynamicsFile::write_evaluation(const TransientSummary &summary)
 {
   if (!summary.spectrum.frequency.empty())
     {
-      write_column("/spectrum/frequency", summary.spectrum.frequency);
-      write_column("/spectrum/amplitude", summary.spectrum.amplitude);
+      write_column("/spectrum/frequency", summary.spectrum.frequency, "Hz");
+      write_column("/spectrum/amplitude", summary.spectrum.amplitude, "m");
     }
   const PhaseDiagram &phase = summary.phase_diagram;
   if (phase.n_periods > 0)
     {
-      write_column("/phase_diagram/displacement", phase.displacement);
-      write_column("/phase_diagram/velocity", phase.velocity);
-      write_column("/phase_diagram/displacement_spread", phase.displacement_spread);
-      write_column("/phase_diagram/velocity_spread", phase.velocity_spread);
+      write_column("/phase_diagram/displacement", phase.displacement, "m");
+      write_column("/phase_diagram/velocity", phase.velocity, "m/s");
+      write_column("/phase_diagram/displacement_spread", phase.displacement_spread, "m");
+      write_column("/phase_diagram/velocity_spread", phase.velocity_spread, "m/s");
     }
 }
 

@@ -45,7 +45,9 @@ private:
   void
   write_evaluation(const TransientSummary &summary);
   void
-  write_column(const std::string &name, const std::vector<double> &values);
+  write_column(const std::string         &name,
+               const std::vector<double> &values,
+               const std::string         &unit);
 
   RunContext                &context;
   const ContactParameters   &parameters;

@@ -52,6 +52,9 @@ nlohmann::json to_json(const FrictionRun &run)
     {"folder", run.folder},
     {"global_interface_friction_coefficient", run.mu_inter},
     {"mean_contact_duration", json_or_null(run.contact_duration)},
+    {"mean_contact_duration_warning", run.duration_warning.empty() ?
+                                        nlohmann::json() :
+                                        nlohmann::json(run.duration_warning)},
     {"regularization_time", json_or_null(run.regularization_time)},
     {"friction_coefficient", json_or_null(run.friction_coefficient)}};
   if (run.contact_duration && run.regularization_time && run.friction_coefficient)
@@ -64,11 +67,13 @@ void write_summary(const FrictionHomogenizationInput &input,
                    const std::vector<FrictionEstimate> &estimates,
                    const double mu_homo,
                    const double delta,
+                   const std::string &warning,
                    nlohmann::json &json)
 {
   json["analysis"]          = "friction homogenization";
   json["mu_homo"]           = mu_homo;
   json["delta"]             = delta;
+  json["delta_warning"] = warning.empty() ? nlohmann::json() : nlohmann::json(warning);
   json["heterogeneous_run"] = to_json(input.heterogeneous);
   json["homogeneous_run"] =
     input.homogeneous ? to_json(*input.homogeneous) : nlohmann::json();
@@ -205,6 +210,16 @@ std::string node_warning(const FrictionHomogenizationInput &input)
   return text.str();
 }
 
+std::string duration_warning(const FrictionHomogenizationInput &input,
+                             const FrictionEstimate &chosen)
+{
+  const FrictionRun &run =
+    chosen.duration == "homogeneous" ? *input.homogeneous : input.heterogeneous;
+  return run.duration_warning.empty() ?
+           "" :
+           "the proposed delta is poor: in " + run.folder + ", " + run.duration_warning;
+}
+
 const FrictionEstimate &
 chosen_estimate(const std::vector<FrictionEstimate> &estimates,
                 const FrictionHomogenizationParameters &parameters,
@@ -245,8 +260,8 @@ void run_friction_homogenization(const ContactParameters &parameters, RunContext
     read_friction_homogenization(parameters.homogenization, parameters.body.rve_file);
   const std::vector<FrictionEstimate> estimates = friction_estimates(input);
   log_estimates(input, estimates, context);
-  if (const std::string warning = node_warning(input); !warning.empty())
-    context.warn(warning);
+  if (const std::string of_nodes = node_warning(input); !of_nodes.empty())
+    context.warn(of_nodes);
   if (context.root())
     write_table(estimates, context.file("friction_homogenization.csv"));
 
@@ -254,11 +269,15 @@ void run_friction_homogenization(const ContactParameters &parameters, RunContext
     chosen_estimate(estimates, parameters.homogenization, input);
   const double delta =
     or_nan(parameters.homogenization.calibrate ? chosen.calibrated : chosen.delta);
+  const std::string warning = duration_warning(input, chosen);
+  if (!warning.empty())
+    context.warn(warning);
   context.log("For the .prm of the homogeneous model:");
   context.log(
     "subsection Friction\n  set Coefficient         = " + to_text(chosen.mu_homo) +
     "\n  set Regularization time = " + to_text(delta) + "\nend");
   if (context.root())
-    write_summary(input, estimates, chosen.mu_homo, delta, context.summary());
+    write_summary(
+      input, estimates, chosen.mu_homo, delta, warning, context.summary());
 }
 } // namespace mesoslip

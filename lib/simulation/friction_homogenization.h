@@ -18,6 +18,7 @@ struct FrictionRun
   std::string folder;
   double mu_inter = 0.; ///< global interface friction coefficient, eq. (9)
   std::optional<double> contact_duration; ///< T_G (s); unknown without complete landings
+  std::string duration_warning; ///< why T_G should not be used; empty when it may be
   std::optional<double> regularization_time;  ///< delta (s)
   std::optional<double> friction_coefficient; ///< local mu; none if it varies by phase
 };
@@ -78,6 +79,10 @@ friction_estimates(const FrictionHomogenizationInput &input);
  * otherwise.
  */
 std::string node_warning(const FrictionHomogenizationInput &input);
+
+/** A warning if the T_G that @p chosen uses rests on few nodes; "" otherwise. */
+std::string duration_warning(const FrictionHomogenizationInput &input,
+                             const FrictionEstimate &chosen);
 
 /** The estimate that section Friction homogenization asks for. @throws UserError */
 const FrictionEstimate &

@@ -24,6 +24,7 @@ FrictionRun read_run(const RunSummary &summary)
     summary.number("global_interface_friction_coefficient",
                    "the run has no steady part; give it a longer Time/End time");
   run.contact_duration     = summary.find_number("mean_contact_duration");
+  run.duration_warning     = summary.text("mean_contact_duration_warning");
   run.regularization_time  = summary.find_number("regularization_time");
   run.friction_coefficient = summary.find_number("friction_coefficient");
   if (run.contact_duration && !(*run.contact_duration > 0.))

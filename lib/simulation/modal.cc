@@ -113,6 +113,9 @@ void write_file(const std::vector<ModalCase> &cases,
       file.write(group + "/modal_mass", {n}, mass);
       file.write(group + "/shape",
                  {n, scene.grid.cells[1] + 1u, scene.grid.cells[0] + 1u, 2}, shapes);
+      file.write_unit(group + "/frequency", "Hz");
+      file.write_unit(group + "/modal_mass", "kg/m");
+      file.write_unit(group + "/shape", "-");
       series.emplace_back("bottom_" + c.bottom, group + "/shape");
     }
   file.close();

@@ -129,6 +129,11 @@ void write_file(const Scene &scene,
   file.write_attribute("/static_contact/state", "meaning",
                        std::vector<std::string>{"separated", "stick", "slip", "held"});
   file.write("/static_contact/cell_pressure", {n - 1}, result.cell_pressure);
+  file.write_unit("/static_contact/x", "m");
+  file.write_unit("/static_contact/friction_coefficient", "-");
+  file.write_unit("/static_contact/state", "-");
+  for (const char *name : {"pressure", "shear_traction", "cell_pressure"})
+    file.write_unit(std::string("/static_contact/") + name, "Pa");
   file.close();
   write_body_xdmf(context.file("dynamics.xdmf"), scene, "dynamics.h5",
                   {{"displacement", "/snapshots/displacement"}}, {0.});

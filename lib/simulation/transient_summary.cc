@@ -138,6 +138,20 @@ shares_json(const ContactShares &shares)
     {"slip", shares.slip}, {"stick", shares.stick}, {"separation", shares.separation}};
 }
 
+/** What to say about T_G; empty when it can be relied on. */
+std::string
+contact_duration_warning(const ContactDuration &duration)
+{
+  if (!duration.complete() || duration.representative())
+    return "";
+  std::ostringstream text;
+  text.precision(3);
+  text << "T_G = " << duration.mean << " s rests on the " << 100. * duration.node_share
+       << " % of the contact nodes that landed in the steady part; the others never left the flat "
+          "and only add time, so T_G grows with the run and eq. (13) should not be used with it";
+  return text.str();
+}
+
 void
 log_key_numbers(const TransientObservations &observed,
                 const TransientSummary      &summary,
@@ -243,6 +257,10 @@ write_summary(const ContactParameters     &parameters,
   json["mean_contact_duration"] = summary.contact.duration.complete() ?
                                     nlohmann::json(summary.contact.duration.mean) :
                                     nlohmann::json();
+  json["mean_contact_duration_node_share"] = summary.contact.duration.node_share;
+  const std::string warning                = contact_duration_warning(summary.contact.duration);
+  json["mean_contact_duration_warning"] =
+    warning.empty() ? nlohmann::json() : nlohmann::json(warning);
   if (!summary.contact.node_shares.empty())
     json["reference_node"] = shares_json(summary.contact.node_shares[summary.reference_node]);
   json["main_frequency"]  = summary.frequencies ?
@@ -256,5 +274,7 @@ write_summary(const ContactParameters     &parameters,
   json["limit_cycle_reached"] = observed.limit_cycle_reached;
   json["limit_cycle"]         = observed.limit_cycle;
   log_key_numbers(observed, summary, context);
+  if (!warning.empty())
+    context.warn(warning);
 }
 } // namespace mesoslip

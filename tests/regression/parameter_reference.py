@@ -44,6 +44,31 @@ def check_page(programs, name, update):
             "parameter_reference.py <programs> --update renews it"]
 
 
+NUMERIC = re.compile(r"\bnumbers?\b")
+UNIT = re.compile(r"\[[^\]]+\](?=;)")
+
+
+def check_units(programs, name):
+    """A sentence for every numeric key whose description does not end with its unit in brackets."""
+    missing, sections, words = [], [], []
+    for line in run(programs, name, "--print-parameters").stdout.splitlines():
+        line = line.strip()
+        if line.startswith("#"):
+            words.append(line[1:].strip())
+            continue
+        if line.startswith("set "):
+            text = " ".join(words)
+            allowed = text.rsplit("; ", 1)[-1]
+            if NUMERIC.search(allowed) and not UNIT.search(text):
+                missing.append("/".join(sections + [line[4:].split("=")[0].strip()]))
+        elif line.startswith("subsection "):
+            sections.append(line[len("subsection "):])
+        elif line == "end":
+            sections.pop()
+        words = []
+    return [f"{name}: {key} does not state its unit ([-] if it has none)" for key in missing]
+
+
 def program_of(path):
     """The program in a file's name, or the first that its comments name."""
     with open(path, encoding="utf-8") as file:
@@ -79,7 +104,7 @@ def check_file(programs, path):
 
 def main():
     programs, update = os.path.abspath(sys.argv[1]), "--update" in sys.argv
-    problems = [p for name in PROGRAMS for p in check_page(programs, name, update)]
+    problems = [p for name in PROGRAMS for p in check_page(programs, name, update) + check_units(programs, name)]
     files = sorted(glob.glob(os.path.join(TOP, "prm", "**", "*.prm"), recursive=True))
     assert files, "no .prm file under prm/"
     for path in files:

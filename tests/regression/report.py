@@ -176,6 +176,23 @@ def main():
             assert "Tension is positive" in report(program, root, folder)
         assert "Left out" in report(program, root, folders[3]), "no morphology without an RVE"
 
+        # Of an ensemble the means, in the heading and in the numbers; warnings of the runs.
+        with open(os.path.join(folders[0], "summary.json"), "r+", encoding="utf-8") as stream:
+            summary = json.load(stream)
+            mean = (1e9 * np.array([[30.0, 9.0, 0], [9.0, 40.0, 0], [0, 0, 12.0]])).tolist()
+            summary["ensemble"] = {"members": 7, "KUBC": {"mean": mean}, "SUBC": {"mean": mean}}
+            stream.seek(0)
+            json.dump(summary, stream)
+        page = report(program, root, folders[0])
+        assert "KUBC, mean of 7" in page and "30.00" in page, "means of the ensemble"
+        assert "36.90" not in page, "the first member stands for the ensemble"
+        with open(os.path.join(folders[1], "summary.json"), "r+", encoding="utf-8") as stream:
+            summary = json.load(stream)
+            summary["mean_contact_duration_warning"] = "T_G rests on 3 %"
+            stream.seek(0)
+            json.dump(summary, stream)
+        assert "Warning: T_G rests on 3 %." in report(program, root, folders[1])
+
         # Analyses without a history.
         modal = {"program": "contact_dynamics", "analysis": "modal", "frequencies": [39500.0, 41589.0, 6e4]}
         static = {"program": "contact_dynamics", "phase_contact_pressures": {"matrix": 0.33e6, "fibre": 2.1e6}}

@@ -280,6 +280,22 @@ TEST_F(FrictionHomogenization, WhatIsMissingIsNamed)
   expect_contains(reading_error(), "Heterogeneous run is empty");
 }
 
+TEST_F(FrictionHomogenization, WarnsWhenContactDurationsRestOnFewNodes)
+{
+  const auto warning = [this]() {
+    const auto input     = read();
+    const auto estimates = friction_estimates(input);
+    return duration_warning(input, chosen_estimate(estimates, parameters, input));
+  };
+  heterogeneous["mean_contact_duration_warning"] = "T_G rests on 9 %";
+  EXPECT_EQ(warning(), "") << "T_G of the homogeneous run is the one that is used";
+  homogeneous["mean_contact_duration_warning"] = "T_G rests on 3 %";
+  expect_contains(warning(), "the proposed delta is poor");
+  expect_contains(warning(), "T_G rests on 3 %");
+  homogeneous["mean_contact_duration_warning"] = nullptr;
+  EXPECT_EQ(warning(), "");
+}
+
 TEST_F(FrictionHomogenization, WithoutLandingsOrBelowTheLimit)
 {
   heterogeneous["mean_contact_duration"] = nullptr;

@@ -277,17 +277,18 @@ TEST(FieldErrors, RegionsAndErrorsByConstruction)
   const auto grid = make_grid(6, 4); // cells of 1 mm
   std::vector<std::uint8_t> phase(24, 0);
   phase[8]           = 1;
-  const auto regions = comparison_regions(grid, phase, 1e-3, 1.2e-3);
+  const auto regions = comparison_regions(grid, phase, {"glue", "surface"}, 1e-3, 1.2e-3);
   std::map<std::string, std::vector<std::size_t>> cells;
   for (const CellRegion &region : regions)
     cells[region.name] = region.cells;
   EXPECT_EQ(cells["all"].size(), 24u);
   EXPECT_EQ(cells["surface"].size(), 6u);
   EXPECT_EQ(cells["bulk"].size(), 18u);
-  EXPECT_EQ(cells["fibres"], std::vector<std::size_t>{8});
+  EXPECT_EQ(cells["phase_surface"], std::vector<std::size_t>{8});
   EXPECT_EQ(cells["interior"].size(), 8u);
   EXPECT_EQ(cells["surface_inner"].size(), 4u);
-  EXPECT_EQ(cells["matrix_interior"].size(), 7u);
+  EXPECT_EQ(cells["glue_interior"].size(), 7u);
+  EXPECT_EQ(cells["phase_surface_interior"], std::vector<std::size_t>{8});
 
   // Ten per cent too large in the surface, right elsewhere, sigma_xy wholly wrong.
   StressFields direct, localized;
@@ -305,7 +306,7 @@ TEST(FieldErrors, RegionsAndErrorsByConstruction)
         expected = 0.1;
       else if (error.quantity == "mean_von_mises" && error.region == "all")
         expected = 0.1 * std::sqrt(6. / 24.);
-      else if (error.quantity == "mean_von_mises" && error.region == "matrix")
+      else if (error.quantity == "mean_von_mises" && error.region == "glue")
         expected = 0.1 * std::sqrt(6. / 23.);
       else if (error.quantity == "mean_sigma_xy")
         expected = 1.;

@@ -209,6 +209,18 @@ TEST(ContactShares, SharesAndDurationByConstruction)
   EXPECT_NEAR(summary.shares.slip, 0.75, 1e-14);
   EXPECT_NEAR(summary.duration.mean, (130 + 91) * 5e-9 / 13., 1e-17);
 
+  // One node of two: just enough to speak for all; one of three is not.
+  EXPECT_EQ(summary.duration.node_share, 0.5);
+  EXPECT_TRUE(summary.duration.representative());
+  auto three = blocks;
+  for (ContactBlock &block : three)
+    for (std::vector<double> *values : {&block.stick, &block.slip, &block.landings})
+      values->push_back(values->front());
+  const auto few = summarize_contact(three, 0., 1.).duration;
+  EXPECT_NEAR(few.node_share, 1. / 3., 1e-15);
+  EXPECT_TRUE(few.complete());
+  EXPECT_FALSE(few.representative());
+
   // Never separated: the duration is only a lower bound.
   EXPECT_FALSE(summary.node_durations[0].complete());
   EXPECT_NEAR(summary.node_durations[0].mean, 130 * 5e-9, 1e-18);
