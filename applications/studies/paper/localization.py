@@ -66,7 +66,7 @@ def mean_von_mises(fragment, results, names):
     figure, error = maps.mean_von_mises(run)
     errors = run.summary["field_errors"]
     mean_strain = (run.summary.get("mean_strain_variant") or {}).get("field_errors") or {}
-    regions = ("all", "matrix", "fibres", "surface", "interior")
+    regions = ("all", *run.summary.get("phases", []), "surface", "interior")
     order = sorted(errors, key=lambda quantity: (quantity != "mean_von_mises", quantity.startswith("deviation")))
     rows = [[quantity.replace("_", " ").replace("mises", "Mises") + variant, *[_share(found[quantity].get(region)) for region in regions]]
             for variant, found in (("", errors), (", eq. (23)", mean_strain)) for quantity in order if quantity in found]
