@@ -1,5 +1,6 @@
-# mesoslip as another project uses it, and the shell completion. The function is in chain.cmake.
+# mesoslip as another project uses it, the shell completion, the Python module. The function is in chain.cmake.
 if(MESOSLIP_PYTHON)
   mesoslip_python_test(regression package PROCESSORS 2)
   mesoslip_python_test(regression completion)
+  mesoslip_python_test(regression python_module)
 endif()

@@ -1,0 +1,150 @@
+"""The HDF5 files of the three programs."""
+
+import builtins
+import collections
+import json
+import os
+
+import h5py
+import numpy as np
+
+from .array import Array
+
+NAMES = ("dynamics.h5", "localization.h5", "rve.h5", "modal.h5")
+FORMATS = ("mesoslip-rve", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal")
+VERSION = 1
+
+
+class FormatError(ValueError):
+    """The file is not one of mesoslip's, or of a version that this module does not know."""
+
+
+class Grid(collections.namedtuple("Grid", "cells spacing origin")):
+    """The uniform grid: `cells` (nx, ny), `spacing` and `origin` (m)."""
+
+    def nodes(self):
+        """Coordinates x [nx+1] and y [ny+1] of the nodes."""
+        return tuple(Array(o + h * np.arange(n + 1), "m") for n, h, o in zip(*self))
+
+    def centres(self):
+        """Coordinates x [nx] and y [ny] of the centres of the cells."""
+        return tuple(Array(o + h * (np.arange(n) + 0.5), "m") for n, h, o in zip(*self))
+
+
+def open(path):
+    """Opens a result file, or the one in the folder of a run; close it, or use `with`.
+
+    Raises FileNotFoundError, or FormatError naming what is wrong."""
+    return ResultFile(_find(os.fspath(path)))
+
+
+class ResultFile:
+    """A mapping from the names of datasets to arrays, with shortcuts to what is used most."""
+
+    def __init__(self, path):
+        self.path = path
+        try:
+            self.hdf5 = h5py.File(path, "r")
+        except OSError as error:
+            raise FormatError(f"{path} cannot be read as HDF5: {error}") from error
+        try:
+            self.format = self._check_format()
+        except FormatError:
+            self.close()
+            raise
+
+    def close(self):
+        self.hdf5.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *exception):
+        self.close()
+
+    def __contains__(self, name):
+        return name in self.hdf5
+
+    def __iter__(self):
+        """The names of all datasets, without a leading slash."""
+        names = []
+        self.hdf5.visititems(lambda name, item: names.append(name) if isinstance(item, h5py.Dataset) else None)
+        return iter(names)
+
+    def __getitem__(self, name):
+        """The whole dataset as an Array. Raises KeyError naming what stands in its group."""
+        item = self.hdf5.get(name)
+        if isinstance(item, h5py.Dataset):
+            if h5py.check_string_dtype(item.dtype):
+                return [text.decode() for text in item[...].ravel()]
+            return Array(item[...], self.unit(name), name)
+        group = item if isinstance(item, h5py.Group) else self.hdf5.get(os.path.dirname(name) or "/")
+        there = ", ".join(group) if isinstance(group, h5py.Group) else "no such group"
+        raise KeyError(f"{self.path} has no dataset '{name}'; there is: {there}")
+
+    def unit(self, name):
+        """Unit of a dataset, "" for pure numbers, without reading it."""
+        unit = self.hdf5[name].attrs.get("unit", "")
+        unit = unit.decode() if isinstance(unit, bytes) else str(unit)
+        return "" if unit in ("-", "1") else unit
+
+    def attributes(self, name="/"):
+        """Attributes of a group or dataset as a dict."""
+        return {key: value.decode() if isinstance(value, bytes) else value for key, value in self.hdf5[name].attrs.items()}
+
+    @property
+    def grid(self):
+        attributes = self.hdf5["grid"].attrs
+        return Grid(*(tuple(attributes[key].tolist()) for key in ("cells", "spacing", "origin")))
+
+    @property
+    def summary(self):
+        """summary.json beside the file; {} for a run that did not end."""
+        try:
+            with builtins.open(os.path.join(os.path.dirname(self.path), "summary.json"), encoding="utf-8") as file:
+                return json.load(file)
+        except FileNotFoundError:
+            return {}
+
+    def group(self, name):
+        """All arrays of a group as {name: Array}, such as group("contact")."""
+        return {key: self[f"{name}/{key}"] for key, item in self.hdf5[name].items() if isinstance(item, h5py.Dataset)}
+
+    @property
+    def history(self):
+        """The histories of a transient run: {name: Array [samples]}."""
+        return self.group("history")
+
+    @property
+    def probes(self):
+        """Probes of a run or a localization: {name: {dataset: Array}}."""
+        return {name: self.group(f"probes/{name}") for name in self.hdf5.get("probes", {})}
+
+    def snapshots(self, step=1):
+        """Yields time (s) and displacement [ny+1][nx+1][2] (m) of every `step`th snapshot, read one at a time."""
+        if "snapshots/displacement" not in self.hdf5:
+            raise KeyError(f"{self.path} has no snapshots; set 'Snapshots/Interval' in the run's .prm")
+        data, times = self.hdf5["snapshots/displacement"], self.hdf5["snapshots/time"][...]
+        for k in range(0, len(times), step):
+            yield float(times[k]), Array(data[k], self.unit("snapshots/displacement"), f"snapshots/displacement[{k}]")
+
+    def _check_format(self):
+        found = self.hdf5.attrs.get("format", "")
+        found = found.decode() if isinstance(found, bytes) else str(found)
+        if found not in FORMATS:
+            raise FormatError(f"{self.path} is not a file of mesoslip: its attribute 'format' is '{found}'")
+        version = int(self.hdf5.attrs.get("format_version", 0))
+        if version != VERSION:
+            raise FormatError(f"{self.path} has format_version {version}, but this module reads {VERSION}")
+        return found
+
+
+def _find(path):
+    if not os.path.isdir(path):
+        if not os.path.exists(path):
+            raise FileNotFoundError(f"there is no file or folder {path}")
+        return path
+    for name in NAMES:
+        if os.path.exists(os.path.join(path, name)):
+            return os.path.join(path, name)
+    raise FileNotFoundError(f"the folder {path} holds none of {', '.join(NAMES)}")

@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""The Python module on the files of a short chain: values, shapes, units, errors, and its example."""
+
+import os
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy as np
+
+TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+sys.path.insert(0, os.path.join(TOP, "applications", "python"))
+import mesoslip
+
+IMAGE = os.path.join(TOP, "prm", "examples", "image")
+SHORT = {"Time/End time": "6e-5", "Snapshots/From": "4e-5", "Snapshots/Interval": "2e-6", "Observation/Blocks": "5"}
+
+
+def run(programs, program, folder, name, settings):
+    command = [os.path.join(programs, program), os.path.join(IMAGE, name + ".prm"), "--quiet",
+               "--output", os.path.join(folder, name)]
+    for key, value in settings.items():
+        command += ["--set", f"{key}={value}"]
+    subprocess.run(command, check=True)
+    return os.path.join(folder, name)
+
+
+def check_rve(folder):
+    with mesoslip.open(folder) as rve:
+        assert rve.format == "mesoslip-rve" and rve.grid.cells == (80, 40)
+        stiffness = rve["stiffness/effective"]
+        assert np.array_equal(stiffness, rve.summary["stiffness"]["effective"])
+        assert rve["phase/name"] == ["matrix", "grain"]
+        fraction = np.mean(rve["phase/id"] == 1)
+        assert abs(fraction - rve.summary["phases"][1]["volume_fraction"]) < 1e-12
+        # <L> = I by its definition.
+        assert np.allclose(rve["concentration/KUBC"].mean(axis=(0, 1)), np.eye(3), atol=1e-8)
+        x, y = rve.grid.centres()
+        assert x.shape == (80,) and y.shape == (40,) and abs(x[0] - 0.5 * rve.grid.spacing[0]) < 1e-15
+
+
+def check_dynamics(folder):
+    with mesoslip.open(os.path.join(folder, "dynamics.h5")) as dynamics:
+        time = dynamics.history["time"]
+        assert time.unit == "s" and time[3:5].unit == "s" and not hasattr(time * 2.0, "unit")
+        assert np.allclose(time.to("µs"), 1e6 * np.asarray(time)) and abs(time[-1] - 6e-5) < 1e-6
+        assert dynamics.history["contact_normal_force"].unit == "N/m"
+        times = [t for t, _ in dynamics.snapshots()]
+        assert np.allclose(np.diff(times), 2e-6, atol=2e-8) and abs(times[0] - 4e-5) < 2e-8
+        nodes = dynamics.grid.nodes()
+        for _, u in dynamics.snapshots(step=5):
+            assert u.shape == (len(nodes[1]), len(nodes[0]), 2)
+        assert set(dynamics.probes) and all(p["stress"].shape[1] == 3 for p in dynamics.probes.values())
+        expect(KeyError, "slip", lambda: dynamics["contact/slipp"])
+        expect(ValueError, "multiple of MPa", lambda: time.to("MPa"))
+
+
+def check_localization(folder, rve):
+    with mesoslip.open(folder) as localization:
+        assert localization["mean_von_mises"].shape == (40, 80)
+        assert localization["mean_stress"].to("MPa").max() < 1e3
+        assert localization["mean_stress"].unit == "Pa"
+    expect(FileNotFoundError, "no file or folder", lambda: mesoslip.open(os.path.join(folder, "nothing")))
+    expect(mesoslip.FormatError, "HDF5", lambda: mesoslip.open(os.path.join(folder, "summary.json")))
+    foreign = os.path.join(folder, "foreign.h5")
+    with h5py.File(foreign, "w") as file:
+        file["x"] = [1]
+    expect(mesoslip.FormatError, "not a file of mesoslip", lambda: mesoslip.open(foreign))
+    with h5py.File(foreign, "w") as file:
+        file.attrs["format"], file.attrs["format_version"] = "mesoslip-rve", 99
+    expect(mesoslip.FormatError, "99", lambda: mesoslip.open(foreign))
+
+
+def expect(error, words, action):
+    try:
+        action()
+    except error as found:
+        assert words in str(found), found
+    else:
+        raise AssertionError(f"no {error.__name__}")
+
+
+def check_example(run_folder, folder):
+    picture = os.path.join(folder, "friction.png")
+    script = os.path.join(TOP, "applications", "python", "examples", "redraw_friction.py")
+    subprocess.run([sys.executable, script, run_folder, picture], check=True)
+    assert os.path.getsize(picture) > 2e4
+
+
+def main():
+    programs = os.path.abspath(sys.argv[1])
+    with tempfile.TemporaryDirectory() as folder:
+        rve = run(programs, "rve_homogenization", folder, "10-rve_homogenization", {})
+        given = {"Body/RVE file": os.path.join(rve, "rve.h5")}
+        dynamics = run(programs, "contact_dynamics", folder, "20-contact_dynamics-homogeneous", {**given, **SHORT})
+        localization = run(programs, "stress_localization", folder, "40-stress_localization",
+                           {"Input/RVE file": given["Body/RVE file"], "Input/Homogeneous run": os.path.join(dynamics, "dynamics.h5"),
+                            "Input/Direct run": ""})
+        check_rve(rve)
+        check_dynamics(dynamics)
+        check_localization(localization, rve)
+        check_example(dynamics, sys.argv[2] if len(sys.argv) > 2 else folder)
+    print("ok")
+
+
+if __name__ == "__main__":
+    main()
