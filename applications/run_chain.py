@@ -12,6 +12,7 @@ import concurrent.futures
 import hashlib
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import threading
@@ -62,8 +63,11 @@ class Step:
         except OSError:
             return False
 
-    def command(self, ranks, extra):
+    def command(self, ranks, resume):
         start = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
+        # What is complete and yet not up to date was asked for differently: it starts anew.
+        begun = os.path.isdir(self.output) and not os.path.exists(os.path.join(self.output, "summary.json"))
+        extra = ["--resume"] if resume and begun else []
         return start + [self.program, self.prm, "--output", self.output] + extra
 
     def mark_done(self):
@@ -87,7 +91,7 @@ class Runner:
 
     def __init__(self, steps, jobs, ranks, resume):
         self.steps, self.jobs, self.ranks = steps, jobs, ranks
-        self.extra = ["--resume"] if resume else []
+        self.resume = resume
         self.lock = threading.Lock()
         self.children = []
         self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
@@ -97,14 +101,12 @@ class Runner:
             print(line, flush=True)
 
     def run_step(self, step, alone):
-        command = step.command(self.ranks, self.extra)
-        if alone:
-            return subprocess.call(command, env=self.environment)
-        child = subprocess.Popen(command, env=self.environment, text=True, stdout=subprocess.PIPE,
-                                 stderr=subprocess.STDOUT)
+        command = step.command(self.ranks, self.resume)
+        output = {} if alone else {"text": True, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+        child = subprocess.Popen(command, env=self.environment, **output)
         with self.lock:
             self.children.append(child)
-        for line in child.stdout:
+        for line in child.stdout or ():
             self.say(f"[{step.name}] {line.rstrip()}")
         return child.wait()
 
@@ -146,9 +148,12 @@ class Runner:
                         if status == 0:
                             done.add(step.name)
             except KeyboardInterrupt:
+                # The runs save their state; leaving the pool waits for them.
                 for child in self.children:
                     child.terminate()
                 worst = 130
+        if worst == 130:
+            self.say("stopped; the same command with --resume goes on from here")
         return worst
 
 
@@ -192,7 +197,12 @@ def find_folder(arguments):
     return fail(f"there is no folder '{arguments.folder}', neither here nor in prm/")
 
 
+def on_sigterm(*_):
+    raise KeyboardInterrupt
+
+
 def main():
+    signal.signal(signal.SIGTERM, on_sigterm)
     arguments = parse_arguments()
     source, target = find_folder(arguments)
     if arguments.output:

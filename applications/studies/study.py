@@ -8,7 +8,8 @@
     results["fast"].summary["regime"]
 
 `{name}` in a setting is the folder of another run of the study, which then goes first. A run whose .prm,
-settings, program and needs did not change since it ended is not repeated; interrupting loses only what is running.
+settings, program and needs did not change since it ended is not repeated; one that was stopped or killed goes on from
+its last checkpoint.
 """
 
 import argparse
@@ -24,6 +25,7 @@ import threading
 import time
 
 STAMP = ".study.json"
+BEGUN = ".study_begun"
 PLACEHOLDER = re.compile(r"\{([\w.+=-]+)\}")
 KEEPABLE = (0, 3)  # ended, or stopped as numerically unstable: both are answers
 
@@ -111,8 +113,11 @@ class Study:
             with self.lock:
                 self.done += 1
             return Result(self.path(case.name), known["status"], known["seconds"], known["cpu_seconds"], known["message"])
+        resume = self._begun(case) == stamp and not os.path.exists(os.path.join(self.path(case.name), "summary.json"))
         os.makedirs(self.path(case.name), exist_ok=True)
-        result = self._execute(case)
+        with open(os.path.join(self.path(case.name), BEGUN), "w", encoding="utf-8") as file:
+            file.write(stamp)
+        result = self._execute(case, resume)
         with self.lock:
             self.done += 1
         if result.status in KEEPABLE:
@@ -123,8 +128,10 @@ class Study:
                   + f" ({result.seconds:.1f} s)")
         return result
 
-    def _execute(self, case):
+    def _execute(self, case, resume):
         command = [os.path.join(self.programs, case.program), case.prm, "--output", self.path(case.name), "--quiet"]
+        if resume:
+            command.append("--resume")
         for key, value in self._filled(case).items():
             command += ["--set", f"{key}={value}"]
         if case.ranks > 1:
@@ -170,6 +177,13 @@ class Study:
             with open(os.path.join(self.path(case.name), STAMP), encoding="utf-8") as file:
                 return json.load(file)
         except (OSError, ValueError):
+            return None
+
+    def _begun(self, case):
+        try:
+            with open(os.path.join(self.path(case.name), BEGUN), encoding="utf-8") as file:
+                return file.read()
+        except OSError:
             return None
 
     def _say(self, line):

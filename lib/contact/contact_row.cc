@@ -14,6 +14,7 @@ ContactRow::ContactRow(const ContactSetup &setup, const StepParameters &step)
   , values(n_nodes, n_columns_stored)
   , w_before_x(setup.monitored_nodes.size())
   , w_before_y(setup.monitored_nodes.size())
+  , steps_per_block(setup.steps_per_block)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   std::fill_n(column(gap), values.stride(), infinity);
@@ -130,15 +131,13 @@ ContactRow::record(const RowView &row, const ContactSums &sums)
       node.normal_force.push_back(column(normal)[i]);
       node.tangential_force.push_back(column(tangential)[i]);
     }
-  finite = finite && std::isfinite(sums.normal_force) &&
-           std::isfinite(sums.tangential_force) && std::isfinite(total.friction);
 }
 
 void
 ContactRow::count_step()
 {
   ++block.n_steps;
-  if (setup.steps_per_block > 0 && block.n_steps == setup.steps_per_block)
+  if (steps_per_block > 0 && block.n_steps == steps_per_block)
     finish();
 }
 

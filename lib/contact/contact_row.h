@@ -7,6 +7,8 @@
 #include "elasticity/explicit_stepper.h"
 #include "grid/nodal_field.h"
 
+#include <boost/serialization/vector.hpp>
+
 #include <cstdint>
 #include <vector>
 
@@ -43,6 +45,13 @@ struct ContactSetup
 struct MonitoredNode
 {
   std::vector<double> ux, uy, vx, vy, normal_force, tangential_force;
+
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &ux &uy &vx &vy &normal_force &tangential_force;
+  }
 };
 
 /** Sampled resultants; energies are those dissipated from the start to the end of the step. */
@@ -57,6 +66,14 @@ struct ContactHistory
   std::vector<double>        impact_energy;                 ///< J/m
   std::vector<double>        flat_work;                     ///< J/m
   std::vector<MonitoredNode> nodes;
+
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &step &time &normal_force &tangential_force &sticking &slipping &separated;
+    archive &friction_energy &impact_energy &flat_work &nodes;
+  }
 };
 
 /** Steps that each node stuck or slipped in, and landings, in one block of steps. */
@@ -65,6 +82,13 @@ struct NodeCounts
   std::uint64_t      first_step = 0;
   std::uint64_t      n_steps    = 0;
   std::vector<float> stick, slip, landings;
+
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &first_step &n_steps &stick &slip &landings;
+  }
 };
 
 /** Energies since the start (J/m), every step counted. */
@@ -73,6 +97,13 @@ struct ContactWork
   double friction = 0.; ///< dissipated by friction, eq. (8)
   double impact   = 0.; ///< taken from the body by the normal forces
   double flat     = 0.; ///< done by the moving flat on the system
+
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &friction &impact &flat;
+  }
 };
 
 /**
@@ -124,11 +155,15 @@ public:
     return column(tangential);
   }
 
-  /** False once a force or displacement of a sampled step was not finite. */
-  bool
-  is_finite() const
+  /**
+   * Saves or restores the state between two steps (Boost.Serialization). A run that is
+   * continued with another setup keeps the length of its blocks.
+   */
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
   {
-    return finite;
+    archive &values &started &total &samples &steps_per_block &block &complete_blocks;
   }
 
 private:
@@ -179,12 +214,12 @@ private:
   const unsigned int   n_nodes;
   const unsigned int   n_distinct;
 
-  NodalField<double>        values; ///< one row for each Column; component 1 is unused
-  std::vector<double>       w_before_x, w_before_y; ///< of the monitored nodes
-  bool                      started = false;
-  bool                      finite  = true;
-  ContactWork               total;
-  ContactHistory            samples;
+  NodalField<double>      values; ///< one row for each Column; component 1 is unused
+  std::vector<double>     w_before_x, w_before_y; ///< of the monitored nodes, within a step
+  bool                    started = false;
+  ContactWork             total;
+  ContactHistory          samples;
+  std::uint64_t           steps_per_block;
   NodeCounts              block;
   std::vector<NodeCounts> complete_blocks;
 };

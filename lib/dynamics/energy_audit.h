@@ -6,6 +6,8 @@
 #include "elasticity/uniform_grid_operator.h"
 #include "grid/nodal_field.h"
 
+#include <boost/serialization/vector.hpp>
+
 #include <functional>
 #include <mpi.h>
 #include <vector>
@@ -35,6 +37,14 @@ struct EnergyHistory
 
   /** kinetic + elastic + potential at the start. */
   double initial = 0.;
+
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &time &kinetic &elastic &potential &external_work &friction &impact;
+    archive &damping &scheme &initial;
+  }
 
   /** What is left of the balance at each sample; zero in exact arithmetic. */
   std::vector<double>
@@ -86,6 +96,16 @@ public:
   /** Sum over the ranks, on all ranks. */
   EnergyHistory
   reduce() const;
+
+  /** Saves or restores the state between two steps (Boost.Serialization). */
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    // What is u_(n-1) for the next sample.
+    archive &(interval == 1 ? u_now : u_before) & (interval == 1 ? w_now : w_before);
+    archive &last_scheme &last_damping &sum_scheme &sum_damping &samples;
+  }
 
 private:
   /** Local sums of one sample. */

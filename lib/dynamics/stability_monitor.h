@@ -67,6 +67,13 @@ public:
   /** Looks at u_n, w_n. Collective. */
   void check(const std::uint64_t n);
 
+  /** Saves or restores what was put in so far (Boost.Serialization). */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &start &supply &started;
+  }
+
 private:
   struct Sums
   {

@@ -167,10 +167,4 @@ TopRow::hold(const RowView &row)
   load.tangential = -sum_row(row.fx, n_distinct);
   return load;
 }
-
-double
-TopRow::platen_kinetic_energy() const
-{
-  return 0.5 * setup.platen_mass * platen_w * platen_w;
-}
 } // namespace mesoslip

@@ -4,6 +4,8 @@
 #include "contact/load_history.h"
 #include "elasticity/explicit_stepper.h"
 
+#include <boost/serialization/vector.hpp>
+
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -52,6 +54,13 @@ struct TopHistory
   std::vector<double> tangential_force; ///< N/m, as transmitted from the contact
   std::vector<double> displacement;     ///< mean u_y (m)
   std::vector<double> work;             ///< done on the body since the start (J/m)
+
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &normal_force &tangential_force &displacement &work;
+  }
 };
 
 /**
@@ -79,9 +88,14 @@ public:
     return total_work;
   }
 
-  /** Kinetic energy of the platen's own mass after the last step, 1/2 M w^2 (J/m). */
-  double
-  platen_kinetic_energy() const;
+  /** Saves or restores the state between two steps (Boost.Serialization). */
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    archive &increment_x &increment_y &started &holding &moving_mass &platen_w;
+    archive &total_work &samples;
+  }
 
 private:
   /** Forces on the body during one step. */

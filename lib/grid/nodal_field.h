@@ -1,6 +1,8 @@
 #ifndef mesoslip_grid_nodal_field_h
 #define mesoslip_grid_nodal_field_h
 
+#include <boost/serialization/array_wrapper.hpp>
+
 #include <cstddef>
 #include <memory>
 
@@ -87,6 +89,19 @@ public:
 
   void
   set_zero();
+
+  /** Saves or restores extents and all values (Boost.Serialization). */
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    unsigned int new_columns = columns, new_rows = rows;
+    archive &new_columns &new_rows;
+    if (new_columns != columns || new_rows != rows)
+      *this = NodalField(new_columns, new_rows);
+    auto values = boost::serialization::make_array(begin(), size());
+    archive &values;
+  }
 
 private:
   struct Free

@@ -27,25 +27,12 @@ struct Preamble
   std::uint32_t crc        = 0;
   std::uint64_t size       = 0;
   char kind[64]            = {};
-  char digest[64]          = {};
 };
-static_assert(sizeof(Preamble) == 160, "no padding in the file");
+static_assert(sizeof(Preamble) == 96, "no padding in the file");
 
-std::uint32_t crc_of(const char *data, const std::size_t n)
+std::string kind_of(const Preamble &preamble)
 {
-  boost::crc_32_type crc;
-  crc.process_bytes(data, n);
-  return crc.checksum();
-}
-
-void copy_text(const std::string &text, char (&target)[64])
-{
-  std::strncpy(target, text.c_str(), sizeof(target) - 1);
-}
-
-std::string text_of(const char (&source)[64])
-{
-  return std::string(source, strnlen(source, sizeof(source)));
+  return std::string(preamble.kind, strnlen(preamble.kind, sizeof(preamble.kind)));
 }
 
 bool write_all(const int descriptor, const char *data, std::size_t n)
@@ -78,24 +65,30 @@ void sync_folder_of(const std::string &path)
 
 void write_checkpoint(const std::string &path,
                       const CheckpointHeader &header,
-                      const std::string &payload)
+                      const std::vector<std::string> &pieces)
 {
   Preamble preamble;
   std::memcpy(preamble.magic, magic, sizeof(magic));
   preamble.version = header.version;
   preamble.dim     = header.dim;
-  preamble.crc     = crc_of(payload.data(), payload.size());
-  preamble.size    = payload.size();
-  copy_text(header.kind, preamble.kind);
-  copy_text(header.digest, preamble.digest);
+  boost::crc_32_type crc;
+  for (const std::string &piece : pieces)
+    {
+      crc.process_bytes(piece.data(), piece.size());
+      preamble.size += piece.size();
+    }
+  preamble.crc = crc.checksum();
+  std::strncpy(preamble.kind, header.kind.c_str(), sizeof(preamble.kind) - 1);
 
   const std::string part = path + ".part";
   const int fd = open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (fd < 0)
     throw UserError(part + ": cannot be written (" + system_message() + ")");
-  const bool written =
-    write_all(fd, reinterpret_cast<const char *>(&preamble), sizeof(preamble)) &&
-    write_all(fd, payload.data(), payload.size()) && fsync(fd) == 0;
+  bool written =
+    write_all(fd, reinterpret_cast<const char *>(&preamble), sizeof(preamble));
+  for (const std::string &piece : pieces)
+    written = written && write_all(fd, piece.data(), piece.size());
+  written                  = written && fsync(fd) == 0;
   const std::string reason = written ? "" : system_message();
   const bool closed        = close(fd) == 0;
   if (!written || !closed)
@@ -114,7 +107,7 @@ std::string read_checkpoint(const std::string &path, const CheckpointHeader &exp
 {
   if (!std::filesystem::exists(path))
     throw UserError(path + ": there is no checkpoint to resume from");
-  const std::string content = read_file(path);
+  std::string content = read_file(path);
   Preamble preamble;
   if (content.size() < sizeof(magic) || content.compare(0, 8, magic, 8) != 0)
     throw UserError(path + " is not a checkpoint of mesoslip");
@@ -124,8 +117,8 @@ std::string read_checkpoint(const std::string &path, const CheckpointHeader &exp
 
   if (preamble.byte_order != Preamble().byte_order)
     throw UserError(path + " was written on a machine with another byte order");
-  if (text_of(preamble.kind) != expected.kind)
-    throw UserError(path + " is a checkpoint of '" + text_of(preamble.kind) +
+  if (kind_of(preamble) != expected.kind)
+    throw UserError(path + " is a checkpoint of '" + kind_of(preamble) +
                     "', not of '" + expected.kind + "'");
   if (preamble.version != expected.version)
     throw UserError(path + " has layout version " + std::to_string(preamble.version) +
@@ -139,12 +132,10 @@ std::string read_checkpoint(const std::string &path, const CheckpointHeader &exp
     throw UserError(path + (size < preamble.size ? " is truncated: " : " is damaged: ") +
                     std::to_string(size) + " bytes of state instead of " +
                     std::to_string(preamble.size));
-  if (crc_of(content.data() + sizeof(preamble), size) != preamble.crc)
+  boost::crc_32_type crc;
+  crc.process_bytes(content.data() + sizeof(preamble), size);
+  if (crc.checksum() != preamble.crc)
     throw UserError(path + " is damaged: its checksum does not fit");
-  if (text_of(preamble.digest) != expected.digest)
-    throw UserError(path +
-                    " belongs to a run with other parameters or input files; resume "
-                    "with those, or start again without --resume");
-  return content.substr(sizeof(preamble));
+  return content.erase(0, sizeof(preamble));
 }
 } // namespace mesoslip

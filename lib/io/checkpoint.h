@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace mesoslip
 {
@@ -14,23 +15,20 @@ struct CheckpointHeader
   /** Of the payload's layout. */
   std::uint32_t version = 1;
   std::uint32_t dim     = 2;
-  /** Of the inputs that determine the run, Digest::hex(). At most 63 characters. */
-  std::string digest;
 };
 
 /**
- * Writes @p payload to `<path>.part`, waits for the disk, then renames: an interruption
- * at any moment leaves the old or the new checkpoint. Several ranks write a file each.
+ * Writes @p pieces, one after the other, to `<path>.part`, waits for the disk, then
+ * renames: an interruption at any moment leaves the old or the new checkpoint.
  * @throws UserError if the disk is full or the folder not writable.
  */
 void write_checkpoint(const std::string &path,
                       const CheckpointHeader &header,
-                      const std::string &payload);
+                      const std::vector<std::string> &pieces);
 
 /**
- * Returns the payload. @throws UserError that says what is wrong: missing, not a
- * checkpoint, truncated, damaged (CRC), of another kind, version, dimension, or of a run
- * with other parameters.
+ * Returns the pieces as one. @throws UserError that says what is wrong: missing, not a
+ * checkpoint, truncated, damaged (CRC), of another kind, version or dimension.
  */
 std::string read_checkpoint(const std::string &path, const CheckpointHeader &expected);
 } // namespace mesoslip

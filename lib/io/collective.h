@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace mesoslip
 {
@@ -17,6 +18,12 @@ void on_root(const MPI_Comm communicator, const std::function<void()> &work);
 
 /** Gives every rank rank 0's text. */
 void broadcast(const MPI_Comm communicator, std::string &text);
+
+/** The texts of all ranks on rank 0, in their order; elsewhere empty. */
+std::vector<std::string> gather(const MPI_Comm communicator, const std::string &text);
+
+/** Gives rank r the text r of rank 0. */
+std::string scatter(const MPI_Comm communicator, const std::vector<std::string> &texts);
 } // namespace mesoslip
 
 #endif

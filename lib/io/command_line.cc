@@ -28,7 +28,7 @@ po::options_description visible_options()
     ("output,o", po::value<std::string>()->value_name("DIR"),
                  "output folder, relative to the current folder; goes before the file's "
                  "'Output folder'")
-    ("resume",   "continue from the checkpoint in the output folder (where a program writes one)")
+    ("resume",   "continue from the checkpoint in the output folder, if there is one")
     ("quiet,q",  "print nothing but warnings and errors")
     ("profile",  "print at the end where the time went");
   // clang-format on

@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,13 +10,18 @@ namespace mesoslip
 {
 namespace
 {
-volatile std::sig_atomic_t n_signals = 0;
+volatile std::sig_atomic_t received = 0;
+timespec first_signal               = {};
 
 extern "C" void mesoslip_on_signal(int)
 {
-  n_signals = n_signals + 1;
-  if (n_signals > 1)
+  timespec now = {};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  if (received == 0)
+    first_signal = now;
+  else if (now.tv_sec - first_signal.tv_sec > 1)
     _exit(130);
+  received = 1;
 }
 } // namespace
 
@@ -31,7 +37,7 @@ void install_interrupt_handlers()
 
 bool interrupt_received()
 {
-  return n_signals > 0;
+  return received != 0;
 }
 
 bool terminate_file_exists(const std::string &folder)

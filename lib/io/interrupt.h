@@ -6,8 +6,9 @@
 namespace mesoslip
 {
 /**
- * From here on SIGINT and SIGTERM ask for a stop; a second one ends the process at once
- * with status 130. run_program() calls it.
+ * From here on SIGINT and SIGTERM ask for a stop; another one, two seconds or more
+ * later, ends the process at once with status 130. (Terminals, timeout and mpirun may
+ * deliver one request twice.) run_program() calls it.
  */
 void install_interrupt_handlers();
 

@@ -7,8 +7,10 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <map>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 namespace mesoslip
 {
@@ -115,14 +117,68 @@ std::string canonical_parameters(const dealii::ParameterHandler &prm,
                                  const std::vector<std::string> &skip)
 {
   std::string text;
+  const auto skipped = [&](const Declared &key) {
+    return std::any_of(skip.begin(), skip.end(), [&](const std::string &s) {
+      return s.back() == '/' ? key.path().rfind(s, 0) == 0 : key.path() == s;
+    });
+  };
   for (const Declared &key : declared_keys(prm))
-    if (std::find(skip.begin(), skip.end(), key.path()) == skip.end())
+    if (!skipped(key))
       {
         // The content of a file counts, not where it lies; add it with
         // Digest::add_file().
         const bool file = key.allowed == input_file_description && !key.value.empty();
         text += key.path() + " = " + (file ? "<file>" : key.value) + "\n";
       }
+  return text;
+}
+
+namespace
+{
+/** Key and value of each line, in their order. */
+std::vector<std::pair<std::string, std::string>> key_values(const std::string &text)
+{
+  std::vector<std::pair<std::string, std::string>> pairs;
+  std::istringstream in(text);
+  std::string line;
+  while (std::getline(in, line))
+    {
+      const auto equal = line.find(" = ");
+      pairs.emplace_back(line.substr(0, equal),
+                         equal == std::string::npos ? "" : line.substr(equal + 3));
+    }
+  return pairs;
+}
+} // namespace
+
+std::string parameter_differences(const std::string &now, const std::string &before)
+{
+  constexpr std::size_t shown = 5;
+  std::vector<std::string> found;
+  const auto new_pairs = key_values(now), old_pairs = key_values(before);
+  std::map<std::string, std::string> rest(old_pairs.begin(), old_pairs.end());
+  const auto quoted = [](const std::string &value) {
+    return value.empty() ? "empty" : value;
+  };
+  for (const auto &[key, value] : new_pairs)
+    {
+      const auto old = rest.find(key);
+      if (old == rest.end())
+        found.push_back(key + " is new (" + quoted(value) + ")");
+      else if (old->second != value)
+        found.push_back(key + " is " + quoted(value) + " instead of " +
+                        quoted(old->second));
+      if (old != rest.end())
+        rest.erase(old);
+    }
+  for (const auto &[key, value] : rest)
+    found.push_back(key + " is gone (" + quoted(value) + ")");
+
+  std::string text;
+  for (std::size_t i = 0; i < std::min(found.size(), shown); ++i)
+    text += (i > 0 ? ", " : "") + found[i];
+  if (found.size() > shown)
+    text += " and " + std::to_string(found.size() - shown) + " more";
   return text;
 }
 } // namespace mesoslip

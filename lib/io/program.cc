@@ -92,14 +92,11 @@ void run(const Program &program,
          const std::string &original,
          const MPI_Comm communicator)
 {
-  if (line.resume && !program.resumable)
-    throw UserError("--resume: " + program.name +
-                    " writes no checkpoints yet; start the run again without it");
   RunOptions options;
   options.program       = program.name;
   options.prm_file      = line.prm_file;
   options.output_folder = choose_output_folder(line, prm);
-  options.resume        = line.resume;
+  options.resume        = line.resume && program.resumable && program.resumable(prm);
   options.quiet         = line.quiet;
   options.profile       = line.profile;
 
@@ -109,9 +106,14 @@ void run(const Program &program,
 
   RunContext context(options, communicator, original, effective.str());
   install_interrupt_handlers();
+  if (line.resume && !options.resume)
+    context.log("--resume: a run of this kind keeps no checkpoints, it starts from the "
+                "beginning");
   try
     {
       program.run(prm, context);
+      if (!context.has_begun())
+        return;
       context.progress().finish();
       context.write_summary();
       context.log("done in " + duration_text(context.timer().total()));

@@ -45,8 +45,12 @@ struct Program
    */
   std::function<void(dealii::ParameterHandler &prm, std::ostream &report)> estimate;
 
-  /** Whether --resume continues from a checkpoint; otherwise it is refused. */
-  bool resumable = false;
+  /**
+   * Whether a run with these parameters writes checkpoints, so that run() has to heed
+   * RunContext::resume(). Others start from the beginning with --resume as well. May be
+   * empty: never.
+   */
+  std::function<bool(dealii::ParameterHandler &prm)> resumable;
 
   /** The work itself. */
   std::function<void(dealii::ParameterHandler &prm, RunContext &context)> run;

@@ -92,11 +92,18 @@ private:
 void print_parameters(const dealii::ParameterHandler &prm, std::ostream &out);
 
 /**
- * As print_parameters(), without comments and without the keys whose full paths are in
- * @p skip: text that determines a result, for digests.
+ * Lines "Section/Key = value" without the keys whose full paths are in @p skip ("Section/"
+ * skips a section): text that determines a result, for digests and comparison. Input
+ * files have no name in it; add their content.
  */
 std::string canonical_parameters(const dealii::ParameterHandler &prm,
                                  const std::vector<std::string> &skip = {});
+
+/**
+ * In what two such texts differ, for a message: "Friction/Coefficient is 0.4 instead of
+ * 0.25, Time/Beta2 is 0.6 instead of 0.5"; empty if they are equal. The first few only.
+ */
+std::string parameter_differences(const std::string &now, const std::string &before);
 } // namespace mesoslip
 
 #endif

@@ -68,6 +68,8 @@ RunContext::RunContext(const RunOptions &options,
   : run_options(options)
   , comm(communicator)
   , run_summary(std::make_unique<nlohmann::json>())
+  , original_parameters(original)
+  , effective_parameters(effective)
   , next_look(std::chrono::steady_clock::now())
 {
   MPI_Comm_rank(comm, &my_rank);
@@ -81,10 +83,7 @@ RunContext::RunContext(const RunOptions &options,
     make_folder(output_folder());
     lock = std::make_unique<FolderLock>(output_folder());
     std::error_code ignored;
-    fs::remove(file("summary.json"), ignored);
     fs::remove(file("terminate"), ignored);
-    write_file(file("original.prm"), original);
-    write_file(file("parameters.prm"), effective);
     log_file.open(file("log.txt"), run_options.resume ? std::ios::app : std::ios::trunc);
     if (!log_file)
       throw UserError(file("log.txt") + ": cannot be written (" + system_message() + ")");
@@ -99,9 +98,22 @@ RunContext::RunContext(const RunOptions &options,
   log(run_options.program + " " + version + ", " + std::to_string(size) +
       (size == 1 ? " process, " : " processes, ") + date_and_time() + ", " +
       run_options.prm_file + " -> " + output_folder());
+  if (!run_options.resume)
+    begin();
 }
 
 RunContext::~RunContext() = default;
+
+void RunContext::begin()
+{
+  begun = true;
+  on_root(comm, [&]() {
+    std::error_code ignored;
+    fs::remove(file("summary.json"), ignored);
+    write_file(file("original.prm"), original_parameters);
+    write_file(file("parameters.prm"), effective_parameters);
+  });
+}
 
 std::string RunContext::file(const std::string &name) const
 {
@@ -134,15 +146,20 @@ void RunContext::warn(const std::string &line)
   std::cerr << run_options.program << ": warning: " << line << std::endl;
 }
 
+bool RunContext::stop_requested_here()
+{
+  if (interrupt_received())
+    return true;
+  const auto now = std::chrono::steady_clock::now();
+  if (!root() || now < next_look)
+    return false;
+  next_look = now + std::chrono::milliseconds(250);
+  return terminate_file_exists(output_folder());
+}
+
 bool RunContext::stop_requested()
 {
-  int stop       = interrupt_received() ? 1 : 0;
-  const auto now = std::chrono::steady_clock::now();
-  if (root() && now >= next_look)
-    {
-      stop      = stop != 0 || terminate_file_exists(output_folder()) ? 1 : 0;
-      next_look = now + std::chrono::seconds(1);
-    }
+  int stop = stop_requested_here() ? 1 : 0;
   if (size > 1)
     MPI_Allreduce(MPI_IN_PLACE, &stop, 1, MPI_INT, MPI_MAX, comm);
   return stop != 0;

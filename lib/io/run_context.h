@@ -36,9 +36,9 @@ class RunContext
 {
 public:
   /**
-   * Creates and locks the output folder and removes what an earlier run left there
-   * that would mislead: summary.json and `terminate`. @p original is the text of the
-   * .prm, @p effective what print_parameters() gave. @throws UserError.
+   * Creates and locks the output folder, opens its log, removes `terminate` and, unless
+   * the run is to be resumed, calls begin(). @p original is the text of the .prm,
+   * @p effective what print_parameters() gave. @throws UserError.
    */
   RunContext(const RunOptions &options,
              const MPI_Comm communicator,
@@ -70,10 +70,23 @@ public:
   {
     return run_options;
   }
-  /** Whether --resume was given: continue from the checkpoint in the output folder. */
+  /** Whether to continue from the checkpoint in the output folder. */
   bool resume() const
   {
     return run_options.resume;
+  }
+
+  /**
+   * From here on the results in the folder are those of this run: removes an old
+   * summary.json, writes original.prm and parameters.prm. A run that is resumed calls it
+   * once it is clear that it can go on; one that never does leaves the folder as it was.
+   */
+  void begin();
+
+  /** Whether begin() was called. */
+  bool has_begun() const
+  {
+    return begun;
   }
 
   const std::string &output_folder() const
@@ -115,8 +128,14 @@ public:
 
   /**
    * Whether to save the state and stop: SIGINT, SIGTERM or a file `terminate` in the
-   * output folder. Collective and the same on all ranks; cheap on one rank (the file is
-   * looked for once a second), an all-reduce on several: call it every few steps.
+   * output folder (looked for four times a second, by rank 0). Of this rank only: the ranks
+   * have to agree on it, as stop_requested() does.
+   */
+  bool stop_requested_here();
+
+  /**
+   * The same on all ranks, once one is asked to stop. Collective; cheap on one rank, an
+   * all-reduce on several: call it every few steps.
    */
   bool stop_requested();
 
@@ -133,6 +152,8 @@ private:
   std::unique_ptr<Progress> progress_display;
   Timer run_timer;
   std::unique_ptr<nlohmann::json> run_summary;
+  const std::string original_parameters, effective_parameters;
+  bool begun = false;
   std::chrono::steady_clock::time_point next_look;
 };
 

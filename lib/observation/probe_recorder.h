@@ -30,11 +30,11 @@ struct ProbeHistory
   std::vector<double> stress;       ///< [k][3], Pa
   std::vector<double> traction;     ///< [k][2], tangential and normal (pressure), Pa; on the contact
 
+  /** Saves or restores the samples. */
   template <class Archive>
   void
   serialize(Archive &archive, const unsigned int)
   {
-    archive &name &position[0] &position[1] &phase &on_contact;
     archive &time &displacement &velocity &strain &stress &traction;
   }
 };

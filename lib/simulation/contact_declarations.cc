@@ -269,6 +269,23 @@ declare_observation(Handler &prm, const RawParameters &raw)
 }
 
 void
+declare_checkpoints(Handler &prm)
+{
+  const ParameterSection section(prm, "Checkpoints");
+  declare_double(prm,
+                 "Interval",
+                 5.,
+                 Range::non_negative(),
+                 "Time on the clock between checkpoints of a transient run, which --resume continues; "
+                 "0: only when the run is stopped [min]");
+  declare_bool(prm,
+               "Keep",
+               false,
+               "Keep the state (and twice the space of the snapshots) when the run is complete, so "
+               "that --resume goes on to a later End time");
+}
+
+void
 declare_other_analyses(Handler &prm)
 {
   {
@@ -348,6 +365,7 @@ ContactParameters::declare(dealii::ParameterHandler &prm, const RawParameters &r
   declare_friction(prm);
   declare_observation(prm, raw);
   declare_other_analyses(prm);
+  declare_checkpoints(prm);
   const ParameterSection section(prm, "Performance");
   declare_integer(prm,
                   "Wavefront",

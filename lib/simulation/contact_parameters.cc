@@ -209,6 +209,11 @@ ContactParameters::parse(dealii::ParameterHandler &prm)
   parameters.friction    = parse_friction(prm);
   parameters.observation = parse_observation(prm);
   {
+    const ParameterSection section(prm, "Checkpoints");
+    parameters.checkpoints.interval = 60. * get_double(prm, "Interval");
+    parameters.checkpoints.keep     = get_bool(prm, "Keep");
+  }
+  {
     const ParameterSection section(prm, "Modal");
     parameters.modal.n_modes = get_integer(prm, "Number of modes");
     parameters.modal.bottom  = get_string(prm, "Bottom");

@@ -7,6 +7,7 @@
 #include "dynamics/top_row.h"
 #include "elasticity/explicit_stepper.h"
 #include "elasticity/static_solver.h"
+#include "simulation/transient_checkpoint.h"
 
 #include <array>
 #include <string>
@@ -129,6 +130,7 @@ struct ContactParameters
   bool                             periodic = false;
   FrictionParameters               friction;
   ObservationParameters            observation;
+  CheckpointParameters             checkpoints;
   ModalParameters                  modal;
   StaticContactParameters          static_contact;
   FrictionHomogenizationParameters homogenization;

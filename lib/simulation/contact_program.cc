@@ -5,12 +5,14 @@
 #include "io/parameters.h"
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
+#include "io/version.h"
 #include "simulation/contact_parameters.h"
 #include "simulation/friction_homogenization.h"
 #include "simulation/modal.h"
 #include "simulation/scene.h"
 #include "simulation/static_contact.h"
 #include "simulation/transient.h"
+#include "simulation/transient_setup.h"
 
 #include <cmath>
 #include <ostream>
@@ -55,8 +57,30 @@ estimate(dealii::ParameterHandler &prm, std::ostream &report)
       const double to =
         std::isnan(o.snapshots_to) ? parameters.time.end_time : o.snapshots_to;
       const double n = std::floor((to - o.snapshots_from) / o.snapshots_interval) + 1.;
-      report << n << " snapshots, " << n * 16e-6 * scene.grid.n_nodes() << " MB\n";
+      report << n << " snapshots, " << n * 16e-6 * scene.grid.n_nodes()
+             << " MB, and as much again until the run is complete\n";
     }
+}
+
+// Whatever decides a bit of the state or of what was written so far: a run that is resumed
+// has to agree in it.
+std::string
+run_identity(const dealii::ParameterHandler &prm,
+             const ContactParameters        &parameters,
+             const Scene                    &scene)
+{
+  return canonical_parameters(prm,
+                              {"Output folder",
+                               "Time/End time",
+                               "Observation/Steady from",
+                               "Checkpoints/",
+                               "Performance/",
+                               "Modal/",
+                               "Static contact/",
+                               "Friction homogenization/"}) +
+         "Performance/Instruction set = " + to_string(resolve(sweep_options(parameters).isa)) +
+         "\nContent of Body/RVE file = " + scene.rve_digest + "\nProgram version = " + version +
+         "\n";
 }
 
 void
@@ -69,7 +93,10 @@ run(dealii::ParameterHandler &prm, RunContext &context)
   switch (parameters.analysis)
     {
       case ContactAnalysis::transient:
-        return run_transient(parameters, make_scene(parameters), context);
+        {
+          const Scene scene = make_scene(parameters);
+          return run_transient(parameters, scene, run_identity(prm, parameters, scene), context);
+        }
       case ContactAnalysis::modal:
         return run_modal(parameters, make_scene(parameters), context);
       case ContactAnalysis::static_contact:
@@ -101,8 +128,11 @@ contact_dynamics_program()
       friction_estimates(
         read_friction_homogenization(parameters.homogenization, parameters.body.rve_file));
   };
-  program.estimate = estimate;
-  program.run      = run;
+  program.estimate  = estimate;
+  program.resumable = [](dealii::ParameterHandler &prm) {
+    return ContactParameters::parse(prm).analysis == ContactAnalysis::transient;
+  };
+  program.run = run;
   return program;
 }
 } // namespace mesoslip

@@ -1,12 +1,15 @@
 #include "simulation/dynamics_file.h"
 
+#include "io/collective.h"
 #include "io/hdf5_file.h"
+#include "io/record_file.h"
 #include "io/run_context.h"
 #include "io/table.h"
 #include "simulation/body_file.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace mesoslip
 {
@@ -30,17 +33,22 @@ reference_phase(const Scene &scene, const unsigned int node)
 
 DynamicsFile::DynamicsFile(RunContext              &context,
                            const ContactParameters &parameters,
-                           const Scene             &scene)
+                           const Scene             &scene,
+                           const std::uint64_t      n_snapshots)
   : context(context)
   , parameters(parameters)
   , scene(scene)
 {
-  if (!context.root())
-    return;
-  file = std::make_unique<Hdf5File>(
-    create_body_file(context.file("dynamics.h5"), "mesoslip-dynamics", scene));
-  if (parameters.observation.snapshots_interval > 0.)
-    create_snapshots(*file, scene.grid);
+  const std::string path   = context.file("snapshots.part");
+  const std::size_t length = 1 + 2 * scene.grid.n_nodes();
+  on_root(context.communicator(), [&]() {
+    if (n_snapshots > 0)
+      snapshots = std::make_unique<RecordFile>(path, length, n_snapshots);
+    else
+      std::filesystem::remove(path); // of an earlier run
+    if (n_snapshots == 0 && parameters.observation.snapshots_interval > 0.)
+      snapshots = std::make_unique<RecordFile>(path, length);
+  });
 }
 
 DynamicsFile::~DynamicsFile() = default;
@@ -48,8 +56,45 @@ DynamicsFile::~DynamicsFile() = default;
 void
 DynamicsFile::add_snapshot(const double time, const NodalField<double> &u)
 {
-  append_snapshot(*file, time, u);
-  snapshot_times.push_back(time);
+  std::vector<double> record = interleaved(u);
+  record.insert(record.begin(), time);
+  snapshots->append(record);
+}
+
+std::uint64_t
+DynamicsFile::save_snapshots()
+{
+  if (!snapshots)
+    return 0;
+  snapshots->sync();
+  return snapshots->n_records();
+}
+
+void
+DynamicsFile::remove_snapshots()
+{
+  if (snapshots)
+    std::filesystem::remove(context.file("snapshots.part"));
+}
+
+void
+DynamicsFile::write_snapshots()
+{
+  create_snapshots(*file, scene.grid);
+  std::vector<double> times;
+  for (std::size_t k = 0; k < snapshots->n_records(); ++k)
+    {
+      const std::vector<double> record = snapshots->read(k);
+      file->append("/snapshots/time", record[0]);
+      file->append("/snapshots/displacement", record.data() + 1);
+      times.push_back(record[0]);
+    }
+  if (!times.empty())
+    write_body_xdmf(context.file("dynamics.xdmf"),
+                    scene,
+                    "dynamics.h5",
+                    {{"displacement", "/snapshots/displacement"}},
+                    times);
 }
 
 void
@@ -250,6 +295,10 @@ DynamicsFile::write_evaluation(const TransientSummary &summary)
 void
 DynamicsFile::write(const TransientObservations &observed, const TransientSummary &summary)
 {
+  file = std::make_unique<Hdf5File>(
+    create_body_file(context.file("dynamics.h5"), "mesoslip-dynamics", scene));
+  if (snapshots)
+    write_snapshots();
   write_history(observed, summary);
   if (!observed.energy.time.empty())
     write_energy(observed.energy);
@@ -257,13 +306,5 @@ DynamicsFile::write(const TransientObservations &observed, const TransientSummar
   write_contact(observed, summary);
   write_evaluation(summary);
   file->close();
-
-  if (snapshot_times.empty())
-    return;
-  write_body_xdmf(context.file("dynamics.xdmf"),
-                  scene,
-                  "dynamics.h5",
-                  {{"displacement", "/snapshots/displacement"}},
-                  snapshot_times);
 }
 } // namespace mesoslip

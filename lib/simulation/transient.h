@@ -38,11 +38,16 @@ struct TransientObservations
 
 /**
  * Explicit dynamics of the body on the moving flat: runs, observes, and leaves dynamics.h5,
- * tables and the summary in the output folder.
- * @throws NumericalFailure, Interrupted: after what was observed so far has been written
+ * tables and the summary in the output folder. With RunContext::resume() it continues from
+ * the checkpoint there, if @p identity (lines "key = value") is that of the run so far.
+ * @throws Interrupted after a checkpoint and what was observed so far have been written
+ * @throws NumericalFailure when the run blows up; the last checkpoint stays
  */
 void
-run_transient(const ContactParameters &parameters, const Scene &scene, RunContext &context);
+run_transient(const ContactParameters &parameters,
+              const Scene             &scene,
+              const std::string       &identity,
+              RunContext              &context);
 } // namespace mesoslip
 
 #endif

@@ -99,6 +99,23 @@ TEST(Parameters, DefaultsKeepAllDigitsAndPrintingReadsBack)
   EXPECT_TRUE(std::isnan(get_double_or_auto(again, "Size")));
 }
 
+TEST(Parameters, DifferencesAreNamed)
+{
+  dealii::ParameterHandler prm;
+  declare(prm);
+  const std::string all = canonical_parameters(prm);
+  expect_contains(all, "Time step/Fraction = 0.3333333333333333\n");
+  const std::string rest = canonical_parameters(prm, {"Time step/"});
+  EXPECT_EQ(rest.find("Time step/"), std::string::npos);
+  EXPECT_EQ(canonical_parameters(prm, {"Time step"}), all);
+
+  EXPECT_EQ(parameter_differences("A/b = 1\nc = x y\n", "A/b = 1\nc = x y\n"), "");
+  EXPECT_EQ(parameter_differences("A/b = 2\nc = \nnew = 3\n", "A/b = 1\nc = x y\nold = \n"),
+            "A/b is 2 instead of 1, c is empty instead of x y, new is new (3), old is gone (empty)");
+  EXPECT_EQ(parameter_differences("", "a = 1\nb = 1\nc = 1\nd = 1\ne = 1\nf = 1\ng = 1\n"),
+            "a is gone (1), b is gone (1), c is gone (1), d is gone (1), e is gone (1) and 2 more");
+}
+
 TEST(Parameters, ThirdIsAThird)
 {
   dealii::ParameterHandler prm;

@@ -57,6 +57,8 @@ void check(dealii::ParameterHandler &prm)
 
 void run(dealii::ParameterHandler &prm, RunContext &context)
 {
+  if (context.resume())
+    context.begin();
   const auto scope            = context.timer().scope("Work");
   const std::string behaviour = get_string(prm, "Behaviour");
   context.summary()["dim"]    = get_integer(prm, "Dimension");
@@ -94,6 +96,6 @@ int main(int argc, char **argv)
     report << "memory 1 MB\n";
   };
   program.run         = run;
-  program.resumable   = true;
+  program.resumable   = [](dealii::ParameterHandler &) { return true; };
   return mesoslip::run_program(argc, argv, program);
 }

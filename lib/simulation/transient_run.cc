@@ -1,0 +1,272 @@
+#include "simulation/transient_run.h"
+
+#include "dynamics/time_loop.h"
+#include "io/archive.h"
+#include "io/collective.h"
+#include "io/parameters.h"
+#include "io/run_context.h"
+#include "simulation/runaway_report.h"
+#include "simulation/transient_setup.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+// Steps: often enough to react to an interruption, seldom enough to cost nothing, and not
+// so few that the stepper could not have several in flight. The same whenever the run is
+// resumed, as it may end at a limit cycle only then.
+std::uint64_t
+control_interval(const UniformGrid<2> &grid)
+{
+  return next_multiple(std::max<std::uint64_t>(1, 20000000 / grid.n_cells()), 64);
+}
+} // namespace
+
+TransientRun::TransientRun(const ContactParameters &parameters,
+                           const Scene             &scene,
+                           const TimeStepChoice    &time,
+                           const UniformMaterial   &material,
+                           TransientCheckpoint     &checkpoint,
+                           DynamicsFile            &file,
+                           RunContext              &context)
+  : parameters(parameters)
+  , scene(scene)
+  , time(time)
+  , material(material)
+  , checkpoint(checkpoint)
+  , file(file)
+  , context(context)
+  , rows(partition_rows(material.n_rows(), context.communicator()))
+  , u(material.n_columns(), rows.n_local())
+  , w(material.n_columns(), rows.n_local())
+  , contact(contact_setup(parameters, scene, time), time.step)
+  , top(top_setup(parameters, scene.grid), time.step, material.n_columns())
+  , halo(material.n_columns(), context.communicator())
+  , stepper(material,
+            rows,
+            time.step,
+            parameters.sides,
+            u,
+            w,
+            &contact,
+            &top,
+            context.n_ranks() > 1 ? &halo : nullptr,
+            sweep_options(parameters))
+  , op(material, rows)
+  , monitor(
+      op,
+      time.step,
+      u,
+      w,
+      [this]() { return boundary_work(); },
+      [this](const Runaway &found, const std::uint64_t n) {
+        report_runaway(found, n, this->time, this->parameters);
+      },
+      context.communicator())
+  , limit_cycle(limit_cycle_criterion(parameters, scene.grid),
+                material.n_columns() - (parameters.periodic ? 1 : 0),
+                parameters.observation.energy_interval,
+                context.communicator())
+{
+  set_initial_velocity(parameters, rows, w);
+  const ObservationParameters &observation = parameters.observation;
+  if (observation.energy_interval > 0)
+    energy = std::make_unique<EnergyAudit>(op,
+                                           time.step,
+                                           u,
+                                           w,
+                                           parameters.top.platen_mass,
+                                           observation.energy_interval,
+                                           [this]() { return boundary_work(); },
+                                           context.communicator());
+  if (!observation.probes.empty())
+    probes = std::make_unique<ProbeRecorder>(
+      probe_points(observation, scene.grid),
+      material,
+      rows,
+      time.step,
+      u,
+      w,
+      observation.probe_interval,
+      [this](const unsigned int node) { return traction(node); },
+      context.communicator());
+}
+
+BoundaryWork
+TransientRun::boundary_work() const
+{
+  return {top.work() + contact.work().flat, contact.work().friction, contact.work().impact};
+}
+
+std::array<double, 2>
+TransientRun::traction(const unsigned int node) const
+{
+  const bool   end = !parameters.periodic && (node == 0 || node + 1 == material.n_columns());
+  const double width = scene.grid.spacing[0] * (end ? 0.5 : 1.);
+  return {{contact.tangential_force()[node] / width, contact.normal_force()[node] / width}};
+}
+
+TransientRun::Request
+TransientRun::request(const std::uint64_t n)
+{
+  if (!limit_cycle.update(contact.history(), energy.get()))
+    return Request::look;
+  const bool reached =
+    parameters.observation.stop_at_limit_cycle && limit_cycle.detector().reached();
+  if (reached || n >= time.n_steps)
+    return Request::end;
+  if (context.stop_requested_here())
+    return Request::stop;
+  return context.root() && checkpoint.due() ? Request::save : Request::go_on;
+}
+
+bool
+TransientRun::control(const std::uint64_t n)
+{
+  Request wanted = request(n);
+  MPI_Allreduce(MPI_IN_PLACE, &wanted, 1, MPI_INT, MPI_MAX, context.communicator());
+  if (wanted == Request::look)
+    monitor.check(n);
+  context.progress().update(n, n * time.step.dt);
+  interrupted    = wanted == Request::stop;
+  at_limit_cycle = wanted == Request::end && n < time.n_steps;
+  if (wanted == Request::save || wanted == Request::stop)
+    save();
+  return wanted < Request::stop;
+}
+
+CheckpointPosition
+TransientRun::position() const
+{
+  CheckpointPosition p;
+  p.step           = stepper.step_number();
+  p.time           = p.step * time.step.dt;
+  p.by_limit_cycle = at_limit_cycle;
+  p.at_end         = at_limit_cycle || p.step == time.n_steps;
+  return p;
+}
+
+void
+TransientRun::save()
+{
+  const auto now = std::chrono::steady_clock::now();
+  loop_seconds += std::chrono::duration<double>(now - counted).count();
+  counted                     = now;
+  CheckpointPosition position = this->position();
+  on_root(context.communicator(), [&]() { position.snapshots = file.save_snapshots(); });
+  checkpoint.write(position, save_state(*this));
+}
+
+void
+TransientRun::restore()
+{
+  load_state(checkpoint.take_state(), *this, checkpoint.path());
+  at_limit_cycle = checkpoint.position().by_limit_cycle;
+  context.log("Resumed at step " + std::to_string(stepper.step_number()) + ", t = " +
+              to_text(stepper.step_number() * time.step.dt) + " s");
+}
+
+std::unique_ptr<SnapshotRecorder>
+TransientRun::make_snapshots()
+{
+  const ObservationParameters &o = parameters.observation;
+  if (!(o.snapshots_interval > 0.))
+    return nullptr;
+  // Beyond the last step there is none to be seen.
+  return std::make_unique<SnapshotRecorder>(
+    o.snapshots_from,
+    std::isnan(o.snapshots_to) ? parameters.time.end_time : o.snapshots_to,
+    o.snapshots_interval,
+    time.step.dt,
+    u,
+    rows,
+    context.communicator(),
+    [this](const std::uint64_t, const double t, const NodalField<double> &whole) {
+      const auto scope = context.timer().scope("Snapshots");
+      file.add_snapshot(t, whole);
+    });
+}
+
+TransientObservations
+TransientRun::run()
+{
+  std::vector<StepObserver *> observers = {&monitor};
+  if (energy)
+    observers.push_back(energy.get());
+  if (probes)
+    observers.push_back(probes.get());
+  const std::unique_ptr<SnapshotRecorder> snapshots = make_snapshots();
+  if (snapshots)
+    {
+      observers.push_back(snapshots.get());
+      monitor.guard(*snapshots);
+    }
+
+  context.progress().start("Sliding", time.n_steps, scene.grid.n_cells(), stepper.step_number());
+  counted = std::chrono::steady_clock::now();
+  if (!at_limit_cycle)
+    {
+      const auto scope = context.timer().scope("Time loop");
+      run_time_loop(stepper,
+                    observers,
+                    time.n_steps,
+                    control_interval(scene.grid),
+                    [this](const std::uint64_t n) { return control(n); });
+      monitor.check(stepper.step_number());
+    }
+  context.progress().finish();
+  if (!interrupted && parameters.checkpoints.keep)
+    save();
+  loop_seconds +=
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - counted).count();
+  return collect();
+}
+
+TopHistory
+TransientRun::gather_top() const
+{
+  TopHistory history = top.history();
+  const int  last    = context.n_ranks() - 1;
+  if (last == 0)
+    return history;
+  for (auto *values :
+       {&history.normal_force, &history.tangential_force, &history.displacement, &history.work})
+    {
+      unsigned long n = values->size();
+      MPI_Bcast(&n, 1, MPI_UNSIGNED_LONG, last, context.communicator());
+      values->resize(n);
+      MPI_Bcast(values->data(), n, MPI_DOUBLE, last, context.communicator());
+    }
+  return history;
+}
+
+TransientObservations
+TransientRun::collect()
+{
+  TransientObservations all;
+  contact.finish();
+  all.contact = contact.history();
+  all.blocks  = contact.blocks();
+  all.top     = gather_top();
+  if (energy)
+    all.energy = energy->reduce();
+  if (probes)
+    all.probes = probes->gather();
+  all.steps_done          = stepper.step_number();
+  all.dt                  = time.step.dt;
+  all.reference_node      = reference_node(parameters, scene.grid);
+  all.loop_seconds        = loop_seconds;
+  all.interrupted         = interrupted;
+  all.kernel              = stepper.kernel_name();
+  const LimitCycleDetector &detector = limit_cycle.detector();
+  all.limit_cycle_reached = detector.reached();
+  all.limit_cycle         = detector.description();
+  const double given      = parameters.observation.steady_from;
+  all.steady_from         = std::isnan(given) ? detector.steady_from() : given;
+  all.period              = detector.period();
+  return all;
+}
+} // namespace mesoslip

@@ -1,0 +1,125 @@
+#ifndef mesoslip_simulation_transient_run_h
+#define mesoslip_simulation_transient_run_h
+
+#include "contact/contact_row.h"
+#include "dynamics/energy_audit.h"
+#include "dynamics/stability_monitor.h"
+#include "dynamics/top_row.h"
+#include "elasticity/row_partition.h"
+#include "elasticity/uniform_grid_operator.h"
+#include "observation/probe_recorder.h"
+#include "observation/snapshot_recorder.h"
+#include "simulation/dynamics_file.h"
+#include "simulation/limit_cycle_watch.h"
+#include "simulation/transient.h"
+#include "simulation/transient_checkpoint.h"
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+
+namespace mesoslip
+{
+class RunContext;
+
+/**
+ * One run: the body, its boundaries and its observers; everything that changes from step to
+ * step, and when it is saved. All ranks call the members.
+ */
+class TransientRun
+{
+public:
+  TransientRun(const ContactParameters &parameters,
+               const Scene             &scene,
+               const TimeStepChoice    &time,
+               const UniformMaterial   &material,
+               TransientCheckpoint     &checkpoint,
+               DynamicsFile            &file,
+               RunContext              &context);
+
+  /** Takes over the state in the checkpoint. */
+  void
+  restore();
+
+  /**
+   * Goes on until End time, the limit cycle or a request to stop, after which the state is
+   * in the checkpoint. @throws NumericalFailure
+   */
+  TransientObservations
+  run();
+
+  /** State between two steps (Boost.Serialization); observers come and go with the keys. */
+  template <class Archive>
+  void
+  serialize(Archive &archive, const unsigned int)
+  {
+    std::uint64_t n = stepper.step_number();
+    archive      &n &u &w &contact &top &monitor &limit_cycle &loop_seconds;
+    stepper.set_step_number(n);
+    if (energy)
+      archive &*energy;
+    if (probes)
+      archive &*probes;
+  }
+
+  /** Where the run stands. */
+  CheckpointPosition
+  position() const;
+
+private:
+  /** What the ranks have to say between two steps; the largest wins. */
+  enum class Request : int
+  {
+    go_on,
+    save,  ///< the interval of the checkpoints is over
+    stop,  ///< by a signal or a file
+    end,   ///< End time or limit cycle
+    look   ///< something is not finite
+  };
+
+  BoundaryWork
+  boundary_work() const;
+  std::array<double, 2>
+  traction(const unsigned int node) const;
+  Request
+  request(const std::uint64_t n);
+  bool
+  control(const std::uint64_t n);
+  void
+  save();
+  std::unique_ptr<SnapshotRecorder>
+  make_snapshots();
+  TopHistory
+  gather_top() const;
+  TransientObservations
+  collect();
+
+  const ContactParameters &parameters;
+  const Scene             &scene;
+  const TimeStepChoice    &time;
+  const UniformMaterial   &material;
+  TransientCheckpoint     &checkpoint;
+  DynamicsFile            &file;
+  RunContext              &context;
+  const NodeRows           rows;
+  NodalField<double>       u, w;
+  ContactRow               contact;
+  TopRow                   top;
+  MPIHalo                  halo;
+  ExplicitStepper          stepper;
+  UniformGridOperator      op;
+  StabilityMonitor         monitor;
+  LimitCycleWatch          limit_cycle;
+  bool                     interrupted    = false;
+  bool                     at_limit_cycle = false;
+  double                   loop_seconds   = 0.; ///< in earlier runs, too
+
+  std::chrono::steady_clock::time_point counted; ///< loop_seconds reach up to here
+
+  std::unique_ptr<EnergyAudit>   energy;
+  std::unique_ptr<ProbeRecorder> probes;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,111 @@
+#include "simulation/transient_setup.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+unsigned int
+reference_node(const ContactParameters &parameters, const UniformGrid<2> &grid)
+{
+  const double wanted = parameters.observation.reference_x;
+  const double x      = std::isnan(wanted) ? 0.5 * grid.extent(0) : wanted;
+  return std::lround(std::clamp(x, 0., grid.extent(0)) / grid.spacing[0]);
+}
+
+ContactSetup
+contact_setup(const ContactParameters &parameters,
+              const Scene             &scene,
+              const TimeStepChoice    &time)
+{
+  ContactSetup setup;
+  setup.law                  = parameters.friction.law;
+  setup.friction_coefficient = scene.node_friction;
+  setup.flat_velocity        = parameters.friction.flat_velocity;
+  setup.gap                  = parameters.friction.gap;
+  setup.periodic             = parameters.periodic;
+  setup.history_interval     = parameters.observation.history_interval;
+  setup.steps_per_block =
+    std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
+  // The reference node and four more along the contact, for the judgement of the limit cycle.
+  setup.monitored_nodes = {reference_node(parameters, scene.grid)};
+  for (const unsigned int sixth : {1, 2, 4, 5})
+    setup.monitored_nodes.push_back(sixth * scene.grid.cells[0] / 6);
+  return setup;
+}
+
+TopSetup
+top_setup(const ContactParameters &parameters, const UniformGrid<2> &grid)
+{
+  TopSetup setup         = parameters.top;
+  setup.cell_width       = grid.spacing[0];
+  setup.periodic         = parameters.periodic;
+  setup.history_interval = parameters.observation.history_interval;
+  return setup;
+}
+
+SweepOptions
+sweep_options(const ContactParameters &parameters)
+{
+  SweepOptions options;
+  options.wavefront = parameters.wavefront;
+  if (parameters.instruction_set != "auto")
+    for (const InstructionSet isa :
+         {InstructionSet::x86_64, InstructionSet::x86_64_v3, InstructionSet::x86_64_v4})
+      if (to_string(isa) == parameters.instruction_set)
+        options.isa = isa;
+  return options;
+}
+
+LimitCycleCriterion
+limit_cycle_criterion(const ContactParameters &parameters, const UniformGrid<2> &grid)
+{
+  LimitCycleCriterion c;
+  c.periods         = parameters.observation.limit_cycle_periods;
+  c.windows         = parameters.observation.limit_cycle_windows;
+  c.tolerance       = parameters.observation.limit_cycle_tolerance;
+  c.reference_power = std::fabs(parameters.top.pressure.amplitude() * grid.extent(0) *
+                                parameters.friction.flat_velocity.amplitude());
+  return c;
+}
+
+std::vector<ProbeRecorder::Point>
+probe_points(const ObservationParameters &observation, const UniformGrid<2> &grid)
+{
+  std::vector<ProbeRecorder::Point> points;
+  for (const ProbeParameters &probe : observation.probes)
+    {
+      ProbeRecorder::Point point{probe.name, probe.position};
+      if (probe.nearest_node)
+        for (unsigned int d = 0; d < 2; ++d)
+          point.position[d] =
+            std::round(point.position[d] / grid.spacing[d]) * grid.spacing[d];
+      points.push_back(point);
+    }
+  return points;
+}
+
+void
+set_initial_velocity(const ContactParameters &parameters,
+                     const NodeRows          &rows,
+                     NodalField<double>      &w)
+{
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int j = 0; j < rows.n_local(); ++j)
+      std::fill_n(w.row(c, j), w.n_columns(), parameters.body.initial_velocity[c]);
+  const auto hold = [&](const std::array<bool, 2> &held, const unsigned int column) {
+    for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int j = 0; held[c] && j < rows.n_local(); ++j)
+        w.row(c, j)[column] = 0.;
+  };
+  hold(parameters.sides.left_held, 0);
+  hold(parameters.sides.right_held, w.n_columns() - 1);
+  // What the top holds does not move from the start.
+  const TopSetup::Kind kind = parameters.top.kind;
+  const bool held_x = kind != TopSetup::Kind::pressure || parameters.top.lateral_held;
+  if (rows.end == rows.n_global)
+    for (unsigned int c = 0; c < 2; ++c)
+      if (c == 0 ? held_x : kind == TopSetup::Kind::held)
+        std::fill_n(w.row(c, rows.local(rows.n_global - 1)), w.n_columns(), 0.);
+}
+} // namespace mesoslip

@@ -1,0 +1,49 @@
+#ifndef mesoslip_simulation_transient_setup_h
+#define mesoslip_simulation_transient_setup_h
+
+#include "contact/contact_row.h"
+#include "dynamics/top_row.h"
+#include "elasticity/explicit_stepper.h"
+#include "elasticity/node_rows.h"
+#include "grid/nodal_field.h"
+#include "observation/probe_recorder.h"
+#include "observation/steady_state.h"
+#include "simulation/contact_parameters.h"
+#include "simulation/scene.h"
+#include "simulation/time_step_choice.h"
+
+#include <vector>
+
+namespace mesoslip
+{
+/** @name What the parts of a transient run are made from, by parameters and scene @{ */
+/** Column of the reference contact node M. */
+unsigned int
+reference_node(const ContactParameters &parameters, const UniformGrid<2> &grid);
+
+ContactSetup
+contact_setup(const ContactParameters &parameters,
+              const Scene             &scene,
+              const TimeStepChoice    &time);
+
+TopSetup
+top_setup(const ContactParameters &parameters, const UniformGrid<2> &grid);
+
+SweepOptions
+sweep_options(const ContactParameters &parameters);
+
+LimitCycleCriterion
+limit_cycle_criterion(const ContactParameters &parameters, const UniformGrid<2> &grid);
+
+std::vector<ProbeRecorder::Point>
+probe_points(const ObservationParameters &observation, const UniformGrid<2> &grid);
+
+/** Velocity of the body at the start (m/s), zero where it is held. */
+void
+set_initial_velocity(const ContactParameters &parameters,
+                     const NodeRows          &rows,
+                     NodalField<double>      &w);
+/** @} */
+} // namespace mesoslip
+
+#endif

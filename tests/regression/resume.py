@@ -1,0 +1,369 @@
+"""Runs that are stopped or killed and resumed end as if nothing had happened, bit by bit.
+
+    resume.py <folder with the programs> [--kills N] [--seed N] [--only PART]
+"""
+
+import argparse
+import concurrent.futures
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import h5py
+import numpy as np
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+RUN_CHAIN = os.path.join(HERE, "..", "..", "applications", "run_chain.py")
+CHECKPOINT = "contact_dynamics.checkpoint"
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+# Of summary.json: what the clock says.
+TIMES = ("seconds", "peak_memory_bytes", "cell_updates_per_second")
+
+RVE = """
+subsection Grid
+  set Cells = 60, 24
+  set Size = 0.006, 0.0024
+end
+subsection Microstructure
+  subsection Random fibres
+    set Minimum height = 2e-4
+    set Maximum height = 6e-4
+    set Cut by border = true
+  end
+end
+"""
+# Everything that has a state: histories, energy, probes, snapshots, blocks, a platen that is held.
+CONTACT = """
+subsection Body
+  set RVE file = rve/rve.h5
+end
+subsection Time
+  set End time = 1.0003e-3
+  set Time step = 5e-9
+end
+subsection Top
+  set Hold from = 6e-4
+  set Platen mass = 0.02
+end
+subsection Friction
+  set Law = slip rate
+end
+subsection Observation
+  set Energy interval = 30
+  set Probes = contact, bulk
+  subsection contact
+    set Position = 0.00305, 0.00005
+  end
+  subsection bulk
+    set Position = 0.00305, 0.00125
+  end
+end
+subsection Snapshots
+  set Interval = 6.6e-6
+end
+subsection Checkpoints
+  set Interval = 1e-5
+end
+"""
+
+
+class Scene:
+    """A folder with the files of a run, and how to start it."""
+
+    def __init__(self, folder, programs):
+        self.folder, self.programs = folder, programs
+        for name, text in (("rve.prm", RVE), ("contact.prm", CONTACT)):
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def start(self, output, options=(), ranks=1, program="contact_dynamics", prm="contact.prm"):
+        command = [os.path.join(self.programs, program), prm, "--output", output, "--quiet", *options]
+        if ranks > 1:
+            command = ["mpirun", "--oversubscribe", "-np", str(ranks), *command]
+        return subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, text=True,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+    def run(self, output, options=(), **keywords):
+        """Exit status and what was printed."""
+        child = self.start(output, options, **keywords)
+        out, err = child.communicate()
+        return child.returncode, out + err
+
+    def expect(self, status, words, output, options=(), **keywords):
+        found, text = self.run(output, options, **keywords)
+        assert found == status, f"{output} {options}: exit status {found} instead of {status}: {text}"
+        for word in words:
+            assert word in text, f"{output} {options}: '{word}' is missing in: {text}"
+        return text
+
+    def wait_for_checkpoint(self, output, child, after=None):
+        """Until there is a checkpoint other than `after` (or the run has ended); returns what tells it apart."""
+        path = self.path(output, CHECKPOINT)
+        while child.poll() is None:
+            found = identity(path)
+            if found not in (None, after):
+                return found
+            time.sleep(0.002)
+        return None
+
+    def log(self, output):
+        with open(self.path(output, "log.txt"), encoding="utf-8") as file:
+            return file.read()
+
+
+def identity(path):
+    try:
+        status = os.stat(path)
+        return status.st_ino, status.st_mtime_ns, status.st_size
+    except OSError:
+        return None
+
+
+def options_of(material):
+    return ["--set", f"Body/Material={material}"]
+
+
+def content_of_h5(path):
+    content = {}
+    with h5py.File(path, "r") as file:
+        def visit(name, item):
+            if isinstance(item, h5py.Dataset):
+                content[name] = item[...]
+            for key, value in item.attrs.items():
+                content[name + "@" + key] = np.asarray(value)
+        visit("/", file["/"])
+        file.visititems(visit)
+    return content
+
+
+def differences(one, two):
+    """What distinguishes the results in two folders."""
+    wrong = []
+    names = {name for folder in (one, two) for name in os.listdir(folder)} - {"log.txt", CHECKPOINT}
+    for name in sorted(names):
+        a, b = os.path.join(one, name), os.path.join(two, name)
+        if not os.path.exists(a) or not os.path.exists(b):
+            wrong.append(f"{name} is in one folder only")
+        elif name.endswith(".h5"):
+            x, y = content_of_h5(a), content_of_h5(b)
+            wrong += [f"{name}: {key}" for key in sorted(x.keys() | y.keys())
+                      if key not in x or key not in y or x[key].dtype != y[key].dtype
+                      or not np.array_equal(x[key], y[key])]
+        elif name == "summary.json":
+            with open(a, encoding="utf-8") as f, open(b, encoding="utf-8") as g:
+                x, y = json.load(f), json.load(g)
+            wrong += [f"{name}: {key} is {x.get(key)} and {y.get(key)}" for key in sorted(x.keys() | y.keys())
+                      if key not in TIMES and x.get(key) != y.get(key)]
+        else:
+            with open(a, "rb") as f, open(b, "rb") as g:
+                if f.read() != g.read():
+                    wrong.append(f"{name} differs")
+    return wrong
+
+
+def expect_same(scene, reference, output):
+    wrong = differences(scene.path(reference), scene.path(output))
+    assert not wrong, f"{output} is not like {reference}:\n" + "\n".join(wrong)
+
+
+def stopped_and_resumed(scene, material, ranks):
+    """By a file, then by a signal; what is resumed may have other steps in flight."""
+    name = f"{material}-{ranks}"
+    options = options_of(material)
+    scene.expect(0, [], name, options, ranks=ranks)
+
+    output = name + "-stopped"
+    child = scene.start(output, options, ranks=ranks)
+    scene.wait_for_checkpoint(output, child)
+    with open(scene.path(output, "terminate"), "w", encoding="utf-8"):
+        pass
+    _, text = child.communicate()
+    assert child.returncode == 130 and "--resume" in text, f"{output}: {child.returncode}, {text}"
+    assert not os.path.exists(scene.path(output, "summary.json")), f"{output} looks complete"
+    with h5py.File(scene.path(output, "dynamics.h5"), "r") as part, \
+            h5py.File(scene.path(name, "dynamics.h5"), "r") as whole:
+        for key in ("history/top_displacement", "energy/kinetic", "probes/bulk/stress", "snapshots/displacement"):
+            n = len(part[key])
+            assert 0 < n < len(whole[key]) and np.array_equal(part[key][...], whole[key][:n]), f"{output}: {key}"
+
+    more = options + ["--resume", "--set", "Performance/Wavefront=3"]
+    last = identity(scene.path(output, CHECKPOINT))
+    child = scene.start(output, more, ranks=ranks)
+    scene.wait_for_checkpoint(output, child, last)
+    child.send_signal(signal.SIGTERM)
+    child.communicate()
+    assert child.returncode != 0, f"{output}: the signal was not heeded"
+    scene.expect(0, [], output, options + ["--resume"], ranks=ranks)
+    assert scene.log(output).count("Resumed at step") == 2, scene.log(output)
+    expect_same(scene, name, output)
+
+
+def ranks_of(child):
+    """Processes that mpirun started."""
+    with open(f"/proc/{child.pid}/task/{child.pid}/children", encoding="utf-8") as file:
+        return [int(word) for word in file.read().split()]
+
+
+def kill_again_and_again(scene, material, lane, kills, seed, ranks=1):
+    """Kills a run at random moments and resumes it; whenever it comes to its end, compares and begins anew."""
+    chance = random.Random(seed * 1000 + lane)
+    output, reference = f"{material}-{ranks}-killed-{lane}", f"{material}-{ranks}"
+    options, done, finished, resumed = options_of(material), 0, 0, 0
+    begin = time.monotonic()
+    while done < kills or finished == 0:
+        folder = os.path.exists(scene.path(output))
+        child = scene.start(output, options + (["--resume"] if folder else []), ranks=ranks)
+        if done < kills:
+            # Half of them soon after the start, the others soon after a checkpoint, so that it goes on.
+            if chance.random() < 0.5:
+                time.sleep(chance.uniform(0, 0.6))
+            else:
+                scene.wait_for_checkpoint(output, child, identity(scene.path(output, CHECKPOINT)))
+                time.sleep(chance.uniform(0, 0.05))
+            if child.poll() is None:
+                for pid in ranks_of(child)[:1] if ranks > 1 else [child.pid]:
+                    os.kill(pid, signal.SIGKILL)
+                done += 1
+        text = "".join(child.communicate())
+        if child.returncode == 0:
+            expect_same(scene, reference, output)
+            resumed += scene.log(output).count("Resumed at step")
+            shutil.rmtree(scene.path(output))
+            finished += 1
+        else:
+            assert child.returncode == -9 or (ranks > 1 and "signal 9" in text), f"{output}: {child.returncode}, {text}"
+    assert resumed > 0, f"{output}: never resumed"
+    return f"{output}: {done} kills, {finished} times to the end, {time.monotonic() - begin:.1f} s"
+
+
+def refusals(scene):
+    """What cannot be continued is refused with both values and left as it was."""
+    options = options_of("homogeneous")
+    child = scene.start("r", options)
+    scene.wait_for_checkpoint("r", child)
+    # The folder is in use.
+    scene.expect(2, ["in use by a run that has not ended", str(child.pid)], "r", options)
+    scene.expect(2, ["in use"], "r", options + ["--resume"])
+    child.kill()
+    child.communicate()
+    with open(scene.path("r", CHECKPOINT), "rb") as file:
+        good = file.read()
+    before = sorted(os.listdir(scene.path("r")))
+
+    resume = options + ["--resume"]
+    scene.expect(2, ["Friction/Coefficient is 0.4 instead of 0.25", "start again without --resume"], "r",
+                 resume + ["--set", "Friction/Coefficient=0.4"])
+    scene.expect(2, ["Body/Material is heterogeneous instead of homogeneous"], "r",
+                 options_of("heterogeneous") + ["--resume"])
+    scene.expect(2, ["Observation/Probes is empty instead of contact, bulk", "contact/Position is gone"], "r",
+                 resume + ["--set", "Observation/Probes="])
+    with open(scene.path("homogeneous-1", "summary.json"), encoding="utf-8") as file:
+        plain = json.load(file)["kernel"].startswith("x86-64 ")
+    if not plain:
+        scene.expect(2, ["Performance/Instruction set is x86-64 instead of x86-64-v"], "r",
+                     resume + ["--set", "Performance/Instruction set=x86-64"])
+    scene.expect(2, ["Number of MPI ranks is 2 instead of 1"], "r", resume, ranks=2)
+    scene.expect(2, ["End time lies before the checkpoint"], "r", resume + ["--set", "Time/End time=1e-8"])
+    scene.expect(2, ["nothing to resume", "does not exist"], "nowhere", resume)
+    for spoilt, word in ((good[:-3], "truncated"), (good[:200] + b"x" + good[201:], "checksum"),
+                         (b"\x89HDF" + good[4:], "not a checkpoint")):
+        with open(scene.path("r", CHECKPOINT), "wb") as file:
+            file.write(spoilt)
+        scene.expect(2, [CHECKPOINT, word], "r", resume)
+    with open(scene.path("r", CHECKPOINT), "wb") as file:
+        file.write(good)
+    os.rename(scene.path("r", "snapshots.part"), scene.path("elsewhere"))
+    scene.expect(2, ["snapshots.part"], "r", resume)
+    os.rename(scene.path("elsewhere"), scene.path("r", "snapshots.part"))
+    assert sorted(os.listdir(scene.path("r"))) == before, "a refusal left something"
+
+    # What only says how and how often is free to change.
+    free = ["--set", "Checkpoints/Interval=0", "--set", "Performance/Wavefront=1", "--set", "Modal/Number of modes=2"]
+    scene.expect(0, [], "r", resume + free)
+    # Complete: says so and does nothing, unless something else is asked for.
+    times = {name: identity(scene.path("r", name)) for name in os.listdir(scene.path("r")) if name != "log.txt"}
+    scene.expect(0, [], "r", resume)
+    assert "is complete: there is nothing to resume" in scene.log("r")
+    assert times == {name: identity(scene.path("r", name)) for name in times}, "a complete run was touched"
+    scene.expect(2, ["Beta2 is 0.6 instead of 0.5"], "r", resume + ["--set", "Time/Beta2=0.6"])
+    scene.expect(2, ["was complete at", "Checkpoints/Keep"], "r", resume + ["--set", "Time/End time=1.2e-3"])
+
+
+def later_end(scene):
+    """With Keep, a complete run goes on to a later end; its blocks keep their length."""
+    short = ["--set", "Time/End time=2.0e-4", "--set", "Snapshots/Interval=7e-7", "--set", "Observation/Blocks=40"]
+    whole = ["--set", "Time/End time=4.0e-4", "--set", "Snapshots/Interval=7e-7", "--set", "Observation/Blocks=80"]
+    keep = ["--set", "Checkpoints/Keep=true"]
+    scene.expect(0, [], "long", whole)
+    scene.expect(0, [], "extended", short + keep)
+    scene.expect(0, [], "extended", short[2:] + ["--set", "Time/End time=4.0e-4", "--resume"])
+    # The number of blocks is a key of its own and differs; the snapshots, their times and all else are the same.
+    wrong = [w for w in differences(scene.path("long"), scene.path("extended")) if "parameters.prm" not in w]
+    assert not wrong, "\n".join(wrong)
+
+
+def other_programs(scene):
+    """They keep no checkpoints and start from the beginning."""
+    scene.expect(0, [], "rve-again", ["--resume"], program="rve_homogenization", prm="rve.prm")
+    assert "starts from the beginning" in scene.log("rve-again")
+    scene.expect(0, [], "modal", ["--resume", "--set", "Analysis=modal", "--set", "Body/Material=homogeneous"])
+
+
+def chain(scene):
+    """Ctrl-C during ./run.sh, then ./run.sh --resume: runs that had not begun start, stopped ones go on."""
+    source = scene.path("chain-in")
+    os.mkdir(source)
+    for name, text in (("10-rve_homogenization", RVE), ("20-contact_dynamics", CONTACT)):
+        with open(os.path.join(source, name + ".prm"), "w", encoding="utf-8") as file:
+            file.write(text.replace("rve/rve.h5", "10-rve_homogenization/rve.h5"))
+    command = [sys.executable, "-B", RUN_CHAIN, source, "--programs", scene.programs, "--output", scene.path("chain"),
+               "--no-report", "--resume"]
+    child = subprocess.Popen(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=ENVIRONMENT)
+    scene.wait_for_checkpoint("chain/20-contact_dynamics", child)
+    child.send_signal(signal.SIGINT)
+    text, _ = child.communicate()
+    assert child.returncode == 130 and "--resume" in text, f"chain: {child.returncode}, {text}"
+    done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=ENVIRONMENT)
+    assert done.returncode == 0 and "10-rve_homogenization: up to date" in done.stdout, done.stdout
+    assert "Resumed at step" in scene.log("chain/20-contact_dynamics"), done.stdout
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("programs")
+    parser.add_argument("--kills", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(10**6))
+    parser.add_argument("--only", default="")
+    arguments = parser.parse_args()
+    print(f"seed {arguments.seed}", flush=True)
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(4) as pool:
+        scene = Scene(folder, os.path.abspath(arguments.programs))
+        scene.expect(0, [], "rve", program="rve_homogenization", prm="rve.prm")
+        materials = ("homogeneous", "heterogeneous")
+        parts = [(stopped_and_resumed, scene, m, r) for r in (2, 1) for m in materials]
+        parts += [(refusals, scene), (later_end, scene), (other_programs, scene), (chain, scene)]
+        if arguments.kills > 0:
+            lanes = 4
+            each = -(-arguments.kills // lanes)
+            parts += [(kill_again_and_again, scene, materials[k % 2], k, each, arguments.seed) for k in range(lanes)]
+            parts += [(kill_again_and_again, scene, "heterogeneous", lanes, 4, arguments.seed, 2)]
+        first = [p for p in parts if p[0] is stopped_and_resumed]
+        for batch in (first, [p for p in parts if p not in first]):
+            running = [pool.submit(*p) for p in batch if arguments.only in p[0].__name__ or p in first]
+            for future in running:
+                result = future.result()
+                if result:
+                    print(result, flush=True)
+
+
+if __name__ == "__main__":
+    main()
