@@ -264,8 +264,8 @@ def refusals(scene):
                  resume + ["--set", "Friction/Coefficient=0.4"])
     scene.expect(2, ["Body/Material is heterogeneous instead of homogeneous"], "r",
                  options_of("heterogeneous") + ["--resume"])
-    scene.expect(2, ["Observation/Probes is empty instead of contact, bulk", "contact/Position is gone"], "r",
-                 resume + ["--set", "Observation/Probes="])
+    scene.expect(2, ["Observation/Blocks is 7 instead of 200", "Observation/bulk/Position is 0, 0 instead of"], "r",
+                 resume + ["--set", "Observation/bulk/Position=0, 0", "--set", "Observation/Blocks=7"])
     with open(scene.path("homogeneous-1", "summary.json"), encoding="utf-8") as file:
         plain = json.load(file)["kernel"].startswith("x86-64 ")
     if not plain:
@@ -356,13 +356,16 @@ def main():
             each = -(-arguments.kills // lanes)
             parts += [(kill_again_and_again, scene, materials[k % 2], k, each, arguments.seed) for k in range(lanes)]
             parts += [(kill_again_and_again, scene, "heterogeneous", lanes, 4, arguments.seed, 2)]
+        failures = []
         first = [p for p in parts if p[0] is stopped_and_resumed]
         for batch in (first, [p for p in parts if p not in first]):
             running = [pool.submit(*p) for p in batch if arguments.only in p[0].__name__ or p in first]
             for future in running:
-                result = future.result()
-                if result:
-                    print(result, flush=True)
+                try:
+                    print(future.result() or "", flush=True)
+                except AssertionError as error:
+                    failures.append(str(error))
+            assert not failures, "\n".join(failures)
 
 
 if __name__ == "__main__":
