@@ -250,6 +250,7 @@ def refusals(scene):
     options = options_of("homogeneous")
     child = scene.start("r", options)
     scene.wait_for_checkpoint("r", child)
+    child.send_signal(signal.SIGSTOP)
     # The folder is in use.
     scene.expect(2, ["in use by a run that has not ended", str(child.pid)], "r", options)
     scene.expect(2, ["in use"], "r", options + ["--resume"])
@@ -257,6 +258,7 @@ def refusals(scene):
     child.communicate()
     with open(scene.path("r", CHECKPOINT), "rb") as file:
         good = file.read()
+    os.remove(scene.path("r", ".lock"))  # a killed run's, which the next one clears away
     before = sorted(os.listdir(scene.path("r")))
 
     resume = options + ["--resume"]
@@ -284,7 +286,8 @@ def refusals(scene):
     os.rename(scene.path("r", "snapshots.part"), scene.path("elsewhere"))
     scene.expect(2, ["snapshots.part"], "r", resume)
     os.rename(scene.path("elsewhere"), scene.path("r", "snapshots.part"))
-    assert sorted(os.listdir(scene.path("r"))) == before, "a refusal left something"
+    after = sorted(os.listdir(scene.path("r")))
+    assert after == before, f"a refusal changed the folder: {set(after) ^ set(before)}"
 
     # What only says how and how often is free to change.
     free = ["--set", "Checkpoints/Interval=0", "--set", "Performance/Wavefront=1", "--set", "Modal/Number of modes=2"]
