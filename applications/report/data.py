@@ -12,6 +12,7 @@ HDF5_NAMES = {
     "contact_dynamics": "dynamics.h5",
     "stress_localization": "localization.h5",
 }
+HDF5_OF_ANALYSIS = {"modal": "modal.h5", "friction homogenization": None}
 
 
 class Missing(Exception):
@@ -27,13 +28,17 @@ class Run:
         self.program = summary.get("program", "")
         self.notes = []
         self.file = None
-        path = os.path.join(folder, HDF5_NAMES.get(self.program, ""))
+        self.name = os.path.basename(os.path.normpath(folder)) or folder
+        file_name = HDF5_OF_ANALYSIS.get(summary.get("analysis"), HDF5_NAMES.get(self.program, ""))
+        if file_name is not None:
+            self._open(os.path.join(folder, file_name))
+
+    def _open(self, path):
         try:
             self.file = h5py.File(path, "r")
         except (OSError, IsADirectoryError) as error:
             reason = "missing" if not os.path.isfile(path) else f"unreadable ({error})"
             self.notes.append(f"{path} is {reason}; its figures are left out")
-        self.name = os.path.basename(os.path.normpath(folder)) or folder
 
     def get(self, dataset):
         """Array of a dataset, or None."""
@@ -151,6 +156,10 @@ class Chain:
         self.dynamics = pick("contact_dynamics")
         self.localization = pick("stress_localization")
         self.transient = [run for run in self.dynamics if run.members("/history")]
+        self.modal = [run for run in self.dynamics if run.members("/modes") or run.summary.get("frequencies")]
+        self.static = [run for run in self.dynamics
+                       if run.members("/static_contact") or run.summary.get("phase_contact_pressures")]
+        self.friction_law = [run for run in self.dynamics if run.summary.get("estimates")]
         kinds = [run.kind for run in self.transient]
         for run in self.runs:
             same = kinds.count(getattr(run, "kind", "")) > 1 or run not in self.transient

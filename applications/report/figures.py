@@ -144,21 +144,31 @@ def energy_balance(run):
     if not parts:
         raise Missing("/energy holds no energies of the length of /energy/time")
     residual = run.get("/energy/residual")
-    figure, axes = panels(2, 5.0, sharex=True, gridspec_kw={"height_ratios": [2.4, 1]})
-    factor, unit = scaled(*[values for _, values, _ in parts], units=POWERS_OF_J)
-    for label, values, c in parts:
-        axes[0].plot(*_scale(*thinned(time, values), 1e3, 1 / factor), color=c, label=label)
-    axes[0].set_ylabel(f"energy in {unit}")
+    top = max(np.nanmax(np.abs(values)) for _, values, _ in parts) or 1.0
+    small = [part for part in parts if np.nanmax(np.abs(part[1])) < 0.2 * top]
+    figure, axes = panels(3 if small else 2, 6.6 if small else 5.0, sharex=True,
+                          gridspec_kw={"height_ratios": [2.2, 1.6, 1] if small else [2.4, 1]})
+    _energies(axes[0], time, parts, "energy")
     above(axes[0], columns=4)
+    if small:
+        _energies(axes[1], time, small, "the small\nones")
     if residual is not None and len(residual) == len(time):
-        top = max(np.nanmax(np.abs(values)) for _, values, _ in parts) or 1.0
         x, y = thinned(time, np.abs(residual) / top)
-        axes[1].semilogy(1e3 * x, np.maximum(y, 1e-18), color=GREY, lw=1)
-    axes[1].set(xlabel="time in ms", ylabel="|residual| /\nlargest energy")
+        axes[-1].semilogy(1e3 * x, np.where(y > 0, y, np.nan), color=GREY, lw=1)
+        if np.nanmedian(y) > 0:
+            axes[-1].set_ylim(bottom=1e-2 * np.nanmedian(y))
+    axes[-1].set(xlabel="time in ms", ylabel="|residual| /\nlargest energy")
     for axis in axes:
         axis.margins(x=0)
     figure.align_ylabels()
     return figure
+
+
+def _energies(axes, time, parts, name):
+    factor, unit = scaled(*[values for _, values, _ in parts], units=POWERS_OF_J)
+    for label, values, c in parts:
+        axes.plot(*_scale(*thinned(time, values), 1e3, 1 / factor), color=c, label=label)
+    axes.set_ylabel(f"{name} in {unit}")
 
 
 def phase_diagram(runs):

@@ -46,7 +46,7 @@ def build(chain, title):
         f"<details><summary>{escape(run.folder)}/summary.json</summary><pre>"
         f"{escape(json.dumps(run.summary, indent=1))}</pre></details>" for run in chain.runs)
     if details:
-        page.section("Everything the programs summarised", details)
+        page.section("Everything the programs summarised", details, "screen")
     return page
 
 

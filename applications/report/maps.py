@@ -56,16 +56,29 @@ def _height(extent, maps, more):
     return maps * (0.78 * WIDTH * min(ratio, 1.2) + 0.42) + more
 
 
-def _zoom_frame(axes, zoom, extent):
-    """Frame a window of a seventh of the width at the middle of the contact, and show it in zoom."""
+def _window(extent, shape):
+    """Left, right, bottom, top (mm) of the part of the contact that is shown enlarged: a seventh of the width, but
+    30 cells at least."""
     left, right, bottom, top = extent
-    middle, half = 0.5 * (left + right), (right - left) / 14
-    height = min(top - bottom, half * 0.62)
-    zoom.set(xlim=(middle - half, middle + half), ylim=(bottom, bottom + height))
-    axes.add_patch(Rectangle((middle - half, bottom), 2 * half, height, fill=False, color="#D55E00",
-                             lw=1.6, clip_on=False))
+    half = min(0.5 * (right - left), max((right - left) / 14, 15 * (right - left) / shape[1]))
+    middle = 0.5 * (left + right)
+    return middle - half, middle + half, bottom, bottom + min(top - bottom, 0.62 * half)
+
+
+def _pair(extent, shape, more):
+    """Figure and axes of the whole body and, below, of the window, framed in both."""
+    window = _window(extent, shape)
+    heights = [0.78 * WIDTH * min((e[3] - e[2]) / (e[1] - e[0]), 1.2) + 0.42 for e in (extent, window)]
+    figure, (axes, zoom) = panels(2, sum(heights) + more, gridspec_kw={"height_ratios": heights})
+    axes.add_patch(Rectangle((window[0], window[2]), window[1] - window[0], window[3] - window[2], fill=False,
+                             color="#D55E00", lw=1.6, clip_on=False, zorder=3))
     for spine in zoom.spines.values():
         spine.set(visible=True, color="#D55E00", linewidth=1.6)
+    return figure, axes, zoom, window
+
+
+def _show_window(zoom, window):
+    zoom.set(xlim=window[:2], ylim=window[2:], xlabel="x in mm")
 
 
 def _phase_map(chain):
@@ -83,6 +96,7 @@ def _phase_map(chain):
 
 def _names(run, n):
     names = run.get("/phase/name")
+    names = run.get("/material/name") if names is None else names
     if names is not None and len(names) >= n:
         return [name.decode() if isinstance(name, bytes) else str(name) for name in names]
     listed = [phase.get("name") for phase in run.summary.get("phases") or []
@@ -95,12 +109,11 @@ def morphology(chain):
     extent = run.extent()
     n = int(ids.max()) + 1
     colours = ListedColormap((PHASE_COLOURS * (n // len(PHASE_COLOURS) + 1))[:n])
-    figure, (axes, zoom) = panels(2, _height(extent, 2, 0.9))
+    figure, axes, zoom, window = _pair(extent, ids.shape, 0.5)
     for axis in (axes, zoom):
         _draw(axis, ids, extent, cmap=colours, vmin=-0.5, vmax=n - 0.5,
               interpolation="nearest")
-    _zoom_frame(axes, zoom, extent)
-    zoom.set_xlabel("x in mm")
+    _show_window(zoom, window)
     shares = [100 * np.mean(ids == i) for i in range(n)]
     above(axes, [Patch(facecolor=colours(i), edgecolor="#adb5bd", label=f"{name} ({share:.1f} %)")
                  for i, (name, share) in enumerate(zip(_names(run, n), shares))], columns=4)
@@ -119,18 +132,13 @@ def rve_von_mises(run, pressure=0.5e6):
 
 
 def snapshot_von_mises(run, chain):
-    """Von Mises stress of the last snapshot; stiffnesses from the chain's RVE."""
+    """Von Mises stress of the last snapshot."""
     displacement = run.last("/snapshots/displacement")
     grid = run.grid()
     if displacement is None or displacement.ndim != 3 or grid is None:
         raise Missing(f"/snapshots/displacement is not in the HDF5 file of {run.name}")
     ids = run.get("/material/phase_id")
-    for source in chain.rve:
-        stiffness = source.get("/phase/stiffness" if ids is not None else "/stiffness/effective")
-        if stiffness is not None and (ids is None or len(stiffness) > ids.max()):
-            break
-    else:
-        raise Missing("the stiffnesses of the phases are in no rve.h5 of the chain")
+    stiffness = _stiffness(run, chain, ids)
     strain = cell_strain(displacement, grid[1])
     by_cell = stiffness[ids] if ids is not None else stiffness
     subscripts = "yxij,yxj->yxi" if ids is not None else "ij,yxj->yxi"
@@ -138,18 +146,28 @@ def snapshot_von_mises(run, chain):
     return _stress_figure(von_mises(stress, poisson_ratio(by_cell)), run.extent())
 
 
+def _stiffness(run, chain, ids):
+    """Stiffnesses [n][3][3] of the phases, or the one [3][3] of a homogeneous body: the run's own, else the RVE's."""
+    own = run.get("/material/stiffness")
+    candidates = [own if ids is not None or own is None else own[0]]
+    candidates += [source.get("/phase/stiffness" if ids is not None else "/stiffness/effective") for source in chain.rve]
+    for stiffness in candidates:
+        if stiffness is not None and stiffness.shape[-2:] == (3, 3) and (ids is None or len(stiffness) > ids.max()):
+            return stiffness
+    raise Missing("the stiffnesses of the phases are in no file of the chain")
+
+
 def _stress_figure(field, extent):
     if extent is None:
         raise Missing("the run has no uniform grid")
     factor, unit = scaled(field, units=STRESSES)
     limit = float(np.nanpercentile(field, 99.5)) / factor
-    figure, (axes, zoom) = panels(2, _height(extent, 2, 0.4))
+    figure, axes, zoom, window = _pair(extent, field.shape, 0.1)
     for axis, sampling in ((axes, "antialiased"), (zoom, "nearest")):
         picture = _draw(axis, field / factor, extent, cmap=STRESS_MAP, vmin=0, vmax=limit,
                         interpolation=sampling)
     _bar(figure, picture, [axes, zoom], f"von Mises stress in {unit}")
-    _zoom_frame(axes, zoom, extent)
-    zoom.set_xlabel("x in mm")
+    _show_window(zoom, window)
     return figure
 
 

@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 STYLE = """
 :root{--ink:#1d2733;--soft:#5b6773;--line:#d5dbe1;--wash:#f4f6f8;--accent:#0072b2}
 *{box-sizing:border-box}
-body{margin:0 auto;max-width:50rem;padding:1rem 1rem 4rem;color:var(--ink);background:#fff;
+body{margin:0 auto;max-width:54rem;padding:1rem 1rem 4rem;color:var(--ink);background:#fff;
  font:1rem/1.55 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
 h1{font-size:1.7rem;line-height:1.2;margin:.6rem 0 .2rem}
 h2{font-size:1.25rem;margin:2.4rem 0 .6rem;padding-bottom:.25rem;border-bottom:2px solid var(--accent)}
@@ -22,7 +22,8 @@ nav a{color:var(--accent);text-decoration:none}
 table{border-collapse:collapse;width:100%;font-size:.9rem;font-variant-numeric:tabular-nums}
 th,td{padding:.35rem .6rem;text-align:right;border-bottom:1px solid var(--line);vertical-align:top}
 td:not(.text){white-space:nowrap}
-td.text{min-width:7.5rem}
+td.text{min-width:6.5rem}
+.words{white-space:normal}
 th:first-child,td:first-child,td.text,th.text{text-align:left}
 thead th{background:var(--wash);border-bottom:2px solid var(--line);font-weight:600}
 figure{margin:1rem 0 1.6rem}
@@ -32,10 +33,12 @@ figcaption{font-size:.88rem;margin-top:.4rem}
  overflow-wrap:anywhere}
 details{margin:.5rem 0}pre{background:var(--wash);padding:.7rem;font-size:.75rem;white-space:pre-wrap;
  overflow-wrap:anywhere}
-@media (max-width:34rem){nav ol{columns:1}body{padding:.6rem .7rem 3rem}th,td{padding:.3rem .4rem}}
+@media (max-width:34rem){nav ol{columns:1}body{padding:.6rem .7rem 3rem}th,td{padding:.3rem .4rem}
+ table{font-size:.8rem}figure{margin:1rem -.5rem 1.4rem}figcaption{padding:0 .5rem}}
 @media print{@page{margin:16mm}body{max-width:none;padding:0;font-size:10pt}nav,details{display:none}
- figure,table,.note{break-inside:avoid}h2,h3{break-after:avoid}.scroll{overflow:visible}
- figure img{max-height:200mm;object-fit:contain}}
+ figure,table,.note{break-inside:avoid}.screen{display:none}h2,h3{break-after:avoid}.scroll{overflow:visible}
+ figure img{max-height:112mm;object-fit:contain;object-position:left}
+ figure.tall img{max-height:185mm}}
 """
 
 PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")]
@@ -102,8 +105,9 @@ class Page:
         self.title, self.lead = title, lead
         self.sections, self.figures = [], 0
 
-    def section(self, title, body):
-        self.sections.append((title, body))
+    def section(self, title, body, kind="paper"):
+        """`kind` "screen" keeps it off the printed page."""
+        self.sections.append((title, body, kind))
 
     def figure(self, figure, caption, alt=None):
         """HTML of a matplotlib figure, which is closed."""
@@ -114,15 +118,16 @@ class Page:
         finally:
             plt.close(figure)
         data = base64.b64encode(stream.getvalue()).decode("ascii")
+        tall = ' class="tall"' if figure.get_figheight() > 0.95 * figure.get_figwidth() else ""
         plain = escape(alt or caption.split(".")[0])
-        return (f'<figure><img alt="{plain}" src="data:image/png;base64,{data}">'
+        return (f'<figure{tall}><img alt="{plain}" src="data:image/png;base64,{data}">'
                 f"<figcaption><b>Figure {self.figures}.</b> {caption}</figcaption></figure>")
 
     def html(self):
         links = "".join(f'<li><a href="#s{i}">{title}</a></li>'
-                        for i, (title, _) in enumerate(self.sections))
-        body = "".join(f'<section><h2 id="s{i}">{title}</h2>{content}</section>'
-                       for i, (title, content) in enumerate(self.sections))
+                        for i, (title, *_) in enumerate(self.sections))
+        body = "".join(f'<section class="{kind}"><h2 id="s{i}">{title}</h2>{content}</section>'
+                       for i, (title, content, kind) in enumerate(self.sections))
         return ('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
                 '<meta name="viewport" content="width=device-width, initial-scale=1">'
                 f"<title>{escape(self.title)}</title><style>{STYLE}</style></head><body>"

@@ -14,6 +14,7 @@ INTERFACE_FRICTION = {
 }
 APPARENT_FRICTION = {1: (0.21, "fig. 6"), 2: (0.17, "fig. 6")}
 MAIN_FREQUENCY = {1: (41200.0, "fig. 6"), 2: (39600.0, "fig. 6")}
+PRESSURE = {1: 0.5e6, 2: 0.4e6}  # Pa, sections 3.6.1 and 3.6.2
 SLIP_SHARE = {1: (0.70, "section 2.4"), 2: (0.20, "section 2.4")}
 SEPARATION_SHARE = {1: (0.30, "section 2.4"), 2: (0.80, "section 2.4")}
 
@@ -22,6 +23,17 @@ MODES = [(40000.0, "fig. 8(a), contact surface free"),
 
 # Pa, table 4 at P = 0.5 MPa: static contact analysis; the larger one is the fibres'.
 STATIC_PRESSURES = {"fibre": 2.0e6, "matrix": 0.33e6}
+
+PIN = (0.056, 0.016)  # m, section 3.1
+
+
+def is_pin(run):
+    """Whether the body has the size of the paper's pin: only then its numbers are set beside a run's."""
+    grid = run.grid()
+    if grid is None or len(grid[0]) != 2:
+        return False
+    cells, spacing, _ = grid
+    return all(abs(n * h - length) < 1e-6 for n, h, length in zip(cells, spacing * [1, 1], PIN))
 
 
 def regime(run):

@@ -2,7 +2,9 @@
 
 import numpy as np
 
+import analyses
 import figures
+import key_numbers
 import maps
 import paper
 from data import Missing
@@ -12,29 +14,42 @@ from page import difference, escape, number, quantity, table
 def plan(chain):
     """(heading, [(function, arguments...)]) of every section that the runs of the chain call for."""
     result = [("What was run", [(runs_table, chain)])]
-    if chain.dynamics:
-        result.append(("Key numbers beside the paper", [(key_numbers, run) for run in chain.dynamics]))
+    if chain.transient:
+        result.append(("Key numbers", [(key_numbers.side_by_side, chain.transient)]))
+    pins = [run for run in chain.transient + chain.modal + chain.static if paper.is_pin(run)]
+    if pins:
+        result.append(("Beside the paper", [(key_numbers.beside_the_paper, run) for run in pins]))
     if chain.rve:
         result.append(("Stiffness", [(stiffness_table, run) for run in chain.rve]))
-    result.append(("Morphology and von Mises stress",
-                   [(morphology, chain)] + [(rve_stress, run) for run in chain.rve] +
-                   [(snapshot, run, chain) for run in chain.transient]))
+    fields = [(morphology, chain)] if chain.rve or any(run.heterogeneous for run in chain.runs) else []
+    fields += [(rve_stress, run) for run in chain.rve if run.members("/concentration")]
+    fields += [(snapshot, run, chain) for run in chain.transient + chain.static if run.members("/snapshots")]
+    if fields:
+        result.append(("Morphology and von Mises stress", fields))
     if chain.transient:
-        runs = chain.transient
-        regime = paper.regime(runs[0])
-        result += [
-            ("Apparent friction", [(apparent_friction, runs, regime)]),
-            ("Energy", [(friction_energy, runs)] + [(energy_balance, run) for run in runs]),
-            ("Phase diagram", [(phase_diagram, runs)]),
-            ("Spectrum", [(spectrum, runs, regime)]),
-            ("The contact, node by node",
-             [(node_statistics, runs)] + [(contact_map, run) for run in runs]),
-        ]
+        result += transient_sections(chain.transient)
+    for heading, make, runs in [("Modes of vibration", analyses.modes, chain.modal),
+                                ("Static contact", analyses.static_contact, chain.static),
+                                ("Homogenized friction law", analyses.friction_law, chain.friction_law)]:
+        if runs:
+            result.append((heading, [(make, run) for run in runs]))
     if chain.localization:
         result.append(("Localization", [(localization, run) for run in chain.localization]))
         result.append(("Mean von Mises stress: localized and direct",
                        [(mean_von_mises, run) for run in chain.localization]))
     return result
+
+
+def transient_sections(runs):
+    regime = paper.regime(runs[0]) if all(paper.is_pin(run) for run in runs) else None
+    return [
+        ("Apparent friction", [(apparent_friction, runs, regime)]),
+        ("Energy", [(friction_energy, runs)] + [(energy_balance, run) for run in runs]),
+        ("Phase diagram", [(phase_diagram, runs)]),
+        ("Spectrum", [(spectrum, runs, regime)]),
+        ("The contact, node by node",
+         [(node_statistics, runs)] + [(contact_map, run) for run in runs]),
+    ]
 
 
 def runs_table(page, chain):
@@ -43,11 +58,12 @@ def runs_table(page, chain):
     rows = []
     for run in chain.runs:
         summary = run.summary
-        cells = summary.get("cells")
-        cells = " × ".join(str(n) for n in cells) if isinstance(cells, list) else number(cells)
+        grid = run.grid()
+        cells = " × ".join(number(int(n)) for n in grid[0]) if grid else "–"
         what = run.program.replace("_", " ")
         if run.program == "contact_dynamics":
-            what += f", {run.kind}" + (f", {summary['analysis']}" if summary.get("analysis") else "")
+            material = run.kind if run in chain.transient else summary.get("material")
+            what += "".join(f", {word}" for word in (material, summary.get("analysis")) if word)
         step, limit = run.number("time_step"), run.number("critical_time_step")
         steps = f"{number(run.number('steps'))} × {quantity(step, 's', 3)}" if step else "–"
         if step and limit:
@@ -60,33 +76,6 @@ def runs_table(page, chain):
     body = table(["folder", "program", "cells", "steps", "simulated", "wall time", "memory"], rows, (0, 1))
     versions = sorted({str(run.summary.get("version")) for run in chain.runs})
     return body + f'<p class="lead">Program version {escape(", ".join(versions))}.</p>'
-
-
-def key_numbers(page, run):
-    transient = run.program == "contact_dynamics" and bool(run.members("/history"))
-    has_numbers = run.number("global_interface_friction_coefficient") is not None
-    rows = paper.comparison(run) if transient or has_numbers else []
-    rows = [row for row in rows if row[1] is not None]
-    rows += paper.modes(run) + paper.static_pressures(run)
-    if not rows:
-        raise Missing(f"the summary of {run.name} holds none of the numbers the paper reports")
-    html = table(["", "this run", "paper", "difference", "where in the paper"],
-                 [[what, quantity(ours, unit), quantity(value, unit), difference(ours, value), source]
-                  for what, ours, value, unit, source in rows], (0, 4))
-    remarks = [f"{words}: {escape(value)}" for words, value in
-               [("Regime", run.summary.get("regime"))] if value]
-    for words, key, unit in [("friction energy", "friction_energy", "J/m"),
-                             ("relative residual of the energy balance", "energy_balance_residual", ""),
-                             ("statistics from", "steady_from", "s")]:
-        value = run.number(key)
-        if value is not None:
-            remarks.append(f"{words} {quantity(value, unit, 3)}")
-    folder = f" <span class=lead>({escape(run.name)})</span>" if run.name != run.label else ""
-    warnings = [run.summary[key] for key in ("mean_contact_duration_warning", "delta_warning")
-                if isinstance(run.summary.get(key), str)]
-    return (f"<h3>{escape(run.label)}{folder}</h3>" + html +
-            f'<p class="lead">{"; ".join(remarks)}.</p>' * bool(remarks) +
-            "".join(f'<p class="note">Warning: {escape(text)}.</p>' for text in warnings))
 
 
 def stiffness_matrices(run):
@@ -110,12 +99,13 @@ def stiffness_table(page, run):
     matrices = stiffness_matrices(run)
     if not matrices:
         raise Missing(f"{run.name} holds no stiffness of 3 × 3 entries")
+    compared = paper.is_pin(run)
     rows = []
     for label, i, j in paper.STIFFNESS_ENTRIES:
         reference = paper.STIFFNESS[i][j]
-        cells = [f"{1e-9 * matrix[i, j]:.2f} <small>({difference(matrix[i, j], reference)})</small>"
+        cells = [f"{1e-9 * matrix[i, j]:.2f}" + f" <small>({difference(matrix[i, j], reference)})</small>" * (compared and reference > 0)
                  for matrix in matrices.values()]
-        rows.append([label, f"{1e-9 * reference:.2f}", *cells])
+        rows.append([label] + [f"{1e-9 * reference:.2f}"] * compared + cells)
     shares = [f"{escape(phase.get('name'))} {100 * phase['volume_fraction']:.2f} %"
               for phase in run.summary.get("phases") or []
               if isinstance(phase, dict) and isinstance(phase.get("volume_fraction"), (int, float))]
@@ -124,16 +114,16 @@ def stiffness_table(page, run):
                        ("symmetry residual", "symmetry_residual")]:
         if run.number(key) is not None:
             extra.append(f"{words} {number(run.number(key), 2)}")
-    return (f"<h3>{escape(run.name)}</h3>" +
-            table(["GPa", "paper, eq. (10)", *matrices], rows) +
-            '<p class="lead">In brackets: difference from eq. (10). Theory orders SUBC ≤ PBC ≤ KUBC. ' +
-            "; ".join(extra) + "." * bool(extra) + "</p>")
+    extra.insert(0, "Theory orders SUBC ≤ PBC ≤ KUBC")
+    if compared:
+        extra.insert(0, "In brackets: difference from eq. (10)")
+    return (f"<h3>{escape(run.name)}</h3>" + table(["GPa"] + ["paper, eq. (10)"] * compared + list(matrices), rows) +
+            f'<p class="lead">{". ".join(extra)}.</p>')
 
 
 def morphology(page, chain):
     return page.figure(maps.morphology(chain),
-                       "Morphology of the composite (as the paper’s figure 3): the whole pin and, framed, "
-                       "the middle of the contact surface.")
+                       "Morphology of the composite: the whole body and, framed, the middle of the contact surface.")
 
 
 def rve_stress(page, run):
@@ -153,35 +143,36 @@ def snapshot(page, run, chain):
 
 
 def apparent_friction(page, runs, regime):
-    value, source = paper.APPARENT_FRICTION[regime]
+    value, _ = paper.APPARENT_FRICTION.get(regime, (None, None))
+    dashed = f" Dashed: the mean of the paper’s figure 6, {value}, regime {regime}." if value is not None else ""
     return page.figure(figures.apparent_friction(runs, value),
-                       "Apparent friction coefficient: tangential over normal force on the top, as the paper’s "
-                       f"figure 6 (dashed: its mean {value}, regime {regime}). Thick: mean over the steady part.")
+                       "Apparent friction coefficient: tangential over normal force on the top. Thick: mean over the "
+                       f"steady part.{dashed}")
 
 
 def friction_energy(page, runs):
     return page.figure(figures.friction_energy(runs),
                        "Frictional energy; its slope over the steady part (dashed) gives the global interface "
-                       "friction coefficient by eq. (9), as the paper’s figure 7.")
+                       "friction coefficient by eq. (9) of the paper.")
 
 
 def energy_balance(page, run):
     return page.figure(figures.energy_balance(run),
                        f"Energy balance of the {escape(run.label)} run. Every term comes from its own formula; "
-                       "below, what remains of the balance.")
+                       "below, the terms that are small beside it, and what "
+                       "remains of the balance.")
 
 
 def phase_diagram(page, runs):
     return page.figure(figures.phase_diagram(runs),
-                       "Mean phase diagram of the tangential motion of the reference node: the limit cycle, as "
-                       "the paper’s figure 5(b).")
+                       "Mean phase diagram of the tangential motion of the reference node.")
 
 
 def spectrum(page, runs, regime):
-    value, source = paper.MAIN_FREQUENCY[regime]
+    value, source = paper.MAIN_FREQUENCY.get(regime, (None, None))
+    dashed = f" Dashed: the paper’s main frequency ({source})." if value is not None else ""
     return page.figure(figures.spectrum(runs, value),
-                       "Amplitude spectrum of the tangential displacement of the reference node over the steady "
-                       f"part, as the paper’s figure 5(c); dashed: its main frequency ({source}).")
+                       f"Amplitude spectrum of the tangential displacement of the reference node over the steady part.{dashed}")
 
 
 def node_statistics(page, runs):
@@ -207,8 +198,10 @@ def localization(page, run):
     if rows:
         html += table(["probe", "stress", "mean, localized", "mean, direct", "std, localized", "std, direct",
                        "L2 difference"], rows, (0, 1))
-        html += ('<p class="lead">L2 difference relative to the direct signal. The paper: below 4 % for '
-                 "σ<sub>yy</sub>, 25 % at most for the others at the surface; mean and deviation within 5 %.</p>")
+        html += '<p class="lead">L2 difference: of the signals as they stand, relative to the direct one; it exceeds 100 % where '\
+                "the two runs are out of phase. Mean and standard deviation (std) do not depend on the phase."
+        html += (" The paper: L2 below 4 % for σ<sub>yy</sub>, 25 % at most for the others at the surface; mean and "
+                 "deviation within 5 %." if paper.is_pin(run) else "") + "</p>"
     for name in names[:6]:
         phase = listed.get(name, {}).get("phase")
         where = f", in the {escape(phase)}" if isinstance(phase, str) else ""
@@ -218,7 +211,7 @@ def localization(page, run):
         try:
             html += page.figure(figures.localized_stress(run, name),
                                 f"Stress at probe {escape(name)}{where}: localized against direct over the last "
-                                "periods, as the paper’s figures 14 and 15.")
+                                "periods. Two runs drift out of phase, so compare level and amplitude.")
         except Missing as missing:
             html += f'<p class="note">Left out: {escape(missing)}.</p>'
     return html
@@ -246,4 +239,4 @@ def mean_von_mises(page, run):
     figure, error = maps.mean_von_mises(run)
     words = f" Relative L2 difference: {100 * error:.1f} %." if error is not None else \
         " No direct run was compared."
-    return page.figure(figure, "Von Mises stress averaged over time, as the paper’s figure 16." + words)
+    return page.figure(figure, "Von Mises stress averaged over time." + words)

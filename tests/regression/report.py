@@ -99,6 +99,8 @@ def write_dynamics(folder, ids, heterogeneous):
         "/snapshots/time": np.array([5e-4, 1e-3]), "/snapshots/displacement": nodes}
     if heterogeneous:
         data["/material/phase_id"] = ids
+        data["/material/name"] = np.array([b"matrix", b"fibre"])
+        data["/material/stiffness"] = np.array([plane_strain(30e9), plane_strain(240e9)])
     write(folder, "dynamics.h5",
           {"program": "contact_dynamics", "version": "0.1.0", "dim": 2, "cells": [NX, NY], "analysis": "transient",
            "steps": 20000, "time_step": 5e-8, "critical_time_step": 7e-8, "simulated_time": 1e-3,
@@ -127,6 +129,40 @@ def write_localization(folder, ids):
           {"program": "stress_localization", "version": "0.1.0", "cells": [NX, NY], "seconds": {"total": 2.2},
            "peak_memory_bytes": 1.1e8, "probes": [{"name": "A", "phase": "fibre"}, {"name": "B", "phase": "matrix"}]},
           data, positions)
+
+
+def write_analyses(root):
+    """Modes, static contact, homogenized friction law: folders of runs without a history."""
+    x = np.linspace(0, 1, NX + 1)
+    shape = np.zeros((3, NY + 1, NX + 1, 2))
+    for k in range(3):
+        shape[k, ..., 0] = np.cos((k + 1) * np.pi * x)
+    modes = {"/modes/free/shape": shape, "/modes/free/frequency": np.array([39500.0, 41589.0, 6e4])}
+    modal = {"program": "contact_dynamics", "analysis": "modal", "frequencies": [39500.0, 41589.0, 6e4]}
+    static = {"program": "contact_dynamics", "analysis": "static contact",
+              "phase_contact_pressures": {"matrix": 0.33e6, "fibre": 2.1e6},
+              "phase_pressures_eq_19": {"matrix": 0.3e6, "fibre": 2.4e6}}
+    tractions = {"/static_contact/x": 0.056 * x, "/static_contact/pressure": 5e5 * (1 + x),
+                 "/static_contact/shear_traction": 1e5 * (1 + x)}
+    law = {"program": "contact_dynamics", "analysis": "friction homogenization", "mu_homo": 0.13482, "delta": 2.538e-6,
+           "estimates": [{"pressures": "static contact", "duration_of": "homogeneous", "mu_homo": 0.13482,
+                          "mean_contact_duration": 5.1e-5, "delta": 2.538e-6, "delta_calibrated": None}]}
+    write(os.path.join(root, "modal"), "modal.h5", modal, modes)
+    write(os.path.join(root, "static"), "dynamics.h5", static, tractions)
+    os.makedirs(os.path.join(root, "law"), exist_ok=True)
+    with open(os.path.join(root, "law", "summary.json"), "w", encoding="utf-8") as stream:
+        json.dump(law, stream)
+    return [os.path.join(root, name) for name in ("modal", "static", "law")]
+
+
+def write_foreign_body(source, target):
+    """The same chain for a body of another size, which is not the paper's."""
+    shutil.copytree(source, target)
+    for folder, _, names in os.walk(target):
+        for name in names:
+            if name.endswith(".h5"):
+                with h5py.File(os.path.join(folder, name), "r+") as file:
+                    file["grid"].attrs["spacing"] = [2 * H, 2 * H]
 
 
 def write_chain(root):
@@ -162,19 +198,30 @@ def main():
     try:
         if len(sys.argv) > 2:
             write_chain(sys.argv[2])
-        write_chain(root)
-        folders = [os.path.join(root, name) for name in ("rve", "homogeneous", "heterogeneous", "localization")]
+        write_chain(os.path.join(root, "chain"))
+        folders = [os.path.join(root, "chain", name) for name in ("rve", "homogeneous", "heterogeneous", "localization")]
 
         page = report(program, root, *folders)
         assert "Left out" not in page, re.findall("Left out[^<]*", page)
         assert page.count("<img") == 16, page.count("<img")
         assert "0.2190" in page and "−0.5 %" in page, "mu_inter 0.219 against 0.220"
         assert "36.90" in page and "(+1.0 %)" in page, "stiffness against eq. (10)"
-        assert report(program, root, root).count("<img") == 16, "a folder of folders"
+        assert report(program, root, os.path.join(root, "chain")).count("<img") == 16, "a folder of folders"
+
+        assert "Beside the paper" in page
+        own = os.path.join(root, "own")
+        write_foreign_body(os.path.dirname(folders[0]), own)
+        page = report(program, root, own)
+        assert page.count("<img") == 16 and "Left out" not in page
+        text = re.sub(r"data:image[^\"]*|<pre>.*?</pre>", "", page, flags=re.DOTALL)
+        assert "0.2190" in text and "36.90" in text
+        assert not re.search(r"0\.2200|36\.54|regime 1,|figure 6|L2 below|Beside", text), "the paper's numbers beside another body"
 
         for folder in folders:
             assert "Tension is positive" in report(program, root, folder)
-        assert "Left out" in report(program, root, folders[3]), "no morphology without an RVE"
+        assert "Morphology" not in report(program, root, folders[3]), "no morphology without an RVE"
+        page = report(program, root, folders[2])
+        assert page.count("<img") == 9 and "Left out" not in page, "a run alone has its own stiffnesses and phases"
 
         # Of an ensemble the means, in the heading and in the numbers; warnings of the runs.
         with open(os.path.join(folders[0], "summary.json"), "r+", encoding="utf-8") as stream:
@@ -194,11 +241,9 @@ def main():
         assert "Warning: T_G rests on 3 %." in report(program, root, folders[1])
 
         # Analyses without a history.
-        modal = {"program": "contact_dynamics", "analysis": "modal", "frequencies": [39500.0, 41589.0, 6e4]}
-        static = {"program": "contact_dynamics", "phase_contact_pressures": {"matrix": 0.33e6, "fibre": 2.1e6}}
-        write(os.path.join(root, "modal"), "dynamics.h5", modal, {})
-        write(os.path.join(root, "static"), "dynamics.h5", static, {})
-        page = report(program, root, os.path.join(root, "modal"), os.path.join(root, "static"))
+        page = report(program, root, *write_analyses(root))
+        assert "Left out" not in page and page.count("<img") == 2, "modes and tractions"
+        assert "0.1348" in page and "2.538 µs" in page, "the homogenized friction law"
         assert "41.59 kHz" in page and "41.58 kHz" in page, "the mode nearest to one of the paper's"
         assert "2.100 MPa" in page and "+5.0 %" in page, "contact pressure of the fibres, table 4"
 

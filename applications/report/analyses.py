@@ -1,0 +1,120 @@
+"""Sections and figures of the analyses without a history: modes, static contact, homogenized friction law."""
+
+import numpy as np
+
+from data import Missing
+from figures import BLUE, GREY, LENGTHS, ORANGE, STRESSES, WIDTH, above, panels, plt, scaled
+from page import escape, number, quantity, table
+
+BOTTOMS = [("free", "bottom free"), ("held", "bottom held in y")]
+
+
+def modes(page, run):
+    """Frequencies by boundary condition, and the shapes of the lowest."""
+    listed = run.summary.get("frequencies")
+    cases = listed if isinstance(listed, dict) else {"": listed}
+    cases = {name: values for name, values in cases.items() if isinstance(values, list) and values}
+    if not cases:
+        raise Missing(f"the summary of {run.name} holds no frequencies")
+    titles = dict(BOTTOMS)
+    rows = [[str(k + 1), *(quantity(float(values[k]), "Hz") if k < len(values) else "–" for values in cases.values())]
+            for k in range(max(len(values) for values in cases.values()))]
+    html = f"<h3>{escape(run.name)}</h3>" + table(["mode", *(titles.get(name, escape(name)) for name in cases)], rows)
+    if run.members("/modes"):
+        html += page.figure(mode_shapes(run), f"Lowest modes of {escape(run.name)}: the deformed body, coloured by the "
+                            "amplitude (blue: at rest, yellow: largest); the outline is the body at rest.")
+    return html
+
+
+def mode_shapes(run, shown=3):
+    extent = run.extent()
+    found = [(title, run.get(f"/modes/{name}/shape"), run.get(f"/modes/{name}/frequency")) for name, title in BOTTOMS]
+    found = [case for case in found if case[1] is not None and case[1].ndim == 4 and len(case[1])]
+    if not found or extent is None:
+        raise Missing(f"{run.name} holds no shapes of modes")
+    rows = min(shown, max(len(shape) for _, shape, _ in found))
+    ratio = (extent[3] - extent[2]) / (extent[1] - extent[0])
+    figure, axes = plt.subplots(rows, len(found), figsize=(WIDTH, rows * (0.35 + 1.15 * ratio * WIDTH / len(found)) + 0.4),
+                                squeeze=False)
+    for column, (title, shapes, frequencies) in zip(axes.T, found):
+        for k, axis in enumerate(column):
+            axis.axis("off")
+            if k < len(shapes):
+                _draw_shape(axis, shapes[k], extent)
+                axis.set_title(f"{title}: {1e-3 * frequencies[k]:.2f} kHz", fontsize=10, loc="left")
+    return figure
+
+
+def _draw_shape(axis, shape, extent, lines=60):
+    """One mode; at most about `lines` nodes a side are drawn."""
+    step = max(1, max(shape.shape[:2]) // lines)
+    pick = [np.unique(np.append(np.arange(0, n, step), n - 1)) for n in shape.shape[:2]]
+    u = shape[np.ix_(*pick)]
+    x = extent[0] + (extent[1] - extent[0]) * pick[1] / (shape.shape[1] - 1)
+    y = extent[2] + (extent[3] - extent[2]) * pick[0] / (shape.shape[0] - 1)
+    size = np.linalg.norm(u, axis=-1)
+    scale = 0.07 * (extent[1] - extent[0]) / (size.max() or 1.0)
+    x, y = np.meshgrid(x, y)
+    axis.pcolormesh(x + scale * u[..., 0], y + scale * u[..., 1], size, shading="gouraud", cmap="viridis", rasterized=True)
+    axis.plot([extent[i] for i in (0, 1, 1, 0, 0)], [extent[i] for i in (2, 2, 3, 3, 2)], color=GREY, lw=0.8, ls=":")
+    axis.set_aspect("equal")
+
+
+def static_contact(page, run):
+    """Pressures of the phases, the friction that follows, and both tractions along the contact."""
+    summary = run.summary
+    eq_19 = summary.get("phase_pressures_eq_19") if isinstance(summary.get("phase_pressures_eq_19"), dict) else {}
+    pressures = summary.get("phase_contact_pressures")
+    pressures = pressures if isinstance(pressures, dict) else {}
+    rows = [[f"Contact pressure, {escape(name)}", _pascal(value), _pascal(eq_19.get(name))] for name, value in pressures.items()]
+    mu = summary.get("homogenized_friction_coefficient")
+    if isinstance(mu, dict):
+        rows.append(["Homogenized friction coefficient", number(mu.get("static_contact")), number(mu.get("eq_19"))])
+    html = f"<h3>{escape(run.name)}</h3>"
+    if rows:
+        html += table(["", "this analysis", "eq. (19)"], rows)
+    nodes = summary.get("nodes")
+    if isinstance(nodes, dict):
+        html += f'<p class="lead">Contact nodes: {", ".join(f"{escape(k)} {number(v)}" for k, v in nodes.items())}.</p>'
+    if run.members("/static_contact"):
+        html += page.figure(contact_tractions(run), f"Static contact of {escape(run.name)}: pressure and shear traction along "
+                            "the contact. Thin: of the nodes; thick: mean of a node and its neighbours.")
+    if not rows and not run.members("/static_contact"):
+        raise Missing(f"{run.name} holds no static contact")
+    return html
+
+
+def _pascal(value):
+    return quantity(value, "Pa") if isinstance(value, (int, float)) else "–"
+
+
+def contact_tractions(run):
+    x, pressure, shear = run.need(*(f"/static_contact/{name}" for name in ("x", "pressure", "shear_traction")))
+    factor, unit = scaled(pressure, shear, units=STRESSES)
+    figure, (axes,) = panels(1, 3.3)
+    for values, label, c in ((pressure, "pressure", BLUE), (np.abs(shear), "|shear traction|", ORANGE)):
+        smooth = np.convolve(np.pad(values, 1, mode="edge"), [0.25, 0.5, 0.25], mode="valid")
+        axes.plot(1e3 * x, values / factor, color=c, lw=0.5, alpha=0.6)
+        axes.plot(1e3 * x, smooth / factor, color=c, lw=1.8, label=label)
+    axes.set(xlabel="position along the contact in mm", ylabel=f"traction in {unit}", ylim=(0, None))
+    axes.margins(x=0)
+    above(axes)
+    return figure
+
+
+def friction_law(page, run):
+    """All estimates of mu_homo and delta; the proposed pair first."""
+    summary = run.summary
+    head = "; ".join(f"{words} {text}" for words, text in (
+        ("proposed μ<sub>homo</sub> =", number(summary.get("mu_homo")) if run.number("mu_homo") is not None else ""),
+        ("δ =", quantity(run.number("delta"), "s") if run.number("delta") is not None else "")) if text)
+    rows = []
+    for entry in summary["estimates"]:
+        if isinstance(entry, dict):
+            rows.append([escape(entry.get("pressures", "–")), escape(entry.get("duration_of", "–")), number(entry.get("mu_homo")),
+                         *(quantity(entry.get(key), "s") if entry.get(key) is not None else "–"
+                           for key in ("mean_contact_duration", "delta", "delta_calibrated"))])
+    html = f"<h3>{escape(run.name)}</h3>" + (f"<p>{head[0].upper() + head[1:]}.</p>" if head else "")
+    html += table(["pressures from", "T<sub>G</sub> of", "μ<sub>homo</sub>", "T<sub>G</sub>", "δ", "δ, calibrated"], rows, (0, 1))
+    warning = summary.get("delta_warning")
+    return html + (f'<p class="note">Warning: {escape(warning)}.</p>' if isinstance(warning, str) else "")
