@@ -14,6 +14,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -169,6 +170,9 @@ int run_program(int argc, char **argv, const Program &program)
 {
   try
     {
+      // Without mpirun Open MPI starts a daemon of its own, for ranks that are spawned:
+      // a quarter of the time to start, and it outlives a run that is killed.
+      ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
       // Its destructor gives up when it sees an exception: none passes this line.
       dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
       dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
