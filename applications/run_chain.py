@@ -4,11 +4,13 @@
 A folder holds files such as 10-rve_homogenization.prm and 20-contact_dynamics-homogeneous.prm: the name
 contains the program, the order is that of the names. All files are copied to the results folder; the
 output of NAME.prm goes to NAME/ beside it, so that a later file reads NAME/rve.h5. What is up to date is
-skipped; runs that do not need one another go side by side. At the end stands report.html.
+skipped; runs that do not need one another go side by side. At the end stands report.html, and one of what is
+there already as soon as a core is idle.
 """
 
 import argparse
 import concurrent.futures
+import functools
 import hashlib
 import os
 import shutil
@@ -89,8 +91,8 @@ def copy_inputs(source, target):
 class Runner:
     """Runs the steps of a chain in the order of their needs, several at a time."""
 
-    def __init__(self, steps, jobs, ranks, resume):
-        self.steps, self.jobs, self.ranks = steps, jobs, ranks
+    def __init__(self, steps, jobs, ranks, resume, preview=None):
+        self.steps, self.jobs, self.ranks, self.preview = steps, jobs, ranks, preview
         self.resume = resume
         self.lock = threading.Lock()
         self.children = []
@@ -121,7 +123,7 @@ class Runner:
         return status
 
     def run(self):
-        waiting, done, running, worst = list(self.steps), set(), {}, 0
+        waiting, done, running, worst, shown = list(self.steps), set(), {}, 0, None
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
             try:
                 while waiting or running:
@@ -141,6 +143,8 @@ class Runner:
                         if worst or not any(all(n.name in done for n in s.needs) for s in waiting):
                             break
                         continue
+                    if self.preview and done and waiting and worst == 0 and len(running) < self.jobs and (shown is None or shown.done()):
+                        shown = pool.submit(self.preview)
                     finished, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
                     for future in finished:
                         step, status = running.pop(future), future.result()
@@ -157,14 +161,14 @@ class Runner:
         return worst
 
 
-def write_report(steps, target):
+def write_report(steps, target, words="Report"):
     script = os.path.join(HERE, "report", "make_report.py")
     page = os.path.join(target, "report.html")
     folders = [s.output for s in steps if os.path.exists(os.path.join(s.output, "summary.json"))]
     if not folders or not os.path.exists(script):
         return 0
     status = subprocess.call([sys.executable, script, "--output", page, *folders])
-    print(f"Report: {page}" if status == 0 else f"run.sh: the report could not be written to {page}")
+    print(f"{words}: {page}" if status == 0 else f"run.sh: the report could not be written to {page}")
     return status
 
 
@@ -218,9 +222,11 @@ def main():
         step.find_needs(steps)
         step.compute_stamp(data_files)
         steps.append(step)
-    status = Runner(steps, arguments.jobs, arguments.ranks, arguments.resume).run()
-    if not arguments.no_report:
-        status = status or write_report(steps, target)
+    report = None if arguments.no_report else functools.partial(write_report, steps, target)
+    preview = report and functools.partial(report, "Report so far")
+    status = Runner(steps, arguments.jobs, arguments.ranks, arguments.resume, preview).run()
+    if report:
+        status = status or report()
     sys.exit(status)
 
 

@@ -67,12 +67,13 @@ def above(axes, entries=None, columns=3):
 
 def apparent_friction(runs, paper_value=None):
     figure, (whole, zoom) = panels(2, 5.2)
-    drawn = 0
-    for run in runs:
-        time, friction = run.get("/history/time"), run.get("/history/apparent_friction")
-        if time is None or friction is None or not len(time):
-            continue
-        drawn += 1
+    series = [(run, run.get("/history/time"), run.get("/history/apparent_friction")) for run in runs]
+    series = [(run, time, friction) for run, time, friction in series
+              if time is not None and friction is not None and len(time)]
+    if not series:
+        raise Missing("/history/apparent_friction is in none of the dynamics files")
+    end = min(time[-1] for _, time, _ in series)  # of the shortest run
+    for run, time, friction in series:
         c = colour(runs, run)
         x, y = thinned(time, friction)
         whole.plot(1e3 * x, y, color=c, lw=0.7, alpha=0.75, label=run.label)
@@ -81,18 +82,16 @@ def apparent_friction(runs, paper_value=None):
         if mean is not None:
             whole.plot([1e3 * start, 1e3 * time[-1]], [mean, mean], color=c, lw=3, alpha=0.9,
                        solid_capstyle="butt", path_effects=_halo())
-        begin = np.searchsorted(time, zoom_window(run, time[-1]))
-        x, y = thinned(time[begin:], friction[begin:])
+        begin, stop = np.searchsorted(time, [zoom_window(run, end), np.nextafter(end, np.inf)])
+        x, y = thinned(time[begin:stop], friction[begin:stop])
         zoom.plot(1e3 * x, y, color=c, label=run.label)
-    if not drawn:
-        raise Missing("/history/apparent_friction is in none of the dynamics files")
     for axes in (whole, zoom):
         if paper_value is not None:
             axes.axhline(paper_value, color=BLACK, lw=1.2, ls="--", label="mean in the paper")
         axes.set_ylabel(r"$\mu_\mathrm{app}$")
         axes.margins(x=0)
     zoom.set_xlabel("time in ms")
-    zoom.set_title("last periods", loc="left", color=GREY)
+    zoom.set_title("last periods" if len(series) == 1 else "last periods of the shorter run", loc="left", color=GREY)
     above(whole)
     return figure
 

@@ -6,7 +6,7 @@ import os
 import h5py
 import numpy as np
 
-from common import prm
+from common import FROM_REST, prm
 from fits import fitted_order
 from plots import COLOURS, curve, legend, logarithmic, panels
 
@@ -28,7 +28,8 @@ def run(bench):
             add(study, f"{kind}-{ratio}", "homogeneous", ratio)
             study.add(f"{kind}-localized-{ratio}", "stress_localization", prm("pin/40-stress_localization.prm"), {
                 "Input/RVE file": "{rve}/rve.h5", "Input/Homogeneous run": "{%s-%d}/dynamics.h5" % (kind, ratio),
-                "Input/Direct run": "{%s-direct}/dynamics.h5" % kind, "Window/From": 0, "Probes/Of the run": ""})
+                "Input/Direct run": "{%s-direct}/dynamics.h5" % kind, "Window/From": 0, "Window/To": "auto",
+                "Probes/Of the run": ""})
     results = study.run()
     rows = [row_of(results, kind, ratio) for kind in kinds for ratio in ratios]
     bench.write("localization", rows, "relative L2 error of the mean von Mises stress and of sigma_yy, localized against direct; "
@@ -44,7 +45,7 @@ def add_static(study, name, material, ratio):
 
 def add_sliding(study, name, material, ratio):
     file = "20-contact_dynamics-homogeneous" if material == "homogeneous" else "30-contact_dynamics-heterogeneous"
-    study.add(name, "contact_dynamics", prm(f"pin/{file}.prm"), {
+    study.add(name, "contact_dynamics", prm(f"pin/{file}.prm"), FROM_REST | {
         "Body/RVE file": "{rve}/rve.h5", "Body/Cells": [n // ratio for n in CELLS], "Time/End time": END,
         "Snapshots/From": FIRST, "Snapshots/Interval": INTERVAL, "Observation/Probe interval": PROBES})
 

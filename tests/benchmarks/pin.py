@@ -7,14 +7,14 @@ import h5py
 import numpy as np
 
 import pin_diagrams
-from common import prm
+from common import FROM_REST, prm
 from fits import block_rates, cheapest, half_width, main_frequency
 
 END, FROM = 3e-3, 2e-3  # s; high modes grow until about 1 ms and settle until about 1.5 ms
 # Blocks of time for the scatter. Two modes at 124 and 120 kHz beat with 4.0 kHz: a block is one beat; shorter ones would
 # take the beat for scatter.
 BLOCKS = 4
-PRESSURE, VELOCITY, WIDTH = 5e6, 2.0, 0.056
+PRESSURE, VELOCITY, WIDTH = FROM_REST["Top/Pressure"], 2.0, 0.056
 SEEDS = (1, 2, 3)
 FULL = {"homogeneous": (0.4, 0.2, 0.1, 0.05), "heterogeneous": (0.1,)}
 RAMPS = (1e-5, 2e-5, 5e-5, 1e-4)  # s, of the pressure: other starts of the same motion
@@ -47,7 +47,7 @@ def starts():
 def add_case(study, name, material, h, seed, more):
     n = round(0.4 / h)
     file = "20-contact_dynamics-homogeneous" if material == "homogeneous" else "30-contact_dynamics-heterogeneous"
-    study.add(name, "contact_dynamics", prm(f"pin/{file}.prm"), {
+    study.add(name, "contact_dynamics", prm(f"pin/{file}.prm"), FROM_REST | {
         "Body/RVE file": "{rve-%d}/rve.h5" % seed, "Body/Cells": [140 * n, 40 * n], "Time/End time": END,
         "Snapshots/Interval": 0, "Observation/Probe interval": 1000, "Observation/Blocks": 300, **more})
 
