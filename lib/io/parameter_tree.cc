@@ -42,7 +42,7 @@ void RawParameters::apply(dealii::ParameterHandler &prm) const
         }
       catch (const dealii::ExceptionBase &)
         {
-          throw UserError(origin(entry) + ": " + "'" + entry.path + "' is '" + value +
+          throw UserError(origin(entry) + ": " + entry.path + " is '" + value +
                           "' but must be " + pattern_in_words(key->allowed));
         }
     }

@@ -50,7 +50,7 @@ Number number(dealii::ParameterHandler &prm, const std::string &key)
   const std::string text = trimmed(raw_value(prm, key));
   Number value;
   if (!parse_number(text, value))
-    throw UserError("'" + full_key(prm, key) + "' is '" + text +
+    throw UserError(full_key(prm, key) + " is '" + text +
                     "', which is not a number");
   return value;
 }
@@ -125,7 +125,7 @@ std::vector<double> get_double_list(dealii::ParameterHandler &prm, const std::st
     if (double value; parse_number(item, value))
       values.push_back(value);
     else
-      throw UserError("'" + full_key(prm, key) + "' holds '" + item +
+      throw UserError(full_key(prm, key) + " holds '" + item +
                       "', which is not a number");
   return values;
 }
@@ -137,7 +137,7 @@ std::vector<long> get_integer_list(dealii::ParameterHandler &prm, const std::str
     if (long value; parse_number(item, value))
       values.push_back(value);
     else
-      throw UserError("'" + full_key(prm, key) + "' holds '" + item +
+      throw UserError(full_key(prm, key) + " holds '" + item +
                       "', which is not a whole number");
   return values;
 }
@@ -148,11 +148,11 @@ std::string get_input_file(dealii::ParameterHandler &prm,
 {
   const std::string path = raw_value(prm, key);
   if (path.empty())
-    throw UserError("'" + full_key(prm, key) + "' is empty, but a file is needed here" +
+    throw UserError(full_key(prm, key) + " is empty, but a file is needed here" +
                     (hint.empty() ? "" : "; " + hint));
   const std::string absolute =
     std::filesystem::absolute(path).lexically_normal().string();
-  require_readable_file("'" + full_key(prm, key) + "': ", absolute, hint);
+  require_readable_file(full_key(prm, key) + ": ", absolute, hint);
   return absolute;
 }
 } // namespace mesoslip

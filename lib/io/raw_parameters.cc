@@ -144,7 +144,7 @@ private:
     const std::string path = prefix() + key;
     for (const RawParameters::Entry &entry : entries)
       if (entry.path == path)
-        fail("'" + path + "' is set again; line " + std::to_string(entry.line) +
+        fail(path + " is set again; line " + std::to_string(entry.line) +
              " has set it already");
     entries.push_back({path, trimmed(raw.substr(equals + 1)), first_line});
   }

@@ -45,11 +45,11 @@ void GridParameters::check() const
     {
       n *= cells[d];
       if (!(size[d] > 0.) || !std::isfinite(size[d]))
-        throw UserError("'Grid/Size': " + to_text(size[d]) +
+        throw UserError("Grid/Size: " + to_text(size[d]) +
                         " m is not the size of a box; give two positive lengths");
     }
   if (!(n >= 1. && n < 2147483648.))
-    throw UserError("'Grid/Cells': " + to_text(n) +
+    throw UserError("Grid/Cells: " + to_text(n) +
                     " cells are none or too many; there may be up to 2^31");
 }
 

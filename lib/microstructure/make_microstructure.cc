@@ -18,7 +18,7 @@ Microstructure read_microstructure(const MicrostructureParameters &p)
 {
   const UniformGrid<2> grid = p.grid.grid();
   const auto n_phases       = static_cast<unsigned int>(p.phases.phases.size());
-  require_readable_file("'Microstructure/File': ", p.file,
+  require_readable_file("Microstructure/File: ", p.file,
                         p.type == Type::image ? "it has to name an image"
                                               : "it has to name a list of rectangles");
   Microstructure result;
@@ -56,7 +56,7 @@ std::vector<std::string> rounding_warnings(const FibrePlacement &p,
   std::vector<std::string> warnings;
   const auto look = [&](const char *key, const double length, const double h) {
     if (!is_multiple(length, h))
-      warnings.push_back("'" + fibres_name + "/" + key + "': " + to_text(length) +
+      warnings.push_back(fibres_name + "/" + key + ": " + to_text(length) +
                          " m is no multiple of the cell, " + to_text(h) + " m; " +
                          (p.align_to_grid ? "it is rounded to " +
                                               to_text(std::round(length / h) * h) + " m"
@@ -84,7 +84,7 @@ Microstructure place_microstructure(const MicrostructureParameters &p)
   result.warnings = rounding_warnings(rules, placement_grid);
   if (!placed.target_reached)
     result.warnings.push_back(
-      "'" + fibres_name + "/Area fraction': " + percent(rules.area_fraction) +
+      fibres_name + "/Area fraction: " + percent(rules.area_fraction) +
       " asked for, " + percent(placed.reached_fraction(rules.fraction_rule)) +
       " reached with " + std::to_string(placed.fibres.size()) +
       " fibres; no further one fits in under these rules");

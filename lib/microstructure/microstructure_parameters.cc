@@ -70,7 +70,7 @@ bool is_multiple(const double length, const double unit)
 
 [[noreturn]] void fail(const std::string &key, const std::string &what)
 {
-  throw UserError("'" + fibres_name + "/" + key + "': " + what);
+  throw UserError(fibres_name + "/" + key + ": " + what);
 }
 
 void check_placement_spacing(const MicrostructureParameters &p)
@@ -137,7 +137,7 @@ void check_image_values(const MicrostructureParameters &p)
   const std::set<long> distinct(p.image_values.begin(), p.image_values.end());
   if (!p.image_values.empty() && (distinct.size() != p.image_values.size() ||
                                   p.image_values.size() != p.phases.phases.size()))
-    throw UserError("'" + section_name + "/Image values': there are " +
+    throw UserError(section_name + "/Image values: there are " +
                     std::to_string(distinct.size()) + " different values for " +
                     std::to_string(p.phases.phases.size()) +
                     " phases; give one value for each of Phases/Names");
@@ -230,7 +230,7 @@ unsigned int MicrostructureParameters::fibre_phase_index() const
   if (!fibre_phase.empty())
     return phases.index_of(fibre_phase, fibres_name + "/Phase");
   if (phases.phases.size() < 2)
-    throw UserError("'Phases/Names': there is only one phase; name a second one for the "
+    throw UserError("Phases/Names: there is only one phase; name a second one for the "
                     "fibres, or choose the homogeneous microstructure");
   return 1;
 }

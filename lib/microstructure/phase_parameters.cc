@@ -175,11 +175,11 @@ void PhaseParameters::parse(dealii::ParameterHandler &prm)
     {
       if (!is_valid_name(name))
         throw UserError(
-          "'Phases/Names': '" + name +
+          "Phases/Names: '" + name +
           "' cannot be the name of a phase; use letters, digits and blanks");
       if (std::any_of(phases.begin(), phases.end(),
                       [&](const SinglePhaseParameters &p) { return p.name == name; }))
-        throw UserError("'Phases/Names': there are two phases named '" + name +
+        throw UserError("Phases/Names: there are two phases named '" + name +
                         "'; rename one");
       const ParameterSection subsection(prm, name);
       phases.push_back(parse_phase(prm, name));
@@ -189,7 +189,7 @@ void PhaseParameters::parse(dealii::ParameterHandler &prm)
 void PhaseParameters::check() const
 {
   if (phases.empty() || phases.size() > 256)
-    throw UserError("'Phases/Names': there are " + std::to_string(phases.size()) +
+    throw UserError("Phases/Names: there are " + std::to_string(phases.size()) +
                     " phases; name 1 to 256");
   for (const SinglePhaseParameters &phase : phases)
     phase.check();
@@ -213,7 +213,7 @@ unsigned int PhaseParameters::index_of(const std::string &name,
         return i;
       names.push_back(phases[i].name);
     }
-  throw UserError("'" + key + "': there is no phase '" + name + "'; 'Phases/Names' has " +
+  throw UserError(key + ": there is no phase '" + name + "'; Phases/Names has " +
                   to_text(names));
 }
 

@@ -77,7 +77,7 @@ TEST(Parameters, ReadsWhatIsSet)
   EXPECT_EQ(get_string(prm, "Image file"), "/some/where/a/b.png");
   expect_contains(
     user_error([&]() { get_input_file(prm, "Image file", "draw it"); }),
-    "'Input/Deep/Image file': there is no file /some/where/a/b.png; draw it");
+    "Input/Deep/Image file: there is no file /some/where/a/b.png; draw it");
   EXPECT_THROW(get_double(prm, "Undeclared"), std::logic_error);
 }
 
@@ -138,14 +138,14 @@ TEST(Parameters, NamesWhatIsWrong)
   expect_contains(error_of("subsection Time step\nset Zzzzzzzzz = 1\nend"),
                   "the keys here are Fraction, Size, Output");
   expect_contains(error_of("set Cells = 1\n\nset Cells = 2"),
-                  "run.prm:3: 'Cells' is set again; line 1 has set it already");
+                  "run.prm:3: Cells is set again; line 1 has set it already");
   expect_contains(error_of("set Cells = 0"),
-                  "run.prm:1: 'Cells' is '0' but must be a whole number in [1, 1000]");
+                  "run.prm:1: Cells is '0' but must be a whole number in [1, 1000]");
   expect_contains(error_of("set Cells = 3.5"), "whole number");
-  expect_contains(error_of("set Cells ="), "'Cells' is ''");
+  expect_contains(error_of("set Cells ="), "Cells is ''");
   for (const std::string value : {"0", "1.0001", "nan", "inf", "0.5 m", "0,5", "1e999"})
     expect_contains(error_of("subsection Time step\nset Fraction = " + value + "\nend"),
-                    "run.prm:2: 'Time step/Fraction' is '" + value +
+                    "run.prm:2: Time step/Fraction is '" + value +
                       "' but must be a number in (0, 1]");
   expect_contains(error_of("subsection Time step\nset Output = 1\nend"),
                   "2 to 3 comma separated numbers > 0");

@@ -120,7 +120,7 @@ TEST(CommandLineTest, ARunLeavesItsPapers)
   EXPECT_EQ(run(folder, "in/b.prm").status, 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "output/b/summary.json"));
   expect_user_error(run(folder, "in/b.prm --set 'Input/Image file=x.png'"),
-                    "'Input/Image file': there is no file " + folder.path +
+                    "Input/Image file: there is no file " + folder.path +
                       "/x.png; draw one first");
   std::ofstream(folder / "file") << "x";
   expect_user_error(run(folder, "in/b.prm --output file"), "exists and is not a folder");
