@@ -150,7 +150,7 @@ def energy_balance(run):
     _energies(axes[0], time, parts, "energy")
     above(axes[0], columns=4)
     if small:
-        _energies(axes[1], time, small, "the small\nones")
+        _energies(axes[1], time, small, "small ones")
     if residual is not None and len(residual) == len(time):
         x, y = thinned(time, np.abs(residual) / top)
         axes[-1].semilogy(1e3 * x, np.where(y > 0, y, np.nan), color=GREY, lw=1)
@@ -167,7 +167,7 @@ def _energies(axes, time, parts, name):
     factor, unit = scaled(*[values for _, values, _ in parts], units=POWERS_OF_J)
     for label, values, c in parts:
         axes.plot(*_scale(*thinned(time, values), 1e3, 1 / factor), color=c, label=label)
-    axes.set_ylabel(f"{name} in {unit}")
+    axes.set_ylabel(f"{name}\nin {unit}")
 
 
 def phase_diagram(runs):
@@ -261,13 +261,20 @@ def contact_map(run):
     rgb = [np.array(matplotlib.colors.to_rgb(c)) for c in (SLIP, STICK, SEPARATED)]
     image = sum(np.clip(np.nan_to_num(share), 0, 1)[..., None] * c
                 for share, c in zip((slip, stick, separated), rgb))
-    figure, (axes,) = panels(1, 3.7)
     first = time[0] - (time[1] - time[0]) if len(time) > 1 else 0.0
-    axes.imshow(np.clip(image, 0, 1).transpose(1, 0, 2), origin="lower", aspect="auto",
-                extent=[1e3 * first, 1e3 * time[-1], bottom, top], interpolation="nearest")
-    axes.grid(False)
-    axes.set(xlabel="time in ms", ylabel="position in mm" if x is not None else "contact node")
-    above(axes, STATES)
+    begin = zoom_window(run, time[-1])
+    n_panels = 2 if np.count_nonzero(time > begin) >= 24 else 1
+    figure, axes = panels(n_panels, 0.9 + 2.6 * n_panels)
+    for axis in axes:
+        axis.imshow(np.clip(image, 0, 1).transpose(1, 0, 2), origin="lower", aspect="auto",
+                    extent=[1e3 * first, 1e3 * time[-1], bottom, top], interpolation="nearest")
+        axis.grid(False)
+        axis.set_ylabel("position in mm" if x is not None else "contact node")
+    if n_panels > 1:
+        axes[1].set_xlim(1e3 * begin, 1e3 * time[-1])
+        axes[1].set_title("last periods", loc="left", color=GREY)
+    axes[-1].set_xlabel("time in ms")
+    above(axes[0], STATES)
     return figure
 
 
