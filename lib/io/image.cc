@@ -21,6 +21,23 @@ bool is_png(const std::string &bytes)
   return bytes.size() >= 8 && std::memcmp(bytes.data(), signature, 8) == 0;
 }
 
+/** Many programs write an alpha channel even where nothing is transparent. */
+void require_opaque(const std::string &path, const std::string &bytes)
+{
+  png_image png = {};
+  png.version   = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, void (*)(png_image *)> guard(&png, png_image_free);
+  png_image_begin_read_from_memory(&png, bytes.data(), bytes.size());
+  png.format = PNG_FORMAT_GA;
+  std::vector<unsigned char> pixels(PNG_IMAGE_SIZE(png));
+  if (png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr) == 0)
+    throw UserError(path + ": this PNG is damaged or truncated (" + png.message + ")");
+  for (std::size_t i = 1; i < pixels.size(); i += 2)
+    if (pixels[i] != 255)
+      throw UserError(path + " has transparent pixels, which belong to no phase; save it "
+                             "without transparency");
+}
+
 /** All pixels as bytes R, G, B, the top row first. */
 std::vector<unsigned char>
 decode_png(const std::string &path, const std::string &bytes, Image &image)
@@ -31,9 +48,7 @@ decode_png(const std::string &path, const std::string &bytes, Image &image)
   const std::unique_ptr<png_image, void (*)(png_image *)> guard(&png, png_image_free);
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
     throw UserError(path + ": this PNG cannot be read (" + png.message + ")");
-  if ((png.format & PNG_FORMAT_FLAG_ALPHA) != 0)
-    throw UserError(path + " has a transparency channel, which means no phase; save it "
-                           "without");
+  const bool has_alpha = (png.format & PNG_FORMAT_FLAG_ALPHA) != 0;
   if ((png.format & PNG_FORMAT_FLAG_LINEAR) != 0)
     throw UserError(path + " has 16 bits a channel; save it with 8");
   png.format   = PNG_FORMAT_RGB;
@@ -42,6 +57,8 @@ decode_png(const std::string &path, const std::string &bytes, Image &image)
   std::vector<unsigned char> pixels(PNG_IMAGE_SIZE(png));
   if (png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr) == 0)
     throw UserError(path + ": this PNG is damaged or truncated (" + png.message + ")");
+  if (has_alpha)
+    require_opaque(path, bytes);
   return pixels;
 }
 

@@ -77,14 +77,14 @@ TEST(Tables, NameWhatIsWrong)
 namespace
 {
 void write_png(const std::string &path,
-               const bool colour,
+               const png_uint_32 format,
                const std::vector<png_byte> &pixels)
 {
   png_image png = {};
   png.version   = PNG_IMAGE_VERSION;
   png.width     = 3;
   png.height    = 2;
-  png.format    = colour ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
+  png.format    = format;
   ASSERT_NE(png_image_write_to_file(&png, path.c_str(), 0, pixels.data(), 0, nullptr), 0);
 }
 } // namespace
@@ -92,7 +92,7 @@ void write_png(const std::string &path,
 TEST(Images, BeginAtTheBottom)
 {
   const TemporaryFolder folder;
-  write_png(folder / "g.png", false, {0, 128, 255, 7, 7, 255});
+  write_png(folder / "g.png", PNG_FORMAT_GRAY, {0, 128, 255, 7, 7, 255});
   Image image = read_image(folder / "g.png");
   EXPECT_EQ(image.width, 3u);
   EXPECT_EQ(image.height, 2u);
@@ -100,11 +100,16 @@ TEST(Images, BeginAtTheBottom)
   EXPECT_EQ(image(1, 1), 128);
   EXPECT_EQ(image.distinct_values(), (std::vector<int>{0, 7, 128, 255}));
 
-  write_png(folder / "c.png", true,
+  write_png(folder / "c.png", PNG_FORMAT_RGB,
             {255, 0, 0, 0, 0, 255, 1, 1, 1, 255, 0, 0, 255, 0, 0, 0, 1, 0});
   image = read_image(folder / "c.png");
   EXPECT_EQ(image.values, (std::vector<int>{0xff0000, 0xff0000, 0x000100, 0xff0000,
                                             0x0000ff, 0x010101}));
+
+  write_png(folder / "a.png", PNG_FORMAT_GA,
+            {0, 255, 128, 255, 255, 255, 7, 255, 7, 255, 9, 255});
+  image = read_image(folder / "a.png");
+  EXPECT_EQ(image.values, (std::vector<int>{7, 7, 9, 0, 128, 255}));
 
   write_file(folder / "t.txt", "# phases\n1 2 3\n\n4,5, -6 # bottom\n");
   image = read_image(folder / "t.txt");
@@ -124,7 +129,11 @@ TEST(Images, NameWhatIsWrong)
   expect_contains(message("1 2\n1 x\n"), "i.txt:2: value 2 is 'x'");
   expect_contains(message("1 2.5\n"), "i.txt:1: value 2 is '2.5'");
   expect_contains(message("# nothing\n"), "is empty");
-  write_png(folder / "g.png", false, {0, 128, 255, 7, 7, 255});
+  write_png(folder / "g.png", PNG_FORMAT_GRAY, {0, 128, 255, 7, 7, 255});
+  write_png(folder / "a.png", PNG_FORMAT_GA,
+            {0, 255, 9, 255, 9, 255, 7, 255, 7, 255, 9, 254});
+  expect_contains(user_error([&]() { read_image(folder / "a.png"); }),
+                  "has transparent pixels");
   const std::string png = read_file(folder / "g.png");
   expect_contains(message(png.substr(0, png.size() / 2)), "i.txt");
   expect_contains(message(png.substr(1)), "neither a PNG nor a text file");
@@ -244,8 +253,10 @@ TEST(Records, GoOnFromAnyOfThem)
     expect_contains(user_error([&]() { file.read(3); }), "r.part: cannot be read");
   }
   EXPECT_EQ(std::filesystem::file_size(path), 3 * 3 * sizeof(double));
-  expect_contains(user_error([&]() { RecordFile(path, 3, 4); }), "fewer than the 4 records");
-  expect_contains(user_error([&]() { RecordFile(folder / "none", 3, 1); }), "cannot be opened");
+  expect_contains(user_error([&]() { RecordFile(path, 3, 4); }),
+                  "fewer than the 4 records");
+  expect_contains(user_error([&]() { RecordFile(folder / "none", 3, 1); }),
+                  "cannot be opened");
 }
 
 TEST(Archives, SayWhenTheyAreDamaged)
@@ -254,7 +265,8 @@ TEST(Archives, SayWhenTheyAreDamaged)
   const std::string state = save_state(values);
   load_state(state, back, "file");
   EXPECT_EQ(back, values);
-  for (const std::string &bytes : {std::string(), state.substr(0, 30), state.substr(0, 200)})
+  for (const std::string &bytes :
+       {std::string(), state.substr(0, 30), state.substr(0, 200)})
     EXPECT_EQ(user_error([&]() { load_state(bytes, back, "file"); }),
               "file is damaged: the state in it cannot be read");
 }
