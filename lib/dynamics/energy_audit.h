@@ -3,6 +3,7 @@
 
 #include "dynamics/step_observer.h"
 #include "elasticity/explicit_stepper.h"
+#include "elasticity/row_partition.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "grid/nodal_field.h"
 
@@ -103,7 +104,8 @@ public:
   serialize(Archive &archive, const unsigned int)
   {
     // What is u_(n-1) for the next sample.
-    archive &(interval == 1 ? u_now : u_before) & (interval == 1 ? w_now : w_before);
+    serialize_own_rows(archive, interval == 1 ? u_now : u_before, op.rows());
+    serialize_own_rows(archive, interval == 1 ? w_now : w_before, op.rows());
     archive &last_scheme &last_damping &sum_scheme &sum_damping &samples;
   }
 

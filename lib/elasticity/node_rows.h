@@ -5,7 +5,7 @@ namespace mesoslip
 {
 /**
  * The node rows of a uniform grid that one rank works on: it owns [begin, end) of the
- * rows 0..n_global-1 and stores, in addition, one ghost row on each side that has a
+ * rows 0..n_global-1 and stores, in addition, ghost rows on each side that has a
  * neighbour. Fields on a slab hold n_local() rows, row `local(j)` being global row j.
  */
 struct NodeRows
@@ -13,6 +13,9 @@ struct NodeRows
   unsigned int n_global = 0;
   unsigned int begin    = 0;
   unsigned int end      = 0;
+
+  /** Ghost rows a side: one is enough for operators, n for n time steps at once. */
+  unsigned int ghosts = 1;
 
   /** All rows on one rank. */
   static NodeRows all(const unsigned int n)
@@ -33,13 +36,13 @@ struct NodeRows
   /** First stored row, global number. */
   unsigned int first() const
   {
-    return begin > 0 ? begin - 1 : 0;
+    return begin > ghosts ? begin - ghosts : 0;
   }
 
   /** One past the last stored row, global number. */
   unsigned int last() const
   {
-    return end < n_global ? end + 1 : n_global;
+    return n_global - end > ghosts ? end + ghosts : n_global;
   }
 
   unsigned int n_local() const

@@ -9,7 +9,7 @@ namespace mesoslip
 {
 namespace
 {
-constexpr int upward_tag = 71, downward_tag = 72, gather_tag = 73, scatter_tag = 74;
+constexpr int upward_tag = 73, downward_tag = 74, gather_tag = 75, scatter_tag = 76;
 
 int rank_of(MPI_Comm communicator)
 {
@@ -25,13 +25,19 @@ int size_of(MPI_Comm communicator)
   return size;
 }
 
-NodeRows
-rows_of(const unsigned int n_rows, const unsigned int rank, const unsigned int size)
+NodeRows rows_of(const unsigned int n_rows,
+                 const unsigned int rank,
+                 const unsigned int size,
+                 const unsigned int ghosts)
 {
+  // Kernels advance three rows at once, from row 1 on: odd ones cost twice as much.
+  const bool many  = n_rows / size >= 12;
   const auto begin = [&](const unsigned int r) {
-    return static_cast<unsigned int>(static_cast<unsigned long long>(n_rows) * r / size);
+    const unsigned int even =
+      static_cast<unsigned int>(static_cast<unsigned long long>(n_rows) * r / size);
+    return many && 0 < r && r < size ? even + 1 - even % 3 : even;
   };
-  return {n_rows, begin(rank), begin(rank + 1)};
+  return {n_rows, begin(rank), begin(rank + 1), ghosts};
 }
 
 /** Rows [first, last) of both components, one after the other. */
@@ -59,16 +65,39 @@ void unpack(const std::vector<double> &values,
         v += field.n_columns();
       }
 }
+
+/** Rows from @p first_from of @p from to rows from @p first_to of @p to. */
+void copy_rows(const NodalField<double> &from,
+               const unsigned int first_from,
+               NodalField<double> &to,
+               const unsigned int first_to,
+               const unsigned int n_rows)
+{
+  for (const unsigned int c : {0u, 1u})
+    std::copy_n(from.row(c, first_from), n_rows * from.stride(), to.row(c, first_to));
+}
 } // namespace
 
-NodeRows partition_rows(const unsigned int n_rows, MPI_Comm communicator)
+NodeRows partition_rows(const unsigned int n_rows,
+                        MPI_Comm communicator,
+                        const unsigned int ghosts)
 {
   const unsigned int size = size_of(communicator);
   if (size > 1 && n_rows < 2 * size)
     throw std::invalid_argument(std::to_string(n_rows) + " node rows are too few for " +
                                 std::to_string(size) + " ranks; use at most " +
                                 std::to_string(n_rows / 2));
-  return rows_of(n_rows, rank_of(communicator), size);
+  return rows_of(n_rows, rank_of(communicator), size, ghosts);
+}
+
+NodeRows partition_rows(const unsigned int n_columns,
+                        const unsigned int n_rows,
+                        MPI_Comm communicator,
+                        const SweepOptions &options)
+{
+  return partition_rows(
+    n_rows, communicator,
+    steps_in_flight(n_columns, n_rows, size_of(communicator), options.wavefront));
 }
 
 void update_ghost_rows(NodalField<double> &field,
@@ -93,7 +122,7 @@ void update_ghost_rows(NodalField<double> &field,
       unpack(in, field, received, received + 1);
   };
   const bool lower = rows.has_lower_ghost(), upper = rows.has_upper_ghost();
-  exchange(upper, rank + 1, high - 1, lower, rank - 1, 0, upward_tag);
+  exchange(upper, rank + 1, high - 1, lower, rank - 1, low - 1, upward_tag);
   exchange(lower, rank - 1, low, upper, rank + 1, high, downward_tag);
 }
 
@@ -113,7 +142,7 @@ gather_rows(const NodalField<double> &field, const NodeRows &rows, MPI_Comm comm
   const unsigned int size = size_of(communicator);
   for (unsigned int r = 1; r < size; ++r)
     {
-      const NodeRows other = rows_of(rows.n_global, r, size);
+      const NodeRows other = rows_of(rows.n_global, r, size, rows.ghosts);
       std::vector<double> values(2 * std::size_t(other.end - other.begin) *
                                  field.n_columns());
       MPI_Recv(values.data(), static_cast<int>(values.size()), MPI_DOUBLE, r, gather_tag,
@@ -134,7 +163,7 @@ NodalField<double> scatter_rows(const NodalField<double> &whole,
       const unsigned int size = size_of(communicator);
       for (unsigned int r = 1; r < size; ++r)
         {
-          const NodeRows other             = rows_of(rows.n_global, r, size);
+          const NodeRows other             = rows_of(rows.n_global, r, size, rows.ghosts);
           const std::vector<double> values = pack(whole, other.first(), other.last());
           MPI_Send(values.data(), static_cast<int>(values.size()), MPI_DOUBLE, r,
                    scatter_tag, communicator);
@@ -151,119 +180,18 @@ NodalField<double> scatter_rows(const NodalField<double> &whole,
   return field;
 }
 
-/** One neighbour: a message out and a message in, each four rows. */
-struct MPIHalo::Side
+NodalField<double> own_rows(const NodalField<double> &field, const NodeRows &rows)
 {
-  MPI_Comm communicator;
-  int neighbour;
-  int send_tag, receive_tag;
-  unsigned int n;
-  std::vector<double> out, in;
-  MPI_Request sending   = MPI_REQUEST_NULL;
-  MPI_Request receiving = MPI_REQUEST_NULL;
-
-  Side(MPI_Comm comm,
-       const int rank,
-       const int s_tag,
-       const int r_tag,
-       const unsigned int n_columns)
-    : communicator(comm)
-    , neighbour(rank)
-    , send_tag(s_tag)
-    , receive_tag(r_tag)
-    , n(n_columns)
-    , out(4 * std::size_t(n_columns))
-    , in(4 * std::size_t(n_columns))
-  {
-  }
-
-  /** A message out announces one in: the neighbour runs the same number of steps. */
-  void send(const RowState &row)
-  {
-    MPI_Wait(&sending, MPI_STATUS_IGNORE);
-    double *o = out.data();
-    for (const double *values : {row.ux, row.uy, row.wx, row.wy})
-      o = std::copy_n(values, n, o);
-    MPI_Isend(out.data(), static_cast<int>(out.size()), MPI_DOUBLE, neighbour, send_tag,
-              communicator, &sending);
-    post();
-  }
-
-  void post()
-  {
-    if (receiving == MPI_REQUEST_NULL)
-      MPI_Irecv(in.data(), static_cast<int>(in.size()), MPI_DOUBLE, neighbour,
-                receive_tag, communicator, &receiving);
-  }
-
-  void receive(const RowState &row)
-  {
-    post();
-    MPI_Wait(&receiving, MPI_STATUS_IGNORE);
-    const double *i = in.data();
-    for (double *values : {row.ux, row.uy, row.wx, row.wy})
-      {
-        std::copy_n(i, n, values);
-        i += n;
-      }
-  }
-
-  void progress()
-  {
-    int done = 0;
-    MPI_Test(&sending, &done, MPI_STATUS_IGNORE);
-  }
-
-  /** Every message sent has been received when all ranks have done their last step. */
-  ~Side()
-  {
-    if (receiving != MPI_REQUEST_NULL)
-      {
-        MPI_Cancel(&receiving);
-        MPI_Wait(&receiving, MPI_STATUS_IGNORE);
-      }
-    MPI_Wait(&sending, MPI_STATUS_IGNORE);
-  }
-};
-
-MPIHalo::MPIHalo(const unsigned int columns, MPI_Comm communicator)
-  : n_columns(columns)
-{
-  const int rank = rank_of(communicator), size = size_of(communicator);
-  if (rank > 0)
-    lower =
-      std::make_unique<Side>(communicator, rank - 1, downward_tag, upward_tag, n_columns);
-  if (rank + 1 < size)
-    upper =
-      std::make_unique<Side>(communicator, rank + 1, upward_tag, downward_tag, n_columns);
+  const unsigned int n = rows.end - rows.begin;
+  NodalField<double> own(field.n_columns(), n);
+  copy_rows(field, rows.local(rows.begin), own, 0, n);
+  return own;
 }
 
-MPIHalo::~MPIHalo() = default;
-
-void MPIHalo::send_lower(const RowState &own_lowest)
+NodalField<double> with_ghost_rows(const NodalField<double> &own, const NodeRows &rows)
 {
-  lower->send(own_lowest);
-}
-
-void MPIHalo::send_upper(const RowState &own_highest)
-{
-  upper->send(own_highest);
-}
-
-void MPIHalo::receive_lower(const RowState &ghost)
-{
-  lower->receive(ghost);
-}
-
-void MPIHalo::receive_upper(const RowState &ghost)
-{
-  upper->receive(ghost);
-}
-
-void MPIHalo::progress()
-{
-  for (Side *side : {lower.get(), upper.get()})
-    if (side)
-      side->progress();
+  NodalField<double> field(own.n_columns(), rows.n_local());
+  copy_rows(own, 0, field, rows.local(rows.begin), own.n_rows());
+  return field;
 }
 } // namespace mesoslip

@@ -1,23 +1,32 @@
 #ifndef mesoslip_elasticity_row_partition_h
 #define mesoslip_elasticity_row_partition_h
 
-#include "elasticity/explicit_stepper.h"
 #include "elasticity/node_rows.h"
+#include "elasticity/sweep_options.h"
 #include "grid/nodal_field.h"
 
-#include <memory>
 #include <mpi.h>
 
 namespace mesoslip
 {
 /**
- * Contiguous slabs of node rows over the ranks of @p communicator, equal to one row. Rank
- * 0 has the bottom. Every rank gets at least two rows: throws std::invalid_argument when
- * there are too many ranks.
+ * Contiguous slabs of node rows over the ranks of @p communicator, equal to two rows.
+ * Rank 0 has the bottom. Every rank gets at least two rows: throws std::invalid_argument
+ * when there are too many ranks. A stepper runs @p ghosts time steps at once, see
+ * steps_in_flight().
  */
-NodeRows partition_rows(const unsigned int n_rows, MPI_Comm communicator);
+NodeRows partition_rows(const unsigned int n_rows,
+                        MPI_Comm communicator,
+                        const unsigned int ghosts = 1);
 
-/** Fill the ghost rows of @p field from the neighbours (blocking, collective). */
+/** Slabs of a grid of @p n_columns x @p n_rows nodes for the steps in flight of
+ *  @p options. */
+NodeRows partition_rows(const unsigned int n_columns,
+                        const unsigned int n_rows,
+                        MPI_Comm communicator,
+                        const SweepOptions &options);
+
+/** Fill the nearest ghost rows of @p field from the neighbours (blocking, collective). */
 void update_ghost_rows(NodalField<double> &field,
                        const NodeRows &rows,
                        MPI_Comm communicator);
@@ -32,25 +41,24 @@ NodalField<double> scatter_rows(const NodalField<double> &whole,
                                 const NodeRows &rows,
                                 MPI_Comm communicator);
 
-/** The halo of a stepper over MPI: nonblocking messages to rank - 1 and rank + 1. */
-class MPIHalo : public Halo
+/** A field without its ghost rows, or with empty ones. */
+NodalField<double> own_rows(const NodalField<double> &field, const NodeRows &rows);
+NodalField<double> with_ghost_rows(const NodalField<double> &own, const NodeRows &rows);
+
+/**
+ * Saves or restores the own rows of @p field (Boost.Serialization), which may be empty:
+ * how many ghost rows a run has depends on the steps in flight, and changes no result.
+ */
+template <class Archive>
+void serialize_own_rows(Archive &archive, NodalField<double> &field, const NodeRows &rows)
 {
-public:
-  MPIHalo(const unsigned int n_columns, MPI_Comm communicator);
-  ~MPIHalo() override;
-
-  void send_lower(const RowState &own_lowest) override;
-  void send_upper(const RowState &own_highest) override;
-  void receive_lower(const RowState &ghost) override;
-  void receive_upper(const RowState &ghost) override;
-  void progress() override;
-
-private:
-  struct Side;
-  std::unique_ptr<Side> lower;
-  std::unique_ptr<Side> upper;
-  unsigned int n_columns;
-};
+  NodalField<double> own;
+  if (Archive::is_saving::value && field.n_rows() > 0)
+    own = own_rows(field, rows);
+  archive &own;
+  if (Archive::is_loading::value)
+    field = own.n_rows() > 0 ? with_ghost_rows(own, rows) : NodalField<double>();
+}
 } // namespace mesoslip
 
 #endif

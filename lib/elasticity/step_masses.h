@@ -1,7 +1,8 @@
 #ifndef mesoslip_elasticity_step_masses_h
 #define mesoslip_elasticity_step_masses_h
 
-#include "elasticity/explicit_stepper.h"
+#include "elasticity/boundary_row.h"
+#include "elasticity/node_rows.h"
 #include "elasticity/row_kernel.h"
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"

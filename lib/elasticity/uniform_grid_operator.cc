@@ -140,7 +140,7 @@ struct UniformGridOperator::Implementation
 
     p.sweep.reset();
     if (rows.has_lower_ghost())
-      p.sweep.store(state(rows.first(), p.rows, 0), rows.first(), false);
+      p.sweep.store(state(rows.begin - 1, p.rows, 0), rows.begin - 1, false);
     else if (material.periodicity().y)
       p.sweep.store(state(ny - 1, p.rows, 0), ny - 1, false);
 

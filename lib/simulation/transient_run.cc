@@ -39,12 +39,15 @@ TransientRun::TransientRun(const ContactParameters &parameters,
   , checkpoint(checkpoint)
   , file(file)
   , context(context)
-  , rows(partition_rows(material.n_rows(), context.communicator()))
+  , rows(partition_rows(material.n_columns(),
+                        material.n_rows(),
+                        context.communicator(),
+                        sweep_options(parameters)))
   , u(material.n_columns(), rows.n_local())
   , w(material.n_columns(), rows.n_local())
   , contact(contact_setup(parameters, scene, time), time.step)
   , top(top_setup(parameters, scene.grid), time.step, material.n_columns())
-  , halo(material.n_columns(), context.communicator())
+  , halo(material.n_columns(), rows.ghosts, context.communicator())
   , stepper(material,
             rows,
             time.step,

@@ -5,6 +5,7 @@
 #include "dynamics/energy_audit.h"
 #include "dynamics/stability_monitor.h"
 #include "dynamics/top_row.h"
+#include "elasticity/mpi_halo.h"
 #include "elasticity/row_partition.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "observation/probe_recorder.h"
@@ -55,7 +56,10 @@ public:
   serialize(Archive &archive, const unsigned int)
   {
     std::uint64_t n = stepper.step_number();
-    archive      &n &u &w &contact &top &monitor &limit_cycle &loop_seconds;
+    archive      &n;
+    serialize_own_rows(archive, u, rows);
+    serialize_own_rows(archive, w, rows);
+    archive &contact &top &monitor &limit_cycle &loop_seconds;
     stepper.set_step_number(n);
     if (energy)
       archive &*energy;

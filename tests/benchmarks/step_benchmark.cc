@@ -10,6 +10,7 @@
  */
 #include "elasticity/assembled_operator.h"
 #include "elasticity/explicit_stepper.h"
+#include "elasticity/mpi_halo.h"
 #include "elasticity/row_partition.h"
 
 #include <deal.II/distributed/shared_tria.h>
@@ -100,12 +101,13 @@ double fused(const std::array<unsigned int, 2> cells,
              const SweepOptions &options)
 {
   const UniformMaterial material = make_material(cells, n_classes);
-  const NodeRows rows            = partition_rows(material.n_rows(), MPI_COMM_WORLD);
+  const NodeRows rows =
+    partition_rows(material.n_columns(), material.n_rows(), MPI_COMM_WORLD, options);
   NodalField<double> u(material.n_columns(), rows.n_local()), w(u);
   for (unsigned int l = 0; l < rows.n_local(); ++l)
     for (unsigned int i = 0; i < material.n_columns(); ++i)
       u.row(1, l)[i] = 1e-9 * std::sin(0.1 * i + 0.05 * (rows.first() + l));
-  MPIHalo halo(material.n_columns(), MPI_COMM_WORLD);
+  MPIHalo halo(material.n_columns(), rows.ghosts, MPI_COMM_WORLD);
   ExplicitStepper stepper(material, rows, {dt, beta2, beta, {}}, {}, u, w, nullptr,
                           nullptr, &halo, options);
   const double n_cells     = material.grid().n_cells();

@@ -1,4 +1,5 @@
 #include "elasticity/explicit_stepper.h"
+#include "elasticity/mpi_halo.h"
 #include "elasticity/row_partition.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "elasticity_testing.h"
@@ -187,7 +188,29 @@ TEST(ExplicitStepper, RefusesWhatDoesNotFit)
   EXPECT_THROW(ExplicitStepper(torus, p, {}, u, w), std::invalid_argument);
 }
 
-TEST(Partition, AnyNumberOfRanksBitForBit)
+namespace
+{
+struct SlabCase
+{
+  unsigned int ghosts;
+  MPIHalo::Transport transport;
+};
+
+std::vector<SlabCase> slab_cases(const unsigned int n_rows)
+{
+  int size = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  std::vector<SlabCase> cases;
+  for (const unsigned int ghosts : {1, 2, 3, 4, 7})
+    if (ghosts <= n_rows / size)
+      for (const auto transport :
+           {MPIHalo::Transport::automatic, MPIHalo::Transport::messages})
+        cases.push_back({ghosts, transport});
+  return cases;
+}
+} // namespace
+
+TEST(Partition, AnyNumberOfRanksAndStepsInFlightBitForBit)
 {
   const MPI_Comm world = MPI_COMM_WORLD;
   Random random;
@@ -204,31 +227,79 @@ TEST(Partition, AnyNumberOfRanksBitForBit)
       sides.left_held   = {{true, false}};
       const State start = random_state(random, material);
       State serial      = start;
-      PushingRow bottom(p), top(p), slab_bottom(p), slab_top(p);
-      ExplicitStepper(material, p, sides, serial.u, serial.w, &bottom, &top).advance(30);
+      PushingRow bottom(p), top(p);
+      SweepOptions plain;
+      plain.wavefront = 1;
+      ExplicitStepper(material, p, sides, serial.u, serial.w, &bottom, &top, plain)
+        .advance(30);
 
+      for (const SlabCase &slab_case : slab_cases(material.n_rows()))
+        {
+          SCOPED_TRACE(std::to_string(cells[1]) + " rows of cells, ghost rows " +
+                       std::to_string(slab_case.ghosts));
+          const unsigned int columns = material.n_columns();
+          const NodeRows rows =
+            partition_rows(material.n_rows(), world, slab_case.ghosts);
+          State slab{scatter_rows(start.u, columns, rows, world),
+                     scatter_rows(start.w, columns, rows, world)};
+          MPIHalo halo(columns, rows.ghosts, world, slab_case.transport);
+          PushingRow slab_bottom(p), slab_top(p);
+          ExplicitStepper stepper(material, rows, p, sides, slab.u, slab.w, &slab_bottom,
+                                  &slab_top, &halo);
+          stepper.advance(17);
+          stepper.step();
+          stepper.advance(12);
+          EXPECT_EQ(slab_bottom.steps.size(), rows.has_lower_ghost() ? 0u : 30u);
+          EXPECT_EQ(slab_top.steps.size(), rows.has_upper_ghost() ? 0u : 30u);
+
+          update_ghost_rows(slab.u, rows, world);
+          const unsigned int first = rows.begin - (rows.has_lower_ghost() ? 1 : 0);
+          const unsigned int last  = rows.end + (rows.has_upper_ghost() ? 1 : 0);
+          for (unsigned int c = 0; c < 2; ++c)
+            for (unsigned int j = first; j < last; ++j)
+              for (unsigned int i = 0; i < columns; ++i)
+                ASSERT_EQ(slab.u.row(c, rows.local(j))[i], serial.u.row(c, j)[i]);
+          const NodalField<double> w = gather_rows(slab.w, rows, world);
+          if (w.size() > 0)
+            {
+              EXPECT_TRUE(equal_bits(w, serial.w));
+            }
+        }
+    }
+}
+
+TEST(Partition, AfterOneStepTheNearestGhostRowsHoldTheStateBeforeIt)
+{
+  const MPI_Comm world = MPI_COMM_WORLD;
+  Random random;
+  const UniformMaterial material = random_material(random, {{19, 23}}, 2, false, true);
+  StepParameters p;
+  p.dt              = 0.05;
+  const State start = random_state(random, material);
+  State before      = start;
+  ExplicitStepper(material, p, {}, before.u, before.w).advance(5);
+  for (const SlabCase &slab_case : slab_cases(material.n_rows()))
+    {
       const unsigned int columns = material.n_columns();
-      const NodeRows rows        = partition_rows(material.n_rows(), world);
+      const NodeRows rows = partition_rows(material.n_rows(), world, slab_case.ghosts);
       State slab{scatter_rows(start.u, columns, rows, world),
                  scatter_rows(start.w, columns, rows, world)};
-      MPIHalo halo(columns, world);
-      ExplicitStepper stepper(material, rows, p, sides, slab.u, slab.w, &slab_bottom,
-                              &slab_top, &halo);
-      stepper.advance(17);
+      MPIHalo halo(columns, rows.ghosts, world, slab_case.transport);
+      ExplicitStepper stepper(material, rows, p, {}, slab.u, slab.w, nullptr, nullptr,
+                              &halo);
+      stepper.advance(5);
       stepper.step();
-      stepper.advance(12);
-      EXPECT_EQ(slab_bottom.steps.size(), rows.has_lower_ghost() ? 0u : 30u);
-      EXPECT_EQ(slab_top.steps.size(), rows.has_upper_ghost() ? 0u : 30u);
-
-      update_ghost_rows(slab.u, rows, world);
-      for (unsigned int c = 0; c < 2; ++c)
-        for (unsigned int j = rows.first(); j < rows.last(); ++j)
+      const auto expect_before = [&](const unsigned int j) {
+        for (unsigned int c = 0; c < 2; ++c)
           for (unsigned int i = 0; i < columns; ++i)
-            ASSERT_EQ(slab.u.row(c, rows.local(j))[i], serial.u.row(c, j)[i]);
-      const NodalField<double> w = gather_rows(slab.w, rows, world);
-      if (w.size() > 0)
-        {
-          EXPECT_TRUE(equal_bits(w, serial.w));
-        }
+            {
+              ASSERT_EQ(slab.u.row(c, rows.local(j))[i], before.u.row(c, j)[i]);
+              ASSERT_EQ(slab.w.row(c, rows.local(j))[i], before.w.row(c, j)[i]);
+            }
+      };
+      if (rows.has_lower_ghost())
+        expect_before(rows.begin - 1);
+      if (rows.has_upper_ghost())
+        expect_before(rows.end);
     }
 }

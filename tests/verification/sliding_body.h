@@ -6,6 +6,7 @@
 #include "dynamics/time_loop.h"
 #include "dynamics/top_row.h"
 #include "elasticity/critical_time_step.h"
+#include "elasticity/mpi_halo.h"
 #include "elasticity/row_partition.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "material/stiffness.h"
@@ -62,12 +63,13 @@ public:
     : setup(setup)
     , communicator(communicator)
     , material(setup.material())
-    , rows(partition_rows(material.n_rows(), communicator))
+    , rows(partition_rows(
+        material.n_columns(), material.n_rows(), communicator, setup.sweep))
     , u(material.n_columns(), rows.n_local())
     , w(material.n_columns(), rows.n_local())
     , contact(complete_contact(), setup.step)
     , top(complete_top(), setup.step, material.n_columns())
-    , halo(material.n_columns(), communicator)
+    , halo(material.n_columns(), rows.ghosts, communicator)
     , stepper(material,
               rows,
               setup.step,

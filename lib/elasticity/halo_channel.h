@@ -1,0 +1,72 @@
+#ifndef mesoslip_elasticity_halo_channel_h
+#define mesoslip_elasticity_halo_channel_h
+
+#include "elasticity/halo.h"
+
+#include <cstddef>
+#include <memory>
+#include <mpi.h>
+
+namespace mesoslip
+{
+/** Numbers to and from one neighbour, in order. Internal to MPIHalo. */
+class HaloChannel
+{
+public:
+  virtual ~HaloChannel() = default;
+
+  /** Where to write the next message; waits until there is room. */
+  virtual double *room() = 0;
+
+  /** Send the first @p n numbers written there. */
+  virtual void send(const std::size_t n) = 0;
+
+  /** Wait for the next message; it stays there until release(). */
+  virtual const double *receive() = 0;
+
+  virtual void release()
+  {
+  }
+
+  virtual void progress()
+  {
+  }
+};
+
+/** Nonblocking messages of at most @p capacity numbers to and from rank @p neighbour,
+ *  which lies on @p side of this one. */
+std::unique_ptr<HaloChannel> make_message_channel(MPI_Comm communicator,
+                                                  const int neighbour,
+                                                  const Halo::Side side,
+                                                  const std::size_t capacity);
+
+/**
+ * Memory that the ranks of a node share: each has a segment with a mailbox for either
+ * side. A message is then two copies, without a call to the system or waiting for the
+ * other rank to help. Construction and destruction are collective.
+ */
+class SharedSegments
+{
+public:
+  SharedSegments(MPI_Comm communicator, const std::size_t capacity);
+  ~SharedSegments();
+
+  SharedSegments(const SharedSegments &) = delete;
+
+  /** Whether rank @p neighbour is on this node. */
+  bool reaches(const int neighbour) const;
+
+  std::unique_ptr<HaloChannel> channel(const int neighbour, const Halo::Side side);
+
+private:
+  int rank_on_node(const int rank) const;
+  char *segment(const int rank) const;
+
+  MPI_Comm communicator;
+  MPI_Comm node;
+  MPI_Win window;
+  const std::size_t capacity;
+};
+} // namespace mesoslip
+
+#endif
