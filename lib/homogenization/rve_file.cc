@@ -1,9 +1,11 @@
 #include "homogenization/rve_file.h"
 
 #include "io/errors.h"
+#include "material/stiffness.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace mesoslip
 {
@@ -15,6 +17,20 @@ UserError wrong(const Hdf5File &file, const std::string &object, const std::stri
 {
   return UserError(file.path() + ": " + object + " " + what +
                    "; run rve_homogenization again");
+}
+
+void require_stiffness(const Hdf5File &file,
+                       const std::string &object,
+                       const VoigtMatrix<2> &D)
+{
+  try
+    {
+      check_stiffness<2>(D);
+    }
+  catch (const std::invalid_argument &e)
+    {
+      throw wrong(file, object, std::string("cannot be used: ") + e.what());
+    }
 }
 
 std::vector<Phase<2>> read_phases(const Hdf5File &file)
@@ -35,6 +51,8 @@ std::vector<Phase<2>> read_phases(const Hdf5File &file)
       phases[p].stiffness            = Eigen::Map<const VoigtMatrix<2>>(D.data() + 9 * p);
       phases[p].density              = density[p];
       phases[p].friction_coefficient = friction[p];
+      require_stiffness(file, "/phase/stiffness of '" + names[p] + "'",
+                        phases[p].stiffness);
       if (!(density[p] >= 0.))
         throw wrong(file, "/phase/density", "holds a negative value");
       if (!(friction[p] >= 0.))
@@ -112,10 +130,12 @@ double RveFile::mean_density() const
 
 VoigtMatrix<2> RveFile::stiffness(const std::string &name) const
 {
-  const auto D = file.read<double>("/stiffness/" + name, {3, 3},
+  const auto D                   = file.read<double>("/stiffness/" + name, {3, 3},
                                    "run rve_homogenization with " + name +
                                      " among its boundary conditions");
-  return Eigen::Map<const VoigtMatrix<2>>(D.data());
+  const VoigtMatrix<2> stiffness = Eigen::Map<const VoigtMatrix<2>>(D.data());
+  require_stiffness(file, "/stiffness/" + name, stiffness);
+  return stiffness;
 }
 
 std::vector<double> RveFile::concentration(const std::string &name) const

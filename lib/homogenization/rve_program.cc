@@ -52,9 +52,8 @@ EnsembleMember compute_member(const RveParameters &parameters,
   EnsembleMember member;
   member.seed      = parameters.microstructure.placement.seed;
   member.fractions = area_fractions(microstructure.map, microstructure.phases.size());
-  auto solutions =
-    solve_load_cases(material, parameters.conditions, parameters.solver,
-                     parameters.tolerance, communicator, progress);
+  auto solutions   = solve_load_cases(material, parameters.conditions, parameters.solver,
+                                      parameters.tolerance, communicator, progress);
   for (LoadCaseSolutions &solution : solutions)
     {
       if (rank == 0)
@@ -131,14 +130,26 @@ RveResults compute(const RveParameters &parameters, RunContext &context)
   return results;
 }
 
+/** Bytes of rve.h5: the phases, and the concentration tensors of the first morphology. */
+Need rve_file_size(const RveParameters &parameters)
+{
+  const double n_cells =
+    static_cast<double>(parameters.microstructure.grid.grid().n_cells());
+  const double tensors = parameters.write_concentration
+                           ? 72. * static_cast<double>(parameters.conditions.size())
+                           : 0.;
+  return {n_cells * (1. + tensors),
+          "set Homogenization/Write concentration = false, or reduce Grid/Cells"};
+}
+
 // Libraries, solver, displacements of all load cases, concentration tensors; as measured.
 unsigned long estimated_megabytes(const RveParameters &parameters)
 {
   const double n_cells = parameters.microstructure.grid.grid().n_cells();
   const double n       = parameters.conditions.size();
-  const double solver  = parameters.solver == StaticSolverKind::multigrid ? 330. :
-                         parameters.solver == StaticSolverKind::jacobi    ? 100. :
-                                                                            4000.;
+  const double solver  = parameters.solver == StaticSolverKind::multigrid ? 330.
+                         : parameters.solver == StaticSolverKind::jacobi  ? 100.
+                                                                          : 4000.;
   const double fields  = n * (48. + (parameters.write_concentration ? 72. : 0.));
   return 150 + static_cast<unsigned long>(n_cells * (solver + fields) * 1e-6);
 }
@@ -185,8 +196,15 @@ Program rve_homogenization_program()
   program.name = "rve_homogenization";
   program.description =
     "Effective stiffness and concentration tensors of a representative volume.";
-  program.declare  = RveParameters::declare;
-  program.check    = [](dealii::ParameterHandler &prm) { RveParameters::parse(prm); };
+  program.declare = RveParameters::declare;
+  program.check   = [](dealii::ParameterHandler &prm) {
+    const RveParameters parameters = RveParameters::parse(prm);
+    require_memory({1e6 * static_cast<double>(estimated_megabytes(parameters)),
+                    "reduce Grid/Cells or choose Homogenization/Solver = jacobi"});
+  };
+  program.disk_need = [](dealii::ParameterHandler &prm) {
+    return rve_file_size(RveParameters::parse(prm));
+  };
   program.estimate = [](dealii::ParameterHandler &prm, std::ostream &report) {
     const RveParameters parameters = RveParameters::parse(prm);
     const UniformGrid<2> grid      = parameters.microstructure.grid.grid();

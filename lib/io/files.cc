@@ -43,7 +43,12 @@ void write_file(const std::string &path, const std::string &text)
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
     out.close();
     if (!out)
-      throw UserError(part + ": cannot be written (" + system_message() + ")");
+      {
+        const std::string reason = system_message();
+        std::error_code ignored;
+        std::filesystem::remove(part, ignored);
+        throw UserError(part + ": cannot be written (" + reason + ")");
+      }
   }
   std::error_code code;
   std::filesystem::rename(part, path, code);

@@ -78,7 +78,7 @@ void Hdf5File::write_rows(const std::string &name,
       H5Sselect_hyperslab(space, H5S_SELECT_SET, hdf5::dims(offset).data(), nullptr,
                           hdf5::dims(count).data(), nullptr) < 0 ||
       H5Dwrite(target.dataset, target.type, memory, space, H5P_DEFAULT, data) < 0)
-    fail("the dataset " + name + " cannot be written (is the disk full?)");
+    fail_writing("the dataset " + name + " cannot be written");
   target.rows += n_rows;
 }
 

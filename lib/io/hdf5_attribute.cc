@@ -2,6 +2,7 @@
 #include "io/hdf5_file.h"
 #include "io/hdf5_internal.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -17,6 +18,36 @@ Handle make_space(const Shape &shape)
     return Handle(H5Screate(H5S_SCALAR));
   return Handle(
     H5Screate_simple(static_cast<int>(shape.size()), dims(shape).data(), nullptr));
+}
+
+bool read_extents(const hid_t space, std::vector<hsize_t> &extents)
+{
+  const int rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 0 || H5Sget_simple_extent_type(space) == H5S_NULL)
+    return false;
+  extents.resize(static_cast<std::size_t>(rank));
+  return H5Sget_simple_extent_dims(space, extents.data(), nullptr) >= 0;
+}
+
+bool count_values(const hid_t object,
+                  const std::vector<hsize_t> &extents,
+                  const std::size_t value_bytes,
+                  std::size_t &n)
+{
+  constexpr double best_compression = 1032., always_allowed = 1 << 24;
+  const Handle file(H5Iget_file_id(object));
+  hsize_t file_bytes = 0;
+  if (H5Fget_filesize(file, &file_bytes) < 0)
+    return false;
+  double bytes = static_cast<double>(value_bytes);
+  n            = 1;
+  for (const hsize_t extent : extents)
+    {
+      bytes *= static_cast<double>(extent);
+      n *= static_cast<std::size_t>(extent);
+    }
+  return bytes <=
+         std::max(best_compression * static_cast<double>(file_bytes), always_allowed);
 }
 
 Handle string_type()
@@ -59,13 +90,17 @@ bool read_all_strings(const hid_t object,
   const Handle space(attribute ? H5Aget_space(object) : H5Dget_space(object));
   if (!type.valid() || !space.valid() || H5Tget_class(type) != H5T_STRING)
     return false;
-  strings.assign(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)), "");
+  const std::size_t length = H5Tget_size(type);
+  std::vector<hsize_t> extents;
+  std::size_t n = 0;
+  if (!read_extents(space, extents) || !count_values(object, extents, length, n))
+    return false;
+  strings.assign(n, "");
   if (strings.empty())
     return true;
   if (H5Tis_variable_str(type) > 0)
     return read_variable(object, attribute, type, space, strings);
 
-  const std::size_t length = H5Tget_size(type);
   std::string all(length * strings.size(), '\0');
   if (read_any(object, attribute, type, all.data()) < 0)
     return false;
@@ -126,7 +161,7 @@ void Hdf5File::write_raw_attribute(const std::string &object,
   const Handle attribute(
     H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT));
   if (!attribute.valid() || (n > 0 && H5Awrite(attribute, type, values) < 0))
-    fail("the attribute '" + name + "' of " + object + " cannot be written");
+    fail_writing("the attribute '" + name + "' of " + object + " cannot be written");
 }
 
 namespace
@@ -149,7 +184,13 @@ std::string read_numbers(const hid_t attribute, std::vector<T> &values)
   const auto kind = H5Tget_class(type);
   if (kind != H5T_INTEGER && (kind != H5T_FLOAT || std::is_integral<T>::value))
     return std::is_integral<T>::value ? "is not a whole number" : "is not a number";
-  values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  std::vector<hsize_t> extents;
+  std::size_t n = 0;
+  if (!hdf5::read_extents(space, extents))
+    return "has no value";
+  if (!hdf5::count_values(attribute, extents, H5Tget_size(type), n))
+    return "is larger than the file";
+  values.resize(n);
   if (!values.empty() && H5Aread(attribute, hdf5::native_type<T>(), values.data()) < 0)
     return "cannot be read";
   for (const T value : values)

@@ -85,10 +85,9 @@ Hdf5File::Id Hdf5File::open_dataset(const std::string &name,
 Shape Hdf5File::shape_of(const std::string &name, const Id dataset) const
 {
   const Handle space(H5Dget_space(dataset));
-  const int rank = H5Sget_simple_extent_ndims(space);
-  std::vector<hsize_t> extents(static_cast<std::size_t>(std::max(rank, 0)));
-  if (rank < 0 || H5Sget_simple_extent_dims(space, extents.data(), nullptr) < 0)
-    fail(dataset_text(name) + " is damaged");
+  std::vector<hsize_t> extents;
+  if (!hdf5::read_extents(space, extents))
+    fail(dataset_text(name) + " holds nothing or is damaged");
   return Shape(extents.begin(), extents.end());
 }
 
@@ -119,9 +118,9 @@ void Hdf5File::write_raw(const std::string &name,
   const Handle dataset(
     H5Dcreate2(file, name.c_str(), type, space, links, properties, H5P_DEFAULT));
   if (!dataset.valid())
-    fail(dataset_text(name) + " cannot be created");
+    fail_writing(dataset_text(name) + " cannot be created");
   if (n > 0 && H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
-    fail(dataset_text(name) + " cannot be written (is the disk full?)");
+    fail_writing(dataset_text(name) + " cannot be written");
 }
 
 template <typename T>
@@ -176,6 +175,26 @@ void Hdf5File::check_type(const std::string &name, const Id dataset, const Id ty
     fail(dataset_text(name) + " does not hold whole numbers");
 }
 
+void Hdf5File::check_size(const std::string &name,
+                          const Id dataset,
+                          const Shape &extents) const
+{
+  const Handle type(H5Dget_type(dataset)), properties(H5Dget_create_plist(dataset));
+  const std::size_t bytes    = H5Tget_size(type);
+  std::vector<hsize_t> chunk = {};
+  if (H5Pget_layout(properties) == H5D_CHUNKED)
+    {
+      chunk.resize(H5S_MAX_RANK);
+      const int rank = H5Pget_chunk(properties, H5S_MAX_RANK, chunk.data());
+      chunk.resize(static_cast<std::size_t>(std::max(rank, 0)));
+    }
+  std::size_t n = 0;
+  if (!hdf5::count_values(dataset, hdf5::dims(extents), bytes, n) ||
+      !hdf5::count_values(dataset, chunk, bytes, n))
+    fail(dataset_text(name) + " of shape " + to_text(extents) +
+         " is larger than the file can hold: the file is truncated or damaged");
+}
+
 template <typename T>
 void Hdf5File::check_finite(const std::string &name, const std::vector<T> &data) const
 {
@@ -201,6 +220,7 @@ std::vector<T> Hdf5File::read(const std::string &name,
     fail(dataset_text(name) + " has the shape " + to_text(extents) + " instead of " +
            to_text(expected),
          hint);
+  check_size(name, dataset, extents);
   std::vector<T> data(hdf5::product(extents));
   if (!data.empty() && H5Dread(dataset, hdf5::native_type<T>(), H5S_ALL, H5S_ALL,
                                H5P_DEFAULT, data.data()) < 0)
@@ -227,6 +247,7 @@ std::vector<T> Hdf5File::read_block(const std::string &name,
            to_text(offset),
          hint);
 
+  check_size(name, dataset, count);
   std::vector<T> data(hdf5::product(count));
   if (data.empty())
     return data;
@@ -273,7 +294,7 @@ void Hdf5File::create_extendable(const std::string &name,
   const Handle dataset(
     H5Dcreate2(file, name.c_str(), type, space, links, properties, H5P_DEFAULT));
   if (!dataset.valid())
-    fail(dataset_text(name) + " cannot be created");
+    fail_writing(dataset_text(name) + " cannot be created");
   open_extendable(name, type);
 }
 #define MESOSLIP_INSTANTIATE(T)                                                    \

@@ -6,6 +6,7 @@
 #include "io/version.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -23,6 +24,24 @@ std::string to_text(const Shape &shape)
     text += "[" + (extent == any_extent ? "*" : std::to_string(extent)) + "]";
   return text;
 }
+
+namespace hdf5
+{
+namespace
+{
+std::atomic<bool> abandoned_files{false};
+}
+
+void abandon()
+{
+  abandoned_files = true;
+}
+
+bool abandoned()
+{
+  return abandoned_files;
+}
+} // namespace hdf5
 
 namespace
 {
@@ -44,6 +63,7 @@ Hdf5File::Hdf5File(Hdf5File &&other) noexcept
   : file_path(std::move(other.file_path))
   , file(other.file)
   , writable(other.writable)
+  , broken(other.broken)
   , pending_exceptions(other.pending_exceptions)
   , extendables(std::move(other.extendables))
 {
@@ -59,6 +79,7 @@ Hdf5File &Hdf5File::operator=(Hdf5File &&other) noexcept
   file_path          = std::move(other.file_path);
   file               = other.file;
   writable           = other.writable;
+  broken             = other.broken;
   pending_exceptions = other.pending_exceptions;
   extendables        = std::move(other.extendables);
   other.file         = -1;
@@ -68,7 +89,8 @@ Hdf5File &Hdf5File::operator=(Hdf5File &&other) noexcept
 
 Hdf5File::~Hdf5File()
 {
-  if (file >= 0 && writable && std::uncaught_exceptions() == pending_exceptions)
+  if (file >= 0 && writable && !broken &&
+      std::uncaught_exceptions() == pending_exceptions)
     try
       {
         close();
@@ -132,11 +154,14 @@ Hdf5File Hdf5File::resume(const std::string &path, const std::string &hint)
 
 void Hdf5File::release() noexcept
 {
-  for (auto &[name, target] : extendables)
-    H5Dclose(target.dataset);
+  if (!hdf5::abandoned())
+    {
+      for (auto &[name, target] : extendables)
+        H5Dclose(target.dataset);
+      if (file >= 0)
+        H5Fclose(file);
+    }
   extendables.clear();
-  if (file >= 0)
-    H5Fclose(file);
   file = -1;
 }
 
@@ -146,7 +171,7 @@ void Hdf5File::flush()
   for (auto &[name, target] : extendables)
     write_buffer(name, target);
   if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0)
-    fail("cannot be written (is the disk full?)");
+    fail_writing("cannot be written");
 }
 
 void Hdf5File::close()
@@ -163,7 +188,7 @@ void Hdf5File::close()
   if (!writable)
     return;
   if (!closed)
-    fail("cannot be completed (is the disk full?)");
+    fail_writing("cannot be completed");
   std::error_code code;
   std::filesystem::rename(file_path + ".part", file_path, code);
   if (code)
@@ -173,6 +198,18 @@ void Hdf5File::close()
 void Hdf5File::fail(const std::string &what, const std::string &hint) const
 {
   throw UserError(file_path + ": " + what + (hint.empty() ? "" : "; " + hint));
+}
+
+void Hdf5File::fail_writing(const std::string &what)
+{
+  broken = true;
+  hdf5::abandon();
+  fail(what + " (is the disk full?)");
+}
+
+bool Hdf5File::writing_has_failed()
+{
+  return hdf5::abandoned();
 }
 
 void Hdf5File::require_writable() const
@@ -223,7 +260,7 @@ void Hdf5File::create_group(const std::string &name)
   H5Pset_create_intermediate_group(links, 1);
   const Handle group(H5Gcreate2(file, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT));
   if (!group.valid())
-    fail("the group " + name + " cannot be created");
+    fail_writing("the group " + name + " cannot be created");
 }
 
 void Hdf5File::remove(const std::string &name)
@@ -235,7 +272,7 @@ void Hdf5File::remove(const std::string &name)
       extendables.erase(open);
     }
   if (link_exists(name) && H5Ldelete(file, name.c_str(), H5P_DEFAULT) < 0)
-    fail("the dataset " + name + " cannot be replaced");
+    fail_writing("the dataset " + name + " cannot be replaced");
 }
 
 Hdf5File::Id Hdf5File::open_object(const std::string &name, const std::string &hint) const

@@ -40,6 +40,8 @@ struct Hdf5Header
  *
  * Every failure is a UserError that names file and dataset. The @p hint of a reading
  * function is added when the object is missing: "was rve_homogenization run with KUBC?".
+ * After a failure in writing (the disk is full) the file remains `<path>.part`, and a
+ * completed file of that name is untouched; see writing_has_failed().
  */
 class Hdf5File
 {
@@ -55,6 +57,12 @@ public:
    * truncate_rows() drops what was appended after a checkpoint.
    */
   static Hdf5File resume(const std::string &path, const std::string &hint = "");
+
+  /**
+   * Whether the writing of any file has failed. The library crashes when it closes such a
+   * file, at the latest in MPI_Finalize or exit: the process has to end with std::_Exit.
+   */
+  static bool writing_has_failed();
 
   Hdf5File(Hdf5File &&other) noexcept;
   Hdf5File &operator=(Hdf5File &&other) noexcept;
@@ -210,6 +218,7 @@ private:
   open_as(const std::string &path, const std::string &disk_name, const bool write);
 
   [[noreturn]] void fail(const std::string &what, const std::string &hint = "") const;
+  [[noreturn]] void fail_writing(const std::string &what);
   void require_writable() const;
   bool link_exists(const std::string &name) const;
   Id open_object(const std::string &name, const std::string &hint) const;
@@ -219,6 +228,7 @@ private:
                     const std::string &hint) const;
   Shape shape_of(const std::string &name, const Id dataset) const;
   void check_type(const std::string &name, const Id dataset, const Id type) const;
+  void check_size(const std::string &name, const Id dataset, const Shape &extents) const;
   template <typename T>
   void check_finite(const std::string &name, const std::vector<T> &data) const;
 
@@ -252,8 +262,10 @@ private:
   void release() noexcept;
 
   std::string file_path;
-  Id file                = -1;
-  bool writable          = false;
+  Id file       = -1;
+  bool writable = false;
+  /** Writing failed: the file is closed without getting its name. */
+  bool broken            = false;
   int pending_exceptions = 0;
   std::map<std::string, Extendable> extendables;
 };

@@ -13,6 +13,13 @@ namespace mesoslip
 {
 namespace hdf5
 {
+/**
+ * From now on nothing is closed any more: the library (1.10) crashes when it closes a file
+ * that it cannot write to, also in its own exit handlers.
+ */
+void abandon();
+bool abandoned();
+
 /** Closes whatever an HDF5 identifier stands for. */
 class Handle
 {
@@ -29,7 +36,7 @@ public:
   Handle(const Handle &) = delete;
   ~Handle()
   {
-    if (id >= 0)
+    if (id >= 0 && !abandoned())
       H5Idec_ref(id);
   }
   operator hid_t() const
@@ -110,6 +117,20 @@ Handle make_space(const Shape &shape);
 
 /** Variable-length UTF-8. */
 Handle string_type();
+
+/**
+ * Number of values of the extents, false if a file of that size cannot hold as many
+ * bytes: a damaged or hostile file must not make us ask for all memory. Deflate shrinks
+ * to 1/1032 at best; a few megabytes are never too many. @p object: anything in the file.
+ */
+bool count_values(const hid_t object,
+                  const std::vector<hsize_t> &extents,
+                  const std::size_t value_bytes,
+                  std::size_t &n);
+
+/** The extents of a dataspace, empty for a scalar; false for one without or if damaged.
+ */
+bool read_extents(const hid_t space, std::vector<hsize_t> &extents);
 
 /** All strings of a dataset or attribute, of fixed or variable length; false on failure.
  */

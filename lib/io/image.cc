@@ -51,6 +51,13 @@ decode_png(const std::string &path, const std::string &bytes, Image &image)
   const bool has_alpha = (png.format & PNG_FORMAT_FLAG_ALPHA) != 0;
   if ((png.format & PNG_FORMAT_FLAG_LINEAR) != 0)
     throw UserError(path + " has 16 bits a channel; save it with 8");
+  // Deflate shrinks to 1/1032 at best: nothing may make us ask for all memory.
+  constexpr double most_pixels_per_byte = 8. * 1032.;
+  if (!(static_cast<double>(png.width) * png.height <=
+        most_pixels_per_byte * static_cast<double>(bytes.size())))
+    throw UserError(path + ": this PNG claims " + std::to_string(png.width) + " x " +
+                    std::to_string(png.height) + " pixels, more than its " +
+                    std::to_string(bytes.size()) + " bytes can hold: it is damaged");
   png.format   = PNG_FORMAT_RGB;
   image.width  = png.width;
   image.height = png.height;

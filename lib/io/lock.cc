@@ -54,6 +54,7 @@ FolderLock::FolderLock(const std::string &folder)
       pwrite(descriptor, id.data(), id.size(), 0) != static_cast<ssize_t>(id.size()))
     {
       const std::string reason = system_message();
+      unlink(path.c_str());
       close(descriptor);
       throw UserError(path + ": cannot be written (" + reason + ")");
     }

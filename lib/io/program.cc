@@ -4,6 +4,7 @@
 #include "io/command_line.h"
 #include "io/errors.h"
 #include "io/files.h"
+#include "io/hdf5_file.h"
 #include "io/interrupt.h"
 #include "io/outcome.h"
 #include "io/parameters.h"
@@ -14,6 +15,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -129,6 +131,18 @@ void run(const Program &program,
     context.timer().print(std::cout);
 }
 
+/** Whether the results have a place; a run to be resumed has had one. */
+void check_disk(const Program &program,
+                dealii::ParameterHandler &prm,
+                const CommandLine &line,
+                const MPI_Comm communicator)
+{
+  if (line.resume)
+    return;
+  const Need need = program.disk_need ? program.disk_need(prm) : Need();
+  on_root(communicator, [&]() { require_disk(choose_output_folder(line, prm), need); });
+}
+
 void do_what_is_asked(const CommandLine &line,
                       const Program &program,
                       const MPI_Comm communicator)
@@ -159,6 +173,7 @@ void do_what_is_asked(const CommandLine &line,
     }
   if (program.check)
     program.check(prm);
+  check_disk(program, prm, line, communicator);
   if (line.validate)
     validate(program, prm, line, root);
   else
@@ -168,6 +183,8 @@ void do_what_is_asked(const CommandLine &line,
 
 int run_program(int argc, char **argv, const Program &program)
 {
+  // A limit of the file size ("ulimit -f") is an error in writing like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
   try
     {
       // Without mpirun Open MPI starts a daemon of its own, for ranks that are spawned:
@@ -188,7 +205,13 @@ int run_program(int argc, char **argv, const Program &program)
         {
           outcome = describe_current_exception();
         }
-      return conclude(concluding, program.name, outcome);
+      const int status = conclude(concluding, program.name, outcome);
+      if (Hdf5File::writing_has_failed())
+        {
+          std::cout << std::flush;
+          std::_Exit(status);
+        }
+      return status;
     }
   catch (...)
     {

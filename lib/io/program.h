@@ -1,6 +1,8 @@
 #ifndef mesoslip_io_program_h
 #define mesoslip_io_program_h
 
+#include "io/resources.h"
+
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -44,6 +46,12 @@ struct Program
    * rank 0 writes to @p report is shown. May be empty.
    */
   std::function<void(dealii::ParameterHandler &prm, std::ostream &report)> estimate;
+
+  /**
+   * What the results take on the disk; called after check(), and compared with the free
+   * space before anything is created. May be empty.
+   */
+  std::function<Need(dealii::ParameterHandler &prm)> disk_need;
 
   /**
    * Whether a run with these parameters writes checkpoints, so that run() has to heed

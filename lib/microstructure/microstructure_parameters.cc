@@ -2,6 +2,7 @@
 
 #include "io/errors.h"
 #include "io/parameters.h"
+#include "io/resources.h"
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -209,7 +210,10 @@ void MicrostructureParameters::check() const
   if (type == Type::image)
     check_image_values(*this);
   if (type == Type::image || type == Type::rectangles)
-    make_microstructure(*this);
+    {
+      require_memory({static_cast<double>(grid.grid().n_cells()), "reduce Grid/Cells"});
+      make_microstructure(*this);
+    }
 }
 
 UniformGrid<2> MicrostructureParameters::placement_grid() const

@@ -9,6 +9,7 @@
 #include "simulation/contact_parameters.h"
 #include "simulation/friction_homogenization.h"
 #include "simulation/modal.h"
+#include "simulation/run_size.h"
 #include "simulation/scene.h"
 #include "simulation/static_contact.h"
 #include "simulation/transient.h"
@@ -51,15 +52,19 @@ estimate(dealii::ParameterHandler &prm, std::ostream &report)
   const TimeStepChoice time =
     choose_time_step(parameters, scene.make_material(parameters.periodic));
   report << time.text() << "\n";
-  const ObservationParameters &o = parameters.observation;
-  if (o.snapshots_interval > 0.)
-    {
-      const double to =
-        std::isnan(o.snapshots_to) ? parameters.time.end_time : o.snapshots_to;
-      const double n = std::floor((to - o.snapshots_from) / o.snapshots_interval) + 1.;
-      report << n << " snapshots, " << n * 16e-6 * scene.grid.n_nodes()
-             << " MB, and as much again until the run is complete\n";
-    }
+  const double n_steps = static_cast<double>(time.n_steps);
+  report << n_snapshots(parameters, n_steps) << " snapshots, "
+         << bytes_text(dynamics_file_size(parameters, n_steps).bytes) << " on the disk\n";
+}
+
+Need
+disk_need(dealii::ParameterHandler &prm)
+{
+  const ContactParameters parameters = ContactParameters::parse(prm);
+  if (parameters.analysis != ContactAnalysis::transient)
+    return {};
+  const UniformMaterial material = make_scene(parameters).make_material(parameters.periodic);
+  return dynamics_file_size(parameters, largest_number_of_steps(parameters, material));
 }
 
 // Whatever decides a bit of the state or of what was written so far: a run that is resumed
@@ -117,11 +122,16 @@ contact_dynamics_program()
   program.declare = ContactParameters::declare;
   program.check   = [](dealii::ParameterHandler &prm) {
     const ContactParameters parameters = ContactParameters::parse(prm);
+    require_memory(field_memory(parameters));
     const Scene             scene      = make_scene(parameters);
     check_probes(parameters, scene.grid);
     const UniformMaterial material = scene.make_material(parameters.periodic);
     if (parameters.analysis == ContactAnalysis::transient)
-      check_time_step(parameters, material);
+      {
+        check_time_step(parameters, material);
+        require_memory(
+          history_memory(parameters, largest_number_of_steps(parameters, material)));
+      }
     if (parameters.analysis == ContactAnalysis::static_contact)
       check_static_contact(parameters, scene);
     if (parameters.analysis == ContactAnalysis::friction_homogenization)
@@ -129,6 +139,7 @@ contact_dynamics_program()
         read_friction_homogenization(parameters.homogenization, parameters.body.rve_file));
   };
   program.estimate  = estimate;
+  program.disk_need = disk_need;
   program.resumable = [](dealii::ParameterHandler &prm) {
     return ContactParameters::parse(prm).analysis == ContactAnalysis::transient;
   };

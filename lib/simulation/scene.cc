@@ -3,6 +3,7 @@
 #include "homogenization/rve_file.h"
 #include "io/errors.h"
 #include "io/parameters.h"
+#include "material/stiffness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,15 @@ typed_stiffness(const std::vector<double> &d)
     D << d[0], d[1], 0., d[1], d[2], 0., 0., 0., d[3];
   else
     D << d[0], d[1], d[2], d[1], d[3], d[4], d[2], d[4], d[5];
+  try
+    {
+      check_stiffness<2>(D);
+    }
+  catch (const std::invalid_argument &e)
+    {
+      throw UserError("Body/Stiffness is " + to_text(d) + ": " + e.what() +
+                      "; D11 D22 has to be larger than D12^2, and D33 positive");
+    }
   return D;
 }
 

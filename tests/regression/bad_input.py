@@ -47,7 +47,7 @@ CASES = [
     ("contact_dynamics", CONTACT, ["--set", "Body/RVE file=case.prm"], ["case.prm", "HDF5"]),
     ("contact_dynamics", CONTACT, ["--set", "Time/Time step=1e-7"], ["Time step", "critical"]),
     ("contact_dynamics", CONTACT, ["--set", "Time/Beta2=0.3"], ["Beta2"]),
-    ("contact_dynamics", CONTACT, ["--set", "Body/Stiffness=1e9, 2e9, 1e9, 1e9"], ["stiffness"]),
+    ("contact_dynamics", CONTACT, ["--set", "Body/Stiffness=1e9, 2e9, 1e9, 1e9"], ["Body/Stiffness", "1e+09, 2e+09", "positive definite", "D12^2"]),
     ("contact_dynamics", CONTACT, ["--set", "Body/Size=0.01"], ["Size"]),
     ("contact_dynamics", CONTACT, ["--set", "Flat/Expression=2*frog(t)"], ["Expression"]),
     ("contact_dynamics", CONTACT, ["--set", "Friction/Coefficient from=phases"], ["Coefficient from"]),
@@ -58,10 +58,26 @@ CASES = [
     ("contact_dynamics", "subsection Time\n", [], ["case.prm"]),
     ("contact_dynamics", "", [], ["case.prm"]),
     ("stress_localization", "subsection Input\n set RVE file = no.h5\nend\n", [], ["RVE file", "no.h5"]),
+    # More than the machine has, found before anything is computed.
+    ("rve_homogenization", RVE, ["--set", "Grid/Cells=40000, 40000"], ["memory", "Grid/Cells"]),
+    ("contact_dynamics", CONTACT, ["--set", "Body/Cells=1000000, 1000000"], ["memory", "Body/Cells"]),
+    ("contact_dynamics", CONTACT, ["--set", "Time/End time=1e4"], ["memory", "History interval"]),
+    ("contact_dynamics", CONTACT, ["--set", "Time/End time=1", "--set", "Observation/History interval=1000000000", "--set", "Observation/Energy interval=0",
+                                   "--set", "Snapshots/Interval=1e-12", "--set", "Body/Cells=2000, 1000"],
+     ["the disk of the output folder", "free", "Snapshots/Interval"]),
+    ("contact_dynamics", CONTACT, ["--set", "Snapshots/Interval=1e-8", "--set", "Snapshots/From=2e-6"],
+     ["Snapshots/From", "earlier"]),
+    ("contact_dynamics", CONTACT, ["--output", "case.prm"], ["case.prm", "not a folder", "--output"]),
+    ("contact_dynamics", CONTACT, ["--output", "case.prm/below"], ["case.prm", "not a folder", "--output"]),
 ]
 
 
 def check(program, text, options, words):
+    return [problem for validate in ([], ["--validate"])
+            for problem in check_once(program, text, options + validate, words)]
+
+
+def check_once(program, text, options, words):
     with tempfile.TemporaryDirectory() as folder:
         with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
             file.write(text)
@@ -82,14 +98,43 @@ def check(program, text, options, words):
         return problems
 
 
+def check_morphology_against_body():
+    """The grid of rve.h5 against the pin's: once a file is there."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in (("rve.prm", RVE), ("contact.prm", CONTACT)):
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        run = lambda *words: subprocess.run([os.path.join(PROGRAMS, words[0]), *words[1:]], cwd=folder, text=True,
+                                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        assert run("rve_homogenization", "rve.prm", "--output", "rve").returncode == 0
+        before = sorted(os.walk(folder))
+        problems = []
+        for options, words in (
+                (["Body/Size=0.003, 0.001"], ["Body/Size", "0.003 x 0.001", "0.002 x 0.001", "leave Size empty"]),
+                (["Body/Material=heterogeneous", "Body/Cells=30, 10"], ["Body/Cells", "30 x 10", "20 x 10", "multiple"]),
+                (["Body/Stiffness from=PBC"], ["/stiffness/PBC", "missing", "boundary conditions"])):
+            options = [word for option in ["Body/RVE file=rve/rve.h5", *options] for word in ("--set", option)]
+            for validate in ([], ["--validate"]):
+                done = run("contact_dynamics", "contact.prm", *options, *validate)
+                if done.returncode != 2 or len(done.stderr.strip().splitlines()) != 1:
+                    problems.append(f"{options}: exit status {done.returncode}, {done.stderr[:300]}")
+                problems += [f"'{word}' is missing in: {done.stderr}" for word in words if word not in done.stderr]
+        if sorted(os.walk(folder)) != before:
+            problems.append(f"files were created: {sorted(os.walk(folder))}")
+        return problems
+
+
 def main():
-    problems = [p for case in CASES for p in check(*case)]
+    problems = [p for case in CASES for p in check(*case)] + check_morphology_against_body()
     for program in ("rve_homogenization", "contact_dynamics", "stress_localization"):
         for arguments in (["missing.prm"], ["/"], ["--unknown"], []):
-            done = subprocess.run([os.path.join(PROGRAMS, program), *arguments], text=True, stdout=subprocess.PIPE,
-                                  stderr=subprocess.PIPE)
-            if done.returncode != 2 or len(done.stderr.strip().splitlines()) != 1:
-                problems.append(f"{program} {arguments}: exit status {done.returncode}, {done.stderr[:300]}")
+            with tempfile.TemporaryDirectory() as folder:
+                done = subprocess.run([os.path.join(PROGRAMS, program), *arguments], cwd=folder, text=True,
+                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                if done.returncode != 2 or len(done.stderr.strip().splitlines()) != 1:
+                    problems.append(f"{program} {arguments}: exit status {done.returncode}, {done.stderr[:300]}")
+                if os.listdir(folder):
+                    problems.append(f"{program} {arguments}: created {os.listdir(folder)}")
     assert not problems, "\n".join(problems)
 
 

@@ -48,25 +48,27 @@ NUMERIC = re.compile(r"\bnumbers?\b")
 UNIT = re.compile(r"\[[^\]]+\](?=;)")
 
 
-def check_units(programs, name):
-    """A sentence for every numeric key whose description does not end with its unit in brackets."""
-    missing, sections, words = [], [], []
+def check_keys(programs, name):
+    """A sentence for every key that does not say what it means and what it may be, and for numbers in which unit."""
+    wrong, sections, words = [], [], []
     for line in run(programs, name, "--print-parameters").stdout.splitlines():
         line = line.strip()
         if line.startswith("#"):
             words.append(line[1:].strip())
             continue
         if line.startswith("set "):
-            text = " ".join(words)
-            allowed = text.rsplit("; ", 1)[-1]
-            if NUMERIC.search(allowed) and not UNIT.search(text):
-                missing.append("/".join(sections + [line[4:].split("=")[0].strip()]))
+            meaning, _, allowed = " ".join(words).rpartition("; ")
+            key = name + ": " + "/".join(sections + [line[4:].split("=")[0].strip()])
+            if len(meaning) < 8 or not allowed:
+                wrong.append(f"{key} does not state its meaning or its range")
+            if NUMERIC.search(allowed) and not UNIT.search(meaning + ";"):
+                wrong.append(f"{key} does not state its unit ([-] if it has none)")
         elif line.startswith("subsection "):
             sections.append(line[len("subsection "):])
         elif line == "end":
             sections.pop()
         words = []
-    return [f"{name}: {key} does not state its unit ([-] if it has none)" for key in missing]
+    return wrong
 
 
 def program_of(path):
@@ -104,7 +106,7 @@ def check_file(programs, path):
 
 def main():
     programs, update = os.path.abspath(sys.argv[1]), "--update" in sys.argv
-    problems = [p for name in PROGRAMS for p in check_page(programs, name, update) + check_units(programs, name)]
+    problems = [p for name in PROGRAMS for p in check_page(programs, name, update) + check_keys(programs, name)]
     files = sorted(glob.glob(os.path.join(TOP, "prm", "**", "*.prm"), recursive=True))
     assert files, "no .prm file under prm/"
     for path in files:

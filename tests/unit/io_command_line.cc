@@ -123,7 +123,7 @@ TEST(CommandLineTest, ARunLeavesItsPapers)
                     "Input/Image file: there is no file " + folder.path +
                       "/x.png; draw one first");
   std::ofstream(folder / "file") << "x";
-  expect_user_error(run(folder, "in/b.prm --output file"), "exists and is not a folder");
+  expect_user_error(run(folder, "in/b.prm --output file"), "is not a folder; give another one");
   expect_user_error(run(folder, "in/b.prm --output none --resume"), "nothing to resume");
 }
 

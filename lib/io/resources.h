@@ -1,0 +1,29 @@
+#ifndef mesoslip_io_resources_h
+#define mesoslip_io_resources_h
+
+#include <string>
+
+namespace mesoslip
+{
+/** What a run is going to take of a disk or of the memory. */
+struct Need
+{
+  double bytes = 0.;
+  /** The keys that decide it and how: "reduce Grid/Cells". */
+  std::string remedy;
+};
+
+/** "1.5 GB": two or three digits with a unit of powers of 1000. */
+std::string bytes_text(const double bytes);
+
+/** @throws UserError when the machine has less memory. */
+void require_memory(const Need &need);
+
+/**
+ * Checks that @p folder exists or can be created, that it can be written to, and that its
+ * disk has room. Creates nothing. @throws UserError
+ */
+void require_disk(const std::string &folder, const Need &need);
+} // namespace mesoslip
+
+#endif

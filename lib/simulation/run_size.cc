@@ -1,0 +1,107 @@
+#include "simulation/run_size.h"
+
+#include "elasticity/critical_time_step.h"
+#include "homogenization/rve_file.h"
+#include "io/errors.h"
+#include "io/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+/** Numbers of a sample of the histories with the reference node; of a probe; of the
+ * energies. */
+constexpr double history_numbers = 18., probe_numbers = 11., energy_numbers = 10.;
+
+double n_nodes(const ContactParameters &parameters)
+{
+  const auto cells = body_cells(parameters);
+  return (cells[0] + 1.) * (cells[1] + 1.);
+}
+
+/** Bytes of all that is recorded every few steps. */
+double history_bytes(const ContactParameters &parameters, const double n_steps)
+{
+  const ObservationParameters &o = parameters.observation;
+  double numbers                 = history_numbers * n_steps / o.history_interval;
+  numbers +=
+    probe_numbers * static_cast<double>(o.probes.size()) * n_steps / o.probe_interval;
+  if (o.energy_interval > 0)
+    numbers += energy_numbers * n_steps / o.energy_interval;
+  return sizeof(double) * numbers;
+}
+} // namespace
+
+std::array<unsigned int, 2> body_cells(const ContactParameters &parameters)
+{
+  if (parameters.body.cells[0] > 0)
+    return parameters.body.cells;
+  if (!parameters.body.rve_file.empty())
+    return RveFile::open(parameters.body.rve_file).grid().cells;
+  return {{560, 160}};
+}
+
+double n_snapshots(const ContactParameters &parameters, const double n_steps)
+{
+  const ObservationParameters &o = parameters.observation;
+  if (!(o.snapshots_interval > 0.))
+    return 0.;
+  const double to =
+    std::isnan(o.snapshots_to) ? parameters.time.end_time : o.snapshots_to;
+  if (!(o.snapshots_from <= std::min(to, parameters.time.end_time)))
+    throw UserError("Snapshots/From: " + to_text(o.snapshots_from) +
+                    " s is after the last one, at " +
+                    to_text(std::min(to, parameters.time.end_time)) +
+                    " s, so there would be none; set it earlier, or Interval = 0");
+  return std::min(std::floor((to - o.snapshots_from) / o.snapshots_interval) + 1.,
+                  n_steps);
+}
+
+Need field_memory(const ContactParameters &parameters)
+{
+  // Displacement and increment; the static solvers as measured with the multigrid.
+  const bool stepping = parameters.analysis == ContactAnalysis::transient;
+  return {(stepping ? 33. : 330.) * n_nodes(parameters), "reduce Body/Cells"};
+}
+
+double largest_number_of_steps(const ContactParameters &parameters,
+                               const UniformMaterial &material)
+{
+  const TimeParameters &t = parameters.time;
+  const double dt =
+    std::isnan(t.time_step)
+      ? t.safety * critical_time_step(element_frequency_bound(material), t.beta2, t.beta)
+      : t.time_step;
+  return std::ceil(t.end_time / dt);
+}
+
+Need history_memory(const ContactParameters &parameters, const double n_steps)
+{
+  return {history_bytes(parameters, n_steps),
+          "increase Observation/History interval (and Probe interval, Energy interval), "
+          "or reduce Time/End time, now " +
+            to_text(n_steps) + " steps"};
+}
+
+Need dynamics_file_size(const ContactParameters &parameters, const double n_steps)
+{
+  const double snapshots = n_snapshots(parameters, n_steps);
+  const double field     = 2. * sizeof(double) * n_nodes(parameters);
+  // In snapshots.part until the run is complete, as well.
+  const double fields    = 2. * snapshots * field;
+  const double histories = history_bytes(parameters, n_steps);
+  // Displacement, increment and histories, in the old one and in the new.
+  const double checkpoints = 2. * (2. * field + histories);
+  Need need                = history_memory(parameters, n_steps);
+  if (fields > histories)
+    need.remedy = to_text(snapshots) +
+                  " snapshots take most of it: increase Snapshots/Interval, now " +
+                  to_text(parameters.observation.snapshots_interval) +
+                  " s, or set From and To";
+  need.bytes = fields + histories + checkpoints;
+  return need;
+}
+} // namespace mesoslip

@@ -1,0 +1,37 @@
+#ifndef mesoslip_simulation_run_size_h
+#define mesoslip_simulation_run_size_h
+
+#include "elasticity/uniform_material.h"
+#include "io/resources.h"
+#include "simulation/contact_parameters.h"
+
+namespace mesoslip
+{
+/** Cells of the body as given, of its RVE file, or the default's. @throws UserError */
+std::array<unsigned int, 2> body_cells(const ContactParameters &parameters);
+
+/**
+ * Snapshots that a transient run of @p n_steps takes, at most one a step.
+ * @throws UserError when they begin after the end
+ */
+double n_snapshots(const ContactParameters &parameters, const double n_steps);
+
+/** Memory of the fields, to be checked before they are created. */
+Need field_memory(const ContactParameters &parameters);
+
+/**
+ * Steps of a transient run, estimated from above: with the bound of a single cell for the
+ * time step, or the time step given.
+ */
+double largest_number_of_steps(const ContactParameters &parameters,
+                               const UniformMaterial &material);
+
+/** Memory of the histories, which are kept until the end of a transient run. */
+Need history_memory(const ContactParameters &parameters, const double n_steps);
+
+/** Disk space of dynamics.h5 and the checkpoints of a transient run, when it is largest.
+ */
+Need dynamics_file_size(const ContactParameters &parameters, const double n_steps);
+} // namespace mesoslip
+
+#endif

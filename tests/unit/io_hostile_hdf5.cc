@@ -1,0 +1,175 @@
+// HDF5 files that ask for more than they hold, and disks that fill up.
+#include "io_testing.h"
+
+#include "io/files.h"
+#include "io/hdf5_file.h"
+
+#include <csignal>
+#include <hdf5.h>
+#include <sys/resource.h>
+
+using namespace mesoslip;
+using namespace mesoslip_tests;
+
+namespace
+{
+/** Writes a dataset without values, of chunks or contiguous, with the library itself. */
+void write_hollow(const std::string &path,
+                  const hid_t type,
+                  const std::vector<hsize_t> &extents,
+                  const std::vector<hsize_t> &chunk)
+{
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+  if (!chunk.empty())
+    H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+  const hid_t space =
+    H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr);
+  const hid_t set =
+    H5Dcreate2(file, "/hollow", type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+  ASSERT_GE(set, 0);
+  H5Dclose(set);
+  H5Sclose(space);
+  H5Pclose(properties);
+  H5Fclose(file);
+}
+
+std::string reading(const std::string &path)
+{
+  return user_error([&]() { Hdf5File::open(path).read<double>("/hollow"); });
+}
+} // namespace
+
+TEST(HostileHdf5, NothingLargerThanTheFileIsRead)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5";
+  const hsize_t huge     = hsize_t(1) << 31;
+  // 17 GB that would be filled with zeros.
+  write_hollow(path, H5T_NATIVE_DOUBLE, {huge}, {1024});
+  expect_contains(reading(path), "/hollow of shape [2147483648] is larger than the file");
+  // The product of the extents is 2^64, that is, 0: once an empty list without an error.
+  write_hollow(path, H5T_NATIVE_DOUBLE, {huge, huge, 4}, {1, 1024, 1});
+  expect_contains(reading(path), "larger than the file");
+  // A chunk of 2 GB that the library would fill for the one value that is read.
+  write_hollow(path, H5T_NATIVE_DOUBLE, {huge / 8}, {huge / 8});
+  expect_contains(
+    user_error([&]() { Hdf5File::open(path).read_block<double>("/hollow", {0}, {1}); }),
+    "larger than the file");
+  write_hollow(path, H5T_C_S1, {huge, huge}, {1024, 1});
+  expect_contains(user_error([&]() { Hdf5File::open(path).read_strings("/hollow"); }),
+                  "not a list of texts");
+  // Well below the limit: unwritten values read as zeros.
+  write_hollow(path, H5T_NATIVE_DOUBLE, {1000}, {1000});
+  EXPECT_EQ(Hdf5File::open(path).read<double>("/hollow"), std::vector<double>(1000));
+}
+
+TEST(HostileHdf5, EmptySpacesAreNamed)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5";
+  const hid_t file    = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t nothing = H5Screate(H5S_NULL);
+  H5Aclose(H5Acreate2(file, "a", H5T_NATIVE_INT, nothing, H5P_DEFAULT, H5P_DEFAULT));
+  H5Dclose(H5Dcreate2(file, "/hollow", H5T_NATIVE_DOUBLE, nothing, H5P_DEFAULT,
+                      H5P_DEFAULT, H5P_DEFAULT));
+  H5Sclose(nothing);
+  H5Fclose(file);
+  expect_contains(reading(path), "holds nothing");
+  expect_contains(
+    user_error([&]() { Hdf5File::open(path).read_attribute<int>("/", "a"); }),
+    "the attribute 'a' of / has no value");
+}
+
+namespace
+{
+/** A limit of the file size acts as a full disk does: a write fails. */
+void limit_file_size(const rlim_t bytes)
+{
+  std::signal(SIGXFSZ, SIG_IGN);
+  struct rlimit limit;
+  getrlimit(RLIMIT_FSIZE, &limit);
+  limit.rlim_cur = bytes;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+}
+
+/** Writes more than the disk takes in a process of its own, which has to end in order. */
+void expect_full_disk(const std::string &path,
+                      const std::function<void(Hdf5File &)> &write)
+{
+  const auto fill = [&]() {
+    limit_file_size(100000);
+    try
+      {
+        Hdf5File file = Hdf5File::create(path);
+        write(file);
+        file.close();
+      }
+    catch (const UserError &error)
+      {
+        std::cerr << error.what() << std::endl;
+        // As the programs do: otherwise the library crashes in its exit handler.
+        std::_Exit(Hdf5File::writing_has_failed() ? 2 : 1);
+      }
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(fill(), ::testing::ExitedWithCode(2), "is the disk full");
+}
+} // namespace
+
+TEST(FullDisk, IsAnErrorAndKeepsTheOldFile)
+{
+  ::testing::FLAGS_gtest_death_test_style = "threadsafe";
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5";
+  {
+    Hdf5File file = Hdf5File::create(path);
+    file.write<double>("/x", {3}, {1., 2., 3.});
+    file.close();
+  }
+  const std::string old = read_file(path);
+  expect_full_disk(path, [](Hdf5File &file) {
+    file.write<double>("/y", {100000}, std::vector<double>(100000));
+  });
+  expect_full_disk(path, [](Hdf5File &file) {
+    file.create_extendable<double>("/rows", {5000});
+    for (unsigned int k = 0; k < 100; ++k)
+      file.append<double>("/rows", std::vector<double>(5000).data(), 1);
+  });
+  // What is buffered fails only when it is flushed.
+  expect_full_disk(path, [](Hdf5File &file) {
+    for (char name = 'a'; name < 'k'; ++name)
+      file.create_extendable<double>(std::string("/") + name, {});
+    for (unsigned int k = 0; k < 2000; ++k)
+      for (char name = 'a'; name < 'k'; ++name)
+        file.append(std::string("/") + name, 1. * k);
+  });
+  expect_full_disk(path, [](Hdf5File &file) {
+    file.write_strings("/names", std::vector<std::string>(100000, "fibre"));
+  });
+  EXPECT_EQ(read_file(path), old);
+  EXPECT_EQ(Hdf5File::open(path).read<double>("/x"), (std::vector<double>{1., 2., 3.}));
+}
+
+TEST(FullDisk, OfSmallFiles)
+{
+  ::testing::FLAGS_gtest_death_test_style = "threadsafe";
+  const TemporaryFolder folder;
+  write_file(folder / "a.txt", "old");
+  const auto fill = [&]() {
+    limit_file_size(4096);
+    try
+      {
+        write_file(folder / "a.txt", std::string(10000, 'x'));
+      }
+    catch (const UserError &error)
+      {
+        std::cerr << error.what() << std::endl;
+        std::exit(2);
+      }
+  };
+  EXPECT_EXIT(fill(), ::testing::ExitedWithCode(2),
+              "a.txt.part: cannot be written .File too large");
+  EXPECT_EQ(read_file(folder / "a.txt"), "old");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.txt.part"));
+}
