@@ -1,0 +1,4 @@
+# The guide by the letter. The function is in chain.cmake.
+if(MESOSLIP_PYTHON)
+  mesoslip_python_test(regression first_steps PROCESSORS 2)
+endif()
