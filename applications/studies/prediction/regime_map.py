@@ -16,13 +16,15 @@ DELTAS = (0, 0.25e-6, 0.5e-6, 0.75e-6, 1e-6, 1.5e-6, 2e-6, 3e-6)
 IMPEDANCE = 1770 * (13.785e9 / 1770) ** 0.5  # rho c_T of eq. (10), Pa s/m
 PRESS_TIME, DRAG_AT = 2e-4, 3e-4
 
-STARTS = ("at once", "ramped", "pressed, then dragged", "struck")
+# Velocity along x with which the pin starts, over P / (rho c_T): a push that scales with P.
+PUSHES = {"struck": 2, "pushed": 6.2, "pushed hard": 15}
+STARTS = ("at once", "ramped", "pressed, then dragged", *PUSHES)
 
 
 def start_settings(start, pressure, velocity=VELOCITY):
     """Settings of a start. at once: P and V from the first step. ramped: P grows smoothly in 0.2 ms under the moving flat.
-    pressed, then dragged: P likewise on the flat at rest, which moves at once from 0.3 ms on. struck: at once, and the
-    pin starts with the velocity 2 P / (rho c_T) along x."""
+    pressed, then dragged: P likewise on the flat at rest, which moves at once from 0.3 ms on. Those of
+    PUSHES: at once, and the pin starts with a velocity along x."""
     ramp = {"Top/Ramp": "smooth", "Top/Ramp time": PRESS_TIME}
     if start == "at once":
         return {}
@@ -30,8 +32,8 @@ def start_settings(start, pressure, velocity=VELOCITY):
         return ramp
     if start == "pressed, then dragged":
         return {**ramp, "Flat/Expression": f"if(t > {DRAG_AT!r}, {velocity!r}, 0)"}
-    if start == "struck":
-        return {"Body/Initial velocity": f"{2 * pressure / IMPEDANCE!r}, 0"}
+    if start in PUSHES:
+        return {"Body/Initial velocity": f"{PUSHES[start] * pressure / IMPEDANCE!r}, 0"}
     raise ValueError(f"no start named {start}")
 
 
@@ -40,8 +42,8 @@ def settings(pressure, delta, start, cells=CELLS, velocity=VELOCITY, end=END):
             "Friction/Regularization time": delta, "Time/End time": end, **start_settings(start, pressure, velocity)}
 
 
-def name_of(pressure, delta, start, prefix="map"):
-    return f"{prefix}-P{pressure / 1e6:g}-d{delta * 1e9:g}-{start.split(',')[0].replace(' ', '_')}"
+def name_of(pressure, delta, start):
+    return f"map-P{pressure / 1e6:g}-d{delta * 1e9:g}-{start.split(',')[0].replace(' ', '_')}"
 
 
 def points():

@@ -1,6 +1,7 @@
 """Ten morphologies of the same statistics and homogeneous pins of the same stiffness: the runs from which rules for the
 regularization time of the homogeneous model are judged."""
 
+import dataclasses
 import os
 
 import numpy as np
@@ -9,12 +10,33 @@ from mixture import write_coarse
 
 SEEDS = tuple(range(1, 11))
 DELTA = 1.5e-6
-PRESSURES = (5e6, 4e6)  # ten times the printed ones; the fine grid runs the first only
 FINE_SEEDS = (1, 2, 3)
 SWEEP = (0.5e-6, 1e-6, 1.25e-6, 1.5e-6, 1.75e-6, 2e-6, 2.5e-6, 3e-6)
 FINE, COARSE, COARSER = (560, 160), (280, 80), (140, 40)
 END = 2e-3
 EARLY, LATE = (2.5e-4, 1e-3), (1e-3, 2e-3)
+
+
+@dataclasses.dataclass(frozen=True)
+class Load:
+    """Pressure (Pa), and the velocity along x with which the pin starts (m/s)."""
+    key: str
+    pressure: float
+    push: float
+
+    @property
+    def label(self):
+        return f"{self.pressure / 1e6:g} MPa, " + (f"pushed at {self.push:g} m/s" if self.push else "from rest")
+
+    @property
+    def settings(self):
+        start = {"Body/Initial velocity": f"{self.push!r}, 0"} if self.push else {}
+        return {"Top/Pressure": self.pressure, **start}
+
+
+# The paper's two pressures in the reading of doc/paper, which leads to its regimes 1 and 2; and another reading.
+LOADS = (Load("P0.5-pushed", 0.5e6, 0.5), Load("P0.4-pushed", 0.4e6, 0.5), Load("P5", 5e6, 0.))
+FINE_LOAD = LOADS[2]
 
 
 def add_morphologies(study, prm, seeds=SEEDS):
@@ -27,15 +49,19 @@ def add_coarse(study, prm, results, times, seeds=SEEDS):
     for seed in seeds:
         made = write_coarse(os.path.join(results[f"rve-{seed}"].folder, "rve.h5"), study.path(f"coarse-map-{seed}-{times}"), times)
         study.add(f"coarse-rve-{seed}-{times}", "rve_homogenization", made)
-    for pressure in PRESSURES:
+    for load in LOADS:
         for seed in seeds:
-            study.add(het_name(seed, pressure, times), "contact_dynamics", prm,
-                      {"Body/RVE file": f"{{coarse-rve-{seed}-{times}}}/rve.h5", "Top/Pressure": pressure, "Time/End time": END,
-                       "Friction/Regularization time": DELTA})
+            study.add(het_name(seed, load, times), "contact_dynamics", prm, {
+                "Body/RVE file": f"{{coarse-rve-{seed}-{times}}}/rve.h5", **load.settings, "Time/End time": END,
+                "Friction/Regularization time": DELTA})
 
 
-def het_name(seed, pressure, times):
-    return f"het-{seed}-P{pressure / 1e6:g}-coarse{times}"
+def het_name(seed, load, times):
+    return f"het-{seed}-{load.key}-coarse{times}"
+
+
+def own_name(seed, load):
+    return f"own-{seed}-{load.key}"
 
 
 def mean_stiffness(results, prefix="rve", seeds=SEEDS):
@@ -49,23 +75,22 @@ def entries(result):
     return [d[0][0], d[0][1], d[1][1], d[2][2]]
 
 
-def homogeneous_settings(stiffness, pressure, delta, cells):
-    return {"Body/Stiffness": [float(f"{d:.6g}") for d in stiffness], "Body/Cells": list(cells), "Top/Pressure": pressure,
-            "Friction/Regularization time": delta, "Time/End time": END}
+def homogeneous_settings(stiffness, load, delta, cells):
+    return {"Body/Stiffness": [float(f"{d:.6g}") for d in stiffness], "Body/Cells": list(cells),
+            **load.settings, "Friction/Regularization time": delta, "Time/End time": END}
 
 
 def add_homogeneous(study, prm, results, seeds=SEEDS):
     """The mean stiffness over delta; and each morphology's own stiffness at its delta, which shows how far results part
     that differ by the scatter of the stiffness alone."""
     mean, _ = mean_stiffness(results, seeds=seeds)
-    for pressure in PRESSURES:
+    for load in LOADS:
         for delta in SWEEP:
             for cells in (COARSE, COARSER):
-                study.add(hom_name(pressure, delta, cells), "contact_dynamics", prm,
-                          homogeneous_settings(mean, pressure, delta, cells))
+                study.add(hom_name(load, delta, cells), "contact_dynamics", prm, homogeneous_settings(mean, load, delta, cells))
         for seed in seeds:
-            study.add(f"own-{seed}-P{pressure / 1e6:g}", "contact_dynamics", prm,
-                      homogeneous_settings(entries(results[f"rve-{seed}"]), pressure, DELTA, COARSE))
+            study.add(own_name(seed, load), "contact_dynamics", prm,
+                      homogeneous_settings(entries(results[f"rve-{seed}"]), load, DELTA, COARSE))
 
 
 def add_fine(study, homogeneous, heterogeneous, results, seeds=FINE_SEEDS):
@@ -73,11 +98,11 @@ def add_fine(study, homogeneous, heterogeneous, results, seeds=FINE_SEEDS):
     mean, _ = mean_stiffness(results)
     for seed in seeds:
         study.add(f"het-{seed}", "contact_dynamics", heterogeneous,
-                  {"Body/RVE file": f"{{rve-{seed}}}/rve.h5", "Top/Pressure": PRESSURES[0], "Time/End time": END,
+                  {"Body/RVE file": f"{{rve-{seed}}}/rve.h5", **FINE_LOAD.settings, "Time/End time": END,
                    "Friction/Regularization time": DELTA})
-    study.add(hom_name(PRESSURES[0], DELTA, FINE), "contact_dynamics", homogeneous,
-              homogeneous_settings(mean, PRESSURES[0], DELTA, FINE))
+    study.add(hom_name(FINE_LOAD, DELTA, FINE), "contact_dynamics", homogeneous,
+              homogeneous_settings(mean, FINE_LOAD, DELTA, FINE))
 
 
-def hom_name(pressure, delta, cells=COARSE):
-    return f"hom-P{pressure / 1e6:g}-d{delta * 1e9:g}" + ("" if cells == COARSE else f"-{cells[0]}")
+def hom_name(load, delta, cells=COARSE):
+    return f"hom-{load.key}-d{delta * 1e9:g}" + ("" if cells == COARSE else f"-{cells[0]}")
