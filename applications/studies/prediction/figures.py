@@ -7,6 +7,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
+from PIL import Image  # noqa: E402
 
 import growth  # noqa: E402
 import regime_map  # noqa: E402
@@ -22,8 +23,11 @@ PAPER_REGIMES = {1: (0.30, 0.21), 2: (0.80, 0.17)}  # separation of M, mu_inter 
 
 def save(figure, folder, name):
     os.makedirs(folder, exist_ok=True)
-    figure.savefig(os.path.join(folder, name), dpi=90)
+    path = os.path.join(folder, name)
+    figure.savefig(path, dpi=90)
     plt.close(figure)
+    with Image.open(path) as image:  # few colours: a third of the size
+        image.convert("RGB").quantize(96).save(path, optimize=True)
     return name
 
 
@@ -44,13 +48,13 @@ def growth_over_delta(folder, homogeneous, morphologies):
     return save(figure, folder, "growth.png")
 
 
-def regime_maps(folder, found, starts=regime_map.STARTS):
+def regime_maps(folder, found, starts, name):
     """Rows: mu_inter, separation of M, main frequency; columns: starts; each over P/V and delta."""
     pressures = sorted({p for p, _, _ in found})
     deltas = sorted({d for _, d, _ in found})
     rows = [("μ_inter", lambda m: m.mu, "viridis", 0.12, 0.25), ("separation of M", lambda m: m.middle[2], "magma", 0, 0.8),
             ("frequency [kHz]", lambda m: m.frequency / 1e3, "turbo", 30, 260)]
-    figure, grid = plt.subplots(len(rows), len(starts), figsize=(10.4, 7.4), sharex=True, sharey=True)
+    figure, grid = plt.subplots(len(rows), len(starts), figsize=(1.4 + 3.3 * len(starts), 7.6), sharex=True, sharey=True)
     for row, (line, (title, value, colours, low, high)) in enumerate(zip(grid, rows)):
         for axes, start in zip(line, starts):
             field = np.full((len(deltas), len(pressures)), np.nan)
@@ -75,7 +79,7 @@ def regime_maps(folder, found, starts=regime_map.STARTS):
         figure.colorbar(picture, ax=line, label=title, aspect=18)
     for axes in grid[-1]:
         axes.set_xlabel("P/V [MPa s/m]")
-    return save(figure, folder, "regime_map.png")
+    return save(figure, folder, name)
 
 
 def search(folder, found):
@@ -97,7 +101,7 @@ def search(folder, found):
 
 def mu_over_delta(folder, sweeps, morphologies):
     """mu_inter of the homogeneous pin over delta with the heterogeneous pins beside it; `sweeps` and `morphologies`
-    {(P, window): ...}, the latter lists of Measures."""
+    {(load, window): ...}, the latter lists of Measures."""
     keys = list(sweeps)
     figure, grid = plt.subplots(1, len(keys), figsize=(2.6 * len(keys), 3.3), sharey=True, squeeze=False)
     for axes, key in zip(grid[0], keys):
@@ -106,7 +110,7 @@ def mu_over_delta(folder, sweeps, morphologies):
                       color=BLUE, label="homogeneous", capsize=2)
         axes.errorbar(np.full(len(runs), 1500.) + 20 * (np.arange(len(runs)) - len(runs) / 2), [m.mu for m in runs],
                       yerr=[m.mu_error for m in runs], fmt="_", ms=5, color=ORANGE, lw=0.8, label="morphologies, δ = 1500 ns")
-        axes.set(title=f"{key[0] / 1e6:g} MPa, {key[1]}", xlabel="δ [ns]")
+        axes.set(title=f"{key[0].label},\n{key[1]}", xlabel="δ [ns]")
     grid[0][0].set_ylabel("μ_inter")
     grid[0][0].legend(fontsize=7, loc="lower right")
     return save(figure, folder, "mu_over_delta.png")
@@ -123,5 +127,5 @@ def rule_errors(folder, rows, key):
     axes.set_yticks(range(len(rows)), list(rows))
     axes.invert_yaxis()
     axes.set(xlabel="error of μ_inter, homogeneous minus heterogeneous",
-             title=f"{key[0] / 1e6:g} MPa, {key[1]} (bar: mean)")
-    return save(figure, folder, f"rules_{key[0] / 1e6:g}MPa_{key[1].split()[0]}.png")
+             title=f"{key[0].label}, {key[1]} (bar: mean)")
+    return save(figure, folder, f"rules_{key[0].key}_{key[1]}.png")

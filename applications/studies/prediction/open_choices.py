@@ -1,4 +1,4 @@
-"""What the paper's text leaves open, one choice changed at a time from the reading that the project takes."""
+"""What the paper's text leaves open, one choice changed at a time from the reading of prm/pin."""
 
 import os
 
@@ -11,13 +11,16 @@ from regime_map import CELLS, start_settings
 END = 2e-3
 EARLY, LATE = (2.5e-4, 1e-3), (1e-3, 2e-3)
 PRESSURE, PRINTED = 5e6, 0.5e6  # ten times the printed pressure of regime 1, and that one
+PUSHED = {"Body/Initial velocity": "0.5, 0"}
 STRONGER = {"Time/Beta2": 1, "Time/Time step": 5e-9}  # the largest beta2 that the paper allows, at its time step
 
 # name: (what is changed, settings)
 CHOICES = {
-    "reading": ("the reading taken: platen, 5 MPa, at once", {}),
+    "reading": ("platen, 5 MPa, from rest, at once (`prm/pin`)", {}),
     "printed": ("printed pressure, 0.5 MPa", {"Top/Pressure": PRINTED}),
     "four": ("4 MPa, ten times that of regime 2", {"Top/Pressure": 4e6}),
+    "printed-pushed": ("0.5 MPa, pushed at 0.5 m/s ([paper](README.md))", {"Top/Pressure": PRINTED, **PUSHED}),
+    "lower-pushed": ("0.4 MPa, pushed at 0.5 m/s ([paper](README.md))", {"Top/Pressure": 0.4e6, **PUSHED}),
     "literal": ("pressure on each node of the top, u_x = 0 there", {"Top/Kind": "pressure", "Top/Lateral held": True}),
     "literal-printed": ("the same at the printed pressure",
                         {"Top/Kind": "pressure", "Top/Lateral held": True, "Top/Pressure": PRINTED}),

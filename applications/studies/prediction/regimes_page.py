@@ -13,6 +13,8 @@ import rules
 import seeds
 from tables import MEASURE_COLUMNS, markdown, measure_row, short, write_csv
 
+AT_REST = tuple(start for start in regime_map.STARTS if start not in regime_map.PUSHES)
+EQUAL = 1e-11
 # The paper's regime 2 with the room it leaves: separation of M 80 %, mu_inter 0.17 to 0.18, 39.6 kHz (bands +- 0.1, 0.005, 1 %).
 CRITERIA = {"M is separated 70 to 90 % of the time": lambda m: 0.7 <= m.middle[2] <= 0.9,
             "μ_inter is 0.165 to 0.185": lambda m: 0.165 <= m.mu <= 0.185,
@@ -20,14 +22,14 @@ CRITERIA = {"M is separated 70 to 90 % of the time": lambda m: 0.7 <= m.middle[2
 
 
 def scaling(found):
-    """The two lowest pressures at equal delta and start: how many pairs of runs there are, in how many no node stuck in either window,
-    and the largest differences in those of the share of slip, of mean mu_app and of mu_inter."""
+    """The two lowest pressures at equal delta and start: how many pairs of runs there are, in how many no node stuck in either window, in
+    how many of these the shares of slip and mean mu_app are equal to EQUAL, and the largest difference of mu_inter in those."""
     low, high = regime_map.PRESSURES[:2]
     pairs = [(found[low, d, s], found[high, d, s]) for (p, d, s) in found if p == low and (high, d, s) in found]
-    slipping = [(a[w], b[w]) for a, b in pairs if max(m.shares[1] for m in (*a, *b)) == 0 for w in (0, 1)]
-    differences = [max(abs(value(a) - value(b)) for a, b in slipping)
-                   for value in (lambda m: m.shares[0], lambda m: m.mu_app, lambda m: m.mu)]
-    return len(pairs), len(slipping) // 2, *differences
+    slipping = [(a, b) for a, b in pairs if max(m.shares[1] for m in (*a, *b)) == 0]
+    equal = [(a, b) for a, b in slipping if all(abs(x - y) < EQUAL for m, n in zip(a, b)
+                                                for x, y in ((m.shares[0], n.shares[0]), (m.mu_app, n.mu_app)))]
+    return len(pairs), len(slipping), len(equal), max(abs(m.mu - n.mu) for a, b in equal for m, n in zip(a, b))
 
 
 def counts(found):
@@ -70,7 +72,8 @@ def write(folder, found, choice_results, data):
     write_csv(pictures, "growth.csv", ["delta [s]", "mode", "growth [1/s]", "frequency [Hz]"],
               [[d, k, f"{s.real:.6g}", f"{s.imag / 2 / np.pi:.6g}"] for d, line in zip(growth.DELTAS, modes) for k, s in enumerate(line)])
     figures.growth_over_delta(pictures, modes, data.morphologies)
-    figures.regime_maps(pictures, found)
+    figures.regime_maps(pictures, found, AT_REST, "regime_map_rest.png")
+    figures.regime_maps(pictures, found, tuple(regime_map.PUSHES), "regime_map_pushed.png")
     figures.search(pictures, found)
     with open(os.path.join(folder, "regimes.md"), "w", encoding="utf-8") as file:
         file.write("\n\n".join(_sections(found, choices, choice_results, data)) + "\n")
@@ -89,41 +92,55 @@ def _head(found):
             "± is twice the standard error of eight block means."]
 
 
+def _is_regime_two(m):
+    return all(rule(m) for rule in CRITERIA.values())
+
+
+def _span(values, scale=1.0):
+    """Smallest to largest of the values, as text."""
+    low, high = min(values) / scale, max(values) / scale
+    return f"{low:g}" if low == high else f"{low:g} to {high:g}"
+
+
 def _short(found, choices, data):
-    every = [m for pair in found.values() for m in pair]
-    met = [sum(rule(m) for m in every) for rule in CRITERIA.values()]
-    all_met = sum(all(rule(m) for rule in CRITERIA.values()) for m in every)
-    friction = [m for m in every if CRITERIA["μ_inter is 0.165 to 0.185"](m)]
-    taken, printed = choices["reading"][0], choices["printed"][0]
-    pins = {w: list(data.heterogeneous(4e6, times).values()) for w, times in rules.WINDOWS.items()}
-    ranges = ", ".join(f"{min(m.mu for m in p):.3f} to {max(m.mu for m in p):.3f} ({w})" for w, p in pins.items())
-    farthest = max(m.middle[2] for p in pins.values() for m in p)
+    met = {point: m for point, pair in found.items() for m in pair if _is_regime_two(m)}
+    if not met:
+        raise RuntimeError("the map has no regime 2; the text of this page says it has")
+    branch = [m for pair in found.values() for m in pair[1:] if 0.7 <= m.middle[2] <= 0.9]
+    rest = sum(start in AT_REST for _, _, start in met)
+    printed, lower = choices["printed-pushed"][1], choices["lower-pushed"][1]
+    pins = {load: list(data.heterogeneous(load, seeds.LATE).values()) for load in seeds.LOADS}
+    heterogeneous = "; ".join(
+        f"{load.label}: mu_inter {min(m.mu for m in p):.3f} to {max(m.mu for m in p):.3f}, M separated {100 * min(m.middle[2] for m in p):.0f} to "
+        f"{100 * max(m.middle[2] for m in p):.0f} %" for load, p in pins.items())
     return ["## In short",
-            "* The printed 0.5 and 0.4 MPa are one motion of one pin but for its size; they cannot be two regimes (next section).\n"
-            f"* Regime 2 is not in the map: of {len(every)} windows ({len(found)} runs) {all_met} meet its three marks, {met[0]} its separation, {met[2]} its "
-            f"frequency. Its friction alone occurs ({met[1]} windows), with M separated {100 * abs(min(m.middle[2] for m in friction)):.0f} to "
-            f"{100 * max(m.middle[2] for m in friction):.0f} % of the time.\n"
-            "* What the map has beside vibration near 41 kHz are cycles near 124 and 176 kHz. Steady sliding has unstable modes near these "
+            "* Alike but for the size, the printed 0.5 and 0.4 MPa give one motion of one pin (next section). What tells them apart is a start that does not scale "
+            "with them, such as a given velocity of the pin.\n"
+            f"* **Regime 2 exists under the printed equations.** {len(met)} of the {len(found)} runs of the map meet its three marks in a window, "
+            f"with P = {_span([p for p, _, _ in met], 1e6)} MPa at 2 m/s and delta = {_span([d for _, d, _ in met], 1e-9)} ns, starts: "
+            f"{', '.join(dict.fromkeys(s for s in regime_map.STARTS if s in {p[2] for p in met}))}. Of those that start from rest {rest or 'none'} does. "
+            f"The pin pushed at 0.5 m/s has late, on cells of 0.4 mm, mu_inter = {lower.mu:.3f}, {lower.frequency / 1e3:.1f} kHz, M separated {100 * lower.middle[2]:.0f} % at 0.4 MPa "
+            f"(paper: 0.17, 39.6, 80), and {printed.mu:.3f}, {printed.frequency / 1e3:.1f} kHz, {100 * printed.middle[2]:.0f} % at 0.5 MPa (0.21, 41.2, 30). How long "
+            "regime 2 lasts: [paper](README.md).\n"
+            f"* It is one end of a branch: in {len(branch)} runs, of all delta, M is separated 70 to 90 % of the time late, with main frequencies of {_span([round(m.frequency / 1e3, 1) for m in branch])} kHz "
+            f"and mu_inter from {max(m.mu for m in branch):.2f} (small delta) to {min(m.mu for m in branch):.2f} (large delta).\n"
+            "* From rest and at higher P/V the map has cycles near 124 and 176 kHz beside those near 41 kHz. Steady sliding has unstable modes near these "
             "frequencies, and they grow faster than that at 41 kHz.\n"
-            "* The top as a platen and ten times the printed pressure are readings, not findings. For the platen: the two modes of fig. 8. For ten "
-            f"times: M moves at {taken.velocity[0]:+.2f} to {taken.velocity[1]:+.2f} m/s (paper about ±0.8), {printed.velocity[0]:+.2f} to {printed.velocity[1]:+.2f} m/s at the "
-            f"printed pressure; and regimes can depend on P at all. Against it: the lift of M, {taken.lift * 1e6:.1f} µm (paper 0.2), {printed.lift * 1e6:.1f} µm at the "
-            "printed pressure.\n"
-            f"* The {len(pins['late'])} heterogeneous pins of [prediction](prediction.md) part as the paper's do. At 4 MPa mu_inter is {ranges}; the paper has 0.173 and 0.213 "
-            f"for its two at 0.4 MPa (table 3). M of these pins is separated at most {100 * farthest:.0f} % of the time, so they are not in regime 2 either."]
+            "* The platen and the push are readings, not findings. For the platen: the two modes of fig. 8. For the push: both regimes at both printed pressures.\n"
+            f"* The {len(pins[seeds.LOADS[0]])} heterogeneous pins of [prediction](prediction.md), late. {heterogeneous}. In the paper one of two is in regime 2 at 0.4 MPa "
+            "(table 3: 0.173 and 0.213), here all are."]
 
 
 def _identity(found):
-    total, slipping, share, mu_app, mu = scaling(found)
+    total, slipping, equal, mu = scaling(found)
     low, high = regime_map.PRESSURES[:2]
     return ["## What P and V can do",
             "With the flat touching from the start, (u, P, V) → (s u, s P, s V) takes solutions into solutions: P and V count by "
             "P/V alone. While no node sticks or reverses its slip V does not count either, and the motion scales with P. Checked with "
-            f"{low / 1e6:g} and {high / 1e6:g} MPa at 2 m/s: in {slipping} of {total} pairs of runs no node stuck in either window; in those the share of slip "
-            f"is the same to {max(share, 1e-15):.0e} and the mean apparent friction to {max(mu_app, 1e-15):.0e}. mu_inter itself falls with P/V, by up to "
+            f"{low / 1e6:g} and {high / 1e6:g} MPa at 2 m/s: in {slipping} of {total} pairs of runs no node stuck in either window. In {equal} of these share of slip "
+            f"and mean apparent friction are the same to {EQUAL:.0e}; in the others nodes stuck or turned outside the windows, after which motions part. mu_inter itself falls with P/V, by up to "
             f"{mu:.4f} there: it is the power of friction with the relative velocity, and part of the flat's work goes into the pin. So mean mu_app "
-            "and mu_inter are not equal, unlike in the paper's remark 1. In the other pairs nodes stick, mostly after impacts at small delta, "
-            "and the runs part."]
+            "and mu_inter are not equal, unlike in the paper's remark 1."]
 
 
 def _growth(modes):
@@ -146,9 +163,10 @@ def _growth(modes):
 def _map():
     return ["## The map",
             "Starts: *at once*, P and V from the first step; *ramped*, P grows in 0.2 ms under the moving flat; *pressed, then dragged*, P "
-            "likewise on the flat at rest, V at once at 0.3 ms; *struck*, at once with a velocity 2 P / (rho c_T) along x. State "
-            f"from {regime_map.LATE[0] * 1e3:g} to {regime_map.LATE[1] * 1e3:g} ms; grey: all nodes slide, no vibration. [Table](regimes/regime_map.csv).",
-            "![map](regimes/regime_map.png)"]
+            "likewise on the flat at rest, V at once at 0.3 ms; the pushes, at once with a velocity of P / (rho c_T) times "
+            + ", ".join(f"{push:g} (*{name}*)" for name, push in regime_map.PUSHES.items())
+            + f" along x. The 0.5 m/s of [paper](README.md) are 4.94 at 0.5 MPa and 6.2 at 0.4 MPa. State from {regime_map.LATE[0] * 1e3:g} to {regime_map.LATE[1] * 1e3:g} ms; grey: all nodes slide, no vibration. [Table](regimes/regime_map.csv).",
+            "![map, from rest](regimes/regime_map_rest.png)", "![map, pushed](regimes/regime_map_pushed.png)"]
 
 
 def _search(found):
@@ -158,7 +176,8 @@ def _search(found):
             "The paper's regime 2: M slips 20 % and is separated 80 % of the time, mu_inter 0.17 to 0.18, 39.6 kHz. Runs of the map that meet it:",
             markdown(["mark of regime 2"] + [f"{w[0] * 1e3:g} to {w[1] * 1e3:g} ms" for w in (regime_map.EARLY, regime_map.LATE)], counts(found)),
             "![search](regimes/regime2_search.png)",
-            f"The largest separation of M in any run is {100 * largest[0]:.0f} % (P = {largest[1][0] / 1e6:g} MPa at 2 m/s, δ = {largest[1][1] * 1e9:g} ns, {largest[1][2]}). Nearest to regime 2:",
+            f"The largest separation of M in any run is {100 * largest[0]:.0f} % (P = {largest[1][0] / 1e6:g} MPa at 2 m/s, δ = {largest[1][1] * 1e9:g} ns, {largest[1][2]}). Early values above mu = 0.25 are "
+            "those of hard pushes: friction takes the energy of the push as well. Nearest to regime 2:",
             markdown(["P [MPa]", "δ [ns]", "start", "window", "μ_inter", "kHz", "M slips / separated [%]"], rows)]
 
 
@@ -176,14 +195,15 @@ def _coexistence(found):
 
 def _over_delta(data):
     rows = []
-    for pressure in seeds.PRESSURES:
+    for load in seeds.LOADS:
         for name, window in rules.WINDOWS.items():
-            sweep = data.sweep(pressure, window)
-            rows.append([f"{pressure / 1e6:g}", name] + [f"{m.mu:.3f}" for m in sweep.measures])
-    header = ["P [MPa]", "window"] + [f"δ = {d * 1e9:g} ns" for d in data.sweep(seeds.PRESSURES[0], seeds.LATE).deltas]
+            sweep = data.sweep(load, window)
+            rows.append([load.label, name] + [f"{m.mu:.3f} ({100 * abs(m.middle[2]):.0f})" for m in sweep.measures])
+    header = ["load", "window"] + [f"δ = {d * 1e9:g} ns" for d in data.sweep(seeds.LOADS[0], seeds.LATE).deltas]
     return ["## mu_inter over delta, as in fig. 11",
-            f"At once, cells of {56 / seeds.COARSE[0]:g} mm, early 0.25 to 1 ms, late {seeds.LATE[0] * 1e3:g} to {seeds.LATE[1] * 1e3:g} ms. The paper has mu_inter fall up to 1500 ns and rise from there, "
-            "which it puts down to the change from regime 2 to regime 1:", markdown(header, rows)]
+            f"mu_inter (M separated, %). At once, cells of {56 / seeds.COARSE[0]:g} mm, early 0.25 to 1 ms, late {seeds.LATE[0] * 1e3:g} to {seeds.LATE[1] * 1e3:g} ms. The paper has mu_inter fall up to 1500 ns and rise from there, "
+            "which it puts down to the change from regime 2 to regime 1. Here a pushed pin keeps its regime over all delta and mu_inter falls; from rest "
+            "mu_inter rises, up to steady sliding:", markdown(header, rows)]
 
 
 def _choices(choices):
@@ -194,7 +214,7 @@ def _choices(choices):
             early, late = choices[name]
             rows += [[label, "early", *short(early)], ["", "late", *short(late)]]
     return ["## The open choices",
-            f"One changed at a time from the reading taken; early 0.25 to 1 ms, late {open_choices.LATE[0] * 1e3:g} to {open_choices.LATE[1] * 1e3:g} ms. The velocity of M along x follows "
+            f"One changed at a time from the reading of `prm/pin`, on cells of 0.4 mm; early 0.25 to 1 ms, late {open_choices.LATE[0] * 1e3:g} to {open_choices.LATE[1] * 1e3:g} ms. The velocity of M along x follows "
             "from the paper's relative velocity, 1.2 to 2.8 m/s (fig. 5); the lift is that of fig. 4. With u_x free on top nothing holds the "
             "pin: it is carried away with the flat.",
             markdown(["choice", "window", "μ_inter", "kHz", "M slips / separated [%]", "velocity of M [m/s]", "lift [µm]"], rows)]

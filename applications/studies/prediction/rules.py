@@ -21,24 +21,24 @@ class Data:
     modes: np.ndarray
     morphologies: dict
 
-    def sweep(self, pressure, window, cells=seeds.COARSE):
-        found = [(d, self.results[seeds.hom_name(pressure, d, cells)]) for d in seeds.SWEEP]
+    def sweep(self, load, window, cells=seeds.COARSE):
+        found = [(d, self.results[seeds.hom_name(load, d, cells)]) for d in seeds.SWEEP]
         found = [(d, measure(r.folder, *window)) for d, r in found if r.status == 0]
         return delta_rules.Sweep(np.array([d for d, _ in found]), [m for _, m in found])
 
-    def heterogeneous(self, pressure, window, times=1):
+    def heterogeneous(self, load, window, times=1):
         """{seed: Measures} of the runs that ended well."""
-        names = {s: seeds.het_name(s, pressure, times) for s in seeds.SEEDS}
+        names = {s: seeds.het_name(s, load, times) for s in seeds.SEEDS}
         return {s: measure(self.results[n].folder, *window) for s, n in names.items()
                 if n in self.results and self.results[n].status == 0}
 
-    def cost(self, pressure, times):
+    def cost(self, load, times):
         """Mean CPU seconds of a heterogeneous run."""
-        return np.mean([self.results[seeds.het_name(s, pressure, times)].cpu_seconds for s in seeds.SEEDS
-                        if seeds.het_name(s, pressure, times) in self.results])
+        return np.mean([self.results[seeds.het_name(s, load, times)].cpu_seconds for s in seeds.SEEDS
+                        if seeds.het_name(s, load, times) in self.results])
 
-    def contact_duration(self, seed, pressure):
-        return self.results[seeds.het_name(seed, pressure, 1)].summary.get("mean_contact_duration")
+    def contact_duration(self, seed, load):
+        return self.results[seeds.het_name(seed, load, 1)].summary.get("mean_contact_duration")
 
 
 def by_growth(data, pick):
@@ -55,23 +55,26 @@ def fastest_mode(data):
     return int(np.argmax(data.modes[growth.DELTAS.index(growth.START)].real))
 
 
-def matched(data, pressure, window, times, cells):
+def matched(data, load, window, times, cells):
     """{seed: delta*} with which the homogeneous pin on `cells` has the mu_inter of the heterogeneous one in `window`."""
-    sweep = data.sweep(pressure, window, cells)
-    return {s: sweep.delta_for(m.mu) for s, m in data.heterogeneous(pressure, window, times).items()}
+    sweep = data.sweep(load, window, cells)
+    return {s: sweep.delta_for(m.mu) for s, m in data.heterogeneous(load, window, times).items()}
 
 
-def all_rules(data, pressure, window):
+def all_rules(data, load, window):
     """{rule: (what it needs of the heterogeneous pin, share of the cost of its run or None, {seed: delta*})}"""
-    references = data.heterogeneous(pressure, window)
-    coarse = data.cost(pressure, 2) / data.cost(pressure, 1)
+    references = data.heterogeneous(load, window)
+    best, other = (matched(data, of, window, 1, seeds.COARSE) for of in (load, seeds.other_load(load)))
+    coarse = data.cost(load, 2) / data.cost(load, 1)
     return {
         "δ* = δ": ("nothing", 0., {s: seeds.DELTA for s in references}),
         "growth, 41.6 kHz mode": ("eigenvalue", None, by_growth(data, mode_near(data, 41.6e3))),
         "growth, fastest mode": ("eigenvalue", None, by_growth(data, fastest_mode(data))),
-        "short run": ("run of 0.5 ms", SHORT[1] / seeds.END, matched(data, pressure, SHORT, 1, seeds.COARSE)),
-        "coarse run": ("run on cells of 0.4 mm", coarse, matched(data, pressure, window, 2, seeds.COARSER)),
-        "eq. (13)": ("full run", 1., {s: delta_rules.equation_13(m.mu, MU, data.contact_duration(s, pressure))
+        "short run": ("run of 0.5 ms", SHORT[1] / seeds.END, matched(data, load, SHORT, 1, seeds.COARSE)),
+        "coarse run": ("run on cells of 0.4 mm", coarse, matched(data, load, window, 2, seeds.COARSER)),
+        "other morphologies": ("full runs of the others", 0., {s: np.mean([d for t, d in best.items() if t != s]) for s in best}),
+        "other pressure": (f"full run at {seeds.other_load(load).pressure / 1e6:g} MPa", 1., other),
+        "eq. (13)": ("full run", 1., {s: delta_rules.equation_13(m.mu, MU, data.contact_duration(s, load))
                                       for s, m in references.items()}),
-        "best δ*": ("full run", 1., matched(data, pressure, window, 1, seeds.COARSE)),
+        "best δ*": ("full run", 1., best),
     }

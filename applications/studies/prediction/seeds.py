@@ -39,6 +39,11 @@ LOADS = (Load("P0.5-pushed", 0.5e6, 0.5), Load("P0.4-pushed", 0.4e6, 0.5), Load(
 FINE_LOAD = LOADS[2]
 
 
+def other_load(load):
+    """The load from which delta* is carried over to `load`."""
+    return LOADS[1] if load == LOADS[0] else LOADS[0]
+
+
 def add_morphologies(study, prm, seeds=SEEDS):
     for seed in seeds:
         study.add(f"rve-{seed}", "rve_homogenization", prm, {"Microstructure/Random fibres/Seed": seed})
