@@ -1,4 +1,4 @@
-"""What the paper's text leaves open, one choice changed at a time from the reading of prm/pin."""
+"""What the paper's text leaves open, one choice changed at a time from 5 MPa, a pin that starts from rest."""
 
 import os
 
@@ -16,7 +16,7 @@ STRONGER = {"Time/Beta2": 1, "Time/Time step": 5e-9}  # the largest beta2 that t
 
 # name: (what is changed, settings)
 CHOICES = {
-    "reading": ("platen, 5 MPa, from rest, at once (`prm/pin`)", {}),
+    "reading": ("platen, 5 MPa, from rest, at once", {}),
     "printed": ("printed pressure, 0.5 MPa", {"Top/Pressure": PRINTED}),
     "four": ("4 MPa, ten times that of regime 2", {"Top/Pressure": 4e6}),
     "printed-pushed": ("0.5 MPa, pushed at 0.5 m/s ([paper](README.md))", {"Top/Pressure": PRINTED, **PUSHED}),

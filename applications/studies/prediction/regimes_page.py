@@ -214,7 +214,7 @@ def _choices(choices):
             early, late = choices[name]
             rows += [[label, "early", *short(early)], ["", "late", *short(late)]]
     return ["## The open choices",
-            f"One changed at a time from the reading of `prm/pin`, on cells of 0.4 mm; early 0.25 to 1 ms, late {open_choices.LATE[0] * 1e3:g} to {open_choices.LATE[1] * 1e3:g} ms. The velocity of M along x follows "
+            f"One changed at a time from the first row, on cells of 0.4 mm; early 0.25 to 1 ms, late {open_choices.LATE[0] * 1e3:g} to {open_choices.LATE[1] * 1e3:g} ms. The velocity of M along x follows "
             "from the paper's relative velocity, 1.2 to 2.8 m/s (fig. 5); the lift is that of fig. 4. With u_x free on top nothing holds the "
             "pin: it is carried away with the flat.",
             markdown(["choice", "window", "μ_inter", "kHz", "M slips / separated [%]", "velocity of M [m/s]", "lift [µm]"], rows)]
