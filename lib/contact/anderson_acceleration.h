@@ -15,6 +15,7 @@ namespace mesoslip
 class AndersonAcceleration
 {
 public:
+  /** Keeps up to @p depth former iterates. */
   explicit AndersonAcceleration(const unsigned int depth)
     : depth(depth)
   {

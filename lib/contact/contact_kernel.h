@@ -18,45 +18,45 @@ struct ContactArrays
   std::size_t n; ///< padded number of nodes
 
   // The row of the body: internal minus body forces (N/m), inverse masses (m/kg), state.
-  const double *internal_x;
-  const double *internal_y;
+  const double *internal_x;     ///< along the contact
+  const double *internal_y;     ///< normal to it
   const double *inverse_mass_x; ///< 0 where held
-  const double *inverse_mass_y;
-  double       *u_x;
-  double       *u_y;
-  double       *w_x;
-  double       *w_y;
+  const double *inverse_mass_y; ///< 0 where held
+  double       *u_x;            ///< displacement (m), in and out
+  double       *u_y;            ///< displacement (m), in and out
+  double       *w_x;            ///< velocity of the scheme (m/s), in and out
+  double       *w_y;            ///< velocity of the scheme (m/s), in and out
 
   // Constant in time.
-  const double *gap; ///< initial distance to the flat (m)
-  const double *friction_coefficient;
+  const double *gap;                  ///< initial distance to the flat (m)
+  const double *friction_coefficient; ///< Coulomb, at least 0
 
   // Constant in time unless the regularization depends on the slip rate.
   const double *decay; ///< exp(-dt / delta)
 
   // Displacement increments: of the step before, and predicted (m).
-  double *increment_x;
-  double *increment_y;
+  double *increment_x; ///< along the contact
+  double *increment_y; ///< normal to it
 
   // State: friction memory (N/m) and whether the node touched in the step before (1 or 0).
-  double *tangential_force;
-  double *touching;
+  double *tangential_force; ///< on the body (N/m)
+  double *touching;         ///< 1: touched in the step before
 
   // Results: N/m, pressing on the node from below; 1 or 0.
-  double *normal_force;
-  double *sticking;
+  double *normal_force; ///< N/m, not negative
+  double *sticking;     ///< 1: touches without sliding
 
   // Counters of the running block of steps.
-  double *stick_count;
-  double *slip_count;
-  double *landing_count;
+  double *stick_count;   ///< steps stuck
+  double *slip_count;    ///< steps slipped
+  double *landing_count; ///< steps in which contact began
 };
 
 /** The time step's constants as the kernels use them. */
 struct ContactStep
 {
-  double dt;
-  double beta2;
+  double dt;             ///< s
+  double beta2;          ///< of the time scheme, 0.5 to 1
   double flat_increment; ///< displacement of the flat during the step (m)
 };
 

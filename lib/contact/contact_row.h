@@ -17,7 +17,7 @@ namespace mesoslip
 /** The rigid flat and how the contact on it is observed. */
 struct ContactSetup
 {
-  FrictionLaw law;
+  FrictionLaw law; ///< target, limit and regularization of the tangential force
 
   /** Coulomb coefficient of each node of the row. */
   std::vector<double> friction_coefficient;
@@ -44,8 +44,14 @@ struct ContactSetup
 /** Motion and forces of one contact node, a value each sample; forces per unit thickness. */
 struct MonitoredNode
 {
-  std::vector<double> ux, uy, vx, vy, normal_force, tangential_force;
+  std::vector<double> ux;               ///< displacement (m)
+  std::vector<double> uy;               ///< displacement (m)
+  std::vector<double> vx;               ///< velocity (m/s)
+  std::vector<double> vy;               ///< velocity (m/s)
+  std::vector<double> normal_force;     ///< N/m, positive when pressed
+  std::vector<double> tangential_force; ///< N/m, on the body
 
+  /** Of boost::serialization. */
   template <class Archive>
   void
   serialize(Archive &archive, const unsigned int)
@@ -57,16 +63,19 @@ struct MonitoredNode
 /** Sampled resultants; energies are those dissipated from the start to the end of the step. */
 struct ContactHistory
 {
-  std::vector<std::uint64_t> step;
+  std::vector<std::uint64_t> step;             ///< number of the sampled step
   std::vector<double>        time;             ///< s
   std::vector<double>        normal_force;     ///< N/m, positive when pressed
   std::vector<double>        tangential_force; ///< N/m, on the body
-  std::vector<double>        sticking, slipping, separated; ///< numbers of nodes
-  std::vector<double>        friction_energy;               ///< J/m
-  std::vector<double>        impact_energy;                 ///< J/m
-  std::vector<double>        flat_work;                     ///< J/m
-  std::vector<MonitoredNode> nodes;
+  std::vector<double> sticking;                ///< number of nodes that stick
+  std::vector<double> slipping;                ///< number of nodes that slip
+  std::vector<double> separated;               ///< numbers of nodes
+  std::vector<double>        friction_energy;  ///< J/m
+  std::vector<double>        impact_energy;    ///< J/m
+  std::vector<double>        flat_work;        ///< J/m
+  std::vector<MonitoredNode> nodes;            ///< those of ContactSetup that are monitored
 
+  /** Of boost::serialization. */
   template <class Archive>
   void
   serialize(Archive &archive, const unsigned int)
@@ -79,10 +88,13 @@ struct ContactHistory
 /** Steps that each node stuck or slipped in, and landings, in one block of steps. */
 struct NodeCounts
 {
-  std::uint64_t      first_step = 0;
-  std::uint64_t      n_steps    = 0;
-  std::vector<float> stick, slip, landings;
+  std::uint64_t      first_step = 0; ///< first step of the block, from 0
+  std::uint64_t      n_steps    = 0; ///< in the block
+  std::vector<float> stick;          ///< steps that stuck
+  std::vector<float> slip;           ///< steps that slipped
+  std::vector<float> landings;       ///< steps in which contact began
 
+  /** Of boost::serialization. */
   template <class Archive>
   void
   serialize(Archive &archive, const unsigned int)
@@ -98,6 +110,7 @@ struct ContactWork
   double impact   = 0.; ///< taken from the body by the normal forces
   double flat     = 0.; ///< done by the moving flat on the system
 
+  /** Of boost::serialization. */
   template <class Archive>
   void
   serialize(Archive &archive, const unsigned int)
@@ -114,11 +127,16 @@ struct ContactWork
 class ContactRow : public BoundaryRow
 {
 public:
+  /** As many nodes as @p setup has friction coefficients, none of them touching. */
   ContactRow(const ContactSetup &setup, const StepParameters &step);
 
+  /**
+   * Contact forces by forward increment Lagrange multipliers, then the step of the row.
+   */
   void
   advance(const RowView &row) override;
 
+  /** What was sampled so far. */
   const ContactHistory &
   history() const
   {
@@ -136,6 +154,7 @@ public:
   void
   finish();
 
+  /** Energies since the start, of all nodes. */
   const ContactWork &
   work() const
   {
@@ -149,6 +168,7 @@ public:
     return column(normal);
   }
 
+  /** Of each node on the body (N/m), after the step. */
   const double *
   tangential_force() const
   {

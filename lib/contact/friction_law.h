@@ -8,7 +8,7 @@ namespace mesoslip
 /** The motion of the contact nodes just before a step. */
 struct SlidingNodes
 {
-  unsigned int  n             = 0;
+  unsigned int  n             = 0;       ///< number of nodes
   const double *velocity      = nullptr; ///< along x (m/s), n values
   double        flat_velocity = 0.;      ///< m/s
 };

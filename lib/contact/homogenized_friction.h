@@ -59,6 +59,8 @@ std::vector<double> static_pressure_repartition(double pressure,
  * mu_homo of eq. (17) for given contact pressures of the phases, for instance of a static
  * contact analysis (SCA): sum_i mu_i P_i S_i / (P S).
  *
+ * @param phases  areas S_i and coefficients mu_i
+ * @param phase_pressures  P_i, one a phase, in the unit of @p pressure
  * @param pressure  applied pressure P; 0: the area average of the phase pressures
  * @throws UserError on lengths that differ, areas or a mean pressure that are not
  * positive

@@ -38,16 +38,26 @@ public:
   LoadHistory(const double amplitude, const std::string &expression);
 
   ~LoadHistory();
+
+  /** Copies expression and amplitude. */
   LoadHistory(const LoadHistory &);
+
+  /** Moves the parsed expression. */
   LoadHistory(LoadHistory &&) noexcept;
+
+  /** Copies expression and amplitude. */
   LoadHistory &
   operator=(const LoadHistory &);
+
+  /** Moves the parsed expression. */
   LoadHistory &
   operator=(LoadHistory &&) noexcept;
 
+  /** Value at @p time (s), in the unit of the amplitude. */
   double
   operator()(const double time) const;
 
+  /** Factor before the expression. */
   double
   amplitude() const
   {

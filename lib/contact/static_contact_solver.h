@@ -51,13 +51,13 @@ struct StaticContactProblem
 /** How it is solved. */
 struct StaticContactOptions
 {
-  StaticSolverKind solver = StaticSolverKind::multigrid;
+  StaticSolverKind solver = StaticSolverKind::multigrid; ///< of the linear systems
 
   /** Of the residual forces, and of the friction forces, as a share of the contact force.
    */
   double tolerance = 1e-8;
 
-  unsigned int max_iterations = 200;
+  unsigned int max_iterations = 200; ///< over contact states and friction
 
   /** Called before each iteration with their number so far; may throw to stop. */
   std::function<void(unsigned int)> before_iteration;
@@ -69,9 +69,9 @@ struct StaticContactSolution
   NodalField<double> displacement;      ///< m
   std::vector<double> normal_force;     ///< N/m per node, positive when pressed
   std::vector<double> tangential_force; ///< N/m per node, on the body
-  std::vector<ContactState> state;
+  std::vector<ContactState> state;      ///< of each node
 
-  unsigned int iterations        = 0;
+  unsigned int iterations        = 0;  ///< over contact states and friction
   unsigned int state_changes     = 0;  ///< iterations in which a node changed its state
   unsigned int solver_iterations = 0;  ///< of all linear solves
   double residual                = 0.; ///< of equilibrium, relative to the contact force

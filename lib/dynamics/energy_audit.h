@@ -19,26 +19,27 @@ namespace mesoslip
 struct BoundaryWork
 {
   double external = 0.; ///< by the top's load and the moving flat
-  double friction = 0.;
-  double impact   = 0.;
+  double friction = 0.; ///< dissipated by sliding on the flat
+  double impact   = 0.; ///< dissipated by nodes that land
 };
 
 /** Sampled energies (J/m); on the ranks the local shares until reduce() is called. */
 struct EnergyHistory
 {
-  std::vector<double> time;
-  std::vector<double> kinetic;
-  std::vector<double> elastic;
+  std::vector<double> time;          ///< s
+  std::vector<double> kinetic;       ///< 1/2 v.M v
+  std::vector<double> elastic;       ///< 1/2 u.K u
   std::vector<double> potential;     ///< of the body acceleration
   std::vector<double> external_work; ///< since the start, as everything below
-  std::vector<double> friction;
-  std::vector<double> impact;
-  std::vector<double> damping; ///< dissipated by C = beta K
-  std::vector<double> scheme;  ///< dissipated by beta2 > 1/2
+  std::vector<double> friction;      ///< dissipated by sliding
+  std::vector<double> impact;        ///< dissipated by nodes that land
+  std::vector<double> damping;       ///< dissipated by C = beta K
+  std::vector<double> scheme;        ///< dissipated by beta2 > 1/2
 
   /** kinetic + elastic + potential at the start. */
   double initial = 0.;
 
+  /** Of boost::serialization. */
   template <class Archive>
   void
   serialize(Archive &archive, const unsigned int)

@@ -19,8 +19,11 @@ struct Runaway
   double put_in = 0.; ///< the largest energy that was ever there to be had (J/m)
 
   /** The node that is fastest or, if there is one, the first that is not finite. */
-  unsigned int column = 0, row = 0, component = 0;
-  double displacement = 0., velocity = 0.; ///< its component (m, m/s)
+  unsigned int column    = 0;
+  unsigned int row       = 0;  ///< of the node
+  unsigned int component = 0;  ///< 0: x, 1: y
+  double displacement    = 0.; ///< m
+  double velocity        = 0.; ///< its component (m, m/s)
 };
 
 /**

@@ -16,6 +16,7 @@ namespace mesoslip
 /** How the top of the body is loaded. */
 struct TopSetup
 {
+  /** What the top may do. */
   enum class Kind
   {
     pressure, ///< a pressure on each node
@@ -23,7 +24,7 @@ struct TopSetup
     held      ///< u = 0
   };
 
-  Kind kind = Kind::platen;
+  Kind kind = Kind::platen; ///< platen, pressure or held
 
   /** Pressure (Pa), positive when it presses the body on the flat. */
   LoadHistory pressure;
@@ -55,6 +56,7 @@ struct TopHistory
   std::vector<double> displacement;     ///< mean u_y (m)
   std::vector<double> work;             ///< done on the body since the start (J/m)
 
+  /** Of boost::serialization. */
   template <class Archive>
   void
   serialize(Archive &archive, const unsigned int)
@@ -70,11 +72,14 @@ struct TopHistory
 class TopRow : public BoundaryRow
 {
 public:
+  /** For a top of @p n_columns nodes, at rest. */
   TopRow(const TopSetup &setup, const StepParameters &step, const unsigned int n_columns);
 
+  /** One step of the row under its load. */
   void
   advance(const RowView &row) override;
 
+  /** What was sampled so far. */
   const TopHistory &
   history() const
   {
@@ -124,7 +129,7 @@ private:
   const StepParameters step;
   const unsigned int   n_distinct;
 
-  std::vector<double> tributary;   ///< width (m) that each node carries
+  std::vector<double> tributary;                ///< width (m) that each node carries
   std::vector<double> increment_x, increment_y; ///< of the step before (m)
   bool                started        = false;
   bool                holding        = false;

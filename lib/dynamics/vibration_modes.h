@@ -15,9 +15,9 @@ namespace mesoslip
 /** What is wanted of the modes of vibration, and how they are computed. */
 struct VibrationModesOptions
 {
-  unsigned int n_modes = 4;
+  unsigned int n_modes = 4; ///< wanted
 
-  StaticSolverKind solver = StaticSolverKind::multigrid;
+  StaticSolverKind solver = StaticSolverKind::multigrid; ///< of the systems with K
 
   /** Relative residual of each static solve; eigenvalues are accurate to about this. */
   double tolerance = 1e-10;
@@ -47,13 +47,13 @@ struct VibrationMode
 /** The lowest modes in ascending order, and what they took. */
 struct VibrationModes
 {
-  std::vector<VibrationMode> modes;
+  std::vector<VibrationMode> modes; ///< lowest first
 
   /** Rigid motions that nothing holds; they vibrate at 0 Hz and are not among the modes.
    */
   unsigned int n_rigid_motions = 0;
 
-  unsigned int n_solves          = 0;
+  unsigned int n_solves          = 0; ///< with K
   unsigned int solver_iterations = 0; ///< of all solves
 };
 

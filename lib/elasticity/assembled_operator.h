@@ -62,8 +62,10 @@ public:
   /** 1/2 u.K u (J) on all ranks. */
   double elastic_energy(const dealii::TrilinosWrappers::MPI::Vector &u) const;
 
+  /** Numbering of the degrees of freedom. */
   const dealii::DoFHandler<dim, dim> &dof_handler() const;
 
+  /** K (N/m), without constraints. */
   const dealii::TrilinosWrappers::SparseMatrix &matrix() const;
 
 private:

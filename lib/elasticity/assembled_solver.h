@@ -53,6 +53,7 @@ private:
 class AssembledGridSolver : public StaticSolver
 {
 public:
+  /** Assembles K of @p material. */
   explicit AssembledGridSolver(const UniformMaterial &material);
 
   ~AssembledGridSolver() override;

@@ -16,21 +16,21 @@ struct RowView
 {
   /** State before the step, to be advanced in place: u_n and w_n. */
   double *ux = nullptr;
-  double *uy = nullptr;
-  double *wx = nullptr;
-  double *wy = nullptr;
+  double *uy = nullptr; ///< m
+  double *wx = nullptr; ///< m/s
+  double *wy = nullptr; ///< m/s
 
   /** K (u_n + beta w_n) minus body forces (N/m): the acceleration is
    *  inverse_mass * (boundary force - f). */
   const double *fx = nullptr;
-  const double *fy = nullptr;
+  const double *fy = nullptr; ///< N/m
 
   /** One over the lumped mass (m/kg), zero where a side holds the component: such a
    *  component keeps its w. */
   const double *inverse_mass_x = nullptr;
-  const double *inverse_mass_y = nullptr;
+  const double *inverse_mass_y = nullptr; ///< m/kg
 
-  unsigned int n_columns = 0;
+  unsigned int n_columns = 0; ///< entries of the arrays
 
   /** n, counted from the first step of the stepper (or from set_step_number()). */
   std::uint64_t step = 0;
@@ -53,6 +53,7 @@ struct BoundaryRow
 {
   virtual ~BoundaryRow() = default;
 
+  /** One step of the row, on the rank that owns it. */
   virtual void advance(const RowView &row) = 0;
 };
 
@@ -60,8 +61,10 @@ struct BoundaryRow
 class FreeRow : public BoundaryRow
 {
 public:
+  /** Time step and beta2 are taken from @p parameters. */
   explicit FreeRow(const StepParameters &parameters);
 
+  /** w_(n+1) from the internal forces alone. */
   void advance(const RowView &row) override;
 
 private:

@@ -15,6 +15,7 @@ namespace mesoslip
 class ConjugateGradients : public StaticSolver
 {
 public:
+  /** For K of @p material; a solve that needs more than @p max_iterations fails. */
   explicit ConjugateGradients(const UniformMaterial &material,
                               const unsigned int max_iterations);
 
@@ -31,9 +32,9 @@ protected:
   /** z = M^-1 r; both vanish at held entries. */
   virtual void precondition(NodalField<double> &z, const NodalField<double> &r) = 0;
 
-  const UniformMaterial &material;
-  const UniformGridOperator stiffness;
-  DofMask held;
+  const UniformMaterial &material;     ///< what K is made of
+  const UniformGridOperator stiffness; ///< K without constraints
+  DofMask held;                        ///< degrees of freedom kept at their values
 
 private:
   void clear_held(NodalField<double> &x) const;
@@ -49,6 +50,7 @@ private:
 class JacobiSolver : public ConjugateGradients
 {
 public:
+  /** Computes the diagonal of K; @p material must outlive the solver. */
   explicit JacobiSolver(const UniformMaterial &material);
 
 protected:

@@ -27,11 +27,13 @@ public:
   /** Both components of all nodes on the four sides. */
   static DofMask boundary(const unsigned int n_columns, const unsigned int n_rows);
 
+  /** Of nodes. */
   unsigned int n_columns() const
   {
     return columns;
   }
 
+  /** Of nodes. */
   unsigned int n_rows() const
   {
     return rows;
@@ -43,11 +45,13 @@ public:
     bits[index(i, j)] |= static_cast<std::uint8_t>(1U << c);
   }
 
+  /** Component @p c of node (@p i, @p j) may move again. */
   void release(const unsigned int c, const unsigned int i, const unsigned int j)
   {
     bits[index(i, j)] &= static_cast<std::uint8_t>(~(1U << c));
   }
 
+  /** Whether component @p c of node (@p i, @p j) is held. */
   bool is_held(const unsigned int c, const unsigned int i, const unsigned int j) const
   {
     return (bits[index(i, j)] >> c & 1U) != 0;
@@ -65,6 +69,7 @@ public:
   /** A component of all nodes of a column. */
   void hold_column(const unsigned int c, const unsigned int i);
 
+  /** Whether the same is held on grids of the same size. */
   bool operator==(const DofMask &other) const
   {
     return columns == other.columns && rows == other.rows && bits == other.bits;

@@ -8,15 +8,15 @@ namespace mesoslip
 /** Consecutive node rows of the state: pointers to the lowest one. */
 struct RowBlock
 {
-  double *ux = nullptr;
-  double *uy = nullptr;
-  double *wx = nullptr;
-  double *wy = nullptr;
+  double *ux = nullptr; ///< displacement (m)
+  double *uy = nullptr; ///< displacement (m)
+  double *wx = nullptr; ///< velocity of the scheme (m/s)
+  double *wy = nullptr; ///< velocity of the scheme (m/s)
 
   /** From one row to the next, in numbers. */
   std::size_t stride = 0;
 
-  unsigned int n_rows = 0;
+  unsigned int n_rows = 0; ///< at least one
 };
 
 /**
@@ -28,6 +28,7 @@ struct RowBlock
  */
 struct Halo
 {
+  /** Where the neighbour lies. */
   enum Side
   {
     lower,

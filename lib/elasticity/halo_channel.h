@@ -24,10 +24,12 @@ public:
   /** Wait for the next message; it stays there until release(). */
   virtual const double *receive() = 0;
 
+  /** The message of receive() may be overwritten. */
   virtual void release()
   {
   }
 
+  /** Lets messages move that need this rank's help. */
   virtual void progress()
   {
   }
@@ -48,6 +50,7 @@ std::unique_ptr<HaloChannel> make_message_channel(MPI_Comm communicator,
 class SharedSegments
 {
 public:
+  /** Room for messages of @p capacity numbers. */
   SharedSegments(MPI_Comm communicator, const std::size_t capacity);
   ~SharedSegments();
 
@@ -56,6 +59,7 @@ public:
   /** Whether rank @p neighbour is on this node. */
   bool reaches(const int neighbour) const;
 
+  /** To rank @p neighbour, which reaches() and lies on @p side. */
   std::unique_ptr<HaloChannel> channel(const int neighbour, const Halo::Side side);
 
 private:

@@ -19,7 +19,10 @@ namespace mesoslip
 class MlConjugateGradients
 {
 public:
+  /** Distributed vector. */
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+  /** Distributed matrix. */
   using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 
   /** @p matrix must outlive this object. @p rigid_motions[k]: the entries of motion k in
@@ -28,6 +31,7 @@ public:
                        const std::vector<std::vector<double>> &rigid_motions,
                        const unsigned int n_components);
 
+  /** Builds the preconditioner for these held degrees of freedom. */
   void set_held(const dealii::IndexSet &held);
 
   /** As AssembledSolver::solve(). */

@@ -13,6 +13,7 @@ namespace mesoslip
 class MPIHalo : public Halo
 {
 public:
+  /** How rows get to a neighbour. */
   enum class Transport
   {
     /** Shared memory to a neighbour on the same node, messages to one elsewhere. */

@@ -10,9 +10,9 @@ namespace mesoslip
  */
 struct NodeRows
 {
-  unsigned int n_global = 0;
-  unsigned int begin    = 0;
-  unsigned int end      = 0;
+  unsigned int n_global = 0; ///< rows of the whole grid
+  unsigned int begin    = 0; ///< first row owned
+  unsigned int end      = 0; ///< one beyond the last row owned
 
   /** Ghost rows a side: one is enough for operators, n for n time steps at once. */
   unsigned int ghosts = 1;
@@ -23,11 +23,13 @@ struct NodeRows
     return {n, 0, n};
   }
 
+  /** Whether a rank below owns rows. */
   bool has_lower_ghost() const
   {
     return begin > 0;
   }
 
+  /** Whether a rank above owns rows. */
   bool has_upper_ghost() const
   {
     return end < n_global;
@@ -45,11 +47,13 @@ struct NodeRows
     return n_global - end > ghosts ? end + ghosts : n_global;
   }
 
+  /** Owned rows and ghosts. */
   unsigned int n_local() const
   {
     return last() - first();
   }
 
+  /** Row of a field that holds global row @p global_row. */
   unsigned int local(const unsigned int global_row) const
   {
     return global_row - first();

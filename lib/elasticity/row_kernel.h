@@ -70,7 +70,7 @@ struct Constants
   /** Cells in a row. */
   unsigned int n_cells = 0;
 
-  bool periodic = false;
+  bool periodic = false; ///< the last node is the first one
 
   /** hx / hy */
   Number ratio = 0;
@@ -80,17 +80,17 @@ struct Constants
 
   /** u += c_new w_new + c_old w_old */
   Number c_new = 0;
-  Number c_old = 0;
+  Number c_old = 0; ///< factor of the old w
 
   /** Stored force over internal force: hx/2, hy/2. */
   Number scale_x = 0;
-  Number scale_y = 0;
+  Number scale_y = 0; ///< of the y component
 
   /** Body acceleration, and the same times 2/hx, 2/hy for forces that are kept so. */
   Number gravity_x        = 0;
-  Number gravity_y        = 0;
-  Number scaled_gravity_x = 0;
-  Number scaled_gravity_y = 0;
+  Number gravity_y        = 0; ///< m/s^2
+  Number scaled_gravity_x = 0; ///< times 2/hx
+  Number scaled_gravity_y = 0; ///< times 2/hy
 };
 
 /** Where one call works: n node rows and the cell rows above them. */
@@ -99,34 +99,34 @@ struct Rows
 {
   /** Lowest of the n + 1 node rows of the state (w unused without damping and step). */
   Number *ux         = nullptr;
-  Number *uy         = nullptr;
-  Number *wx         = nullptr;
-  Number *wy         = nullptr;
-  std::size_t stride = 0;
+  Number *uy         = nullptr; ///< displacement (m)
+  Number *wx         = nullptr; ///< velocity of the scheme (m/s)
+  Number *wy         = nullptr; ///< velocity of the scheme (m/s)
+  std::size_t stride = 0;       ///< numbers from one row of the state to the next
 
   /** Q (x, y), sigma_xy and scaled sigma_yy of the cell row below; in and out. */
   Number *qx  = nullptr;
-  Number *qy  = nullptr;
-  Number *sxy = nullptr;
-  Number *syy = nullptr;
+  Number *qy  = nullptr; ///< of the y component
+  Number *sxy = nullptr; ///< scaled sigma_xy
+  Number *syy = nullptr; ///< scaled sigma_yy
 
   /** Output of a storing kernel. */
   Number *fx           = nullptr;
-  Number *fy           = nullptr;
-  std::size_t f_stride = 0;
+  Number *fy           = nullptr; ///< of the y component
+  std::size_t f_stride = 0;       ///< numbers from one row of forces to the next
 
   /** -dt / mass, times scale, of a stepping kernel: w += factor * force. */
   const Number *factor_x    = nullptr;
-  const Number *factor_y    = nullptr;
-  std::size_t factor_stride = 0;
+  const Number *factor_y    = nullptr; ///< of the y component
+  std::size_t factor_stride = 0;       ///< numbers from one row to the next
 
   /** Lumped mass, only with gravity. */
   const Number *mass      = nullptr;
-  std::size_t mass_stride = 0;
+  std::size_t mass_stride = 0; ///< numbers from one row to the next
 
   /** Classes of the lowest cell row. */
   const std::uint8_t *classes = nullptr;
-  std::size_t class_stride    = 0;
+  std::size_t class_stride    = 0; ///< numbers from one cell row to the next
 };
 
 template <typename Number>
@@ -135,10 +135,10 @@ using RowFunction = void (*)(const Constants<Number> &, const Rows<Number> &);
 /** Chooses a kernel. */
 struct Choice
 {
-  MaterialVariant material = MaterialVariant::homogeneous;
-  bool anisotropic         = false;
-  bool damping             = false;
-  bool gravity             = false;
+  MaterialVariant material = MaterialVariant::homogeneous; ///< how coefficients are found
+  bool anisotropic         = false;                        ///< with D13 and D23
+  bool damping             = false;                        ///< C = beta K
+  bool gravity             = false;                        ///< a body acceleration
 };
 
 /** The kernels for one choice; node rows [0], [1]: one row, or `rows_at_once` of them. */
@@ -154,7 +154,7 @@ struct Kernels
   /** Stores the forces of the buffers alone (top row). */
   RowFunction<Number> finish = nullptr;
 
-  unsigned int rows_at_once = 1;
+  unsigned int rows_at_once = 1; ///< that a call may treat
 
   /** Numbers in a vector: capacity of MaterialVariant::one_register, or 0. */
   unsigned int register_capacity = 0;

@@ -43,6 +43,8 @@ NodalField<double> scatter_rows(const NodalField<double> &whole,
 
 /** A field without its ghost rows, or with empty ones. */
 NodalField<double> own_rows(const NodalField<double> &field, const NodeRows &rows);
+
+/** The field with empty ghost rows around its own. */
 NodalField<double> with_ghost_rows(const NodalField<double> &own, const NodeRows &rows);
 
 /**

@@ -33,9 +33,9 @@ struct RowKernels
              const bool damping,
              const bool gravity);
 
-  kernels::Choice choice;
-  kernels::Kernels<Number> functions;
-  std::unique_ptr<kernels::Constants<Number>> constants;
+  kernels::Choice choice;             ///< variant that was picked
+  kernels::Kernels<Number> functions; ///< compiled for the instruction set
+  std::unique_ptr<kernels::Constants<Number>> constants; ///< what the functions read
 };
 
 /**
@@ -46,6 +46,7 @@ template <typename Number>
 class RowSweep
 {
 public:
+  /** @p material and @p kernels must outlive it. */
   RowSweep(const UniformMaterial &material, const RowKernels<Number> &kernels);
 
   /** Nothing below the next row. */

@@ -25,7 +25,7 @@ StaticSolverKind static_solver_kind(const std::string &name);
 /** What a solve took. */
 struct SolverReport
 {
-  unsigned int iterations = 0;
+  unsigned int iterations = 0;  ///< of the iterative solver
   double residual         = 0.; ///< relative to the right-hand side
 };
 

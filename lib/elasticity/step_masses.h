@@ -18,6 +18,7 @@ namespace mesoslip
 class StepMasses
 {
 public:
+  /** Lumped masses of the rows of one rank, with what the time scheme makes of them. */
   StepMasses(const UniformMaterial &material,
              const NodeRows &rows,
              const StepParameters &parameters,

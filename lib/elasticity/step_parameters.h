@@ -24,8 +24,8 @@ struct StepParameters
 /** Components of the leftmost and rightmost column whose acceleration is kept at zero. */
 struct SideConstraints
 {
-  std::array<bool, 2> left_held  = {};
-  std::array<bool, 2> right_held = {};
+  std::array<bool, 2> left_held  = {}; ///< x and y of the leftmost column
+  std::array<bool, 2> right_held = {}; ///< x and y of the rightmost column
 };
 } // namespace mesoslip
 

@@ -8,7 +8,7 @@ namespace mesoslip
 /** How a sweep is run; never changes a bit of the result. */
 struct SweepOptions
 {
-  InstructionSet isa = InstructionSet::automatic;
+  InstructionSet isa = InstructionSet::automatic; ///< of the row kernels
 
   /** Time steps in flight in advance(): 0 chooses by cache size, 1 is the plain sweep. On
    *  a slab it is the number of ghost rows that counts, see partition_rows(). */

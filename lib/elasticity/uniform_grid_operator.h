@@ -26,6 +26,7 @@ namespace mesoslip
 class UniformGridOperator
 {
 public:
+  /** On all rows of the grid. */
   explicit UniformGridOperator(const UniformMaterial &material,
                                const InstructionSet isa = InstructionSet::automatic);
 
@@ -35,10 +36,14 @@ public:
                       const InstructionSet isa = InstructionSet::automatic);
 
   ~UniformGridOperator();
+
+  /** Takes over kernels and buffers. */
   UniformGridOperator(UniformGridOperator &&) noexcept;
 
+  /** As given. */
   const UniformMaterial &material() const;
 
+  /** Rows of this rank. */
   const NodeRows &rows() const;
 
   /** dst = K src. @p dst and @p src must be different fields. Number: double, float. */
@@ -57,6 +62,7 @@ public:
   template <typename Number>
   void block_diagonal(NodalField<Number> &diagonal, NodalField<Number> &coupling) const;
 
+  /** Result of energies(). */
   struct Energies
   {
     /** 1/2 u.K u (J/m) */

@@ -25,8 +25,8 @@ struct ElasticClass
  */
 struct Periodicity
 {
-  bool x = false;
-  bool y = false;
+  bool x = false; ///< left and right side are one
+  bool y = false; ///< bottom and top are one
 };
 
 /**
@@ -48,16 +48,19 @@ public:
                   const std::vector<std::uint8_t> &class_id = {},
                   const Periodicity periodicity             = Periodicity());
 
+  /** Of the body. */
   const UniformGrid<2> &grid() const
   {
     return the_grid;
   }
 
+  /** Stiffness (Pa) and density (kg/m^3) of each class. */
   const std::vector<ElasticClass> &classes() const
   {
     return the_classes;
   }
 
+  /** Which sides are one. */
   Periodicity periodicity() const
   {
     return periodic;
@@ -93,6 +96,7 @@ public:
     return uniform_density;
   }
 
+  /** Class of cell @p i from the left, @p j from the bottom. */
   std::uint8_t class_of(const unsigned int i, const unsigned int j) const
   {
     return ids.empty() ? only_class : ids[j * id_stride + i];
@@ -104,11 +108,13 @@ public:
     return ids.data() + j * id_stride;
   }
 
+  /** Columns of nodes, the duplicate of a periodic side included. */
   unsigned int n_columns() const
   {
     return the_grid.cells[0] + 1;
   }
 
+  /** Rows of nodes, the duplicate of a periodic side included. */
   unsigned int n_rows() const
   {
     return the_grid.cells[1] + 1;

@@ -16,14 +16,14 @@ namespace mesoslip
 /** What the time steps of one rank work on, all of it owned elsewhere. */
 struct SteppedBody
 {
-  const UniformMaterial &material;
-  const NodeRows rows;
-  const StepParameters parameters;
-  NodalField<double> &u;
-  NodalField<double> &w;
-  BoundaryRow *bottom;
-  BoundaryRow *top;
-  Halo *halo;
+  const UniformMaterial &material; ///< of the whole grid
+  const NodeRows rows;             ///< of this rank
+  const StepParameters parameters; ///< of the scheme
+  NodalField<double> &u;           ///< displacement (m)
+  NodalField<double> &w;           ///< velocity of the scheme (m/s)
+  BoundaryRow *bottom;             ///< none on ranks without it
+  BoundaryRow *top;                ///< none on ranks without it
+  Halo *halo;                      ///< none on a single rank
 };
 
 /**
@@ -38,11 +38,13 @@ struct SteppedBody
 class Wavefront
 {
 public:
+  /** Stages for at most @p max_steps steps in flight. */
   Wavefront(const SteppedBody &body,
             const RowKernels<double> &kernels,
             const StepMasses &masses,
             const unsigned int max_steps);
 
+  /** Number of stages. */
   unsigned int max_steps() const
   {
     return stages.size();

@@ -28,10 +28,17 @@ public:
   /** @p n_columns nodes a row, @p n_rows rows, two components, all zero. */
   NodalField(const unsigned int n_columns, const unsigned int n_rows);
 
+  /** Copies all rows. */
   NodalField(const NodalField &other);
+
+  /** Takes over the memory. */
   NodalField(NodalField &&) noexcept = default;
+
+  /** Copies all rows; the size becomes that of @p other. */
   NodalField &
   operator=(const NodalField &other);
+
+  /** Takes over the memory. */
   NodalField &
   operator=(NodalField &&) noexcept = default;
 
@@ -42,6 +49,7 @@ public:
     return columns;
   }
 
+  /** Of nodes. */
   unsigned int
   n_rows() const
   {
@@ -62,6 +70,7 @@ public:
     return data.get() + (c * rows + j) * row_stride;
   }
 
+  /** As above, read only. */
   const Number *
   row(const unsigned int c, const unsigned int j) const
   {
@@ -75,18 +84,21 @@ public:
     return data.get();
   }
 
+  /** As above, read only. */
   const Number *
   begin() const
   {
     return data.get();
   }
 
+  /** Numbers from begin() on, padding included. */
   std::size_t
   size() const
   {
     return 2 * rows * row_stride;
   }
 
+  /** Padding included. */
   void
   set_zero();
 

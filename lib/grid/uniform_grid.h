@@ -13,10 +13,11 @@ namespace mesoslip
 template <int dim>
 struct UniformGrid
 {
-  std::array<unsigned int, dim> cells   = {};
-  std::array<double, dim>       spacing = {};
-  std::array<double, dim>       origin  = {};
+  std::array<unsigned int, dim> cells   = {}; ///< numbers along the axes
+  std::array<double, dim>       spacing = {}; ///< edges of a cell (m)
+  std::array<double, dim>       origin  = {}; ///< lower left corner (m)
 
+  /** Product of the numbers along the axes. */
   std::size_t
   n_cells() const
   {
@@ -26,6 +27,7 @@ struct UniformGrid
     return n;
   }
 
+  /** Product of those plus one. */
   std::size_t
   n_nodes() const
   {
@@ -52,6 +54,7 @@ struct UniformGrid
     return measure;
   }
 
+  /** Whether numbers, spacing and origin are equal, bit by bit. */
   bool
   operator==(const UniformGrid &other) const
   {

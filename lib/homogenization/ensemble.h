@@ -14,7 +14,7 @@ namespace mesoslip
 /** One morphology and what was computed for it. */
 struct EnsembleMember
 {
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;                     ///< of its morphology
   std::vector<double> fractions;              ///< of the phases
   std::vector<HomogenizedResponse> responses; ///< in the order of the conditions
 };

@@ -22,6 +22,7 @@ enum class BoundaryCondition
   PBC   ///< u = E.x + periodic
 };
 
+/** "KUBC", "SUBC" or "PBC", as in the .prm. */
 std::string to_string(const BoundaryCondition condition);
 
 /** @throws std::invalid_argument */
@@ -30,7 +31,7 @@ BoundaryCondition boundary_condition(const std::string &name);
 /** The three solutions for unit macroscopic strains (KUBC, PBC) or stresses (SUBC). */
 struct LoadCaseSolutions
 {
-  BoundaryCondition condition = BoundaryCondition::KUBC;
+  BoundaryCondition condition = BoundaryCondition::KUBC; ///< on the boundary
 
   /**
    * Displacements (m) under xx, yy and xy = 1 (engineering shear for strains; 1 Pa for
@@ -38,7 +39,7 @@ struct LoadCaseSolutions
    */
   std::array<NodalField<double>, 3> displacement;
 
-  std::array<SolverReport, 3> reports;
+  std::array<SolverReport, 3> reports; ///< of the three solves
 };
 
 /** Called after each finished load case with the number of those done and all. */

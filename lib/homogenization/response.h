@@ -12,12 +12,12 @@ namespace mesoslip
 /** What the three load cases of one boundary condition say about the volume. */
 struct HomogenizedResponse
 {
-  BoundaryCondition condition = BoundaryCondition::KUBC;
+  BoundaryCondition condition = BoundaryCondition::KUBC; ///< on the boundary
 
-  /** Effective stiffness (Pa) as the mean: <C:L>, or <L>^-1 of the compliance (SUBC). */
+  /** Effective stiffness (Pa): mean of C:L, or inverse of the mean of S:B (SUBC). */
   VoigtMatrix<2> stiffness = VoigtMatrix<2>::Zero();
 
-  /** The same from the elastic energy, <L^T C L> with the hourglass part. */
+  /** The same from the elastic energy, mean of L^T C L with the hourglass part. */
   VoigtMatrix<2> stiffness_from_energy = VoigtMatrix<2>::Zero();
 
   /** |difference of the two| / |stiffness|, Frobenius: zero by Hill and Mandel. */
@@ -26,7 +26,7 @@ struct HomogenizedResponse
   /** |D - D^T| / |D| before symmetrization. */
   double symmetry_residual = 0.;
 
-  /** |<L> - I| (KUBC, PBC) or |<B> - I| (SUBC). */
+  /** Norm of (mean of L) - I (KUBC, PBC) or (mean of B) - I (SUBC). */
   double mean_residual = 0.;
 
   /**
@@ -45,7 +45,7 @@ struct HomogenizedResponse
   /** Volume mean of the concentration tensor over each phase; Zero for absent phases. */
   std::vector<VoigtMatrix<2>> phase_means;
 
-  std::array<SolverReport, 3> reports;
+  std::array<SolverReport, 3> reports; ///< of the three solves
 };
 
 /**

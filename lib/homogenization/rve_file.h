@@ -22,16 +22,19 @@ public:
   /** @throws UserError */
   static RveFile open(const std::string &path);
 
+  /** As given. */
   const std::string &path() const
   {
     return file.path();
   }
 
+  /** Of the morphology. */
   const UniformGrid<2> &grid() const
   {
     return the_grid;
   }
 
+  /** By index. */
   const std::vector<Phase<2>> &phases() const
   {
     return the_phases;

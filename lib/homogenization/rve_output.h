@@ -10,8 +10,9 @@ class RunContext;
 /** Everything a run of rve_homogenization has found out; on rank 0. */
 struct RveResults
 {
-  Microstructure microstructure; ///< of the first member
-  std::vector<EnsembleMember> members;
+  Microstructure microstructure;       ///< of the first member
+  std::vector<EnsembleMember> members; ///< one a morphology
+  /** Stiffness (Pa), mean over the members. */
   VoigtMatrix<2> effective = VoigtMatrix<2>::Zero();
 };
 

@@ -14,7 +14,7 @@ struct CheckpointHeader
   std::string kind;
   /** Of the payload's layout. */
   std::uint32_t version = 1;
-  std::uint32_t dim     = 2;
+  std::uint32_t dim     = 2; ///< of the problem
 };
 
 /**

@@ -9,16 +9,16 @@ namespace mesoslip
 /** The words after the program's name, understood. */
 struct CommandLine
 {
-  bool help             = false;
-  bool version          = false;
-  bool print_parameters = false;
-  bool validate         = false;
-  bool resume           = false;
-  bool quiet            = false;
-  bool profile          = false;
-  std::string output;
-  std::string prm_file;
-  std::vector<std::string> assignments;
+  bool help             = false; ///< --help
+  bool version          = false; ///< --version
+  bool print_parameters = false; ///< --print-parameters
+  bool validate         = false; ///< --validate: check, but do not run
+  bool resume           = false; ///< --resume: go on from the checkpoint
+  bool quiet            = false; ///< --quiet
+  bool profile          = false; ///< --profile: print the timings
+  std::string output;            ///< folder after --output; empty: that of the .prm
+  std::string prm_file;          ///< path as typed
+  std::vector<std::string> assignments; ///< 'Section/Key=value' after each --set
 
   /** @throws UserError for unknown options, several files, or none where one is needed.
    */

@@ -15,14 +15,15 @@ namespace mesoslip
 /** A key of a ParameterHandler with all that is known about it. */
 struct Declared
 {
-  std::string section;
-  std::string key;
-  std::string value;
-  std::string default_value;
-  std::string meaning;
+  std::string section;       ///< path, empty at the top
+  std::string key;           ///< name within the section
+  std::string value;         ///< text now
+  std::string default_value; ///< text without a .prm
+  std::string meaning;       ///< ends with the unit in brackets
   /** Description of its pattern; pattern_in_words() makes it readable. */
   std::string allowed;
 
+  /** "Section/Sub section/Key". */
   std::string path() const
   {
     return section.empty() ? key : section + "/" + key;
@@ -36,11 +37,13 @@ std::vector<Declared> declared_keys(const dealii::ParameterHandler &prm);
 class Declarations
 {
 public:
+  /** All that @p prm declares. */
   explicit Declarations(const dealii::ParameterHandler &prm);
 
   /** nullptr if there is no such key. */
   const Declared *find(const std::string &path) const;
 
+  /** Whether something is declared in it or below. */
   bool has_section(const std::string &path) const;
 
   /** "there is no subsection 'Tme step'; did you mean 'Time step'?" */

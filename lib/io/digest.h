@@ -14,6 +14,7 @@ namespace mesoslip
 class Digest
 {
 public:
+  /** A text, with its length. */
   Digest &add(const std::string_view text);
 
   /** All bits count: -0 and 0 differ. */

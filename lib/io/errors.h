@@ -23,6 +23,7 @@ enum class ExitStatus : int
 class UserError : public std::runtime_error
 {
 public:
+  /** @p sentence names the key or file, what was found, what to do. */
   explicit UserError(const std::string &sentence);
 };
 
@@ -33,6 +34,7 @@ public:
 class NumericalFailure : public std::runtime_error
 {
 public:
+  /** @p sentence says what went wrong, and where. */
   explicit NumericalFailure(const std::string &sentence);
 
   /**
@@ -49,6 +51,7 @@ public:
 class Interrupted : public std::runtime_error
 {
 public:
+  /** @p sentence says what was saved and how to go on. */
   explicit Interrupted(const std::string &sentence);
 };
 } // namespace mesoslip

@@ -21,11 +21,11 @@ std::string to_text(const Shape &shape);
 /** The root attributes of an exchange file. */
 struct Hdf5Header
 {
-  std::string format;
-  int version = 0;
-  int dim     = 0;
-  std::string program_version;
-  std::string digest;
+  std::string format;          ///< "mesoslip-rve" and the like
+  int version = 0;             ///< of the format, from 1
+  int dim     = 0;             ///< of the problem
+  std::string program_version; ///< of the program that wrote it
+  std::string digest;          ///< of what determines the content
 };
 
 /**
@@ -64,7 +64,10 @@ public:
    */
   static bool writing_has_failed();
 
+  /** Moves the open file. */
   Hdf5File(Hdf5File &&other) noexcept;
+
+  /** Moves the open file. */
   Hdf5File &operator=(Hdf5File &&other) noexcept;
   Hdf5File(const Hdf5File &) = delete;
   ~Hdf5File();
@@ -91,19 +94,25 @@ public:
   /** Extents of a dataset; rows still buffered count. */
   Shape shape(const std::string &name, const std::string &hint = "") const;
 
+  /** Does nothing if it exists. */
   void create_group(const std::string &name);
 
-  /** @name Attributes of a group or dataset @{ */
+  /**
+   * @name Attributes of a group or dataset
+   * @{
+   */
   /** T: std::string, a number, or std::vector of numbers or strings. */
   template <typename T>
   void
   write_attribute(const std::string &object, const std::string &name, const T &value);
 
+  /** T as for write_attribute(); missing or of another type: an error. */
   template <typename T>
   T read_attribute(const std::string &object,
                    const std::string &name,
                    const std::string &hint = "") const;
 
+  /** False as well when there is no such object. */
   bool has_attribute(const std::string &object, const std::string &name) const;
 
   /** Attribute `unit` of a dataset: SI symbols, "-" for pure numbers. */
@@ -113,7 +122,11 @@ public:
   }
   /** @} */
 
-  /** @name Whole datasets; writing replaces one of the same name @{ */
+  /**
+   * @name Whole datasets; writing replaces one of the same name
+   * @{
+   */
+  /** @p data has as many numbers as @p shape says. @p compression: 0 (off) to 9. */
   template <typename T>
   void write(const std::string &name,
              const Shape &shape,
@@ -127,6 +140,7 @@ public:
              const T *data,
              const unsigned int compression = 0);
 
+  /** A list of texts, [n]. */
   void write_strings(const std::string &name, const std::vector<std::string> &strings);
 
   /**
@@ -138,6 +152,7 @@ public:
                       const Shape &expected   = {},
                       const std::string &hint = "") const;
 
+  /** The list that write_strings() wrote. */
   std::vector<std::string> read_strings(const std::string &name,
                                         const std::string &hint = "") const;
 
@@ -149,7 +164,10 @@ public:
                             const std::string &hint = "") const;
   /** @} */
 
-  /** @name Datasets that grow along the first axis @{ */
+  /**
+   * @name Datasets that grow along the first axis
+   * @{
+   */
   /**
    * Creates an empty dataset [0][row_shape...], or continues one of the same shape in a
    * resumed file. Short rows are buffered and written some thousand at a time.

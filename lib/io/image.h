@@ -12,10 +12,11 @@ namespace mesoslip
  */
 struct Image
 {
-  unsigned int width  = 0;
-  unsigned int height = 0;
-  std::vector<int> values;
+  unsigned int width  = 0; ///< pixels
+  unsigned int height = 0; ///< pixels
+  std::vector<int> values; ///< [height][width], the bottom row first
 
+  /** Value of pixel @p x from the left, @p y from the bottom. */
   int operator()(const unsigned int x, const unsigned int y) const
   {
     return values[static_cast<std::size_t>(y) * width + x];

@@ -12,8 +12,8 @@ namespace mesoslip
 /** How a run ended: status for the shell and sentence for the user. */
 struct Outcome
 {
-  ExitStatus status = ExitStatus::done;
-  std::string message;
+  ExitStatus status = ExitStatus::done; ///< for the shell
+  std::string message;                  ///< empty when all went well
 };
 
 /** Translates the exception being handled; call it in a catch block. */

@@ -15,11 +15,12 @@ namespace mesoslip
 /** The values a number may take; bounds are inclusive unless said otherwise. */
 struct Range
 {
-  double lower         = -std::numeric_limits<double>::max();
-  double upper         = std::numeric_limits<double>::max();
-  bool lower_exclusive = false;
-  bool upper_exclusive = false;
+  double lower         = -std::numeric_limits<double>::max(); ///< smallest value
+  double upper         = std::numeric_limits<double>::max();  ///< largest value
+  bool lower_exclusive = false; ///< lower itself is not allowed
+  bool upper_exclusive = false; ///< upper itself is not allowed
 
+  /** All finite numbers. */
   static Range any();
   /** x > 0. */
   static Range positive();
@@ -34,6 +35,7 @@ struct Range
   /** lower <= x. */
   static Range at_least(const double lower);
 
+  /** False for NaN. */
   bool contains(const double x) const;
 
   /** For messages: "> 0", "in [0, 1)", "" when everything is allowed. */
@@ -47,6 +49,9 @@ struct Range
 class ParameterSection
 {
 public:
+  /**
+   * Enters the subsections of @p path, "Section/Sub section"; the destructor leaves them.
+   */
   ParameterSection(dealii::ParameterHandler &handler, const std::string &path);
   ~ParameterSection();
   ParameterSection(const ParameterSection &)            = delete;
@@ -63,6 +68,7 @@ private:
  * "Time step as a fraction of the critical one [-]".
  * @{
  */
+/** A number within @p range. */
 void declare_double(dealii::ParameterHandler &prm,
                     const std::string &key,
                     const double value,
@@ -76,6 +82,7 @@ void declare_double_or_auto(dealii::ParameterHandler &prm,
                             const Range &range,
                             const std::string &meaning);
 
+/** A whole number from @p lower to @p upper. */
 void declare_integer(dealii::ParameterHandler &prm,
                      const std::string &key,
                      const long value,
@@ -83,6 +90,7 @@ void declare_integer(dealii::ParameterHandler &prm,
                      const long upper,
                      const std::string &meaning);
 
+/** true or false. */
 void declare_bool(dealii::ParameterHandler &prm,
                   const std::string &key,
                   const bool value,
@@ -112,6 +120,7 @@ void declare_double_list(
   const unsigned int min_items = 0,
   const unsigned int max_items = std::numeric_limits<unsigned int>::max());
 
+/** Whole numbers from @p lower to @p upper, separated by commas. */
 void declare_integer_list(
   dealii::ParameterHandler &prm,
   const std::string &key,
@@ -122,6 +131,7 @@ void declare_integer_list(
   const unsigned int min_items = 0,
   const unsigned int max_items = std::numeric_limits<unsigned int>::max());
 
+/** Any text. */
 void declare_string(dealii::ParameterHandler &prm,
                     const std::string &key,
                     const std::string &value,
@@ -144,23 +154,30 @@ void declare_input_file(dealii::ParameterHandler &prm,
  * mistake in the program and throws std::logic_error.
  * @{
  */
+/** A number. */
 double get_double(dealii::ParameterHandler &prm, const std::string &key);
 
 /** NaN for "auto". */
 double get_double_or_auto(dealii::ParameterHandler &prm, const std::string &key);
 
+/** A whole number. */
 long get_integer(dealii::ParameterHandler &prm, const std::string &key);
 
+/** true or false. */
 bool get_bool(dealii::ParameterHandler &prm, const std::string &key);
 
+/** The text as it stands. */
 std::string get_string(dealii::ParameterHandler &prm, const std::string &key);
 
+/** Items of a comma separated list. */
 std::vector<std::string> get_word_list(dealii::ParameterHandler &prm,
                                        const std::string &key);
 
+/** Numbers of a comma separated list. */
 std::vector<double> get_double_list(dealii::ParameterHandler &prm,
                                     const std::string &key);
 
+/** Whole numbers of a comma separated list. */
 std::vector<long> get_integer_list(dealii::ParameterHandler &prm, const std::string &key);
 
 /**
@@ -186,6 +203,8 @@ std::string to_text(const double value);
 
 /** "a, b, c". */
 std::string to_text(const std::vector<double> &values);
+
+/** As above for words. */
 std::string to_text(const std::vector<std::string> &words);
 
 /** Items of a comma separated list, without surrounding blanks; none for "". */

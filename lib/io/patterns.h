@@ -18,14 +18,17 @@ namespace mesoslip
 class TextPattern : public dealii::Patterns::PatternBase
 {
 public:
+  /** @p allowed_text completes "is not ..."; @p accept decides. */
   TextPattern(const std::string &allowed_text,
               const std::function<bool(const std::string &)> &accept);
 
+  /** Whether @p text is accepted. */
   bool match(const std::string &text) const override;
 
   /** The same in all styles: what messages and --print-parameters show. */
   std::string description(const OutputStyle style = Machine) const override;
 
+  /** A copy, as ParameterHandler keeps. */
   std::unique_ptr<PatternBase> clone() const override;
 
 private:

@@ -15,6 +15,7 @@ namespace mesoslip
 class Progress
 {
 public:
+  /** How progress is shown. */
   enum class Mode
   {
     off,
@@ -27,6 +28,7 @@ public:
   /** Refreshed if standard output is a terminal, plain otherwise, off when @p quiet. */
   static Mode choose_mode(const bool quiet);
 
+  /** Writes to @p stream, which must outlive it. */
   Progress(std::ostream &stream, const Mode chosen_mode);
 
   /**

@@ -29,7 +29,7 @@ public:
   {
     /** "Section/Sub section/Key". */
     std::string path;
-    std::string value;
+    std::string value; ///< text as typed
     /** 0 for a --set option. */
     unsigned int line = 0;
   };
@@ -54,6 +54,7 @@ public:
   std::vector<std::string> get_list(const std::string &path,
                                     const std::vector<std::string> &fallback) const;
 
+  /** Whether the .prm or --set names the key. */
   bool has(const std::string &path) const;
 
   /** Names of the subsections of @p path ("" for the top), in order of appearance. */
@@ -65,6 +66,7 @@ public:
    */
   void apply(dealii::ParameterHandler &prm) const;
 
+  /** In the order of the file, those of --set behind. */
   const std::vector<Entry> &entries() const
   {
     return all_entries;

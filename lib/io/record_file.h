@@ -35,8 +35,10 @@ public:
   /** Waits until everything is on the disk, so that a checkpoint may count on it. */
   void sync();
 
+  /** The numbers of record @p record, from 0. @throws UserError. */
   std::vector<double> read(const std::size_t record) const;
 
+  /** In the file now. */
   std::size_t n_records() const
   {
     return records;

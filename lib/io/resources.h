@@ -8,7 +8,7 @@ namespace mesoslip
 /** What a run is going to take of a disk or of the memory. */
 struct Need
 {
-  double bytes = 0.;
+  double bytes = 0.; ///< in addition to what is taken now
   /** The keys that decide it and how: "reduce Grid/Cells". */
   std::string remedy;
 };

@@ -18,12 +18,12 @@ namespace mesoslip
 /** The command line, as far as it concerns a run. */
 struct RunOptions
 {
-  std::string program;
-  std::string prm_file;
-  std::string output_folder;
-  bool resume  = false;
-  bool quiet   = false;
-  bool profile = false;
+  std::string program;       ///< name, for messages
+  std::string prm_file;      ///< path
+  std::string output_folder; ///< path
+  bool resume  = false;      ///< go on from the checkpoint
+  bool quiet   = false;      ///< nothing on the console but warnings and errors
+  bool profile = false;      ///< print the timings at the end
 };
 
 /**
@@ -48,14 +48,19 @@ public:
   RunContext(const RunContext &)            = delete;
   RunContext &operator=(const RunContext &) = delete;
 
+  /** Of all ranks of the run. */
   MPI_Comm communicator() const
   {
     return comm;
   }
+
+  /** Of this process, from 0. */
   int rank() const
   {
     return my_rank;
   }
+
+  /** Number of processes. */
   int n_ranks() const
   {
     return size;
@@ -66,6 +71,7 @@ public:
     return my_rank == 0;
   }
 
+  /** The command line. */
   const RunOptions &options() const
   {
     return run_options;
@@ -89,6 +95,7 @@ public:
     return begun;
   }
 
+  /** Path of the output folder, as asked for. */
   const std::string &output_folder() const
   {
     return run_options.output_folder;

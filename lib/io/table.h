@@ -19,6 +19,8 @@ public:
 
   /** Writes what is buffered, silently; call flush() to be told of errors. */
   ~TableWriter();
+
+  /** Moves the open file. */
   TableWriter(TableWriter &&) = default;
 
   /** Appends to a table with the same columns, keeping its first @p rows rows. */
@@ -35,6 +37,7 @@ public:
   /** Writes what is buffered and checks that it was written. @throws UserError. */
   void flush();
 
+  /** Rows added so far. */
   std::size_t n_rows() const
   {
     return rows;
@@ -62,21 +65,26 @@ public:
    */
   static Table read(const std::string &path);
 
+  /** Headings, in the order of the file. */
   const std::vector<std::string> &columns() const
   {
     return headings;
   }
+
+  /** Without the heading. */
   std::size_t n_rows() const
   {
     return cells.size();
   }
 
+  /** Whether there is one with this heading. */
   bool has_column(const std::string &heading) const;
 
   /** A column as numbers. @throws UserError for a missing column or anything not finite.
    */
   std::vector<double> numbers(const std::string &heading) const;
 
+  /** A column as it stands. @throws UserError for a missing column. */
   std::vector<std::string> texts(const std::string &heading) const;
 
   /** "rectangles.csv:12: <what>" as a UserError, for checks of what the numbers mean. */

@@ -9,6 +9,8 @@ namespace mesoslip
 /** Parses all of @p text, or returns false. Accepts a leading '+'; no NaN, no infinity.
  */
 bool parse_number(const std::string &text, double &value);
+
+/** As above for whole numbers that fit. */
 bool parse_number(const std::string &text, long &value);
 
 /** Without leading and trailing blanks. */

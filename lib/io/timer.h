@@ -21,6 +21,7 @@ public:
   class Scope
   {
   public:
+    /** Moves the duty to stop the clock. */
     Scope(Scope &&other) noexcept;
     Scope(const Scope &) = delete;
     ~Scope();

@@ -10,20 +10,23 @@ namespace mesoslip
 /** The uniform grid of an XDMF file. Entries beyond dim are ignored. */
 struct XdmfGrid
 {
-  unsigned int dim                  = 2;
-  std::array<unsigned int, 3> cells = {};
-  std::array<double, 3> origin      = {};
-  std::array<double, 3> spacing     = {};
+  unsigned int dim                  = 2;  ///< 2 or 3
+  std::array<unsigned int, 3> cells = {}; ///< numbers along x, y, z
+  std::array<double, 3> origin      = {}; ///< lower left corner (m)
+  std::array<double, 3> spacing     = {}; ///< edges of a cell (m)
 };
 
 /** A dataset shown on it. */
 struct XdmfField
 {
+  /** Where the values belong. */
   enum class Centre
   {
     node,
     cell
   };
+
+  /** Type of the numbers in the file. */
   enum class Number
   {
     float64,
@@ -36,9 +39,9 @@ struct XdmfField
   std::string name;
   /** HDF5 file beside the XDMF file, and the dataset in it. */
   std::string file;
-  std::string dataset;
-  Centre centre = Centre::node;
-  Number number = Number::float64;
+  std::string dataset;             ///< absolute path in the HDF5 file
+  Centre centre = Centre::node;    ///< of the values
+  Number number = Number::float64; ///< of the dataset
   /** Length of the last axis; 0 when there is none. */
   unsigned int components = 0;
   /** With two last axes, of a matrix a cell: the length of the very last one (components

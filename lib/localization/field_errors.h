@@ -13,8 +13,8 @@ namespace mesoslip
 /** Some cells of a grid under a name. */
 struct CellRegion
 {
-  std::string name;
-  std::vector<std::size_t> cells;
+  std::string name;               ///< as in field_errors.csv
+  std::vector<std::size_t> cells; ///< indices, row by row from the bottom
 };
 
 /**
@@ -35,10 +35,11 @@ struct FieldError
 {
   /** mean_von_mises, mean_sigma_xx, ..., deviation_sigma_xy. */
   std::string quantity;
-  std::string region;
-  std::size_t n_cells = 0;
+  std::string region;      ///< name of the CellRegion
+  std::size_t n_cells = 0; ///< in the region
   /** Pa; root mean squares over the cells. */
-  double rms = 0., direct_rms = 0.;
+  double rms        = 0.;
+  double direct_rms = 0.; ///< of the direct run
   /** ||localized - direct|| / ||direct||; NaN when there is nothing to compare with. */
   double relative = 0.;
 };

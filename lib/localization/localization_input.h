@@ -23,22 +23,22 @@ struct LocalizationInput
    */
   explicit LocalizationInput(const LocalizationParameters &parameters);
 
-  RveFile rve;
-  RunFile homogeneous;
-  std::optional<RunFile> direct;
-  std::vector<std::uint8_t> phase_id;
+  RveFile rve;                        ///< morphology, stiffnesses, concentration tensors
+  RunFile homogeneous;                ///< run whose strains are localized
+  std::optional<RunFile> direct;      ///< heterogeneous run to compare with
+  std::vector<std::uint8_t> phase_id; ///< [ny][nx]
   /** sigma_zz / (sigma_xx + sigma_yy) by phase. */
   std::vector<double> out_of_plane_ratio;
-  TimeWindow window;
-  std::vector<std::string> warnings;
+  TimeWindow window;                 ///< times used (s)
+  std::vector<std::string> warnings; ///< sentences for the log
 };
 
 /** A probe and where its series come from. */
 struct PlannedProbe
 {
-  std::string name;
-  std::array<double, 2> position = {};
-  CellIndex cell                 = {};
+  std::string name;                    ///< as in the results
+  std::array<double, 2> position = {}; ///< m, from the lower left corner
+  CellIndex cell                 = {}; ///< of the RVE, which holds the position
   /** Whether the homogeneous run recorded it; otherwise the snapshots are used. */
   bool recorded = false;
   /** Name of the direct run's probe at the place; empty when it has none. */

@@ -18,13 +18,13 @@ namespace mesoslip
 /** Localized stress at a place over time. */
 struct ProbeResult
 {
-  std::string name;
+  std::string name; ///< as in the results
   /** From the lower left corner (m). */
   std::array<double, 2> position = {};
   /** Of the RVE; its L and phase were used. */
   CellIndex cell     = {};
-  unsigned int phase = 0;
-  std::string phase_name;
+  unsigned int phase = 0; ///< index of the cell's phase
+  std::string phase_name; ///< name of the cell's phase
 
   /** s */
   std::vector<double> time;
@@ -32,7 +32,7 @@ struct ProbeResult
   std::vector<double> stress;
   /** Pa, [k][3], the direct run's at the same times; empty without one. */
   std::vector<double> direct_stress;
-  std::array<ComponentStatistics, 3> statistics;
+  std::array<ComponentStatistics, 3> statistics; ///< of xx, yy, xy
 };
 
 /** All that follows from one of eqs 23 and 24. */
@@ -40,23 +40,24 @@ struct VariantResult
 {
   /** "local strain" or "mean strain". */
   std::string name;
-  StressFields fields;
+  StressFields fields; ///< averages over time
   /** Localized minus direct; empty without a direct run. */
   StressFields difference;
-  std::vector<FieldError> errors;
-  std::vector<ProbeResult> probes;
+  std::vector<FieldError> errors;  ///< against the direct run
+  std::vector<ProbeResult> probes; ///< in the order of the plan
 };
 
+/** Everything that localize() found; on rank 0. */
 struct LocalizationResult
 {
-  UniformGrid<2> grid;
+  UniformGrid<2> grid; ///< of the RVE
   /** Degrees of freedom of the homogeneous run. */
   std::size_t dofs = 0;
-  std::vector<std::string> phase_names;
+  std::vector<std::string> phase_names; ///< by index
   /** s; first and last time used. */
   TimeWindow window;
-  std::size_t n_snapshots        = 0;
-  std::size_t n_direct_snapshots = 0;
+  std::size_t n_snapshots        = 0; ///< of the homogeneous run
+  std::size_t n_direct_snapshots = 0; ///< of the direct run
   /** Empty without a direct run. */
   StressFields direct;
   /** Local strain first when both were asked for. */
@@ -68,7 +69,10 @@ struct LocalizationResult
 /** Where localize() says what it does; functions may be empty. */
 struct LocalizationMonitor
 {
+  /** One line. */
   std::function<void(const std::string &)> log;
+
+  /** One line, marked as a warning. */
   std::function<void(const std::string &)> warn;
   /** Begin of an activity with so many steps. */
   std::function<void(const std::string &, const std::size_t)> start;

@@ -19,6 +19,7 @@ class RowArrays
 public:
   RowArrays() = default;
 
+  /** All numbers zero. */
   RowArrays(const std::size_t n_rows,
             const unsigned int n_arrays,
             const std::size_t n_columns)
@@ -44,16 +45,19 @@ public:
     return data.get() + (j * arrays + k) * row_stride;
   }
 
+  /** As above, read only. */
   const double *operator()(const std::size_t j, const unsigned int k) const
   {
     return data.get() + (j * arrays + k) * row_stride;
   }
 
+  /** Rows, each of all arrays. */
   std::size_t n_rows() const
   {
     return n;
   }
 
+  /** Numbers of an array in a row, without padding. */
   std::size_t n_columns() const
   {
     return columns;

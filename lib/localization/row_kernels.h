@@ -15,13 +15,19 @@ namespace mesoslip
 /** Voigt components of a row: xx, yy, xy, one array each. */
 struct ConstRow
 {
-  const double *xx, *yy, *xy;
+  const double *xx; ///< first normal component
+  const double *yy; ///< second normal component
+  const double *xy; ///< shear (engineering for strains)
 };
 
+/** As ConstRow, to be written. */
 struct Row
 {
-  double *xx, *yy, *xy;
+  double *xx; ///< first normal component
+  double *yy; ///< second normal component
+  double *xy; ///< shear (engineering for strains)
 
+  /** The same arrays, read only. */
   operator ConstRow() const
   {
     return {xx, yy, xy};

@@ -31,16 +31,19 @@ public:
   /** @p role, "homogeneous run", is for messages. @throws UserError */
   RunFile(const std::string &path, const std::string &role);
 
+  /** As given. */
   const std::string &path() const
   {
     return file.path();
   }
 
+  /** Of the body. */
   const UniformGrid<2> &grid() const
   {
     return the_grid;
   }
 
+  /** Of what determines the content. */
   const std::string &digest() const
   {
     return the_digest;
@@ -58,6 +61,7 @@ public:
   /** Ascending (s); throws when there are no snapshots. */
   std::vector<double> snapshot_times() const;
 
+  /** False for a run without them. */
   bool has_snapshots() const
   {
     return file.exists("/snapshots/displacement");

@@ -12,17 +12,21 @@ namespace mesoslip
 /** One stress component of a probe; NaN where there is nothing to say. */
 struct ComponentStatistics
 {
+  /** Not a number. */
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   /** Pa; of the localized series. */
-  double mean = unknown, deviation = unknown;
+  double mean      = unknown;
+  double deviation = unknown; ///< standard deviation
   /** Pa; of the direct one, at its own samples. */
-  double direct_mean = unknown, direct_deviation = unknown;
+  double direct_mean      = unknown;
+  double direct_deviation = unknown; ///< standard deviation of the direct one
   /**
    * localized / direct - 1: negative when too small in magnitude. They do not ask whether
    * the two series are in step: limit cycles of two runs have arbitrary phases.
    */
-  double error_mean = unknown, error_deviation = unknown;
+  double error_mean      = unknown;
+  double error_deviation = unknown; ///< of the standard deviations
   /** rms of the difference at equal times, relative to the rms of the direct series. */
   double rms_difference = unknown;
 };

@@ -25,12 +25,14 @@ struct SnapshotWork
   /** Cells whose strain histories are wanted. */
   std::vector<CellIndex> cells;
 
+  /** Whether anything is wanted. */
   bool any() const
   {
     return local != nullptr || uniform != nullptr || mean_history || !cells.empty();
   }
 };
 
+/** What pass_snapshots() returns: one entry a snapshot. */
 struct SnapshotHistories
 {
   /** s */

@@ -21,17 +21,19 @@ namespace mesoslip
  */
 struct AxisWeights
 {
+  /** Weights from @p n_source cells to @p n_target cells, both at least 1. */
   AxisWeights(const unsigned int n_source, const unsigned int n_target);
 
+  /** Whether the values are those of the source. */
   bool is_identity() const
   {
     return width == 1 && first.size() == n_source;
   }
 
-  unsigned int n_source;
-  unsigned int width;
-  std::vector<unsigned int> first;
-  std::vector<double> weight;
+  unsigned int n_source;           ///< cells of the source
+  unsigned int width;              ///< source cells that a target cell draws on
+  std::vector<unsigned int> first; ///< first source cell of each target cell
+  std::vector<double> weight; ///< [target cell][width]; those of a target cell sum to 1
 };
 
 /**
@@ -48,6 +50,7 @@ std::array<double, 3> mean_strain(const UniformGrid<2> &grid, const double *disp
 class StrainInterpolation
 {
 public:
+  /** Both grids cover the same box. */
   StrainInterpolation(const UniformGrid<2> &source, const UniformGrid<2> &target);
 
   /**
@@ -62,6 +65,7 @@ public:
     return 2 * source.n_nodes();
   }
 
+  /** Whose cells get the strains. */
   const UniformGrid<2> &target_grid() const
   {
     return target;

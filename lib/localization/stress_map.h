@@ -29,6 +29,7 @@ public:
             const std::vector<double> &ratio,
             const std::vector<double> &concentration);
 
+  /** Of the RVE. */
   const UniformGrid<2> &grid() const
   {
     return the_grid;
@@ -46,6 +47,7 @@ public:
     return data(j, 9);
   }
 
+  /** Numbers from one of the nine arrays of a row to the next. */
   std::size_t stride() const
   {
     return data.stride();
@@ -60,8 +62,8 @@ private:
 };
 
 /**
- * Largest entry of <L> - I over all cells of [..][3][3] tensors: zero, up to the accuracy
- * of the solver, for KUBC and PBC.
+ * Largest entry of (mean of L) - I over all cells of [..][3][3] tensors: zero, up to the
+ * accuracy of the solver, for KUBC and PBC.
  */
 double mean_defect(const std::vector<double> &concentration);
 } // namespace mesoslip

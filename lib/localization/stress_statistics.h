@@ -12,10 +12,11 @@ namespace mesoslip
 /** Which fields are wanted. */
 struct FieldSelection
 {
-  bool von_mises = true;
-  bool mean      = true;
-  bool deviation = true;
+  bool von_mises = true; ///< mean over time
+  bool mean      = true; ///< of each stress component
+  bool deviation = true; ///< standard deviation of each component
 
+  /** Whether there is anything to compute. */
   bool any() const
   {
     return von_mises || mean || deviation;
@@ -31,7 +32,7 @@ struct StressFields
   std::vector<double> mean_stress;
   /** Pa, [ny][nx][3]: standard deviation (divided by the number of samples). */
   std::vector<double> deviation_stress;
-  std::size_t n_samples = 0;
+  std::size_t n_samples = 0; ///< that the averages are over
 };
 
 /**
@@ -41,6 +42,7 @@ struct StressFields
 class StressStatistics
 {
 public:
+  /** No samples yet; @p map must outlive it. */
   StressStatistics(const StressMap &map, const FieldSelection &selection);
 
   /** The next sample of row @p j, as the macroscopic strain of its cells. */

@@ -12,9 +12,10 @@ namespace mesoslip
 /** From begin to end (s), both included up to round-off. */
 struct TimeWindow
 {
-  double begin = -std::numeric_limits<double>::infinity();
-  double end   = std::numeric_limits<double>::infinity();
+  double begin = -std::numeric_limits<double>::infinity(); ///< first time
+  double end   = std::numeric_limits<double>::infinity();  ///< last time
 
+  /** Times in both; begin > end if there are none. */
   TimeWindow intersection(const TimeWindow &other) const
   {
     return {std::max(begin, other.begin), std::min(end, other.end)};
@@ -24,8 +25,8 @@ struct TimeWindow
 /** Entries first, ..., first + count - 1. */
 struct IndexRange
 {
-  std::size_t first = 0;
-  std::size_t count = 0;
+  std::size_t first = 0; ///< index of the first entry
+  std::size_t count = 0; ///< number of entries
 };
 
 /** The entries of ascending @p times that lie in the window. */

@@ -9,7 +9,7 @@
 namespace mesoslip
 {
 /**
- * Voigt's bound <C> (Pa), uniform strain: no composite is stiffer.
+ * Voigt's bound, the mean of C (Pa), uniform strain: no composite is stiffer.
  * All functions here throw std::invalid_argument unless there is one fraction in [0, 1]
  * a phase and the fractions sum to one (1e-9).
  */
@@ -17,7 +17,8 @@ template <int dim>
 VoigtMatrix<dim> voigt_bound(const std::vector<Phase<dim>> &phases,
                              const std::vector<double> &fractions);
 
-/** Reuss' bound <C^-1>^-1 (Pa), uniform stress: no composite is softer. */
+/** Reuss' bound, the inverse of the mean of C^-1 (Pa), uniform stress: no composite is
+ * softer. */
 template <int dim>
 VoigtMatrix<dim> reuss_bound(const std::vector<Phase<dim>> &phases,
                              const std::vector<double> &fractions);
@@ -30,8 +31,8 @@ double mean_density(const std::vector<Phase<dim>> &phases,
 /** Plane bulk modulus k = lambda + mu and shear modulus mu, Pa. */
 struct PlaneModuli
 {
-  double bulk;
-  double shear;
+  double bulk;  ///< k = lambda + mu
+  double shear; ///< mu
 };
 
 /** Isotropic plane-strain stiffness (Pa) of given plane moduli. */
@@ -43,10 +44,10 @@ std::optional<PlaneModuli> plane_moduli(const VoigtMatrix<2> &stiffness);
 /** Lower and upper bound as isotropic stiffnesses (Pa) and as plane moduli. */
 struct HashinShtrikmanBounds
 {
-  PlaneModuli lower;
-  PlaneModuli upper;
-  VoigtMatrix<2> lower_stiffness;
-  VoigtMatrix<2> upper_stiffness;
+  PlaneModuli lower;              ///< as plane moduli
+  PlaneModuli upper;              ///< as plane moduli
+  VoigtMatrix<2> lower_stiffness; ///< of the isotropic solid (Pa)
+  VoigtMatrix<2> upper_stiffness; ///< of the isotropic solid (Pa)
 };
 
 /**

@@ -15,7 +15,7 @@ struct EngineeringConstant
   std::string name;
   /** "Pa", or "1" for pure numbers, "rad" for angles. */
   std::string unit;
-  double value;
+  double value; ///< in that unit
   /** One phrase. */
   std::string meaning;
 };
@@ -46,14 +46,18 @@ struct IsotropicProjection
 {
   /** Pa, of the three-dimensional solid. */
   double young_modulus;
-  double poisson_ratio;
+  double poisson_ratio; ///< of the three-dimensional solid
   /** Pa; plane bulk modulus lambda + mu in 2D, lambda + 2 mu / 3 in 3D. */
   double bulk_modulus;
-  double shear_modulus;
+  double shear_modulus; ///< Pa
   /** ||C - C_iso|| / ||C||, 0 for an isotropic stiffness. */
   double relative_distance;
 };
 
+/**
+ * Projection onto bulk and shear modulus; the modulus of the solid for plane strain. @p
+ * stiffness in Pa.
+ */
 template <int dim>
 IsotropicProjection closest_isotropic(const VoigtMatrix<dim> &stiffness);
 
@@ -70,6 +74,9 @@ struct OrthotropicProjection
   double relative_distance;
 };
 
+/**
+ * Searches the angle of the axes that leaves the least D13 and D23. @p stiffness in Pa.
+ */
 OrthotropicProjection closest_orthotropic(const VoigtMatrix<2> &stiffness);
 
 /** The same with the axes held at x and y: entries 13 and 23 set to zero. */

@@ -11,7 +11,7 @@ namespace mesoslip
 template <int dim>
 struct Phase
 {
-  std::string name;
+  std::string name; ///< unique among the phases
 
   /** Pa; plane strain in 2D. */
   VoigtMatrix<dim> stiffness = VoigtMatrix<dim>::Zero();

@@ -23,9 +23,15 @@ VoigtMatrix<dim> isotropic_stiffness(const double young_modulus,
  */
 struct OrthotropicConstants
 {
-  double E1, E2, E3;
-  double nu12, nu13, nu23;
-  double G12, G13, G23;
+  double E1;   ///< Young's modulus along axis 1
+  double E2;   ///< along axis 2
+  double E3;   ///< along axis 3
+  double nu12; ///< contraction along 2 by tension along 1
+  double nu13; ///< contraction along 3 by tension along 1
+  double nu23; ///< contraction along 3 by tension along 2
+  double G12;  ///< shear modulus in the plane 1, 2
+  double G13;  ///< in the plane 1, 3
+  double G23;  ///< in the plane 2, 3
 };
 
 /**

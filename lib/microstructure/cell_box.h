@@ -11,14 +11,18 @@ namespace mesoslip
 /** Half-open ranges of cells [x_begin, x_end) x [y_begin, y_end). */
 struct CellBox
 {
-  unsigned int x_begin, x_end;
-  unsigned int y_begin, y_end;
+  unsigned int x_begin; ///< first column
+  unsigned int x_end;   ///< one beyond the last column
+  unsigned int y_begin; ///< first row
+  unsigned int y_end;   ///< one beyond the last row
 
+  /** No cell at all. */
   bool empty() const
   {
     return x_begin >= x_end || y_begin >= y_end;
   }
 
+  /** Width times height. */
   std::size_t n_cells() const
   {
     return empty() ? 0 : std::size_t(x_end - x_begin) * (y_end - y_begin);

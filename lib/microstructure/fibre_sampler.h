@@ -10,6 +10,7 @@ namespace mesoslip
 class FibreSampler
 {
 public:
+  /** Prepares drawing by @p rules on @p grid; seeds the numbers. */
   FibreSampler(const UniformGrid<2> &grid, const FibrePlacement &rules);
 
   /** Whether any fibre satisfies the rules; otherwise draw() must not be called. */
@@ -21,22 +22,30 @@ public:
   /** The fibre that covers @p height rows, its lower left cell being (@p x, @p y). */
   Rectangle aligned(const long x, const long y, const long height) const;
 
-  /** @name Sizes in whole cells, at least one @{ */
+  /**
+   * @name Sizes in whole cells, at least one
+   * @{
+   */
+  /** Columns. */
   long width() const
   {
     return fibre_width;
   }
+
+  /** Rows of the lowest fibre. */
   long min_height() const
   {
     return lowest;
   }
+
+  /** Rows of the tallest fibre. */
   long max_height() const
   {
     return tallest;
   }
   /** @} */
 
-  RandomNumbers random;
+  RandomNumbers random; ///< what draw() takes its numbers from
 
 private:
   Rectangle draw_aligned();

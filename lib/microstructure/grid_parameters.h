@@ -18,9 +18,10 @@ namespace mesoslip
  */
 struct GridParameters
 {
-  std::array<unsigned int, 2> cells = {{560, 160}};
-  std::array<double, 2> size        = {{0.056, 0.016}};
+  std::array<unsigned int, 2> cells = {{560, 160}};     ///< numbers along x and y
+  std::array<double, 2> size        = {{0.056, 0.016}}; ///< m, along x and y
 
+  /** Keys of the section with the pin as default. */
   static void declare(dealii::ParameterHandler &prm);
 
   /** Throws UserError for lists of the wrong length. */
@@ -30,6 +31,7 @@ struct GridParameters
    */
   void check() const;
 
+  /** The grid; check() has passed. */
   UniformGrid<2> grid() const;
 };
 } // namespace mesoslip

@@ -26,6 +26,7 @@ class RawParameters;
  */
 struct MicrostructureParameters
 {
+  /** Where the morphology comes from. */
   enum class Type
   {
     homogeneous,
@@ -34,10 +35,10 @@ struct MicrostructureParameters
     image
   };
 
-  GridParameters grid;
-  PhaseParameters phases;
+  GridParameters grid;    ///< section Grid
+  PhaseParameters phases; ///< section Phases
 
-  Type type = Type::random_fibres;
+  Type type = Type::random_fibres; ///< key Type
 
   /** Rectangles (CSV) or image (PNG, plain text). */
   std::string file;
@@ -45,7 +46,7 @@ struct MicrostructureParameters
   /** Image value of each phase; empty: distinct values in ascending order. */
   std::vector<long> image_values;
 
-  FibrePlacement placement;
+  FibrePlacement placement; ///< rules of random fibres
 
   /** Name of the phase the fibres are made of; empty: the second one. */
   std::string fibre_phase;
@@ -57,6 +58,7 @@ struct MicrostructureParameters
   /** All three sections. */
   static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
 
+  /** Reads the values; throws UserError for those that cannot be meant. */
   void parse(dealii::ParameterHandler &prm);
 
   /**
@@ -75,8 +77,8 @@ struct MicrostructureParameters
 /** A morphology with the materials it is made of. */
 struct Microstructure
 {
-  PhaseMap<2> map;
-  std::vector<Phase<2>> phases;
+  PhaseMap<2> map;              ///< phase of each cell
+  std::vector<Phase<2>> phases; ///< by index
 
   /** Placed or read rectangles in the order of drawing; empty for the other types. */
   std::vector<Rectangle> rectangles;

@@ -15,6 +15,7 @@ namespace mesoslip
 class Occupancy
 {
 public:
+  /** All cells free. */
   Occupancy(const unsigned int n_columns, const unsigned int n_rows);
 
   /** Whether no cell of the box is taken. The box lies inside the grid. */
@@ -23,6 +24,7 @@ public:
   /** Number of free cells of the box. */
   std::size_t n_free(const CellBox &box) const;
 
+  /** Takes all cells of @p box, which lies inside the grid. */
   void mark(const CellBox &box);
 
   /** Number of cells taken. */

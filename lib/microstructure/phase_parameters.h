@@ -18,6 +18,7 @@ class RawParameters;
 /** Section `Phases/<name>`: the material of one phase. */
 struct SinglePhaseParameters
 {
+  /** Which keys give the stiffness. */
   enum class Type
   {
     isotropic,
@@ -25,17 +26,17 @@ struct SinglePhaseParameters
     stiffness
   };
 
-  std::string name;
-  Type type = Type::isotropic;
+  std::string name;            ///< of the subsection
+  Type type = Type::isotropic; ///< key Type
 
   /** Pa */
   double young_modulus = 0.;
-  double poisson_ratio = 0.2;
+  double poisson_ratio = 0.2; ///< of an isotropic phase
 
   /** E1, E2, E3 (Pa); nu12, nu13, nu23; G12, G13, G23 (Pa) */
   std::vector<double> young_moduli;
-  std::vector<double> poisson_ratios;
-  std::vector<double> shear_moduli;
+  std::vector<double> poisson_ratios; ///< nu12, nu13, nu23
+  std::vector<double> shear_moduli;   ///< G12, G13, G23 (Pa)
 
   /** Pa; 4 or 6 values */
   std::vector<double> stiffness_coefficients;
@@ -46,7 +47,7 @@ struct SinglePhaseParameters
   /** kg/m^3 */
   double density = 0.;
 
-  double friction_coefficient = 0.;
+  double friction_coefficient = 0.; ///< Coulomb, of contact nodes in the phase
 
   /** Throws UserError naming the key when the material makes no sense. */
   void check() const;
@@ -65,8 +66,9 @@ struct SinglePhaseParameters
  */
 struct PhaseParameters
 {
-  std::vector<SinglePhaseParameters> phases;
+  std::vector<SinglePhaseParameters> phases; ///< in the order of `Names`
 
+  /** `Names` and, for the names that @p raw gives, their subsections. */
   static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
 
   /** Throws UserError for names that are not unique or cannot be names. */
@@ -82,6 +84,7 @@ struct PhaseParameters
    */
   unsigned int index_of(const std::string &name, const std::string &key) const;
 
+  /** Stiffness and density of each phase; check() has passed. */
   std::vector<Phase<2>> make_phases() const;
 };
 } // namespace mesoslip

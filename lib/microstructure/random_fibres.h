@@ -20,12 +20,12 @@ enum class FractionRule
 /** Rules of random placement; lengths in metres. The defaults are the paper's pin. */
 struct FibrePlacement
 {
-  std::uint64_t seed         = 1;
-  double width               = 0.1e-3;
-  double min_height          = 1.2e-3;
-  double max_height          = 3.6e-3;
-  double area_fraction       = 0.1;
-  FractionRule fraction_rule = FractionRule::actual;
+  std::uint64_t seed         = 1;      ///< the same seed gives the same morphology
+  double width               = 0.1e-3; ///< m
+  double min_height          = 1.2e-3; ///< m
+  double max_height          = 3.6e-3; ///< m
+  double area_fraction       = 0.1;    ///< target, 0 to 1
+  FractionRule fraction_rule = FractionRule::actual; ///< what counts for the target
 
   /** Fibres may share cells. */
   bool allow_overlap = false;
@@ -47,13 +47,13 @@ struct FibrePlacement
    * possible; otherwise the last whole fibre stays when that is closer to the target. */
   bool trim_last = true;
 
-  std::uint8_t phase = 1;
+  std::uint8_t phase = 1; ///< index of the fibres' phase
 };
 
 /** Morphology made by place_random_fibres(). */
 struct FibreMorphology
 {
-  PhaseMap<2> map;
+  PhaseMap<2> map; ///< 0: matrix; fibres as FibrePlacement::phase says
 
   /** In the order of placement. Cut fibres are listed whole, trimmed ones trimmed. */
   std::vector<Rectangle> fibres;

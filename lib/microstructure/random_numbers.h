@@ -13,6 +13,7 @@ namespace mesoslip
 class RandomNumbers
 {
 public:
+  /** The same @p seed gives the same numbers on every machine. */
   explicit RandomNumbers(const std::uint64_t seed)
     : engine(seed)
   {

@@ -12,11 +12,11 @@ namespace mesoslip
 /** An axis-parallel rectangle of one phase, lengths in metres. */
 struct Rectangle
 {
-  double x_left;
-  double y_bottom;
-  double width;
-  double height;
-  std::uint8_t phase = 1;
+  double x_left;          ///< m
+  double y_bottom;        ///< m
+  double width;           ///< m
+  double height;          ///< m
+  std::uint8_t phase = 1; ///< index
 };
 
 /**

@@ -12,8 +12,8 @@ namespace mesoslip
 /** What one phase occupies. */
 struct PhaseStatistics
 {
-  std::size_t n_cells  = 0;
-  double area_fraction = 0.;
+  std::size_t n_cells  = 0;  ///< of this phase
+  double area_fraction = 0.; ///< of the box
 
   /** Connected regions (cells that share an edge): fibres, as long as they do not touch.
    */
@@ -21,7 +21,7 @@ struct PhaseStatistics
 
   /** Mean length (m) of the runs of this phase along x and y; 0 for an absent phase. */
   double mean_chord_x = 0.;
-  double mean_chord_y = 0.;
+  double mean_chord_y = 0.; ///< along y
 };
 
 /** Statistics of phases 0 to @p n_phases - 1. */

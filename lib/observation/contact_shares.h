@@ -15,13 +15,15 @@ namespace mesoslip
 struct ContactBlock
 {
   /** s; the block covers the steps whose ends lie in (begin, end]. */
-  double begin = 0., end = 0.;
+  double begin = 0.;
+  double end = 0.; ///< end of the block (s)
 
   /** Steps of the block. */
   double steps = 0.;
 
   /** Steps that stuck and that slipped. */
-  std::vector<double> stick, slip;
+  std::vector<double> stick;
+  std::vector<double> slip; ///< steps that slipped
 
   /** Steps at which the node came back from separation. */
   std::vector<double> landings;
@@ -64,21 +66,24 @@ struct ContactDuration
 struct ContactSummary
 {
   /** s; the window really used: the union of the blocks inside. */
-  double begin = 0., end = 0.;
+  double begin = 0.;
+  double end = 0.; ///< end of the window (s)
 
   /** One entry a node. */
   std::vector<ContactShares> node_shares;
-  std::vector<ContactDuration> node_durations;
+  std::vector<ContactDuration> node_durations; ///< one entry a node
 
   /** All nodes together (each of the same weight; add weights for tributary lengths). */
   ContactShares shares;
-  ContactDuration duration;
+  ContactDuration duration; ///< T_G of eq. (13), of all landings
 };
 
 /**
  * Evaluate the blocks that lie in [@p from, @p to] (within 1e-9 of a block); if none
  * does, the last block is taken, so that there always is an answer.
  *
+ * @param blocks  in the order of time, without gaps
+ * @param from,to  s
  * @param weights  one per node for the overall shares, such as tributary lengths; empty:
  * equal
  * @throws std::invalid_argument without blocks or with arrays of different lengths

@@ -43,6 +43,7 @@ public:
   /** Means of the bins from @p first on. */
   std::vector<double> column(std::size_t column, std::size_t first) const;
 
+  /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {

@@ -9,7 +9,7 @@ namespace mesoslip
 /** A value and how far it may be trusted, by batch means. */
 struct Estimate
 {
-  double value = 0.;
+  double value = 0.; ///< the mean
 
   /** Standard deviation among the batches; 0 with fewer than two of them. */
   double batch_deviation = 0.;
@@ -56,9 +56,9 @@ Estimate window_mean(const std::vector<double> &time,
 /** Shares of time of a node (or of all); they sum to 1. */
 struct ContactShares
 {
-  double slip       = 0.;
-  double stick      = 0.;
-  double separation = 0.;
+  double slip       = 0.; ///< touching and sliding
+  double stick      = 0.; ///< touching without sliding
+  double separation = 0.; ///< not touching
 };
 
 /**

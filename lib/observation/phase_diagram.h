@@ -9,7 +9,8 @@ namespace mesoslip
 struct PhaseDiagram
 {
   /** s; mean period, and its standard deviation from cycle to cycle. */
-  double period = 0., period_deviation = 0.;
+  double period           = 0.;
+  double period_deviation = 0.; ///< from cycle to cycle
 
   /** Whole periods folded; 0: the signal has none and the arrays are empty. */
   unsigned int n_periods = 0;
@@ -18,10 +19,12 @@ struct PhaseDiagram
   std::vector<double> phase;
 
   /** m and m/s; mean over the periods. The last bin is followed by the first one. */
-  std::vector<double> displacement, velocity;
+  std::vector<double> displacement;
+  std::vector<double> velocity; ///< mean (m/s)
 
   /** m and m/s; standard deviation from period to period in each bin. */
-  std::vector<double> displacement_spread, velocity_spread;
+  std::vector<double> displacement_spread;
+  std::vector<double> velocity_spread; ///< m/s
 };
 
 /**
@@ -38,6 +41,10 @@ std::vector<double> upward_crossings(const std::vector<double> &signal,
  * Fold displacement and velocity (uniformly sampled every @p time_step) by phase, from
  * one upward crossing of the mean displacement to the next, and average over the periods.
  *
+ * @param displacement  m, one value a sample
+ * @param velocity  m/s, at the same times
+ * @param time_step  s, from sample to sample
+ * @param bins  of the phase
  * @param expected_period  s; keeps harmonics from being taken for periods: crossings
  *   closer than 0.6 of it are ignored. 0: from the main frequency of the displacement
  * @throws std::invalid_argument if the lengths differ or the time step is not positive

@@ -18,10 +18,10 @@ namespace mesoslip
 /** What a probe saw: one value (or pair, or triple) a sample. */
 struct ProbeHistory
 {
-  std::string           name;
-  std::array<double, 2> position = {}; ///< from the lower left corner (m)
-  unsigned int          phase    = 0;  ///< class of the cell that it lies in
-  bool                  on_contact = false;
+  std::string           name;               ///< as in the .prm
+  std::array<double, 2> position = {};      ///< from the lower left corner (m)
+  unsigned int          phase    = 0;       ///< class of the cell that it lies in
+  bool                  on_contact = false; ///< has tractions of a contact node
 
   std::vector<double> time;         ///< s
   std::vector<double> displacement; ///< [k][2], m
@@ -53,8 +53,8 @@ public:
   /** A point wanted, from the lower left corner (m). */
   struct Point
   {
-    std::string           name;
-    std::array<double, 2> position = {};
+    std::string           name;          ///< as in the .prm
+    std::array<double, 2> position = {}; ///< m
   };
 
   /**

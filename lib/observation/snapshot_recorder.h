@@ -37,6 +37,7 @@ public:
   after_step(const std::uint64_t) override
   {}
 
+  /** Handed over so far. */
   std::size_t
   n_snapshots() const
   {

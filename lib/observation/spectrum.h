@@ -30,8 +30,8 @@ struct SpectralPeak
 /** Where the main frequency is looked for; both in Hz. */
 struct FrequencyBand
 {
-  double from = 1e3;
-  double to   = std::numeric_limits<double>::infinity();
+  double from = 1e3;                                     ///< lower end
+  double to   = std::numeric_limits<double>::infinity(); ///< upper end
 };
 
 /** What a figure like the paper's 5(c) says. */
@@ -68,6 +68,8 @@ Spectrum amplitude_spectrum(const std::vector<double> &signal,
  * highest significant frequency within @p band. Nothing if the band holds no peak, as for
  * a constant signal.
  *
+ * @param spectrum  of amplitude_spectrum()
+ * @param band  Hz; peaks outside are not seen
  * @param threshold  fraction of the main amplitude below which nothing counts
  * @param noise_floor  amplitude below which the signal counts as constant, in its unit
  */

@@ -77,6 +77,7 @@ struct CycleSample
 class LimitCycleDetector
 {
 public:
+  /** With nothing seen yet. */
   explicit LimitCycleDetector(
     const LimitCycleCriterion &criterion = LimitCycleCriterion());
 
@@ -87,6 +88,7 @@ public:
    */
   bool add(const CycleSample &sample);
 
+  /** By what has been added so far; taken back when something grows later. */
   bool reached() const
   {
     return reached_at_ > 0.;

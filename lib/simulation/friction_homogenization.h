@@ -15,7 +15,7 @@ class RunContext;
 /** A transient run as far as eq. (13) is concerned. */
 struct FrictionRun
 {
-  std::string folder;
+  std::string folder;   ///< with its summary.json
   double mu_inter = 0.; ///< global interface friction coefficient, eq. (9)
   std::optional<double> contact_duration; ///< T_G (s); unknown without complete landings
   std::string duration_warning; ///< why T_G should not be used; empty when it may be
@@ -26,12 +26,13 @@ struct FrictionRun
 /** What the contact homogenization starts from. */
 struct FrictionHomogenizationInput
 {
-  FrictionRun heterogeneous;
-  std::optional<FrictionRun> homogeneous;
+  FrictionRun heterogeneous;              ///< run to be matched
+  std::optional<FrictionRun> homogeneous; ///< its own T_G and mu_inter, if it was run
 
   /** Phases on the contact line, with surface and with volume fractions as areas. */
   std::vector<std::string> phase_names;
-  std::vector<ContactPhase> surface, volume;
+  std::vector<ContactPhase> surface; ///< areas are shares of the contact line
+  std::vector<ContactPhase> volume;  ///< areas are volume fractions
 
   /** Pressures (Pa) of those phases in a static contact analysis; empty without one. */
   std::vector<double> static_pressures;
@@ -42,15 +43,15 @@ struct FrictionHomogenizationInput
    * analysis if there is one on the same nodes.
    */
   double mu_of_nodes = 0.;
-  std::optional<double> static_mu_of_nodes;
+  std::optional<double> static_mu_of_nodes; ///< with pressures of the static contact
 };
 
 /** One way to the coefficient and the regularization time of the homogeneous model. */
 struct FrictionEstimate
 {
-  std::string pressures; ///< a choice of the key Pressures from
-  std::string duration;  ///< whose T_G: "heterogeneous", "homogeneous"
-  double mu_homo          = 0.;
+  std::string pressures;            ///< a choice of the key Pressures from
+  std::string duration;             ///< whose T_G: "heterogeneous", "homogeneous"
+  double mu_homo          = 0.;     ///< eq. (17) with those pressures
   double contact_duration = 0.;     ///< T_G (s)
   std::optional<double> delta;      ///< s, eq. (13); none unless mu_inter < mu_homo
   std::optional<double> calibrated; ///< s, eq. (13) scaled to the homogeneous run

@@ -29,6 +29,7 @@ public:
    */
   bool update(const ContactHistory &contact, const EnergyAudit *energy);
 
+  /** With all that update() has passed on. */
   const LimitCycleDetector &detector() const
   {
     return cycle_detector;

@@ -15,8 +15,8 @@ class RunContext;
 /** One of the paper's boundary conditions and the modes under it. */
 struct ModalCase
 {
-  std::string bottom; ///< "free" (BC1) or "held" (BC2: u_y = 0)
-  VibrationModes modes;
+  std::string bottom;   ///< "free" (BC1) or "held" (BC2: u_y = 0)
+  VibrationModes modes; ///< lowest first
 };
 
 /** The degrees of freedom that sides, top and bottom hold. */

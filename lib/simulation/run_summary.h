@@ -17,6 +17,8 @@ public:
   /** @p key: "Friction homogenization/Heterogeneous run". @throws UserError */
   RunSummary(const std::string &key, const std::string &folder);
   ~RunSummary();
+
+  /** Moves the parsed file. */
   RunSummary(RunSummary &&) noexcept;
 
   /** @throws UserError unless the run was a contact_dynamics @p analysis. */
@@ -28,6 +30,7 @@ public:
   /** @p missing says what a missing number means and what to do. @throws UserError */
   double number(const std::string &name, const std::string &missing) const;
 
+  /** A text of the file, empty when there is none of that name. */
   std::string text(const std::string &name) const;
 
   /** The numbers of an object such as phase_contact_pressures; nulls are left out. */
@@ -37,6 +40,7 @@ public:
   /** Path of another file in the folder. */
   std::string file(const std::string &name) const;
 
+  /** As given. */
   const std::string &folder() const
   {
     return path;

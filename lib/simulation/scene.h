@@ -15,7 +15,7 @@ namespace mesoslip
 /** The body that slides: geometry, materials and friction coefficients. */
 struct Scene
 {
-  UniformGrid<2> grid;
+  UniformGrid<2> grid; ///< of the body
 
   /** One phase for each material class; a single one if homogeneous. */
   std::vector<Phase<2>> phases;

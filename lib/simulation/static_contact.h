@@ -27,7 +27,7 @@ struct StaticContactResult
 
   /** Share of the bottom and mean of cell_pressure by phase; none for an absent phase. */
   std::vector<double> surface_fraction;
-  std::vector<std::optional<double>> phase_pressure;
+  std::vector<std::optional<double>> phase_pressure; ///< Pa
 
   /** The same by the static pressure repartition, eq. (19). */
   std::vector<std::optional<double>> repartition;

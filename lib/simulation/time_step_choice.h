@@ -13,9 +13,9 @@ namespace mesoslip
 /** Time step and what it was chosen from. */
 struct TimeStepChoice
 {
-  StepParameters step;
+  StepParameters step;          ///< time step and parameters of the scheme
   double         critical = 0.; ///< s
-  std::uint64_t  n_steps  = 0;
+  std::uint64_t  n_steps  = 0;  ///< to the end time
 
   /** "dt = 13.2 ns, 95 % of the critical 13.9 ns; beta2 = 0.5, beta = 4.4 ns". */
   std::string

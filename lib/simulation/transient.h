@@ -18,22 +18,22 @@ class RunContext;
 /** Everything a finished run has observed; complete on rank 0. */
 struct TransientObservations
 {
-  ContactHistory            contact;
-  TopHistory                top;
-  std::vector<NodeCounts>   blocks;
-  EnergyHistory             energy;
-  std::vector<ProbeHistory> probes;
+  ContactHistory            contact; ///< sampled histories
+  TopHistory                top;     ///< sampled histories
+  std::vector<NodeCounts>   blocks;  ///< contact states by node
+  EnergyHistory             energy;  ///< terms of the balance
+  std::vector<ProbeHistory> probes;  ///< in the order of the .prm
 
-  std::uint64_t steps_done   = 0;
-  double        dt           = 0.; ///< s
-  unsigned int  reference_node = 0;
-  double        loop_seconds = 0.;
-  bool          interrupted  = false;
-  std::string   kernel; ///< variant and instruction set
-  std::string   limit_cycle; ///< the criterion and what came of it
-  bool          limit_cycle_reached = false;
-  double        steady_from         = 0.; ///< s
-  double        period              = 0.; ///< s
+  std::uint64_t steps_done   = 0;            ///< of the whole run
+  double        dt           = 0.;           ///< s
+  unsigned int  reference_node = 0;          ///< number on the contact line
+  double        loop_seconds = 0.;           ///< wall-clock time of the time loop
+  bool          interrupted  = false;        ///< stopped on request
+  std::string   kernel;                      ///< variant and instruction set
+  std::string   limit_cycle;                 ///< the criterion and what came of it
+  bool          limit_cycle_reached = false; ///< by the criterion
+  double        steady_from         = 0.;    ///< s
+  double        period              = 0.;    ///< s
 };
 
 /**

@@ -16,20 +16,21 @@ class RunContext;
 /** Section Checkpoints. */
 struct CheckpointParameters
 {
-  double interval = 0.; ///< s of wall-clock time; 0: only when the run is stopped
-  bool keep       = false;
+  double interval = 0.;    ///< s of wall-clock time; 0: only when the run is stopped
+  bool keep       = false; ///< do not delete it when the run has ended
 };
 
 /** Where a run stands when its state is saved. */
 struct CheckpointPosition
 {
-  std::uint64_t step = 0; ///< steps done
+  std::uint64_t step = 0;  ///< steps done
   double time        = 0.; ///< s
   /** Nothing follows: End time or, with Stop at limit cycle, the limit cycle. */
   bool at_end             = false;
-  bool by_limit_cycle     = false;
-  std::uint64_t snapshots = 0;
+  bool by_limit_cycle     = false; ///< it ended at the limit cycle
+  std::uint64_t snapshots = 0;     ///< written so far
 
+  /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {

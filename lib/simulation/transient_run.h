@@ -31,6 +31,7 @@ class RunContext;
 class TransientRun
 {
 public:
+  /** The initial state; all arguments must outlive it. */
   TransientRun(const ContactParameters &parameters,
                const Scene             &scene,
                const TimeStepChoice    &time,

@@ -16,25 +16,33 @@
 
 namespace mesoslip
 {
-/** @name What the parts of a transient run are made from, by parameters and scene @{ */
+/**
+ * @name What the parts of a transient run are made from, by parameters and scene
+ * @{
+ */
 /** Column of the reference contact node M. */
 unsigned int
 reference_node(const ContactParameters &parameters, const UniformGrid<2> &grid);
 
+/** The contact line: gaps, friction coefficients and law of the scene's bottom nodes. */
 ContactSetup
 contact_setup(const ContactParameters &parameters,
               const Scene             &scene,
               const TimeStepChoice    &time);
 
+/** The load on the top, whose pressure becomes a force on each node. */
 TopSetup
 top_setup(const ContactParameters &parameters, const UniformGrid<2> &grid);
 
+/** Instruction set and number of time steps in flight. */
 SweepOptions
 sweep_options(const ContactParameters &parameters);
 
+/** Tolerance, periods and windows asked for, with the contact nodes that are watched. */
 LimitCycleCriterion
 limit_cycle_criterion(const ContactParameters &parameters, const UniformGrid<2> &grid);
 
+/** Positions of the probes, moved to the nearest node where that is wanted. */
 std::vector<ProbeRecorder::Point>
 probe_points(const ObservationParameters &observation, const UniformGrid<2> &grid);
 

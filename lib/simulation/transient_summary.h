@@ -22,11 +22,12 @@ struct TransientSummary
 
   std::optional<Estimate>        mu_inter;              ///< eq. (9)
   std::optional<Estimate>        mean_apparent_friction; ///< paper, remark 1
-  ContactSummary                 contact;
-  unsigned int                   reference_node = 0;
-  std::string                    regime;
+  ContactSummary                 contact; ///< shares and durations in the steady part
+  unsigned int                   reference_node = 0; ///< number on the contact line
+  std::string                    regime; ///< of the reference node, in words
   Spectrum                       spectrum; ///< of the reference node's u_x, cut at 1 MHz
-  std::optional<SpectralSummary> frequencies;
+  std::optional<SpectralSummary> frequencies; ///< none without a peak
+  /** Of the reference node's motion along x. */
   PhaseDiagram                   phase_diagram;
   double                         friction_energy = 0.; ///< J/m
 
@@ -35,6 +36,7 @@ struct TransientSummary
    * there is hardly any, of the largest energy in the body.
    */
   std::optional<double> energy_residual;
+  /** Share of the frictional work, not of the energy. */
   bool                  residual_of_friction = true;
 };
 

@@ -1,5 +1,11 @@
-# The guide by the letter, links. The function is in chain.cmake.
+# The guide by the letter, links, comments of the public headers. The function is in chain.cmake.
+find_program(MESOSLIP_DOXYGEN doxygen)
 if(MESOSLIP_PYTHON)
   mesoslip_python_test(regression first_steps PROCESSORS 2)
   mesoslip_python_test(regression links)
+  if(MESOSLIP_DOXYGEN)
+    mesoslip_python_test(regression doxygen)
+  else()
+    message(STATUS "mesoslip: no doxygen; regression/doxygen is left out")
+  endif()
 endif()

@@ -14,9 +14,10 @@ namespace multigrid
  */
 struct Axis
 {
-  bool periodic = false;
-  std::vector<double> position;
+  bool periodic = false;        ///< the last node is the first one
+  std::vector<double> position; ///< of the nodes, one more than cells
 
+  /** At least one. */
   unsigned int n_cells() const
   {
     return static_cast<unsigned int>(position.size()) - 1;
@@ -28,11 +29,13 @@ struct Axis
     return periodic ? n_cells() : n_cells() + 1;
   }
 
+  /** Of a cell, in the unit of the positions. */
   double width(const unsigned int cell) const
   {
     return position[cell + 1] - position[cell];
   }
 
+  /** Cells of equal width @p spacing. */
   static Axis
   uniform(const unsigned int n_cells, const double spacing, const bool periodic);
 };
@@ -48,13 +51,16 @@ class AxisCoarsening
 public:
   AxisCoarsening() = default;
 
+  /** Coarse cells of two fine ones if @p halve, else the same grid. */
   AxisCoarsening(const Axis &fine, const bool halve);
 
+  /** False: the grids are equal along this direction. */
   bool halved() const
   {
     return is_halved;
   }
 
+  /** Along this direction. */
   unsigned int n_coarse_cells() const
   {
     return coarse_cells;
@@ -87,6 +93,7 @@ public:
     return start(k + 1) - start(k) == 2;
   }
 
+  /** Positions of the coarse nodes. */
   Axis coarse(const Axis &fine) const;
 
 private:

@@ -18,12 +18,14 @@ namespace multigrid
 class HeldUnknowns
 {
 public:
+  /** Held components of one node of a row. */
   struct Node
   {
-    unsigned int column;
+    unsigned int column; ///< of the node
     /** Bit c: component c (0, 1: displacement, 2: rotation). */
     std::uint8_t bits;
 
+    /** Whether component @p c is held. */
     bool holds(const unsigned int c) const
     {
       return (bits >> c & 1U) != 0;
@@ -44,6 +46,7 @@ public:
     return rows[j];
   }
 
+  /** Whether nothing is held. */
   bool empty() const
   {
     return n_nodes == 0;

@@ -22,6 +22,7 @@ namespace multigrid
 class Conductor
 {
 public:
+  /** Pairs of the corners 0 to 3 of a cell. */
   enum Pair
   {
     p01,
@@ -83,10 +84,10 @@ public:
   /** The conductor P^T A P on the coarse grid. */
   Conductor coarse_conductor(const Conductor &fine) const;
 
-  AxisCoarsening x;
-  AxisCoarsening y;
-  Axis coarse_x;
-  Axis coarse_y;
+  AxisCoarsening x; ///< how columns are coarsened
+  AxisCoarsening y; ///< how rows are coarsened
+  Axis coarse_x;    ///< columns of the coarse grid
+  Axis coarse_y;    ///< rows of the coarse grid
 
   /** Weight of the left node for the middle of the edge right of coarse node (I, J). */
   PaddedRows<float> left;

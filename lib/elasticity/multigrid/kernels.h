@@ -53,10 +53,10 @@ struct TransferRow
   const Number *even = nullptr;
   /** Weights of coarse nodes I and I + 1 for the middle node of cell I. */
   const Number *odd_left  = nullptr;
-  const Number *odd_right = nullptr;
+  const Number *odd_right = nullptr; ///< of coarse node I + 1
   /** Distances of the middle node from coarse nodes I and I + 1. */
   const Number *to_left  = nullptr;
-  const Number *to_right = nullptr;
+  const Number *to_right = nullptr; ///< from coarse node I + 1
   /** y of the fine row minus y of the coarse row. */
   Number dy = 0;
 };
@@ -140,20 +140,27 @@ struct GridKernels
                             Number *const odd[]);
 };
 
+/** All row kernels of one instruction set. */
 struct Kernels
 {
-  GridKernels<float> single;
-  GridKernels<double> twice;
+  GridKernels<float> single; ///< for grids in single precision
+  GridKernels<double> twice; ///< for grids in double precision
 
   /** Matrices of 8 coarse cells, entries @p stride apart. */
   void (*galerkin_finest)(const FinestPatch &patch, double *out, std::size_t stride);
+
+  /** From a grid that is coarse already. */
   void (*galerkin_coarse)(const CoarsePatch &patch, double *out, std::size_t stride);
 
   /** y = A x, a full symmetric matrix with rows of @p stride numbers. */
   void (*dense)(
     unsigned int n, const double *matrix, std::size_t stride, const double *x, double *y);
 
-  /** @name Vectors of the conjugate gradients, n in whole vectors @{ */
+  /**
+   * @name Vectors of the conjugate gradients, n in whole vectors
+   * @{
+   */
+  /** A.b. */
   double (*dot)(std::size_t n, const double *a, const double *b);
 
   /** x += alpha p, r -= alpha q; r.r */

@@ -15,10 +15,10 @@ namespace multigrid
 template <typename Number>
 struct LineBlocks
 {
-  const Number *centre;
-  const Number *east;
-  const Number *north;
-  std::size_t stride;
+  const Number *centre; ///< of a node with itself
+  const Number *east;   ///< with its right neighbour
+  const Number *north;  ///< with its upper neighbour
+  std::size_t stride;   ///< numbers from one array to the next
 };
 
 /**
@@ -42,7 +42,7 @@ public:
                const unsigned int n_rows,
                const std::function<LineBlocks<Number>(unsigned int)> &blocks);
 
-  double damping = 0.8;
+  double damping = 0.8; ///< of the line Jacobi step
 
   /** x += damping T^-1 r, or x = ... unless @p add; T holds the columns alone. @p r is
    *  overwritten. Field: NodalField<Number> or PaddedRows<Number>. */

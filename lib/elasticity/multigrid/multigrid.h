@@ -48,11 +48,13 @@ public:
    */
   void vmult(NodalField<float> &x, const NodalField<float> &b);
 
+  /** The finest included. */
   unsigned int n_levels() const
   {
     return static_cast<unsigned int>(interpolations.size()) + 1;
   }
 
+  /** Null space of the finest grid's matrix. */
   const RigidModes &rigid_modes() const
   {
     return modes;

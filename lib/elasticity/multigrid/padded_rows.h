@@ -31,15 +31,18 @@ class PaddedRows
 public:
   PaddedRows() = default;
 
+  /** All numbers zero, ghosts and padding included. */
   PaddedRows(const unsigned int n_arrays,
              const unsigned int n_rows,
              const unsigned int n_columns);
 
+  /** Without the ghost rows. */
   unsigned int n_rows() const
   {
     return rows;
   }
 
+  /** Without ghosts and padding. */
   unsigned int n_columns() const
   {
     return columns;
@@ -57,11 +60,13 @@ public:
     return data.get() + offset(k, j);
   }
 
+  /** As above, read only. */
   const Number *row(const unsigned int k, const int j) const
   {
     return data.get() + offset(k, j);
   }
 
+  /** Ghosts and padding included. */
   void set_zero();
 
   /** Takes the numbers of an object of the same extents, ghosts included; what lies

@@ -18,7 +18,7 @@ constexpr unsigned int n_cell_entries = 78;
 template <typename Number>
 struct alignas(64) Patch
 {
-  static constexpr unsigned int n = 64 / sizeof(Number);
+  static constexpr unsigned int n = 64 / sizeof(Number); ///< lanes: numbers in 64 bytes
 
   /** Weights of the corners of the coarse cell for the fine nodes. */
   Number weight[3][3][4][n];
@@ -28,7 +28,7 @@ struct alignas(64) Patch
 
   /** Extents of the coarse cell. */
   Number width[n];
-  Number height;
+  Number height; ///< of the coarse cell
 
   /** y of the fine nodes from the lower side. */
   Number y[3];
@@ -62,17 +62,18 @@ struct alignas(64) FinestPatch : Patch<double>
 
   /** 0 for held components of the fine nodes, else 1. */
   double free_x[3][3][n];
-  double free_y[3][3][n];
+  double free_y[3][3][n]; ///< the same for the y component
 
   /** Energy (times 2) of unit difference of the nodal rotations from that of the cell. */
   double rotation_stiffness[n];
 
-  double cell_height;
+  double cell_height; ///< in widths of a cell
 };
 
 /** Patch of another grid: matrices of fine cells [row][column]; zero where none. */
 struct alignas(64) CoarsePatch : Patch<double>
 {
+  /** Upper triangle of 12 x 12 numbers. */
   alignas(64) double matrix[2][2][n_cell_entries][n];
 };
 } // namespace multigrid

@@ -22,6 +22,7 @@ class RigidModes
 public:
   RigidModes() = default;
 
+  /** Those of @p material that @p held leaves. */
   RigidModes(const UniformMaterial &material, const DofMask &held);
 
   /** Motions that are orthonormal as nodal vectors; none if the grid is held. */
@@ -30,6 +31,7 @@ public:
     return orthonormal;
   }
 
+  /** Whether the grid cannot move as a whole. */
   bool empty() const
   {
     return orthonormal.empty();
@@ -46,6 +48,8 @@ public:
   {
     return i - centre[0];
   }
+
+  /** Of row @p j. */
   double y(const double j) const
   {
     return (j - centre[1]) * aspect;

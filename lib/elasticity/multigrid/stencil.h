@@ -23,6 +23,7 @@ class Stencil
 public:
   Stencil() = default;
 
+  /** All entries zero. */
   Stencil(const Axis &x, const Axis &y);
 
   /** Adds the matrices of cell row @p j (n_cell_entries arrays of one row). */
@@ -42,6 +43,7 @@ public:
     return arrays.row(k, j);
   }
 
+  /** Numbers from one array of a row to the next. */
   std::size_t array_stride() const
   {
     return arrays.array_stride();
