@@ -32,6 +32,12 @@ def run(study, steps=STEPS):
     return {case: (Verdict(results[name]), study.path(name)) for case, name in names.items()}
 
 
+def travel(folder):
+    """How far the middle contact node went along the flat (m)."""
+    with h5py.File(os.path.join(folder, "dynamics.h5")) as file:
+        return float(np.max(np.abs(file["reference/displacement"][:, 0])))
+
+
 def drift(folder):
     """(step [k], residual of the balance over the largest energy so far that anything held [k])."""
     with h5py.File(os.path.join(folder, "dynamics.h5")) as file:

@@ -7,8 +7,10 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import matplotlib.pyplot as plt  # noqa: E402  (figures chooses the backend)
 import numpy as np  # noqa: E402
 from figures import BLUE, GREEN, GREY, ORANGE, PINK, RUN_COLOURS, above  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
 
 OUTCOME_COLOURS = {"stable": BLUE, "stopped": ORANGE}
+LAST = 5e-5  # s, of the record in the phase diagrams
 TINY = 1e-17  # a residual of zero on a logarithmic axis
 
 
@@ -61,48 +63,45 @@ def drift(curves):
     return figure
 
 
-def _title(delta):
-    return "plain Coulomb, delta = 0" if delta == 0 else f"delta = {delta * 1e9:.0f} ns"
-
-
 def figure_five(nodes):
     """nodes: {(delta, h): Node}. The paper's figure 5, a column for each law."""
     deltas = sorted({delta for delta, _ in nodes})
-    figure, axes = plt.subplots(3, len(deltas), figsize=(9.6, 10.2), sharey="row")
+    figure, axes = plt.subplots(3, len(deltas), figsize=(9.0, 9.0), sharey="row")
     tints = dict(zip(sorted({h for _, h in nodes}, reverse=True), (GREY, GREEN, BLUE, ORANGE)))
     for column, delta in enumerate(deltas):
         path, cycle, spectrum = axes[:, column]
-        for (d, h), node in nodes.items():
-            if d != delta:
-                continue
-            path.plot(node.time * 1e3, node.displacement * 1e6, color=tints[h], linewidth=0.7, label=f"h = {h:g} mm")
-            late = node.time > node.time[-1] - 1e-4
-            cycle.plot(node.displacement[late] * 1e6, node.velocity[late], color=tints[h], linewidth=0.5)
+        for (_, h), node in ((case, node) for case, node in nodes.items() if case[0] == delta):
+            late = node.time > node.time[-1] - LAST
+            path.plot(node.time[late] * 1e3, node.displacement[late] * 1e6, color=tints[h], linewidth=0.9)
+            cycle.plot(node.displacement[late] * 1e6, node.velocity[late], color=tints[h], linewidth=0.6)
             frequency, amplitude = node.spectrum
-            spectrum.semilogy(frequency * 1e-3, amplitude * 1e9, color=tints[h], linewidth=0.8)
-        path.set_title(_title(delta), loc="left", pad=24)
-        above(path, columns=2)
+            shown = frequency < 600e3
+            spectrum.semilogy(frequency[shown] * 1e-3, amplitude[shown] * 1e9, color=tints[h], linewidth=0.8)
+        path.set_title("plain Coulomb, delta = 0" if delta == 0 else f"delta = {delta * 1e9:.0f} ns")
         path.set_xlabel("t (ms)")
-        cycle.set_xlabel("u_x (µm), last 0.1 ms")
-        spectrum.set(xlabel="frequency (kHz)", xlim=(0, 800), ylim=(1e-3, 2e3))
+        cycle.set_xlabel("u_x (µm)")
+        spectrum.set(xlabel="frequency (kHz)", ylim=(1e-1, 3e3))
     for row, label in zip(axes, ("u_x of the middle node (µm)", "v_x (m/s)", "amplitude of u_x (nm)")):
         row[0].set_ylabel(label)
+    figure.legend(handles=[Line2D([], [], color=tint, label=f"h = {h:g} mm") for h, tint in tints.items()],
+                  loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=4)
     return figure
 
 
 def refinement_numbers(numbers):
     """numbers: {(beta, delta, h): {name: value}}."""
-    shown = ("mu_inter", "rms v_x (m/s)", "share of v_x above 400 kHz", "largest pressure (Pa)")
-    figure, axes = plt.subplots(2, 2, figsize=(8.6, 6.2))
-    for axis, name in zip(axes.flat, shown):
+    shown = (("mu_inter", 1.0, "mu_inter"), ("rms v_x (m/s)", 1.0, "rms v_x (m/s)"),
+             ("share of v_x above 400 kHz", 1.0, "share of v_x above 400 kHz"), ("largest pressure (Pa)", 1e-6, "largest pressure (MPa)"))
+    figure, axes = plt.subplots(2, 2, figsize=(8.6, 6.4))
+    for axis, (name, factor, label) in zip(axes.flat, shown):
         for (beta, delta), (tint, mark) in zip(dict.fromkeys((b, d) for b, d, _ in numbers),
                                                ((ORANGE, "o-"), (BLUE, "o-"), (ORANGE, "s--"), (BLUE, "s--"))):
-            points = [(h, values[name]) for (b, d, h), values in numbers.items() if (b, d) == (beta, delta)]
+            points = [(h, values[name] * factor) for (b, d, h), values in numbers.items() if (b, d) == (beta, delta)]
             axis.plot(*zip(*points), mark, color=tint, markersize=5, label=f"delta = {delta * 1e9:g} ns, beta = {beta * 1e9:g} ns")
-        axis.set(xscale="log", xlabel="h (mm)", ylabel=name, xticks=(0.05, 0.1, 0.2, 0.4), xticklabels=("0.05", "0.1", "0.2", "0.4"))
+        axis.set(xscale="log", xlabel="h (mm)", ylabel=label, xticks=(0.05, 0.1, 0.2, 0.4), xticklabels=("0.05", "0.1", "0.2", "0.4"))
         axis.minorticks_off()
         axis.set_ylim(bottom=0)
-    axes[0, 0].legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2)
+    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=2)
     return figure
 
 

@@ -5,10 +5,12 @@ import os
 import h5py
 import numpy as np
 import stress
+from prediction.dispersion import Layer
 
 DELTAS = (0.0, 1.5e-6)
 CELLS_MM = {4.4e-9: (0.4, 0.2, 0.1, 0.05), 0.0: (0.4, 0.2, 0.1)}  # by beta, the paper's and none
 END, STEADY = 6e-4, 3e-4  # s
+STIFFNESS, DENSITY, HEIGHT = (36.54e9, 9.1e9, 47.26e9, 13.785e9), 1770.0, 0.016  # eq. (10); table 1; m
 FAST = 400e3  # Hz; beyond it there is nothing but what friction excites in the shortest waves
 
 
@@ -27,6 +29,22 @@ def run(study, cells=CELLS_MM):
     if failed:
         raise RuntimeError(f"{failed[0]}: {results[failed[0]].message}")
     return {case: results[name] for case, name in names.items()}
+
+
+def growth_rates(wave_numbers=(1, 4, 16, 64, 256)):
+    """[[beta, delta, fastest growth (1/s) at each k H]] of steady sliding of a layer as tall and stiff as the pin; None where
+    nothing grows."""
+    rows = []
+    for beta, delta in ((beta, delta) for beta in CELLS_MM for delta in DELTAS):
+        layer = Layer(STIFFNESS, DENSITY, HEIGHT, 0.25, delta, beta)
+        row = [beta, delta]
+        for k in (number / HEIGHT for number in wave_numbers):
+            shear = np.sqrt(STIFFNESS[3] / DENSITY) * k / (2 * np.pi)  # Hz
+            with np.errstate(all="ignore"):
+                rate = layer.fastest(k, np.linspace(0.5 * shear + 5e3, 3 * shear + 40e3, 24)).real
+            row.append(float(rate) if rate > 0 else None)
+        rows.append(row)
+    return [[2 * np.pi * HEIGHT / number for number in wave_numbers], rows]
 
 
 class Node:

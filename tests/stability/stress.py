@@ -9,7 +9,7 @@ PIN, COMPOSITE = os.path.join(HERE, "pin.prm"), os.path.join(HERE, "composite.pr
 FREE = {"Top/Kind": "pressure", "Top/Pressure": 0}  # a body that nothing holds
 
 
-OPENING = ("1e6 + 6e6*sin(2*pi*20000*t)", "1e6 + 2e7*sin(2*pi*40000*t)", "if(sin(2*pi*5000*t) > -0.5, 5e6, -8e6)")
+OPENING = ("1e6 + 6e6*sin(2*pi*20000*t)", "1e6 + 2e7*sin(2*pi*40000*t)", "2e6 + 1e7*sin(2*pi*15000*t)")
 
 
 def isotropic(young, poisson):

@@ -3,6 +3,8 @@
 import csv
 import os
 
+from PIL import Image
+
 
 def number(value, digits=3):
     """A number as a reader wants it; texts stay, None is a dash."""
@@ -33,7 +35,10 @@ class Page:
             writer.writerows([["" if cell is None else cell for cell in row] for row in rows])
 
     def picture(self, name, figure):
-        figure.savefig(os.path.join(self.folder, name), dpi=100)
+        path = os.path.join(self.folder, name)
+        figure.savefig(path, dpi=90, bbox_inches="tight")
+        with Image.open(path) as image:  # few colours: a third of the size
+            image.convert("RGB").quantize(48).save(path, optimize=True)
 
     def text(self, part, content):
         with open(os.path.join(self.parts, part + ".md"), "w", encoding="utf-8") as file:
