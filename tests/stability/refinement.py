@@ -10,19 +10,22 @@ from prediction.dispersion import Layer
 DELTAS = (0.0, 1.5e-6)
 CELLS_MM = {4.4e-9: (0.4, 0.2, 0.1, 0.05), 0.0: (0.4, 0.2, 0.1)}  # by beta, the paper's and none
 END, STEADY = 6e-4, 3e-4  # s
+# To the limit cycle, on the cells that can be had so far.
+LONG_MM = {4.4e-9: (0.4, 0.2, 0.1), 0.0: (0.4, 0.2)}
+LONG_END, LONG_STEADY = 3e-3, 2e-3  # s
 STIFFNESS, DENSITY, HEIGHT = (36.54e9, 9.1e9, 47.26e9, 13.785e9), 1770.0, 0.016  # eq. (10); table 1; m
 FAST = 400e3  # Hz; beyond it there is nothing but what friction excites in the shortest waves
 
 
-def run(study, cells=CELLS_MM):
-    """{(beta, delta, h in mm): Result}."""
+def run(study, cells, end, steady, folder="refinement"):
+    """{(beta, delta, h in mm): Result} of runs until `end`, evaluated from `steady` on (s); `cells` (mm) by beta."""
     names = {}
     for beta, delta in ((beta, delta) for beta in cells for delta in DELTAS):
         for h in cells[beta]:
-            names[beta, delta, h] = f"refinement/{beta * 1e9:g}-{delta * 1e9:g}ns-{h:g}mm"
+            names[beta, delta, h] = f"{folder}/{beta * 1e9:g}-{delta * 1e9:g}ns-{h:g}mm"
             study.add(names[beta, delta, h], "contact_dynamics", stress.PIN, {
                 "Body/Cells": [round(56 / h), round(16 / h)], "Friction/Regularization time": delta, "Time/Rayleigh beta": beta,
-                "Time/End time": END, "Observation/Steady from": STEADY, "Observation/Energy interval": 1000,
+                "Time/End time": end, "Observation/Steady from": steady, "Observation/Energy interval": 1000,
                 "Observation/History interval": 2})
     results = study.run()
     failed = [name for name in names.values() if results[name].status != 0]

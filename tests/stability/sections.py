@@ -133,7 +133,8 @@ def change(numbers, key, name):
 
 
 def refinement_part(study, page):
-    nodes = {case: refinement.Node(result) for case, result in refinement.run(study).items()}
+    nodes = {case: refinement.Node(result) for case, result in refinement.run(
+        study, refinement.CELLS_MM, refinement.END, refinement.STEADY).items()}
     numbers = {case: node.numbers() for case, node in nodes.items()}
     page.picture("figure_5.png", plots.figure_five({(d, h): node for (b, d, h), node in nodes.items() if b > 0}))
     page.picture("refinement.png", plots.refinement_numbers(numbers))
@@ -142,6 +143,11 @@ def refinement_part(study, page):
     page.csv("refinement.csv", ["beta [ns]", "delta [ns]", "h [mm]"] + names, rows)
     changes = [[f"beta = {b * 1e9:g} ns, delta = {d * 1e9:g} ns"] + [f"{change(numbers, (b, d), name):.1%}" for name in names]
                for b, d in dict.fromkeys((b, d) for b, d, _ in numbers)]
+    late = refinement.run(study, refinement.LONG_MM, refinement.LONG_END, refinement.LONG_STEADY, "refinement-long")
+    late_names = list(sensitivity.RESULTS)
+    late_rows = [[f"{beta * 1e9:g}", f"{delta * 1e9:g}", f"{h:g}"] + [result.summary[sensitivity.RESULTS[name]] for name in late_names]
+                 for (beta, delta, h), result in late.items()]
+    page.csv("refinement_long.csv", ["beta [ns]", "delta [ns]", "h [mm]"] + late_names, late_rows)
     waves, growth = refinement.growth_rates()
     rates = table(["beta (ns)", "delta (ns)"] + [f"{wave * 1e3:.3g} mm" for wave in waves],
                   [[f"{beta * 1e9:g}", f"{delta * 1e9:g}"] + [cell if cell is None else f"{cell:.0f}" for cell in row]
@@ -149,7 +155,8 @@ def refinement_part(study, page):
     bare = [numbers[0.0, 1.5e-6, h] for h in refinement.CELLS_MM[0.0]]
     page.text("refinement", REFINEMENT.format(
         numbers=table(["beta (ns)", "delta (ns)", "h (mm)"] + names, rows), changes=table([""] + names, changes), rates=rates,
-        steady=refinement.STEADY * 1e3, end=refinement.END * 1e3, last=plots.LAST * 1e3,
+        late=table(["beta (ns)", "delta (ns)", "h (mm)"] + late_names, late_rows),
+        late_steady=refinement.LONG_STEADY * 1e3, late_end=refinement.LONG_END * 1e3, steady=refinement.STEADY * 1e3, end=refinement.END * 1e3, last=plots.LAST * 1e3,
         mu=", ".join(f"{row['mu_inter']:.3f}" for row in bare),
         fast=", ".join(f"{row['share of v_x above 400 kHz']:.2f}" for row in bare)))
     return [], []
@@ -184,9 +191,14 @@ How to read this:
   growth of short waves is gone. What is left to excite them are the landings, and nothing takes them away again.
 * With the paper's beta = 4.4 ns both laws settle on these cells, plain Coulomb as well: damping stops the growth of waves shorter than some millimetres. So beta is what makes the runs converge, delta chooses
   the motion; the paper's figure 5 has both.
-* mu_inter here is that of 0.3 to 0.6 ms, which is not yet the limit cycle; the sensitivities below are from 0.4 to 1 ms.
 
-Data: [refinement.csv](refinement.csv).
+The first {end:g} ms, as in the paper's figure 5, are a transient. The same from {late_steady:g} to {late_end:g} ms, when the limit cycle is reached with the paper's beta:
+
+{late}
+
+Finer cells and time steps in the limit cycle, extrapolated: [work and precision](../performance/work_precision.md).
+
+Data: [refinement.csv](refinement.csv), [refinement_long.csv](refinement_long.csv).
 """
 
 
@@ -207,7 +219,7 @@ def sensitivity_part(study, page):
     page.text("sensitivity", f"""
 ## Sensitivity to delta, beta2 and beta
 
-The homogeneous pin on 140 x 40 cells (0.4 mm), time step 25 ns for all, 1 ms, evaluated from 0.4 ms on; one parameter at a time, the others at the paper's delta = 1500 ns, beta = 4.4 ns and
+The homogeneous pin on 140 x 40 cells (0.4 mm), time step 25 ns for all, {sensitivity.END * 1e3:g} ms, evaluated from {sensitivity.STEADY * 1e3:g} ms on; one parameter at a time, the others at the paper's delta = 1500 ns, beta = 4.4 ns and
 beta2 = 0.5. +- is half the range over three starts that differ by 0.1 mm/s: it says how much of a difference is chance.
 
 {table(["parameter", "result", "at the paper's value", "smallest", "largest", "range / value"], spans)}

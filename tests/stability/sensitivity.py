@@ -3,7 +3,8 @@
 import numpy as np
 import stress
 
-BASE = {"Body/Cells": [140, 40], "Time/End time": 1e-3, "Observation/Steady from": 4e-4, "Time/Time step": 2.5e-8,
+END, STEADY = 3e-3, 2e-3  # s; the limit cycle of the paper's parameters is reached before
+BASE = {"Body/Cells": [140, 40], "Time/End time": END, "Observation/Steady from": STEADY, "Time/Time step": 2.5e-8,
         "Observation/Energy interval": 0}
 KEYS = {"delta": "Friction/Regularization time", "beta2": "Time/Beta2", "beta": "Time/Rayleigh beta"}
 VALUES = {"delta": (0.0, 1e-7, 2.5e-7, 5e-7, 7.5e-7, 1e-6, 1.5e-6, 2e-6, 3e-6, 4e-6),
