@@ -1,5 +1,6 @@
 #include "contact/contact_row.h"
 
+#include "../measured.h"
 #include "contact_testing.h"
 
 #include <complex>
@@ -93,6 +94,7 @@ TEST(FrictionLaw, LagsBehindARamp)
   for (const double dt : {1e-7, 5e-8, 2.5e-8, 1.25e-8})
     {
       const double error = ramp_error(dt);
+      measured::error("friction behind a ramp", delta / dt, error);
       EXPECT_GT(error, 0.);
       if (last > 0.)
         {
@@ -115,6 +117,7 @@ TEST(FrictionLaw, FiltersAHarmonicNormalForce)
       const double dt = 2. * M_PI / omega / steps, q = std::exp(-dt / delta);
       EXPECT_LT(std::abs(found - (1. - q) / (1. - q * std::exp(-i * omega * dt))), 1e-12);
       const double error = std::abs(found - exact);
+      measured::error("friction under a harmonic force", steps, error);
       if (last > 0.)
         {
           EXPECT_NEAR(std::log2(last / error), 1., 0.05);

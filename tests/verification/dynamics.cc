@@ -1,3 +1,4 @@
+#include "../measured.h"
 #include "rectangle_mode.h"
 
 #include <gtest/gtest.h>
@@ -68,6 +69,10 @@ TEST(Rectangle, FrequenciesConvergeWithOrderTwo)
           const BodySetup setup = rectangle(n);
           errors.push_back(
             discrete_mode(setup, mode).omega / mode.omega(setup.classes[0]) - 1.);
+          measured::error("frequency, mode " + std::to_string(mode.m) + " " +
+                            std::to_string(mode.n) +
+                            (mode.shear ? " shear" : " pressure"),
+                          n, errors.back());
         }
       EXPECT_NEAR(orders(errors).back(), 2., 0.02) << mode.m << mode.n << mode.shear;
       EXPECT_LT(std::abs(errors.back()), 3e-3);
@@ -86,6 +91,8 @@ TEST(Rectangle, MotionConvergesWithOrderTwoInSpaceAndTime)
           const unsigned int n_steps = n * 30;
           setup.step.dt              = T / n_steps;
           errors.push_back(error_at(setup, discrete_mode(setup, mode), omega, n_steps));
+          measured::error(std::string("motion, ") + (mode.shear ? "shear" : "pressure"),
+                          n, errors.back());
         }
       EXPECT_NEAR(orders(errors).back(), 2., 0.1) << mode.shear;
       EXPECT_LT(std::abs(errors.back()), 0.03);
@@ -106,6 +113,8 @@ TEST(Rectangle, OrderInTime)
           setup.step.beta2 = b;
           setup.step.dt    = T / n_steps;
           errors.push_back(error_at(setup, discrete, discrete.omega, n_steps));
+          measured::error("time step, beta2 = " + std::to_string(b).substr(0, 3), n_steps,
+                          errors.back());
         }
       EXPECT_NEAR(orders(errors).back(), b == 0.5 ? 2. : 1., 0.05) << "beta2 " << b;
       EXPECT_GT(std::abs(errors.back()), 1e-7);
@@ -129,6 +138,7 @@ TEST(Rectangle, DecaysByBetaAndByBeta2)
         // The product of the two eigenvalues of the scheme, and what it stands for.
         const double exact = -0.5 * std::log1p(-2. * xi * W - (b - 0.5) * W * W) / dt;
         EXPECT_NEAR(found, exact, 1e-8 * omega) << "beta2 " << b << " beta " << beta;
+        measured::number("decay (1/s)", exact, found);
         const double rate = 0.5 * omega * omega * (beta + (b - 0.5) * dt);
         EXPECT_NEAR(found, rate, 0.04 * rate + 1e-8 * omega);
       }

@@ -1,3 +1,4 @@
+#include "../measured.h"
 #include "impact_bar.h"
 
 #include <gtest/gtest.h>
@@ -38,11 +39,14 @@ TEST(Bar, HitsTheWallAndLeaves)
         ++n_samples;
       }
   EXPECT_NEAR(pressure / n_samples, c * v, 0.3);
+  measured::number("pressure", c * v, pressure / n_samples);
+  measured::number("end of the contact", 0.5 + 2. * length / c, last);
 
   double velocity = 0.;
   for (unsigned int j = 0; j <= n; ++j)
     velocity += body.w.row(1, j)[0] / (n + 1);
   EXPECT_NEAR(velocity, v, 0.02 * v);
+  measured::number("velocity after", v, velocity);
   EXPECT_LT(std::abs(body.u.row(0, n / 2)[0]), 1e-10); // no lateral motion with nu = 0
 }
 
@@ -59,6 +63,8 @@ TEST(Bar, EnergyLossOfOneImpact)
         }
       loss.push_back(1. - plain.natural);
       damped_loss.push_back(1. - damped.balanced);
+      measured::error("loss of an impact, beta2 = 0.5", n, loss.back());
+      measured::error("loss of an impact, beta2 = 1", n, damped_loss.back());
       std::printf("n = %u: b = 1/2 %.6f %.5f, b = 1 %.5f\n", n, plain.balanced,
                   plain.natural, damped.balanced);
       // What is lost is the kinetic energy of the nodes that land.
@@ -67,6 +73,8 @@ TEST(Bar, EnergyLossOfOneImpact)
   EXPECT_NEAR(1. - loss[0], 0.9953, 2e-4);
   EXPECT_NEAR(1. - loss[2], 0.9988, 1e-4);
   EXPECT_NEAR(orders(loss).back(), 1., 0.05);
+  measured::number("energy kept, n = 400, beta2 = 0.5", 0.9988, 1. - loss[2]);
+  measured::number("energy kept, n = 400, beta2 = 1", 0.953, 1. - damped_loss[2]);
   EXPECT_NEAR(1. - damped_loss[0], 0.905, 1e-3);
   EXPECT_NEAR(1. - damped_loss[2], 0.953, 1e-3);
   EXPECT_NEAR(orders(damped_loss).back(), 0.5, 0.05);
@@ -102,6 +110,8 @@ TEST(Bar, FirstBounceUnderGravity)
       EXPECT_EQ(after, 0.);
       impulse_errors.push_back(impulse - c * (v * T + 0.5 * g * T * T));
       pressure_errors.push_back(std::sqrt(squares / n_samples));
+      measured::error("pressure of a bounce under gravity", n,
+                      pressure_errors.back() / (c * v));
       EXPECT_NEAR(impulse_errors.back() / (c * (v * T + 0.5 * g * T * T)), 0., 1e-3);
     }
   for (const double order : orders(pressure_errors))

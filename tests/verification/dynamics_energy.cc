@@ -1,5 +1,6 @@
 #include "sliding_body.h"
 
+#include "../measured.h"
 #include "../unit/elasticity_testing.h"
 
 #include <gtest/gtest.h>
@@ -74,6 +75,8 @@ void expect_closed(const BodySetup &setup, const char *what, const double safety
 {
   const Energies found = observe(setup, safety);
   EXPECT_LT(largest(found.e.residual()) / found.scale, 1e-12) << what;
+  measured::number(std::string("residual: ") + what, 0.,
+                   largest(found.e.residual()) / found.scale);
   EXPECT_GT(found.slip, 1000.) << what;
   EXPECT_GT(found.landings, 50.) << what;
   EXPECT_GT(found.e.friction.back(), 1e-3 * found.scale) << what;
@@ -150,6 +153,7 @@ TEST(Energy, FreeVibrationLosesNothing)
   setup.top.pressure   = LoadHistory();
   const Energies found = observe(setup, 0.99);
   EXPECT_LT(largest(found.e.residual()) / found.scale, 1e-12);
+  measured::number("residual", 0., largest(found.e.residual()) / found.scale);
   for (const auto *term : {&found.e.friction, &found.e.impact, &found.e.damping,
                            &found.e.scheme, &found.e.external_work, &found.e.potential})
     EXPECT_EQ(largest(*term), 0.);
@@ -281,6 +285,8 @@ TEST(Energy, ClosesWithSparseSamples)
   std::printf("residual %g of the friction work\n",
               largest(e.residual()) / e.friction.back());
   EXPECT_LT(largest(e.residual()), 1e-3 * e.friction.back());
+  measured::number("residual over friction", 0.,
+                   largest(e.residual()) / e.friction.back());
 }
 
 TEST(Momentum, IsWhatTheForcesAtTopAndBottomSay)

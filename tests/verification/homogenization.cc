@@ -1,3 +1,4 @@
+#include "../measured.h"
 #include "homogenization_testing.h"
 #include "material/bounds.h"
 #include "material/mandel.h"
@@ -42,6 +43,8 @@ TEST(Homogenization, PeriodicLaminate)
       lying.id[k]   = k / 5 < 6;
     }
   EXPECT_LT(distance(respond(upright)[2].stiffness, expected), 1e-8);
+  measured::number("distance from the laminate", 0.,
+                   distance(respond(upright)[2].stiffness, expected));
   EXPECT_LT(distance(respond(lying)[2].stiffness, rotate_stiffness(expected, M_PI / 2.)),
             1e-8);
 }
@@ -67,6 +70,7 @@ TEST(Homogenization, EqualShearModuli)
       EXPECT_NEAR(D(2, 2), 15e9, 15e9 * 1e-10);
       EXPECT_NEAR(D(0, 0), D(1, 1), 0.02 * expected);
       errors.push_back(D(0, 0) / expected - 1.);
+      measured::error("stiffness, equal shear moduli", n, errors.back());
       EXPECT_GT(errors.back(), 0.); // too stiff
       scaled.push_back(errors.back() * n * n);
     }

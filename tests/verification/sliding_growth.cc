@@ -1,5 +1,7 @@
 #include "sliding_layer.h"
 
+#include "../measured.h"
+
 #include <cstdio>
 #include <gtest/gtest.h>
 
@@ -26,6 +28,10 @@ void expect_growth(const Layer &layer, const double growth, const double frequen
       const Complex exact = discrete.root(s);
       errors.push_back(std::abs(found - exact));
       law_errors.push_back(std::abs(exact - s));
+      const std::string law = layer.delta > 0. ? "regularized" : "Coulomb";
+      measured::error("growth, " + law, n, errors.back() / std::abs(s));
+      if (layer.delta > 0.)
+        measured::error("growth, the law in time", n, law_errors.back() / std::abs(s));
       std::printf(
         "H/%u: growth %.1f 1/s at %.2f Hz; error %.5f %% of s, of the law %.5f %%\n", n,
         found.real(), std::abs(found.imag()) / (2. * M_PI),
@@ -33,6 +39,9 @@ void expect_growth(const Layer &layer, const double growth, const double frequen
       if (n == 80)
         {
           EXPECT_NEAR(found.real(), s.real(), 0.01 * s.real());
+          measured::number("growth (1/s), H/80", growth, found.real());
+          measured::number("frequency (Hz), H/80", frequency,
+                           std::abs(found.imag()) / (2. * M_PI));
           EXPECT_NEAR(found.imag(), s.imag(), 1e-3 * std::abs(s.imag()));
         }
     }

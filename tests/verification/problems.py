@@ -1,0 +1,99 @@
+"""The verification problems: what has to come out, which tests assert it, and in which order errors have to fall."""
+
+_DYNAMICS, _SLIDING, _STATICS = "verification_dynamics: ", "verification_sliding: ", "verification_statics: "
+_HOMOGENIZATION, _CONTACT, _ELASTICITY = "verification_homogenization: ", "unit_contact: ", "unit_elasticity: "
+
+# (problem, what has to come out, tests)
+PROBLEMS = [
+    ("Cell", "eigenvalues of the square cell; rigid motion and constant strain; sum of the lumped masses; growth just above the limit and none below it",
+     [_ELASTICITY + "Element.EigenvaluesOfTheSquare", _ELASTICITY + "UniformGridOperator.RigidMotionAndConstantStrain",
+      _ELASTICITY + "UniformMaterial.MassAndChecks", _DYNAMICS + "Stability.SingleCell"]),
+    ("Modes of the rectangle", "f = c/2 sqrt((m/L)^2 + ((2n+1)/(2H))^2): order 2 in h and, at beta2 = 1/2, in dt; order 1 beyond; decay by beta and beta2 from "
+     "the product of the scheme's eigenvalues; energy constant to 1e-12",
+     [_DYNAMICS + "Rectangle.FrequenciesConvergeWithOrderTwo", _DYNAMICS + "Rectangle.MotionConvergesWithOrderTwoInSpaceAndTime",
+      _DYNAMICS + "Rectangle.OrderInTime", _DYNAMICS + "Rectangle.DecaysByBetaAndByBeta2", _DYNAMICS + "Rectangle.EnergyBoundedWithoutTrend",
+      _STATICS + "Modes.OfTheRectangleConvergeWithOrderTwo"]),
+    ("Bar on a rigid wall", "contact from 0.5 to 1.1667, pressure rho c v, leaves as it came (Doyen, Ern, Piperno 2011); energy lost O(h) at beta2 = 1/2, O(sqrt h) at 1",
+     [_DYNAMICS + "Bar.HitsTheWallAndLeaves", _DYNAMICS + "Bar.EnergyLossOfOneImpact"]),
+    ("Bar bouncing under gravity", "pressure rho c (v + g t) and impulse of the first bounce; later bounces gain no energy",
+     [_DYNAMICS + "Bar.FirstBounceUnderGravity", _DYNAMICS + "Bar.BouncingUnderGravityGainsNoEnergy"]),
+    ("Friction at a point", "step of the normal stress (figure 2) exact; ramp and harmonic of order 1 in dt; plain Coulomb; block thrown on a plane stops after v^2/(2 mu g)",
+     [_CONTACT + "FrictionLaw.RelaxesAfterANormalStressStepAsFigure2", _CONTACT + "FrictionLaw.LagsBehindARamp",
+      _CONTACT + "FrictionLaw.FiltersAHarmonicNormalForce", _CONTACT + "FrictionLaw.CoulombAtOnce", _CONTACT + "Block.ThrownOnAPlane"]),
+    ("Growth of steady sliding", "growth rate and frequency from the exact dispersion relation, within 1 % at H/80; order 2 to the relation with the law as it is "
+     "discrete in time, order 1 from there to the exact law", [_SLIDING + "Growth.Coulomb", _SLIDING + "Growth.RegularizedAndDamped"]),
+    ("Energy balance", "closes to 1e-12 of the largest energy with every term from its own formula: tops, stops, damping, gravity, free vibration; below 1e-3 of the "
+     "friction work in a coarse pin at 5 MPa sampled every 50 steps",
+     [_DYNAMICS + "Energy." + name for name in ("ClosesUnderEveryTop", "ClosesWhenTheTopIsStopped", "ClosesWithEverythingElse",
+                                                "FreeVibrationLosesNothing", "EveryTermWhereItBelongs",
+                                                "DampingIsBetaTimesTheWorkOfTheOperator", "ClosesWithSparseSamples")]),
+    ("Momentum", "its rate is the forces at top and bottom, to 1e-12", [_DYNAMICS + "Momentum.IsWhatTheForcesAtTopAndBottomSay"]),
+    ("Homogenization", "homogeneous volume; laminate and its turned copy; equal shear moduli (order 2 but for a logarithm); Hill-Mandel, symmetry, phase means; Reuss <= SUBC "
+     "<= PBC <= KUBC <= Voigt; refinement softens; eq. (10)",
+     [_HOMOGENIZATION + "Homogenization." + name for name in ("HomogeneousVolumeReturnsItsStiffness", "PeriodicLaminate", "EqualShearModuli",
+                                                              "OrderOfTheConditions", "IdentitiesOfEverySolve", "RefinementSoftens",
+                                                              "PaperPin")]),
+    ("Localization", "a uniform macroscopic strain returns the solution of the RVE; strains interpolated with order 2",
+     ["unit_localization: Localize.UniformMacroscopicStrainGivesTheSolutionOfTheRve", "unit_localization: StrainInterpolation.SecondOrder"]),
+    ("The paper's pin", "first modes, bottom free and held (figure 8)", [_STATICS + "Modes.OfThePaperPin"]),
+    ("Static contact", "uniform compression, sliding layer, laminate under a platen (table 4), partial separation, balance of forces",
+     [_STATICS + "StaticContact." + name for name in ("UniformCompression", "SlidingLayer", "LaminateUnderPlaten", "FibresUnderPlatenBalance",
+                                                      "PartialSeparation", "RestingFlat")]),
+    ("Operator against an assembled one", "the same product on random fields, materials and grids (seeds printed)",
+     [_ELASTICITY + "AssembledOperator.EqualsUniformGridOperatorOnRandomGrids", _HOMOGENIZATION + "Homogenization.EqualsAssembledPath"]),
+    ("Ranks", "one, two and more ranks give the same run (this page runs on one; `./test.sh` on two as well)", [_SLIDING + "Ranks.SameRunOnEveryNumberOfThem",
+                                                            _ELASTICITY + "Partition.AnyNumberOfRanksBitForBit"]),
+    ("Restart", "bit by bit the uninterrupted run", ["verification_restart: Restart.ContinuesBitByBit"]),
+    ("Turned, mirrored, scaled", "a turned body vibrates turned; a reversed flat gives the mirror image; metres to millimetres change nothing; (s u, s P, s V)",
+     [_DYNAMICS + "Symmetry.TurnedBodyVibratesTurned", _SLIDING + "Symmetry.ReversedFlatGivesTheMirrorImage",
+      _SLIDING + "Symmetry.MillimetresAndTonnes", _SLIDING + "Scaling.PressureAndVelocityTogether",
+      _HOMOGENIZATION + "Homogenization.TurnedMorphologyGivesTurnedStiffness",
+      _HOMOGENIZATION + "Homogenization.MirroredMorphologyGivesMirroredStiffness", _HOMOGENIZATION + "Homogenization.UnitsChangeNothing"]),
+    ("Random microstructures", "fractions, gaps, bounds and identities for drawn morphologies (seeds printed)",
+     [_HOMOGENIZATION + "RandomMicrostructures.KeepTheirRules", _HOMOGENIZATION + "RandomMicrostructures.KeepOrderAndIdentities"]),
+]
+
+# Expected order of each series of errors.
+ORDERS = {
+    2: ("frequency, mode 1 0 shear", "frequency, mode 2 1 shear", "frequency, mode 1 0 pressure", "frequency, mode 0 1 pressure", "motion, shear",
+        "motion, pressure", "time step, beta2 = 0.5", "growth, Coulomb", "growth, regularized", "stiffness, equal shear moduli"),
+    1: ("time step, beta2 = 0.6", "time step, beta2 = 1.0", "loss of an impact, beta2 = 0.5", "pressure of a bounce under gravity",
+        "growth, the law in time", "friction behind a ramp", "friction under a harmonic force"),
+    0.5: ("loss of an impact, beta2 = 1",),
+}
+
+PAGE = """# Verification
+
+Written by `./run.sh verification`, which runs the tests named here and inserts what they measured; it stops when one fails. The same tests run in
+`./test.sh`, where each asserts what this page says has to come out.
+
+## Problems, predicted and observed
+
+{problems}
+
+"a for b": a measured, b from theory or from an independent path. "holds": every assertion of the tests does; there is no single number.
+
+## Orders of convergence
+
+![convergence](verification/convergence.png)
+
+{orders}
+
+From the two finest refinements; dotted lines in the picture have the predicted order. The stiffness with equal shear moduli converges as h^2 (log(1/h) + c): its order is below 2 on any grid, and the test checks the
+logarithm. Data: [convergence.csv](verification/convergence.csv).
+
+## Beside these
+
+* Predicted and observed limit of the time step, settings under stress, a million steps, refinement, sensitivity: [stability](stability/README.md).
+* Error over cost, with extrapolated limits: [work and precision](performance/work_precision.md).
+* Numbers of the paper: [paper](paper/README.md).
+* Localized stress of the statically compressed pin against the direct solution, below 1 % in the interior: `verification/static_localization`.
+* Stiffness of random phase maps against a dense finite element code written apart in Python, to 1e-8: `verification/independent_finite_elements`.
+
+## Not covered
+
+* Benchmarks of rupture between two bodies (SCEC TPV205-2D, TPV6): there is no second body, and no run by antisymmetry has been made.
+* Growth of sliding is compared in the linear range. What follows the first separation has no exact solution; for it there are refinement, the
+  energy balance and the paper.
+* The order at corners of fibres is known for the stiffness, not for the stresses, which do not converge there.
+"""

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""The page of the verification problems: runs the tests that hold them, collects what they measured, and writes
+doc/verification.md with a table, a picture of convergence and a CSV. A test that fails stops it."""
+
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+TOP = os.path.dirname(os.path.dirname(HERE))
+sys.path[:0] = [HERE, os.path.join(TOP, "tests", "stability"), os.path.join(TOP, "applications", "studies"),
+                os.path.join(TOP, "applications", "report")]
+
+import numpy as np  # noqa: E402
+import problems  # noqa: E402
+from figures import RUN_COLOURS, plt  # noqa: E402  (figures chooses the backend)
+from study import parse_arguments  # noqa: E402
+from study_page import number, table  # noqa: E402
+
+EXECUTABLES = ("unit_contact", "unit_elasticity", "unit_localization", "verification_dynamics", "verification_homogenization",
+               "verification_restart", "verification_sliding", "verification_statics")
+
+
+class Measured:
+    """`tests`: those that passed, as "executable: Suite.Name"; `series` {(test, name): {size: error}};
+    `numbers` {(test, name): (expected, found)}."""
+
+    def __init__(self):
+        self.tests, self.series, self.numbers = set(), {}, {}
+
+    def read(self, executable, path):
+        with open(path, encoding="utf-8") as file:
+            suites = json.load(file)["testsuites"]
+        for test in (test for suite in suites for test in suite["testsuite"]):
+            name = f"{executable}: {test['classname'].split('/')[-1]}.{test['name'].split('/')[0]}"
+            if "failures" in test:
+                raise SystemExit(f"verification: {name} fails; no page is written")
+            self.tests.add(name)
+            for key, value in test.items():
+                kind, _, rest = key.partition("|")
+                if kind == "error":
+                    series, size = rest.split("|")
+                    self.series.setdefault((name, series), {})[float(size)] = abs(float(value))
+                elif kind == "found":
+                    self.numbers[name, rest] = (float(test["expected|" + rest]), float(value))
+
+    def order(self, key):
+        """Of the two finest refinements."""
+        (coarse, before), (fine, last) = sorted(self.series[key].items())[-2:]
+        return float(np.log(before / last) / np.log(fine / coarse))
+
+
+def run_tests(folder):
+    measured = Measured()
+    with tempfile.TemporaryDirectory() as reports:
+        for executable in EXECUTABLES:
+            report = os.path.join(reports, executable + ".json")
+            subprocess.run([os.path.join(folder, executable), f"--gtest_output=json:{report}"], cwd=reports,
+                           stdout=subprocess.DEVNULL, check=False)
+            if not os.path.exists(report):
+                raise SystemExit(f"verification: {executable} in {folder} left no report; build the tests")
+            measured.read(executable, report)
+    return measured
+
+
+def observed(measured, tests):
+    """What the tests of a problem measured, as text."""
+    orders = [f"{series}: order {measured.order((test, series)):.2f}, finest error {min(values.values()):.1e}"
+              for (test, series), values in measured.series.items() if test in tests]
+    numbers = []
+    for (test, what), (expected, found) in measured.numbers.items():
+        if test in tests:
+            numbers.append(f"{what}: {found:.2g}" if expected == 0 else f"{what}: {found:.6g} for {expected:.6g}")
+    return "<br>".join(orders + numbers) or "holds"
+
+
+def convergence(measured, path):
+    """Errors over refinement, a panel for each expected order; dotted: that order, through the coarsest grid of the series."""
+    figure, axes = plt.subplots(1, len(problems.ORDERS), figsize=(11.5, 6.2), width_ratios=(1.2, 1.2, 0.8))
+    styles = [(tint, line) for line in ("o-", "s--") for tint in RUN_COLOURS]
+    for axis, (order, names) in zip(axes, problems.ORDERS.items()):
+        shown = [(name, values) for (_, name), values in measured.series.items() if name in names]
+        for (name, values), (tint, line) in zip(shown, styles):
+            sizes, errors = (np.array(x) for x in zip(*sorted(values.items())))
+            times = sizes / sizes[0]
+            axis.loglog(times, errors, line, color=tint, label=name, markersize=4, linewidth=1.1)
+            axis.loglog(times, errors[0] * times**-order, ":", color="black", linewidth=1.0)
+        axis.set(title=f"expected order {order:g}", xlabel="refinement (times)", xticks=(1, 2, 4, 8), xticklabels=("1", "2", "4", "8"))
+        low, high = axis.get_ylim()
+        axis.set_ylim(10 ** np.floor(np.log10(low)), 10 ** np.ceil(np.log10(high)))
+        axis.minorticks_off()
+        axis.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=1)
+    axes[0].set_ylabel("relative error")
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    figure.savefig(path, dpi=90, bbox_inches="tight")
+
+
+def write(measured):
+    missing = [test for _, _, tests in problems.PROBLEMS for test in tests if test not in measured.tests]
+    if missing:
+        raise SystemExit(f"verification: there is no test '{missing[0]}'; correct tests/verification/problems.py")
+    doc = os.path.join(TOP, "doc")
+    convergence(measured, os.path.join(doc, "verification", "convergence.png"))
+    with open(os.path.join(doc, "verification", "convergence.csv"), "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["test", "series", "size [-]", "error [-]"])
+        writer.writerows([test, series, number(size, 6), number(value, 6)] for (test, series), values in measured.series.items()
+                         for size, value in sorted(values.items()))
+    rows = [[problem, claim, "<br>".join(f"`{test}`" for test in tests), observed(measured, tests)]
+            for problem, claim, tests in problems.PROBLEMS]
+    orders = [[series, f"{predicted:g}", f"{measured.order((test, series)):.2f}"]
+              for predicted, names in problems.ORDERS.items() for test, series in measured.series if series in names]
+    with open(os.path.join(doc, "verification.md"), "w", encoding="utf-8") as file:
+        file.write(problems.PAGE.format(problems=table(["problem", "what has to come out", "test", "observed"], rows),
+                                        orders=table(["series", "predicted order", "observed"], orders)))
+
+
+def main():
+    arguments = parse_arguments(__doc__, "verification", ["page"])
+    build = os.path.dirname(os.path.abspath(arguments.programs))
+    subprocess.run(["cmake", "--build", build, "--target", *EXECUTABLES], stdout=subprocess.DEVNULL, check=True)
+    write(run_tests(os.path.join(build, "tests")))
+    print("doc/verification.md")
+
+
+if __name__ == "__main__":
+    main()
