@@ -123,5 +123,6 @@ def sensitivity(table, base):
                 axis.set_ylabel(result.replace("Hz", "kHz"))
             if row == len(results) - 1:
                 axis.set_xlabel(label)
-            axis.set_ylim(bottom=0)
+    for axis in axes[:, 0]:
+        axis.set_ylim(bottom=0)  # last, as it fixes the upper end for the whole row
     return figure
