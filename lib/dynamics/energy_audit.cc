@@ -8,6 +8,22 @@ namespace mesoslip
 {
 namespace
 {
+// Sum of term(0) to term(n - 1): eight at a time, as each addition would wait for the one before.
+template <typename Term>
+double
+sum_of(const unsigned int n, const Term &term)
+{
+  double       lanes[8] = {};
+  unsigned int i        = 0;
+  for (; i + 8 <= n; i += 8)
+    for (unsigned int l = 0; l < 8; ++l)
+      lanes[l] += term(i + l);
+  for (unsigned int l = 0; i + l < n; ++l)
+    lanes[l] += term(i + l);
+  return ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) +
+         ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]));
+}
+
 // a.(b - c) over the first n_distinct nodes of the owned rows.
 double
 dot_difference(const NodalField<double> &a,
@@ -21,11 +37,10 @@ dot_difference(const NodalField<double> &a,
     for (unsigned int j = rows.local(rows.begin); j < rows.local(rows.end); ++j)
       {
         const double *x = a.row(component, j), *y = b.row(component, j);
-        const double *z   = c != nullptr ? c->row(component, j) : nullptr;
-        double        row = 0.;
-        for (unsigned int i = 0; i < n_distinct; ++i)
-          row += x[i] * (z != nullptr ? y[i] - z[i] : y[i]);
-        sum += row;
+        const double *z = c != nullptr ? c->row(component, j) : nullptr;
+        sum += z != nullptr ?
+                 sum_of(n_distinct, [&](const unsigned int i) { return x[i] * (y[i] - z[i]); }) :
+                 sum_of(n_distinct, [&](const unsigned int i) { return x[i] * y[i]; });
       }
   return sum;
 }
@@ -57,7 +72,11 @@ EnergyAudit::EnergyAudit(const UniformGridOperator           &op,
   , interval(interval)
   , boundary_work(boundary_work)
   , communicator(communicator)
-  , product(u.n_columns(), u.n_rows())
+  , damped(step.beta > 0.)
+  , dissipative(step.beta2 != 0.5)
+  , heavy(step.acceleration != std::array<double, 2>{})
+  , stiff_u(u.n_columns(), u.n_rows())
+  , stiff_w(damped ? stiff_u : NodalField<double>())
 {
   const unsigned int n = u.n_columns();
   mass.resize(static_cast<std::size_t>(n) * (op.rows().end - op.rows().begin));
@@ -68,9 +87,9 @@ EnergyAudit::EnergyAudit(const UniformGridOperator           &op,
 std::uint64_t
 EnergyAudit::next_step(const std::uint64_t n) const
 {
-  // The step before a sample is wanted for u_(n-1) and w_(n-1).
-  const std::uint64_t sample = next_multiple(n, interval);
-  return sample > n && sample - 1 >= n && interval > 1 ? sample - 1 : sample;
+  const std::uint64_t sample        = next_multiple(n, interval);
+  const bool          wants_earlier = damped || dissipative; // u_(n-1), w_(n-1)
+  return wants_earlier && sample > n && interval > 1 ? sample - 1 : sample;
 }
 
 // a_(-1) = 0: the body moved with w_0 before the start.
@@ -83,6 +102,7 @@ EnergyAudit::initialize()
     u_before.begin()[k] -= step.dt * w.begin()[k];
   u_now = u_before;
   w_now = w;
+  multiply(u_now, w_now);
   Sums sums;
   add_products(sums);
   const Sums nodal = nodal_sums();
@@ -101,13 +121,18 @@ EnergyAudit::before_step(const std::uint64_t n)
           std::swap(u_before, u_now);
           std::swap(w_before, w_now);
         }
-      u_now = u;
-      w_now = w;
+      multiply(u, w);
+      if (heavy || (damped && interval == 1))
+        u_now = u;
+      if (dissipative)
+        w_now = w;
     }
   else
     {
-      u_before = u;
-      w_before = w;
+      if (damped)
+        u_before = u;
+      if (dissipative)
+        w_before = w;
     }
 }
 
@@ -158,44 +183,54 @@ EnergyAudit::nodal_sums() const
   for (unsigned int component = 0; component < 2; ++component)
     for (unsigned int j = rows.begin; j < rows.end; ++j)
       {
-        const unsigned int l  = rows.local(j);
-        const double      *m  = mass.data() + static_cast<std::size_t>(n) * (j - rows.begin);
-        const double      *w0 = w_before.row(component, l), *w1 = w_now.row(component, l),
-                     *w2 = w.row(component, l);
-        const double *u1 = u_now.row(component, l), *u2 = u.row(component, l);
-        const double  g       = step.acceleration[component];
-        double        kinetic = 0., scheme = 0., potential = 0.;
-        const auto    add = [&](const unsigned int i, const double mi) {
-          const double da = w2[i] - w1[i], dd = w2[i] - w0[i];
-          kinetic += mi * (0.5 * w2[i] * w2[i] + c_now * da * da);
-          scheme += mi * c_now * dd * dd;
-          potential += mi * (u1[i] + u2[i]);
+        const unsigned int l = rows.local(j);
+        const double      *m = mass.data() + static_cast<std::size_t>(n) * (j - rows.begin);
+        const double      *w2      = w.row(component, l);
+        const bool         platen  = component == 1 && j + 1 == rows.n_global;
+        const double       m_extra = platen ? platen_mass : 0.; // of node 0
+        const auto squares = [&](const double factor, const auto &value) {
+          const auto square = [&](const unsigned int i) { return value(i) * value(i); };
+          const auto term   = [&](const unsigned int i) { return m[i] * square(i); };
+          return factor * (sum_of(n_distinct, term) + m_extra * square(0));
         };
-        for (unsigned int i = 0; i < n_distinct; ++i)
-          add(i, m[i]);
-        sums.potential -= 0.5 * g * potential;
-        if (component == 1 && j + 1 == rows.n_global && platen_mass > 0.)
-          add(0, platen_mass);
-        sums.kinetic += kinetic;
-        sums.scheme += scheme;
+        sums.kinetic += squares(0.5, [&](const unsigned int i) { return w2[i]; });
+        if (dissipative)
+          {
+            const double *w0 = w_before.row(component, l), *w1 = w_now.row(component, l);
+            sums.kinetic += squares(c_now, [&](const unsigned int i) { return w2[i] - w1[i]; });
+            sums.scheme += squares(c_now, [&](const unsigned int i) { return w2[i] - w0[i]; });
+          }
+        if (heavy)
+          {
+            const double *u1 = u_now.row(component, l), *u2 = u.row(component, l);
+            const auto moved = [&](const unsigned int i) { return m[i] * (u1[i] + u2[i]); };
+            sums.potential -= 0.5 * step.acceleration[component] * sum_of(n_distinct, moved);
+          }
       }
   return sums;
 }
 
+// K u_n and K w_n, whose ghost rows are set for it.
+void
+EnergyAudit::multiply(NodalField<double> &u_n, NodalField<double> &w_n)
+{
+  update_ghost_rows(u_n, op.rows(), communicator);
+  op.vmult(stiff_u, u_n);
+  if (!damped)
+    return;
+  update_ghost_rows(w_n, op.rows(), communicator);
+  op.vmult(stiff_w, w_n);
+}
+
 // u_(n+1).K u_n / 2 and beta (u_(n+1) - u_(n-1)).K w_n / 2
 void
-EnergyAudit::add_products(Sums &sums)
+EnergyAudit::add_products(Sums &sums) const
 {
   const NodeRows    &rows       = op.rows();
   const unsigned int n_distinct = u.n_columns() - (op.material().periodicity().x ? 1 : 0);
-  update_ghost_rows(u_now, rows, communicator);
-  op.vmult(product, u_now);
-  sums.elastic = 0.5 * dot_difference(product, u, nullptr, rows, n_distinct);
-  if (step.beta == 0.)
-    return;
-  update_ghost_rows(w_now, rows, communicator);
-  op.vmult(product, w_now);
-  sums.damping = 0.5 * step.beta * dot_difference(product, u, &u_before, rows, n_distinct);
+  sums.elastic = 0.5 * dot_difference(stiff_u, u, nullptr, rows, n_distinct);
+  if (damped)
+    sums.damping = 0.5 * step.beta * dot_difference(stiff_w, u, &u_before, rows, n_distinct);
 }
 
 EnergyHistory

@@ -124,7 +124,9 @@ private:
   Sums
   nodal_sums() const;
   void
-  add_products(Sums &sums);
+  multiply(NodalField<double> &u_n, NodalField<double> &w_n);
+  void
+  add_products(Sums &sums) const;
   void
   initialize();
 
@@ -137,9 +139,12 @@ private:
   const std::function<BoundaryWork()> boundary_work;
   const MPI_Comm                      communicator;
 
+  // Which terms there are; those that vanish are neither computed nor kept fields for.
+  const bool damped, dissipative, heavy;
+
   NodalField<double>  u_before, w_before; ///< u_(n-1), w_(n-1)
   NodalField<double>  u_now, w_now;       ///< u_n, w_n
-  NodalField<double>  product;
+  NodalField<double>  stiff_u, stiff_w;   ///< K u_n, K w_n
   std::vector<double> mass; ///< of the owned nodes, row by row
   double              last_scheme = 0., last_damping = 0.;
   double              sum_scheme = 0., sum_damping = 0.;
