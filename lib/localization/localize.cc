@@ -111,15 +111,15 @@ private:
     n_snapshots            = range.count;
     if (monitor.start)
       monitor.start("snapshots of the " + role, range.count);
-    auto histories = pass_snapshots(run, range, result.grid, work, monitor.update);
+    auto passed = pass_snapshots(run, range, result.grid, work, monitor.update);
     if (monitor.log)
       {
         std::ostringstream line;
         line << range.count << " snapshots of the " << role << ", "
-             << histories.time.front() << " to " << histories.time.back() << " s";
+             << passed.time.front() << " to " << passed.time.back() << " s";
         monitor.log(line.str());
       }
-    return histories;
+    return passed;
   }
 
   void pass_direct()

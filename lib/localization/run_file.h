@@ -86,8 +86,8 @@ private:
                                       const std::string &hint) const;
 
   Hdf5File file;
+  std::string the_digest; // of a header that was checked before the grid was read
   UniformGrid<2> the_grid;
-  std::string the_digest;
 };
 } // namespace mesoslip
 

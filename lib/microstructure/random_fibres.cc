@@ -49,7 +49,7 @@ private:
   bool fits(const CellBox &box) const;
   bool fits(const Place &corner, const long height) const;
   std::size_t random_index(const std::size_t size);
-  Outcome try_to_place(Rectangle fibre);
+  Outcome try_to_place(const Rectangle &fibre);
   Outcome place_last(Rectangle fibre, const CellBox &box, const std::size_t remaining);
   void place(const Rectangle &fibre, const CellBox &box);
   double area_inside(const Rectangle &fibre) const;
@@ -130,7 +130,7 @@ void Placer::place(const Rectangle &fibre, const CellBox &box)
   nominal_area += area_inside(fibre);
 }
 
-Placer::Outcome Placer::try_to_place(Rectangle fibre)
+Placer::Outcome Placer::try_to_place(const Rectangle &fibre)
 {
   const CellBox box = covered_cells(grid, fibre);
   if (!fits(box))

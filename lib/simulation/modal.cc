@@ -74,7 +74,7 @@ void log_modes(const ModalCase &c, const bool paper, RunContext &context)
     }
 }
 
-void write_table(const std::vector<ModalCase> &cases, RunContext &context)
+void write_table(const std::vector<ModalCase> &cases, const RunContext &context)
 {
   TableWriter table(context.file("modes.csv"),
                     {"bottom", "mode [-]", "frequency [Hz]", "modal_mass [kg/m]",
@@ -93,7 +93,7 @@ void write_table(const std::vector<ModalCase> &cases, RunContext &context)
 
 void write_file(const std::vector<ModalCase> &cases,
                 const Scene &scene,
-                RunContext &context)
+                const RunContext &context)
 {
   Hdf5File file = create_body_file(context.file("modal.h5"), "mesoslip-modal", scene);
   std::vector<std::pair<std::string, std::string>> series;

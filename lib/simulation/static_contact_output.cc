@@ -89,7 +89,7 @@ void log_result(const ContactParameters &parameters,
 
 void write_table(const Scene &scene,
                  const StaticContactResult &result,
-                 RunContext &context)
+                 const RunContext &context)
 {
   TableWriter table(context.file("static_contact.csv"),
                     {"x [m]", "pressure [Pa]", "shear_traction [Pa]",

@@ -53,8 +53,8 @@ private:
   std::vector<std::array<double, n_finest_coefficients>> coefficients;
   double cell_height;
 
-  FinestPatch finest;
-  CoarsePatch coarse;
+  FinestPatch finest = {};
+  CoarsePatch coarse = {};
 
   /** rows[l][b]: matrices of row b of the current pair of cell rows of grid l. */
   std::vector<std::array<PaddedRows<double>, 2>> rows;
