@@ -215,7 +215,8 @@ solve_load_cases(const UniformMaterial &material,
                  const StaticSolverKind kind,
                  const double tolerance,
                  const MPI_Comm communicator,
-                 const LoadCaseProgress &progress)
+                 const LoadCaseProgress &progress,
+                 Timer *timer)
 {
   int rank = 0, n_ranks = 1;
   MPI_Comm_rank(communicator, &rank);
@@ -234,6 +235,7 @@ solve_load_cases(const UniformMaterial &material,
       solution.condition          = conditions[n / 3];
       if (owner(n) == rank)
         {
+          const auto scope = optional_scope(timer, to_string(solution.condition).c_str());
           solution.reports[n % 3] =
             solver.solve(solution.condition, n % 3, solution.displacement[n % 3]);
           if (progress)

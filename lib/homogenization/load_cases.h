@@ -4,6 +4,7 @@
 #include "elasticity/static_solver.h"
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
+#include "io/timer.h"
 #include "material/voigt.h"
 
 #include <array>
@@ -48,6 +49,7 @@ using LoadCaseProgress = std::function<void(const unsigned int, const unsigned i
 /**
  * Solves the three load cases of each condition. The cases are dealt out to the ranks of
  * @p communicator and collected on rank 0; the other ranks return reports only.
+ * @p timer, if any, gets a section for each condition.
  * @throws NotConverged
  */
 std::vector<LoadCaseSolutions>
@@ -56,7 +58,8 @@ solve_load_cases(const UniformMaterial &material,
                  const StaticSolverKind solver,
                  const double tolerance,
                  const MPI_Comm communicator,
-                 const LoadCaseProgress &progress = LoadCaseProgress());
+                 const LoadCaseProgress &progress = LoadCaseProgress(),
+                 Timer *timer                     = nullptr);
 
 /** u = E.x for a strain (engineering shear), x from the lower left corner. */
 NodalField<double> affine_displacement(const UniformGrid<2> &grid,

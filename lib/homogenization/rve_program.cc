@@ -44,7 +44,8 @@ EnsembleMember compute_member(const RveParameters &parameters,
                               const Microstructure &microstructure,
                               const MPI_Comm communicator,
                               const bool keep_concentration,
-                              const LoadCaseProgress &progress)
+                              const LoadCaseProgress &progress,
+                              Timer &timer)
 {
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
@@ -53,7 +54,8 @@ EnsembleMember compute_member(const RveParameters &parameters,
   member.seed      = parameters.microstructure.placement.seed;
   member.fractions = area_fractions(microstructure.map, microstructure.phases.size());
   auto solutions   = solve_load_cases(material, parameters.conditions, parameters.solver,
-                                      parameters.tolerance, communicator, progress);
+                                      parameters.tolerance, communicator, progress, &timer);
+  const auto scope = timer.scope("Responses");
   for (LoadCaseSolutions &solution : solutions)
     {
       if (rank == 0)
@@ -119,7 +121,8 @@ RveResults compute(const RveParameters &parameters, RunContext &context)
         parameters.write_concentration && m == 0,
         [&](const unsigned int done, const unsigned int) {
           context.progress().update(m * n_cases + done);
-        });
+        },
+        context.timer());
       if (m == 0)
         results.microstructure = microstructure;
     }

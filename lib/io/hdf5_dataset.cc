@@ -252,7 +252,8 @@ std::vector<T> Hdf5File::read_block(const std::string &name,
   if (data.empty())
     return data;
   const Handle space(H5Dget_space(dataset));
-  const Handle memory = hdf5::make_space({data.size()});
+  // Of the same rank as the selection: otherwise HDF5 maps every number by itself.
+  const Handle memory = hdf5::make_space(count);
   if (H5Sselect_hyperslab(space, H5S_SELECT_SET, hdf5::dims(offset).data(), nullptr,
                           hdf5::dims(count).data(), nullptr) < 0 ||
       H5Dread(dataset, hdf5::native_type<T>(), memory, space, H5P_DEFAULT, data.data()) <

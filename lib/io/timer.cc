@@ -53,6 +53,13 @@ Timer::Scope Timer::scope(const char *name)
   return Scope(*this);
 }
 
+std::optional<Timer::Scope> optional_scope(Timer *timer, const char *name)
+{
+  if (timer == nullptr)
+    return std::nullopt;
+  return timer->scope(name);
+}
+
 void Timer::leave()
 {
   current->elapsed += Clock::now() - current->entered;

@@ -5,6 +5,7 @@
 #include <deque>
 #include <iosfwd>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,9 @@ private:
   std::deque<Node> nodes;
   Node *current;
 };
+
+/** timer->scope(name); nothing where there is no timer. */
+[[nodiscard]] std::optional<Timer::Scope> optional_scope(Timer *timer, const char *name);
 } // namespace mesoslip
 
 #endif

@@ -21,6 +21,7 @@ LocalizationMonitor make_monitor(RunContext &context)
 {
   LocalizationMonitor monitor;
   monitor.log   = [&context](const std::string &line) { context.log(line); };
+  monitor.timer = &context.timer();
   monitor.warn  = [&context](const std::string &line) { context.warn(line); };
   monitor.start = [&context](const std::string &activity, const std::size_t steps) {
     context.progress().finish();

@@ -58,8 +58,8 @@ public:
     for (const std::string &warning : input.warnings)
       if (monitor.warn)
         monitor.warn(warning);
-    result.grid    = input.rve.grid();
-    result.dofs    = 2 * input.homogeneous.grid().n_nodes();
+    result.grid = input.rve.grid();
+    result.dofs = 2 * input.homogeneous.grid().n_nodes();
     for (const Phase<2> &phase : input.rve.phases())
       result.phase_names.push_back(phase.name);
     result.digests = {input.rve.digest(), input.homogeneous.digest(),
@@ -71,6 +71,7 @@ public:
     if (input.direct)
       pass_direct();
     pass_homogeneous();
+    const auto scope = optional_scope(monitor.timer, "Probes and errors");
     if (parameters.local_strain)
       add_variant("local strain", local_fields);
     if (parameters.mean_strain)
@@ -111,7 +112,8 @@ private:
     n_snapshots            = range.count;
     if (monitor.start)
       monitor.start("snapshots of the " + role, range.count);
-    auto passed = pass_snapshots(run, range, result.grid, work, monitor.update);
+    auto passed =
+      pass_snapshots(run, range, result.grid, work, monitor.update, monitor.timer);
     if (monitor.log)
       {
         std::ostringstream line;
@@ -247,11 +249,10 @@ private:
     if (result.direct.n_samples > 0)
       {
         variant.difference = difference(fields, result.direct);
-        variant.errors     = field_errors(fields, result.direct,
-                                          comparison_regions(
-                                            result.grid, input.phase_id, result.phase_names,
-                                            parameters.surface_depth,
-                                            parameters.edge_distance));
+        variant.errors     = field_errors(
+              fields, result.direct,
+              comparison_regions(result.grid, input.phase_id, result.phase_names,
+                                 parameters.surface_depth, parameters.edge_distance));
       }
     variant.fields = std::move(fields);
     result.variants.push_back(std::move(variant));
@@ -272,7 +273,10 @@ private:
 LocalizationResult localize(const LocalizationParameters &parameters,
                             const LocalizationMonitor &monitor)
 {
-  return Localizer(parameters, monitor).run();
+  auto scope = optional_scope(monitor.timer, "Input");
+  Localizer localizer(parameters, monitor);
+  scope.reset();
+  return localizer.run();
 }
 
 std::string describe_localization(const LocalizationParameters &parameters)

@@ -1,6 +1,7 @@
 #ifndef mesoslip_localization_localize_h
 #define mesoslip_localization_localize_h
 
+#include "io/timer.h"
 #include "localization/field_errors.h"
 #include "localization/localization_parameters.h"
 #include "localization/series_comparison.h"
@@ -78,6 +79,8 @@ struct LocalizationMonitor
   std::function<void(const std::string &, const std::size_t)> start;
   /** Steps done; may throw to stop. */
   std::function<void(const std::size_t)> update;
+  /** For the profile; may be null. */
+  Timer *timer = nullptr;
 };
 
 /**

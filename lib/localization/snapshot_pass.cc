@@ -101,7 +101,8 @@ SnapshotHistories pass_snapshots(const RunFile &run,
                                  const IndexRange &range,
                                  const UniformGrid<2> &target,
                                  const SnapshotWork &work,
-                                 const SnapshotCallback &callback)
+                                 const SnapshotCallback &callback,
+                                 Timer *timer)
 {
   Batch batch(run, target, work);
   SnapshotHistories histories;
@@ -109,7 +110,11 @@ SnapshotHistories pass_snapshots(const RunFile &run,
   for (std::size_t done = 0; done < range.count;)
     {
       const std::size_t count = std::min(batch.size(), range.count - done);
-      batch.treat(run.snapshots(range.first + done, count), histories);
+      auto reading            = optional_scope(timer, "Reading snapshots");
+      const auto snapshots    = run.snapshots(range.first + done, count);
+      reading.reset();
+      const auto averaging = optional_scope(timer, "Averaging");
+      batch.treat(snapshots, histories);
       done += count;
       if (callback)
         callback(done);

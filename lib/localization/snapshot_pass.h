@@ -1,6 +1,7 @@
 #ifndef mesoslip_localization_snapshot_pass_h
 #define mesoslip_localization_snapshot_pass_h
 
+#include "io/timer.h"
 #include "localization/run_file.h"
 #include "localization/stress_statistics.h"
 
@@ -49,13 +50,15 @@ using SnapshotCallback = std::function<void(const std::size_t)>;
 /**
  * Goes once through the snapshots @p range of a run. They are read some at a time, and
  * each row of @p target cells is treated for all of those before the next, so that what
- * belongs to the row stays in the cache. @throws UserError.
+ * belongs to the row stays in the cache. @p timer, if any, tells reading from averaging.
+ * @throws UserError.
  */
 SnapshotHistories pass_snapshots(const RunFile &run,
                                  const IndexRange &range,
                                  const UniformGrid<2> &target,
                                  const SnapshotWork &work,
-                                 const SnapshotCallback &callback = {});
+                                 const SnapshotCallback &callback = {},
+                                 Timer *timer                     = nullptr);
 } // namespace mesoslip
 
 #endif
