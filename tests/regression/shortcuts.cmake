@@ -1,0 +1,3 @@
+if(MESOSLIP_PYTHON)
+  mesoslip_python_test(regression shortcuts)
+endif()
