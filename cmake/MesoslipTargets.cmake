@@ -7,6 +7,19 @@ function(mesoslip_warnings target)
   # After deal.II's own flags, which end in "-g -O2". No -ffast-math: NaN must stay visible.
   target_compile_options(${target} PRIVATE
     $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O3;-g0>)
+  if(MESOSLIP_SANITIZE)
+    mesoslip_sanitize(${target})
+  endif()
+endfunction()
+
+# mesoslip_sanitize(<target>): AddressSanitizer and UndefinedBehaviorSanitizer, which end the program at the first
+# finding; clang also counts branches for the fuzzers. Little optimization: the builds of CI compile longer than they run.
+function(mesoslip_sanitize target)
+  set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=undefined)
+  target_compile_options(${target} PRIVATE
+    -O1 -g1 -fno-omit-frame-pointer -U_FORTIFY_SOURCE ${sanitizers}
+    $<$<CXX_COMPILER_ID:Clang>:-fsanitize=fuzzer-no-link;-Wno-unknown-warning-option>)
+  target_link_options(${target} PRIVATE ${sanitizers})
 endfunction()
 
 # mesoslip_library(<topic> [DEALII] [DEPENDS <topic>... | <target>...])

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# One fuzzer for some seconds: run.sh <fuzz_target> <seconds> [more of libFuzzer's options]
+# Starts from corpus/<target>; new inputs stay in a folder beside the program, findings in its folder findings/.
+set -euo pipefail
+program=$1 seconds=$2
+shift 2
+target=${program##*/fuzz_}
+here=$(dirname "$(readlink -f "$0")")
+inputs=$(dirname "$program")/fuzz-inputs/$target findings=$(dirname "$program")/findings
+mkdir -p "$inputs" "$findings"
+exec nice "$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -malloc_limit_mb=2048 -max_len=4096 \
+  -verbosity=0 -print_final_stats=1 -artifact_prefix="$findings/$target-" "$@" "$inputs" "$here/corpus/$target"
