@@ -225,12 +225,12 @@ def kill_again_and_again(scene, material, lane, kills, seed, ranks=1):
     output, reference = f"{material}-{ranks}-killed-{lane}", f"{material}-{ranks}"
     options, done, finished, resumed = options_of(material), 0, 0, 0
     begin = time.monotonic()
-    while done < kills or finished == 0:
+    while done < kills or finished == 0 or os.path.exists(scene.path(output)):
         folder = os.path.exists(scene.path(output))
         child = scene.start(output, options + (["--resume"] if folder else []), ranks=ranks)
         if done < kills:
-            # Half of them soon after the start, the others soon after a checkpoint, so that it goes on.
-            if chance.random() < 0.5:
+            # In turns soon after the start and soon after a checkpoint, so that it goes on.
+            if done % 2 == 0:
                 time.sleep(chance.uniform(0, 0.6))
             else:
                 scene.wait_for_checkpoint(output, child, identity(scene.path(output, CHECKPOINT)))
