@@ -204,9 +204,7 @@ Program rve_homogenization_program()
     const RveParameters parameters = RveParameters::parse(prm);
     require_memory({1e6 * static_cast<double>(estimated_megabytes(parameters)),
                     "reduce Grid/Cells or choose Homogenization/Solver = jacobi"});
-  };
-  program.disk_need = [](dealii::ParameterHandler &prm) {
-    return rve_file_size(RveParameters::parse(prm));
+    return rve_file_size(parameters);
   };
   program.estimate = [](dealii::ParameterHandler &prm, std::ostream &report) {
     const RveParameters parameters = RveParameters::parse(prm);

@@ -131,16 +131,16 @@ void run(const Program &program,
     context.timer().print(std::cout);
 }
 
-/** Whether the results have a place; a run to be resumed has had one. */
-void check_disk(const Program &program,
-                dealii::ParameterHandler &prm,
-                const CommandLine &line,
-                const MPI_Comm communicator)
+/** Whether parameters and disk allow it; a run to be resumed has had its place. */
+void check(const Program &program,
+           dealii::ParameterHandler &prm,
+           const CommandLine &line,
+           const MPI_Comm communicator)
 {
-  if (line.resume)
-    return;
-  const Need need = program.disk_need ? program.disk_need(prm) : Need();
-  on_root(communicator, [&]() { require_disk(choose_output_folder(line, prm), need); });
+  const Need disk = program.check ? program.check(prm) : Need();
+  if (!line.resume)
+    on_root(communicator,
+            [&]() { require_disk(choose_output_folder(line, prm), disk); });
 }
 
 void do_what_is_asked(const CommandLine &line,
@@ -171,9 +171,7 @@ void do_what_is_asked(const CommandLine &line,
         }
       return;
     }
-  if (program.check)
-    program.check(prm);
-  check_disk(program, prm, line, communicator);
+  check(program, prm, line, communicator);
   if (line.validate)
     validate(program, prm, line, root);
   else

@@ -37,21 +37,16 @@ struct Program
 
   /**
    * Parses and cross-checks, cheaply; always called, before anything is created.
+   * Returns what the results take on the disk, to be compared with the free space.
    * Throws UserError. May be empty.
    */
-  std::function<void(dealii::ParameterHandler &prm)> check;
+  std::function<Need(dealii::ParameterHandler &prm)> check;
 
   /**
    * Prints memory, steps and the like for --validate; called after check(). Only what
    * rank 0 writes to @p report is shown. May be empty.
    */
   std::function<void(dealii::ParameterHandler &prm, std::ostream &report)> estimate;
-
-  /**
-   * What the results take on the disk; called after check(), and compared with the free
-   * space before anything is created. May be empty.
-   */
-  std::function<Need(dealii::ParameterHandler &prm)> disk_need;
 
   /**
    * Whether a run with these parameters writes checkpoints, so that run() has to heed

@@ -103,6 +103,7 @@ Program stress_localization_program()
   program.declare = LocalizationParameters::declare;
   program.check   = [](dealii::ParameterHandler &prm) {
     LocalizationParameters::parse(prm);
+    return Need();
   };
   program.estimate = estimate;
   program.run      = run;

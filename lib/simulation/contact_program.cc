@@ -38,6 +38,16 @@ check_probes(const ContactParameters &parameters, const UniformGrid<2> &grid)
                     to_text(grid.extent(0)) + " m");
 }
 
+Need
+check_transient(const ContactParameters &parameters, const Scene &scene)
+{
+  const UniformMaterial material = scene.make_material(parameters.periodic);
+  check_time_step(parameters, material);
+  const double n_steps = largest_number_of_steps(parameters, material);
+  require_memory(history_memory(parameters, n_steps));
+  return dynamics_file_size(parameters, scene.grid, n_steps);
+}
+
 void
 estimate(dealii::ParameterHandler &prm, std::ostream &report)
 {
@@ -54,17 +64,32 @@ estimate(dealii::ParameterHandler &prm, std::ostream &report)
   report << time.text() << "\n";
   const double n_steps = static_cast<double>(time.n_steps);
   report << n_snapshots(parameters, n_steps) << " snapshots, "
-         << bytes_text(dynamics_file_size(parameters, n_steps).bytes) << " on the disk\n";
+         << bytes_text(dynamics_file_size(parameters, scene.grid, n_steps).bytes) << " on the disk\n";
 }
 
+// What every analysis needs, then what the chosen one does.
 Need
-disk_need(dealii::ParameterHandler &prm)
+check(dealii::ParameterHandler &prm)
 {
   const ContactParameters parameters = ContactParameters::parse(prm);
-  if (parameters.analysis != ContactAnalysis::transient)
-    return {};
-  const UniformMaterial material = make_scene(parameters).make_material(parameters.periodic);
-  return dynamics_file_size(parameters, largest_number_of_steps(parameters, material));
+  require_memory(field_memory(parameters.analysis, body_grid(parameters)));
+  const Scene scene = make_scene(parameters);
+  check_probes(parameters, scene.grid);
+  switch (parameters.analysis)
+    {
+      case ContactAnalysis::transient:
+        return check_transient(parameters, scene);
+      case ContactAnalysis::static_contact:
+        check_static_contact(parameters, scene);
+        break;
+      case ContactAnalysis::friction_homogenization:
+        friction_estimates(
+          read_friction_homogenization(parameters.homogenization, parameters.body.rve_file));
+        break;
+      case ContactAnalysis::modal:
+        break;
+    }
+  return {};
 }
 
 // Whatever decides a bit of the state or of what was written so far: a run that is resumed
@@ -120,26 +145,8 @@ contact_dynamics_program()
   program.description =
     "Explicit dynamics of an elastic body that rubs on a moving rigid flat.";
   program.declare = ContactParameters::declare;
-  program.check   = [](dealii::ParameterHandler &prm) {
-    const ContactParameters parameters = ContactParameters::parse(prm);
-    require_memory(field_memory(parameters));
-    const Scene             scene      = make_scene(parameters);
-    check_probes(parameters, scene.grid);
-    const UniformMaterial material = scene.make_material(parameters.periodic);
-    if (parameters.analysis == ContactAnalysis::transient)
-      {
-        check_time_step(parameters, material);
-        require_memory(
-          history_memory(parameters, largest_number_of_steps(parameters, material)));
-      }
-    if (parameters.analysis == ContactAnalysis::static_contact)
-      check_static_contact(parameters, scene);
-    if (parameters.analysis == ContactAnalysis::friction_homogenization)
-      friction_estimates(
-        read_friction_homogenization(parameters.homogenization, parameters.body.rve_file));
-  };
+  program.check     = check;
   program.estimate  = estimate;
-  program.disk_need = disk_need;
   program.resumable = [](dealii::ParameterHandler &prm) {
     return ContactParameters::parse(prm).analysis == ContactAnalysis::transient;
   };

@@ -1,7 +1,6 @@
 #include "simulation/run_size.h"
 
 #include "elasticity/critical_time_step.h"
-#include "homogenization/rve_file.h"
 #include "io/errors.h"
 #include "io/parameters.h"
 
@@ -16,10 +15,10 @@ namespace
  * energies. */
 constexpr double history_numbers = 18., probe_numbers = 11., energy_numbers = 10.;
 
-double n_nodes(const ContactParameters &parameters)
+/** In floating point: too many nodes for a machine are a number, too. */
+double n_nodes(const UniformGrid<2> &grid)
 {
-  const auto cells = body_cells(parameters);
-  return (cells[0] + 1.) * (cells[1] + 1.);
+  return (grid.cells[0] + 1.) * (grid.cells[1] + 1.);
 }
 
 /** Bytes of all that is recorded every few steps. */
@@ -34,15 +33,6 @@ double history_bytes(const ContactParameters &parameters, const double n_steps)
   return sizeof(double) * numbers;
 }
 } // namespace
-
-std::array<unsigned int, 2> body_cells(const ContactParameters &parameters)
-{
-  if (parameters.body.cells[0] > 0)
-    return parameters.body.cells;
-  if (!parameters.body.rve_file.empty())
-    return RveFile::open(parameters.body.rve_file).grid().cells;
-  return {{560, 160}};
-}
 
 double n_snapshots(const ContactParameters &parameters, const double n_steps)
 {
@@ -60,11 +50,11 @@ double n_snapshots(const ContactParameters &parameters, const double n_steps)
                   n_steps);
 }
 
-Need field_memory(const ContactParameters &parameters)
+Need field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid)
 {
   // Displacement and increment; the static solvers as measured with the multigrid.
-  const bool stepping = parameters.analysis == ContactAnalysis::transient;
-  return {(stepping ? 33. : 330.) * n_nodes(parameters), "reduce Body/Cells"};
+  const bool stepping = analysis == ContactAnalysis::transient;
+  return {(stepping ? 33. : 330.) * n_nodes(grid), "reduce Body/Cells"};
 }
 
 double largest_number_of_steps(const ContactParameters &parameters,
@@ -86,10 +76,12 @@ Need history_memory(const ContactParameters &parameters, const double n_steps)
             to_text(n_steps) + " steps"};
 }
 
-Need dynamics_file_size(const ContactParameters &parameters, const double n_steps)
+Need dynamics_file_size(const ContactParameters &parameters,
+                        const UniformGrid<2> &grid,
+                        const double n_steps)
 {
   const double snapshots = n_snapshots(parameters, n_steps);
-  const double field     = 2. * sizeof(double) * n_nodes(parameters);
+  const double field     = 2. * sizeof(double) * n_nodes(grid);
   // In snapshots.part until the run is complete, as well.
   const double fields    = 2. * snapshots * field;
   const double histories = history_bytes(parameters, n_steps);

@@ -7,17 +7,14 @@
 
 namespace mesoslip
 {
-/** Cells of the body as given, of its RVE file, or the default's. @throws UserError */
-std::array<unsigned int, 2> body_cells(const ContactParameters &parameters);
-
 /**
  * Snapshots that a transient run of @p n_steps takes, at most one a step.
  * @throws UserError when they begin after the end
  */
 double n_snapshots(const ContactParameters &parameters, const double n_steps);
 
-/** Memory of the fields, to be checked before they are created. */
-Need field_memory(const ContactParameters &parameters);
+/** Memory of the fields, to be checked before they are created.*/
+Need field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid);
 
 /**
  * Steps of a transient run, estimated from above: with the bound of a single cell for the
@@ -31,7 +28,9 @@ Need history_memory(const ContactParameters &parameters, const double n_steps);
 
 /** Disk space of dynamics.h5 and the checkpoints of a transient run, when it is largest.
  */
-Need dynamics_file_size(const ContactParameters &parameters, const double n_steps);
+Need dynamics_file_size(const ContactParameters &parameters,
+                        const UniformGrid<2> &grid,
+                        const double n_steps);
 } // namespace mesoslip
 
 #endif

@@ -168,6 +168,15 @@ Scene::surface_fractions() const
   return fractions;
 }
 
+UniformGrid<2>
+body_grid(const ContactParameters &parameters)
+{
+  const BodyParameters &body = parameters.body;
+  if (body.rve_file.empty())
+    return make_grid(body, nullptr);
+  return make_grid(body, &RveFile::open(body.rve_file).grid());
+}
+
 Scene
 make_scene(const ContactParameters &parameters)
 {

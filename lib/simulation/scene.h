@@ -38,6 +38,10 @@ struct Scene
   surface_fractions() const;
 };
 
+/** The body's grid, without what it is made of. @throws UserError naming key or file. */
+UniformGrid<2>
+body_grid(const ContactParameters &parameters);
+
 /** Builds the body from parameters and RVE file. @throws UserError naming key or file. */
 Scene
 make_scene(const ContactParameters &parameters);

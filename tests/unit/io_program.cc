@@ -48,11 +48,12 @@ void declare(dealii::ParameterHandler &prm, const RawParameters &raw)
   declare_double_list(prm, "Levels", {0., 0.1}, Range::any(), "Levels [m]", 1, 3);
 }
 
-void check(dealii::ParameterHandler &prm)
+Need check(dealii::ParameterHandler &prm)
 {
   const ParameterSection section(prm, "Input");
   if (!get_string(prm, "Image file").empty())
     get_input_file(prm, "Image file", "draw one first");
+  return {};
 }
 
 void run(dealii::ParameterHandler &prm, RunContext &context)
