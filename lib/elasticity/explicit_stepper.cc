@@ -13,21 +13,18 @@ namespace mesoslip
 namespace
 {
 /** The material, once everything is known to fit it. */
-const UniformMaterial &checked(const UniformMaterial &material,
-                               const NodeRows &rows,
-                               const StepParameters &p,
-                               const SideConstraints &sides,
-                               const NodalField<double> &u,
-                               const NodalField<double> &w,
-                               const Halo *halo)
+const UniformMaterial &checked(const SteppedBody &body, const SideConstraints &sides)
 {
+  const UniformMaterial &material = body.material;
+  const NodeRows &rows            = body.rows;
+  const StepParameters &p         = body.parameters;
   if (!(p.dt > 0.) || !(p.beta2 > 0.) || !(p.beta >= 0.))
     throw std::invalid_argument(
       "the time step and beta2 must be positive, beta not negative");
   if (material.periodicity().y)
     throw std::invalid_argument(
       "the stepper has a bottom and a top: no periodicity in y");
-  for (const NodalField<double> *field : {&u, &w})
+  for (const NodalField<double> *field : {&body.u, &body.w})
     if (field->n_columns() != material.n_columns() || field->n_rows() != rows.n_local())
       throw std::invalid_argument("the state of the stepper does not fit its grid");
   const bool neighbours    = rows.has_lower_ghost() || rows.has_upper_ghost();
@@ -35,7 +32,7 @@ const UniformMaterial &checked(const UniformMaterial &material,
   if (rows.n_global != material.n_rows() || rows.end > rows.n_global ||
       rows.begin + least > rows.end || (neighbours && rows.ghosts == 0))
     throw std::invalid_argument("the rows of the stepper do not fit its grid");
-  if (neighbours && halo == nullptr)
+  if (neighbours && body.halo == nullptr)
     throw std::invalid_argument("a slab with neighbours needs a halo");
   const auto held = [](const std::array<bool, 2> &side) { return side[0] || side[1]; };
   if (material.periodicity().x && (held(sides.left_held) || held(sides.right_held)))
@@ -61,11 +58,19 @@ RowKernels<double> make_kernels(const UniformMaterial &material,
   c.scaled_gravity_y = parameters.acceleration[1] * 2. / hy;
   return kernels;
 }
+
+/** Time steps in flight: with neighbours as many as there are ghost rows. */
+unsigned int max_steps(const SteppedBody &body, const SweepOptions &options)
+{
+  const NodeRows &rows = body.rows;
+  if (rows.has_lower_ghost() || rows.has_upper_ghost())
+    return rows.ghosts;
+  return steps_in_flight(body.material.n_columns(), rows.n_global, 1, options.wavefront);
+}
 } // namespace
 
 struct ExplicitStepper::Implementation
 {
-  const NodeRows rows;
   FreeRow free_row;
   const RowKernels<double> kernels;
   const StepMasses masses;
@@ -73,31 +78,23 @@ struct ExplicitStepper::Implementation
   Wavefront wavefront;
   std::uint64_t step_number = 0;
 
-  Implementation(const UniformMaterial &material,
-                 const NodeRows &rows,
-                 const StepParameters &parameters,
+  Implementation(const SteppedBody &body,
                  const SideConstraints &sides,
-                 NodalField<double> &u,
-                 NodalField<double> &w,
-                 BoundaryRow *bottom,
-                 BoundaryRow *top,
-                 Halo *halo,
                  const SweepOptions &options)
-    : rows(rows)
-    , free_row(parameters)
-    , kernels(make_kernels(
-        checked(material, rows, parameters, sides, u, w, halo), parameters, options.isa))
-    , masses(material, rows, parameters, sides)
+    : free_row(body.parameters)
+    , kernels(make_kernels(checked(body, sides), body.parameters, options.isa))
+    , masses(body.material, body.rows, body.parameters, sides)
     , name(to_string(resolve(options.isa)) + " " + kernels::name(kernels.choice))
-    , wavefront(
-        {material, rows, parameters, u, w, bottom ? bottom : &free_row,
-         top ? top : &free_row, halo},
-        kernels,
-        masses,
-        rows.has_lower_ghost() || rows.has_upper_ghost()
-          ? rows.ghosts
-          : steps_in_flight(material.n_columns(), rows.n_global, 1, options.wavefront))
+    , wavefront(with_free_rows(body), kernels, masses, max_steps(body, options))
   {
+  }
+
+  SteppedBody with_free_rows(SteppedBody body)
+  {
+    for (BoundaryRow **row : {&body.bottom, &body.top})
+      if (*row == nullptr)
+        *row = &free_row;
+    return body;
   }
 };
 
@@ -133,7 +130,7 @@ ExplicitStepper::ExplicitStepper(const UniformMaterial &material,
                                  Halo *halo,
                                  const SweepOptions &options)
   : implementation(std::make_unique<Implementation>(
-      material, rows, parameters, sides, u, w, bottom, top, halo, options))
+      SteppedBody{material, rows, parameters, u, w, bottom, top, halo}, sides, options))
 {
 }
 

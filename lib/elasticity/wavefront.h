@@ -21,8 +21,8 @@ struct SteppedBody
   const StepParameters parameters; ///< of the scheme
   NodalField<double> &u;           ///< displacement (m)
   NodalField<double> &w;           ///< velocity of the scheme (m/s)
-  BoundaryRow *bottom;             ///< none on ranks without it
-  BoundaryRow *top;                ///< none on ranks without it
+  BoundaryRow *bottom;             ///< what moves the bottom row of the grid
+  BoundaryRow *top;                ///< what moves its top row
   Halo *halo;                      ///< none on a single rank
 };
 
