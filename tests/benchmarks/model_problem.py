@@ -1,7 +1,7 @@
 """Studies of the program model_problems: a sweep over cells, time step and beta2, and its diagram."""
 
 from fits import cheapest, fitted_order
-from plots import curve
+from plots import curve, legend, logarithmic, panels
 
 # Share of the critical time step and beta2: one curve each.
 CURVES = [(0.95, 0.5), (0.475, 0.5), (0.2375, 0.5), (0.95, 0.6), (0.95, 1.0)]
@@ -29,6 +29,16 @@ def draw_curves(axes, rows, error, curves=None):
         if all(b < a for a, b in zip(errors, errors[1:])):
             text += f": order {fitted_order([1 / row['n'] for row in own[-3:]], errors[-3:]):.2f}"
         curve(axes, k if not curves else CURVES.index((share, beta2)), [row["cpu_s"] for row in own], errors, text)
+
+
+def draw(bench, name, rows, shown):
+    """NAME.svg, a panel for each of `shown`: error, label of its axis, title and, unless all, its curves."""
+    figure, all_axes = panels(len(shown))
+    for axes, (error, text, title, *curves) in zip(all_axes, shown):
+        logarithmic(axes, "CPU seconds (time loop)", text, title)
+        draw_curves(axes, rows, error, *curves)
+        legend(axes)
+    bench.draw(name, figure)
 
 
 def conclusions(rows, error, quantity):

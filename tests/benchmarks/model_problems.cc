@@ -2,13 +2,13 @@
  * Errors and times of three problems whose answers are known: a mode of the rectangle,
  * the bar that hits the wall, the growth of steady sliding.
  *
- *   model_problems mode|bar|growth <repetitions> <cells over the
- * height>:<share>:<beta2>...
+ *   model_problems mode|bar|growth <repetitions> <n>:<share>:<beta2>...
  *
- * share is that of the critical time step. Each choice gives one line of CSV; cpu_s is
- * that of the time loop alone, without observers: median, lowest and highest of the
- * repetitions.
+ * n are the cells over the height, share is that of the critical time step. Each choice
+ * gives one line of CSV; cpu_s is that of the time loop alone, without observers:
+ * median, lowest and highest of the repetitions.
  */
+#include "guarded_main.h"
 #include "../verification/impact_bar.h"
 #include "../verification/rectangle_mode.h"
 #include "../verification/sliding_layer.h"
@@ -206,17 +206,5 @@ int run(const int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-  MPI_Init(&argc, &argv);
-  int status = 0;
-  try
-    {
-      status = run(argc, argv);
-    }
-  catch (const std::exception &error)
-    {
-      std::fprintf(stderr, "model_problems: %s\n", error.what());
-      status = 2;
-    }
-  MPI_Finalize();
-  return status;
+  return mesoslip::guarded_main(argc, argv, "model_problems", run);
 }

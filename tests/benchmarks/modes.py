@@ -2,7 +2,6 @@
 
 import model_problem
 from common import prm
-from plots import legend, logarithmic, panels
 
 # Lowest mode with a horizontal wave, sides u_x = 0, top u_x = 0, bottom u_y = 0 (doc/theory.md, section 10).
 LENGTH, HEIGHT, C_T = 0.024, 0.016, 2560.0
@@ -13,16 +12,10 @@ def run(bench):
     rows = model_problem.sweep(bench, "mode", sizes, "frequency of the slowest shear mode of a 24 x 16 mm rectangle from "
                                "five periods; cpu_s: time loop alone")
     modal_analysis(bench, sizes[:4])
-    figure, (frequency, amplitude) = panels(2)
-    logarithmic(frequency, "CPU seconds (time loop)", "error of the frequency in %", "frequency")
-    model_problem.draw_curves(frequency, rows, "frequency_error")
-    legend(frequency)
-    logarithmic(amplitude, "CPU seconds (time loop)", "amplitude lost in a period in %",
-                r"amplitude (nothing is lost with $\beta_2$ = 0.5)")
     damped = [choice for choice in model_problem.CURVES if choice[1] > 0.5]
-    model_problem.draw_curves(amplitude, rows, "amplitude_lost", damped)
-    legend(amplitude)
-    bench.draw("mode", figure)
+    model_problem.draw(bench, "mode", rows, [
+        ("frequency_error", "error of the frequency in %", "frequency"),
+        ("amplitude_lost", "amplitude lost in a period in %", r"amplitude (nothing is lost with $\beta_2$ = 0.5)", damped)])
     undamped = [row for row in rows if row["beta2"] == 0.5]
     bench.write("mode-cheapest", model_problem.conclusions(undamped, "frequency_error", "frequency"), "least cost for a "
                 "target, without loss of amplitude")

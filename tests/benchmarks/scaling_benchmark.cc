@@ -1,14 +1,19 @@
 /**
  * What a model of the run time needs, and what it has to predict. One line of CSV each.
  *
- *   scaling_benchmark stream <bytes>...                        updates in place: GB/s by
- * working set mpirun -np 2 scaling_benchmark message <bytes>...          half a round
- * trip between two ranks [mpirun -np n] scaling_benchmark step <cells x>:<cells y>:<steps
- * in flight>...   0: automatic
+ *   scaling_benchmark stream <bytes>...
+ *     updates in place: GB/s by working set
+ *
+ *   mpirun -np 2 scaling_benchmark message <bytes>...
+ *     half a round trip between two ranks
+ *
+ *   [mpirun -np n] scaling_benchmark step <cells x>:<cells y>:<steps in flight>...
+ *     0 steps in flight: automatic
  *
  * A step is that of a body on the flat with contact, friction and damping, without
  * observers. Times are wall-clock: median, lowest and highest of the repetitions.
  */
+#include "guarded_main.h"
 #include "../verification/sliding_body.h"
 
 #include <algorithm>
@@ -194,17 +199,5 @@ int run(const int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-  MPI_Init(&argc, &argv);
-  int status = 0;
-  try
-    {
-      status = run(argc, argv);
-    }
-  catch (const std::exception &error)
-    {
-      std::fprintf(stderr, "scaling_benchmark: %s\n", error.what());
-      status = 2;
-    }
-  MPI_Finalize();
-  return status;
+  return mesoslip::guarded_main(argc, argv, "scaling_benchmark", run);
 }

@@ -1,20 +1,14 @@
 """Growth of a perturbation of steady sliding with the regularized law, against the dispersion relation."""
 
 import model_problem
-from plots import legend, logarithmic, panels
 
 
 def run(bench):
     sizes = [20, 40] if bench.quick else [20, 28, 40, 56, 80]
     rows = model_problem.sweep(bench, "growth", sizes, "growth rate (1/s) and frequency of the fastest wave, k H = 1, mu = 0.25, "
                                "delta = 1.5 us, beta = 4.4 ns; cpu_s: time loop of 0.4 ms")
-    figure, (growth, frequency) = panels(2)
-    logarithmic(growth, "CPU seconds (time loop)", "error of the growth rate in %", "growth rate")
-    model_problem.draw_curves(growth, rows, "growth_error")
-    legend(growth)
-    logarithmic(frequency, "CPU seconds (time loop)", "error of the frequency in %", "frequency")
-    model_problem.draw_curves(frequency, rows, "frequency_error")
-    legend(frequency)
-    bench.draw("growth", figure)
+    model_problem.draw(bench, "growth", rows, [
+        ("growth_error", "error of the growth rate in %", "growth rate"),
+        ("frequency_error", "error of the frequency in %", "frequency")])
     bench.write("growth-cheapest", model_problem.conclusions(rows, "growth_error", "growth rate")
                 + model_problem.conclusions(rows, "frequency_error", "frequency of the growth"), "least cost for a target")

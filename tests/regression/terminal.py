@@ -21,6 +21,18 @@ end
 CONTROLS = (b"\r", b"\033")
 
 
+def chunks(master):
+    """What arrives at a terminal until the program has left it."""
+    while True:
+        try:
+            chunk = os.read(master, 4096)
+        except OSError:
+            return
+        if not chunk:
+            return
+        yield chunk
+
+
 def run(command, folder, on_terminal, **environment):
     """What the program writes in its first seconds, to a terminal or to a file."""
     env = {k: v for k, v in os.environ.items() if k != "NO_COLOR"} | environment
@@ -39,23 +51,12 @@ def run(command, folder, on_terminal, **environment):
     process = subprocess.Popen(command, cwd=folder, env=env, stdout=slave, stderr=subprocess.STDOUT, close_fds=True)
     os.close(slave)
     output = b""
-    while output.count(b"Sliding") < 3:
-        try:
-            chunk = os.read(master, 4096)
-        except OSError:
-            break
-        if not chunk:
-            break
+    for chunk in chunks(master):
         output += chunk
+        if output.count(b"Sliding") >= 3:
+            break
     process.terminate()
-    while True:
-        try:
-            chunk = os.read(master, 4096)
-        except OSError:
-            break
-        if not chunk:
-            break
-        output += chunk
+    output += b"".join(chunks(master))
     return output, process.wait()
 
 
