@@ -98,10 +98,22 @@ def convergence(measured, path):
     figure.savefig(path, dpi=90, bbox_inches="tight")
 
 
+def check_names(folder):
+    """SystemExit unless every test that the page names exists in the executables of `folder`."""
+    known = set()
+    for executable in EXECUTABLES:
+        suite = ""
+        for line in subprocess.run([os.path.join(folder, executable), "--gtest_list_tests"], capture_output=True, text=True, check=True).stdout.splitlines():
+            name = line.split("#")[0].strip()
+            if line.startswith(" "):
+                known.add(f"{executable}: {suite}{name.split('/')[0]}")
+            else:
+                suite = name.split("/")[-1]
+    for missing in (test for _, _, tests in problems.PROBLEMS for test in tests if test not in known):
+        raise SystemExit(f"verification: there is no test '{missing}'; correct tests/verification/problems.py")
+
+
 def write(measured):
-    missing = [test for _, _, tests in problems.PROBLEMS for test in tests if test not in measured.tests]
-    if missing:
-        raise SystemExit(f"verification: there is no test '{missing[0]}'; correct tests/verification/problems.py")
     doc = os.path.join(TOP, "doc")
     convergence(measured, os.path.join(doc, "verification", "convergence.png"))
     with open(os.path.join(doc, "verification", "convergence.csv"), "w", newline="", encoding="utf-8") as file:
@@ -122,7 +134,9 @@ def main():
     arguments = parse_arguments(__doc__, "verification", ["page"])
     build = os.path.dirname(os.path.abspath(arguments.programs))
     subprocess.run(["cmake", "--build", build, "--target", *EXECUTABLES], stdout=subprocess.DEVNULL, check=True)
-    write(run_tests(os.path.join(build, "tests")))
+    tests = os.path.join(build, "tests")
+    check_names(tests)
+    write(run_tests(tests))
     print("doc/verification.md")
 
 
