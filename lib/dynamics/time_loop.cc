@@ -1,18 +1,28 @@
 #include "dynamics/time_loop.h"
 
+#include "io/timer.h"
+
 #include <algorithm>
 
 namespace mesoslip
 {
 namespace
 {
+/** What the boundaries and the neighbours do not take is the elastic body. */
 void
-observed_step(ExplicitStepper &stepper, const std::vector<StepObserver *> &due)
+timed_steps(ExplicitStepper &stepper, const std::uint64_t n_steps, Timer *timer)
+{
+  const auto scope = optional_scope(timer, "Steps", "Elastic body");
+  stepper.advance(n_steps);
+}
+
+void
+observed_step(ExplicitStepper &stepper, const std::vector<StepObserver *> &due, Timer *timer)
 {
   const std::uint64_t n = stepper.step_number();
   for (StepObserver *observer : due)
     observer->before_step(n);
-  stepper.step();
+  timed_steps(stepper, 1, timer);
   for (StepObserver *observer : due)
     observer->after_step(n);
 }
@@ -23,7 +33,8 @@ run_time_loop(ExplicitStepper                                &stepper,
               const std::vector<StepObserver *>              &observers,
               const std::uint64_t                             n_end,
               const std::uint64_t                             control_interval,
-              const std::function<bool(const std::uint64_t)> &keep_going)
+              const std::function<bool(const std::uint64_t)> &keep_going,
+              Timer                                          *timer)
 {
   std::vector<StepObserver *> due;
   std::uint64_t               n = stepper.step_number();
@@ -36,7 +47,7 @@ run_time_loop(ExplicitStepper                                &stepper,
           for (const StepObserver *observer : observers)
             next = std::min(next, observer->next_step(n));
           if (next > n)
-            stepper.advance(next - n);
+            timed_steps(stepper, next - n, timer);
           n = next;
           if (n == control)
             break;
@@ -44,7 +55,7 @@ run_time_loop(ExplicitStepper                                &stepper,
           for (StepObserver *observer : observers)
             if (observer->next_step(n) == n)
               due.push_back(observer);
-          observed_step(stepper, due);
+          observed_step(stepper, due, timer);
           ++n;
         }
       if (!keep_going(n))

@@ -33,7 +33,7 @@ Timer::Timer()
   current->entered = Clock::now();
 }
 
-Timer::Scope Timer::scope(const char *name)
+Timer::Scope Timer::scope(const char *name, const char *rest)
 {
   Node *node = nullptr;
   for (Node *child : current->children)
@@ -44,6 +44,7 @@ Timer::Scope Timer::scope(const char *name)
       nodes.emplace_back();
       node         = &nodes.back();
       node->name   = name;
+      node->rest   = rest;
       node->parent = current;
       current->children.push_back(node);
     }
@@ -53,11 +54,12 @@ Timer::Scope Timer::scope(const char *name)
   return Scope(*this);
 }
 
-std::optional<Timer::Scope> optional_scope(Timer *timer, const char *name)
+std::optional<Timer::Scope>
+optional_scope(Timer *timer, const char *name, const char *rest)
 {
   if (timer == nullptr)
     return std::nullopt;
-  return timer->scope(name);
+  return timer->scope(name, rest);
 }
 
 void Timer::leave()
@@ -73,6 +75,14 @@ double Timer::seconds(const Node &node) const
     if (open == &node)
       elapsed += Clock::now() - node.entered;
   return std::chrono::duration<double>(elapsed).count();
+}
+
+double Timer::rest_of(const Node &node) const
+{
+  double rest = seconds(node);
+  for (const Node *child : node.children)
+    rest -= seconds(*child);
+  return std::max(0., rest);
 }
 
 double Timer::total() const
@@ -120,17 +130,12 @@ void print_row(std::ostream &out,
 
 void Timer::print(std::ostream &out, const Node &node, const unsigned int depth) const
 {
-  const double all  = total();
-  const double mine = seconds(node);
-  double covered    = 0.;
-  print_row(out, depth == 0 ? "total" : node.name, depth, node.calls, mine, all);
+  const double all = total();
+  print_row(out, depth == 0 ? "total" : node.name, depth, node.calls, seconds(node), all);
   for (const Node *child : node.children)
-    {
-      print(out, *child, depth + 1);
-      covered += seconds(*child);
-    }
+    print(out, *child, depth + 1);
   if (!node.children.empty())
-    print_row(out, "other", depth + 1, 0, std::max(0., mine - covered), all);
+    print_row(out, node.rest, depth + 1, 0, rest_of(node), all);
 }
 
 void Timer::print(std::ostream &out) const
@@ -150,6 +155,8 @@ void Timer::collect(nlohmann::json &out,
     {
       const std::string path = prefix + child->name;
       out[path]              = seconds(*child);
+      if (child->rest != "other")
+        out[path + "/" + child->rest] = rest_of(*child);
       collect(out, *child, path + "/");
     }
 }

@@ -35,8 +35,11 @@ public:
 
   Timer();
 
-  /** Enters the section @p name inside the current one. */
-  [[nodiscard]] Scope scope(const char *name);
+  /**
+   * Enters the section @p name inside the current one. Its time that is in no section
+   * inside is shown as @p rest.
+   */
+  [[nodiscard]] Scope scope(const char *name, const char *rest = "other");
 
   /** Seconds since construction. */
   double total() const;
@@ -44,10 +47,11 @@ public:
   /** Seconds spent so far in "Outer/Inner"; 0 if never entered. */
   double seconds(const std::string &path) const;
 
-  /** Table of sections, calls, seconds, share; what is in no section as "other". */
+  /** Table of sections, calls, seconds, share. What is inside a section, with the rest,
+   *  sums to it. */
   void print(std::ostream &out) const;
 
-  /** {"total": s, "Outer": s, "Outer/Inner": s, ...}. */
+  /** {"total": s, "Outer": s, "Outer/Inner": s, ...}; rests unless they are "other". */
   nlohmann::json json() const;
 
 private:
@@ -55,7 +59,7 @@ private:
 
   struct Node
   {
-    std::string name;
+    std::string name, rest = "other";
     Node *parent = nullptr;
     std::vector<Node *> children;
     Clock::duration elapsed = Clock::duration::zero();
@@ -65,6 +69,7 @@ private:
 
   void leave();
   double seconds(const Node &node) const;
+  double rest_of(const Node &node) const;
   void print(std::ostream &out, const Node &node, const unsigned int depth) const;
   void collect(nlohmann::json &out, const Node &node, const std::string &prefix) const;
 
@@ -72,8 +77,9 @@ private:
   Node *current;
 };
 
-/** timer->scope(name); nothing where there is no timer. */
-[[nodiscard]] std::optional<Timer::Scope> optional_scope(Timer *timer, const char *name);
+/** timer->scope(name, rest); nothing where there is no timer. */
+[[nodiscard]] std::optional<Timer::Scope>
+optional_scope(Timer *timer, const char *name, const char *rest = "other");
 } // namespace mesoslip
 
 #endif

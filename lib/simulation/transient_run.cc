@@ -48,15 +48,16 @@ TransientRun::TransientRun(const ContactParameters &parameters,
   , contact(contact_setup(parameters, scene, time), time.step)
   , top(top_setup(parameters, scene.grid), time.step, material.n_columns())
   , halo(material.n_columns(), rows.ghosts, context.communicator())
+  , profile(context.options().profile ? &context.timer() : nullptr)
   , stepper(material,
             rows,
             time.step,
             parameters.sides,
             u,
             w,
-            &contact,
-            &top,
-            context.n_ranks() > 1 ? &halo : nullptr,
+            profile.timed(contact, "Contact and its histories"),
+            profile.timed(top, "Top and its histories"),
+            context.n_ranks() > 1 ? profile.timed(halo, "Exchange between ranks") : nullptr,
             sweep_options(parameters))
   , op(material, rows)
   , monitor(
@@ -129,11 +130,15 @@ TransientRun::request(const std::uint64_t n)
 bool
 TransientRun::control(const std::uint64_t n)
 {
-  Request wanted = request(n);
-  MPI_Allreduce(MPI_IN_PLACE, &wanted, 1, MPI_INT, MPI_MAX, context.communicator());
-  if (wanted == Request::look)
-    monitor.check(n);
-  context.progress().update(n, n * time.step.dt);
+  Request wanted = Request::go_on;
+  {
+    const auto scope = context.timer().scope("Limit cycle, requests");
+    wanted           = request(n);
+    MPI_Allreduce(MPI_IN_PLACE, &wanted, 1, MPI_INT, MPI_MAX, context.communicator());
+    if (wanted == Request::look)
+      monitor.check(n);
+    context.progress().update(n, n * time.step.dt);
+  }
   interrupted    = wanted == Request::stop;
   at_limit_cycle = wanted == Request::end && n < time.n_steps;
   if (wanted == Request::save || wanted == Request::stop)
@@ -188,7 +193,7 @@ TransientRun::make_snapshots()
     rows,
     context.communicator(),
     [this](const std::uint64_t, const double t, const NodalField<double> &whole) {
-      const auto scope = context.timer().scope("Snapshots");
+      const auto scope = context.timer().scope("Writing snapshots");
       file.add_snapshot(t, whole);
     });
 }
@@ -196,15 +201,15 @@ TransientRun::make_snapshots()
 TransientObservations
 TransientRun::run()
 {
-  std::vector<StepObserver *> observers = {&monitor};
+  std::vector<StepObserver *> observers = {profile.timed(monitor, "Stability monitor")};
   if (energy)
-    observers.push_back(energy.get());
+    observers.push_back(profile.timed(*energy, "Energies"));
   if (probes)
-    observers.push_back(probes.get());
+    observers.push_back(profile.timed(*probes, "Probes"));
   const std::unique_ptr<SnapshotRecorder> snapshots = make_snapshots();
   if (snapshots)
     {
-      observers.push_back(snapshots.get());
+      observers.push_back(profile.timed(*snapshots, "Snapshots"));
       monitor.guard(*snapshots);
     }
 
@@ -217,7 +222,8 @@ TransientRun::run()
                     observers,
                     time.n_steps,
                     control_interval(scene.grid),
-                    [this](const std::uint64_t n) { return control(n); });
+                    [this](const std::uint64_t n) { return control(n); },
+                    profile.timer());
       monitor.check(stepper.step_number());
     }
   context.progress().finish();

@@ -12,6 +12,7 @@
 #include "observation/snapshot_recorder.h"
 #include "simulation/dynamics_file.h"
 #include "simulation/limit_cycle_watch.h"
+#include "simulation/loop_profile.h"
 #include "simulation/transient.h"
 #include "simulation/transient_checkpoint.h"
 
@@ -112,6 +113,7 @@ private:
   ContactRow               contact;
   TopRow                   top;
   MPIHalo                  halo;
+  LoopProfile              profile;
   ExplicitStepper          stepper;
   UniformGridOperator      op;
   StabilityMonitor         monitor;

@@ -219,6 +219,24 @@ TEST(TimerTest, NestsAndShowsTheRest)
   expect_contains(table.str(), "\n    other ");
 }
 
+TEST(TimerTest, TheRestMayHaveAName)
+{
+  Timer timer;
+  {
+    const auto outer = timer.scope("Outer", "Own work");
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    const auto inner = timer.scope("Inner");
+  }
+  const nlohmann::json json = timer.json();
+  EXPECT_EQ(json.size(), 4u);
+  EXPECT_GE(json["Outer/Own work"].get<double>(), 0.002);
+  EXPECT_NEAR(json["Outer/Own work"].get<double>() + timer.seconds("Outer/Inner"),
+              timer.seconds("Outer"), 1e-15);
+  std::ostringstream table;
+  timer.print(table);
+  expect_contains(table.str(), "\n    Own work ");
+}
+
 TEST(ProgressTest, ShowsOneLineOnATerminalAndNothingWhenOff)
 {
   std::ostringstream out, silent, plain;
