@@ -10,8 +10,8 @@ from prediction.dispersion import Layer
 DELTAS = (0.0, 1.5e-6)
 CELLS_MM = {4.4e-9: (0.4, 0.2, 0.1, 0.05), 0.0: (0.4, 0.2, 0.1)}  # by beta, the paper's and none
 END, STEADY = 6e-4, 3e-4  # s
-# To the limit cycle, on coarser cells.
-LONG_MM = {4.4e-9: (0.4, 0.2), 0.0: (0.4, 0.2)}
+# To the limit cycle.
+LONG_MM = {4.4e-9: (0.4, 0.2, 0.1), 0.0: (0.4, 0.2, 0.1)}
 LONG_END, LONG_STEADY = 3e-3, 2e-3  # s
 STIFFNESS, DENSITY, HEIGHT = (36.54e9, 9.1e9, 47.26e9, 13.785e9), 1770.0, 0.016  # eq. (10); table 1; m
 FAST = 400e3  # Hz; beyond it there is nothing but what friction excites in the shortest waves
