@@ -63,6 +63,8 @@ def quantity(value, unit="", digits=4):
     if value is None or not isinstance(value, (int, float)) or not math.isfinite(value):
         return "n/a"
     if unit in PREFIXED and value != 0:
+        if float(value) != round(value):
+            value = float(f"{value:.{digits - 1}e}")  # first, so that 999.999e-6 s is not 1000.0 µs
         for factor, prefix in PREFIXES:
             if abs(value) >= factor * (1 - 1e-9):
                 return f"{number(value / factor, digits)} {prefix}{unit}"
