@@ -2,6 +2,8 @@
 """The Python module on the files of a short chain: values, shapes, units, errors, and its example."""
 
 import os
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -88,6 +90,26 @@ def check_example(run_folder, folder):
     assert os.path.getsize(picture) > 2e4
 
 
+def check_installed(rve, folder):
+    """pip install, without network: the module opens the same numbers, and has the version of the programs."""
+    # pip builds beside the sources; Debian's h5py does not tell pip that it is there.
+    source = shutil.copytree(os.path.join(TOP, "applications", "python"), os.path.join(folder, "source"))
+    python = os.path.join(folder, "venv", "bin", "python")
+    subprocess.run([sys.executable, "-m", "venv", "--without-pip", "--system-site-packages", os.path.join(folder, "venv")], check=True)
+    subprocess.run([sys.executable, "-m", "pip", "--quiet", "--python", python, "install", "--no-deps", "--no-index",
+                    "--no-build-isolation", source], check=True)
+    code = ("import importlib.metadata, sys, mesoslip\nwith mesoslip.open(sys.argv[1]) as rve:\n"
+            "    print(mesoslip.__file__, importlib.metadata.version('mesoslip'), float(rve['stiffness/effective'][0, 0]))")
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    done = subprocess.run([python, "-c", code, rve], cwd=folder, env=environment, text=True, stdout=subprocess.PIPE, check=True)
+    path, version, stiffness = done.stdout.split()
+    assert path.startswith(os.path.join(folder, "venv")), path
+    with open(os.path.join(TOP, "CMakeLists.txt"), encoding="utf-8") as file:
+        assert version == re.search(r"project\(mesoslip VERSION (\S+)", file.read())[1], version
+    with mesoslip.open(rve) as file:
+        assert float(stiffness) == file["stiffness/effective"][0, 0]
+
+
 def main():
     programs = os.path.abspath(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
@@ -100,6 +122,7 @@ def main():
         check_rve(rve)
         check_dynamics(dynamics)
         check_localization(localization, rve)
+        check_installed(rve, folder)
         check_example(dynamics, sys.argv[2] if len(sys.argv) > 2 else folder)
     print("ok")
 
