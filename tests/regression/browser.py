@@ -107,6 +107,24 @@ def complaints(events, url):
     return found
 
 
+def check_tables(browser, name):
+    """Wide tables scroll in boxes of their own, up to their last column, and the page stays where it is."""
+    width, _, mobile = VIEWS[name]
+    tables = browser.evaluate("""[...document.querySelectorAll('table')].map(t => {
+      const box = t.closest('.scroll'), cell = t.rows[0].cells[t.rows[0].cells.length - 1];
+      if (!box) return {words: t.textContent.slice(0, 40), box: 1e9, last: 0, wide: false};
+      box.scrollLeft = 1e6;
+      const found = {words: t.textContent.slice(0, 40), box: box.getBoundingClientRect().right,
+                     last: cell.getBoundingClientRect().right, wide: box.scrollWidth > box.clientWidth + 1};
+      box.scrollLeft = 0;
+      return found;})""")
+    problems = [f"{name}: table ends at pixel {t['box']:.0f}, its last column at {t['last']:.0f} of {width}: {t['words']}"
+                for t in tables if t["box"] > width or t["last"] > t["box"] + 1]
+    if mobile and not any(t["wide"] for t in tables):
+        problems.append(f"{name}: no table of {len(tables)} is wider than the screen, so scrolling was not tested")
+    return problems
+
+
 def check_view(browser, url, name, folder):
     width, height, mobile = VIEWS[name]
     browser.open(url, width, height, mobile)
@@ -122,6 +140,7 @@ def check_view(browser, url, name, folder):
         problems.append(f"{name}: {page['width']} pixels wide on a screen of {width}: {page['wide'][:5]}")
     if page["images"] < 10 or page["broken"] or page["text"] < 2000 or page["letter"] < 14:
         problems.append(f"{name}: not all there: {page}")
+    problems += check_tables(browser, name)
     shot = base64.b64decode(browser.call(
         "Page.captureScreenshot", format="png", captureBeyondViewport=True,
         clip={"x": 0, "y": 0, "width": width, "height": min(page["height"], 6000), "scale": 1})["data"])
