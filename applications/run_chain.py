@@ -13,6 +13,7 @@ import concurrent.futures
 import functools
 import hashlib
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -22,7 +23,9 @@ import time
 
 PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
 HERE = os.path.dirname(os.path.abspath(__file__))
-STAMP = ".up_to_date"
+STAMP, RANKS = ".up_to_date", ".ranks"
+LONG_RUN = 3e9  # cells times steps, some seconds: worth the start of several ranks
+ROWS_A_RANK = 40
 
 
 def fail(sentence):
@@ -65,12 +68,47 @@ class Step:
         except OSError:
             return False
 
+    def begun(self):
+        """What is complete and yet not up to date was asked for differently: it starts anew."""
+        return os.path.isdir(self.output) and not os.path.exists(os.path.join(self.output, "summary.json"))
+
     def command(self, ranks, resume):
         start = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
-        # What is complete and yet not up to date was asked for differently: it starts anew.
-        begun = os.path.isdir(self.output) and not os.path.exists(os.path.join(self.output, "summary.json"))
-        extra = ["--resume"] if resume and begun else []
-        return start + [self.program, self.prm, "--output", self.output] + extra
+        return start + [self.program, self.prm, "--output", self.output] + (["--resume"] if resume else [])
+
+    def hangs_on(self, other):
+        return any(need is other or need.hangs_on(other) for need in self.needs)
+
+    def ranks_begun_with(self):
+        """A run is resumed with as many."""
+        try:
+            with open(os.path.join(self.output, RANKS), encoding="utf-8") as file:
+                return int(file.read())
+        except (OSError, ValueError):
+            return 1
+
+    def keep_ranks(self, ranks):
+        path = os.path.join(self.output, RANKS)
+        if ranks > 1:
+            os.makedirs(self.output, exist_ok=True)
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(str(ranks))
+        elif os.path.exists(path):
+            os.remove(path)
+
+    def ask_to_stop(self):
+        with open(os.path.join(self.output, "terminate"), "w", encoding="utf-8"):
+            pass
+
+    def useful_ranks(self):
+        """How many ranks a long transient contact run is worth; 1 for everything else."""
+        if not self.program.endswith("contact_dynamics"):
+            return 1
+        said = subprocess.run([self.program, "--validate", self.prm], capture_output=True, text=True, check=False).stdout
+        cells, steps = re.search(r"(\d+) x (\d+) cells", said), re.search(r"(\d+) steps", said)
+        if not cells or not steps or int(cells[1]) * int(cells[2]) * int(steps[1]) < LONG_RUN:
+            return 1
+        return max(1, int(cells[2]) // ROWS_A_RANK)
 
     def mark_done(self):
         with open(os.path.join(self.output, STAMP), "w", encoding="utf-8") as file:
@@ -95,26 +133,37 @@ class Runner:
         self.steps, self.jobs, self.ranks, self.preview = steps, jobs, ranks, preview
         self.resume = resume
         self.lock = threading.Lock()
-        self.children = []
+        self.children = []  # processes, each with the function that stops it
         self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
     def say(self, line):
         with self.lock:
             print(line, flush=True)
 
-    def run_step(self, step, alone):
-        command = step.command(self.ranks, self.resume)
+    def ranks_for(self, step, resume, last):
+        """As asked for; else all cores for the `last` run, beside which no other can start."""
+        if self.ranks:
+            return self.ranks
+        if resume:
+            return step.ranks_begun_with()
+        return min(self.jobs, step.useful_ranks()) if last and self.jobs > 1 else 1
+
+    def run_step(self, step, alone, last):
+        resume = self.resume and step.begun()
+        ranks = self.ranks_for(step, resume, last)
+        step.keep_ranks(ranks)
         output = {} if alone else {"text": True, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
-        child = subprocess.Popen(command, env=self.environment, **output)
+        # mpirun would end its ranks on Ctrl-C before they have saved their state.
+        child = subprocess.Popen(step.command(ranks, resume), env=self.environment, start_new_session=ranks > 1, **output)
         with self.lock:
-            self.children.append(child)
+            self.children.append((child, step.ask_to_stop if ranks > 1 else child.terminate))
         for line in child.stdout or ():
             self.say(f"[{step.name}] {line.rstrip()}")
         return child.wait()
 
-    def attempt(self, step, alone):
+    def attempt(self, step, alone, last):
         begin = time.monotonic()
-        status = self.run_step(step, alone)
+        status = self.run_step(step, alone, last)
         if status == 0:
             step.mark_done()
             self.say(f"{step.name}: done in {time.monotonic() - begin:.1f} s")
@@ -138,7 +187,8 @@ class Runner:
                             self.say(f"{step.name}: up to date")
                             done.add(step.name)
                         else:
-                            running[pool.submit(self.attempt, step, alone or self.jobs == 1)] = step
+                            last = all(s.hangs_on(step) for s in waiting)
+                            running[pool.submit(self.attempt, step, alone or self.jobs == 1, last)] = step
                     if not running:
                         if worst or not any(all(n.name in done for n in s.needs) for s in waiting):
                             break
@@ -153,8 +203,9 @@ class Runner:
                             done.add(step.name)
             except KeyboardInterrupt:
                 # The runs save their state; leaving the pool waits for them.
-                for child in self.children:
-                    child.terminate()
+                for child, stop in self.children:
+                    if child.poll() is None:
+                        stop()
                 worst = 130
         if worst == 130:
             self.say("stopped; the same command with --resume goes on from here")
@@ -179,13 +230,14 @@ def parse_arguments():
                         "without it the paper's pin, prm/pin")
     parser.add_argument("--output", metavar="DIR", help="results folder (default: results, or results/<folder>)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs side by side (default: all cores)")
-    parser.add_argument("--ranks", type=int, default=1, help="MPI ranks of each run (default: 1)")
+    parser.add_argument("--ranks", type=int, help="MPI ranks of each run (default: one, but all cores for a long contact run "
+                        "that comes last)")
     parser.add_argument("--resume", action="store_true", help="continue interrupted runs from their checkpoints")
     parser.add_argument("--no-report", action="store_true", help="do not write report.html")
     parser.add_argument("--programs", default=os.path.join(HERE, "..", "build", "applications"), help=argparse.SUPPRESS)
     parser.add_argument("--from", dest="origin", default=os.getcwd(), help=argparse.SUPPRESS)
     arguments = parser.parse_args()
-    if arguments.jobs < 1 or arguments.ranks < 1:
+    if arguments.jobs < 1 or (arguments.ranks is not None and arguments.ranks < 1):
         fail("--jobs and --ranks have to be at least 1")
     return arguments
 
@@ -206,7 +258,8 @@ def on_sigterm(*_):
 
 
 def main():
-    signal.signal(signal.SIGTERM, on_sigterm)
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, on_sigterm)
     arguments = parse_arguments()
     source, target = find_folder(arguments)
     if arguments.output:

@@ -326,23 +326,31 @@ def other_programs(scene):
     scene.expect(0, [], "modal", ["--resume", "--set", "Analysis=modal", "--set", "Body/Material=homogeneous"])
 
 
-def chain(scene):
+# The last run of a chain takes several ranks if it is long; here all runs count as long.
+ON_RANKS = "import run_chain; run_chain.LONG_RUN, run_chain.ROWS_A_RANK = 0, 8; run_chain.main()"
+
+
+def chain(scene, ranks):
     """Ctrl-C during ./run.sh, then ./run.sh --resume: runs that had not begun start, stopped ones go on."""
-    source = scene.path("chain-in")
+    source, output = scene.path(f"chain-in-{ranks}"), f"chain-{ranks}"
     os.mkdir(source)
     for name, text in (("10-rve_homogenization", RVE), ("20-contact_dynamics", CONTACT)):
         with open(os.path.join(source, name + ".prm"), "w", encoding="utf-8") as file:
             file.write(text.replace("rve/rve.h5", "10-rve_homogenization/rve.h5"))
-    command = [sys.executable, "-B", RUN_CHAIN, source, "--programs", scene.programs, "--output", scene.path("chain"),
-               "--no-report", "--resume"]
-    child = subprocess.Popen(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=ENVIRONMENT)
-    scene.wait_for_checkpoint("chain/20-contact_dynamics", child)
+    start = [RUN_CHAIN] if ranks == 1 else ["-c", ON_RANKS]
+    command = [sys.executable, "-B", *start, source, "--programs", scene.programs, "--output", scene.path(output),
+               "--no-report", "--resume", "--jobs", str(ranks)]
+    call = {"text": True, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT,
+            "env": dict(ENVIRONMENT, PYTHONPATH=os.path.dirname(RUN_CHAIN))}
+    child = subprocess.Popen(command, **call)
+    scene.wait_for_checkpoint(f"{output}/20-contact_dynamics", child)
     child.send_signal(signal.SIGINT)
     text, _ = child.communicate()
     assert child.returncode == 130 and "--resume" in text, f"chain: {child.returncode}, {text}"
-    done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=ENVIRONMENT)
+    done = subprocess.run(command, check=False, **call)
     assert done.returncode == 0 and "10-rve_homogenization: up to date" in done.stdout, done.stdout
-    assert "Resumed at step" in scene.log("chain/20-contact_dynamics"), done.stdout
+    log = scene.log(f"{output}/20-contact_dynamics")
+    assert "Resumed at step" in log and (f"{ranks} processes" in log) == (ranks > 1), log + done.stdout
 
 
 def main():
@@ -358,7 +366,7 @@ def main():
         scene.expect(0, [], "rve", program="rve_homogenization", prm="rve.prm")
         materials = ("homogeneous", "heterogeneous")
         parts = [(stopped_and_resumed, scene, m, r) for r in (2, 1) for m in materials]
-        parts += [(refusals, scene), (later_end, scene), (other_programs, scene), (chain, scene)]
+        parts += [(refusals, scene), (later_end, scene), (other_programs, scene), (chain, scene, 1), (chain, scene, 2)]
         if arguments.kills > 0:
             lanes = 4
             each = -(-arguments.kills // lanes)
