@@ -87,7 +87,7 @@ class Study:
         return os.path.join(self.folder, name)
 
     def run(self):
-        """Runs what is not up to date; returns {name: Result}. A run whose need failed is left out."""
+        """Runs what is not up to date; returns {name: Result} in the order of `add`. A run whose need failed is left out."""
         os.makedirs(self.folder, exist_ok=True)
         results, waiting, running, self.done = {}, list(self.cases.values()), {}, 0
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
@@ -104,7 +104,7 @@ class Study:
                 finished, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
                 for future in finished:
                     results[running.pop(future)] = future.result()
-        return results
+        return {name: results[name] for name in self.cases if name in results}
 
     def _attempt(self, case):
         stamp = self._stamp(case)

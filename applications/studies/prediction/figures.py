@@ -129,3 +129,17 @@ def rule_errors(folder, rows, key):
     axes.set(xlabel="error of μ_inter, homogeneous minus heterogeneous",
              title=f"{key[0].label}, {key[1]} (bar: mean)")
     return save(figure, folder, f"rules_{key[0].key}_{key[1]}.png")
+
+
+def cycle_life(folder, lines, times):
+    """mu_inter over time for each D22, and at the end over D22; `lines` of cycle_life.over_d22, `times` the middles of its windows."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.4), width_ratios=(1.5, 1), sharey=True)
+    for (d22, line), colour in zip(lines.items(), plt.cm.viridis(np.linspace(0, 0.92, len(lines)))):
+        left.plot(times * 1e3, [m.mu for m in line], "o-", ms=2.5, color=colour, label=f"{d22 / 1e9:g}")
+        right.plot(d22 / 1e9, line[-1].mu, "o", ms=5, color=colour)
+    right.axvline(47.26, color=GREY, lw=0.9, ls="--")
+    right.annotate("eq. (10)", (47.26, 0), (-3, 6), xycoords=("data", "axes fraction"), textcoords="offset points", ha="right", color=GREY)
+    left.set(xlabel="time [ms]", ylabel="μ_inter, means over 1 ms")
+    left.legend(title="D22 [GPa]", ncol=2, fontsize=8)
+    right.set(xlabel="D22 [GPa]", title="9 to 10 ms")
+    return save(figure, folder, "cycle_life.png")

@@ -5,6 +5,7 @@ import os
 
 import numpy as np
 
+import cycle_life
 import figures
 import growth
 import open_choices
@@ -61,8 +62,9 @@ def coexisting(found):
     return result
 
 
-def write(folder, found, choice_results, data):
-    """`found` of regime_map.collect, the results of the part `choices`, `data` of the part `seeds` (rules.Data)."""
+def write(folder, found, choice_results, lives, data):
+    """`found` of regime_map.collect, the results of the part `choices`, `lives` of cycle_life.collect, `data` of the part
+    `seeds` (rules.Data)."""
     choices, modes = open_choices.collect(choice_results), data.modes
     pictures = os.path.join(folder, "regimes")
     write_csv(pictures, "regime_map.csv", ["P [Pa]", "delta [s]", "start", "window"] + MEASURE_COLUMNS,
@@ -75,13 +77,16 @@ def write(folder, found, choice_results, data):
     figures.regime_maps(pictures, found, AT_REST, "regime_map_rest.png")
     figures.regime_maps(pictures, found, tuple(regime_map.PUSHES), "regime_map_pushed.png")
     figures.search(pictures, found)
+    figures.cycle_life(pictures, cycle_life.over_d22(lives), cycle_life.windows() + 0.5 * cycle_life.WINDOW)
+    write_csv(pictures, "cycle_life.csv", ["cells along x [-]", *(f"{entry} [Pa]" for entry in cycle_life.ENTRIES), "from [s]"] + MEASURE_COLUMNS,
+              [[case.cells[0], *(f"{value:.6g}" for value in case.stiffness.values()), f"{begin:g}", *measure_row(m)] for case, line in lives.items() for begin, m in zip(cycle_life.windows(), line)])
     with open(os.path.join(folder, "regimes.md"), "w", encoding="utf-8") as file:
-        file.write("\n\n".join(_sections(found, choices, choice_results, data)) + "\n")
+        file.write("\n\n".join(_sections(found, choices, choice_results, lives, data)) + "\n")
 
 
-def _sections(found, choices, choice_results, data):
+def _sections(found, choices, choice_results, lives, data):
     return [*_head(found), *_short(found, choices, data), *_identity(found), *_growth(data.modes), *_map(), *_search(found),
-            *_coexistence(found), *_over_delta(data), *_choices(choices), *_placements(choice_results)]
+            *_coexistence(found), *_over_delta(data), *cycle_life.section(lives), *_choices(choices), *_placements(choice_results)]
 
 
 def _head(found):

@@ -8,6 +8,7 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, ".."), HERE]
 
+import cycle_life  # noqa: E402
 import growth  # noqa: E402
 import open_choices  # noqa: E402
 import prediction_page  # noqa: E402
@@ -42,6 +43,12 @@ def run_choices(arguments):
     return study.run()
 
 
+def run_cycles(arguments):
+    study = study_of(arguments, "cycles")
+    cycle_life.add_runs(study, prm("contact_dynamics-homogeneous"))
+    return study.run()
+
+
 def run_seeds(arguments):
     study = study_of(arguments, "seeds")
     seeds.add_morphologies(study, prm("rve_homogenization-morphology"))
@@ -68,12 +75,13 @@ def write_pages(arguments):
     modes, morphologies = growth_rates(arguments, results)
     data = rules.Data(results, modes, morphologies)
     choices = run_choices(arguments)
-    regimes_page.write(folder, regime_map.collect(run_map(arguments)), choices, data)
+    regimes_page.write(folder, regime_map.collect(run_map(arguments)), choices,
+                       cycle_life.collect(run_cycles(arguments)), data)
     prediction_page.write(folder, data)
     print(os.path.join(folder, "regimes.md"), os.path.join(folder, "prediction.md"), sep="\n")
 
 
-PARTS = {"map": run_map, "choices": run_choices, "seeds": run_seeds, "pages": write_pages}
+PARTS = {"map": run_map, "choices": run_choices, "cycles": run_cycles, "seeds": run_seeds, "pages": write_pages}
 
 
 def main():
