@@ -17,7 +17,8 @@ constexpr std::size_t large_chunk = 1 << 20;
 /** Chunks of many short rows; also the least a dataset takes on the disk. */
 constexpr std::size_t small_chunk = 1 << 15;
 
-/** Splits an array into chunks along its leading axes until they are small enough. */
+/** Splits an array into chunks along its leading axes until they are small enough; equal
+ *  ones, as the last one takes as much space as the others. */
 Shape chunk_shape(const Shape &shape, const std::size_t number_bytes)
 {
   Shape chunk = shape;
@@ -28,6 +29,10 @@ Shape chunk_shape(const Shape &shape, const std::size_t number_bytes)
         rest *= chunk[other];
       chunk[axis] = std::clamp<std::size_t>(large_chunk / std::max<std::size_t>(rest, 1),
                                             1, std::max<std::size_t>(chunk[axis], 1));
+      const std::size_t n_chunks =
+        (shape[axis] + chunk[axis] - 1) / std::max<std::size_t>(chunk[axis], 1);
+      if (n_chunks > 0)
+        chunk[axis] = (shape[axis] + n_chunks - 1) / n_chunks;
       if (chunk[axis] > 1)
         break;
     }

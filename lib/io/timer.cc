@@ -68,26 +68,26 @@ void Timer::leave()
   current = current->parent;
 }
 
-double Timer::seconds(const Node &node) const
+double Timer::seconds(const Node &node, const Clock::time_point now) const
 {
   Clock::duration elapsed = node.elapsed;
   for (const Node *open = current; open != nullptr; open = open->parent)
     if (open == &node)
-      elapsed += Clock::now() - node.entered;
+      elapsed += now - node.entered;
   return std::chrono::duration<double>(elapsed).count();
 }
 
-double Timer::rest_of(const Node &node) const
+double Timer::rest_of(const Node &node, const Clock::time_point now) const
 {
-  double rest = seconds(node);
+  double rest = seconds(node, now);
   for (const Node *child : node.children)
-    rest -= seconds(*child);
+    rest -= seconds(*child, now);
   return std::max(0., rest);
 }
 
 double Timer::total() const
 {
-  return seconds(nodes.front());
+  return seconds(nodes.front(), Clock::now());
 }
 
 double Timer::seconds(const std::string &path) const
@@ -103,7 +103,7 @@ double Timer::seconds(const std::string &path) const
         return 0.;
       node = *child;
     }
-  return seconds(*node);
+  return seconds(*node, Clock::now());
 }
 
 namespace
@@ -128,14 +128,18 @@ void print_row(std::ostream &out,
 }
 } // namespace
 
-void Timer::print(std::ostream &out, const Node &node, const unsigned int depth) const
+void Timer::print(std::ostream &out,
+                  const Node &node,
+                  const unsigned int depth,
+                  const Clock::time_point now) const
 {
-  const double all = total();
-  print_row(out, depth == 0 ? "total" : node.name, depth, node.calls, seconds(node), all);
+  const double all = seconds(nodes.front(), now);
+  print_row(out, depth == 0 ? "total" : node.name, depth, node.calls, seconds(node, now),
+            all);
   for (const Node *child : node.children)
-    print(out, *child, depth + 1);
+    print(out, *child, depth + 1, now);
   if (!node.children.empty())
-    print_row(out, node.rest, depth + 1, 0, rest_of(node), all);
+    print_row(out, node.rest, depth + 1, 0, rest_of(node, now), all);
 }
 
 void Timer::print(std::ostream &out) const
@@ -144,27 +148,29 @@ void Timer::print(std::ostream &out) const
   heading << std::left << std::setw(44) << "section" << std::right << std::setw(12)
           << "calls" << std::setw(13) << "seconds" << std::setw(10) << "share";
   out << heading.str() << '\n';
-  print(out, nodes.front(), 0);
+  print(out, nodes.front(), 0, Clock::now());
 }
 
 void Timer::collect(nlohmann::json &out,
                     const Node &node,
-                    const std::string &prefix) const
+                    const std::string &prefix,
+                    const Clock::time_point now) const
 {
   for (const Node *child : node.children)
     {
       const std::string path = prefix + child->name;
-      out[path]              = seconds(*child);
+      out[path]              = seconds(*child, now);
       if (child->rest != "other")
-        out[path + "/" + child->rest] = rest_of(*child);
-      collect(out, *child, path + "/");
+        out[path + "/" + child->rest] = rest_of(*child, now);
+      collect(out, *child, path + "/", now);
     }
 }
 
 nlohmann::json Timer::json() const
 {
-  nlohmann::json out = {{"total", total()}};
-  collect(out, nodes.front(), "");
+  const auto now     = Clock::now();
+  nlohmann::json out = {{"total", seconds(nodes.front(), now)}};
+  collect(out, nodes.front(), "", now);
   return out;
 }
 } // namespace mesoslip

@@ -68,10 +68,17 @@ private:
   };
 
   void leave();
-  double seconds(const Node &node) const;
-  double rest_of(const Node &node) const;
-  void print(std::ostream &out, const Node &node, const unsigned int depth) const;
-  void collect(nlohmann::json &out, const Node &node, const std::string &prefix) const;
+  // A table is of one moment: sections may still be open.
+  double seconds(const Node &node, const Clock::time_point now) const;
+  double rest_of(const Node &node, const Clock::time_point now) const;
+  void print(std::ostream &out,
+             const Node &node,
+             const unsigned int depth,
+             const Clock::time_point now) const;
+  void collect(nlohmann::json &out,
+               const Node &node,
+               const std::string &prefix,
+               const Clock::time_point now) const;
 
   std::deque<Node> nodes;
   Node *current;

@@ -3,14 +3,16 @@
 #include "localization/strain_interpolation.h"
 
 #include <algorithm>
+#include <future>
 
 namespace mesoslip
 {
 namespace
 {
-/** Bytes of snapshots in memory at a time, and the most snapshots that help. */
-constexpr std::size_t batch_bytes = 64 << 20;
-constexpr std::size_t max_batch   = 16;
+/** Bytes of snapshots of a batch, of which two are in memory, and the most snapshots that
+ *  help. */
+constexpr std::size_t batch_bytes = 32 << 20;
+constexpr std::size_t max_batch   = 4;
 
 /** The rows of a batch of snapshots. */
 class Batch
@@ -105,17 +107,28 @@ SnapshotHistories pass_snapshots(const RunFile &run,
                                  Timer *timer)
 {
   Batch batch(run, target, work);
+  const std::size_t at_once = batch.size();
   SnapshotHistories histories;
   histories.cells.resize(work.cells.size());
+  // HDF5 is used by one thread at a time: nobody else reads meanwhile.
+  const auto start_reading = [&](const std::size_t first) {
+    const std::size_t count = std::min(at_once, range.count - first);
+    return std::async(std::launch::async, [&run, &range, first, count]() {
+      return run.snapshots(range.first + first, count);
+    });
+  };
+  auto next = start_reading(0);
   for (std::size_t done = 0; done < range.count;)
     {
-      const std::size_t count = std::min(batch.size(), range.count - done);
-      auto reading            = optional_scope(timer, "Reading snapshots");
-      const auto snapshots    = run.snapshots(range.first + done, count);
-      reading.reset();
+      auto waiting         = optional_scope(timer, "Waiting for snapshots");
+      const auto snapshots = next.get();
+      waiting.reset();
+      const std::size_t count = std::min(at_once, range.count - done);
+      done += count;
+      if (done < range.count)
+        next = start_reading(done);
       const auto averaging = optional_scope(timer, "Averaging");
       batch.treat(snapshots, histories);
-      done += count;
       if (callback)
         callback(done);
     }

@@ -16,7 +16,8 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from common import TOP, Bench  # noqa: E402
 from study import parse_arguments  # noqa: E402
 
-PARTS = ["modes", "bar", "sliding_growth", "stiffness", "localization", "pin", "step_scaling", "static_scaling", "skips"]
+PARTS = ["modes", "bar", "sliding_growth", "stiffness", "localization", "pin", "step_scaling", "static_scaling", "statics",
+         "localization_speed", "skips"]
 
 
 def main():

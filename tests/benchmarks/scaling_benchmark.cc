@@ -4,6 +4,9 @@
  *   scaling_benchmark stream <bytes>...
  *     updates in place: GB/s by working set
  *
+ *   scaling_benchmark copy <bytes>...
+ *     from one array of that size to another
+ *
  *   mpirun -np 2 scaling_benchmark message <bytes>...
  *     half a round trip between two ranks
  *
@@ -18,6 +21,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <stdexcept>
@@ -78,6 +82,24 @@ void stream(const std::size_t bytes)
   });
   if (values[values.size() / 2] != 1.)
     throw std::runtime_error("stream lost its numbers");
+  if (rank() == 0)
+    {
+      std::printf("%zu,", bytes);
+      print_times(seconds, 1. / sweeps);
+    }
+}
+
+void copy(const std::size_t bytes)
+{
+  const std::vector<char> from(bytes, 1);
+  std::vector<char> to(bytes);
+  const unsigned int sweeps = std::max<std::size_t>(1, 20000000 / bytes);
+  const auto seconds        = measure([&]() {
+    for (unsigned int s = 0; s < sweeps; ++s)
+      std::memcpy(to.data(), from.data(), bytes);
+  });
+  if (to[bytes / 2] != 1)
+    throw std::runtime_error("copy lost its numbers");
   if (rank() == 0)
     {
       std::printf("%zu,", bytes);
@@ -174,6 +196,12 @@ int run(const int argc, char **argv)
       for (int k = 2; k < argc; ++k)
         stream(std::stoul(argv[k]));
     }
+  else if (what == "copy")
+    {
+      header("bytes");
+      for (int k = 2; k < argc; ++k)
+        copy(std::stoul(argv[k]));
+    }
   else if (what == "message")
     {
       header("bytes");
@@ -192,7 +220,7 @@ int run(const int argc, char **argv)
         }
     }
   else
-    throw std::runtime_error("what? stream, message or step");
+    throw std::runtime_error("what? stream, copy, message or step");
   return 0;
 }
 } // namespace

@@ -122,6 +122,24 @@ TEST(Hdf5, RowsAreAppendedAcrossChunks)
   EXPECT_EQ(snapshot.back(), static_cast<float>(row.back()));
 }
 
+TEST(Hdf5, ChunksWasteNoMoreThanARowEach)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "c.h5";
+  // 1.4 MB a snapshot: two chunks, of 81 node rows each.
+  const std::size_t n = 161 * 561 * 2;
+  const std::vector<double> values(n, 1.);
+  {
+    Hdf5File file = Hdf5File::create(path);
+    file.create_extendable<double>("/displacement", {161, 561, 2});
+    for (int k = 0; k < 3; ++k)
+      file.append("/displacement", values.data());
+  }
+  constexpr double bookkeeping = 32768;
+  EXPECT_LE(static_cast<double>(std::filesystem::file_size(path)),
+            3. * 8. * 162. * 561. * 2. + bookkeeping);
+}
+
 TEST(Hdf5, AnUnfinishedFileKeepsItsPart)
 {
   const TemporaryFolder folder;
