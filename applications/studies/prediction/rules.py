@@ -22,15 +22,17 @@ class Data:
     morphologies: dict
 
     def sweep(self, load, window, cells=seeds.COARSE):
-        found = [(d, self.results[seeds.hom_name(load, d, cells)]) for d in seeds.SWEEP]
-        found = [(d, measure(r.folder, *window)) for d, r in found if r.status == 0]
+        names = {d: seeds.hom_name(load, d, cells) for d in seeds.SWEEP}
+        found = [(d, measure(self.results[n].folder, *window)) for d, n in names.items() if self._ended(n)]
         return delta_rules.Sweep(np.array([d for d, _ in found]), [m for _, m in found])
 
     def heterogeneous(self, load, window, times=1):
         """{seed: Measures} of the runs that ended well."""
         names = {s: seeds.het_name(s, load, times) for s in seeds.SEEDS}
-        return {s: measure(self.results[n].folder, *window) for s, n in names.items()
-                if n in self.results and self.results[n].status == 0}
+        return {s: measure(self.results[n].folder, *window) for s, n in names.items() if self._ended(n)}
+
+    def _ended(self, name):
+        return name in self.results and self.results[name].status == 0
 
     def cost(self, load, times):
         """Mean CPU seconds of a heterogeneous run."""

@@ -10,8 +10,8 @@ from mixture import write_coarse
 
 SEEDS = tuple(range(1, 11))
 DELTA = 1.5e-6
-FINE_SEEDS = (1, 2, 3)
 SWEEP = (0.5e-6, 1e-6, 1.25e-6, 1.5e-6, 1.75e-6, 2e-6, 2.5e-6, 3e-6)
+FINE_SWEEP = (1.25e-6, 1.5e-6, 1.75e-6, 2e-6, 2.5e-6)
 FINE, COARSE, COARSER = (560, 160), (280, 80), (140, 40)
 END = 2e-3
 EARLY, LATE = (2.5e-4, 1e-3), (1e-3, 2e-3)
@@ -36,7 +36,6 @@ class Load:
 
 # The paper's two pressures in the reading of doc/paper, which leads to its regimes 1 and 2; and another reading.
 LOADS = (Load("P0.5-pushed", 0.5e6, 0.5), Load("P0.4-pushed", 0.4e6, 0.5), Load("P5", 5e6, 0.))
-FINE_LOAD = LOADS[2]
 
 
 def other_load(load):
@@ -61,8 +60,9 @@ def add_coarse(study, prm, results, times, seeds=SEEDS):
                 "Friction/Regularization time": DELTA})
 
 
-def het_name(seed, load, times):
-    return f"het-{seed}-{load.key}-coarse{times}"
+def het_name(seed, load, times=0):
+    """`times`: how often the cells of the morphology were mixed, four into one."""
+    return f"het-{seed}-{load.key}" + (f"-coarse{times}" if times else "")
 
 
 def own_name(seed, load):
@@ -98,15 +98,21 @@ def add_homogeneous(study, prm, results, seeds=SEEDS):
                       homogeneous_settings(entries(results[f"rve-{seed}"]), load, DELTA, COARSE))
 
 
-def add_fine(study, homogeneous, heterogeneous, results, seeds=FINE_SEEDS):
-    """Some of the morphologies on their own grid, and the homogeneous pin there."""
+def fine_runs():
+    """{load: (seeds, deltas)} of what is run on the morphologies' own grid: all of the paper's reading, some of the other."""
+    return {load: (SEEDS, FINE_SWEEP) if load.push else (SEEDS[:3], (DELTA,)) for load in LOADS}
+
+
+def add_fine(study, homogeneous, heterogeneous, results):
+    """Morphologies on their own grid, and the homogeneous pin there."""
     mean, _ = mean_stiffness(results)
-    for seed in seeds:
-        study.add(f"het-{seed}", "contact_dynamics", heterogeneous,
-                  {"Body/RVE file": f"{{rve-{seed}}}/rve.h5", **FINE_LOAD.settings, "Time/End time": END,
-                   "Friction/Regularization time": DELTA})
-    study.add(hom_name(FINE_LOAD, DELTA, FINE), "contact_dynamics", homogeneous,
-              homogeneous_settings(mean, FINE_LOAD, DELTA, FINE))
+    for load, (seeds, deltas) in fine_runs().items():
+        for seed in seeds:
+            study.add(het_name(seed, load), "contact_dynamics", heterogeneous,
+                      {"Body/RVE file": f"{{rve-{seed}}}/rve.h5", **load.settings, "Time/End time": END,
+                       "Friction/Regularization time": DELTA})
+        for delta in deltas:
+            study.add(hom_name(load, delta, FINE), "contact_dynamics", homogeneous, homogeneous_settings(mean, load, delta, FINE))
 
 
 def hom_name(load, delta, cells=COARSE):
