@@ -10,6 +10,9 @@
  *   mpirun -np 2 scaling_benchmark message <bytes>...
  *     half a round trip between two ranks
  *
+ *   mpirun -np 2 scaling_benchmark halo <columns>:<rows>...
+ *     two ranks exchange as many node rows, as between blocks of steps
+ *
  *   [mpirun -np n] scaling_benchmark step <cells x>:<cells y>:<steps in flight>...
  *     0 steps in flight: automatic
  *
@@ -18,6 +21,8 @@
  */
 #include "guarded_main.h"
 #include "../verification/sliding_body.h"
+
+#include "elasticity/mpi_halo.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -67,17 +72,19 @@ void print_times(const std::vector<double> &seconds, const double factor)
   std::fflush(stdout);
 }
 
-/** Reads and writes every number once, as the stepper does. */
+/** Reads and writes every number once, four arrays at a time, as the stepper does. */
 void stream(const std::size_t bytes)
 {
-  std::vector<double> values(bytes / sizeof(double), 1.);
+  const std::size_t n = bytes / sizeof(double) / 4;
+  std::vector<double> values(4 * n, 1.);
   const unsigned int sweeps = std::max<std::size_t>(1, 20000000 / bytes);
   const auto seconds        = measure([&]() {
     for (unsigned int s = 0; s < sweeps; ++s)
       {
         double *v = values.data();
-        for (std::size_t k = 0; k < values.size(); ++k)
-          v[k] = 0.5 * v[k] + 0.5;
+        for (std::size_t k = 0; k < n; ++k)
+          for (std::size_t array = 0; array < 4; ++array)
+            v[k + array * n] = 0.5 * v[k + array * n] + 0.5;
       }
   });
   if (values[values.size() / 2] != 1.)
@@ -126,6 +133,30 @@ void message(const std::size_t bytes)
     {
       std::printf("%zu,", bytes);
       print_times(seconds, 0.5 / trips);
+    }
+}
+
+void exchange(const unsigned int n_columns, const unsigned int n_rows)
+{
+  NodalField<double> u(n_columns, 2 * n_rows), w(n_columns, 2 * n_rows);
+  MPIHalo halo(n_columns, n_rows, MPI_COMM_WORLD);
+  const auto block = [&](const unsigned int first) {
+    return RowBlock{u.row(0, first), u.row(1, first), w.row(0, first),
+                    w.row(1, first), u.stride(),      n_rows};
+  };
+  const Halo::Side side        = rank() == 0 ? Halo::upper : Halo::lower;
+  constexpr unsigned int trips = 100;
+  const auto seconds           = measure([&]() {
+    for (unsigned int k = 0; k < trips; ++k)
+      {
+        halo.send(side, block(0));
+        halo.receive(side, block(n_rows));
+      }
+  });
+  if (rank() == 0)
+    {
+      std::printf("%lu,", 4 * sizeof(double) * n_columns * n_rows);
+      print_times(seconds, 1. / trips);
     }
 }
 
@@ -208,6 +239,17 @@ int run(const int argc, char **argv)
       for (int k = 2; k < argc; ++k)
         message(std::stoul(argv[k]));
     }
+  else if (what == "halo")
+    {
+      header("bytes");
+      for (int k = 2; k < argc; ++k)
+        {
+          unsigned int n_columns = 0, n_rows = 0;
+          if (std::sscanf(argv[k], "%u:%u", &n_columns, &n_rows) != 2)
+            throw std::runtime_error(std::string("not columns:rows: ") + argv[k]);
+          exchange(n_columns, n_rows);
+        }
+    }
   else if (what == "step")
     {
       header("nx,ny,in_flight,ranks,bytes");
@@ -220,7 +262,7 @@ int run(const int argc, char **argv)
         }
     }
   else
-    throw std::runtime_error("what? stream, copy, message or step");
+    throw std::runtime_error("what? stream, copy, message, halo or step");
   return 0;
 }
 } // namespace

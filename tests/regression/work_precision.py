@@ -78,17 +78,21 @@ def test_limit_of_the_pin():
 
 
 def test_model_of_the_step():
-    """Work a cell, a row and a step are recovered; a slow memory takes over; ranks add a message."""
+    """Work a cell, a row and a step are recovered; a slow memory takes over; ranks exchange rows; several steps in flight
+    share memory traffic and exchanges and cost half a row each."""
     small = [{"nx": x, "ny": y, "seconds_low": 2e-9 * x * y + 1e-8 * y + 1e-6} for x, y in step_scaling.SMALL]
     stream = [{"ranks": n, "bytes": b, "seconds_low": 2 * b / (100e9 if b < 1e6 else 8e9 / n)}
               for n in (1, 2) for b in step_scaling.STREAM]
-    messages = [{"bytes": b, "seconds_low": 1e-6 + b / 5e9} for b in step_scaling.MESSAGES]
-    model = step_scaling.Model(small, stream, messages)
+    halos = [{"bytes": 32 * x * y, "seconds_low": 1e-6 + 32 * x * y / 5e9} for x, y in step_scaling.HALOS]
+    model = step_scaling.Model(small, stream, halos)
     close(model.cell, 2e-9, 1e-15)
     close(model.start, 1e-6, 1e-12)
     close(model.step(100, 100), 2e-9 * 1e4 + 1e-6 + 1e-6, 1e-12)
     close(model.step(3000, 3000), 64 * 9e6 / 8e9, 1e-9)
     close(model.step(3000, 4000, ranks=2), 64 * 6e6 / 4e9 + 1e-6 + 96000 / 5e9, 1e-8)
+    # 16 steps in flight: work is what is left, of 7.5 rows more, and an exchange in 16 steps.
+    close(model.step(3000, 4000, in_flight=16, ranks=2),
+          2e-9 * 3000 * 2007.5 + 1e-8 * 2007.5 + 1e-6 + 1e-6 / 16 + 96000 / 5e9, 1e-9)
     close(model.step(1024, 32, ranks=2), 2e-9 * 1024 * 16 + 1.6e-7 + 1e-6 + 1e-6 + 32768 / 5e9, 1e-12)
 
 
