@@ -112,6 +112,14 @@ def compiler(cache):
         return "unknown"
 
 
+def cpu_seconds(command):
+    """User and system time of a command and its children."""
+    before = os.times()
+    subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
+    after = os.times()
+    return after.children_user + after.children_system - before.children_user - before.children_system
+
+
 def add_repeated(study, name, repetitions, *arguments, **options):
     """The same run several times, for its time."""
     for k in range(repetitions):

@@ -75,8 +75,9 @@ void print_times(const std::vector<double> &seconds, const double factor)
 /** Reads and writes every number once, four arrays at a time, as the stepper does. */
 void stream(const std::size_t bytes)
 {
-  const std::size_t n = bytes / sizeof(double) / 4;
-  std::vector<double> values(4 * n, 1.);
+  // Not a power of two apart, as no rows of a grid should be.
+  const std::size_t n = bytes / sizeof(double) / 4, apart = n + 72;
+  std::vector<double> values(4 * apart, 1.);
   const unsigned int sweeps = std::max<std::size_t>(1, 20000000 / bytes);
   const auto seconds        = measure([&]() {
     for (unsigned int s = 0; s < sweeps; ++s)
@@ -84,7 +85,7 @@ void stream(const std::size_t bytes)
         double *v = values.data();
         for (std::size_t k = 0; k < n; ++k)
           for (std::size_t array = 0; array < 4; ++array)
-            v[k + array * n] = 0.5 * v[k + array * n] + 0.5;
+            v[k + array * apart] = 0.5 * v[k + array * apart] + 0.5;
       }
   });
   if (values[values.size() / 2] != 1.)

@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 import shortcuts
-from common import TOP, prm
+from common import TOP, cpu_seconds, prm
 from fits import median_and_range
 
 REPETITIONS = 3
@@ -61,11 +61,3 @@ def reuse(bench):
             found.append(cpu_seconds(command))
         rows.append(timed(name, scene, found, made, 0.0, 0.0))
     return rows
-
-
-def cpu_seconds(command):
-    """User and system time of a command and its children."""
-    before = os.times()
-    subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
-    after = os.times()
-    return after.children_user + after.children_system - before.children_user - before.children_system

@@ -7,6 +7,7 @@ from plots import curve, legend, logarithmic, panels
 
 BYTES_A_NODE = 32  # u and w, two components each
 TRAFFIC = 64  # bytes a cell and sweep: all of them read and written
+ROWS_AT_ONCE = 3  # of the kernel; a step in flight lags one row behind the one before it
 # Grids that fit the second-level cache: they give work a cell, a row and a step.
 SMALL = [(32, 32), (200, 20), (64, 128), (100, 100), (250, 40)]
 LARGE = [(316, 316), (560, 160), (1120, 320), (1000, 1000), (2240, 640), (3162, 3162)]
@@ -54,7 +55,7 @@ def steps(bench, nx, ny, depth, ranks=1):
 
 
 class Model:
-    """Seconds a step: the slower of work and memory, and an exchange of rows that nothing hides."""
+    """Seconds a step: the slowest of work, memory and cache, and an exchange of rows that nothing hides."""
 
     def __init__(self, small, stream, halos):
         terms = np.array([[row["nx"] * row["ny"], row["ny"], 1.0] for row in small])
@@ -77,13 +78,15 @@ class Model:
         return nx * ny * self.cell + ny * self.row + self.start
 
     def step(self, nx, ny, in_flight=1, ranks=1):
-        """With n steps in flight n rows are exchanged once in n steps, and a slab advances (n - 1) / 2 of its ghost rows a step on
-        the side where its one neighbour is (two ranks)."""
-        own = ny / ranks
+        """The grid passes once in the n steps in flight, the rows between the first and the last of these in each step. n rows are
+        exchanged once in n steps, and a slab advances (n - 1) / 2 of its ghost rows a step where its neighbour is (two ranks)."""
+        row, own = BYTES_A_NODE * nx, ny / ranks
         swept = own + (in_flight - 1) / 2 if ranks > 1 else own
-        memory = TRAFFIC * nx * own / in_flight / self.bandwidth(BYTES_A_NODE * nx * own, ranks)
-        halo = self.halo(BYTES_A_NODE * nx * in_flight) / in_flight if ranks > 1 else 0.0
-        return max(self.work(nx, swept), memory) + halo
+        traffic = TRAFFIC * nx * own
+        memory = traffic / in_flight / self.bandwidth(row * own, ranks)
+        cache = traffic / self.bandwidth(row * (in_flight + ROWS_AT_ONCE), ranks)
+        halo = self.halo(row * in_flight) / in_flight if ranks > 1 else 0.0
+        return max(self.work(nx, swept), memory, cache) + halo
 
     def constants(self):
         return {"work_s_per_cell": self.cell, "work_s_per_row": self.row, "work_s_per_step": self.start,

@@ -90,9 +90,10 @@ def test_model_of_the_step():
     close(model.step(100, 100), 2e-9 * 1e4 + 1e-6 + 1e-6, 1e-12)
     close(model.step(3000, 3000), 64 * 9e6 / 8e9, 1e-9)
     close(model.step(3000, 4000, ranks=2), 64 * 6e6 / 4e9 + 1e-6 + 96000 / 5e9, 1e-8)
-    # 16 steps in flight: work is what is left, of 7.5 rows more, and an exchange in 16 steps.
-    close(model.step(3000, 4000, in_flight=16, ranks=2),
-          2e-9 * 3000 * 2007.5 + 1e-8 * 2007.5 + 1e-6 + 1e-6 / 16 + 96000 / 5e9, 1e-9)
+    # 16 steps in flight: work is what is left, of 7.5 rows more, and an exchange in 16 steps; 64 of them leave the cache.
+    close(model.step(300, 40000, in_flight=16, ranks=2),
+          2e-9 * 300 * 20007.5 + 1e-8 * 20007.5 + 1e-6 + 1e-6 / 16 + 9600 / 5e9, 1e-9)
+    close(model.step(3000, 3000, in_flight=64), 64 * 9e6 / 8e9, 1e-9)
     close(model.step(1024, 32, ranks=2), 2e-9 * 1024 * 16 + 1.6e-7 + 1e-6 + 1e-6 + 32768 / 5e9, 1e-12)
 
 
