@@ -120,6 +120,13 @@ def cpu_seconds(command):
     return after.children_user + after.children_system - before.children_user - before.children_system
 
 
+def require_ended(results):
+    """Times of runs that failed say nothing."""
+    failed = [f"{name}: {result.message}" for name, result in results.items() if result.status != 0]
+    if failed:
+        raise RuntimeError("\n".join(failed))
+
+
 def add_repeated(study, name, repetitions, *arguments, **options):
     """The same run several times, for its time."""
     for k in range(repetitions):

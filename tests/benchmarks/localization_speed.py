@@ -1,6 +1,6 @@
 """Localization against the memory: averaging beside copying in the same run, reading, peak memory against snapshots."""
 
-from common import add_repeated, prm
+from common import add_repeated, prm, require_ended
 from fits import median_and_range
 
 PIN = (560, 160)
@@ -28,6 +28,7 @@ def run(bench):
                 "Input/RVE file": "{rve}/rve.h5", "Input/Homogeneous run": "{run-%d}/dynamics.h5" % ratio, "Input/Direct run": "",
                 "Window/From": FIRST, "Window/To": INTERVAL * (count - 0.5), **settings})
     results = study.run()
+    require_ended(results)
     copies = bench.tool("scaling_benchmark", "copy", *COPY)
     rows = [row_of(results, ratio, count, fields, copies[-1]) for ratio, count in cases for fields in ("all fields", "probes only")]
     bench.write("localization-speed", rows, f"{PIN[0]} x {PIN[1]} cells; macroscopic grid coarser by ratio; averaging_GB_per_s: bytes a "
@@ -45,9 +46,6 @@ def name_of(ratio, count, fields):
 
 def row_of(results, ratio, count, fields, copy):
     runs = [results[f"{name_of(ratio, count, fields)}.{k + 1}"] for k in range(REPETITIONS)]
-    failed = [run.message for run in runs if run.status != 0]
-    if failed:
-        raise RuntimeError(failed[0])
     row = {"ratio": ratio, "fields": fields, "snapshots": count}
     for column, values in (("program_s", [run.summary["seconds"]["total"] for run in runs]),
                            ("cpu_s", [run.cpu_seconds for run in runs]),

@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 import shortcuts
-from common import TOP, cpu_seconds, prm
+from common import TOP, cpu_seconds, prm, require_ended
 from fits import median_and_range
 
 REPETITIONS = 3
@@ -14,13 +14,14 @@ REPETITIONS = 3
 def run(bench):
     study = bench.study("skips")
     study.jobs = 1  # times count
-    shortcuts.add_needs(study, small=False)
+    shortcuts.add_needs(study, small=bench.quick)
     cases = shortcuts.shortcuts()
     for turn in range(REPETITIONS):
         for k, shortcut in enumerate(cases):
             for which in ("short", "full"):
                 shortcuts.add(study, shortcut, which, f"{which}-{k}.{turn + 1}", bench.quick)
     results = study.run()
+    require_ended(results)
     rows = [row_of(shortcut, k, results) for k, shortcut in enumerate(cases)] + reuse(bench)
     bench.write("skips", rows, "CPU seconds of whole programs with a shortcut and without; saved: share of the time without; difference: "
                 "relative, of the answers; differs_at_most: what is promised", repetitions=REPETITIONS)
