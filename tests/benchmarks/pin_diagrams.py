@@ -67,8 +67,8 @@ def homogenization(bench, rows):
         scale, unit = (1e-3, " in kHz") if quantity == "frequency_Hz" else (1.0, "")
         panel.set(xscale="log", xlabel="CPU seconds (program, 3 ms)", ylabel=title + unit)
         panel.margins(x=0.25)
-        draw_values(panel, plain, quantity, scale, 0, "homogeneous", "h = {h_mm:g} mm", -58)
-        draw_values(panel, direct, quantity, scale, 1, "heterogeneous, h = 0.1 mm", "seed {seed}", 7)
+        draw_values(panel, plain, quantity, scale, 0, "homogeneous, h in mm as written", "{h_mm:g}", below=True)
+        draw_values(panel, direct, quantity, scale, 1, "heterogeneous, h = 0.1 mm", "seed {seed:g}")
         values = [scale * row[quantity] for row in direct]
         mean, spread = np.mean(values), np.std(values, ddof=1)
         panel.axhspan(mean - spread, mean + spread, color=COLOURS[1], alpha=0.15, lw=0,
@@ -78,10 +78,12 @@ def homogenization(bench, rows):
     bench.draw("pin-homogenization", figure)
 
 
-def draw_values(panel, rows, quantity, scale, index, label, note, shift):
+def draw_values(panel, rows, quantity, scale, index, label, note, below=False):
+    """Each point with a note, beside it or below its error bar."""
     panel.errorbar([row["cpu_s"] for row in rows], [scale * row[quantity] for row in rows],
                    yerr=[scale * row[quantity + "_95"] for row in rows], color=COLOURS[index], marker=MARKERS[index],
                    ls="", capsize=2.5, label=label)
+    place = {"xytext": (0, -4), "ha": "center", "va": "top"} if below else {"xytext": (7, 4)}
     for row in rows:
-        panel.annotate(note.format(**row), (row["cpu_s"], scale * row[quantity]), xytext=(shift, 4),
-                       textcoords="offset points", fontsize=9, color=BLACK)
+        y = row[quantity] - (row[quantity + "_95"] if below else 0)
+        panel.annotate(note.format(**row), (row["cpu_s"], scale * y), textcoords="offset points", fontsize=9, color=BLACK, **place)
