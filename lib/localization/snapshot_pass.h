@@ -49,8 +49,9 @@ using SnapshotCallback = std::function<void(const std::size_t)>;
 
 /**
  * Goes once through the snapshots @p range of a run. They are read some at a time, by a
- * thread of its own while those before are treated; each row of @p target cells is treated
- * for all of them before the next row, so that what belongs to it stays in the cache.
+ * thread of its own while those before are treated; each row of @p target cells is
+ * treated for all of them before the next row, so that what belongs to it stays in the
+ * cache.
  * @p timer, if any, tells waiting for snapshots from averaging.
  * @throws UserError.
  */
