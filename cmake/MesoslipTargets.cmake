@@ -18,9 +18,15 @@ function(mesoslip_sanitize target)
   set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=undefined)
   target_compile_options(${target} PRIVATE
     -O1 -g1 -fno-omit-frame-pointer -U_FORTIFY_SOURCE ${sanitizers}
-    $<$<CXX_COMPILER_ID:Clang>:-fsanitize=fuzzer-no-link;-Wno-unknown-warning-option>)
+    $<$<CXX_COMPILER_ID:Clang>:-fsanitize=fuzzer-no-link;-Wno-unknown-warning-option;-Wno-ignored-optimization-argument>)
   target_link_options(${target} PRIVATE ${sanitizers})
 endfunction()
+
+# Options of the row kernels. Sanitizers make clang compile them for minutes; its builds are for the fuzzers of the readers.
+set(mesoslip_kernel_options -fno-exceptions)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  list(APPEND mesoslip_kernel_options -fno-sanitize=all)
+endif()
 
 # mesoslip_library(<topic> [DEALII] [DEPENDS <topic>... | <target>...])
 # One static library for each folder of lib/, named mesoslip_<topic>. DEALII makes

@@ -1,6 +1,6 @@
 # The contact kernel, once for each instruction set; contraction is off, so that all give
 # the same bits.
-set(kernel_options -ffp-contract=off -fno-exceptions)
+set(kernel_options -ffp-contract=off ${mesoslip_kernel_options})
 set_source_files_properties(contact/contact_kernel_x86_64.cc PROPERTIES
   COMPILE_OPTIONS "${kernel_options}")
 set_source_files_properties(contact/contact_kernel_x86_64_v3.cc PROPERTIES

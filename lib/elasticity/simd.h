@@ -129,26 +129,37 @@ MESOSLIP_INLINE vint32 iota(const vint32)
 #endif
 }
 
+/** As many entries of (a, b) as a vector has, from @p first on. Of compilers, GCC shuffles by
+ *  vectors and clang by constants. */
+template <int first, typename Vector>
+MESOSLIP_INLINE Vector window(const Vector a, const Vector b)
+{
+#ifdef __clang__
+  constexpr int n = sizeof(Vector) / sizeof(a[0]);
+  Vector result   = a;
+  for (int i = 0; i < n; ++i)
+    result[i] = first + i < n ? a[first + i] : b[first + i - n];
+  return result;
+#else
+  if constexpr (sizeof(a[0]) == 8)
+    return __builtin_shuffle(a, b, iota(vint64{}) + first);
+  else
+    return __builtin_shuffle(a, b, iota(vint32{}) + first);
+#endif
+}
+
 /** (a_1, a_2, ..., b_0): the right neighbours. */
 template <typename Vector>
 MESOSLIP_INLINE Vector right_neighbours(const Vector a, const Vector b)
 {
-  constexpr bool is_double = sizeof(a[0]) == 8;
-  if constexpr (is_double)
-    return __builtin_shuffle(a, b, iota(vint64{}) + 1);
-  else
-    return __builtin_shuffle(a, b, iota(vint32{}) + 1);
+  return window<1>(a, b);
 }
 
 /** (a_last, b_0, b_1, ...): the left neighbours of b. */
 template <typename Vector>
 MESOSLIP_INLINE Vector left_neighbours(const Vector a, const Vector b)
 {
-  constexpr bool is_double = sizeof(a[0]) == 8;
-  if constexpr (is_double)
-    return __builtin_shuffle(a, b, iota(vint64{}) + (MESOSLIP_VECTOR_BYTES / 8 - 1));
-  else
-    return __builtin_shuffle(a, b, iota(vint32{}) + (MESOSLIP_VECTOR_BYTES / 4 - 1));
+  return window<sizeof(Vector) / sizeof(a[0]) - 1>(a, b);
 }
 
 /** One vector of bytes, widened. (The forms without mask make GCC 12 warn about its own
@@ -185,11 +196,20 @@ constexpr unsigned int lookup_capacity_float = 0;
 #endif
 
 /** table[index], the table being one vector. */
-template <typename Vector, typename Index>
-MESOSLIP_INLINE Vector lookup(const Vector table, const Index index)
+MESOSLIP_INLINE vdouble lookup(const vdouble table, const vint64 index)
 {
 #if defined(__AVX512F__)
-  return __builtin_shuffle(table, index);
+  return (vdouble)_mm512_maskz_permutexvar_pd(0xff, (__m512i)index, (__m512d)table);
+#else
+  (void)index;
+  return table;
+#endif
+}
+
+MESOSLIP_INLINE vfloat lookup(const vfloat table, const vint32 index)
+{
+#if defined(__AVX512F__)
+  return (vfloat)_mm512_maskz_permutexvar_ps(0xffff, (__m512i)index, (__m512)table);
 #else
   (void)index;
   return table;
@@ -197,11 +217,21 @@ MESOSLIP_INLINE Vector lookup(const Vector table, const Index index)
 }
 
 /** table[index], the table being two vectors. */
-template <typename Vector, typename Index>
-MESOSLIP_INLINE Vector lookup(const Vector low, const Vector high, const Index index)
+MESOSLIP_INLINE vdouble lookup(const vdouble low, const vdouble high, const vint64 index)
 {
 #if defined(__AVX512F__)
-  return __builtin_shuffle(low, high, index);
+  return (vdouble)_mm512_permutex2var_pd((__m512d)low, (__m512i)index, (__m512d)high);
+#else
+  (void)high;
+  (void)index;
+  return low;
+#endif
+}
+
+MESOSLIP_INLINE vfloat lookup(const vfloat low, const vfloat high, const vint32 index)
+{
+#if defined(__AVX512F__)
+  return (vfloat)_mm512_permutex2var_ps((__m512)low, (__m512i)index, (__m512)high);
 #else
   (void)high;
   (void)index;

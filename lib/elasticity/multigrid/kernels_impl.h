@@ -17,7 +17,6 @@ struct Vectors<float>
 {
   typedef float line __attribute__((vector_size(64), aligned(4), may_alias));
   typedef float four __attribute__((vector_size(16), aligned(4), may_alias));
-  typedef int index __attribute__((vector_size(16)));
   static constexpr int n = 16;
 };
 
@@ -26,7 +25,6 @@ struct Vectors<double>
 {
   typedef double line __attribute__((vector_size(64), aligned(8), may_alias));
   typedef double four __attribute__((vector_size(32), aligned(8), may_alias));
-  typedef long index __attribute__((vector_size(32)));
   static constexpr int n = 8;
 };
 

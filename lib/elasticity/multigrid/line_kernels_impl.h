@@ -106,15 +106,14 @@ template <typename Number>
 MESOSLIP_INLINE void transpose(typename Vectors<Number>::four v[4])
 {
   using four   = typename Vectors<Number>::four;
-  using index  = typename Vectors<Number>::index;
-  const four a = __builtin_shuffle(v[0], v[1], index{0, 4, 1, 5}),
-             b = __builtin_shuffle(v[2], v[3], index{0, 4, 1, 5}),
-             c = __builtin_shuffle(v[0], v[1], index{2, 6, 3, 7}),
-             d = __builtin_shuffle(v[2], v[3], index{2, 6, 3, 7});
-  v[0]         = __builtin_shuffle(a, b, index{0, 1, 4, 5});
-  v[1]         = __builtin_shuffle(a, b, index{2, 3, 6, 7});
-  v[2]         = __builtin_shuffle(c, d, index{0, 1, 4, 5});
-  v[3]         = __builtin_shuffle(c, d, index{2, 3, 6, 7});
+  const four a = __builtin_shufflevector(v[0], v[1], 0, 4, 1, 5),
+             b = __builtin_shufflevector(v[2], v[3], 0, 4, 1, 5),
+             c = __builtin_shufflevector(v[0], v[1], 2, 6, 3, 7),
+             d = __builtin_shufflevector(v[2], v[3], 2, 6, 3, 7);
+  v[0]         = __builtin_shufflevector(a, b, 0, 1, 4, 5);
+  v[1]         = __builtin_shufflevector(a, b, 2, 3, 6, 7);
+  v[2]         = __builtin_shufflevector(c, d, 0, 1, 4, 5);
+  v[3]         = __builtin_shufflevector(c, d, 2, 3, 6, 7);
 }
 
 template <typename Number>

@@ -3,7 +3,7 @@
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.cc)
 target_sources(mesoslip_elasticity PRIVATE ${sources})
 foreach(isa x86_64 x86_64_v3 x86_64_v4)
-  set(kernel_options -ffp-contract=fast -fno-exceptions)
+  set(kernel_options -ffp-contract=fast ${mesoslip_kernel_options})
   if(isa STREQUAL "x86_64_v3")
     list(APPEND kernel_options -march=x86-64-v3)
   elseif(isa STREQUAL "x86_64_v4")
