@@ -102,8 +102,13 @@ void set_friction_coefficients(Morphology &m,
     throw UserError("Body/RVE file: " + rve_file + " is not the one that " + run.folder +
                     " was run with (digest " + rve.digest() + ", there " + m.rve_digest +
                     "); name that one");
+  if (rve.phases().size() != m.phases.size())
+    throw UserError("Body/RVE file: " + rve_file + " has " +
+                    std::to_string(rve.phases().size()) + " phases, but " + run.folder +
+                    " was run with " + std::to_string(m.phases.size()) +
+                    "; run contact_dynamics again");
   for (std::size_t p = 0; p < m.phases.size(); ++p)
-    m.phases[p].friction_coefficient = rve.phases().at(p).friction_coefficient;
+    m.phases[p].friction_coefficient = rve.phases()[p].friction_coefficient;
 }
 
 /** Eq. (17) over nodes; the ends stand for half a cell (also of a periodic body). */

@@ -53,16 +53,22 @@ protected:
     write_static_contact();
   }
 
-  void write_rve(const std::string &digest) const
+  void write_rve(const std::string &digest, const std::size_t n_phases = 2) const
   {
+    const std::vector<double> D = stiffness();
+    const auto end              = D.begin() + static_cast<std::ptrdiff_t>(9 * n_phases);
     Hdf5File file = Hdf5File::create(rve());
     file.write_header("mesoslip-rve", 1, 2, digest);
     write_grid(file, grid);
     file.write("/phase/id", {4, 10}, id);
-    file.write_strings("/phase/name", {"matrix", "fibre"});
-    file.write("/phase/stiffness", {2, 3, 3}, stiffness());
-    file.write("/phase/density", {2}, std::vector<double>{1770., 1770.});
-    file.write("/phase/friction_coefficient", {2}, std::vector<double>{0.12, 0.3});
+    std::vector<std::string> names = {"matrix", "fibre"};
+    std::vector<double> friction   = {0.12, 0.3};
+    names.resize(n_phases);
+    friction.resize(n_phases);
+    file.write_strings("/phase/name", names);
+    file.write("/phase/stiffness", {n_phases, 3, 3}, std::vector<double>(D.begin(), end));
+    file.write("/phase/density", {n_phases}, std::vector<double>(n_phases, 1770.));
+    file.write("/phase/friction_coefficient", {n_phases}, friction);
     file.close();
   }
 
@@ -270,6 +276,8 @@ TEST_F(FrictionHomogenization, WhatIsMissingIsNamed)
 
   write_rve("else");
   expect_contains(reading_error(), "Body/RVE file");
+  write_rve("abc", 1); // once an std::out_of_range
+  expect_contains(reading_error(), "has 1 phases, but");
   write_rve("abc");
 
   parameters.homogeneous_run = folder / "nowhere";
