@@ -72,7 +72,8 @@ void write_rve_file(const RveParameters &parameters,
   const UniformGrid<2> &grid = results.microstructure.map.grid;
   Hdf5File file              = Hdf5File::create(context.file("rve.h5"));
   file.write_header("mesoslip-rve", rve_format_version, 2, digest);
-  file.write_attribute("/", "summary", context.summary().dump());
+  file.write_strings("/summary", {context.summary().dump()});
+  file.write_unit("/summary", "-");
   write_grid(file, grid);
   write_phases(file, results.microstructure);
   const auto write_stiffness = [&](const std::string &name, const VoigtMatrix<2> &D) {
@@ -119,10 +120,11 @@ void write_rve_file(const RveParameters &parameters,
 bool restore_rve_summary(RunContext &context)
 {
   const Hdf5File file = Hdf5File::open(context.file("rve.h5"));
-  if (!file.has_attribute("/", "summary"))
+  const auto texts = file.exists("/summary") ? file.read_strings("/summary")
+                                             : std::vector<std::string>();
+  if (texts.size() != 1)
     return false;
-  const auto stored = nlohmann::json::parse(
-    file.read_attribute<std::string>("/", "summary"), nullptr, false);
+  const auto stored = nlohmann::json::parse(texts[0], nullptr, false);
   if (!stored.is_object() || !stored.contains("stiffness"))
     return false;
   context.summary().update(stored);

@@ -50,12 +50,17 @@ bool count_values(const hid_t object,
          std::max(best_compression * static_cast<double>(file_bytes), always_allowed);
 }
 
-Handle string_type()
+FixedStrings::FixedStrings(const std::vector<std::string> &strings)
+  : type(H5Tcopy(H5T_C_S1))
 {
-  Handle type(H5Tcopy(H5T_C_S1));
-  H5Tset_size(type, H5T_VARIABLE);
+  std::size_t longest = 1;
+  for (const std::string &text : strings)
+    longest = std::max(longest, text.size());
+  H5Tset_size(type, longest);
   H5Tset_cset(type, H5T_CSET_UTF8);
-  return type;
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  for (const std::string &text : strings)
+    characters += text + std::string(longest - text.size(), '\0');
 }
 
 namespace
@@ -65,21 +70,6 @@ herr_t read_any(const hid_t object, const bool attribute, const hid_t type, void
   return attribute ? H5Aread(object, type, target)
                    : H5Dread(object, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, target);
 }
-
-bool read_variable(const hid_t object,
-                   const bool attribute,
-                   const hid_t type,
-                   const hid_t space,
-                   std::vector<std::string> &strings)
-{
-  std::vector<char *> pointers(strings.size(), nullptr);
-  if (read_any(object, attribute, type, pointers.data()) < 0)
-    return false;
-  for (std::size_t i = 0; i < pointers.size(); ++i)
-    strings[i] = pointers[i] != nullptr ? pointers[i] : "";
-  H5Dvlen_reclaim(type, space, H5P_DEFAULT, pointers.data());
-  return true;
-}
 } // namespace
 
 bool read_all_strings(const hid_t object,
@@ -88,7 +78,8 @@ bool read_all_strings(const hid_t object,
 {
   const Handle type(attribute ? H5Aget_type(object) : H5Dget_type(object));
   const Handle space(attribute ? H5Aget_space(object) : H5Dget_space(object));
-  if (!type.valid() || !space.valid() || H5Tget_class(type) != H5T_STRING)
+  if (!type.valid() || !space.valid() || H5Tget_class(type) != H5T_STRING ||
+      H5Tis_variable_str(type) > 0)
     return false;
   const std::size_t length = H5Tget_size(type);
   std::vector<hsize_t> extents;
@@ -98,8 +89,6 @@ bool read_all_strings(const hid_t object,
   strings.assign(n, "");
   if (strings.empty())
     return true;
-  if (H5Tis_variable_str(type) > 0)
-    return read_variable(object, attribute, type, space, strings);
 
   std::string all(length * strings.size(), '\0');
   if (read_any(object, attribute, type, all.data()) < 0)
@@ -137,11 +126,9 @@ void Hdf5File::write_string_attribute(const std::string &object,
                                       const std::vector<std::string> &values,
                                       const bool scalar)
 {
-  std::vector<const char *> pointers;
-  for (const std::string &value : values)
-    pointers.push_back(value.c_str());
-  const Handle type = hdf5::string_type();
-  write_raw_attribute(object, name, type, pointers.data(), values.size(), scalar);
+  const hdf5::FixedStrings texts(values);
+  write_raw_attribute(object, name, texts.type, texts.characters.data(), values.size(),
+                      scalar);
 }
 
 void Hdf5File::write_raw_attribute(const std::string &object,
@@ -201,7 +188,7 @@ std::string read_numbers(const hid_t attribute, std::vector<T> &values)
 
 std::string read_numbers(const hid_t attribute, std::vector<std::string> &values)
 {
-  return hdf5::read_all_strings(attribute, true, values) ? "" : "is not a text";
+  return hdf5::read_all_strings(attribute, true, values) ? "" : "is not a text of fixed length";
 }
 } // namespace
 

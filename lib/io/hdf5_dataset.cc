@@ -153,11 +153,8 @@ void Hdf5File::write(const std::string &name,
 void Hdf5File::write_strings(const std::string &name,
                              const std::vector<std::string> &strings)
 {
-  std::vector<const char *> pointers;
-  for (const std::string &text : strings)
-    pointers.push_back(text.c_str());
-  const Handle type = hdf5::string_type();
-  write_raw(name, {strings.size()}, type, pointers.data(), 0);
+  const hdf5::FixedStrings texts(strings);
+  write_raw(name, {strings.size()}, texts.type, texts.characters.data(), 0);
 }
 
 std::vector<std::string> Hdf5File::read_strings(const std::string &name,
@@ -166,7 +163,7 @@ std::vector<std::string> Hdf5File::read_strings(const std::string &name,
   const Handle dataset(open_dataset(name, hint));
   std::vector<std::string> strings;
   if (!hdf5::read_all_strings(dataset, false, strings))
-    fail(dataset_text(name) + " is not a list of texts", hint);
+    fail(dataset_text(name) + " is not a list of texts of fixed length", hint);
   return strings;
 }
 

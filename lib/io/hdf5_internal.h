@@ -115,8 +115,18 @@ inline std::size_t product(const Shape &shape)
 /** A simple dataspace, or a scalar one for an empty shape. */
 Handle make_space(const Shape &shape);
 
-/** Variable-length UTF-8. */
-Handle string_type();
+/**
+ * Texts as they are stored: UTF-8 of fixed length, filled up with zeros. Not of variable
+ * length: these lie in a heap of which the library (1.10) checks nothing, so that a damaged
+ * file makes it crash, hang or write beyond its memory.
+ */
+struct FixedStrings
+{
+  explicit FixedStrings(const std::vector<std::string> &strings);
+
+  Handle type;
+  std::string characters;
+};
 
 /**
  * Number of values of the extents, false if a file of that size cannot hold as many
@@ -132,8 +142,8 @@ bool count_values(const hid_t object,
  */
 bool read_extents(const hid_t space, std::vector<hsize_t> &extents);
 
-/** All strings of a dataset or attribute, of fixed or variable length; false on failure.
- */
+/** All strings of a dataset or attribute; false on failure, or if they are not of fixed
+ *  length (FixedStrings). */
 bool read_all_strings(const hid_t object,
                       const bool attribute,
                       std::vector<std::string> &strings);

@@ -81,6 +81,48 @@ TEST(HostileHdf5, EmptySpacesAreNamed)
     "the attribute 'a' of / has no value");
 }
 
+// Found by a fuzzer: a damaged heap, in which they lie, made the library crash, copy
+// beyond its memory, or go round for ever.
+TEST(HostileHdf5, TextsOfVariableLengthAreNotRead)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5";
+  const hid_t file     = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t variable = H5Tcopy(H5T_C_S1), one = H5Screate(H5S_SCALAR);
+  H5Tset_size(variable, H5T_VARIABLE);
+  const char *text      = "text";
+  const hid_t attribute = H5Acreate2(file, "a", variable, one, H5P_DEFAULT, H5P_DEFAULT);
+  ASSERT_GE(H5Awrite(attribute, variable, &text), 0);
+  H5Aclose(attribute);
+  H5Dclose(
+    H5Dcreate2(file, "/hollow", variable, one, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  H5Sclose(one);
+  H5Tclose(variable);
+  H5Fclose(file);
+  expect_contains(user_error([&]() { Hdf5File::open(path).read_strings("/hollow"); }),
+                  "not a list of texts of fixed length");
+  expect_contains(
+    user_error([&]() { Hdf5File::open(path).read_attribute<std::string>("/", "a"); }),
+    "the attribute 'a' of / is not a text of fixed length");
+}
+
+TEST(HostileHdf5, TextsKeepTheirLength)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5";
+  // Longer than the 64 kB that an object's header may have; empty; not ASCII.
+  const std::vector<std::string> texts = {std::string(100000, 'x'), "", "\u00b5m"};
+  Hdf5File file                        = Hdf5File::create(path);
+  file.write_strings("/texts", texts);
+  file.write_attribute("/texts", "unit", std::string("\u00b5m"));
+  file.write_attribute("/texts", "none", std::string());
+  file.close();
+  const Hdf5File read = Hdf5File::open(path);
+  EXPECT_EQ(read.read_strings("/texts"), texts);
+  EXPECT_EQ(read.read_attribute<std::string>("/texts", "unit"), "\u00b5m");
+  EXPECT_EQ(read.read_attribute<std::string>("/texts", "none"), "");
+}
+
 namespace
 {
 /** A limit of the file size acts as a full disk does: a write fails. */
