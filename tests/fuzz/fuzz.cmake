@@ -1,23 +1,52 @@
-# Fuzzers of what is read byte by byte (CSV, images, the frame of checkpoints): fuzz_<target> [libFuzzer's options]
-# [folders of inputs]. They need clang and MESOSLIP_SANITIZE. Inputs once found to matter are in fuzz/corpus/<target>;
-# each test replays them and looks for new ones for some seconds. For longer: ./test.sh --fuzz SECONDS.
+# Fuzzers of everything that is read. With clang and MESOSLIP_SANITIZE, fuzz_<target> [libFuzzer's options] [folders of
+# inputs] looks for new inputs; each test does for some seconds, ./test.sh --fuzz SECONDS for longer. With any other
+# compiler it replays those in fuzz/corpus/<target> and some thousand changed ones (replay.cc).
 if(MESOSLIP_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  # mesoslip_fuzzer(<target> LIBS <library>...)
-  function(mesoslip_fuzzer target)
-    cmake_parse_arguments(ARG "" "" "LIBS" ${ARGN})
-    add_executable(fuzz_${target} ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/${target}.cc)
-    deal_ii_setup_target(fuzz_${target})
-    mesoslip_warnings(fuzz_${target})
-    target_link_libraries(fuzz_${target} ${ARG_LIBS})
-    target_link_options(fuzz_${target} PRIVATE -fsanitize=fuzzer)
-    add_test(NAME fuzz/${target}
-             COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/run.sh $<TARGET_FILE:fuzz_${target}> 5)
-    set_tests_properties(fuzz/${target} PROPERTIES LABELS fuzz TIMEOUT 120)
-    add_dependencies(fuzzers fuzz_${target})
-  endfunction()
-
-  add_custom_target(fuzzers)
-  mesoslip_fuzzer(table LIBS mesoslip_microstructure)
-  mesoslip_fuzzer(image LIBS mesoslip_microstructure)
-  mesoslip_fuzzer(checkpoint LIBS mesoslip_io)
+  set(has_libfuzzer TRUE)
 endif()
+
+add_library(fuzz_edits STATIC ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/byte_edits.cc
+            ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/hdf5_contents.cc ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/hdf5_edits.cc
+            ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/valid_files.cc)
+deal_ii_setup_target(fuzz_edits)
+mesoslip_warnings(fuzz_edits)
+target_link_libraries(fuzz_edits mesoslip_homogenization mesoslip_io)
+
+if(NOT has_libfuzzer)
+  add_library(fuzz_replay STATIC ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/replay.cc)
+  deal_ii_setup_target(fuzz_replay)
+  mesoslip_warnings(fuzz_replay)
+  target_link_libraries(fuzz_replay fuzz_edits)
+endif()
+
+# mesoslip_fuzzer(<target> MUTATIONS <n> LIBS <library>...): so many in the test without libFuzzer
+function(mesoslip_fuzzer target)
+  cmake_parse_arguments(ARG "" "MUTATIONS" "LIBS" ${ARGN})
+  set(folder ${CMAKE_CURRENT_SOURCE_DIR}/fuzz)
+  set(program fuzz_${target})
+  add_executable(${program} ${folder}/${target}.cc)
+  deal_ii_setup_target(${program})
+  mesoslip_warnings(${program})
+  if(has_libfuzzer)
+    target_link_options(${program} PRIVATE -fsanitize=fuzzer)
+    target_link_libraries(${program} fuzz_edits ${ARG_LIBS})
+    add_test(NAME fuzz/${target} COMMAND ${folder}/run.sh $<TARGET_FILE:${program}> 5)
+  else()
+    target_link_libraries(${program} fuzz_replay ${ARG_LIBS})
+    add_test(NAME fuzz/${target} COMMAND ${program} ${folder}/corpus/${target} ${ARG_MUTATIONS}
+             ${CMAKE_CURRENT_BINARY_DIR}/fuzz_${target}.last)
+  endif()
+  # HDF5 does not free what it has read of a damaged file.
+  set_tests_properties(fuzz/${target} PROPERTIES LABELS regression TIMEOUT 120 ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
+  add_dependencies(fuzzers ${program})
+endfunction()
+
+add_custom_target(fuzzers)
+mesoslip_fuzzer(table MUTATIONS 5000 LIBS mesoslip_microstructure)
+mesoslip_fuzzer(image MUTATIONS 5000 LIBS mesoslip_microstructure)
+mesoslip_fuzzer(checkpoint MUTATIONS 5000 LIBS mesoslip_io)
+mesoslip_fuzzer(expression MUTATIONS 5000 LIBS mesoslip_contact)
+mesoslip_fuzzer(summary MUTATIONS 5000 LIBS mesoslip_simulation)
+mesoslip_fuzzer(parameters MUTATIONS 500 LIBS mesoslip_simulation mesoslip_localization)
+mesoslip_fuzzer(rve_file MUTATIONS 4000 LIBS mesoslip_simulation mesoslip_localization)
+mesoslip_fuzzer(dynamics_file MUTATIONS 4000 LIBS mesoslip_simulation mesoslip_localization)

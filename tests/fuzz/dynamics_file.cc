@@ -1,0 +1,54 @@
+// dynamics.h5, as stress_localization and the homogenization of friction read it.
+#include "fuzzing.h"
+#include "hdf5_edits.h"
+#include "valid_files.h"
+
+#include "io/files.h"
+#include "localization/localize.h"
+#include "simulation/friction_homogenization.h"
+
+#include <cmath>
+
+using namespace mesoslip;
+using namespace mesoslip_tests;
+
+namespace
+{
+std::string valid_dynamics(const InputFile &file)
+{
+  write_rve(file.folder + "/rve.h5");
+  for (const char *folder : {"/homogeneous", "/static"})
+    std::filesystem::create_directory(file.folder + folder);
+  write_static_contact(file.folder + "/static");
+  write_dynamics(file.folder + "/homogeneous", false);
+  write_dynamics(file.folder, true);
+  return read_file(file.path);
+}
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+{
+  static InputFile file("dynamics.h5");
+  static const std::string valid = valid_dynamics(file);
+  file.fill(edited(valid, data, size));
+
+  LocalizationParameters localization;
+  localization.rve_file = file.folder + "/rve.h5";
+  localization.from = localization.to = std::nan("");
+  accepted_or_refused([&]() {
+    localization.homogeneous_run = file.path;
+    localize(localization);
+  });
+  accepted_or_refused([&]() {
+    localization.homogeneous_run = file.folder + "/homogeneous/dynamics.h5";
+    localization.direct_run      = file.path;
+    localize(localization);
+  });
+  accepted_or_refused([&]() {
+    FrictionHomogenizationParameters friction;
+    friction.heterogeneous_run = file.folder;
+    friction.static_contact    = file.folder + "/static";
+    friction_estimates(read_friction_homogenization(friction, file.folder + "/rve.h5"));
+  });
+  return 0;
+}

@@ -1,0 +1,21 @@
+// summary.json of an earlier run.
+#include "fuzzing.h"
+
+#include "simulation/run_summary.h"
+
+using namespace mesoslip;
+using namespace mesoslip_tests;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+{
+  static InputFile file("summary.json");
+  file.fill(data, size);
+  accepted_or_refused([&]() {
+    const RunSummary summary("Friction homogenization/Heterogeneous run", file.folder);
+    summary.find_number("steady_from");
+    summary.numbers("phase_contact_pressures", "run it again");
+    summary.require_analysis("transient");
+    summary.number("pressure", "run it again");
+  });
+  return 0;
+}
