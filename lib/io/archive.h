@@ -2,10 +2,9 @@
 #define mesoslip_io_archive_h
 
 #include "io/errors.h"
+#include "io/state_archive.h"
 
-#include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
-#include <boost/iostreams/device/array.hpp>
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/stream.hpp>
 
@@ -31,16 +30,19 @@ std::string save_state(const T &object)
   return bytes;
 }
 
-/** Restores @p object. @throws UserError "<source>: ..." if @p bytes are no such state. */
+/**
+ * Restores @p object. A serialize() may throw std::length_error when what it has loaded
+ * does not fit together.
+ * @throws UserError "<source>: ..." if @p bytes are no such state.
+ */
 template <typename T>
 void load_state(const std::string &bytes, T &object, const std::string &source)
 {
   const std::string damaged = source + " is damaged: the state in it cannot be read";
   try
     {
-      boost::iostreams::stream<boost::iostreams::array_source> in(bytes.data(),
-                                                                  bytes.size());
-      boost::archive::binary_iarchive(in) >> object;
+      StateBuffer buffer(bytes);
+      StateArchive(buffer) >> object;
     }
   catch (const boost::archive::archive_exception &)
     {

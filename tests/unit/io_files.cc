@@ -16,6 +16,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <limits>
 #include <memory>
@@ -269,6 +270,27 @@ TEST(Archives, SayWhenTheyAreDamaged)
        {std::string(), state.substr(0, 30), state.substr(0, 200)})
     EXPECT_EQ(user_error([&]() { load_state(bytes, back, "file"); }),
               "file is damaged: the state in it cannot be read");
+}
+
+TEST(Archives, AskForNoMoreThanTheyHold)
+{
+  const auto refused = [](const auto &value, const std::size_t at_from_end) {
+    std::string state         = save_state(value);
+    const std::uint64_t large = std::uint64_t(1) << 32;
+    std::memcpy(&state[state.size() - at_from_end], &large, sizeof(large));
+    auto back = value;
+    expect_contains(user_error([&]() { load_state(state, back, "file"); }), "is damaged");
+    EXPECT_EQ(back, value); // nothing was allocated for it
+  };
+  refused(std::vector<double>{1., 2.}, 8 + 16);
+  refused(std::string("abc"), 8 + 3);
+
+  std::string state = save_state(true);
+  bool back         = false;
+  load_state(state, back, "file");
+  EXPECT_TRUE(back);
+  state.back() = 2;
+  expect_contains(user_error([&]() { load_state(state, back, "file"); }), "is damaged");
 }
 
 TEST(Lock, IsHeldByRunningProcessesOnly)
