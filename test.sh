@@ -12,10 +12,11 @@ fuzz() {
   install_packages
   cmake_options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DMESOSLIP_SANITIZE=ON)
   build build-fuzz fuzzers
-  local program
+  local program failed=()
   for program in build-fuzz/tests/fuzz_*; do
-    tests/fuzz/run.sh "$program" "$1"
+    tests/fuzz/run.sh "$program" "$1" || failed+=("${program##*/fuzz_}")
   done
+  [ ${#failed[@]} -eq 0 ] || fail "something was found in ${failed[*]}: see build-fuzz/tests/findings"
 }
 
 selection=(--label-exclude long)

@@ -122,10 +122,11 @@ Handle make_space(const Shape &shape);
  */
 struct FixedStrings
 {
+  /** Of the length of the longest one. */
   explicit FixedStrings(const std::vector<std::string> &strings);
 
-  Handle type;
-  std::string characters;
+  Handle type;            ///< of one text
+  std::string characters; ///< of all texts, one after the other
 };
 
 /**

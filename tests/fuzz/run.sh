@@ -9,4 +9,4 @@ here=$(dirname "$(readlink -f "$0")")
 inputs=$(dirname "$program")/fuzz-inputs/$target findings=$(dirname "$program")/findings
 mkdir -p "$inputs" "$findings"
 exec nice "$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -malloc_limit_mb=2048 -max_len=4096 \
-  -verbosity=0 -print_final_stats=1 -artifact_prefix="$findings/$target-" "$@" "$inputs" "$here/corpus/$target"
+  -detect_leaks=0 -verbosity=0 -print_final_stats=1 -artifact_prefix="$findings/$target-" "$@" "$inputs" "$here/corpus/$target"
