@@ -41,11 +41,24 @@ std::string duration_text(const double seconds)
   return text;
 }
 
+namespace
+{
+/** Whether mpirun (of Open MPI, or one with PMI) started this process: what looks like a
+ *  terminal then is its pipe, which may end in a file. */
+bool started_by_mpirun()
+{
+  for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
+    if (std::getenv(name) != nullptr)
+      return true;
+  return false;
+}
+} // namespace
+
 Progress::Mode Progress::choose_mode(const bool quiet)
 {
   if (quiet)
     return Mode::off;
-  return isatty(STDOUT_FILENO) ? Mode::terminal : Mode::plain;
+  return isatty(STDOUT_FILENO) && !started_by_mpirun() ? Mode::terminal : Mode::plain;
 }
 
 Progress::Progress(std::ostream &stream, const Mode chosen_mode)

@@ -25,7 +25,8 @@ public:
     terminal
   };
 
-  /** Refreshed if standard output is a terminal, plain otherwise, off when @p quiet. */
+  /** Refreshed if standard output is a terminal, plain otherwise and under mpirun, off
+   * when @p quiet. */
   static Mode choose_mode(const bool quiet);
 
   /** Writes to @p stream, which must outlive it. */

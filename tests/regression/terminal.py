@@ -75,6 +75,11 @@ def main():
             problems.append(f"no progress in a file, or exit status {status}: {output}")
         problems += [f"{control} in log.txt: {log()}" for control in CONTROLS if control in log()]
 
+        # mpirun gives each process a terminal of its own, whatever it writes to itself.
+        mpi = dict(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+        output, _ = run(["mpirun", "--oversubscribe", "-np", "2", *command], folder, on_terminal=False, **mpi)
+        problems += [f"{control} under mpirun in a file: {output}" for control in CONTROLS if control in output]
+
         output, status = run(command, folder, on_terminal=True)
         if output.count(b"\r\033[36mSliding") < 3 or b"\033[0m" not in output or status != 130:
             problems.append(f"no coloured progress in one line on a terminal, or exit status {status}: {output}")
