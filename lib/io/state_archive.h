@@ -5,6 +5,7 @@
 #include <boost/archive/impl/archive_serializer_map.ipp>
 #include <boost/archive/impl/basic_binary_iarchive.ipp>
 #include <boost/archive/impl/basic_binary_iprimitive.ipp>
+#include <boost/serialization/array_optimization.hpp>
 #include <boost/serialization/collection_size_type.hpp>
 
 #include <stdexcept>
@@ -95,5 +96,8 @@ private:
 };
 
 } // namespace mesoslip
+
+// Without it vectors of numbers would be expected in another layout than they are saved in.
+BOOST_SERIALIZATION_USE_ARRAY_OPTIMIZATION(mesoslip::StateArchive)
 
 #endif
