@@ -6,6 +6,20 @@
 
 namespace mesoslip
 {
+namespace
+{
+// Whether a node can have stuck, slipped and landed in so many of the steps.
+bool
+are_counts(const double        stick,
+           const double        slip,
+           const double        landings,
+           const std::uint64_t steps)
+{
+  return stick >= 0. && slip >= 0. && landings >= 0. &&
+         std::max(stick + slip, landings) <= static_cast<double>(steps);
+}
+} // namespace
+
 ContactRow::ContactRow(const ContactSetup &setup, const StepParameters &step)
   : setup(setup)
   , step(step)
@@ -92,6 +106,37 @@ ContactRow::advance(const RowView &row)
   count_step();
   if (sampled)
     record(row, sums);
+}
+
+bool
+ContactRow::is_consistent() const
+{
+  const ContactHistory &s        = samples;
+  const auto            complete = [&](const MonitoredNode &node) {
+    return equally_long(s.step, node.ux, node.uy, node.vx, node.vy, node.normal_force) &&
+           equally_long(s.step, node.tangential_force);
+  };
+  const auto of_all_nodes = [&](const NodeCounts &counts) {
+    if (counts.stick.size() != n_nodes ||
+        !equally_long(counts.stick, counts.slip, counts.landings))
+      return false;
+    for (std::size_t i = 0; i < n_nodes; ++i)
+      if (!are_counts(counts.stick[i], counts.slip[i], counts.landings[i], counts.n_steps))
+        return false;
+    return true;
+  };
+  for (std::size_t i = 0; i < n_nodes; ++i)
+    if (!are_counts(column(stick_count)[i],
+                    column(slip_count)[i],
+                    column(landing_count)[i],
+                    block.n_steps))
+      return false;
+  return s.nodes.size() == setup.monitored_nodes.size() &&
+         equally_long(s.step, s.time, s.normal_force, s.tangential_force, s.sticking) &&
+         equally_long(s.step, s.slipping, s.separated, s.friction_energy, s.impact_energy) &&
+         equally_long(s.step, s.flat_work) &&
+         std::all_of(s.nodes.begin(), s.nodes.end(), complete) &&
+         std::all_of(complete_blocks.begin(), complete_blocks.end(), of_all_nodes);
 }
 
 // The work of the first step needs the increment before it.

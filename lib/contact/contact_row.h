@@ -6,6 +6,7 @@
 #include "contact/load_history.h"
 #include "elasticity/explicit_stepper.h"
 #include "grid/nodal_field.h"
+#include "io/state_checks.h"
 
 #include <boost/serialization/vector.hpp>
 
@@ -184,9 +185,14 @@ public:
   serialize(Archive &archive, const unsigned int)
   {
     archive &values &started &total &samples &steps_per_block &block &complete_blocks;
+    require_when_loading(archive, is_consistent());
   }
 
 private:
+  /** Whether histories and blocks are those of this setup. */
+  bool
+  is_consistent() const;
+
   enum Column
   {
     gap,

@@ -46,6 +46,13 @@ dot_difference(const NodalField<double> &a,
 }
 } // namespace
 
+bool
+EnergyHistory::is_complete() const
+{
+  return equally_long(
+    time, kinetic, elastic, potential, external_work, friction, impact, damping, scheme);
+}
+
 std::vector<double>
 EnergyHistory::residual() const
 {
@@ -75,7 +82,11 @@ EnergyAudit::EnergyAudit(const UniformGridOperator           &op,
   , damped(step.beta > 0.)
   , dissipative(step.beta2 != 0.5)
   , heavy(step.acceleration != std::array<double, 2>{})
-  , stiff_u(u.n_columns(), u.n_rows())
+  , u_before(u.n_columns(), u.n_rows())
+  , w_before(u_before)
+  , u_now(u_before)
+  , w_now(u_before)
+  , stiff_u(u_before)
   , stiff_w(damped ? stiff_u : NodalField<double>())
 {
   const unsigned int n = u.n_columns();

@@ -6,6 +6,7 @@
 #include "elasticity/row_partition.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "grid/nodal_field.h"
+#include "io/state_checks.h"
 
 #include <boost/serialization/vector.hpp>
 
@@ -47,6 +48,10 @@ struct EnergyHistory
     archive &time &kinetic &elastic &potential &external_work &friction &impact;
     archive &damping &scheme &initial;
   }
+
+  /** Whether all terms have as many samples. */
+  bool
+  is_complete() const;
 
   /** What is left of the balance at each sample; zero in exact arithmetic. */
   std::vector<double>
@@ -108,6 +113,7 @@ public:
     serialize_own_rows(archive, interval == 1 ? u_now : u_before, op.rows());
     serialize_own_rows(archive, interval == 1 ? w_now : w_before, op.rows());
     archive &last_scheme &last_damping &sum_scheme &sum_damping &samples;
+    require_when_loading(archive, samples.is_complete());
   }
 
 private:

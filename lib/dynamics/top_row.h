@@ -3,6 +3,7 @@
 
 #include "contact/load_history.h"
 #include "elasticity/explicit_stepper.h"
+#include "io/state_checks.h"
 
 #include <boost/serialization/vector.hpp>
 
@@ -100,6 +101,12 @@ public:
   {
     archive &increment_x &increment_y &started &holding &moving_mass &platen_w;
     archive &total_work &samples;
+    require_when_loading(archive,
+                         equally_long(tributary, increment_x, increment_y) &&
+                           equally_long(samples.normal_force,
+                                        samples.tangential_force,
+                                        samples.displacement,
+                                        samples.work));
   }
 
 private:

@@ -48,18 +48,16 @@ NodalField<double> own_rows(const NodalField<double> &field, const NodeRows &row
 NodalField<double> with_ghost_rows(const NodalField<double> &own, const NodeRows &rows);
 
 /**
- * Saves or restores the own rows of @p field (Boost.Serialization), which may be empty:
- * how many ghost rows a run has depends on the steps in flight, and changes no result.
+ * Saves or restores the own rows of @p field (Boost.Serialization): how many ghost rows a
+ * run has depends on the steps in flight, and changes no result.
  */
 template <class Archive>
 void serialize_own_rows(Archive &archive, NodalField<double> &field, const NodeRows &rows)
 {
-  NodalField<double> own;
-  if (Archive::is_saving::value && field.n_rows() > 0)
-    own = own_rows(field, rows);
+  NodalField<double> own = own_rows(field, rows);
   archive &own;
   if (Archive::is_loading::value)
-    field = own.n_rows() > 0 ? with_ghost_rows(own, rows) : NodalField<double>();
+    field = with_ghost_rows(own, rows);
 }
 } // namespace mesoslip
 

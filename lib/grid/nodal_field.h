@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <stdexcept>
 
 namespace mesoslip
 {
@@ -102,15 +103,18 @@ public:
   void
   set_zero();
 
-  /** Saves or restores extents and all values (Boost.Serialization). */
+  /**
+   * Saves or restores extents and all values (Boost.Serialization). @throws
+   * std::length_error when a field of other extents was saved
+   */
   template <class Archive>
   void
   serialize(Archive &archive, const unsigned int)
   {
-    unsigned int new_columns = columns, new_rows = rows;
-    archive &new_columns &new_rows;
-    if (new_columns != columns || new_rows != rows)
-      *this = NodalField(new_columns, new_rows);
+    unsigned int saved_columns = columns, saved_rows = rows;
+    archive &saved_columns &saved_rows;
+    if (saved_columns != columns || saved_rows != rows)
+      throw std::length_error("a field of other extents was saved");
     auto values = boost::serialization::make_array(begin(), size());
     archive &values;
   }

@@ -1,6 +1,8 @@
 #ifndef mesoslip_observation_cycle_record_h
 #define mesoslip_observation_cycle_record_h
 
+#include "io/state_checks.h"
+
 #include <boost/serialization/vector.hpp>
 
 #include <cstddef>
@@ -49,9 +51,13 @@ public:
   {
     archive &width_ &n_bins_ &stride_ &means_ &variances_ &pending_ &pending_mean_
       &pending_square_;
+    require_when_loading(archive, is_consistent());
   }
 
 private:
+  /** Whether means and variances are there for all bins. */
+  bool is_consistent() const;
+
   void close_bin();
   void merge_pairs();
 

@@ -142,9 +142,10 @@ void LimitCycleDetector::check()
   period_ = estimate_period().value_or(criterion_.expected_period);
   // Once reached, everything since the steady part began is judged.
   const double bin = sample_step() * static_cast<double>(record_.stride());
-  const auto first =
-    reached() ? static_cast<std::size_t>(std::ceil((steady_from_ - first_time_) / bin))
-              : (record_.size() + 1) / 2;
+  const double from =
+    reached() ? std::ceil((steady_from_ - first_time_) / bin) : (record_.size() + 1) / 2;
+  const auto first = static_cast<std::size_t>(
+    std::fmin(std::fmax(from, 0.), static_cast<double>(record_.size())));
   const auto compared = parts(first);
   if (!compared)
     return;
@@ -185,9 +186,11 @@ LimitCycleDetector::parts(const std::size_t first) const
     period_ / (sample_step() * static_cast<double>(record_.stride())); // in bins
   const double periods =
     std::floor(static_cast<double>(record_.size() - first) / criterion_.windows / period);
-  const auto length = static_cast<std::size_t>(periods * period);
-  if (periods < criterion_.periods || length < 1)
+  // The last comparison also fails for what is not a number, and cannot be made an index.
+  if (!(periods >= criterion_.periods) || !(periods * period >= 1.) ||
+      !(periods * period * criterion_.windows < static_cast<double>(record_.size() + 1)))
     return std::nullopt;
+  const auto length = static_cast<std::size_t>(periods * period);
   return Parts{record_.size() - criterion_.windows * length, length};
 }
 

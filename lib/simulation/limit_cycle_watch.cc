@@ -40,6 +40,19 @@ void LimitCycleWatch::gather_energies(const EnergyHistory &local)
   sum(local.elastic, elastic_energy);
 }
 
+bool LimitCycleWatch::follows(const ContactHistory &contact,
+                              const EnergyAudit *energy,
+                              const std::uint64_t n) const
+{
+  const std::size_t known =
+    energy != nullptr ? energy->local_history().time.size() : std::size_t(0);
+  return samples_fed <= contact.time.size() && kinetic_energy.size() <= known &&
+         equally_long(kinetic_energy, elastic_energy) &&
+         (energy == nullptr || known == (n + energy_interval - 1) / energy_interval) &&
+         std::all_of(contact.step.begin(), contact.step.end(),
+                     [&](const std::uint64_t step) { return step < n; });
+}
+
 CycleSample LimitCycleWatch::sample(const ContactHistory &contact,
                                     const std::size_t k) const
 {

@@ -67,6 +67,10 @@ public:
       archive &*energy;
     if (probes)
       archive &*probes;
+    require_when_loading(
+      archive,
+      n == checkpoint.position().step &&
+        limit_cycle.follows(contact.history(), energy.get(), n));
   }
 
   /** Where the run stands. */

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 using namespace verification;
 
 namespace
@@ -277,6 +279,68 @@ TEST(Restart, LimitCycleIsJudgedAlike)
         }
     }
   EXPECT_TRUE(reached && withdrawn);
+}
+
+namespace
+{
+/** The state after @p n steps. */
+std::string state_after(const BodySetup &setup, const std::uint64_t n)
+{
+  ObservedBody body(setup);
+  body.run_to(n);
+  return save_state(body);
+}
+
+bool is_refused(const std::string &state, const BodySetup &setup)
+{
+  ObservedBody body(setup);
+  try
+    {
+      load_state(state, body, "test");
+    }
+  catch (const mesoslip::UserError &)
+    {
+      return true;
+    }
+  return false;
+}
+
+/** The last entry of the history of @p values, 8 bytes, with the length before it, taken
+ * out of a state. */
+std::string shortened(std::string state, const std::vector<double> &values)
+{
+  const std::uint64_t n = values.size();
+  std::string saved(8 * (n + 1), '\0');
+  std::memcpy(saved.data(), &n, 8);
+  std::memcpy(saved.data() + 8, values.data(), 8 * n);
+  const std::size_t at = state.find(saved);
+  EXPECT_NE(at, std::string::npos);
+  const std::uint64_t less = n - 1;
+  std::memcpy(&state[at], &less, 8);
+  return state.erase(at + 8 * n, 8);
+}
+} // namespace
+
+TEST(Restart, StatesThatDoNotFitAreRefused)
+{
+  const BodySetup setup   = with_pressure();
+  const std::string state = state_after(setup, 100);
+  EXPECT_FALSE(is_refused(state, setup));
+  BodySetup wider = setup, watched = setup;
+  wider.cells = {{10, 6}};
+  wider.ids.assign(60, 0);
+  watched.contact.monitored_nodes = {4, 5};
+  EXPECT_TRUE(is_refused(state, wider));
+  EXPECT_TRUE(is_refused(state, watched));
+
+  // Histories of which one is a sample shorter.
+  ObservedBody body(setup);
+  body.run_to(100);
+  EXPECT_TRUE(is_refused(shortened(state, body.contact.history().slipping), setup));
+  EXPECT_TRUE(is_refused(shortened(state, body.contact.history().nodes[0].vy), setup));
+  EXPECT_TRUE(is_refused(shortened(state, body.top.history().work), setup));
+  EXPECT_TRUE(is_refused(shortened(state, body.audit->local_history().damping), setup));
+  EXPECT_TRUE(is_refused(shortened(state, body.probes.gather()[0].stress), setup));
 }
 
 TEST(Restart, TheRunExercisesTheState)

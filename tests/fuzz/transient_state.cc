@@ -1,0 +1,130 @@
+// The state in a checkpoint: a run is restored from a changed one and goes on to its end.
+#include "byte_edits.h"
+#include "fuzzing.h"
+
+#include "io/checkpoint.h"
+#include "io/parameters.h"
+#include "io/raw_parameters.h"
+#include "io/run_context.h"
+#include "simulation/transient_run.h"
+#include "simulation/transient_summary.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+
+using namespace mesoslip;
+using namespace mesoslip_tests;
+
+namespace
+{
+ContactParameters parameters_to(const std::string &end_time, const bool keep)
+{
+  RawParameters raw = RawParameters::parse(R"(
+subsection Body
+  set Stiffness = 36.54e9, 9.1e9, 47.26e9, 13.785e9
+  set Density   = 1770
+  set Size      = 4e-4, 3e-4
+  set Cells     = 4, 3
+  set Initial velocity = 0.5, 0
+end
+subsection Time
+  set Time step     = 5e-9
+  set Rayleigh beta = 1e-9
+end
+subsection Observation
+  set Probes          = A
+  set Energy interval = 3
+  subsection A
+    set Position = 2e-4, 0
+  end
+end
+)",
+                                           "fuzz.prm");
+  raw.override_with("Time/End time=" + end_time);
+  raw.override_with(std::string("Checkpoints/Keep=") + (keep ? "true" : "false"));
+  dealii::ParameterHandler prm;
+  ContactParameters::declare(prm, raw);
+  raw.apply(prm);
+  return ContactParameters::parse(prm);
+}
+
+/** A run with all that it refers to. */
+struct Transient
+{
+  Transient(const ContactParameters &p, RunContext &context)
+    : parameters(p)
+    , scene(make_scene(parameters))
+    , material(scene.make_material(false))
+    , time(choose_time_step(parameters, material))
+    , checkpoint(context, parameters.checkpoints, "a = 1\n")
+    , file(context, parameters, scene, 0)
+    , run(parameters, scene, time, material, checkpoint, file, context)
+  {
+  }
+
+  const ContactParameters parameters;
+  const Scene scene;
+  const UniformMaterial material;
+  const TimeStepChoice time;
+  TransientCheckpoint checkpoint;
+  DynamicsFile file;
+  TransientRun run;
+};
+
+RunOptions options_in(const std::string &folder, const bool resume)
+{
+  RunOptions options;
+  options.program       = "contact_dynamics";
+  options.output_folder = folder;
+  options.resume        = resume;
+  options.quiet         = true;
+  return options;
+}
+
+CheckpointHeader header()
+{
+  CheckpointHeader header;
+  header.kind = "contact_dynamics";
+  return header;
+}
+
+/** What a checkpoint after 40 steps holds. */
+std::string valid_state(const InputFile &file)
+{
+  RunContext context(options_in(file.folder, false), MPI_COMM_SELF, "", "");
+  Transient(parameters_to("200e-9", true), context).run.run();
+  return read_checkpoint(file.path, header());
+}
+
+void restore_and_go_on(const ContactParameters &parameters, RunContext &context)
+{
+  Transient transient(parameters, context);
+  if (transient.checkpoint.find(transient.time.n_steps) !=
+      TransientCheckpoint::Found::state)
+    return;
+  transient.run.restore();
+  try
+    {
+      summarize_transient(transient.parameters, transient.scene, transient.run.run());
+    }
+  catch (const NumericalFailure &)
+    {
+      // What a changed displacement may well lead to.
+    }
+}
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+{
+  static int argc    = 0;
+  static char **argv = nullptr;
+  static dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  static InputFile file("contact_dynamics.checkpoint");
+  static const std::string valid            = valid_state(file);
+  static const ContactParameters parameters = parameters_to("250e-9", false);
+  static RunContext context(options_in(file.folder, true), MPI_COMM_SELF, "", "");
+  Choices choices(data, size);
+  write_checkpoint(file.path, header(), {edit_bytes(valid, choices)});
+  accepted_or_refused([&]() { restore_and_go_on(parameters, context); });
+  return 0;
+}
