@@ -6,6 +6,7 @@
 #include "io/errors.h"
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
+#include "microstructure/grid_parameters.h"
 #include "microstructure/statistics.h"
 
 #include <filesystem>
@@ -209,8 +210,7 @@ Program rve_homogenization_program()
   program.estimate = [](dealii::ParameterHandler &prm, std::ostream &report) {
     const RveParameters parameters = RveParameters::parse(prm);
     const UniformGrid<2> grid      = parameters.microstructure.grid.grid();
-    report << grid.cells[0] << " x " << grid.cells[1] << " cells, " << 2 * grid.n_nodes()
-           << " degrees of freedom, "
+    report << size_text(grid) << ", " << 2 * grid.n_nodes() << " degrees of freedom\n"
            << 3 * parameters.conditions.size() * parameters.n_members
            << " load cases, about " << estimated_megabytes(parameters) << " MB\n";
   };

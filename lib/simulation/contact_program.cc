@@ -6,6 +6,7 @@
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
 #include "io/version.h"
+#include "microstructure/grid_parameters.h"
 #include "simulation/contact_parameters.h"
 #include "simulation/friction_homogenization.h"
 #include "simulation/modal.h"
@@ -48,6 +49,30 @@ check_transient(const ContactParameters &parameters, const Scene &scene)
   return dynamics_file_size(parameters, scene.grid, n_steps);
 }
 
+void estimate_transient(const ContactParameters &parameters,
+                        const Scene &scene,
+                        std::ostream &report)
+{
+  const UniformMaterial material = scene.make_material(parameters.periodic);
+  const TimeStepChoice time      = choose_time_step(parameters, material);
+  const double n_steps           = static_cast<double>(time.n_steps);
+  const double crossing          = crossing_time(material);
+  report.precision(4);
+  report << time.text() << "\nA wave takes " << 1e3 * crossing
+         << " ms from the flat to the top, the run " << 1e3 * parameters.time.end_time
+         << " ms";
+  // Millimetres typed as metres end here.
+  if (parameters.time.end_time < 2. * crossing)
+    report << ": it ends before the wave is back; are Body/Size and Time/End time in m and s?";
+  report << '\n'
+         << n_snapshots(parameters, n_steps) << " snapshots, "
+         << bytes_text(dynamics_file_size(parameters, scene.grid, n_steps).bytes)
+         << " on the disk, "
+         << bytes_text(field_memory(parameters.analysis, scene.grid).bytes +
+                       history_memory(parameters, n_steps).bytes)
+         << " of memory\n";
+}
+
 void
 estimate(dealii::ParameterHandler &prm, std::ostream &report)
 {
@@ -55,16 +80,10 @@ estimate(dealii::ParameterHandler &prm, std::ostream &report)
   if (parameters.analysis == ContactAnalysis::friction_homogenization)
     return;
   const Scene scene = make_scene(parameters);
-  report << "Body: " << scene.grid.cells[0] << " x " << scene.grid.cells[1] << " cells, "
-         << 2 * scene.grid.n_nodes() << " degrees of freedom\n";
-  if (parameters.analysis != ContactAnalysis::transient)
-    return;
-  const TimeStepChoice time =
-    choose_time_step(parameters, scene.make_material(parameters.periodic));
-  report << time.text() << "\n";
-  const double n_steps = static_cast<double>(time.n_steps);
-  report << n_snapshots(parameters, n_steps) << " snapshots, "
-         << bytes_text(dynamics_file_size(parameters, scene.grid, n_steps).bytes) << " on the disk\n";
+  report << "Body: " << size_text(scene.grid) << ", " << 2 * scene.grid.n_nodes()
+         << " degrees of freedom\n";
+  if (parameters.analysis == ContactAnalysis::transient)
+    estimate_transient(parameters, scene, report);
 }
 
 // What every analysis needs, then what the chosen one does.

@@ -68,6 +68,14 @@ double largest_number_of_steps(const ContactParameters &parameters,
   return std::ceil(t.end_time / dt);
 }
 
+double crossing_time(const UniformMaterial &material)
+{
+  double fastest = 0.; // squared
+  for (const ElasticClass &c : material.classes())
+    fastest = std::max(fastest, c.stiffness(1, 1) / c.density);
+  return material.grid().extent(1) / std::sqrt(fastest);
+}
+
 Need history_memory(const ContactParameters &parameters, const double n_steps)
 {
   return {history_bytes(parameters, n_steps),

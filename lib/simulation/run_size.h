@@ -23,6 +23,10 @@ Need field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid);
 double largest_number_of_steps(const ContactParameters &parameters,
                                const UniformMaterial &material);
 
+/** Time (s) in which a longitudinal wave crosses the height of the body, in its fastest
+ * material.*/
+double crossing_time(const UniformMaterial &material);
+
 /** Memory of the histories, which are kept until the end of a transient run. */
 Need history_memory(const ContactParameters &parameters, const double n_steps);
 

@@ -124,8 +124,30 @@ def check_morphology_against_body():
         return problems
 
 
+def check_sizes():
+    """--validate tells sizes with units, and that a body of metres ends before it has felt anything: 16 m at 2000 m/s."""
+    problems = []
+    stiffness = ["--set", "Body/Stiffness=1e10, 3e9, 1e10, 3.5e9", "--set", "Body/Density=2500", "--set", "Time/End time=1e-3"]
+    for program, key, text, size, words, no_words in (
+            ("rve_homogenization", "Grid", RVE, "0.002, 0.001", ["of 0.1 x 0.1 mm, 2 x 1 mm"], []),
+            ("contact_dynamics", "Body", CONTACT, "0.032, 0.016",
+             ["of 1.6 x 1.6 mm, 32 x 16 mm", "0.008 ms from the flat to the top, the run 1 ms", "of memory"], ["ends before"]),
+            ("contact_dynamics", "Body", CONTACT, "32, 16",
+             ["of 1.6 x 1.6 m, 32 x 16 m,", "8 ms from the flat", "it ends before", "Body/Size"], [])):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
+                file.write(text)
+            done = subprocess.run([os.path.join(PROGRAMS, program), "case.prm", "--validate", "--set", f"{key}/Size={size}",
+                                   *(stiffness if key == "Body" else [])], cwd=folder, text=True, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE)
+        wrong = [w for w in words if w not in done.stdout] + [w for w in no_words if w in done.stdout]
+        if done.returncode or wrong:
+            problems.append(f"{program} {size}: {wrong} in {done.stdout}{done.stderr}")
+    return problems
+
+
 def main():
-    problems = [p for case in CASES for p in check(*case)] + check_morphology_against_body()
+    problems = [p for case in CASES for p in check(*case)] + check_morphology_against_body() + check_sizes()
     for program in ("rve_homogenization", "contact_dynamics", "stress_localization"):
         for arguments in (["missing.prm"], ["/"], ["--unknown"], []):
             with tempfile.TemporaryDirectory() as folder:
