@@ -6,12 +6,27 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace mesoslip
 {
 namespace
 {
+/** Names and texts have to be: they go on into JSON. */
+bool is_utf8(const std::string &text)
+{
+  try
+    {
+      nlohmann::json(text).dump();
+      return true;
+    }
+  catch (const nlohmann::json::type_error &)
+    {
+      return false;
+    }
+}
+
 /** A line without comment, with single blanks between words. */
 std::string cleaned(const std::string &line)
 {
@@ -44,6 +59,8 @@ public:
         const std::string line = cleaned(raw);
         if (line.empty())
           continue;
+        if (!is_utf8(line))
+          fail("the line is not UTF-8; save the file in that encoding");
         const std::string word = line.substr(0, line.find(' '));
         const std::string rest =
           line.size() > word.size() ? line.substr(word.size() + 1) : "";

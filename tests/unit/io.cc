@@ -167,6 +167,14 @@ TEST(Parameters, NamesWhatIsNoParameterFile)
   expect_contains(error_of(std::string("\x89HDF\0\0", 6)), "not a text file");
 }
 
+TEST(Parameters, OtherEncodingsThanUtf8AreNamed)
+{
+  const auto parse = [](const std::string &text) { RawParameters::parse(text, "a.prm"); };
+  expect_contains(user_error([&]() { parse("# x\nset Names = Tr\xe4ger"); }),
+                  "a.prm:2: the line is not UTF-8");
+  parse("set Names = Tr\u00e4ger # Tr\xe4ger"); // comments may be anything
+}
+
 TEST(Parameters, RawTextDecidesSections)
 {
   RawParameters raw = RawParameters::parse("subsection Phases\nset Names = a,  b c\n"
