@@ -1,6 +1,11 @@
 #!/usr/bin/env bash
-# Builds and runs the tests: ./test.sh [--quick] [--label unit|verification|regression] [ctest options]
-#   --quick   unit and regression tests only
+# Builds and runs the tests: ./test.sh [option] [ctest options]
+#   without one      what CI runs: all tests but the long ones, then those of --sanitize
+#   --quick          unit and regression tests only
+#   --label NAME     unit, verification, regression, lint or long
+#   --sanitize       unit tests with AddressSanitizer, UndefinedBehaviorSanitizer, LeakSanitizer and the assertions of
+#                    deal.II's Debug library, in build-sanitize
+#   --lint           clang-tidy and cppcheck over library and programs
 #   --fuzz SECONDS   only the fuzzers, so long each, built with clang in build-fuzz
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")"
@@ -19,20 +24,49 @@ fuzz() {
   [ ${#failed[@]} -eq 0 ] || fail "something was found in ${failed[*]}: see build-fuzz/tests/findings"
 }
 
-selection=(--label-exclude long)
-while [ $# -gt 0 ]; do
-  case $1 in
-    --quick) selection=(--label-exclude 'long|verification') ;;
-    --fuzz) fuzz "${2:?--fuzz needs a number of seconds}"; exit ;;
-    --label) selection=(--label-regex "${2:?--label needs a name}"); shift ;;
-    -h | --help) sed -n '2,4s/^# //p' "$0"; exit 0 ;;
-    *) break ;;
-  esac
-  shift
-done
+# Release build, and the tests of $@ in it.
+release() {
+  install_packages
+  build build all
+  ctest --test-dir build --output-on-failure -j "$(nproc)" "$@"
+}
 
-install_packages
+# One build for both kinds of checks: deal.II's Debug library and our assertions, and the sanitizers.
+sanitize() {
+  install_packages
+  cmake_options+=(-DCMAKE_BUILD_TYPE=Debug -DMESOSLIP_SANITIZE=ON -DCMAKE_UNITY_BUILD=ON)
+  build build-sanitize sanitized_tests
+  # Memory that cannot be had is a failed allocation, as without the sanitizers.
+  export ASAN_OPTIONS=allocator_may_return_null=1:detect_stack_use_after_return=1:strict_string_checks=1
+  # Whole stacks, also through libraries without frame pointers, for the names in leaks.txt.
+  ASAN_OPTIONS+=:fast_unwind_on_malloc=0
+  export LSAN_OPTIONS=suppressions=$PWD/tests/lint/leaks.txt:print_suppressions=0
+  export UBSAN_OPTIONS=print_stacktrace=1
+  ctest --test-dir build-sanitize --output-on-failure -j "$(nproc)" --label-regex '^sanitize$' "$@"
+}
+
+# clang-tidy and cppcheck. The files of a topic are read as one: deal.II's headers take longer than ours.
+lint() {
+  mesoslip_packages+=(clang clang-tidy)
+  install_packages
+  cmake_options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
+                 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
+  configure build-lint
+  run-clang-tidy -p build-lint -quiet -extra-arg=-Wno-ignored-optimization-argument '/(lib|applications)/' \
+    >build-lint/clang-tidy.log 2>&1 || { grep -E -A 3 '(error|warning):' build-lint/clang-tidy.log; fail "clang-tidy finds the above"; }
+  say "clang-tidy finds nothing"
+  ctest --test-dir build-lint --output-on-failure --label-regex lint
+}
+
 cmake_options=()
 [ -z "${CI:-}" ] || cmake_options+=(-DMESOSLIP_WERROR=ON)
-build build all
-exec ctest --test-dir build --output-on-failure -j "$(nproc)" "${selection[@]}" "$@"
+case ${1:-} in
+  -h | --help) sed -n '2,/^set/s/^# //p' "$0" ;;
+  --fuzz) fuzz "${2:?--fuzz needs a number of seconds}" ;;
+  --sanitize) sanitize "${@:2}" ;;
+  --lint) lint ;;
+  --quick) release --label-exclude 'long|verification' "${@:2}" ;;
+  --label) release --label-regex "${2:?--label needs a name}" "${@:3}" ;;
+  "") release --label-exclude long && sanitize ;;
+  *) release --label-exclude long "$@" ;;
+esac

@@ -47,16 +47,20 @@ install_packages() {
   rm -f "${TMPDIR:-/tmp}/mesoslip-apt.$$.log"
 }
 
+# configure <folder>: once, with cmake_options; prints only what goes wrong.
+configure() {
+  local folder=$1 log="$1/configure.log"
+  [ ! -f "$folder/build.ninja" ] || return 0
+  mkdir -p "$folder"
+  say "Configuring in $folder"
+  cmake -S . -B "$folder" -G Ninja "${cmake_options[@]}" >"$log" 2>&1 || { tail -n 30 "$log" >&2; fail "cmake failed, see $log"; }
+}
+
 # build <folder> <target>... : configures once, then builds; prints only what goes wrong.
 build() {
-  local folder=$1 log
+  local folder=$1 log="$1/build.log"
   shift
-  log="$folder/build.log"
-  mkdir -p "$folder"
-  if [ ! -f "$folder/build.ninja" ]; then
-    say "Configuring in $folder"
-    cmake -S . -B "$folder" -G Ninja "${cmake_options[@]}" >"$log" 2>&1 || { tail -n 30 "$log" >&2; fail "cmake failed, see $log"; }
-  fi
+  configure "$folder"
   say "Building (the first time takes some minutes)"
   if [ -t 1 ]; then
     cmake --build "$folder" --target "$@" || fail "the build failed"

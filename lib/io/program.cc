@@ -192,7 +192,7 @@ int run_program(int argc, char **argv, const Program &program)
       dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
       dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
       // Of its own, so that concluding meets no message of ranks still at work.
-      const MPI_Comm concluding =
+      MPI_Comm concluding =
         dealii::Utilities::MPI::duplicate_communicator(MPI_COMM_WORLD);
       Outcome outcome;
       try
@@ -204,6 +204,7 @@ int run_program(int argc, char **argv, const Program &program)
           outcome = describe_current_exception();
         }
       const int status = conclude(concluding, program.name, outcome);
+      dealii::Utilities::MPI::free_communicator(concluding);
       if (Hdf5File::writing_has_failed())
         {
           std::cout << std::flush;

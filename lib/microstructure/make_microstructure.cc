@@ -11,8 +11,6 @@ namespace
 {
 using Type = MicrostructureParameters::Type;
 
-const std::string fibres_name = "Microstructure/Random fibres";
-
 /** The morphologies that come from a file. */
 Microstructure read_microstructure(const MicrostructureParameters &p)
 {
@@ -37,13 +35,6 @@ Microstructure read_microstructure(const MicrostructureParameters &p)
   return result;
 }
 
-/** Whether two lengths have a ratio that is a whole number of at least one. */
-bool is_multiple(const double length, const double unit)
-{
-  const double ratio = length / unit;
-  return ratio > 0.5 && std::abs(ratio - std::round(ratio)) <= 1e-6 * ratio;
-}
-
 std::string percent(const double fraction)
 {
   return to_text(std::round(fraction * 1e5) / 1e3) + " %";
@@ -56,7 +47,7 @@ std::vector<std::string> rounding_warnings(const FibrePlacement &p,
   std::vector<std::string> warnings;
   const auto look = [&](const char *key, const double length, const double h) {
     if (!is_multiple(length, h))
-      warnings.push_back(fibres_name + "/" + key + ": " + to_text(length) +
+      warnings.push_back(random_fibres_section + "/" + key + ": " + to_text(length) +
                          " m is no multiple of the cell, " + to_text(h) + " m; " +
                          (p.align_to_grid ? "it is rounded to " +
                                               to_text(std::round(length / h) * h) + " m"
@@ -84,7 +75,7 @@ Microstructure place_microstructure(const MicrostructureParameters &p)
   result.warnings = rounding_warnings(rules, placement_grid);
   if (!placed.target_reached)
     result.warnings.push_back(
-      fibres_name + "/Area fraction: " + percent(rules.area_fraction) +
+      random_fibres_section + "/Area fraction: " + percent(rules.area_fraction) +
       " asked for, " + percent(placed.reached_fraction(rules.fraction_rule)) +
       " reached with " + std::to_string(placed.fibres.size()) +
       " fibres; no further one fits in under these rules");

@@ -16,7 +16,6 @@ namespace mesoslip
 namespace
 {
 const std::string section_name = "Microstructure";
-const std::string fibres_name  = section_name + "/Random fibres";
 
 using Type = MicrostructureParameters::Type;
 
@@ -62,16 +61,9 @@ void declare_rules(dealii::ParameterHandler &prm, const FibrePlacement &defaults
     "keeps the morphology when the grid is refined. 0: the cells [m]");
 }
 
-/** Whether two lengths have a ratio that is a whole number of at least one. */
-bool is_multiple(const double length, const double unit)
-{
-  const double ratio = length / unit;
-  return ratio > 0.5 && std::abs(ratio - std::round(ratio)) <= 1e-6 * ratio;
-}
-
 [[noreturn]] void fail(const std::string &key, const std::string &what)
 {
-  throw UserError(fibres_name + "/" + key + ": " + what);
+  throw UserError(random_fibres_section + "/" + key + ": " + what);
 }
 
 void check_placement_spacing(const MicrostructureParameters &p)
@@ -165,7 +157,7 @@ void MicrostructureParameters::declare(dealii::ParameterHandler &prm,
                          "Image value of each phase in the order of Names. Empty: the "
                          "values that occur, in ascending order [-]");
   }
-  const ParameterSection section(prm, fibres_name);
+  const ParameterSection section(prm, random_fibres_section);
   declare_shape(prm, FibrePlacement());
   declare_rules(prm, FibrePlacement());
 }
@@ -183,7 +175,7 @@ void MicrostructureParameters::parse(dealii::ParameterHandler &prm)
     file         = get_string(prm, "File");
     image_values = get_integer_list(prm, "Image values");
   }
-  const ParameterSection section(prm, fibres_name);
+  const ParameterSection section(prm, random_fibres_section);
   placement.seed          = static_cast<std::uint64_t>(get_integer(prm, "Seed"));
   placement.width         = get_double(prm, "Fibre width");
   placement.min_height    = get_double(prm, "Minimum height");
@@ -232,7 +224,7 @@ UniformGrid<2> MicrostructureParameters::placement_grid() const
 unsigned int MicrostructureParameters::fibre_phase_index() const
 {
   if (!fibre_phase.empty())
-    return phases.index_of(fibre_phase, fibres_name + "/Phase");
+    return phases.index_of(fibre_phase, random_fibres_section + "/Phase");
   if (phases.phases.size() < 2)
     throw UserError("Phases/Names: there is only one phase; name a second one for the "
                     "fibres, or choose the homogeneous microstructure");

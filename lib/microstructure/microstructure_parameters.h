@@ -8,6 +8,7 @@
 #include "microstructure/random_fibres.h"
 #include "microstructure/rectangles.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,16 @@ class ParameterHandler;
 namespace mesoslip
 {
 class RawParameters;
+
+/** Where the rules of random fibres stand in a .prm. */
+inline const std::string random_fibres_section = "Microstructure/Random fibres";
+
+/** Whether two lengths have a ratio that is a whole number of at least one. */
+inline bool is_multiple(const double length, const double unit)
+{
+  const double ratio = length / unit;
+  return ratio > 0.5 && std::abs(ratio - std::round(ratio)) <= 1e-6 * ratio;
+}
 
 /**
  * Sections `Grid`, `Phases` and `Microstructure`: everything that determines which cell

@@ -4,6 +4,7 @@
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/lac/solver_control.h>
 
 #include <chrono>
@@ -88,6 +89,8 @@ void run(dealii::ParameterHandler &prm, RunContext &context)
 
 int main(int argc, char **argv)
 {
+  // Assertions of deal.II, where they are compiled in, are seen as exceptions.
+  dealii::deal_II_exceptions::disable_abort_on_exception();
   Program program;
   program.name        = "io_program";
   program.description = "Tests what all programs share.";

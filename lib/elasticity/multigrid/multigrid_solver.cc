@@ -14,7 +14,6 @@ namespace mesoslip
 {
 namespace
 {
-using multigrid::kernels;
 
 
 [[noreturn]] void
@@ -93,7 +92,7 @@ struct MultigridSolver::Implementation
   {
     double sum = 0.;
     for_each_row([&](const unsigned int c, const unsigned int j) {
-      sum += kernels().dot(n, v.row(c, j), v.row(c, j));
+      sum += multigrid::kernels().dot(n, v.row(c, j), v.row(c, j));
     });
     return std::sqrt(sum);
   }
@@ -181,7 +180,7 @@ double MultigridSolver::Implementation::right_hand_side_norm(const NodalField<do
 void MultigridSolver::Implementation::precondition(const double scale)
 {
   for_each_row([&](const unsigned int c, const unsigned int j) {
-    kernels().narrow(n, scale, r.row(c, j), b32.row(c, j));
+    multigrid::kernels().narrow(n, scale, r.row(c, j), b32.row(c, j));
   });
   preconditioner.vmult(z32, b32);
 }
@@ -226,7 +225,7 @@ SolverReport MultigridSolver::Implementation::iterate(NodalField<double> &u,
       double dots[2] = {0., 0.};
       for_each_row([&](const unsigned int c, const unsigned int j) {
         double row[2];
-        kernels().two_dots(n, r.row(c, j), q.row(c, j), z32.row(c, j), row);
+        multigrid::kernels().two_dots(n, r.row(c, j), q.row(c, j), z32.row(c, j), row);
         dots[0] += row[0];
         dots[1] += row[1];
       });
@@ -237,20 +236,21 @@ SolverReport MultigridSolver::Implementation::iterate(NodalField<double> &u,
       rz = rz_new;
       for (unsigned int c = 0; c < 2; ++c)
         for (unsigned int j = 0; j < material.n_rows(); ++j)
-          kernels().direction(n, residual_norm, beta, z32.row(c, j), p.row(c, j));
+          multigrid::kernels().direction(n, residual_norm, beta, z32.row(c, j),
+                                         p.row(c, j));
       stiffness.vmult(q, p);
       restrict_to_unknowns(q);
       double pq = 0.;
       for_each_row([&](const unsigned int c, const unsigned int j) {
-        pq += kernels().dot(n, p.row(c, j), q.row(c, j));
+        pq += multigrid::kernels().dot(n, p.row(c, j), q.row(c, j));
       });
       if (!(pq > 0.) || !std::isfinite(pq) || !(rz > 0.))
         fail("broke down", report.iterations, report.residual);
       alpha      = rz / pq;
       double sum = 0.;
       for_each_row([&](const unsigned int c, const unsigned int j) {
-        sum +=
-          kernels().step(n, alpha, p.row(c, j), q.row(c, j), u.row(c, j), r.row(c, j));
+        sum += multigrid::kernels().step(n, alpha, p.row(c, j), q.row(c, j), u.row(c, j),
+                                         r.row(c, j));
       });
       residual_norm   = std::sqrt(sum);
       report.residual = residual_norm / scale;

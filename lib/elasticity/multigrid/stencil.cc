@@ -9,22 +9,22 @@ namespace multigrid
 namespace
 {
 /** Where the block between corners a <= b of a cell goes: an array of the node at a. */
-struct Block
+struct CornerBlock
 {
   unsigned int a, b;
   unsigned int array;
 };
 
-constexpr std::array<Block, 10> blocks = {{{0, 0, centre},
-                                           {1, 1, centre},
-                                           {2, 2, centre},
-                                           {3, 3, centre},
-                                           {0, 1, east},
-                                           {2, 3, east},
-                                           {0, 2, north},
-                                           {1, 3, north},
-                                           {0, 3, north_east},
-                                           {1, 2, north_west}}};
+constexpr std::array<CornerBlock, 10> blocks = {{{0, 0, centre},
+                                                 {1, 1, centre},
+                                                 {2, 2, centre},
+                                                 {3, 3, centre},
+                                                 {0, 1, east},
+                                                 {2, 3, east},
+                                                 {0, 2, north},
+                                                 {1, 3, north},
+                                                 {0, 3, north_east},
+                                                 {1, 2, north_west}}};
 
 /** Position of entry (r, c), r <= c, in the upper triangle of an n x n matrix. */
 unsigned int upper(const unsigned int n, const unsigned int r, const unsigned int c)
@@ -46,7 +46,7 @@ void Stencil<Number>::add_cell_row(const unsigned int j,
                                    const PaddedRows<double> &matrices)
 {
   const unsigned int n_cells = matrices.n_columns();
-  for (const Block &block : blocks)
+  for (const CornerBlock &block : blocks)
     {
       const int row            = static_cast<int>((j + block.a / 2) % arrays.n_rows());
       const unsigned int shift = block.a % 2;
