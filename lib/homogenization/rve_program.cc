@@ -1,12 +1,12 @@
 #include "homogenization/rve_program.h"
 
+#include "grid/size_text.h"
 #include "homogenization/rve_file.h"
 #include "homogenization/rve_output.h"
 #include "io/digest.h"
 #include "io/errors.h"
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
-#include "microstructure/grid_parameters.h"
 #include "microstructure/statistics.h"
 
 #include <filesystem>

@@ -5,31 +5,11 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <utility>
 #include <vector>
 
 namespace mesoslip
 {
-namespace
-{
-/** Two lengths with the unit that suits the larger one. */
-std::string lengths_text(const double width, const double height)
-{
-  const double largest    = std::max(width, height) * (1. + 1e-9);
-  const auto [unit, name] = largest >= 1e3    ? std::pair(1e3, " km")
-                            : largest >= 1.   ? std::pair(1., " m")
-                            : largest >= 1e-4 ? std::pair(1e-3, " mm")
-                                              : std::pair(1e-6, " um");
-  std::ostringstream text;
-  text.precision(4);
-  text << width / unit << " x " << height / unit << name;
-  return text.str();
-}
-} // namespace
-
 void GridParameters::declare(dealii::ParameterHandler &prm)
 {
   const GridParameters defaults;
@@ -80,12 +60,5 @@ UniformGrid<2> GridParameters::grid() const
   for (unsigned int d = 0; d < 2; ++d)
     result.spacing[d] = size[d] / cells[d];
   return result;
-}
-
-std::string size_text(const UniformGrid<2> &grid)
-{
-  return std::to_string(grid.cells[0]) + " x " + std::to_string(grid.cells[1]) +
-         " cells of " + lengths_text(grid.spacing[0], grid.spacing[1]) + ", " +
-         lengths_text(grid.extent(0), grid.extent(1));
 }
 } // namespace mesoslip

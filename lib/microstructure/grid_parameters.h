@@ -4,7 +4,6 @@
 #include "grid/uniform_grid.h"
 
 #include <array>
-#include <string>
 
 namespace dealii
 {
@@ -35,9 +34,6 @@ struct GridParameters
   /** The grid; check() has passed. */
   UniformGrid<2> grid() const;
 };
-
-/** "560 x 160 cells of 0.1 x 0.1 mm, 56 x 16 mm"; lengths in km, m, mm or um. */
-std::string size_text(const UniformGrid<2> &grid);
 } // namespace mesoslip
 
 #endif

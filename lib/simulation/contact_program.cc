@@ -1,12 +1,12 @@
 #include "simulation/contact_program.h"
 
 #include "elasticity/uniform_material.h"
+#include "grid/size_text.h"
 #include "io/errors.h"
 #include "io/parameters.h"
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
 #include "io/version.h"
-#include "microstructure/grid_parameters.h"
 #include "simulation/contact_parameters.h"
 #include "simulation/friction_homogenization.h"
 #include "simulation/modal.h"

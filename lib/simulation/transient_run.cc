@@ -127,18 +127,22 @@ TransientRun::request(const std::uint64_t n)
   return context.root() && checkpoint.due() ? Request::save : Request::go_on;
 }
 
+TransientRun::Request
+TransientRun::request_of_all(const std::uint64_t n)
+{
+  const auto scope  = context.timer().scope("Limit cycle, requests");
+  Request    wanted = request(n);
+  MPI_Allreduce(MPI_IN_PLACE, &wanted, 1, MPI_INT, MPI_MAX, context.communicator());
+  if (wanted == Request::look)
+    monitor.check(n);
+  context.progress().update(n, n * time.step.dt);
+  return wanted;
+}
+
 bool
 TransientRun::control(const std::uint64_t n)
 {
-  Request wanted = Request::go_on;
-  {
-    const auto scope = context.timer().scope("Limit cycle, requests");
-    wanted           = request(n);
-    MPI_Allreduce(MPI_IN_PLACE, &wanted, 1, MPI_INT, MPI_MAX, context.communicator());
-    if (wanted == Request::look)
-      monitor.check(n);
-    context.progress().update(n, n * time.step.dt);
-  }
+  const Request wanted = request_of_all(n);
   interrupted    = wanted == Request::stop;
   at_limit_cycle = wanted == Request::end && n < time.n_steps;
   if (wanted == Request::save || wanted == Request::stop)

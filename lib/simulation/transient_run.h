@@ -94,6 +94,9 @@ private:
   traction(const unsigned int node) const;
   Request
   request(const std::uint64_t n);
+  /** The greatest of all ranks, after looking and reporting. */
+  Request
+  request_of_all(const std::uint64_t n);
   bool
   control(const std::uint64_t n);
   void
