@@ -32,7 +32,7 @@ def run(bench):
     copies = bench.tool("scaling_benchmark", "copy", *COPY)
     rows = [row_of(results, ratio, count, fields, copies[-1]) for ratio, count in cases for fields in ("all fields", "probes only")]
     bench.write("localization-speed", rows, f"{PIN[0]} x {PIN[1]} cells; macroscopic grid coarser by ratio; averaging_GB_per_s: bytes a "
-                "cell and snapshot ({TRAFFIC[1]:g}, with ratio 2 {TRAFFIC[2]:g}) over the time to average; part_of_copy: of copying 256 MB, both "
+                f"cell and snapshot ({TRAFFIC[1]:g}, with ratio 2 {TRAFFIC[2]:g}) over the time to average; part_of_copy: of copying 256 MB, both "
                 "ways counted",
                 repetitions=REPETITIONS)
     for row in copies:
