@@ -106,6 +106,22 @@ TEST(HostileHdf5, TextsOfVariableLengthAreNotRead)
     "the attribute 'a' of / is not a text of fixed length");
 }
 
+// Found by a fuzzer: of a damaged one the library copied what is not there.
+TEST(HostileHdf5, CompactDatasetsAreNotRead)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5";
+  const hid_t file  = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t space = H5Screate(H5S_SCALAR), layout = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_layout(layout, H5D_COMPACT);
+  H5Dclose(H5Dcreate2(file, "/hollow", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, layout,
+                      H5P_DEFAULT));
+  H5Pclose(layout);
+  H5Sclose(space);
+  H5Fclose(file);
+  expect_contains(reading(path), "is stored in its header, as no program here does");
+}
+
 TEST(HostileHdf5, TextsKeepTheirLength)
 {
   const TemporaryFolder folder;
