@@ -13,14 +13,17 @@ using namespace mesoslip_tests;
 
 namespace
 {
-/** Writes a dataset without values, of chunks or contiguous, with the library itself. */
+/** Writes a dataset without values, of chunks or in another layout, with the library
+ * itself. */
 void write_hollow(const std::string &path,
                   const hid_t type,
                   const std::vector<hsize_t> &extents,
-                  const std::vector<hsize_t> &chunk)
+                  const std::vector<hsize_t> &chunk,
+                  const H5D_layout_t layout = H5D_CONTIGUOUS)
 {
   const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_layout(properties, layout);
   if (!chunk.empty())
     H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
   const hid_t space =
@@ -111,14 +114,7 @@ TEST(HostileHdf5, CompactDatasetsAreNotRead)
 {
   const TemporaryFolder folder;
   const std::string path = folder / "a.h5";
-  const hid_t file  = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  const hid_t space = H5Screate(H5S_SCALAR), layout = H5Pcreate(H5P_DATASET_CREATE);
-  H5Pset_layout(layout, H5D_COMPACT);
-  H5Dclose(H5Dcreate2(file, "/hollow", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, layout,
-                      H5P_DEFAULT));
-  H5Pclose(layout);
-  H5Sclose(space);
-  H5Fclose(file);
+  write_hollow(path, H5T_NATIVE_DOUBLE, {1}, {}, H5D_COMPACT);
   expect_contains(reading(path), "is stored in its header, as no program here does");
 }
 
