@@ -170,11 +170,11 @@ def _fine_row(data, load, window, coarse):
     coarse = {seed: coarse[seed] for seed in fine}
     row = [load.label, window, len(fine), *(_mean([m.mu for m in found.values()]) for found in (fine, coarse)),
            f"{delta_rules.rms([m.mu - coarse[s].mu for s, m in fine.items()]):.4f}"]
-    row += [f"{data.sweep(load, times, cells).at(seeds.DELTA, delta_rules.mu_of):.4f}" for cells in (seeds.FINE, seeds.COARSE)]
-    if len(data.sweep(load, times, seeds.FINE).deltas) == 1:
+    sweeps = [data.sweep(load, times, cells) for cells in (seeds.FINE, seeds.COARSE)]
+    row += [f"{sweep.at(seeds.DELTA, delta_rules.mu_of):.4f}" for sweep in sweeps]
+    if len(sweeps[0].deltas) == 1:
         return row + ["–", "–"]
-    return row + [_mean([1e9 * d for d in rules.matched(data, load, times, mixed, cells).values()], 0)
-                  for mixed, cells in ((0, seeds.FINE), (1, seeds.COARSE))]
+    return row + [_mean([1e9 * sweep.delta_for(m.mu) for m in found.values()], 0) for sweep, found in zip(sweeps, (fine, coarse))]
 
 
 def _mean(values, digits=4):
