@@ -6,6 +6,7 @@
 #include "io/files.h"
 #include "io/hdf5_file.h"
 #include "io/interrupt.h"
+#include "io/mpi_start.h"
 #include "io/outcome.h"
 #include "io/parameters.h"
 #include "io/raw_parameters.h"
@@ -185,9 +186,7 @@ int run_program(int argc, char **argv, const Program &program)
   std::signal(SIGXFSZ, SIG_IGN);
   try
     {
-      // Without mpirun Open MPI starts a daemon of its own, for ranks that are spawned:
-      // a quarter of the time to start, and it outlives a run that is killed.
-      ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+      prepare_mpi_of_one_process();
       // Its destructor gives up when it sees an exception: none passes this line.
       dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
       dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();

@@ -1,5 +1,7 @@
 #include "io/progress.h"
 
+#include "io/mpi_start.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -41,23 +43,11 @@ std::string duration_text(const double seconds)
   return text;
 }
 
-namespace
-{
-/** Whether mpirun (of Open MPI, or one with PMI) started this process: what looks like a
- *  terminal then is its pipe, which may end in a file. */
-bool started_by_mpirun()
-{
-  for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
-    if (std::getenv(name) != nullptr)
-      return true;
-  return false;
-}
-} // namespace
-
 Progress::Mode Progress::choose_mode(const bool quiet)
 {
   if (quiet)
     return Mode::off;
+  // Under mpirun what looks like a terminal is its pipe, which may end in a file.
   return isatty(STDOUT_FILENO) && !started_by_mpirun() ? Mode::terminal : Mode::plain;
 }
 

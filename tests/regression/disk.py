@@ -156,14 +156,22 @@ def not_permitted(bench):
                              output, "Permission denied", "--output")
 
 
+def no_temporary_folder(bench):
+    """Open MPI's is shared by all processes that start and end side by side: one may remove it under another."""
+    path = os.path.join(bench.programs, "contact_dynamics")
+    done = subprocess.run([path, "--version"], env=dict(os.environ, TMPDIR="/dev/null/none"), text=True, capture_output=True)
+    bench.expect("a start without a temporary folder", done, 0)
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(os.path.abspath(sys.argv[1]), folder)
         for program in RESULTS:
             fills_up(bench, program)
         not_permitted(bench)
+        no_temporary_folder(bench)
     assert not bench.problems, "\n".join(bench.problems)
-    print("full disks and folders without permission: refused or stopped, nothing lost")
+    print("full disks, no temporary folder and folders without permission: refused or stopped, nothing lost")
 
 
 if __name__ == "__main__":
