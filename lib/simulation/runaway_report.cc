@@ -63,9 +63,13 @@ void report_runaway(const Runaway &found,
   require_finite(parameters.top.pressure, "Top/Expression", time.step.dt, n);
   std::ostringstream what, place;
   what.precision(3);
-  what << "the run blew up: its energy is " << found.energy << " J/m where at most "
-       << found.put_in << " J/m were put in; likely cause: " << likely_cause(found, time)
-       << "; found";
+  what << "the run blew up: its energy is ";
+  if (std::isnan(found.energy))
+    what << "not a number,";
+  else
+    what << found.energy << " J/m";
+  what << " where at most " << found.put_in
+       << " J/m were put in; likely cause: " << likely_cause(found, time) << "; found";
   place.precision(3);
   place << "node (" << found.column << ", " << found.row << ") with u_"
         << "xy"[found.component] << " = " << found.displacement << " m and a velocity of "
