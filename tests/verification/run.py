@@ -31,11 +31,8 @@ class Measured:
     def __init__(self):
         self.tests, self.series, self.numbers = set(), {}, {}
 
-    def read(self, executable, path):
-        with open(path, encoding="utf-8") as file:
-            suites = json.load(file)["testsuites"]
-        for test in (test for suite in suites for test in suite["testsuite"]):
-            name = f"{executable}: {test['classname'].split('/')[-1]}.{test['name'].split('/')[0]}"
+    def add(self, tests):
+        for name, test in tests:
             if "failures" in test:
                 raise SystemExit(f"verification: {name} fails; no page is written")
             self.tests.add(name)
@@ -53,17 +50,20 @@ class Measured:
         return float(np.log(before / last) / np.log(fine / coarse))
 
 
-def run_tests(folder):
-    measured = Measured()
+def tests_of(folder, *options):
+    """("executable: Suite.Name", entry of GoogleTest's report) of all tests of the executables in `folder`, started with `options`."""
     with tempfile.TemporaryDirectory() as reports:
         for executable in EXECUTABLES:
             report = os.path.join(reports, executable + ".json")
-            subprocess.run([os.path.join(folder, executable), f"--gtest_output=json:{report}"], cwd=reports,
+            subprocess.run([os.path.join(folder, executable), f"--gtest_output=json:{report}", *options], cwd=reports,
                            stdout=subprocess.DEVNULL, check=False)
             if not os.path.exists(report):
                 raise SystemExit(f"verification: {executable} in {folder} left no report; build the tests")
-            measured.read(executable, report)
-    return measured
+            with open(report, encoding="utf-8") as file:
+                suites = json.load(file)["testsuites"]
+            for suite in suites:
+                for test in suite["testsuite"]:
+                    yield f"{executable}: {suite['name'].split('/')[-1]}.{test['name'].split('/')[0]}", test
 
 
 def observed(measured, tests):
@@ -100,15 +100,7 @@ def convergence(measured, path):
 
 def check_names(folder):
     """SystemExit unless every test that the page names exists in the executables of `folder`."""
-    known = set()
-    for executable in EXECUTABLES:
-        suite = ""
-        for line in subprocess.run([os.path.join(folder, executable), "--gtest_list_tests"], capture_output=True, text=True, check=True).stdout.splitlines():
-            name = line.split("#")[0].strip()
-            if line.startswith(" "):
-                known.add(f"{executable}: {suite}{name.split('/')[0]}")
-            else:
-                suite = name.split("/")[-1]
+    known = {name for name, _ in tests_of(folder, "--gtest_list_tests")}
     for missing in (test for _, _, tests in problems.PROBLEMS for test in tests if test not in known):
         raise SystemExit(f"verification: there is no test '{missing}'; correct tests/verification/problems.py")
 
@@ -136,7 +128,9 @@ def main():
     subprocess.run(["cmake", "--build", build, "--target", *EXECUTABLES], stdout=subprocess.DEVNULL, check=True)
     tests = os.path.join(build, "tests")
     check_names(tests)
-    write(run_tests(tests))
+    measured = Measured()
+    measured.add(tests_of(tests))
+    write(measured)
     print("doc/verification.md")
 
 
