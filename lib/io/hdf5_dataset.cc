@@ -84,12 +84,23 @@ Hdf5File::Id Hdf5File::open_dataset(const std::string &name,
   Handle object(open_object(name, hint));
   if (H5Iget_type(object) != H5I_DATASET)
     fail(name + " is not a dataset", hint);
-  // Nothing of ours lies in the header of its dataset, where the library (1.10) would read
-  // beyond what a damaged file has.
-  const Handle layout(H5Dget_create_plist(object));
-  if (H5Pget_layout(layout) == H5D_COMPACT)
-    fail(dataset_text(name) + " is stored in its header, as no program here does", hint);
+  check_storage(name, object);
   return object.release();
+}
+
+void Hdf5File::check_storage(const std::string &name, const Id dataset) const
+{
+  const Handle properties(H5Dget_create_plist(dataset));
+  const H5D_layout_t layout = H5Pget_layout(properties);
+  // Nothing of ours lies in the header of its dataset, where the library (1.10) would
+  // read beyond what a damaged file has.
+  if (layout == H5D_COMPACT)
+    fail(dataset_text(name) + " is stored in its header, as no program here does");
+  if (layout == H5D_VIRTUAL || H5Pget_external_count(properties) != 0)
+    fail(dataset_text(name) +
+         " has its values outside this file, where they are not read; copy them into it");
+  if (layout != H5D_CONTIGUOUS && layout != H5D_CHUNKED)
+    fail(dataset_text(name) + " cannot be opened: the file is damaged");
 }
 
 Shape Hdf5File::shape_of(const std::string &name, const Id dataset) const

@@ -218,14 +218,27 @@ void Hdf5File::require_writable() const
     throw std::logic_error(file_path + " is not open for writing");
 }
 
+bool Hdf5File::is_member(const std::string &name) const
+{
+  if (H5Lexists(file, name.c_str(), H5P_DEFAULT) <= 0)
+    return false;
+  H5L_info_t link;
+  if (H5Lget_info(file, name.c_str(), &link, H5P_DEFAULT) < 0)
+    fail(name + " cannot be found: the file is damaged");
+  if (link.type != H5L_TYPE_HARD)
+    fail(name + " is a link by name, which may lead to another file and is not followed; "
+                "copy what it stands for into this file");
+  return true;
+}
+
 bool Hdf5File::link_exists(const std::string &name) const
 {
   // Every group on the way has to exist before the library may be asked for the next.
   for (std::size_t slash = name.find('/', 1); slash != std::string::npos;
        slash             = name.find('/', slash + 1))
-    if (H5Lexists(file, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0)
+    if (!is_member(name.substr(0, slash)))
       return false;
-  return H5Lexists(file, name.c_str(), H5P_DEFAULT) > 0;
+  return is_member(name);
 }
 
 bool Hdf5File::exists(const std::string &name) const

@@ -38,6 +38,9 @@ struct Hdf5Header
  * number types, except floating point to integer; numbers that are not finite are errors.
  * Names are absolute paths ("/grid"); missing groups are created.
  *
+ * Nothing outside the file is read: links by name (soft, external), external storage and
+ * virtual datasets are errors.
+ *
  * Every failure is a UserError that names file and dataset. The @p hint of a reading
  * function is added when the object is missing: "was rve_homogenization run with KUBC?".
  * After a failure in writing (the disk is full) the file remains `<path>.part`, and a
@@ -238,12 +241,14 @@ private:
   [[noreturn]] void fail(const std::string &what, const std::string &hint = "") const;
   [[noreturn]] void fail_writing(const std::string &what);
   void require_writable() const;
+  bool is_member(const std::string &name) const;
   bool link_exists(const std::string &name) const;
   Id open_object(const std::string &name, const std::string &hint) const;
   Id open_dataset(const std::string &name, const std::string &hint) const;
   Id open_attribute(const std::string &object,
                     const std::string &name,
                     const std::string &hint) const;
+  void check_storage(const std::string &name, const Id dataset) const;
   Shape shape_of(const std::string &name, const Id dataset) const;
   void check_type(const std::string &name, const Id dataset, const Id type) const;
   void check_size(const std::string &name, const Id dataset, const Shape &extents) const;

@@ -118,6 +118,98 @@ TEST(HostileHdf5, CompactDatasetsAreNotRead)
   expect_contains(reading(path), "is stored in its header, as no program here does");
 }
 
+namespace
+{
+/** A file with /group/secret, as somebody else's on the same machine, and what a foreign
+ * file would make of it. */
+struct ForeignFile
+{
+  ForeignFile()
+  {
+    Hdf5File file = Hdf5File::create(secret);
+    file.write<double>("/group/secret", {1}, {42.});
+    file.close();
+  }
+
+  /** The sentence for /link of a file, or for what lies behind it. */
+  std::string refusal(const std::string &object = "/link") const
+  {
+    return user_error([&]() { Hdf5File::open(path).read<double>(object); });
+  }
+
+  const TemporaryFolder folder;
+  const std::string secret = folder / "secret.h5", path = folder / "a.h5";
+};
+
+/** Calls @p write with the identifier of a new file. */
+void with_new_file(const std::string &path, const std::function<void(hid_t)> &write)
+{
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  ASSERT_GE(file, 0);
+  write(file);
+  H5Fclose(file);
+}
+
+/** A dataset /link of one number with these properties; closes them. */
+void create_with(const hid_t file, const hid_t properties)
+{
+  const hsize_t one = 1;
+  const hid_t space = H5Screate_simple(1, &one, nullptr);
+  const hid_t set   = H5Dcreate2(file, "/link", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT,
+                                 properties, H5P_DEFAULT);
+  EXPECT_GE(set, 0);
+  H5Dclose(set);
+  H5Sclose(space);
+  H5Pclose(properties);
+}
+} // namespace
+
+TEST(HostileHdf5, LinksAreNotFollowed)
+{
+  const ForeignFile foreign;
+  const std::string to_other_file = "/link is a link by name";
+  with_new_file(foreign.path, [&](const hid_t file) {
+    H5Lcreate_external(foreign.secret.c_str(), "/group/secret", file, "/link",
+                       H5P_DEFAULT, H5P_DEFAULT);
+  });
+  expect_contains(foreign.refusal(), to_other_file);
+  // A group on the way, and one behind a link within the file.
+  with_new_file(foreign.path, [&](const hid_t file) {
+    H5Lcreate_external(foreign.secret.c_str(), "/group", file, "/link", H5P_DEFAULT,
+                       H5P_DEFAULT);
+    H5Lcreate_soft("/link/secret", file, "/soft", H5P_DEFAULT, H5P_DEFAULT);
+  });
+  expect_contains(foreign.refusal("/link/secret"), to_other_file);
+  expect_contains(foreign.refusal("/soft"), "/soft is a link by name");
+  const auto listed = [&]() { Hdf5File::open(foreign.path).list("/link"); };
+  expect_contains(user_error(listed), to_other_file);
+  const auto attribute = [&]() {
+    Hdf5File::open(foreign.path).has_attribute("/link/secret", "unit");
+  };
+  expect_contains(user_error(attribute), to_other_file);
+}
+
+TEST(HostileHdf5, DatasetsOfOtherFilesAreNotRead)
+{
+  const ForeignFile foreign;
+  const std::string elsewhere = "the dataset /link has its values outside this file";
+  with_new_file(foreign.path, [&](const hid_t file) {
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_external(properties, foreign.secret.c_str(), 0, sizeof(double));
+    create_with(file, properties);
+  });
+  expect_contains(foreign.refusal(), elsewhere);
+  with_new_file(foreign.path, [&](const hid_t file) {
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    const hsize_t one      = 1;
+    const hid_t space      = H5Screate_simple(1, &one, nullptr);
+    H5Pset_virtual(properties, space, foreign.secret.c_str(), "/group/secret", space);
+    H5Sclose(space);
+    create_with(file, properties);
+  });
+  expect_contains(foreign.refusal(), elsewhere);
+}
+
 TEST(HostileHdf5, TextsKeepTheirLength)
 {
   const TemporaryFolder folder;
