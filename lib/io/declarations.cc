@@ -5,30 +5,68 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <nlohmann/json.hpp>
-#include <sstream>
+#include <boost/property_tree/ptree.hpp>
 
 namespace mesoslip
 {
 namespace
 {
-void collect(const nlohmann::ordered_json &node,
-             const std::string &section,
-             std::vector<Declared> &keys)
+using Tree = boost::property_tree::ptree;
+
+/**
+ * deal.II shows its tree of keys, with documentation and patterns, only to archives and
+ * as text. This one keeps the way to the tree; printing and parsing took twenty times as
+ * long.
+ */
+class TreeArchive
 {
-  const auto is_key = [](const nlohmann::ordered_json &child) {
-    return child.contains("value") && child["value"].is_string() &&
-           child.contains("pattern");
-  };
-  for (const auto &[name, child] : node.items())
+public:
+  template <typename T>
+  TreeArchive &operator&(const T &)
+  {
+    return *this;
+  }
+  TreeArchive &operator&(const Tree &entries)
+  {
+    tree = &entries;
+    return *this;
+  }
+
+  const Tree *tree = nullptr;
+};
+
+/** deal.II keeps what is no letter or digit as _ and its code in two hexadecimal digits.
+ */
+std::string demangled(const std::string &name)
+{
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i)
+    if (name[i] == '_' && i + 2 < name.size())
+      {
+        text += static_cast<char>(std::stoi(name.substr(i + 1, 2), nullptr, 16));
+        i += 2;
+      }
+    else
+      text += name[i];
+  return text;
+}
+
+bool is_key(const Tree &node)
+{
+  return node.count("value") > 0 && node.count("pattern") > 0;
+}
+
+void collect(const Tree &node, const std::string &section, std::vector<Declared> &keys)
+{
+  for (const auto &[name, child] : node)
     if (is_key(child))
-      keys.push_back({section, name, child["value"].get<std::string>(),
-                      child["default_value"].get<std::string>(),
-                      child.value("documentation", ""),
-                      child["pattern_description"].get<std::string>()});
-  for (const auto &[name, child] : node.items())
-    if (child.is_object() && !is_key(child) && !child.contains("alias"))
-      collect(child, (section.empty() ? "" : section + "/") + name, keys);
+      keys.push_back({section, demangled(name), child.get<std::string>("value"),
+                      child.get<std::string>("default_value"),
+                      child.get<std::string>("documentation", ""),
+                      child.get<std::string>("pattern_description")});
+  for (const auto &[name, child] : node)
+    if (!child.empty() && !is_key(child) && child.count("alias") == 0)
+      collect(child, (section.empty() ? "" : section + "/") + demangled(name), keys);
 }
 
 std::string in_quotes(const std::string &text)
@@ -74,12 +112,10 @@ std::string advice(const std::string &word,
 
 std::vector<Declared> declared_keys(const dealii::ParameterHandler &prm)
 {
-  // The only access to documentation and patterns that deal.II gives.
-  std::stringstream text;
-  prm.print_parameters(text, dealii::ParameterHandler::JSON |
-                               dealii::ParameterHandler::KeepDeclarationOrder);
+  TreeArchive archive;
+  prm.save(archive, 0);
   std::vector<Declared> keys;
-  collect(nlohmann::ordered_json::parse(text), "", keys);
+  collect(*archive.tree, "", keys);
   return keys;
 }
 

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 namespace mesoslip
@@ -133,7 +135,7 @@ private:
   {
     check_name(name, "subsection");
     const std::string path = prefix() + name;
-    if (std::find(sections.begin(), sections.end(), path) == sections.end())
+    if (known_sections.insert(path).second)
       {
         sections.push_back(path);
         section_lines.push_back(first_line);
@@ -158,11 +160,11 @@ private:
     const std::string left = cleaned(raw.substr(0, equals));
     const std::string key  = left.size() > 4 ? left.substr(4) : "";
     check_name(key, "key");
-    const std::string path = prefix() + key;
-    for (const RawParameters::Entry &entry : entries)
-      if (entry.path == path)
-        fail(path + " is set again; line " + std::to_string(entry.line) +
-             " has set it already");
+    const std::string path     = prefix() + key;
+    const auto [first, is_new] = lines_of_keys.emplace(path, first_line);
+    if (!is_new)
+      fail(path + " is set again; line " + std::to_string(first->second) +
+           " has set it already");
     entries.push_back({path, trimmed(raw.substr(equals + 1)), first_line});
   }
 
@@ -171,6 +173,8 @@ private:
   unsigned int first_line = 0;
   unsigned int last_line  = 0;
   std::vector<std::pair<std::string, unsigned int>> open;
+  std::map<std::string, unsigned int> lines_of_keys;
+  std::set<std::string> known_sections;
 };
 } // namespace
 
