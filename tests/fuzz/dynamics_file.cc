@@ -24,6 +24,36 @@ std::string valid_dynamics(const InputFile &file)
   write_dynamics(file.folder, true);
   return read_file(file.path);
 }
+LocalizationParameters localization_of(const InputFile &file)
+{
+  LocalizationParameters parameters;
+  parameters.rve_file = file.folder + "/rve.h5";
+  parameters.from = parameters.to = std::nan("");
+  return parameters;
+}
+
+void localize_run(const InputFile &file)
+{
+  LocalizationParameters parameters = localization_of(file);
+  parameters.homogeneous_run        = file.path;
+  localize(parameters);
+}
+
+void compare_with_run(const InputFile &file)
+{
+  LocalizationParameters parameters = localization_of(file);
+  parameters.homogeneous_run        = file.folder + "/homogeneous/dynamics.h5";
+  parameters.direct_run             = file.path;
+  localize(parameters);
+}
+
+void homogenize_friction(const InputFile &file)
+{
+  FrictionHomogenizationParameters friction;
+  friction.heterogeneous_run = file.folder;
+  friction.static_contact    = file.folder + "/static";
+  friction_estimates(read_friction_homogenization(friction, file.folder + "/rve.h5"));
+}
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
@@ -31,24 +61,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
   static InputFile file("dynamics.h5");
   static const std::string valid = valid_dynamics(file);
   file.fill(edited(valid, data, size));
-
-  LocalizationParameters localization;
-  localization.rve_file = file.folder + "/rve.h5";
-  localization.from = localization.to = std::nan("");
-  accepted_or_refused([&]() {
-    localization.homogeneous_run = file.path;
-    localize(localization);
-  });
-  accepted_or_refused([&]() {
-    localization.homogeneous_run = file.folder + "/homogeneous/dynamics.h5";
-    localization.direct_run      = file.path;
-    localize(localization);
-  });
-  accepted_or_refused([&]() {
-    FrictionHomogenizationParameters friction;
-    friction.heterogeneous_run = file.folder;
-    friction.static_contact    = file.folder + "/static";
-    friction_estimates(read_friction_homogenization(friction, file.folder + "/rve.h5"));
-  });
+  read_with({[]() { localize_run(file); }, []() { compare_with_run(file); },
+             []() { homogenize_friction(file); }},
+            data, size);
   return 0;
 }

@@ -171,6 +171,17 @@ void edit_objects(const hid_t file, const Names &names, Choices &choices)
     }
 }
 
+/**
+ * The library keeps its structures for the next file, of which one, of 0.5 MB, took half
+ * of an execution, but no buffers, so that AddressSanitizer sees what goes beyond their
+ * ends.
+ */
+void keep_structures_only()
+{
+  constexpr int all = -1;
+  H5set_free_list_limits(all, all, 4 << 20, 256 << 10, 16 << 20, 1 << 20);
+}
+
 /** Opens the bytes of a file, in memory. */
 hid_t open_image(const std::string &bytes)
 {
@@ -202,8 +213,10 @@ edited(const std::string &valid, const std::uint8_t *data, const std::size_t siz
 {
   if (size == 0)
     return valid;
+  static const bool once = (keep_structures_only(), true);
+  static_cast<void>(once);
   Choices choices(data, size);
-  const unsigned int mode = choices.byte();
+  const unsigned int mode = choices.byte() % 4;
   if (mode == 0)
     return std::string(data + 1, data + size);
   if (mode == 1)

@@ -43,29 +43,33 @@ void check_printed(const dealii::ParameterHandler &prm)
 }
 
 template <typename Parameters>
-void read_as(const RawParameters &raw)
+void read_as(const RawParameters &raw, const bool print)
 {
   dealii::ParameterHandler prm;
   apply<Parameters>(raw, prm);
-  check_printed<Parameters>(prm);
+  if (print)
+    check_printed<Parameters>(prm);
   Parameters::parse(prm);
 }
 } // namespace
 
-// The first byte chooses the program.
+// The first byte chooses the program, and whether what was accepted is printed and read
+// again, which takes four times as long as reading: 1, 2, 3 with, a, b, c without.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
 {
   if (size == 0)
     return 0;
   const std::string text(data + 1, data + size);
+  const bool print   = data[0] < 'a';
+  const char program = static_cast<char>(print ? data[0] : data[0] - 'a' + '1');
   accepted_or_refused([&]() {
     const RawParameters raw = RawParameters::parse(text, "fuzz.prm");
-    if (data[0] == '1')
-      read_as<RveParameters>(raw);
-    else if (data[0] == '2')
-      read_as<ContactParameters>(raw);
-    else if (data[0] == '3')
-      read_as<LocalizationParameters>(raw);
+    if (program == '1')
+      read_as<RveParameters>(raw, print);
+    else if (program == '2')
+      read_as<ContactParameters>(raw, print);
+    else if (program == '3')
+      read_as<LocalizationParameters>(raw, print);
   });
   return 0;
 }

@@ -31,6 +31,15 @@ std::string valid_rve(const InputFile &file)
   write_rve(file.path);
   return read_file(file.path);
 }
+void localize_with(const InputFile &file)
+{
+  LocalizationParameters parameters;
+  parameters.rve_file        = file.path;
+  parameters.homogeneous_run = file.folder + "/dynamics.h5";
+  parameters.from            = 0.;
+  parameters.to              = 1.;
+  localize(parameters);
+}
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
@@ -38,15 +47,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
   static InputFile file("rve.h5");
   static const std::string valid = valid_rve(file);
   file.fill(edited(valid, data, size));
-  accepted_or_refused([&]() { read_as_body(file.path, false); });
-  accepted_or_refused([&]() { read_as_body(file.path, true); });
-  accepted_or_refused([&]() {
-    LocalizationParameters parameters;
-    parameters.rve_file        = file.path;
-    parameters.homogeneous_run = file.folder + "/dynamics.h5";
-    parameters.from            = 0.;
-    parameters.to              = 1.;
-    localize(parameters);
-  });
+  read_with({[]() { read_as_body(file.path, false); },
+             []() { read_as_body(file.path, true); }, []() { localize_with(file); }},
+            data, size);
   return 0;
 }

@@ -48,17 +48,15 @@ end
   return ContactParameters::parse(prm);
 }
 
-/** A run with all that it refers to. */
-struct Transient
+/** What a run needs and no checkpoint changes; the critical time step takes longer than a
+ * run. */
+struct Body
 {
-  Transient(const ContactParameters &p, RunContext &context)
+  explicit Body(const ContactParameters &p)
     : parameters(p)
     , scene(make_scene(parameters))
     , material(scene.make_material(false))
     , time(choose_time_step(parameters, material))
-    , checkpoint(context, parameters.checkpoints, "a = 1\n")
-    , file(context, parameters, scene, 0)
-    , run(parameters, scene, time, material, checkpoint, file, context)
   {
   }
 
@@ -66,6 +64,21 @@ struct Transient
   const Scene scene;
   const UniformMaterial material;
   const TimeStepChoice time;
+};
+
+/** A run with all that it refers to. */
+struct Transient
+{
+  Transient(const Body &b, RunContext &context)
+    : body(b)
+    , checkpoint(context, body.parameters.checkpoints, "a = 1\n")
+    , file(context, body.parameters, body.scene, 0)
+    , run(
+        body.parameters, body.scene, body.time, body.material, checkpoint, file, context)
+  {
+  }
+
+  const Body &body;
   TransientCheckpoint checkpoint;
   DynamicsFile file;
   TransientRun run;
@@ -92,20 +105,20 @@ CheckpointHeader header()
 std::string valid_state(const InputFile &file)
 {
   RunContext context(options_in(file.folder, false), MPI_COMM_SELF, "", "");
-  Transient(parameters_to("200e-9", true), context).run.run();
+  const Body body(parameters_to("200e-9", true));
+  Transient(body, context).run.run();
   return read_checkpoint(file.path, header());
 }
 
-void restore_and_go_on(const ContactParameters &parameters, RunContext &context)
+void restore_and_go_on(const Body &body, RunContext &context)
 {
-  Transient transient(parameters, context);
-  if (transient.checkpoint.find(transient.time.n_steps) !=
-      TransientCheckpoint::Found::state)
+  Transient transient(body, context);
+  if (transient.checkpoint.find(body.time.n_steps) != TransientCheckpoint::Found::state)
     return;
   transient.run.restore();
   try
     {
-      summarize_transient(transient.parameters, transient.scene, transient.run.run());
+      summarize_transient(body.parameters, body.scene, transient.run.run());
     }
   catch (const NumericalFailure &)
     {
@@ -120,11 +133,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
   static char **argv = nullptr;
   static dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   static InputFile file("contact_dynamics.checkpoint");
-  static const std::string valid            = valid_state(file);
-  static const ContactParameters parameters = parameters_to("250e-9", false);
+  static const std::string valid = valid_state(file);
+  static const Body body(parameters_to("250e-9", false));
   static RunContext context(options_in(file.folder, true), MPI_COMM_SELF, "", "");
   Choices choices(data, size);
   write_checkpoint(file.path, header(), {edit_bytes(valid, choices)});
-  accepted_or_refused([&]() { restore_and_go_on(parameters, context); });
+  accepted_or_refused([&]() { restore_and_go_on(body, context); });
   return 0;
 }
