@@ -44,7 +44,7 @@ def same(said, printed):
 
 def outputs(text):
     """The indented lines of the guide that are output of the chain, not commands, keys or code."""
-    beginnings = r"\[[234]0-|KUBC|SUBC|effective|Stiffness \(|\d+ snapshots|mean_von_mises against|limit cycle:"
+    beginnings = r"\[[234]0-|KUBC|SUBC|effective|Stiffness \(|\d+ snapshots|mean_\w+ against|limit cycle:"
     return [line.strip() for line in text.split("\n") if re.match(rf" {{4,}}({beginnings})", line)]
 
 
@@ -54,6 +54,19 @@ def check_outputs(text, printed):
     lines = [re.sub(r"^\[\S+\] (limit cycle)", r"\1", line.strip()) for line in printed.split("\n")]
     missing = [line for line in said if not any(same(line, other) for other in lines)]
     assert not missing, "the guide says what is not printed:\n" + "\n".join(missing)
+    errors = [line for line in lines if re.match(r"mean_\w+ against", line)]
+    left_out = [line for line in errors if not any(same(other, line) for other in said)]
+    assert errors and not left_out, "the guide leaves out:\n" + "\n".join(left_out)
+
+
+def check_validation(programs, text):
+    """The block below the command with --validate is all that it prints."""
+    found = re.search(r"^ {4}build/applications/(\w+) --validate (\S+)\n\n((?: {4}\S.*\n)+)", text, re.MULTILINE)
+    assert found, "the guide's --validate is not found"
+    program, prm, said = found.groups()
+    done = subprocess.run([os.path.join(programs, program), "--validate", prm], cwd=TOP, stdout=subprocess.PIPE, text=True, check=True)
+    said, printed = [line.strip() for line in said.splitlines()], done.stdout.splitlines()
+    assert len(said) == len(printed) and all(map(same, said, printed)), f"the guide says\n{said}\nprinted is\n{printed}"
 
 
 def table_rows(text):
@@ -109,6 +122,7 @@ def main():
     programs = os.path.abspath(sys.argv[1])
     text = guide()
     with tempfile.TemporaryDirectory() as folder:
+        check_validation(programs, text)
         results = os.path.join(folder, "image")
         check_outputs(text, run_chain(programs, os.path.join(TOP, "prm", "examples", "image"), results, "--no-report"))
         check_table(text, results)

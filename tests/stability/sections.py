@@ -128,7 +128,7 @@ def long_part(study, page):
 
 {table(headings, [[cell if isinstance(cell, str) else number(cell, 2) for cell in row] for row in rows])}
 
-It is the round-off of a million sums and stays below {max(curve[1].max() for curve in curves.values()):.0e}. It is largest where the flat carries the body away ({bounce}: {travelled:.2g} m):
+It is the round-off of a million sums and reaches {max(curve[1].max() for curve in curves.values()):.1e} at most. It is largest where the flat carries the body away ({bounce}: {travelled:.2g} m):
 strains are differences of ever larger displacements, so that digits go.
 
 ![million steps](million_steps.png)

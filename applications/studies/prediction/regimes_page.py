@@ -206,7 +206,7 @@ def _over_delta(data):
             rows.append([load.label, name] + [f"{m.mu:.3f} ({100 * abs(m.middle[2]):.0f})" for m in sweep.measures])
     header = ["load", "window"] + [f"δ = {d * 1e9:g} ns" for d in data.sweep(seeds.LOADS[0], seeds.LATE).deltas]
     return ["## mu_inter over delta, as in fig. 11",
-            f"mu_inter (M separated, %). At once, cells of {56 / seeds.COARSE[0]:g} mm, early 0.25 to 1 ms, late {seeds.LATE[0] * 1e3:g} to {seeds.LATE[1] * 1e3:g} ms. The paper has mu_inter fall up to 1500 ns and rise from there, "
+            f"mu_inter (M separated, %). At once, cells of {56 / seeds.COARSE[0]:g} mm, early 0.25 to 1 ms, late {seeds.LATE[0] * 1e3:g} to {seeds.LATE[1] * 1e3:g} ms. The paper says of its curve that the slope changes sign at 300 Δt = 1500 ns, "
             "which it puts down to the change from regime 2 to regime 1. Here a pushed pin keeps its regime over all delta and mu_inter falls; from rest "
             "mu_inter rises, up to steady sliding:", markdown(header, rows)]
 
