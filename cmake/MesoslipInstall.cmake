@@ -17,8 +17,8 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/lib/ DESTINATION ${CMAKE_INSTALL_INCLUDEDI
 install(TARGETS rve_homogenization contact_dynamics stress_localization
         RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
-# Scripts keep their places beside one another: run_chain.py calls report/make_report.py.
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/applications/report ${CMAKE_SOURCE_DIR}/applications/python
+# Scripts keep their places beside one another: run_chain.py uses chain/ and calls report/make_report.py.
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/applications/chain ${CMAKE_SOURCE_DIR}/applications/report ${CMAKE_SOURCE_DIR}/applications/python
         DESTINATION ${data_dir}/applications FILES_MATCHING PATTERN "*.py" PATTERN "*.toml")
 install(PROGRAMS ${CMAKE_SOURCE_DIR}/applications/run_chain.py DESTINATION ${data_dir}/applications)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/prm DESTINATION ${data_dir})

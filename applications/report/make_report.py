@@ -10,8 +10,11 @@ Each folder is the output of rve_homogenization, contact_dynamics or stress_loca
 import argparse
 import json
 import os
+import signal
 import sys
 
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # at once and without a word; the report of before stays
 sys.dont_write_bytecode = True  # leave no __pycache__ in a source tree
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 

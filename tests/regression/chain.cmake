@@ -19,6 +19,7 @@ endfunction()
 
 if(MESOSLIP_PYTHON)
   mesoslip_python_test(regression chain PROCESSORS 2)
+  mesoslip_python_test(regression chain_inputs)
   mesoslip_python_test(regression bad_input)
   mesoslip_python_test(regression files PROCESSORS 2)
   mesoslip_python_test(regression dependencies)

@@ -36,7 +36,7 @@ def check_installed(prefix):
         assert program in call(os.path.join(prefix, "bin", program), "--version")
     share = os.path.join(prefix, "share", "mesoslip")
     call(sys.executable, os.path.join(share, "applications", "run_chain.py"), os.path.join(share, "prm", "examples", "image"),
-         "--programs", os.path.join(prefix, "bin"), "--output", os.path.join(prefix, "results"))
+         "--output", os.path.join(prefix, "results"))
     assert os.path.getsize(os.path.join(prefix, "results", "report.html")) > 1e5
     # Nothing points back at the build.
     for folder, _, names in os.walk(os.path.join(prefix, "lib", "cmake")):

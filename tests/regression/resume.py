@@ -327,7 +327,7 @@ def other_programs(scene):
 
 
 # The last run of a chain takes several ranks if it is long; here all runs count as long.
-ON_RANKS = "import run_chain; run_chain.LONG_RUN, run_chain.ROWS_A_RANK = 0, 8; run_chain.main()"
+ON_RANKS = "import run_chain; from chain import step; step.LONG_RUN, step.ROWS_A_RANK = 0, 8; run_chain.main()"
 
 
 def chain(scene, ranks):

@@ -1,0 +1,1 @@
+"""Chains of .prm files, see run_chain.py."""

@@ -1,0 +1,119 @@
+"""Runs the steps of a chain in the order of their needs, several at a time."""
+
+import concurrent.futures
+import os
+import signal
+import subprocess
+import threading
+import time
+
+INTERRUPTED = 130
+STOPPING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+class Runner:
+    def __init__(self, steps, jobs, ranks, resume, preview=None):
+        self.steps, self.jobs, self.ranks, self.preview = steps, jobs, ranks, preview
+        self.resume = resume
+        self.lock = threading.Lock()
+        self.stopping = False
+        self.children = []  # processes, each with the function that stops it
+        self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+
+    def run(self):
+        """The exit status: of the first run that failed, 130 when interrupted."""
+        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+            try:
+                return self._run_all(pool)
+            except KeyboardInterrupt:
+                # The runs save their state; leaving the pool waits for them.
+                self._stop()
+                return INTERRUPTED
+
+    def _stop(self):
+        for number in STOPPING:  # again: no more waiting
+            signal.signal(number, lambda *_: self._each_child(lambda child, _: child.terminate()))
+        with self.lock:
+            self.stopping = True
+        self._each_child(lambda _, stop: stop())
+
+    def _each_child(self, action):
+        for child, stop in list(self.children):
+            if child.poll() is None:
+                action(child, stop)
+
+    def _say(self, line):
+        with self.lock:
+            print(line, flush=True)
+
+    def _ranks_for(self, step, resume, last):
+        """As asked for; else all cores for the `last` run, beside which no other can start."""
+        if self.ranks:
+            return self.ranks
+        if resume:
+            return step.ranks_begun_with()
+        return min(self.jobs, step.useful_ranks()) if last and self.jobs > 1 else 1
+
+    def _start(self, step, alone, last):
+        """The process; None when the chain is to stop."""
+        resume = self.resume and step.begun()
+        try:
+            ranks = self._ranks_for(step, resume, last)
+        except KeyboardInterrupt:
+            return None
+        output = {} if alone else {"text": True, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+        with self.lock:  # no run starts after the others were stopped
+            if self.stopping:
+                return None
+            step.keep_ranks(ranks)
+            # mpirun would end its ranks on Ctrl-C before they have saved their state.
+            child = subprocess.Popen(step.command(ranks, resume), env=self.environment, start_new_session=ranks > 1, **output)
+            self.children.append((child, step.ask_to_stop if ranks > 1 else child.terminate))
+        return child
+
+    def _attempt(self, step, alone, last):
+        begin = time.monotonic()
+        child = self._start(step, alone, last)
+        if child is None:
+            return INTERRUPTED
+        for line in child.stdout or ():
+            self._say(f"[{step.name}] {line.rstrip()}")
+        status = child.wait()
+        if status < 0:  # by a signal, as shells count
+            status = 128 - status
+        if status == 0:
+            step.mark_done()
+            self._say(f"{step.name}: done in {time.monotonic() - begin:.1f} s")
+        else:
+            self._say(f"{step.name}: stopped with exit status {status}")
+        return status
+
+    def _run_all(self, pool):
+        waiting, done, running, worst, shown = list(self.steps), set(), {}, 0, None
+        while waiting or running:
+            ready = [s for s in waiting if all(n.name in done for n in s.needs)]
+            alone = len(ready) == 1 and not running and not any(
+                all(n.name in done for n in s.needs) for s in waiting if s is not ready[0])
+            for step in ready if worst == 0 else []:
+                if len(running) >= self.jobs:
+                    break
+                waiting.remove(step)
+                if step.up_to_date():
+                    self._say(f"{step.name}: up to date")
+                    done.add(step.name)
+                else:
+                    last = all(s.hangs_on(step) for s in waiting)
+                    running[pool.submit(self._attempt, step, alone or self.jobs == 1, last)] = step
+            if not running:
+                if worst or not any(all(n.name in done for n in s.needs) for s in waiting):
+                    break
+                continue
+            if self.preview and done and waiting and worst == 0 and len(running) < self.jobs and (shown is None or shown.done()):
+                shown = pool.submit(self.preview)
+            finished, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
+            for future in finished:
+                step, status = running.pop(future), future.result()
+                worst = worst or status
+                if status == 0:
+                    done.add(step.name)
+        return worst

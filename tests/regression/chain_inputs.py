@@ -1,0 +1,160 @@
+"""What makes a chain run again, what it refuses, and how it stops, with programs that only say when they are started.
+
+    chain_inputs.py <folder with the programs>
+"""
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+# Says that it was started, asked for its size or interrupted. Waits where "slow" or "ask" is in the .prm, and as the
+# programs do it ends at an interrupt some time after the first.
+PROGRAM = """#!/usr/bin/python3
+import os, signal, sys, time
+prm = next(word for word in sys.argv if word.endswith(".prm"))
+name, folder, text = os.path.basename(prm), os.path.dirname(prm), open(prm).read()
+asked, first = "--validate" in sys.argv, None
+
+def say(what):
+    with open(os.path.join(folder, "started.txt"), "a") as file:
+        file.write(what + " " + name + chr(10))
+
+def interrupted(*_):
+    global first
+    if first is not None and time.monotonic() - first > 0.2:
+        os._exit(130)
+    if first is None:
+        first = time.monotonic()
+        say("interrupt")
+
+if not asked:
+    signal.signal(signal.SIGINT, interrupted)
+    signal.signal(signal.SIGTERM, interrupted)
+say("ask" if asked else "run")
+while "slow" in text and not asked or "ask" in text and asked:
+    time.sleep(0.05)
+if not asked:
+    output = sys.argv[sys.argv.index("--output") + 1]
+    os.makedirs(output, exist_ok=True)
+    open(os.path.join(output, "summary.json"), "w").write("{}")
+"""
+
+
+class Chain:
+    """A folder of .prm files and what happens to it."""
+
+    def __init__(self, folder):
+        self.folder, self.programs = folder, os.path.join(folder, "programs")
+        self.source, self.target = os.path.join(folder, "in"), os.path.join(folder, "out")
+        os.makedirs(self.programs)
+        for name in ("rve_homogenization", "contact_dynamics"):
+            self.write(os.path.join("programs", name), PROGRAM)
+            os.chmod(os.path.join(self.programs, name), 0o755)
+
+    def write(self, name, text):
+        path = os.path.join(self.folder, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def command(self, *options):
+        return [sys.executable, os.path.join(TOP, "applications", "run_chain.py"), self.source, "--output", self.target,
+                "--programs", self.programs, "--no-report", *options]
+
+    def run(self, *options):
+        return subprocess.run(self.command(*options), text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+
+    def ran(self, *options):
+        """Names of the steps that were not up to date."""
+        done = self.run(*options)
+        assert done.returncode == 0, done.stdout
+        return [line.split(":")[0] for line in done.stdout.splitlines() if ": done in" in line]
+
+    def started(self):
+        path = os.path.join(self.target, "started.txt")
+        if not os.path.exists(path):
+            return []
+        with open(path, encoding="utf-8") as file:
+            return file.read().split("\n")[:-1]
+
+
+def named_files(chain):
+    """A file that a .prm names decides, whatever it is called and wherever it lies; others do not."""
+    elsewhere = chain.write("elsewhere/map.PNG", "0")
+    pictures = {"10-rve_homogenization-a": "in/G.PNG", "11-rve_homogenization-b": "in/maps/fine/p.dat", "12-rve_homogenization-c": elsewhere}
+    for name, path in pictures.items():
+        chain.write(path, "0")
+        value = path if os.path.isabs(path) else path[3:]
+        chain.write(f"in/{name}.prm", f"set File = {value}   # a picture\r\n")
+    chain.write("in/20-contact_dynamics.prm", "  SET RVE file = \\\n ./10-rve_homogenization-a/rve.h5 # first\n")
+    chain.write("in/30-contact_dynamics-law.prm", "set Heterogeneous run = 20-contact_dynamics \nset Other = 1, 2\n")
+    chain.write("in/notes.txt", "1")
+    assert len(chain.ran()) == 5
+    assert chain.ran() == []
+    chain.write("in/notes.txt", "2")
+    assert chain.ran() == []
+    for name, path in pictures.items():
+        chain.write(path, "1")
+        expected = {name} | ({"20-contact_dynamics", "30-contact_dynamics-law"} if name.endswith("a") else set())
+        ran = chain.ran("--jobs", "3")
+        assert set(ran) == expected, f"{path} was changed and {ran} ran"
+    assert chain.started().index("run 20-contact_dynamics.prm") < chain.started().index("run 30-contact_dynamics-law.prm")
+
+
+def refusals(chain):
+    chain.write("in/10-rve_homogenization.prm", "set File = ../outside.png\n")
+    cases = [("what lies outside", "../outside.png", {"outside.png": ""}, ())]
+    cases += [("a file as output", "a-file cannot be written", {"a-file": ""}, ("--output", os.path.join(chain.folder, "a-file")))]
+    cases += [("no place for output", "/proc/mesoslip cannot be written", {"in/10-rve_homogenization.prm": ""}, ("--output", "/proc/mesoslip"))]
+    cases += [("no programs", "--programs", {}, ("--programs", chain.folder))]
+    cases += [("no jobs", "--jobs", {}, ("--jobs", "0"))]
+    for what, words, files, options in cases:
+        for name, text in files.items():
+            chain.write(name, text)
+        if what == "a file as output":
+            chain.write("in/10-rve_homogenization.prm", "")
+        done = chain.run(*options)
+        assert done.returncode == 2 and len(done.stdout.splitlines()) == 1 and words in done.stdout, f"{what}: {done.returncode}, {done.stdout}"
+
+
+def interrupt(chain, at_lines, *options):
+    """The chain gets SIGINT, as its programs do, each time that so many lines were written, and ends as it should."""
+    child = subprocess.Popen(chain.command(*options), text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+    for lines in at_lines:
+        while child.poll() is None and len(chain.started()) < lines:
+            time.sleep(0.02)
+        time.sleep(0.3)
+        os.killpg(child.pid, signal.SIGINT)
+    said, _ = child.communicate(timeout=20)
+    assert "Traceback" not in said and "--resume" in said, said
+    assert child.returncode == 130, f"{child.returncode}: {said}"
+
+
+def stopped_while_asking(chain):
+    """Ctrl-C while the size of the last run is asked for: it is not started."""
+    chain.write("in/10-contact_dynamics.prm", "set Title = ask\n")
+    interrupt(chain, [1], "--jobs", "2")
+    assert chain.started() == ["ask 10-contact_dynamics.prm"], chain.started()
+
+
+def stopped_twice(chain):
+    """The first Ctrl-C waits for a run that saves its state, the second does not."""
+    chain.write("in/10-rve_homogenization.prm", "set Title = slow\n")
+    interrupt(chain, [1, 2])
+    assert chain.started() == ["run 10-rve_homogenization.prm", "interrupt 10-rve_homogenization.prm"], chain.started()
+
+
+def main():
+    for part in (named_files, refusals, stopped_while_asking, stopped_twice):
+        with tempfile.TemporaryDirectory() as folder:
+            part(Chain(folder))
+        print(f"{part.__name__}: ok")
+
+
+if __name__ == "__main__":
+    main()
