@@ -131,7 +131,14 @@ ContactRow::is_consistent() const
                     column(landing_count)[i],
                     block.n_steps))
       return false;
-  return s.nodes.size() == setup.monitored_nodes.size() &&
+  std::uint64_t next_step = 0;
+  const auto    follows   = [&](const NodeCounts &counts) {
+    const bool right = counts.first_step == next_step && counts.n_steps <= counted_steps();
+    next_step += counts.n_steps;
+    return right;
+  };
+  return std::all_of(complete_blocks.begin(), complete_blocks.end(), follows) &&
+         follows(block) && s.nodes.size() == setup.monitored_nodes.size() &&
          equally_long(s.step, s.time, s.normal_force, s.tangential_force, s.sticking) &&
          equally_long(s.step, s.slipping, s.separated, s.friction_energy, s.impact_energy) &&
          equally_long(s.step, s.flat_work) &&

@@ -188,6 +188,13 @@ public:
     require_when_loading(archive, is_consistent());
   }
 
+  /** Steps since the start, as the blocks have counted them. */
+  std::uint64_t
+  counted_steps() const
+  {
+    return block.first_step + block.n_steps;
+  }
+
 private:
   /** Whether histories and blocks are those of this setup. */
   bool

@@ -231,6 +231,24 @@ RawParameters::get_list(const std::string &path,
   return entry != nullptr ? split_list(entry->value) : fallback;
 }
 
+std::vector<std::string>
+RawParameters::section_names(const std::string &path,
+                             const std::vector<std::string> &fallback,
+                             const std::string &kind) const
+{
+  std::vector<std::string> names;
+  for (const std::string &name : get_list(path, fallback))
+    {
+      if (name.empty() || name != cleaned(name) ||
+          name.find_first_of("/,\\=#\"'") != std::string::npos)
+        throw UserError(path + ": '" + name + "' cannot be the name of a " + kind +
+                        "; use letters, digits and single blanks");
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+    }
+  return names;
+}
+
 bool RawParameters::has(const std::string &path) const
 {
   return find(path) != nullptr;

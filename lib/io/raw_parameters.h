@@ -16,7 +16,7 @@ namespace mesoslip
  * The `set` lines of a .prm file and the --set options, before anything is known
  * about which keys exist. Declaring reads from it what decides further sections:
  * @code
- * for (const std::string &name : raw.get_list("Phases/Names", {"matrix", "fibre"}))
+ * for (const std::string &name : raw.section_names("Phases/Names", {"matrix"}, "phase"))
  *   declare_phase(prm, "Phases/" + name);
  * @endcode
  * The keys so read have to be declared like any other.
@@ -53,6 +53,14 @@ public:
   /** Comma separated items of a key, or @p fallback. */
   std::vector<std::string> get_list(const std::string &path,
                                     const std::vector<std::string> &fallback) const;
+
+  /**
+   * As get_list(), each item once, where every item is the name of a subsection. @p kind:
+   * "phase". @throws UserError for a name that no line of a .prm can say.
+   */
+  std::vector<std::string> section_names(const std::string &path,
+                                         const std::vector<std::string> &fallback,
+                                         const std::string &kind) const;
 
   /** Whether the .prm or --set names the key. */
   bool has(const std::string &path) const;

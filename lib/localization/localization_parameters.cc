@@ -64,7 +64,7 @@ void declare_probes(Handler &prm, const RawParameters &raw)
   declare_word_list(prm, "Further", {}, {},
                     "Names of further probes, each with a subsection; they are followed "
                     "through the snapshots");
-  for (const std::string &name : raw.get_list("Probes/Further", {}))
+  for (const std::string &name : raw.section_names("Probes/Further", {}, "probe"))
     {
       const ParameterSection probe(prm, name);
       declare_double_list(prm, "Position", {0., 0.}, Range::non_negative(),

@@ -92,12 +92,6 @@ SinglePhaseParameters parse_phase(dealii::ParameterHandler &prm, const std::stri
   phase.friction_coefficient   = get_double(prm, "Friction coefficient");
   return phase;
 }
-
-/** Blanks are fine in a name, what separates sections and list items is not. */
-bool is_valid_name(const std::string &name)
-{
-  return !name.empty() && name.find_first_of("/,\\=#\"'") == std::string::npos;
-}
 } // namespace
 
 VoigtMatrix<2> SinglePhaseParameters::stiffness() const
@@ -156,15 +150,11 @@ void PhaseParameters::declare(dealii::ParameterHandler &prm, const RawParameters
   declare_word_list(prm, names_key, default_names, {},
                     "Names of the phases, each with a subsection of its name; the first "
                     "one is the background [-]");
-  std::vector<std::string> declared;
-  for (const std::string &name : raw.get_list("Phases/Names", default_names))
-    if (is_valid_name(name) &&
-        std::find(declared.begin(), declared.end(), name) == declared.end())
-      {
-        const ParameterSection subsection(prm, name);
-        declare_phase(prm, name);
-        declared.push_back(name);
-      }
+  for (const std::string &name : raw.section_names("Phases/Names", default_names, "phase"))
+    {
+      const ParameterSection subsection(prm, name);
+      declare_phase(prm, name);
+    }
 }
 
 void PhaseParameters::parse(dealii::ParameterHandler &prm)
@@ -173,10 +163,6 @@ void PhaseParameters::parse(dealii::ParameterHandler &prm)
   phases.clear();
   for (const std::string &name : get_word_list(prm, names_key))
     {
-      if (!is_valid_name(name))
-        throw UserError(
-          "Phases/Names: '" + name +
-          "' cannot be the name of a phase; use letters, digits and blanks");
       if (std::any_of(phases.begin(), phases.end(),
                       [&](const SinglePhaseParameters &p) { return p.name == name; }))
         throw UserError("Phases/Names: there are two phases named '" + name +

@@ -52,7 +52,7 @@ declare_observation(dealii::ParameterHandler &prm, const RawParameters &raw)
     declare_word_list(prm, "Probes", {}, {}, "Names of probes, each with a subsection");
     declare_integer(
       prm, "Probe interval", 10, 1, most_steps_or_cells, "Steps between samples of the probes [-]");
-    for (const std::string &name : raw.get_list("Observation/Probes", {}))
+    for (const std::string &name : raw.section_names("Observation/Probes", {}, "probe"))
       {
         const ParameterSection probe(prm, name);
         declare_double_list(

@@ -69,7 +69,7 @@ public:
       archive &*probes;
     require_when_loading(
       archive,
-      n == checkpoint.position().step &&
+      n == checkpoint.position().step && contact.counted_steps() == n &&
         limit_cycle.follows(contact.history(), energy.get(), n));
   }
 

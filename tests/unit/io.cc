@@ -191,6 +191,22 @@ TEST(Parameters, RawTextDecidesSections)
   EXPECT_EQ(raw.get("Phases/Names", ""), "x");
 }
 
+// Found by a fuzzer: names that were accepted and printed, but not read again.
+TEST(Parameters, NamesOfSubsectionsCanBeTyped)
+{
+  const auto names = [](const std::string &list) {
+    const RawParameters raw =
+      RawParameters::parse("set Names = " + list + "\n", "run.prm");
+    return raw.section_names("Names", {}, "phase");
+  };
+  EXPECT_EQ(names("a, b c, a"), (std::vector<std::string>{"a", "b c"}));
+  for (const std::string name : {"b  c", "b\tc", "a/b", "a =", "a\"", ""})
+    expect_contains(user_error([&]() { names("x, " + name); }),
+                    "Names: '" + name +
+                      "' cannot be the name of a phase; use letters, "
+                      "digits and single blanks");
+}
+
 TEST(Digest, IsTheSameEverywhere)
 {
   // FNV-1a of the bytes "a" and its length as eight little-endian bytes, from Python.
