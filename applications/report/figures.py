@@ -14,6 +14,7 @@ BLUE, ORANGE, GREEN, PINK, SKY, YELLOW, BLACK, GREY = (
     "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000", "#6b7280")
 RUN_COLOURS = [BLUE, ORANGE, GREEN, PINK, YELLOW, SKY]
 SLIP, STICK, SEPARATED = "#0072B2", "#E69F00", "#e9ecef"
+DASHES = ["-", (0, (3, 1.5)), (0, (1, 1)), (0, (5, 1.5, 1, 1.5))]
 WIDTH = 6.4
 
 plt.rcParams.update({
@@ -33,6 +34,12 @@ def colour(runs, run):
     return RUN_COLOURS[runs.index(run) % len(RUN_COLOURS)]
 
 
+def style(runs, run):
+    """Colour, width and dashes: the first run wide, later ones dashed above it, so that equal curves are all seen."""
+    k = runs.index(run)
+    return {"color": colour(runs, run), "lw": 2.6 if k == 0 and len(runs) > 1 else 1.5, "ls": DASHES[k % len(DASHES)]}
+
+
 def scaled(*arrays, units):
     """Common factor and unit that bring arrays to readable numbers; units: (factor, name) ascending."""
     top = max((np.nanmax(np.abs(array)) for array in arrays if np.size(array)), default=0.0)
@@ -44,7 +51,6 @@ def scaled(*arrays, units):
 
 
 LENGTHS = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm")]
-POWERS_OF_J = [(1e-9, "nJ/m"), (1e-6, "µJ/m"), (1e-3, "mJ/m"), (1.0, "J/m"), (1e3, "kJ/m")]
 STRESSES = [(1.0, "Pa"), (1e3, "kPa"), (1e6, "MPa"), (1e9, "GPa")]
 
 
@@ -65,6 +71,13 @@ def above(axes, entries=None, columns=3):
         axes.legend(**options)
 
 
+def above_all(figure, entries, columns=3):
+    """Legend of `entries` above all panels of a figure; one above an axes would widen its column."""
+    height = -(-len(entries) // columns) * 0.26 / figure.get_figheight()
+    figure.legend(handles=entries, loc="upper left", ncol=columns, handlelength=1.6, columnspacing=1.3)
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - height))
+
+
 def apparent_friction(runs, paper_value=None):
     figure, (whole, zoom) = panels(2, 5.2)
     series = [(run, run.get("/history/time"), run.get("/history/apparent_friction")) for run in runs]
@@ -76,7 +89,7 @@ def apparent_friction(runs, paper_value=None):
     for run, time, friction in series:
         c = colour(runs, run)
         x, y = thinned(time, friction)
-        whole.plot(1e3 * x, y, color=c, lw=0.7, alpha=0.75, label=run.label)
+        whole.plot(1e3 * x, y, color=c, lw=1.6 if run is series[0][0] and len(series) > 1 else 0.6, alpha=0.75, label=run.label)
         mean = run.number("mean_apparent_friction_coefficient")
         start = run.steady_from()
         if mean is not None:
@@ -84,7 +97,7 @@ def apparent_friction(runs, paper_value=None):
                        solid_capstyle="butt", path_effects=_halo())
         begin, stop = np.searchsorted(time, [zoom_window(run, end), np.nextafter(end, np.inf)])
         x, y = thinned(time[begin:stop], friction[begin:stop])
-        zoom.plot(1e3 * x, y, color=c, label=run.label)
+        zoom.plot(1e3 * x, y, **style(runs, run), label=run.label)
     for axes in (whole, zoom):
         if paper_value is not None:
             axes.axhline(paper_value, color=BLACK, lw=1.2, ls="--", label="mean in the paper")
@@ -101,73 +114,8 @@ def _halo():
     return [patheffects.Stroke(linewidth=5, foreground="white"), patheffects.Normal()]
 
 
-def friction_energy(runs):
-    series = [(run, run.get("/history/time"), run.get("/history/friction_energy")) for run in runs]
-    series = [entry for entry in series if entry[1] is not None and entry[2] is not None
-              and len(entry[1])]
-    if not series:
-        raise Missing("/history/friction_energy is in none of the dynamics files")
-    figure, (axes,) = panels(1, 3.3)
-    factor, unit = scaled(*[energy for *_, energy in series], units=POWERS_OF_J)
-    for run, time, energy in series:
-        c = colour(runs, run)
-        mu = run.number("global_interface_friction_coefficient")
-        label = run.label + (rf", $\mu_\mathrm{{inter}}$ = {mu:.3f}" if mu is not None else "")
-        axes.plot(*_scale(*thinned(time, energy), 1e3, 1 / factor), color=c, lw=1.8, label=label)
-        steady = time >= run.steady_from()
-        if steady.sum() > 2:
-            slope, offset = np.polyfit(time[steady], energy[steady], 1)
-            line = np.array([time[steady][0], time[-1]])
-            axes.plot(1e3 * line, (slope * line + offset) / factor, color=BLACK, lw=1, ls=(0, (4, 4)))
-    axes.plot([], [], color=BLACK, lw=1, ls=(0, (4, 4)), label="slope used")
-    axes.set(xlabel="time in ms", ylabel=rf"$E_\mathrm{{friction}}$ in {unit}")
-    axes.margins(x=0)
-    above(axes, columns=2)
-    return figure
-
-
-def _scale(x, y, fx, fy):
+def rescaled(x, y, fx, fy):
     return x * fx, y * fy
-
-
-ENERGIES = [("external_work", "external work", BLACK), ("friction", "friction", ORANGE),
-            ("elastic", "elastic", BLUE), ("kinetic", "kinetic", SKY), ("damping", "damping", GREEN),
-            ("scheme", "time scheme", PINK), ("impact", "impacts", YELLOW)]
-
-
-def energy_balance(run):
-    time = run.need("/energy/time")
-    parts = [(label, run.get(f"/energy/{name}"), c) for name, label, c in ENERGIES]
-    parts = [(label, values, c) for label, values, c in parts
-             if values is not None and len(values) == len(time)]
-    if not parts:
-        raise Missing("/energy holds no energies of the length of /energy/time")
-    residual = run.get("/energy/residual")
-    top = max(np.nanmax(np.abs(values)) for _, values, _ in parts) or 1.0
-    small = [part for part in parts if np.nanmax(np.abs(part[1])) < 0.2 * top]
-    figure, axes = panels(3 if small else 2, 6.6 if small else 5.0, sharex=True,
-                          gridspec_kw={"height_ratios": [2.2, 1.6, 1] if small else [2.4, 1]})
-    _energies(axes[0], time, parts, "energy")
-    above(axes[0], columns=4)
-    if small:
-        _energies(axes[1], time, small, "small ones")
-    if residual is not None and len(residual) == len(time):
-        x, y = thinned(time, np.abs(residual) / top)
-        axes[-1].semilogy(1e3 * x, np.where(y > 0, y, np.nan), color=GREY, lw=1)
-        if np.nanmedian(y) > 0:
-            axes[-1].set_ylim(bottom=1e-2 * np.nanmedian(y))
-    axes[-1].set(xlabel="time in ms", ylabel="|residual| /\nlargest energy")
-    for axis in axes:
-        axis.margins(x=0)
-    figure.align_ylabels()
-    return figure
-
-
-def _energies(axes, time, parts, name):
-    factor, unit = scaled(*[values for _, values, _ in parts], units=POWERS_OF_J)
-    for label, values, c in parts:
-        axes.plot(*_scale(*thinned(time, values), 1e3, 1 / factor), color=c, label=label)
-    axes.set_ylabel(f"{name}\nin {unit}")
 
 
 def phase_diagram(runs):
@@ -183,8 +131,7 @@ def phase_diagram(runs):
         probe = run.reference_probe()
         if probe and len(series) == 1:
             _orbit(axes, run, probe, factor)
-        axes.plot(np.append(u, u[0]) / factor, np.append(v, v[0]), color=colour(runs, run), lw=2,
-                  label=run.label)
+        axes.plot(np.append(u, u[0]) / factor, np.append(v, v[0]), **style(runs, run), label=run.label)
     axes.set(xlabel=f"tangential displacement in {unit}", ylabel="tangential velocity in m/s")
     above(axes)
     return figure
@@ -213,7 +160,7 @@ def spectrum(runs, paper_frequency=None):
         shown = (f > 1e3) & (a > 0)
         top = max(top, np.max(a[shown], initial=0.0))
         main = run.number("main_frequency") or main
-        axes.semilogy(*_scale(*thinned(f[shown], a[shown], 6000), 1e-3, 1 / factor),
+        axes.semilogy(*rescaled(*thinned(f[shown], a[shown], 6000), 1e-3, 1 / factor),
                       color=colour(runs, run), lw=1.1, label=run.label)
     if paper_frequency:
         axes.axvline(1e-3 * paper_frequency, color=BLACK, lw=1.1, ls="--",

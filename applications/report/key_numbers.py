@@ -20,7 +20,7 @@ QUANTITIES = [
     ("Reference node: separated", ("reference_node", "separation"), "%"),
     ("Mean contact duration T<sub>G</sub>", ("mean_contact_duration",), "s"),
     ("Frictional energy", ("friction_energy",), "J/m"),
-    ("Residual of the energy balance over frictional energy", ("energy_balance_residual",), ""),
+    ("Residual of the energy balance over frictional energy (hardly any: over the energy in the body)", ("energy_balance_residual",), ""),
     ("Statistics from", ("steady_from",), "s"),
 ]
 

@@ -196,7 +196,7 @@ def mean_von_mises(run):
         gap = (localized - direct) / factor
         bound = float(np.nanpercentile(np.abs(gap), 99.5)) or 1.0
         picture = _draw(axes[2], gap, extent, cmap=DIFFERENCE_MAP, vmin=-bound, vmax=bound)
-        _bar(figure, picture, [axes[2]], f"in {unit}")
+        _bar(figure, picture, [axes[2]], f"difference in {unit}")
         axes[2].set_title("localized − direct", loc="left")
         error = float(np.linalg.norm(localized - direct) / np.linalg.norm(direct))
     axes[-1].set_xlabel("x in mm")

@@ -4,9 +4,6 @@ numbers of a chain are set beside it."""
 # Pa, eq. (10): Voigt xx, yy, xy.
 STIFFNESS = [[36.54e9, 9.1e9, 0.0], [9.1e9, 47.26e9, 0.0], [0.0, 0.0, 13.785e9]]
 
-STIFFNESS_ENTRIES = [("D<sub>xx</sub>", 0, 0), ("D<sub>xy</sub>", 0, 1),
-                     ("D<sub>yy</sub>", 1, 1), ("D<sub>ss</sub>", 2, 2)]
-
 # (homogeneous, heterogeneous) by regime: value and source.
 INTERFACE_FRICTION = {
     1: {"homogeneous": (0.220, "table 2, δ = 1500 ns"), "heterogeneous": (0.2145, "table 2, mean of 4")},

@@ -4,7 +4,7 @@ import numpy as np
 
 import paper_values as paper
 from cases import P1, P2, PUSHED
-from figures import BLACK, BLUE, GREEN, GREY, ORANGE, above, plt
+from figures import BLACK, BLUE, GREEN, GREY, ORANGE, above_all, plt
 from measures import frequency, height, mu_text, reference, relative_velocity
 from page import fixed, relative
 
@@ -66,6 +66,6 @@ def convergence(fragment, runs, names):
     axes[0].set(xlabel="time in ms", ylabel="$u_x$ of node M in µm", xlim=(0, None))
     axes[1].set(xlabel="$u_x$ in µm", ylabel="$v_x$ in m/s")
     axes[2].set(xlabel="frequency in kHz", ylabel="amplitude of $u_x$ in µm")
-    above(axes[0], axes[1].get_legend_handles_labels()[0], columns=2)
+    above_all(figure, axes[1].get_legend_handles_labels()[0])
     fragment.figure(figure, "Node M at two grids and time steps: transient and steady part, mean phase diagram, spectrum; dashed the "
                             "paper's 40, 80 and 120 kHz.")

@@ -34,7 +34,7 @@ def picture(fragment, results, names):
     stress.set_xlabel("x in mm")
     for run, label, colour in ((bouncing, "regime 2", ORANGE), (slipping, "regime 1", BLUE)):
         time, ratio, dissipated = run.need("/history/time", "/history/apparent_friction", "/history/friction_energy")
-        last = time > time[-1] - PERIODS / run.number("main_frequency")
+        last = time > time[-1] - PERIODS / slipping.number("main_frequency")
         friction.plot(1e6 * (time[last] - time[last][0]), ratio[last], color=colour, lw=1.3, label=label)
         x = run.need("/contact/x")
         energy.plot(1e3 * time, 1e6 * dissipated / (run.number("pressure") * (x[-1] - x[0])), color=colour, lw=1.6)

@@ -4,11 +4,13 @@ import numpy as np
 
 import paper_values as paper
 from cases import P1, P2, PUSHED, TENFOLD
-from figures import BLUE, GREEN, GREY, ORANGE, above, panels, plt
+from figures import BLACK, BLUE, GREEN, GREY, ORANGE, above, above_all, panels, plt
 from measures import frequency, height, mu_text, relative_velocity, separation, slip, within
 from page import fixed
 
-PUSHES = (0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1, 2)  # m/s
+PUSHES = {P1: (0, 0.1, 0.2, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.7, 0.8, 0.9, 1, 1.5, 2),  # m/s
+          P2: (0, 0.2, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.8, 1, 1.5)}
+ALIKE = {1: (0.65, 0.75), 2: (0.15, 0.25)}  # shares of slip of M that count as the paper's 70 and 20 %
 LONG, LONG_END = (0, 0.5, 1), 1e-2  # followed for longer (s)
 COLOURS = dict(zip(LONG, (GREY, BLUE, ORANGE)))
 
@@ -20,7 +22,8 @@ COLUMNS = (("0.5 MPa, homogeneous", PUSHED, P1, False), ("0.5 MPa, heterogeneous
 def regime_runs(cases):
     columns = [cases.heterogeneous(reading, pressure) if composite else cases.homogeneous(reading, pressure)
                for _, reading, pressure, composite in COLUMNS]
-    return columns, {v: cases.coarse(v, end=LONG_END if v in LONG else 3e-3) for v in PUSHES}
+    return columns, {(pressure, v): cases.coarse(v, pressure, end=LONG_END if pressure == P1 and v in LONG else 3e-3)
+                     for pressure, pushes in PUSHES.items() for v in pushes}
 
 
 def regimes(fragment, runs, names):
@@ -28,13 +31,15 @@ def regimes(fragment, runs, names):
     fragment.text(
         "The paper does not say how the motion starts, and that decides. As long as no node sticks or turns back, the motion scales with the pressure "
         "(P and V count by P/V alone), so that 0.5 and 0.4 MPa could not give two regimes to pins that start alike but for P. A pin that is pushed along x at "
-        "the start is another matter: the push over the pressure counts. Below, the printed 0.5 MPa and pushes from 0 to 2 m/s.")
-    _plateaus(fragment, {v: runs[name] for v, name in pushes.items()})
+        "the start is another matter: the push over the pressure counts. Below, both printed pressures and pushes from 0 to 2 m/s.")
+    found = {case: runs[name] for case, name in pushes.items()}
+    _by_push(fragment, found)
+    _in_the_long_run(fragment, found)
     fragment.text(
         f"So the reading of this page is: **pressures as printed, pressure and flat act at once, and the pin starts with {PUSHED.start:g} m/s along x**, "
-        "the one number that is ours. It lies where 0.5 MPa leads to regime 1 and 0.4 MPa, for which the push counts 5/4, to regime 2. The regimes "
-        "themselves do not depend on it: they are the plateaus of the figure. The paper's two pressures then differ for the reason that its "
-        "heterogeneous models do: which cycle a start falls to. Without a push a third cycle is reached, of small amplitude.")
+        f"the one number that is ours: {PUSHED.start * 1e6 / P1:g} (m/s)/MPa at 0.5 MPa, on the plateau of regime 1, and {PUSHED.start * 1e6 / P2:g} at 0.4 MPa, in regime 2. The "
+        "paper's two pressures then differ for the reason that its heterogeneous models do: which cycle a start falls to. Without a push a third cycle is reached, "
+        "of small amplitude.")
     _table(fragment, [runs[name] for name in columns])
     fragment.reading(
         "Rigid platen on top, 560 x 160 cells of 0.1 mm (figures above: 0.2 mm), μ = 0.25, δ = 1500 ns, V = 2 m/s, β = 4.4 ns, β₂ = 1/2, 95 % of the critical time step, "
@@ -56,22 +61,45 @@ def _table(fragment, found):
          *["{:.2f} to {:.2f}".format(*relative_velocity(run)) for run in found]]])
 
 
-def _plateaus(fragment, found):
-    pushes = np.array(sorted(found))
+def _by_push(fragment, found):
+    """`found` {(pressure, push): run}."""
     end = min(run.number("simulated_time") for run in found.values())
-    seen = {v: within(found[v], end / 3, end) for v in pushes}
-    figure, axes = plt.subplots(1, 3, figsize=(10.4, 3.1))
+    seen = {case: within(run, end / 3, end) for case, run in found.items()}
+    drift = {case: abs(np.subtract(*[within(run, a * end, b * end)["mu"] for a, b in ((1 / 3, 2 / 3), (2 / 3, 1))])) for case, run in found.items()}
+    figure, axes = plt.subplots(1, 3, figsize=(10.4, 3.4))
     for axis, quantity, table, label, scale in (
             (axes[0], "slip", paper.SLIP, "M slips, %", 100), (axes[1], "mu", paper.INTERFACE_FRICTION, r"$\mu_\mathrm{inter}$", 1),
             (axes[2], "frequency", paper.MAIN_FREQUENCY, "main frequency in kHz", 1e-3)):
-        axis.plot(pushes, [scale * seen[v][quantity] for v in pushes], "o-", color=GREEN, ms=5)
+        for pressure, mark, colour in ((P1, "o", GREEN), (P2, "s", BLACK)):
+            axis.plot([1e6 * push / pressure for push in PUSHES[pressure]], [scale * seen[pressure, push][quantity] for push in PUSHES[pressure]],
+                      mark, color=colour, ms=5, mfc="white", mew=1.5, label=f"{pressure / 1e6:g} MPa")
         for n, colour in ((1, BLUE), (2, ORANGE)):
             axis.axhline(scale * table[n], color=colour, lw=1.2, ls="--", label=f"paper, regime {n}")
-        axis.set(xlabel="push in m/s", ylabel=label)
-    above(axes[0], columns=2)
-    fragment.figure(figure, f"Homogeneous pin, P = 0.5 MPa, against the velocity with which it starts; from {1e3 * end / 3:.0f} to {1e3 * end:.0f} ms.", "-pushes")
+        axis.set(xlabel="push over P in (m/s)/MPa", ylabel=label)
+    above_all(figure, axes[0].get_legend_handles_labels()[0], columns=4)
+    fragment.figure(figure, "Homogeneous pin of both pressures against the velocity with which it starts, over the pressure; "
+                            f"from {1e3 * end / 3:.0f} to {1e3 * end:.0f} ms.", "-pushes")
+    fragment.text(_plateaus([{**state, "push": 1e6 * push / pressure, "drift": drift[pressure, push]} for (pressure, push), state in seen.items()]))
+
+
+def _plateaus(seen):
+    """What _by_push shows, in words; `seen` of within(), with the push over the pressure in (m/s)/MPa and the drift of mu."""
+    first, second = ([state for state in seen if low <= state["slip"] <= high] for low, high in ALIKE.values())
+    if not first or not second or max(s["push"] for s in first) > min(s["push"] for s in second):
+        return "At these pushes the two regimes are not apart."
+    span = lambda group, key, scale, digits: f"{scale * min(s[key] for s in group):.{digits}f} to {scale * max(s[key] for s in group):.{digits}f}"
+    begin = min(s["push"] for s in second)
+    others = sum(s["push"] >= begin for s in seen) - len(second)
+    return (f"Over the push divided by the pressure both pressures lie on one line, but for mu_inter in regime 2. Regime 1 is a plateau, of {len(first)} starts from {span(first, 'push', 1, 1)} (m/s)/MPa: M slips "
+            f"{span(first, 'slip', 100, 0)} % of the time, mu_inter is {span(first, 'mu', 1, 3)}. Smaller pushes lead to something in between. From {begin:.4g} (m/s)/MPa on the pin "
+            f"comes to regime 2: in {len(second)} starts M slips {span(second, 'slip', 100, 0)} % at {span(second, 'frequency', 1e-3, 1)} kHz, whatever the push. Its mu_inter is no plateau but "
+            f"scatters from {span(second, 'mu', 1, 3)}, as it does in time: from the first to the second half of a run by up to {max(s['drift'] for s in second):.3f} "
+            f"(regime 1: {max(s['drift'] for s in first):.4f}). {others} of the starts beyond had left it by then.")
+
+
+def _in_the_long_run(fragment, found):
     figure, (axes,) = panels(1, 3.0)
-    shares = {v: _separated(found[v], 2.5e-4) for v in LONG}
+    shares = {v: _separated(found[P1, v], 2.5e-4) for v in LONG}
     for v, (time, share) in shares.items():
         axes.plot(1e3 * time, 100 * share, color=COLOURS[v], label=f"{v:g} m/s")
     for n, colour in ((1, BLUE), (2, ORANGE)):
@@ -79,7 +107,7 @@ def _plateaus(fragment, found):
     axes.set(xlabel="time in ms", ylabel="M separated, %", ylim=(0, 100))
     axes.margins(x=0)
     above(axes, columns=3)
-    fragment.figure(figure, "Share of time in which node M is separated, in the long run. " + _end_of_regime_2(*shares[max(LONG)]), "-long")
+    fragment.figure(figure, "Share of time in which node M is separated, in the long run, at 0.5 MPa. " + _end_of_regime_2(*shares[max(LONG)]), "-long")
 
 
 def _end_of_regime_2(time, share):

@@ -55,7 +55,7 @@ PARTS = {
     "figure-13": Part("Figure 13: apparent friction, mu_homo = 0.23", histories.figure_13_runs, histories.by_phase),
     "figure-14": Part("Figure 14: stress in element A", localization.runs, localization.element_a),
     "figure-15": Part("Figure 15: stress in element B", localization.runs, localization.element_b),
-    "figure-16": Part("Figure 16: mean von Mises stress", localization.runs, localization.mean_von_mises),
+    "figure-16": Part("Figure 16: mean von Mises stress", localization.field_runs, localization.mean_von_mises),
     "overview": Part("The pin at a glance", overview.runs, overview.picture),
 }
 

@@ -1,0 +1,82 @@
+"""Figures of energies: the frictional one of several runs, and the balance of one."""
+
+import numpy as np
+
+from data import Missing, thinned
+from figures import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, SKY, YELLOW, above, panels, rescaled, scaled, style
+
+POWERS_OF_J = [(1e-9, "nJ/m"), (1e-6, "µJ/m"), (1e-3, "mJ/m"), (1.0, "J/m"), (1e3, "kJ/m")]
+
+
+def friction_energy(runs):
+    series = [(run, run.get("/history/time"), run.get("/history/friction_energy")) for run in runs]
+    series = [entry for entry in series if entry[1] is not None and entry[2] is not None
+              and len(entry[1])]
+    if not series:
+        raise Missing("/history/friction_energy is in none of the dynamics files")
+    figure, (axes,) = panels(1, 3.3)
+    factor, unit = scaled(*[energy for *_, energy in series], units=POWERS_OF_J)
+    for run, time, energy in series:
+        mu = run.number("global_interface_friction_coefficient")
+        label = run.label + (rf", $\mu_\mathrm{{inter}}$ = {mu:.3f}" if mu is not None else "")
+        axes.plot(*rescaled(*thinned(time, energy), 1e3, 1 / factor), **style(runs, run), label=label)
+        steady = time >= run.steady_from()
+        if steady.sum() > 2:
+            slope, offset = np.polyfit(time[steady], energy[steady], 1)
+            line = np.array([time[steady][0], time[-1]])
+            axes.plot(1e3 * line, (slope * line + offset) / factor, color=BLACK, lw=1, ls=(0, (1, 2)))
+    axes.plot([], [], color=BLACK, lw=1, ls=(0, (1, 2)), label="slope used")
+    axes.set(xlabel="time in ms", ylabel=rf"$E_\mathrm{{friction}}$ in {unit}")
+    axes.margins(x=0)
+    above(axes, columns=2)
+    return figure
+
+
+ENERGIES = [("external_work", "external work", BLACK), ("friction", "friction", ORANGE),
+            ("elastic", "elastic", BLUE), ("kinetic", "kinetic", SKY), ("damping", "damping", GREEN),
+            ("scheme", "time scheme", PINK), ("impact", "impacts", YELLOW)]
+
+
+def energy_balance(run):
+    time = run.need("/energy/time")
+    parts = [(label, run.get(f"/energy/{name}"), c) for name, label, c in ENERGIES]
+    parts = [(label, values, c) for label, values, c in parts
+             if values is not None and len(values) == len(time)]
+    if not parts:
+        raise Missing("/energy holds no energies of the length of /energy/time")
+    residual = run.get("/energy/residual")
+    scale, of = _residual_scale(run, len(time))
+    top = max(np.nanmax(np.abs(values)) for _, values, _ in parts) or 1.0
+    small = [part for part in parts if np.nanmax(np.abs(part[1])) < 0.2 * top]
+    figure, axes = panels(3 if small else 2, 6.6 if small else 5.0, sharex=True,
+                          gridspec_kw={"height_ratios": [2.2, 1.6, 1] if small else [2.4, 1]})
+    _energies(axes[0], time, parts, "energy")
+    above(axes[0], columns=4)
+    if small:
+        _energies(axes[1], time, small, "small ones")
+    if residual is not None and len(residual) == len(time):
+        x, y = thinned(time, np.abs(residual) / scale)
+        axes[-1].semilogy(1e3 * x, np.where(y > 0, y, np.nan), color=GREY, lw=1)
+        if np.nanmedian(y) > 0:
+            axes[-1].set_ylim(bottom=1e-2 * np.nanmedian(y))
+    axes[-1].set(xlabel="time in ms", ylabel=f"|residual| /\n{of}")
+    for axis in axes:
+        axis.margins(x=0)
+    figure.align_ylabels()
+    return figure
+
+
+def _residual_scale(run, count):
+    """What the log and summary.json relate the residual to (J/m), and its name: frictional energy unless there is hardly any."""
+    friction, kinetic, elastic = (run.get(f"/energy/{name}") for name in ("friction", "kinetic", "elastic"))
+    if any(values is None or len(values) != count for values in (friction, kinetic, elastic)):
+        return 1.0, "1 J/m"
+    body, work = np.nanmax(kinetic + elastic), abs(friction[-1])
+    return (work, "frictional energy") if work > 1e-3 * body else (body or 1.0, "energy in the body")
+
+
+def _energies(axes, time, parts, name):
+    factor, unit = scaled(*[values for _, values, _ in parts], units=POWERS_OF_J)
+    for label, values, c in parts:
+        axes.plot(*rescaled(*thinned(time, values), 1e3, 1 / factor), color=c, label=label)
+    axes.set_ylabel(f"{name}\nin {unit}")
