@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Run a chain of .prm files, each program reading what those before it left.
 
-A folder holds files such as 10-rve_homogenization.prm and 20-contact_dynamics-homogeneous.prm: the name
-contains the program, the order is that of the names. All files beside them, and those in folders below that
-they name, are copied to the results folder; the output of NAME.prm goes to NAME/ beside it, so that a later
-file reads NAME/rve.h5. What is up to date (.prm, the files it names, program, and the runs before it) is skipped; runs that do not need one another go side by side. At the end stands report.html, and one of what is
-there already as soon as a core is idle.
+A folder holds files such as 10-rve_homogenization.prm and 20-contact_dynamics-homogeneous.prm: the name contains
+the program, the order is that of the names. All files beside them, and those in folders below that they name, are
+copied to the results folder; the output of NAME.prm goes to NAME/ beside it, so that a later file reads
+NAME/rve.h5. What is up to date (.prm, the files it names, program, and the runs before it) is skipped; runs that do
+not need one another go side by side. At the end stands report.html, and one of what is there already as soon as a
+core is idle.
 """
 
 import argparse

@@ -56,6 +56,7 @@ bool same_shape(const Shape &shape, const Shape &expected)
 Handle creation_properties(const Shape &chunk, const unsigned int compression)
 {
   Handle properties(H5Pcreate(H5P_DATASET_CREATE));
+  H5Pset_obj_track_times(properties, false); // equal results are equal files
   if (!chunk.empty())
     {
       H5Pset_chunk(properties, static_cast<int>(chunk.size()), hdf5::dims(chunk).data());

@@ -149,6 +149,13 @@ def content_of_h5(path):
     return content
 
 
+def values_that_differ(one, two):
+    """Datasets and attributes of two HDF5 files."""
+    x, y = content_of_h5(one), content_of_h5(two)
+    return [key for key in sorted(x.keys() | y.keys())
+            if key not in x or key not in y or x[key].dtype != y[key].dtype or not np.array_equal(x[key], y[key])]
+
+
 def differences(one, two):
     """What distinguishes the results in two folders."""
     wrong = []
@@ -157,11 +164,6 @@ def differences(one, two):
         a, b = os.path.join(one, name), os.path.join(two, name)
         if not os.path.exists(a) or not os.path.exists(b):
             wrong.append(f"{name} is in one folder only")
-        elif name.endswith(".h5"):
-            x, y = content_of_h5(a), content_of_h5(b)
-            wrong += [f"{name}: {key}" for key in sorted(x.keys() | y.keys())
-                      if key not in x or key not in y or x[key].dtype != y[key].dtype
-                      or not np.array_equal(x[key], y[key])]
         elif name == "summary.json":
             with open(a, encoding="utf-8") as f, open(b, encoding="utf-8") as g:
                 x, y = json.load(f), json.load(g)
@@ -170,7 +172,7 @@ def differences(one, two):
         else:
             with open(a, "rb") as f, open(b, "rb") as g:
                 if f.read() != g.read():
-                    wrong.append(f"{name} differs")
+                    wrong.append(f"{name} differs" + (f" in {values_that_differ(a, b)}" if name.endswith(".h5") else ""))
     return wrong
 
 
