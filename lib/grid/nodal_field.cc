@@ -1,23 +1,9 @@
 #include "grid/nodal_field.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <new>
 
 namespace mesoslip
 {
-namespace
-{
-constexpr std::size_t alignment = 64;
-}
-
-template <typename Number>
-void
-NodalField<Number>::Free::operator()(Number *p) const
-{
-  std::free(p);
-}
-
 template <typename Number>
 NodalField<Number>::NodalField(const unsigned int n_columns, const unsigned int n_rows)
   : columns(n_columns)
@@ -27,11 +13,7 @@ NodalField<Number>::NodalField(const unsigned int n_columns, const unsigned int 
   // An odd number of cache lines keeps rows of equal x off the same cache set.
   if ((row_stride / vector_length) % 2 == 0)
     row_stride += vector_length;
-  void *memory = std::aligned_alloc(alignment, size() * sizeof(Number));
-  if (memory == nullptr)
-    throw std::bad_alloc();
-  data.reset(static_cast<Number *>(memory));
-  set_zero();
+  data = line_zeros<Number>(size());
 }
 
 template <typename Number>

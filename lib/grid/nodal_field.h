@@ -1,10 +1,11 @@
 #ifndef mesoslip_grid_nodal_field_h
 #define mesoslip_grid_nodal_field_h
 
+#include "grid/line_memory.h"
+
 #include <boost/serialization/array_wrapper.hpp>
 
 #include <cstddef>
-#include <memory>
 #include <stdexcept>
 
 namespace mesoslip
@@ -120,16 +121,10 @@ public:
   }
 
 private:
-  struct Free
-  {
-    void
-    operator()(Number *p) const;
-  };
-
-  unsigned int                    columns    = 0;
-  unsigned int                    rows       = 0;
-  std::size_t                     row_stride = 0;
-  std::unique_ptr<Number[], Free> data;
+  unsigned int      columns    = 0;
+  unsigned int      rows       = 0;
+  std::size_t       row_stride = 0;
+  LineArray<Number> data;
 };
 
 extern template class NodalField<double>;

@@ -1,11 +1,9 @@
 #ifndef mesoslip_localization_row_arrays_h
 #define mesoslip_localization_row_arrays_h
 
-#include <algorithm>
+#include "grid/line_memory.h"
+
 #include <cstddef>
-#include <cstdlib>
-#include <memory>
-#include <new>
 
 namespace mesoslip
 {
@@ -31,12 +29,7 @@ public:
     // An odd number of cache lines keeps the arrays of a row off the same cache set.
     if (row_stride / line % 2 == 0)
       row_stride += line;
-    const std::size_t size = std::max<std::size_t>(n * arrays * row_stride, line);
-    void *memory           = std::aligned_alloc(64, size * sizeof(double));
-    if (memory == nullptr)
-      throw std::bad_alloc();
-    data.reset(static_cast<double *>(memory));
-    std::fill_n(data.get(), size, 0.);
+    data = line_zeros<double>(n * arrays * row_stride);
   }
 
   /** Array @p k of row @p j: n_columns() values. */
@@ -73,19 +66,11 @@ private:
   /** Doubles in a cache line. */
   static constexpr std::size_t line = 8;
 
-  struct Free
-  {
-    void operator()(double *p) const
-    {
-      std::free(p);
-    }
-  };
-
   unsigned int arrays    = 0;
   std::size_t columns    = 0;
   std::size_t row_stride = 0;
   std::size_t n          = 0;
-  std::unique_ptr<double[], Free> data;
+  LineArray<double> data;
 };
 } // namespace mesoslip
 

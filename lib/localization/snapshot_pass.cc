@@ -19,25 +19,30 @@ class Batch
 {
 public:
   Batch(const RunFile &run, const UniformGrid<2> &target, const SnapshotWork &what)
-    : interpolation(run.grid(), target)
-    , source(run.grid())
+    : source(run.grid())
     , work(what)
     , constant(1, 3, target.cells[0])
     , by_row(target.cells[1])
   {
     for (std::size_t p = 0; p < work.cells.size(); ++p)
       by_row[work.cells[p][1]].push_back(p);
+    const std::size_t bytes = snapshot_size() * sizeof(double);
+    const auto most         = std::clamp<std::size_t>(batch_bytes / bytes, 1, max_batch);
+    for (std::size_t b = 0; b < most; ++b)
+      interpolations.emplace_back(source, target);
   }
 
+  /** Snapshots at most. */
   std::size_t size() const
   {
-    const std::size_t bytes = interpolation.snapshot_size() * sizeof(double);
-    return std::clamp<std::size_t>(batch_bytes / bytes, 1, max_batch);
+    return interpolations.size();
   }
 
   void treat(const std::vector<double> &snapshots, SnapshotHistories &histories)
   {
-    const std::size_t n = snapshots.size() / interpolation.snapshot_size();
+    const std::size_t n = snapshots.size() / snapshot_size();
+    for (std::size_t b = 0; b < n; ++b)
+      interpolations[b].set_displacement(snapshot(snapshots, b));
     means.clear();
     if (work.uniform != nullptr || work.mean_history)
       for (std::size_t b = 0; b < n; ++b)
@@ -45,10 +50,10 @@ public:
     if (work.mean_history)
       for (const auto &mean : means)
         histories.mean.insert(histories.mean.end(), mean.begin(), mean.end());
-    for (unsigned int j = 0; j < interpolation.target_grid().cells[1]; ++j)
+    for (unsigned int j = 0; j < by_row.size(); ++j)
       {
         if (work.local != nullptr || !by_row[j].empty())
-          treat_local(snapshots, n, j, histories);
+          treat_local(n, j, histories);
         if (work.uniform != nullptr)
           treat_uniform(n, j);
       }
@@ -57,17 +62,21 @@ public:
 private:
   const double *snapshot(const std::vector<double> &all, const std::size_t b) const
   {
-    return all.data() + b * interpolation.snapshot_size();
+    return all.data() + b * snapshot_size();
   }
 
-  void treat_local(const std::vector<double> &snapshots,
-                   const std::size_t n,
-                   const unsigned int j,
-                   SnapshotHistories &histories)
+  /** Numbers. */
+  std::size_t snapshot_size() const
+  {
+    return 2 * source.n_nodes();
+  }
+
+  void
+  treat_local(const std::size_t n, const unsigned int j, SnapshotHistories &histories)
   {
     for (std::size_t b = 0; b < n; ++b)
       {
-        const ConstRow strain = interpolation.row(snapshot(snapshots, b), j);
+        const ConstRow strain = interpolations[b].row(j);
         if (work.local != nullptr)
           work.local->add(j, strain);
         for (const std::size_t p : by_row[j])
@@ -89,10 +98,11 @@ private:
       }
   }
 
-  StrainInterpolation interpolation;
   UniformGrid<2> source;
   const SnapshotWork &work;
   RowArrays constant;
+  /** One for each snapshot. */
+  std::vector<StrainInterpolation> interpolations;
   std::vector<std::array<double, 3>> means;
   /** Numbers of the cells wanted in each row. */
   std::vector<std::vector<std::size_t>> by_row;

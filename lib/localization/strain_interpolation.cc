@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mesoslip
 {
@@ -16,6 +17,8 @@ double integrate(const unsigned int n, const double h, const Value &value)
     sum += value(i);
   return h * sum;
 }
+
+constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
 
 Row row_of(RowArrays &arrays, const std::size_t j)
 {
@@ -72,47 +75,58 @@ StrainInterpolation::StrainInterpolation(const UniformGrid<2> &source_grid,
   , target(target_grid)
   , x(source.cells[0], target.cells[0])
   , y(source.cells[1], target.cells[1])
-  , source_rows(2, 3, source.cells[0])
+  , scratch(x.is_identity() ? 0 : 1, 3, source.cells[0])
+  , kept(y.width, 3, target.cells[0])
   , result(1, 3, target.cells[0])
+  , kept_row(y.width, none)
 {
 }
 
-Row StrainInterpolation::source_row(const double *displacement, const unsigned int j)
+void StrainInterpolation::set_displacement(const double *u)
 {
-  const std::size_t n_row = 2 * (std::size_t(source.cells[0]) + 1);
-  const Row row           = row_of(source_rows, 0);
-  strain_row(displacement + j * n_row, displacement + (j + 1) * n_row, source.cells[0],
-             source.spacing[0], source.spacing[1], row);
+  displacement = u;
+  std::fill(kept_row.begin(), kept_row.end(), none);
+}
+
+/** Row @p j of the source in the columns of the target. */
+ConstRow StrainInterpolation::source_row(const unsigned int j)
+{
+  const unsigned int place = j % y.width;
+  const Row row            = row_of(kept, place);
+  if (kept_row[place] == j)
+    return row;
+  kept_row[place]         = j;
+  const bool same_columns = x.is_identity();
+  const Row strain        = same_columns ? row : row_of(scratch, 0);
+  const double *lower     = displacement + 2 * j * (std::size_t(source.cells[0]) + 1);
+  strain_row(lower, lower + 2 * (std::size_t(source.cells[0]) + 1), source.cells[0],
+             source.spacing[0], source.spacing[1], strain);
+  if (!same_columns)
+    {
+      combine_columns(strain.xx, row.xx);
+      combine_columns(strain.yy, row.yy);
+      combine_columns(strain.xy, row.xy);
+    }
   return row;
 }
 
-ConstRow StrainInterpolation::row(const double *displacement, const unsigned int j)
+ConstRow StrainInterpolation::row(const unsigned int j)
 {
-  const std::size_t n = source.cells[0];
-  Row sum             = row_of(source_rows, 0);
   if (y.width == 1)
-    source_row(displacement, y.first[j]);
-  else
+    return source_row(y.first[j]);
+  const std::size_t n = target.cells[0];
+  const Row sum       = row_of(result, 0);
+  for (double *component : {sum.xx, sum.yy, sum.xy})
+    std::fill_n(component, n, 0.);
+  for (unsigned int k = 0; k < y.width; ++k)
     {
-      sum = row_of(source_rows, 1);
-      for (double *component : {sum.xx, sum.yy, sum.xy})
-        std::fill_n(component, n, 0.);
-      for (unsigned int k = 0; k < y.width; ++k)
-        {
-          const double weight = y.weight[std::size_t(j) * y.width + k];
-          const Row part      = source_row(displacement, y.first[j] + k);
-          add_scaled_row(part.xx, n, weight, sum.xx);
-          add_scaled_row(part.yy, n, weight, sum.yy);
-          add_scaled_row(part.xy, n, weight, sum.xy);
-        }
+      const double weight = y.weight[std::size_t(j) * y.width + k];
+      const ConstRow part = source_row(y.first[j] + k);
+      add_scaled_row(part.xx, n, weight, sum.xx);
+      add_scaled_row(part.yy, n, weight, sum.yy);
+      add_scaled_row(part.xy, n, weight, sum.xy);
     }
-  if (x.is_identity())
-    return sum;
-  const Row out = row_of(result, 0);
-  combine_columns(sum.xx, out.xx);
-  combine_columns(sum.yy, out.yy);
-  combine_columns(sum.xy, out.xy);
-  return out;
+  return sum;
 }
 
 void StrainInterpolation::combine_columns(const double *values, double *combined) const

@@ -45,7 +45,9 @@ std::array<double, 3> mean_strain(const UniformGrid<2> &grid, const double *disp
 /**
  * The strain of a run with bilinear cells in the cells of another grid of the same box.
  * Strains at cell centres are of second order, better than anywhere else in a cell; they
- * are interpolated by AxisWeights along both axes. One object for each thread.
+ * are interpolated by AxisWeights along both axes, along x first: the rows that come of
+ * it serve several rows of a finer grid and are kept. One object for each snapshot at
+ * hand.
  */
 class StrainInterpolation
 {
@@ -53,33 +55,26 @@ public:
   /** Both grids cover the same box. */
   StrainInterpolation(const UniformGrid<2> &source, const UniformGrid<2> &target);
 
-  /**
-   * Strain of target row @p j, valid until the next call. @p displacement is one
-   * snapshot of the source, [ny + 1][nx + 1][2].
-   */
-  ConstRow row(const double *displacement, const unsigned int j);
+  /** Strains are those of @p displacement from now on: one snapshot of the source,
+   *  [ny + 1][nx + 1][2], which stays the caller's. */
+  void set_displacement(const double *displacement);
 
-  /** Numbers in a snapshot of the source. */
-  std::size_t snapshot_size() const
-  {
-    return 2 * source.n_nodes();
-  }
-
-  /** Whose cells get the strains. */
-  const UniformGrid<2> &target_grid() const
-  {
-    return target;
-  }
+  /** Strain of target row @p j, valid until the next call. Rows are best asked for in
+   *  their order. */
+  ConstRow row(const unsigned int j);
 
 private:
-  Row source_row(const double *displacement, const unsigned int j);
+  ConstRow source_row(const unsigned int j);
   void combine_columns(const double *values, double *result) const;
 
   UniformGrid<2> source, target;
   AxisWeights x, y;
-  /** Rows of three arrays: a strain row of the source, their sum over y. */
-  RowArrays source_rows;
-  RowArrays result;
+  const double *displacement = nullptr;
+  /** Rows of three arrays: a strain row of the source, those of its rows that have been
+   *  interpolated along x last, a sum of them. */
+  RowArrays scratch, kept, result;
+  /** Number of the row of the source at each place of kept, or none. */
+  std::vector<unsigned int> kept_row;
 };
 } // namespace mesoslip
 

@@ -17,7 +17,7 @@ from common import TOP, Bench  # noqa: E402
 from study import parse_arguments  # noqa: E402
 
 PARTS = ["modes", "bar", "sliding_growth", "stiffness", "localization", "pin", "step_scaling", "static_scaling", "statics",
-         "localization_speed", "skips"]
+         "localization_speed", "skips", "two_ranks"]
 
 
 def main():

@@ -1,13 +1,30 @@
 #include "elasticity/uniform_grid_operator.h"
 #include "elasticity_testing.h"
+#include "grid/line_memory.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 
 using namespace elasticity_testing;
+
+TEST(LineMemory, BeginsOnACacheLineAndIsZero)
+{
+  // Small ones, and large ones whose pages are asked for at once.
+  for (const std::size_t n : {0u, 1u, 7u, 8191u, 8192u, 100001u, 1000000u})
+    {
+      LineArray<double> first = line_zeros<double>(n);
+      EXPECT_EQ(reinterpret_cast<std::uintptr_t>(first.get()) % 64, 0u) << n;
+      std::fill_n(first.get(), n, 1.); // memory that is taken again is not clean
+      first.reset();
+      const LineArray<double> second = line_zeros<double>(n);
+      EXPECT_EQ(std::count(second.get(), second.get() + n, 0.), static_cast<long>(n));
+    }
+}
 
 TEST(Element, EigenvaluesOfTheSquare)
 {

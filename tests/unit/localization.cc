@@ -22,11 +22,12 @@ double interpolation_error(const unsigned int n_coarse, const bool edges)
     return std::array<double, 2>{{std::sin(k * x) * std::cos(k * y), 0.}};
   });
   StrainInterpolation interpolation(source, target);
+  interpolation.set_displacement(u.data());
   double error            = 0.;
   const unsigned int skip = edges ? 0 : 8;
   for (unsigned int j = skip; j < target.cells[1] - skip; ++j)
     {
-      const ConstRow row = interpolation.row(u.data(), j);
+      const ConstRow row = interpolation.row(j);
       for (unsigned int i = skip; i < target.cells[0] - skip; ++i)
         {
           const double x = (i + 0.5) * target.spacing[0],
@@ -84,9 +85,10 @@ TEST(StrainInterpolation, UniformStrainAndRigidMotion)
       EXPECT_NEAR(mean[2], 5e-4, 1e-15);
       const auto target = make_grid(6, 4);
       StrainInterpolation interpolation(source, target);
+      interpolation.set_displacement(u.data());
       for (unsigned int j = 0; j < target.cells[1]; ++j)
         {
-          const ConstRow row = interpolation.row(u.data(), j);
+          const ConstRow row = interpolation.row(j);
           for (unsigned int i = 0; i < target.cells[0]; ++i)
             {
               EXPECT_NEAR(row.xx[i], 1e-3, 1e-15);
@@ -108,9 +110,10 @@ TEST(StrainInterpolation, LinearStrainIsExactFromCoarseToFine)
       });
       const auto target = make_grid(12, 12);
       StrainInterpolation interpolation(source, target);
+      interpolation.set_displacement(u.data());
       for (unsigned int j = 0; j < 12; ++j)
         {
-          const ConstRow row = interpolation.row(u.data(), j);
+          const ConstRow row = interpolation.row(j);
           for (unsigned int i = 0; i < 12; ++i)
             {
               const double x = (i + 0.5) * target.spacing[0],
@@ -134,6 +137,33 @@ TEST(StrainInterpolation, SecondOrder)
     }
 }
 
+TEST(StrainInterpolation, RowsKeptForOthersAreThoseOfTheDisplacement)
+{
+  // Rows in any order, and again for another displacement, against an object that has
+  // kept none.
+  const auto source = make_grid(4, 3), target = make_grid(12, 12);
+  StrainInterpolation interpolation(source, target);
+  for (const double k : {300., 700.})
+    {
+      const auto u = nodal(source, [&](const double x, const double y) {
+        return std::array<double, 2>{{std::sin(k * x), std::cos(k * (x + y))}};
+      });
+      interpolation.set_displacement(u.data());
+      for (const unsigned int j : {0u, 5u, 6u, 2u, 11u, 10u})
+        {
+          StrainInterpolation fresh(source, target);
+          fresh.set_displacement(u.data());
+          const ConstRow expected = fresh.row(j), found = interpolation.row(j);
+          for (unsigned int i = 0; i < 12; ++i)
+            {
+              EXPECT_EQ(found.xx[i], expected.xx[i]);
+              EXPECT_EQ(found.yy[i], expected.yy[i]);
+              EXPECT_EQ(found.xy[i], expected.xy[i]);
+            }
+        }
+    }
+}
+
 TEST(StrainInterpolation, MeanIsTheMeanOfTheCells)
 {
   std::mt19937 generator(3);
@@ -143,10 +173,11 @@ TEST(StrainInterpolation, MeanIsTheMeanOfTheCells)
     return std::array<double, 2>{{number(generator), number(generator)}};
   });
   StrainInterpolation interpolation(grid, grid);
+  interpolation.set_displacement(u.data());
   std::array<double, 3> sum = {};
   for (unsigned int j = 0; j < 5; ++j)
     {
-      const ConstRow row = interpolation.row(u.data(), j);
+      const ConstRow row = interpolation.row(j);
       for (unsigned int i = 0; i < 7; ++i)
         {
           sum[0] += row.xx[i] / 35.;

@@ -48,26 +48,29 @@ static void store_matrix(const vector8 *k, double *out, const std::size_t stride
 /** result += W^T K W for one fine cell with nodes 0 to 3; w[node][corner]. */
 static void add_cell(const vector8 *k, const vector8 w[4][4], vector8 *result)
 {
+#pragma GCC unroll 4
   for (int I = 0; I < 4; ++I)
+#pragma GCC unroll 3
     for (int c = 0; c < 3; ++c)
       {
         // Column (I, c) of K W.
         vector8 column[12];
+#pragma GCC unroll 12
         for (int a = 0; a < 12; ++a)
           {
             column[a] = k[entry(a, c)] * w[0][I];
             for (int f = 1; f < 4; ++f)
               column[a] += k[entry(a, 3 * f + c)] * w[f][I];
           }
-        for (int J = 0; J <= I; ++J)
-          for (int d = 0; d < 3; ++d)
-            if (J < I || d <= c)
-              {
-                vector8 sum = w[0][J] * column[d];
-                for (int f = 1; f < 4; ++f)
-                  sum += w[f][J] * column[3 * f + d];
-                result[entry(3 * J + d, 3 * I + c)] += sum;
-              }
+#pragma GCC unroll 12
+        for (int r = 0; r <= 3 * I + c; ++r)
+          {
+            const int J = r / 3, d = r % 3;
+            vector8 sum = w[0][J] * column[d];
+            for (int f = 1; f < 4; ++f)
+              sum += w[f][J] * column[3 * f + d];
+            result[entry(r, 3 * I + c)] += sum;
+          }
       }
 }
 
@@ -96,10 +99,7 @@ galerkin_coarse(const CoarsePatch &patch, double *out, const std::size_t stride)
 
 /** A linear functional of the coarse unknowns: strain or hourglass mode of a fine cell.
  */
-struct Functional
-{
-  vector8 u[4], v[4], r[4];
-};
+using Functional = vector8[12];
 
 /** Adds the functionals c_u u + c_v v of a fine node to @p f. */
 static inline void add_node(const vector8 *wu,
@@ -108,42 +108,36 @@ static inline void add_node(const vector8 *wu,
                             const double y,
                             const double c_u,
                             const double c_v,
-                            Functional &f)
+                            Functional f)
 {
-  for (int J = 0; J < 4; ++J)
+  for (int u = 0, v = 1, r = 2, J = 0; J < 4; ++J, u += 3, v += 3, r += 3)
     {
       if (c_u != 0.)
         {
-          f.u[J] += c_u * wu[J];
-          f.r[J] -= (c_u * y) * wu[J];
+          f[u] += c_u * wu[J];
+          f[r] -= (c_u * y) * wu[J];
         }
       if (c_v != 0.)
         {
-          f.v[J] += c_v * wv[J];
-          f.r[J] += c_v * (wv[J] * x);
+          f[v] += c_v * wv[J];
+          f[r] += c_v * (wv[J] * x);
         }
     }
-}
-
-static inline const vector8 &component(const Functional &f, const int J, const int c)
-{
-  return c == 0 ? f.u[J] : c == 1 ? f.v[J] : f.r[J];
 }
 
 /** result += f g^T + ..., upper triangle; g holds conjugate stresses of f. */
 static void add_products(const Functional f[5], const Functional g[5], vector8 *result)
 {
-  for (int I = 0; I < 4; ++I)
-    for (int c = 0; c < 3; ++c)
-      for (int J = 0; J <= I; ++J)
-        for (int d = 0; d < 3; ++d)
-          if (J < I || d <= c)
-            {
-              vector8 sum = component(f[0], J, d) * component(g[0], I, c);
-              for (int k = 1; k < 5; ++k)
-                sum += component(f[k], J, d) * component(g[k], I, c);
-              result[entry(3 * J + d, 3 * I + c)] += sum;
-            }
+#pragma GCC unroll 12
+  for (int c = 0; c < 12; ++c)
+#pragma GCC unroll 12
+    for (int r = 0; r <= c; ++r)
+      {
+        vector8 sum = f[0][r] * g[0][c];
+        for (int k = 1; k < 5; ++k)
+          sum += f[k][r] * g[k][c];
+        result[entry(r, c)] += sum;
+      }
 }
 
 /** g = D f: strains to stresses, hourglass modes to their forces. */
@@ -156,19 +150,15 @@ static void conjugate(const FinestPatch &patch,
   vector8 d[n_finest_coefficients];
   for (unsigned int k = 0; k < n_finest_coefficients; ++k)
     d[k] = load(patch.coefficient[b][a][k]);
-  for (int J = 0; J < 4; ++J)
-    for (int c = 0; c < 3; ++c)
-      {
-        const vector8 xx = component(f[0], J, c), yy = component(f[1], J, c),
-                      xy = component(f[2], J, c), hu = component(f[3], J, c),
-                      hv   = component(f[4], J, c);
-        const vector8 s[5] = {d[d11] * xx + d[d12] * yy + d[d13] * xy,
-                              d[d12] * xx + d[d22] * yy + d[d23] * xy,
-                              d[d13] * xx + d[d23] * yy + d[d33] * xy,
-                              d[h11] * hu + d[h12] * hv, d[h12] * hu + d[h22] * hv};
-        for (int k = 0; k < 5; ++k)
-          (c == 0 ? g[k].u[J] : c == 1 ? g[k].v[J] : g[k].r[J]) = s[k];
-      }
+  for (int i = 0; i < 12; ++i)
+    {
+      const vector8 xx = f[0][i], yy = f[1][i], xy = f[2][i], hu = f[3][i], hv = f[4][i];
+      g[0][i] = d[d11] * xx + d[d12] * yy + d[d13] * xy;
+      g[1][i] = d[d12] * xx + d[d22] * yy + d[d23] * xy;
+      g[2][i] = d[d13] * xx + d[d23] * yy + d[d33] * xy;
+      g[3][i] = d[h11] * hu + d[h12] * hv;
+      g[4][i] = d[h12] * hu + d[h22] * hv;
+    }
 }
 
 /**

@@ -199,9 +199,11 @@ void Multigrid::build_bottom()
               z[k++] = mode[2];
           }
       z.normalize();
-      matrix += scale * z * z.transpose();
+      matrix.noalias() += scale * z * z.transpose();
     }
-  const Eigen::MatrixXd inverse = matrix.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+  // In place: fresh memory for copies takes longer than to write them.
+  const Eigen::LDLT<Eigen::Ref<Eigen::MatrixXd>> factors(matrix);
+  const Eigen::MatrixXd inverse = factors.solve(Eigen::MatrixXd::Identity(n, n));
   bottom_inverse                = PaddedRows<double>(n, 1, n);
   bottom_vectors                = PaddedRows<double>(2, 1, n);
   for (unsigned int r = 0; r < n; ++r)

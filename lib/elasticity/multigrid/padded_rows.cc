@@ -1,19 +1,11 @@
 #include "elasticity/multigrid/padded_rows.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <new>
 
 namespace mesoslip
 {
 namespace multigrid
 {
-template <typename Number>
-void PaddedRows<Number>::Free::operator()(Number *p) const
-{
-  std::free(p);
-}
-
 template <typename Number>
 PaddedRows<Number>::PaddedRows(const unsigned int n_arrays,
                                const unsigned int n_rows,
@@ -26,11 +18,7 @@ PaddedRows<Number>::PaddedRows(const unsigned int n_arrays,
   // An odd number of cache lines keeps equal columns off the same cache set.
   if ((stride / lanes<Number>) % 2 == 0)
     stride += lanes<Number>;
-  void *memory = std::aligned_alloc(64, size() * sizeof(Number));
-  if (memory == nullptr)
-    throw std::bad_alloc();
-  data.reset(static_cast<Number *>(memory));
-  set_zero();
+  data = line_zeros<Number>(size());
 }
 
 template <typename Number>

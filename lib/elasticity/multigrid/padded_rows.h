@@ -1,8 +1,9 @@
 #ifndef mesoslip_elasticity_multigrid_padded_rows_h
 #define mesoslip_elasticity_multigrid_padded_rows_h
 
+#include "grid/line_memory.h"
+
 #include <cstddef>
-#include <memory>
 
 namespace mesoslip
 {
@@ -79,11 +80,6 @@ public:
   void fill_ghosts(const bool x, const bool y);
 
 private:
-  struct Free
-  {
-    void operator()(Number *p) const;
-  };
-
   std::size_t size() const
   {
     return (static_cast<std::size_t>(rows) + 2) * arrays * stride;
@@ -98,7 +94,7 @@ private:
   unsigned int rows    = 0;
   unsigned int columns = 0;
   std::size_t stride   = 0;
-  std::unique_ptr<Number[], Free> data;
+  LineArray<Number> data;
 };
 
 extern template class PaddedRows<float>;
