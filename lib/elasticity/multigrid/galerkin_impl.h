@@ -97,9 +97,8 @@ galerkin_coarse(const CoarsePatch &patch, double *out, const std::size_t stride)
   store_matrix(result, out, stride);
 }
 
-/** A linear functional of the coarse unknowns: strain or hourglass mode of a fine cell.
- */
-using Functional = vector8[12];
+// Linear functionals of the 12 coarse unknowns: three strains and two hourglass modes of
+// a fine cell are vector8 [5][12].
 
 /** Adds the functionals c_u u + c_v v of a fine node to @p f. */
 static inline void add_node(const vector8 *wu,
@@ -108,7 +107,7 @@ static inline void add_node(const vector8 *wu,
                             const double y,
                             const double c_u,
                             const double c_v,
-                            Functional f)
+                            vector8 f[12])
 {
   for (int u = 0, v = 1, r = 2, J = 0; J < 4; ++J, u += 3, v += 3, r += 3)
     {
@@ -126,7 +125,7 @@ static inline void add_node(const vector8 *wu,
 }
 
 /** result += f g^T + ..., upper triangle; g holds conjugate stresses of f. */
-static void add_products(const Functional f[5], const Functional g[5], vector8 *result)
+static void add_products(const vector8 f[5][12], const vector8 g[5][12], vector8 *result)
 {
 #pragma GCC unroll 12
   for (int c = 0; c < 12; ++c)
@@ -144,8 +143,8 @@ static void add_products(const Functional f[5], const Functional g[5], vector8 *
 static void conjugate(const FinestPatch &patch,
                       const unsigned int b,
                       const unsigned int a,
-                      const Functional f[5],
-                      Functional g[5])
+                      const vector8 f[5][12],
+                      vector8 g[5][12])
 {
   vector8 d[n_finest_coefficients];
   for (unsigned int k = 0; k < n_finest_coefficients; ++k)
@@ -188,7 +187,7 @@ galerkin_finest(const FinestPatch &patch, double *out, const std::size_t stride)
   for (unsigned int b = 0; b < patch.n_rows; ++b)
     for (unsigned int a = 0; a < 2; ++a)
       {
-        Functional f[5] = {}, g[5];
+        vector8 f[5][12] = {}, g[5][12];
         for (unsigned int n = 0; n < 4; ++n)
           {
             const unsigned int i = a + n % 2, j = b + n / 2;
