@@ -15,7 +15,8 @@ are_counts(const double        stick,
            const double        landings,
            const std::uint64_t steps)
 {
-  return stick >= 0. && slip >= 0. && landings >= 0. &&
+  const auto is_count = [](const double x) { return x >= 0. && x == std::floor(x); };
+  return is_count(stick) && is_count(slip) && is_count(landings) &&
          std::max(stick + slip, landings) <= static_cast<double>(steps);
 }
 } // namespace

@@ -87,6 +87,8 @@ TransientCheckpoint::Found TransientCheckpoint::look(const std::uint64_t n_steps
                   " are gone and no state was kept: starting from the beginning");
       return Found::nothing;
     }
+  if (record.state_sizes.size() != static_cast<std::size_t>(context.n_ranks()))
+    throw UserError(file_path + " is damaged: it does not hold one state for each MPI rank");
   std::size_t at = payload.size() - std::accumulate(record.state_sizes.begin(),
                                                     record.state_sizes.end(),
                                                     std::uint64_t(0));
