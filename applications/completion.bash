@@ -1,9 +1,9 @@
 # Bash completion of the three programs: options, .prm files, and the keys after --set.
 # Load it with: source applications/completion.bash     (an installed mesoslip is found by itself)
 
-# All keys of a program as Section/Key=, from its own --print-parameters.
+# All keys of a program as Section/Key=, from its own --print-parameters; with a .prm also those of the probes and phases named there.
 _mesoslip_keys() {
-  "$1" --print-parameters 2>/dev/null | awk '
+  { "$1" --print-parameters ${2:+"$2"} 2>/dev/null || "$1" --print-parameters 2>/dev/null; } | awk '
     /^ *subsection / { sub(/^ *subsection /, ""); path[depth++] = $0; next }
     /^ *end *$/      { --depth; next }
     /^ *set / {
@@ -14,6 +14,14 @@ _mesoslip_keys() {
     }'
 }
 
+# The .prm on the command line, if there is one.
+_mesoslip_file() {
+  local word
+  for word in "${COMP_WORDS[@]}"; do
+    case $word in *.prm) [ ! -f "$word" ] || { printf '%s\n' "$word"; return; } ;; esac
+  done
+}
+
 _mesoslip() {
   local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} IFS=$'\n'
   case $before in
@@ -21,7 +29,7 @@ _mesoslip() {
       # Keys hold blanks: quoted as a whole unless the user has opened a quote.
       local quote=\' plain=${current#[\'\"]}
       [ "$plain" = "$current" ] || quote=
-      mapfile -t COMPREPLY < <(_mesoslip_keys "$1" | grep -F -- "$plain" | sed "s|^|$quote|")
+      mapfile -t COMPREPLY < <(_mesoslip_keys "$1" "$(_mesoslip_file)" | grep -F -- "$plain" | sed "s|^|$quote|")
       compopt -o nospace +o filenames 2>/dev/null
       return
       ;;

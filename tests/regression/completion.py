@@ -33,6 +33,13 @@ def main():
         assert offered(programs, folder, "--set", "Flat/V") == ["'Flat/Velocity="]
         assert offered(programs, folder, "--set", "'Time/End") == ["Time/End time="]
         assert "'Friction/Regularization time=" in offered(programs, folder, "--set", "Friction/")
+        with open(os.path.join(folder, "a pin.prm"), "w", encoding="utf-8") as file:
+            file.write("subsection Observation\n  set Probes = spot\n  subsection spot\n    set Position = 0.01, 0.01\n  end\nend\n")
+        assert offered(programs, folder, "a pin.prm", "--set", "Observation/spot/P") == ["'Observation/spot/Position="]
+        assert not any(offered(programs, folder, "--set", "Observation/spot/P"))
+        with open(os.path.join(folder, "one.prm"), "w", encoding="utf-8") as file:
+            file.write("subsection Nonsense\n")
+        assert offered(programs, folder, "one.prm", "--set", "Flat/V") == ["'Flat/Velocity="], "of a file with mistakes, the keys without it"
     print("ok")
 
 

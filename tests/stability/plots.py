@@ -15,12 +15,13 @@ TINY = 1e-17  # a residual of zero on a logarithmic axis
 
 
 def time_step(sweep, limits):
-    figure, (upper, lower) = plt.subplots(2, 1, figsize=(7.2, 7.4), height_ratios=(1, 1.15))
-    for beta2, tint in zip(sorted({beta2 for beta2, _ in sweep}), RUN_COLOURS):
+    figure, (upper, lower) = plt.subplots(2, 1, figsize=(7.2, 9.0), height_ratios=(1, 2))
+    tints = dict(zip(sorted({beta2 for beta2, _ in sweep}), RUN_COLOURS))
+    for (beta2, tint), size in zip(tints.items(), (10, 7.5, 5, 2.5)):  # equal values show as rings
         stable = [(share, v.growth) for (b, share), v in sweep.items() if b == beta2 and v.outcome == "stable"]
         stopped = [share for (b, share), v in sweep.items() if b == beta2 and v.outcome == "stopped"]
-        upper.plot(*zip(*stable), "o-", color=tint, label=f"beta2 = {beta2:g}", markersize=4)
-        upper.plot(stopped, [1e6] * len(stopped), "^", color=tint, markersize=7, alpha=0.6)
+        upper.plot(*zip(*stable), "o-", color=tint, label=f"beta2 = {beta2:g}", markersize=size, linewidth=1)
+        upper.plot(stopped, [1e6] * len(stopped), "^", color=tint, markersize=size)
     upper.axvline(1.0, color=GREY, linestyle=":")
     upper.axhline(1e6, color=GREY, linewidth=0.8)
     upper.text(0.5, 4e5, "stopped here (triangles)", color=GREY, va="top")
@@ -29,9 +30,10 @@ def time_step(sweep, limits):
     above(upper, columns=4)
 
     bodies = list(dict.fromkeys(limit.body for limit in limits))
-    for limit in limits:
-        y = bodies.index(limit.body) + 0.1 * ((limits.index(limit) % 5) - 2)
-        lower.plot([limit.low, limit.high], [y, y], "-", color=BLUE, linewidth=4)
+    for k, body in enumerate(bodies):
+        own = sorted((limit for limit in limits if limit.body == body), key=lambda limit: (limit.beta, limit.beta2))
+        for limit, y in zip(own, k + 0.055 * (np.arange(len(own)) - 0.5 * (len(own) - 1))):
+            lower.plot([limit.low, limit.high], [y, y], "-", color=tints[limit.beta2], linewidth=2.4, solid_capstyle="butt")
     lower.axvspan(0.99, 1.01, color=GREEN, alpha=0.12)
     lower.text(1.0, -0.62, "1 %", color=GREEN, ha="center")
     lower.set(yticks=range(len(bodies)), yticklabels=bodies, xlabel="observed / predicted critical time step",

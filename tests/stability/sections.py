@@ -57,7 +57,8 @@ square of the number of rows.
 
 Upper: the homogeneous pin without damping, time steps from 0.5 to 1.1 of the critical one. Below the limit the body never holds more than what was
 put in (largest ratio {max(v.growth for v in stable):.6f}) and the balance closes to {max(v.residual for v in stable):.1e}; all runs above it are stopped, after
-{min(v.step for v in sweep.values() if v.step)} to {max(v.step for v in sweep.values() if v.step)} steps. Lower: the last intervals of the bisections.
+{min(v.step for v in sweep.values() if v.step)} to {max(v.step for v in sweep.values() if v.step)} steps. Lower: the last intervals of the bisections, in the colours of
+beta2; within a body beta grows downwards, and beta2 for each beta.
 Data: [time_step.csv](time_step.csv), [time_step_sweep.csv](time_step_sweep.csv).
 """)
     return [v for v in sweep.values()], ([f"{x.body}: observed / predicted {x.observed:.4f}" for x in limits

@@ -79,7 +79,7 @@ def observed(measured, tests):
 
 def convergence(measured, path):
     """Errors over refinement, a panel for each expected order; dotted: that order, through the coarsest grid of the series."""
-    figure, axes = plt.subplots(1, len(problems.ORDERS), figsize=(11.5, 6.2), width_ratios=(1.2, 1.2, 0.8))
+    figure, axes = plt.subplots(1, len(problems.ORDERS), figsize=(11.5, 7.4), width_ratios=(1.2, 1.2, 0.8))
     styles = [(tint, line) for line in ("o-", "s--") for tint in RUN_COLOURS]
     for axis, (order, names) in zip(axes, problems.ORDERS.items()):
         shown = [(name, values) for (_, name), values in measured.series.items() if name in names]
@@ -92,7 +92,7 @@ def convergence(measured, path):
         low, high = axis.get_ylim()
         axis.set_ylim(10 ** np.floor(np.log10(low)), 10 ** np.ceil(np.log10(high)))
         axis.minorticks_off()
-        axis.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=1)
+        axis.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.15), ncol=1)
     axes[0].set_ylabel("relative error")
     os.makedirs(os.path.dirname(path), exist_ok=True)
     figure.savefig(path, dpi=90, bbox_inches="tight")

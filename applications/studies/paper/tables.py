@@ -76,10 +76,19 @@ def table_3(fragment, runs, names):
     rows, pushes = names
     _write(fragment, runs, rows, "Global interface friction coefficients of table 3.")
     fragment.reading("P = 0.4 MPa as printed, else as table 2. In the paper heterogeneous model 1 and the homogeneous one with 1500 ns are in regime 2, the two others in regime 1.")
-    fragment.text("Which regime a model comes to changes with the push, and not at the same push for all. Regime (and mu_inter) of the same four:")
+    changes = {_change({v: regime(runs[members[k]]) for v, members in pushes.items()}) for k in range(len(rows))}
+    fragment.text("Which regime a model comes to changes with the push" + (
+        f", {changes.pop()} for all of them: no push tried parts the four as in the paper." if len(changes) == 1 else f": {'; '.join(sorted(changes))}.")
+        + f" Regime (and mu_inter from {1e3 * pushed(0).steady_from:g} to {1e3 * pushed(0).end:g} ms; the last column as above) of the same four:")
     fragment.table(["push in m/s", *[f"{v:g}" for v in pushes]],
                    [[row.label, *[f"{regime(runs[members[k]])} ({mu(runs[members[k]]):.3f})" for members in pushes.values()]]
                     for k, row in enumerate(rows)])
+
+
+def _change(regimes):
+    """Between which pushes the regime changes, as text; `regimes` {push: regime} with rising pushes."""
+    found = [f"between {a:g} and {b:g} m/s" for (a, before), (b, after) in zip(regimes.items(), list(regimes.items())[1:]) if before != after]
+    return " and ".join(found) or "at none of these"
 
 
 def _by_phase_rows(cases, table):

@@ -19,6 +19,7 @@ plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.color": "#e3e7eb",
                      "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False,
                      "figure.constrained_layout.use": True, "lines.linewidth": 1.3})
 PAPER_REGIMES = {1: (0.30, 0.21), 2: (0.80, 0.17)}  # separation of M, mu_inter (section 2.4, fig. 7)
+PAPER_LABELS = {1: (0.5, 0.31), 2: (0.8, 0.27)}  # where their names stand, off the points
 
 
 def save(figure, folder, name):
@@ -76,7 +77,10 @@ def regime_maps(folder, found, starts, name):
                             fontsize=7)
             axes.set_yticks(np.arange(len(deltas)) + 0.5, [f"{d * 1e9:g}" for d in deltas], fontsize=7)
         line[0].set_ylabel("δ [ns]")
-        figure.colorbar(picture, ax=line, label=title, aspect=18)
+        shown = np.concatenate([np.ravel(axes.collections[0].get_array().compressed()) for axes in line])
+        visible = 0.01 * (high - low)  # less is not seen, such as round-off below 0
+        extend = {(0, 0): "neither", (1, 0): "min", (0, 1): "max", (1, 1): "both"}[int(shown.min() < low - visible), int(shown.max() > high + visible)]
+        figure.colorbar(picture, ax=line, label=title, aspect=18, extend=extend)
     for axes in grid[-1]:
         axes.set_xlabel("P/V [MPa s/m]")
     return save(figure, folder, name)
@@ -91,8 +95,8 @@ def search(folder, found):
                               cmap="turbo", vmin=30, vmax=260)
         for number, (x, y) in PAPER_REGIMES.items():
             axes.plot(x, y, "*", ms=14, mfc="none", mec="black")
-            axes.annotate(f"paper, regime {number}", (x, y), xytext=(0, 12), textcoords="offset points", ha="center",
-                          bbox={"fc": "white", "ec": "none", "alpha": 0.85, "pad": 1})
+            axes.annotate(f"paper, regime {number}", (x, y), xytext=PAPER_LABELS[number], ha="center",
+                          arrowprops={"arrowstyle": "-", "color": GREY, "shrinkB": 6})
         axes.set(xlim=(-0.03, 1), title=f"{title[0] * 1e3:g} to {title[1] * 1e3:g} ms", xlabel="share of time in which M is separated")
     grid[0].set_ylabel("μ_inter")
     figure.colorbar(points, ax=grid, label="main frequency [kHz]")

@@ -221,7 +221,9 @@ def _rules(keys, tried, errors, runs):
               f"{rules.SHORT[0] * 1e3:g} to {rules.SHORT[1] * 1e3:g} ms. *coarse run*: the same over the whole window, both pins on cells of 0.4 mm. "
               "*other morphologies*: the mean best δ* of the other morphologies at this load. *other pressure*: the best δ* of the same morphology under the other printed pressure. "
               "*eq. (13)*: the paper's way, from mu_inter and T_G of the full run, not predictive. *best δ\\**: the sweep of the homogeneous pin "
-              "inverted at the mu_inter of the full run, what any rule can reach. Errors are those of the homogeneous pin with δ* against the "
+              "inverted at the mu_inter of the full run, what any rule can reach. *cost*: CPU time of what has to be run anew of the morphology in question, over that of its "
+              "full heterogeneous run; what is run once for all is not counted: the sweep of the homogeneous pin, and for *other morphologies* the full runs of these. Eigenvalues "
+              "were not timed (–). Errors are those of the homogeneous pin with δ* against the "
               "heterogeneous one: mean, and root mean square with its bootstrap interval."]
     for key in keys:
         rows = []

@@ -74,7 +74,7 @@ def all_rules(data, load, window):
         "growth, fastest mode": ("eigenvalue", None, by_growth(data, fastest_mode(data))),
         "short run": ("run of 0.5 ms", SHORT[1] / seeds.END, matched(data, load, SHORT, 1, seeds.COARSE)),
         "coarse run": ("run on cells of 0.4 mm", coarse, matched(data, load, window, 2, seeds.COARSER)),
-        "other morphologies": ("full runs of the others", 0., {s: np.mean([d for t, d in best.items() if t != s]) for s in best}),
+        "other morphologies": ("full runs of the others, once for all", 0., {s: np.mean([d for t, d in best.items() if t != s]) for s in best}),
         "other pressure": (f"full run at {seeds.other_load(load).pressure / 1e6:g} MPa", 1., other),
         "eq. (13)": ("full run", 1., {s: delta_rules.equation_13(m.mu, MU, data.contact_duration(s, load))
                                       for s, m in references.items()}),
