@@ -3,8 +3,8 @@
 #   without one      what CI runs: all tests but the long ones, then those of --sanitize
 #   --quick          unit and regression tests only
 #   --label NAME     unit, verification, regression, lint or long
-#   --sanitize       unit tests with AddressSanitizer, UndefinedBehaviorSanitizer, LeakSanitizer and the assertions of
-#                    deal.II's Debug library, in build-sanitize
+#   --sanitize       unit tests, and those of programs and verification that are quick enough, with AddressSanitizer,
+#                    UndefinedBehaviorSanitizer, LeakSanitizer and the assertions of deal.II's Debug library, in build-sanitize
 #   --lint           clang-tidy and cppcheck over library and programs
 #   --fuzz SECONDS   only the fuzzers, so long each, built with clang in build-fuzz
 set -euo pipefail
@@ -45,17 +45,25 @@ sanitize() {
   ctest --test-dir build-sanitize --output-on-failure -j "$(nproc)" --label-regex '^sanitize$' "$@"
 }
 
-# clang-tidy and cppcheck. The files of a topic are read as one: deal.II's headers take longer than ours.
-lint() {
-  mesoslip_packages+=(clang clang-tidy)
+# clang-tidy. The files of a topic are read as one: deal.II's headers take longer than ours.
+tidy() {
+  local mesoslip_packages=("${mesoslip_packages[@]}" clang clang-tidy)
   install_packages
-  cmake_options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
-                 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
+  local cmake_options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
+                       -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
   configure build-lint
-  run-clang-tidy -p build-lint -quiet -extra-arg=-Wno-ignored-optimization-argument '/(lib|applications)/' \
-    >build-lint/clang-tidy.log 2>&1 || { grep -E -A 3 '(error|warning):' build-lint/clang-tidy.log; fail "clang-tidy finds the above"; }
+  say "clang-tidy reads library and programs (some minutes)"
+  run-clang-tidy -p build-lint -quiet -extra-arg=-Wno-ignored-optimization-argument "^$PWD/(build-lint/)?(lib|applications)/" \
+    >build-lint/clang-tidy.log 2>&1 || {
+    grep -E -A 3 '(error|warning):' build-lint/clang-tidy.log || tail -n 5 build-lint/clang-tidy.log
+    fail "clang-tidy finds the above"
+  }
   say "clang-tidy finds nothing"
-  ctest --test-dir build-lint --output-on-failure --label-regex lint
+}
+
+lint() {
+  tidy
+  ctest --test-dir build-lint --output-on-failure --label-regex lint "$@"
 }
 
 cmake_options=()
@@ -64,7 +72,7 @@ case ${1:-} in
   -h | --help) sed -n '2,/^set/s/^# //p' "$0" ;;
   --fuzz) fuzz "${2:?--fuzz needs a number of seconds}" ;;
   --sanitize) sanitize "${@:2}" ;;
-  --lint) lint ;;
+  --lint) lint "${@:2}" ;;
   --quick) release --label-exclude 'long|verification' "${@:2}" ;;
   --label) release --label-regex "${2:?--label needs a name}" "${@:3}" ;;
   "") release --label-exclude long && sanitize ;;

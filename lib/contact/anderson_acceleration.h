@@ -31,7 +31,7 @@ public:
   /** The next x from @p x and @p g = g(x). */
   Eigen::VectorXd next(const Eigen::VectorXd &x, const Eigen::VectorXd &g)
   {
-    residuals.push_back(g - x);
+    residuals.emplace_back(g - x);
     images.push_back(g);
     if (images.size() > depth + 1)
       {

@@ -15,7 +15,7 @@ class ActiveSetIteration
 {
 public:
   ActiveSetIteration(const UniformMaterial &material,
-                     StaticContactProblem &&problem,
+                     StaticContactProblem &&given,
                      const StaticContactOptions &options);
 
   StaticContactSolution run();

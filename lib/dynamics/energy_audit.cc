@@ -249,8 +249,8 @@ EnergyAudit::reduce() const
 {
   EnergyHistory all = samples;
   const auto    sum = [&](std::vector<double> &values) {
-    MPI_Allreduce(
-      MPI_IN_PLACE, values.data(), values.size(), MPI_DOUBLE, MPI_SUM, communicator);
+    const int n = static_cast<int>(values.size());
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), n, MPI_DOUBLE, MPI_SUM, communicator);
   };
   for (auto *values : {&all.kinetic,
                        &all.elastic,

@@ -58,7 +58,7 @@ public:
 
   ~AssembledGridSolver() override;
 
-  void set_held(const DofMask &held) override;
+  void set_held(const DofMask &mask) override;
 
   SolverReport solve(NodalField<double> &u,
                      const NodalField<double> &force,

@@ -31,7 +31,7 @@ CellMatrix cell_stiffness(const VoigtMatrix<2> &D, const double hx, const double
 {
   Eigen::Matrix<double, 3, 8> B = Eigen::Matrix<double, 3, 8>::Zero();
   Eigen::Matrix<double, 2, 8> G = Eigen::Matrix<double, 2, 8>::Zero();
-  for (int n = 0; n < 4; ++n)
+  for (Eigen::Index n = 0; n < 4; ++n)
     {
       const double x = n % 2 ? 1. : -1., y = n / 2 ? 1. : -1.;
       B(0, 2 * n) = B(2, 2 * n + 1) = x / (2. * hx);

@@ -103,22 +103,17 @@ static void select_material(const Choice &choice, Kernels<Number> &kernels)
 {
   constexpr bool has_lookup = lookup_capacity_double > 0;
   kernels.register_capacity = register_capacity(static_cast<const Number *>(nullptr));
-  switch (choice.material)
+  const MaterialVariant material = choice.material;
+  if (material == MaterialVariant::homogeneous)
+    return select_symmetry<Number, MaterialVariant::homogeneous>(choice, kernels);
+  if (material == MaterialVariant::two)
+    return select_symmetry<Number, MaterialVariant::two>(choice, kernels);
+  if constexpr (has_lookup)
     {
-    case MaterialVariant::homogeneous:
-      return select_symmetry<Number, MaterialVariant::homogeneous>(choice, kernels);
-    case MaterialVariant::two:
-      return select_symmetry<Number, MaterialVariant::two>(choice, kernels);
-    case MaterialVariant::one_register:
-      if constexpr (has_lookup)
+      if (material == MaterialVariant::one_register)
         return select_symmetry<Number, MaterialVariant::one_register>(choice, kernels);
-      break;
-    case MaterialVariant::two_registers:
-      if constexpr (has_lookup)
+      if (material == MaterialVariant::two_registers)
         return select_symmetry<Number, MaterialVariant::two_registers>(choice, kernels);
-      break;
-    case MaterialVariant::any:
-      break;
     }
   select_symmetry<Number, MaterialVariant::any>(choice, kernels);
 }

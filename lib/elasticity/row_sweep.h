@@ -29,7 +29,7 @@ struct RowKernels
 
   /** With the constants of a time step; @p choice says which terms there are. */
   RowKernels(const UniformMaterial &material,
-             const InstructionSet isa,
+             const InstructionSet requested,
              const bool damping,
              const bool gravity);
 

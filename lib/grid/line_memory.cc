@@ -20,7 +20,8 @@ void make_pages_present(void *memory, const std::size_t bytes)
   const std::uintptr_t first = (address + page - 1) / page * page;
   const std::uintptr_t end   = (address + bytes) / page * page;
   if (end > first)
-    (void)madvise(reinterpret_cast<void *>(first), end - first, MADV_POPULATE_WRITE);
+    (void)madvise(static_cast<char *>(memory) + (first - address), end - first,
+                  MADV_POPULATE_WRITE);
 #else
   (void)memory;
   (void)bytes;

@@ -97,7 +97,7 @@ public:
   std::size_t
   size() const
   {
-    return 2 * rows * row_stride;
+    return row_stride * rows * 2;
   }
 
   /** Padding included. */

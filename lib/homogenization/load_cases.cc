@@ -140,10 +140,14 @@ void send_to_root(NodalField<double> &u,
 {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
-  if (owner != 0 && rank == owner)
-    MPI_Send(u.begin(), u.size(), MPI_DOUBLE, 0, 0, comm);
-  if (owner != 0 && rank == 0)
-    MPI_Recv(u.begin(), u.size(), MPI_DOUBLE, owner, 0, comm, MPI_STATUS_IGNORE);
+  const int n_columns = static_cast<int>(u.n_columns());
+  // By rows: MPI counts in int, which a large field exceeds.
+  for (unsigned int c = 0; owner != 0 && c < 2; ++c)
+    for (unsigned int j = 0; j < u.n_rows(); ++j)
+      if (rank == owner)
+        MPI_Send(u.row(c, j), n_columns, MPI_DOUBLE, 0, 0, comm);
+      else if (rank == 0)
+        MPI_Recv(u.row(c, j), n_columns, MPI_DOUBLE, owner, 0, comm, MPI_STATUS_IGNORE);
   MPI_Bcast(&report.iterations, 1, MPI_UNSIGNED, owner, comm);
   MPI_Bcast(&report.residual, 1, MPI_DOUBLE, owner, comm);
 }

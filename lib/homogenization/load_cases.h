@@ -55,7 +55,7 @@ using LoadCaseProgress = std::function<void(const unsigned int, const unsigned i
 std::vector<LoadCaseSolutions>
 solve_load_cases(const UniformMaterial &material,
                  const std::vector<BoundaryCondition> &conditions,
-                 const StaticSolverKind solver,
+                 const StaticSolverKind kind,
                  const double tolerance,
                  const MPI_Comm communicator,
                  const LoadCaseProgress &progress = LoadCaseProgress(),

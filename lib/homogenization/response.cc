@@ -22,7 +22,7 @@ std::vector<PhaseSums> sum_over_phases(const UniformMaterial &material,
 {
   const UniformGrid<2> &grid = material.grid();
   const UniformGridOperator op(material);
-  const unsigned int nx = grid.cells[0], ny = grid.cells[1];
+  const std::size_t nx = grid.cells[0], ny = grid.cells[1];
   const bool stresses = solutions.condition == BoundaryCondition::SUBC;
   std::vector<PhaseSums> sums(material.classes().size());
   std::vector<double> exx(3 * nx), eyy(3 * nx), gxy(3 * nx);
@@ -46,9 +46,7 @@ std::vector<PhaseSums> sum_over_phases(const UniformMaterial &material,
             {
               if (stresses)
                 local = material.classes()[phase].stiffness * local;
-              std::copy_n(local.data(), 9,
-                          concentration->data() +
-                            9 * (static_cast<std::size_t>(j) * nx + i));
+              std::copy_n(local.data(), 9, concentration->data() + 9 * (j * nx + i));
             }
         }
       for (std::size_t p = 0; p < sums.size(); ++p)

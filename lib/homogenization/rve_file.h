@@ -62,7 +62,7 @@ public:
   std::vector<double> concentration(const std::string &name) const;
 
 private:
-  explicit RveFile(Hdf5File &&file);
+  explicit RveFile(Hdf5File &&opened);
 
   Hdf5File file;
   UniformGrid<2> the_grid;

@@ -75,11 +75,11 @@ void exchange(EnsembleMember &member,
   MPI_Comm_rank(comm, &rank);
   if (owner == 0 || (rank != 0 && rank != owner))
     return;
-  unsigned long n_phases = member.fractions.size();
+  int n_phases = static_cast<int>(member.fractions.size());
   if (rank == owner)
     {
       MPI_Send(&member.seed, sizeof(member.seed), MPI_BYTE, 0, 0, comm);
-      MPI_Send(&n_phases, 1, MPI_UNSIGNED_LONG, 0, 1, comm);
+      MPI_Send(&n_phases, 1, MPI_INT, 0, 1, comm);
       MPI_Send(member.fractions.data(), n_phases, MPI_DOUBLE, 0, 2, comm);
       for (HomogenizedResponse &response : member.responses)
         MPI_Send(response.stiffness.data(), 9, MPI_DOUBLE, 0, 3, comm);
@@ -87,8 +87,8 @@ void exchange(EnsembleMember &member,
     }
   MPI_Recv(&member.seed, sizeof(member.seed), MPI_BYTE, owner, 0, comm,
            MPI_STATUS_IGNORE);
-  MPI_Recv(&n_phases, 1, MPI_UNSIGNED_LONG, owner, 1, comm, MPI_STATUS_IGNORE);
-  member.fractions.resize(n_phases);
+  MPI_Recv(&n_phases, 1, MPI_INT, owner, 1, comm, MPI_STATUS_IGNORE);
+  member.fractions.resize(static_cast<std::size_t>(n_phases));
   MPI_Recv(member.fractions.data(), n_phases, MPI_DOUBLE, owner, 2, comm,
            MPI_STATUS_IGNORE);
   member.responses.resize(n_conditions);
@@ -103,7 +103,7 @@ RveResults compute(const RveParameters &parameters, RunContext &context)
   const unsigned int n = parameters.n_members;
   results.members.resize(n);
   const unsigned int n_cases = 3 * parameters.conditions.size();
-  context.progress().start("Load cases", n * n_cases);
+  context.progress().start("Load cases", std::uint64_t{n} * n_cases);
   for (unsigned int m = 0; m < n; ++m)
     {
       if (n > 1 && static_cast<int>(m) % context.n_ranks() != context.rank())

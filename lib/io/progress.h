@@ -36,7 +36,7 @@ public:
    * Begins the activity @p name of @p total_steps steps that each update @p n_cells cells
    * (0: no speed is shown). @p first_step is where a resumed run begins.
    */
-  void start(const std::string &activity,
+  void start(const std::string &name,
              const std::uint64_t total_steps,
              const std::uint64_t n_cells    = 0,
              const std::uint64_t first_step = 0);

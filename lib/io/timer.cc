@@ -116,7 +116,8 @@ void print_row(std::ostream &out,
                const double total)
 {
   std::ostringstream row;
-  row << std::left << std::setw(44) << std::string(2 * depth, ' ') + name << std::right;
+  row << std::left << std::setw(44) << std::string(std::size_t{2} * depth, ' ') + name
+      << std::right;
   if (calls > 0)
     row << std::setw(12) << calls;
   else

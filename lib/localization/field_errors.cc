@@ -92,7 +92,7 @@ std::vector<CellRegion> comparison_regions(const UniformGrid<2> &grid,
         for (std::size_t r = 0; r < n_places; ++r)
           if (member[r])
             regions[r].cells.push_back(cell);
-        const std::size_t of_phase = n_places + 2 * phase[cell];
+        const std::size_t of_phase = n_places + std::size_t{2} * phase[cell];
         regions[of_phase].cells.push_back(cell);
         if (interior)
           regions[of_phase + 1].cells.push_back(cell);

@@ -8,7 +8,8 @@ namespace mesoslip
 std::array<double, 2> mean_and_deviation(const std::vector<double> &values,
                                          const unsigned int c)
 {
-  const double n = static_cast<double>(values.size() / 3);
+  const std::size_t n_samples = values.size() / 3;
+  const double n              = static_cast<double>(n_samples);
   double mean = 0., squares = 0.;
   for (std::size_t k = c; k < values.size(); k += 3)
     mean += values[k];

@@ -33,7 +33,7 @@ AxisWeights::AxisWeights(const unsigned int n_source_cells, const unsigned int n
   width            = whole ? n_source / n_target : std::min(n_source, 2u);
   first.resize(n_target);
   weight.resize(std::size_t(n_target) * width);
-  for (unsigned int i = 0; i < n_target; ++i)
+  for (std::size_t i = 0; i < n_target; ++i)
     if (whole || n_source == 1)
       {
         first[i] = whole ? i * width : 0;
@@ -98,7 +98,7 @@ ConstRow StrainInterpolation::source_row(const unsigned int j)
   kept_row[place]         = j;
   const bool same_columns = x.is_identity();
   const Row strain        = same_columns ? row : row_of(scratch, 0);
-  const double *lower     = displacement + 2 * j * (std::size_t(source.cells[0]) + 1);
+  const double *lower     = displacement + 2 * std::size_t(j) * (source.cells[0] + 1);
   strain_row(lower, lower + 2 * (std::size_t(source.cells[0]) + 1), source.cells[0],
              source.spacing[0], source.spacing[1], strain);
   if (!same_columns)

@@ -37,10 +37,10 @@ struct AxisWeights
 };
 
 /**
- * Mean strain over a body (xx, yy, engineering xy) from its nodal displacements
+ * Mean strain over a body (xx, yy, engineering xy) from its nodal displacements @p u
  * [ny + 1][nx + 1][2]; by Gauss' theorem only those on the sides matter.
  */
-std::array<double, 3> mean_strain(const UniformGrid<2> &grid, const double *displacement);
+std::array<double, 3> mean_strain(const UniformGrid<2> &grid, const double *u);
 
 /**
  * The strain of a run with bilinear cells in the cells of another grid of the same box.
@@ -55,9 +55,9 @@ public:
   /** Both grids cover the same box. */
   StrainInterpolation(const UniformGrid<2> &source, const UniformGrid<2> &target);
 
-  /** Strains are those of @p displacement from now on: one snapshot of the source,
+  /** Strains are those of @p u from now on: one snapshot of the source,
    *  [ny + 1][nx + 1][2], which stays the caller's. */
-  void set_displacement(const double *displacement);
+  void set_displacement(const double *u);
 
   /** Strain of target row @p j, valid until the next call. Rows are best asked for in
    *  their order. */
@@ -65,7 +65,7 @@ public:
 
 private:
   ConstRow source_row(const unsigned int j);
-  void combine_columns(const double *values, double *result) const;
+  void combine_columns(const double *values, double *combined) const;
 
   UniformGrid<2> source, target;
   AxisWeights x, y;

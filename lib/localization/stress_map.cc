@@ -37,7 +37,9 @@ double mean_defect(const std::vector<double> &concentration)
   VoigtMatrix<2> sum = VoigtMatrix<2>::Zero();
   for (std::size_t k = 0; k < concentration.size(); k += 9)
     sum += Eigen::Map<const VoigtMatrix<2>>(concentration.data() + k);
-  const double n = static_cast<double>(concentration.size() / 9);
-  return (sum / n - VoigtMatrix<2>::Identity()).cwiseAbs().maxCoeff();
+  const std::size_t n_cells = concentration.size() / 9;
+  return (sum / static_cast<double>(n_cells) - VoigtMatrix<2>::Identity())
+    .cwiseAbs()
+    .maxCoeff();
 }
 } // namespace mesoslip

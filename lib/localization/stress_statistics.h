@@ -42,8 +42,8 @@ struct StressFields
 class StressStatistics
 {
 public:
-  /** No samples yet; @p map must outlive it. */
-  StressStatistics(const StressMap &map, const FieldSelection &selection);
+  /** No samples yet; @p stress_map must outlive it. */
+  StressStatistics(const StressMap &stress_map, const FieldSelection &fields);
 
   /** The next sample of row @p j, as the macroscopic strain of its cells. */
   void add(const std::size_t j, const ConstRow &strain);

@@ -10,8 +10,8 @@ namespace mesoslip
 class FibreSampler
 {
 public:
-  /** Prepares drawing by @p rules on @p grid; seeds the numbers. */
-  FibreSampler(const UniformGrid<2> &grid, const FibrePlacement &rules);
+  /** Prepares drawing by the rules of @p placement on @p box; seeds the numbers. */
+  FibreSampler(const UniformGrid<2> &box, const FibrePlacement &placement);
 
   /** Whether any fibre satisfies the rules; otherwise draw() must not be called. */
   bool possible() const;

@@ -114,7 +114,7 @@ std::vector<Rectangle> read_rectangles(const std::string &file,
 void write_rectangles(const std::string &file, const std::vector<Rectangle> &rectangles)
 {
   std::vector<std::string> columns = length_columns;
-  columns.push_back("phase");
+  columns.emplace_back("phase");
   TableWriter table(file, columns);
   // Picometres: far below any cell, and whole micrometres stay readable.
   const auto millimetres = [](const double metres) {

@@ -50,9 +50,11 @@ Batches choose_batches(const std::vector<double> &time,
       const auto number = std::min<unsigned long>(periods, most_batches);
       batches.number    = std::max(1u, static_cast<unsigned int>(number));
       if (number > 0)
-        batches.begin =
-          std::max(batches.begin, batches.end - static_cast<double>(periods / number) *
-                                                  static_cast<double>(number) * period);
+        {
+          const unsigned long whole = periods / number * number;
+          batches.begin =
+            std::max(batches.begin, batches.end - static_cast<double>(whole) * period);
+        }
     }
   batches.last  = static_cast<std::size_t>(after - time.begin()) - 1;
   batches.first = static_cast<std::size_t>(

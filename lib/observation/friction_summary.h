@@ -76,7 +76,7 @@ struct ContactShares
  *
  * @throws std::invalid_argument if the shares are negative or do not sum to 1 within 1e-6
  */
-std::string regime_label(const ContactShares &reference_node, double threshold = 0.01);
+std::string regime_label(const ContactShares &shares, double threshold = 0.01);
 } // namespace mesoslip
 
 #endif

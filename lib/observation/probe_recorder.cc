@@ -176,16 +176,16 @@ ProbeRecorder::gather() const
                            &history.stress,
                            &history.traction})
         {
-          unsigned long n = values->size();
+          int n = static_cast<int>(values->size());
           if (rank == owner)
             {
-              MPI_Send(&n, 1, MPI_UNSIGNED_LONG, 0, 0, communicator);
+              MPI_Send(&n, 1, MPI_INT, 0, 0, communicator);
               MPI_Send(values->data(), n, MPI_DOUBLE, 0, 1, communicator);
             }
           else
             {
-              MPI_Recv(&n, 1, MPI_UNSIGNED_LONG, owner, 0, communicator, MPI_STATUS_IGNORE);
-              values->resize(n);
+              MPI_Recv(&n, 1, MPI_INT, owner, 0, communicator, MPI_STATUS_IGNORE);
+              values->resize(static_cast<std::size_t>(n));
               MPI_Recv(values->data(), n, MPI_DOUBLE, owner, 1, communicator, MPI_STATUS_IGNORE);
             }
         }

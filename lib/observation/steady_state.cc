@@ -141,10 +141,11 @@ void LimitCycleDetector::check()
     return;
   period_ = estimate_period().value_or(criterion_.expected_period);
   // Once reached, everything since the steady part began is judged.
-  const double bin = sample_step() * static_cast<double>(record_.stride());
-  const double from =
-    reached() ? std::ceil((steady_from_ - first_time_) / bin) : (record_.size() + 1) / 2;
-  const auto first = static_cast<std::size_t>(
+  const double bin         = sample_step() * static_cast<double>(record_.stride());
+  const std::size_t middle = (record_.size() + 1) / 2;
+  const double from        = reached() ? std::ceil((steady_from_ - first_time_) / bin)
+                                       : static_cast<double>(middle);
+  const auto first         = static_cast<std::size_t>(
     std::fmin(std::fmax(from, 0.), static_cast<double>(record_.size())));
   const auto compared = parts(first);
   if (!compared)

@@ -48,11 +48,11 @@ class TransientCheckpoint
 {
 public:
   /**
-   * @p identity: lines "key = value" in which the runs before and after have to agree.
+   * @p what: lines "key = value" in which the runs before and after have to agree.
    */
-  TransientCheckpoint(RunContext &context,
-                      const CheckpointParameters &parameters,
-                      const std::string &identity);
+  TransientCheckpoint(RunContext &run_context,
+                      const CheckpointParameters &p,
+                      const std::string &what);
 
   /** What a resumed run finds. */
   enum class Found

@@ -248,9 +248,9 @@ TransientRun::gather_top() const
   for (auto *values :
        {&history.normal_force, &history.tangential_force, &history.displacement, &history.work})
     {
-      unsigned long n = values->size();
-      MPI_Bcast(&n, 1, MPI_UNSIGNED_LONG, last, context.communicator());
-      values->resize(n);
+      int n = static_cast<int>(values->size());
+      MPI_Bcast(&n, 1, MPI_INT, last, context.communicator());
+      values->resize(static_cast<std::size_t>(n));
       MPI_Bcast(values->data(), n, MPI_DOUBLE, last, context.communicator());
     }
   return history;

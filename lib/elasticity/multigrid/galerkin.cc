@@ -62,7 +62,7 @@ Eigen::Matrix<double, 8, 8> finest_cell_matrix(const VoigtMatrix<2> &stiffness,
 {
   const auto k                  = finest_coefficients(stiffness, cell_height);
   Eigen::Matrix<double, 5, 8> B = Eigen::Matrix<double, 5, 8>::Zero();
-  for (int n = 0; n < 4; ++n)
+  for (Eigen::Index n = 0; n < 4; ++n)
     {
       const double dx = n % 2 == 0 ? -0.5 : 0.5;
       const double dy = (n < 2 ? -0.5 : 0.5) / cell_height;

@@ -169,7 +169,7 @@ static void add_rotation_stiffness(const FinestPatch &patch, vector8 *k)
   vector8 m[12];
   const vector8 stiffness = load(patch.rotation_stiffness);
   const vector8 inverse_w = 0.25 / load(patch.width);
-  for (int J = 0; J < 4; ++J)
+  for (std::size_t J = 0; J < 4; ++J)
     {
       m[3 * J]     = vector8{} + (J < 2 ? -0.25 : 0.25) / patch.height;
       m[3 * J + 1] = J % 2 == 0 ? inverse_w : -inverse_w;

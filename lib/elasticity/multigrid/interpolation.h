@@ -38,7 +38,7 @@ public:
   static Conductor finest(const UniformMaterial &material);
 
   /** Stored conductances of a coarse grid; ghosts filled. */
-  explicit Conductor(PaddedRows<float> &&pairs);
+  explicit Conductor(PaddedRows<float> &&rows);
 
   /**
    * Conductances of cell row @p j in columns -1 to n_cells in @p row, which has n_pairs

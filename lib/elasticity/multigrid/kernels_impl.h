@@ -102,7 +102,7 @@ static void split(const unsigned int n,
                   Number *__restrict__ even,
                   Number *__restrict__ odd)
 {
-  for (unsigned int i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n; ++i)
     {
       even[i] = row[2 * i];
       odd[i]  = row[2 * i + 1];
@@ -115,7 +115,7 @@ static void merge(const unsigned int n,
                   const Number *__restrict__ odd,
                   Number *__restrict__ row)
 {
-  for (unsigned int i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n; ++i)
     {
       row[2 * i] += even[i];
       row[2 * i + 1] += odd[i];

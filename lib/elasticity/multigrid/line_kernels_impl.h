@@ -9,7 +9,7 @@ static void eliminate(const unsigned int n,
                       Number *const y[],
                       Number *const r[])
 {
-  const Number *d = f + nc * nc * s;
+  const Number *d = f + s * nc * nc;
   for (unsigned int i = 0; i < n; i += Vectors<Number>::n)
     {
       line<Number> v[nc];

@@ -36,10 +36,10 @@ class LineSmoother
 public:
   LineSmoother() = default;
 
-  /** Factorizes the lines of n_columns x n_rows nodes; @p blocks is asked for one row
-   *  after the other. */
-  LineSmoother(const unsigned int n_columns,
-               const unsigned int n_rows,
+  /** Factorizes the lines of @p columns_of_grid x @p rows_of_grid nodes; @p blocks is
+   *  asked for one row after the other. */
+  LineSmoother(const unsigned int columns_of_grid,
+               const unsigned int rows_of_grid,
                const std::function<LineBlocks<Number>(unsigned int)> &blocks);
 
   double damping = 0.8; ///< of the line Jacobi step

@@ -26,7 +26,7 @@ public:
     , arrays(n_arrays, 1, the_x.n_nodes() + 1)
   {
     for (const ElasticClass &c : material.classes())
-      cells.push_back(
+      cells.emplace_back(
         finest_cell_matrix(c.stiffness, y.position[1] / x.position[1]).cast<float>());
   }
 
@@ -121,7 +121,8 @@ Eigen::MatrixXd finest_dense(const UniformMaterial &material,
                              const HeldUnknowns &held)
 {
   const unsigned int nx = x.n_nodes(), ny = y.n_nodes();
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(2 * nx * ny, 2 * nx * ny);
+  const Eigen::Index n_unknowns = Eigen::Index{2} * nx * ny;
+  Eigen::MatrixXd matrix        = Eigen::MatrixXd::Zero(n_unknowns, n_unknowns);
   for (unsigned int j = 0; j < y.n_cells(); ++j)
     for (unsigned int i = 0; i < x.n_cells(); ++i)
       {

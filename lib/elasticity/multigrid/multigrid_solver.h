@@ -27,7 +27,7 @@ public:
 
   /** Costs about as much as two solves, nothing if the mask has not changed. Throws
    *  std::invalid_argument if it has another size than the grid. */
-  void set_held(const DofMask &held) override;
+  void set_held(const DofMask &mask) override;
 
   /** Where rigid motions are left, what the forces have of them (round-off, one hopes) is
    *  ignored. */

@@ -51,7 +51,7 @@ RigidModes::RigidModes(const UniformMaterial &material, const DofMask &held)
         mode -= other * (other.cwiseProduct(norms).dot(mode));
       const double norm = std::sqrt(mode.cwiseProduct(norms).dot(mode));
       if (norm > 1e-8)
-        basis.push_back(mode / norm);
+        basis.emplace_back(mode / norm);
     }
   for (const Eigen::Vector3d &mode : basis)
     orthonormal.push_back({{mode[0], mode[1], mode[2] / size}});

@@ -119,8 +119,9 @@ template <typename Number>
 Eigen::MatrixXd Stencil<Number>::dense() const
 {
   const unsigned int nx = arrays.n_columns(), ny = arrays.n_rows();
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * nx * ny, 3 * nx * ny);
-  const auto add         = [&](const unsigned int from, const int i, const int j,
+  const Eigen::Index n_unknowns = Eigen::Index{3} * nx * ny;
+  Eigen::MatrixXd matrix        = Eigen::MatrixXd::Zero(n_unknowns, n_unknowns);
+  const auto add                = [&](const unsigned int from, const int i, const int j,
                        const unsigned int array) {
     if ((!periodic_x && (i < 0 || i >= static_cast<int>(nx))) ||
         (!periodic_y && j >= static_cast<int>(ny)))
