@@ -107,9 +107,10 @@ class Study:
         return {name: results[name] for name in self.cases if name in results}
 
     def _attempt(self, case):
-        stamp = self._stamp(case)
+        stamp, plain = self._stamps(case)
         known = self._read_stamp(case)
-        if known and known["stamp"] == stamp:
+        if known and (known["stamp"] == stamp or self.keep and plain in (known["stamp"], known.get("plain"))):
+            self.stamps[case.name] = known["stamp"], plain  # what needs it is stamped by the run that is there
             with self.lock:
                 self.done += 1
             return Result(self.path(case.name), known["status"], known["seconds"], known["cpu_seconds"], known["message"])
@@ -122,7 +123,7 @@ class Study:
             self.done += 1
         if result.status in KEEPABLE:
             with open(os.path.join(self.path(case.name), STAMP), "w", encoding="utf-8") as file:
-                json.dump({"stamp": stamp, **{k: v for k, v in dataclasses.asdict(result).items() if k != "folder"}}, file)
+                json.dump({"stamp": stamp, "plain": plain, **{k: v for k, v in dataclasses.asdict(result).items() if k != "folder"}}, file)
         self._say(f"[{self.done}/{len(self.cases)}] {case.name}: "
                   + ("done" if result.status == 0 else f"exit status {result.status}: {result.message}")
                   + f" ({result.seconds:.1f} s)")
@@ -156,15 +157,19 @@ class Study:
     def _filled(self, case):
         return {key: PLACEHOLDER.sub(lambda m: self.path(m.group(1)), value) for key, value in case.settings.items()}
 
-    def _stamp(self, case):
+    def _stamps(self, case):
+        """Digests of what determines a run: with its program, and without, for --keep."""
+        self.stamps[case.name] = self._stamp(case, 0), self._stamp(case, 1)
+        return self.stamps[case.name]
+
+    def _stamp(self, case, which):
         digest = hashlib.sha256(json.dumps([case.settings, case.ranks]).encode())
         digest.update(self._digest(case.prm))
-        if not self.keep:
+        if which == 0:
             digest.update(self._digest(os.path.join(self.programs, case.program)))
         for need in case.needs:
-            digest.update(self.stamps[need].encode())
-        self.stamps[case.name] = digest.hexdigest()
-        return self.stamps[case.name]
+            digest.update(self.stamps[need][which].encode())
+        return digest.hexdigest()
 
     def _digest(self, path):
         if path not in self.digests:
