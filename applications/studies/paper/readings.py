@@ -91,7 +91,7 @@ def _plateaus(seen):
     begin = min(s["push"] for s in second)
     others = sum(s["push"] >= begin for s in seen) - len(second)
     return (f"Over the push divided by the pressure both pressures lie on one line, but for mu_inter in regime 2. Regime 1 is a plateau, of {len(first)} starts from {span(first, 'push', 1, 1)} (m/s)/MPa: M slips "
-            f"{span(first, 'slip', 100, 0)} % of the time, mu_inter is {span(first, 'mu', 1, 3)}. Smaller pushes lead to something in between. From {begin:.4g} (m/s)/MPa on the pin "
+            f"{span(first, 'slip', 100, 0)} % of the time, mu_inter is {span(first, 'mu', 1, 3)}. Smaller pushes lead to cycles between it and that without a push. From {begin:.4g} (m/s)/MPa on the pin "
             f"comes to regime 2: in {len(second)} starts M slips {span(second, 'slip', 100, 0)} % at {span(second, 'frequency', 1e-3, 1)} kHz, whatever the push. Its mu_inter is no plateau but "
             f"scatters from {span(second, 'mu', 1, 3)}, as it does in time: from the first to the second half of a run by up to {max(s['drift'] for s in second):.3f} "
             f"(regime 1: {max(s['drift'] for s in first):.4f}). {others} of the starts beyond had left it by then.")
