@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds and runs the tests: ./test.sh [option] [ctest options]
-#   without one      what CI runs: all tests but the long ones, then those of --sanitize
+#   without one      what CI runs: all tests but the long ones, then --lint and --sanitize
 #   --quick          unit and regression tests only
 #   --label NAME     unit, verification, regression, lint or long
 #   --sanitize       unit tests, and those of programs and verification that are quick enough, with AddressSanitizer,
@@ -75,6 +75,6 @@ case ${1:-} in
   --lint) lint "${@:2}" ;;
   --quick) release --label-exclude 'long|verification' "${@:2}" ;;
   --label) release --label-regex "${2:?--label needs a name}" "${@:3}" ;;
-  "") release --label-exclude long && sanitize ;;
+  "") release --label-exclude long && tidy && sanitize ;;
   *) release --label-exclude long "$@" ;;
 esac
