@@ -45,7 +45,8 @@ std::unique_ptr<HaloChannel> make_message_channel(MPI_Comm communicator,
 /**
  * Memory that the ranks of a node share: each has a segment with a mailbox for either
  * side. A message is then two copies, without a call to the system or waiting for the
- * other rank to help. Construction and destruction are collective.
+ * other rank to help. Construction and destruction are collective, but for that by an
+ * exception, which the other ranks may not have: it leaves the memory to the end of MPI.
  */
 class SharedSegments
 {
@@ -70,6 +71,7 @@ private:
   MPI_Comm node;
   MPI_Win window;
   const std::size_t capacity;
+  const int pending_exceptions;
 };
 } // namespace mesoslip
 

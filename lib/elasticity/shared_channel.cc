@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <new>
 #include <sched.h>
@@ -117,6 +118,7 @@ private:
 SharedSegments::SharedSegments(MPI_Comm communicator, const std::size_t capacity)
   : communicator(communicator)
   , capacity(capacity)
+  , pending_exceptions(std::uncaught_exceptions())
 {
   MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
   char *own = nullptr;
@@ -133,6 +135,8 @@ SharedSegments::SharedSegments(MPI_Comm communicator, const std::size_t capacity
 
 SharedSegments::~SharedSegments()
 {
+  if (std::uncaught_exceptions() > pending_exceptions)
+    return;
   MPI_Win_unlock_all(window);
   MPI_Win_free(&window);
   MPI_Comm_free(&node);

@@ -69,7 +69,8 @@ public:
       archive &*probes;
     require_when_loading(
       archive,
-      n == checkpoint.position().step && contact.counted_steps() == n &&
+      n == checkpoint.position().step &&
+        contact.counted_steps() == (rows.begin == 0 ? n : 0) && // the others have no contact
         limit_cycle.follows(contact.history(), energy.get(), n));
   }
 

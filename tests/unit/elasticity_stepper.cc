@@ -210,6 +210,25 @@ std::vector<SlabCase> slab_cases(const unsigned int n_rows)
 }
 } // namespace
 
+TEST(Partition, AnErrorOnOneRankDoesNotWaitForTheOthers)
+{
+  int rank = 0, n_ranks = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+  if (n_ranks == 1)
+    return;
+  const auto fail_on_last = [&]() {
+    const MPIHalo halo(8, 1, MPI_COMM_WORLD, MPIHalo::Transport::automatic);
+    if (rank == n_ranks - 1)
+      throw std::runtime_error("an error");
+    MPI_Barrier(MPI_COMM_WORLD); // the last one comes here as well, when its halo is gone
+    throw std::runtime_error("now here as well");
+  };
+  EXPECT_THROW(fail_on_last(), std::runtime_error);
+  if (rank == n_ranks - 1)
+    MPI_Barrier(MPI_COMM_WORLD);
+}
+
 TEST(Partition, AnyNumberOfRanksAndStepsInFlightBitForBit)
 {
   const MPI_Comm world = MPI_COMM_WORLD;
