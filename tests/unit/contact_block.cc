@@ -110,3 +110,18 @@ TEST(LoadHistory, Ramps)
   EXPECT_EQ(ramp_from_string("smooth"), Ramp::smooth);
   EXPECT_THROW(ramp_from_string("Smooth"), std::invalid_argument);
 }
+
+// The parser takes the last item of a list: 2,5 would be 5.
+TEST(LoadHistory, DecimalCommasAreNoNumbers)
+{
+  for (const std::string text : {"2,5", "0,5e6", "2,5*t", "(2,5)*t", "2 , 5", "sin(2*t), 5",
+                                 "if((0,5) > t, 1, 0)", ",5", "min(0,5, t)", "max(t,0,5)",
+                                 "min(sin(t), 2*(t + 0,5))", "sqrt(2,5)", "if(t < 1, 0,5, 1)",
+                                 "if(t > 0,5, 1, 2)", "pi(0,5)", "avg (0,5, t)"})
+    EXPECT_THROW(LoadHistory(1., text), std::invalid_argument) << text;
+  EXPECT_EQ(LoadHistory(1., "min(0.5, t)")(2.), 0.5);
+  EXPECT_EQ(LoadHistory(1., "max(t, 3, 2)")(1.), 3.);
+  EXPECT_EQ(LoadHistory(1., "if(t<1,0,5)")(2.), 5.);
+  EXPECT_EQ(LoadHistory(1., "if(t < 1, (2 + 1)*min(t, 2), 5)")(0.5), 1.5);
+  EXPECT_NEAR(LoadHistory(1., "atan2(1, t)")(1.), std::atan2(1., 1.), 1e-15);
+}
