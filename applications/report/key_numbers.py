@@ -20,7 +20,7 @@ QUANTITIES = [
     ("Reference node: separated", ("reference_node", "separation"), "%"),
     ("Mean contact duration T<sub>G</sub>", ("mean_contact_duration",), "s"),
     ("Frictional energy", ("friction_energy",), "J/m"),
-    ("Residual of the energy balance over frictional energy (hardly any: over the energy in the body)", ("energy_balance_residual",), ""),
+    ("Residual of the energy balance, relative", ("energy_balance_residual",), ""),
     ("Statistics from", ("steady_from",), "s"),
 ]
 
@@ -32,7 +32,7 @@ def side_by_side(page, runs):
         values = [run.number(*place) for run in runs]
         if any(value is not None for value in values):
             rows.append([what, *(_cell(run, value, place, unit) for run, value in zip(runs, values))])
-    for what, key in (("Regime of the reference node", "regime"),):
+    for what, key in (("That residual is relative to", "energy_balance_scale"), ("Regime of the reference node", "regime")):
         if any(run.summary.get(key) for run in runs):
             rows.append([what, *(f'<span class="words">{escape(run.summary.get(key) or "–")}</span>' for run in runs)])
     if not rows:

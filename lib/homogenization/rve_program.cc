@@ -7,6 +7,7 @@
 #include "io/errors.h"
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
+#include "material/plausibility.h"
 #include "microstructure/statistics.h"
 
 #include <filesystem>
@@ -158,6 +159,20 @@ unsigned long estimated_megabytes(const RveParameters &parameters)
   return 150 + static_cast<unsigned long>(n_cells * (solver + fields) * 1e-6);
 }
 
+// Slips of units; and what --validate can say of a morphology that is read, not placed.
+std::vector<std::string> input_warnings(const RveParameters &parameters)
+{
+  using Type                        = MicrostructureParameters::Type;
+  const MicrostructureParameters &p = parameters.microstructure;
+  std::vector<std::string> warnings;
+  if (p.type == Type::image || p.type == Type::rectangles)
+    warnings = make_microstructure(p).warnings;
+  const std::string stiffness = stiffness_warning(p.phases.make_phases());
+  if (!stiffness.empty())
+    warnings.push_back(stiffness);
+  return warnings;
+}
+
 void run(dealii::ParameterHandler &prm, RunContext &context)
 {
   const RveParameters parameters = RveParameters::parse(prm);
@@ -173,6 +188,10 @@ void run(dealii::ParameterHandler &prm, RunContext &context)
       return;
     }
 
+  const std::string slip =
+    stiffness_warning(parameters.microstructure.phases.make_phases());
+  if (!slip.empty())
+    context.warn(slip);
   RveResults results;
   try
     {
@@ -213,6 +232,8 @@ Program rve_homogenization_program()
     report << size_text(grid) << ", " << 2 * grid.n_nodes() << " degrees of freedom\n"
            << 3 * parameters.conditions.size() * parameters.n_members
            << " load cases, about " << estimated_megabytes(parameters) << " MB\n";
+    for (const std::string &warning : input_warnings(parameters))
+      report << "Warning: " << warning << '\n';
   };
   program.run = run;
   return program;

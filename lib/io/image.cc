@@ -116,7 +116,7 @@ Image read_text(const std::string &path, const std::string &text)
   if (text.find('\0') != std::string::npos)
     throw UserError(path + " is neither a PNG nor a text file with whole numbers");
   std::vector<std::vector<int>> rows;
-  std::istringstream in(text);
+  std::istringstream in(plain_lines(text));
   std::string line;
   for (unsigned int number = 1; std::getline(in, line); ++number)
     {

@@ -121,6 +121,8 @@ void require_readable_file(const std::string &what,
 {
   namespace fs            = std::filesystem;
   const std::string after = hint.empty() ? "" : "; " + hint;
+  if (path.empty())
+    throw UserError(what + "no file is named" + after);
   std::error_code code;
   const auto status = fs::status(path, code);
   if (!fs::exists(status))

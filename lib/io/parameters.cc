@@ -2,6 +2,7 @@
 
 #include "io/errors.h"
 #include "io/text.h"
+#include "io/unfinished.h"
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -153,6 +154,7 @@ std::string get_input_file(dealii::ParameterHandler &prm,
   const std::string absolute =
     std::filesystem::absolute(path).lexically_normal().string();
   require_readable_file(full_key(prm, key) + ": ", absolute, hint);
+  require_finished(full_key(prm, key) + ": ", absolute);
   return absolute;
 }
 } // namespace mesoslip

@@ -51,6 +51,10 @@ ParameterFile read_parameter_file(const CommandLine &line, const MPI_Comm commun
     }
   for (const std::string &assignment : line.assignments)
     file.raw.override_with(assignment);
+  if (!line.prm_file.empty() && file.raw.entries().empty())
+    throw UserError(line.prm_file +
+                    " sets no key: there is no line 'set Key = value' in it; "
+                    "--print-parameters shows the keys");
   return file;
 }
 

@@ -102,7 +102,7 @@ private:
       {
         any = true;
         ++last_line;
-        while (!piece.empty() && (piece.back() == '\r' || piece.back() == ' '))
+        while (!piece.empty() && piece.back() == ' ')
           piece.pop_back();
         if (piece.empty() || piece.back() != '\\')
           {
@@ -182,8 +182,7 @@ RawParameters RawParameters::parse(const std::string &text, const std::string &f
 {
   if (text.find('\0') != std::string::npos)
     throw UserError(file + " is not a text file, but a parameter file (.prm) is needed");
-  const std::string mark = "\xef\xbb\xbf"; // what some editors put in front of UTF-8
-  Parser parser(file, text.rfind(mark, 0) == 0 ? text.substr(mark.size()) : text);
+  Parser parser(file, plain_lines(text));
   parser.run();
 
   RawParameters raw;

@@ -4,6 +4,7 @@
 #include "io/errors.h"
 #include "io/files.h"
 #include "io/interrupt.h"
+#include "io/unfinished.h"
 #include "io/version.h"
 
 #include <cmath>
@@ -110,6 +111,7 @@ void RunContext::begin()
   on_root(comm, [&]() {
     std::error_code ignored;
     fs::remove(file("summary.json"), ignored);
+    mark_unfinished(output_folder());
     write_file(file("original.prm"), original_parameters);
     write_file(file("parameters.prm"), effective_parameters);
   });
@@ -176,5 +178,12 @@ void RunContext::write_summary()
     require_finite(*run_summary, "");
     write_file(file("summary.json"), run_summary->dump(2) + "\n");
   });
+  results_are_written();
+}
+
+void RunContext::results_are_written()
+{
+  if (root())
+    unmark_unfinished(output_folder());
 }
 } // namespace mesoslip

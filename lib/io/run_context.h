@@ -83,8 +83,8 @@ public:
   }
 
   /**
-   * From here on the results in the folder are those of this run: removes an old
-   * summary.json, writes original.prm and parameters.prm. A run that is resumed calls it
+   * From here on the folder is that of this run: removes an old summary.json, lists old
+   * results (io/unfinished.h), writes original.prm and parameters.prm. A run that is resumed calls it
    * once it is clear that it can go on; one that never does leaves the folder as it was.
    */
   void begin();
@@ -148,6 +148,9 @@ public:
 
   /** Writes summary.json; run_program() calls it after a successful run. */
   void write_summary();
+
+  /** The results of an earlier run are replaced (io/unfinished.h); write_summary() calls it. */
+  void results_are_written();
 
 private:
   RunOptions run_options;

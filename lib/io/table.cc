@@ -157,10 +157,7 @@ Table Table::read(const std::string &path)
 {
   Table table;
   table.path             = path;
-  const std::string mark = "\xef\xbb\xbf"; // what some spreadsheets put in front
-  std::string text       = read_file(path);
-  if (text.rfind(mark, 0) == 0)
-    text = text.substr(mark.size());
+  const std::string text = plain_lines(read_file(path));
   if (text.find('\0') != std::string::npos)
     throw UserError(path + " is not a text file, but a CSV table is needed");
 

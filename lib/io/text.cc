@@ -71,6 +71,19 @@ std::size_t edit_distance(const std::string &a, const std::string &b)
 }
 } // namespace
 
+std::string plain_lines(const std::string &text)
+{
+  const std::string mark = "\xef\xbb\xbf";
+  std::string lines;
+  lines.reserve(text.size());
+  for (std::size_t i = text.rfind(mark, 0) == 0 ? mark.size() : 0; i < text.size(); ++i)
+    if (text[i] != '\r')
+      lines += text[i];
+    else if (i + 1 == text.size() || text[i + 1] != '\n')
+      lines += '\n';
+  return lines;
+}
+
 std::string nearest_word(const std::string &word,
                          const std::vector<std::string> &candidates)
 {

@@ -13,6 +13,10 @@ bool parse_number(const std::string &text, double &value);
 /** As above for whole numbers that fit. */
 bool parse_number(const std::string &text, long &value);
 
+/** Without the mark that some editors put in front of UTF-8, and with a line feed at the
+ * end of each line, also where it was a carriage return or both. */
+std::string plain_lines(const std::string &text);
+
 /** Without leading and trailing blanks. */
 std::string trimmed(const std::string &text);
 

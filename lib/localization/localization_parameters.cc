@@ -3,6 +3,7 @@
 #include "io/errors.h"
 #include "io/parameters.h"
 #include "io/raw_parameters.h"
+#include "io/unfinished.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -96,6 +97,7 @@ std::string input_path(Handler &prm,
   if (std::filesystem::is_directory(path, ignored))
     path = (std::filesystem::path(path) / name).string();
   require_readable_file("'Input/" + key + "': ", path, hint);
+  require_finished("'Input/" + key + "': ", path);
   return path;
 }
 

@@ -1,7 +1,9 @@
 #include "io/errors.h"
 #include "io/parameters.h"
+#include "io/unfinished.h"
 #include "microstructure/image_map.h"
 #include "microstructure/microstructure_parameters.h"
+#include "microstructure/statistics.h"
 
 #include <cmath>
 
@@ -19,6 +21,7 @@ Microstructure read_microstructure(const MicrostructureParameters &p)
   require_readable_file("Microstructure/File: ", p.file,
                         p.type == Type::image ? "it has to name an image"
                                               : "it has to name a list of rectangles");
+  require_finished("Microstructure/File: ", p.file);
   Microstructure result;
   if (p.type == Type::image)
     {
@@ -85,6 +88,23 @@ Microstructure place_microstructure(const MicrostructureParameters &p)
 }
 } // namespace
 
+namespace
+{
+/** A picture of one grey, a list without rectangles of a phase: no error, but no
+ * composite. */
+std::vector<std::string> empty_phases(const PhaseMap<2> &map,
+                                      const std::vector<Phase<2>> &phases)
+{
+  std::vector<std::string> warnings;
+  const std::vector<double> fractions = area_fractions(map, phases.size());
+  for (std::size_t p = 0; p < phases.size(); ++p)
+    if (fractions[p] == 0.)
+      warnings.push_back("phase '" + phases[p].name +
+                         "' of Phases/Names fills no cell of the morphology");
+  return warnings;
+}
+} // namespace
+
 Microstructure make_microstructure(const MicrostructureParameters &parameters)
 {
   Microstructure result;
@@ -95,6 +115,9 @@ Microstructure make_microstructure(const MicrostructureParameters &parameters)
   else
     result = read_microstructure(parameters);
   result.phases = parameters.phases.make_phases();
+  if (parameters.type != Type::homogeneous)
+    for (const std::string &warning : empty_phases(result.map, result.phases))
+      result.warnings.push_back(warning);
   return result;
 }
 } // namespace mesoslip

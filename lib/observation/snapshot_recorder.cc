@@ -22,10 +22,12 @@ SnapshotRecorder::SnapshotRecorder(const double              from,
   , communicator(communicator)
   , writer(writer)
 {
-  const auto n = static_cast<std::uint64_t>(std::floor((to - from) / interval + 1e-6));
+  // There is nothing between two steps.
+  const double spacing = std::max(interval, dt);
+  const auto n = static_cast<std::uint64_t>(std::floor((to - from) / spacing + 1e-6));
   for (std::uint64_t k = 0; k <= n && to >= from; ++k)
     {
-      const auto step = static_cast<std::uint64_t>(std::llround((from + k * interval) / dt));
+      const auto step = static_cast<std::uint64_t>(std::llround((from + k * spacing) / dt));
       if (steps.empty() || step > steps.back())
         steps.push_back(step);
     }

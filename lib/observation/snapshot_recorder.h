@@ -19,7 +19,7 @@ public:
   using Writer =
     std::function<void(const std::uint64_t, const double, const NodalField<double> &)>;
 
-  /** Steps nearest to from, from + interval, ... up to to (s). */
+  /** Steps nearest to from, from + interval, ... up to to (s); every step if interval < dt. */
   SnapshotRecorder(const double              from,
                    const double              to,
                    const double              interval,

@@ -56,7 +56,7 @@ declare_observation(dealii::ParameterHandler &prm, const RawParameters &raw)
       {
         const ParameterSection probe(prm, name);
         declare_double_list(
-          prm, "Position", {0., 0.}, Range::any(), "x and y from the lower left corner [m]", 2, 2);
+          prm, "Position", {}, Range::any(), "x and y from the lower left corner; has to be given [m]", 0, 2);
         declare_bool(prm, "Nearest node", false, "Move the probe to the nearest node");
       }
   }

@@ -2,6 +2,7 @@
 
 #include "io/errors.h"
 #include "io/parameters.h"
+#include "io/unfinished.h"
 
 #include <cmath>
 #include <set>
@@ -66,7 +67,10 @@ parse_body(Handler &prm)
     throw UserError("Body/RVE file is empty, but a heterogeneous body takes its phases and "
                     "morphology from there; run rve_homogenization and name its rve.h5");
   if (!body.rve_file.empty())
-    require_readable_file("Body/RVE file: ", body.rve_file, "run rve_homogenization first");
+    {
+      require_readable_file("Body/RVE file: ", body.rve_file, "run rve_homogenization first");
+      require_finished("Body/RVE file: ", body.rve_file);
+    }
   return body;
 }
 
@@ -156,7 +160,12 @@ parse_probes(Handler &prm)
       const ParameterSection section(prm, name);
       ProbeParameters        probe;
       probe.name         = name;
-      probe.position     = pair("Observation/" + name + "/Position", get_double_list(prm, "Position"));
+      const auto position = get_double_list(prm, "Position");
+      if (position.empty())
+        throw UserError("Observation/" + name +
+                        "/Position is missing; give x and y of the probe from the lower left "
+                        "corner in m, in a subsection " + name);
+      probe.position     = pair("Observation/" + name + "/Position", position);
       probe.nearest_node = get_bool(prm, "Nearest node");
       probes.push_back(probe);
     }

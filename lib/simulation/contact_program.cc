@@ -1,7 +1,6 @@
 #include "simulation/contact_program.h"
 
 #include "elasticity/uniform_material.h"
-#include "grid/size_text.h"
 #include "io/errors.h"
 #include "io/parameters.h"
 #include "io/raw_parameters.h"
@@ -10,6 +9,7 @@
 #include "simulation/contact_parameters.h"
 #include "simulation/friction_homogenization.h"
 #include "simulation/modal.h"
+#include "simulation/run_report.h"
 #include "simulation/run_size.h"
 #include "simulation/scene.h"
 #include "simulation/static_contact.h"
@@ -39,14 +39,27 @@ check_probes(const ContactParameters &parameters, const UniformGrid<2> &grid)
                     to_text(grid.extent(0)) + " m");
 }
 
+// mu_inter rests on the histories' samples from there to the end: three at least.
+void
+check_steady_from(const ContactParameters &parameters, const double n_steps)
+{
+  const double from = parameters.observation.steady_from, end = parameters.time.end_time;
+  const double samples = 2. * parameters.observation.history_interval * end / n_steps;
+  if (!std::isnan(from) && !(from + samples <= end))
+    throw UserError("Observation/Steady from: " + to_text(from) +
+                    " s leaves fewer than three samples of the histories before Time/End time, " +
+                    to_text(end) + " s; set it earlier, or auto");
+}
+
 Need
 check_transient(const ContactParameters &parameters, const Scene &scene)
 {
   const UniformMaterial material = scene.make_material(parameters.periodic);
   check_time_step(parameters, material);
   const double n_steps = largest_number_of_steps(parameters, material);
-  require_memory(history_memory(parameters, n_steps));
-  return dynamics_file_size(parameters, scene.grid, n_steps);
+  check_steady_from(parameters, n_steps);
+  require_memory(history_memory(parameters, material, n_steps));
+  return dynamics_file_size(parameters, material, n_steps);
 }
 
 void estimate_transient(const ContactParameters &parameters,
@@ -56,21 +69,16 @@ void estimate_transient(const ContactParameters &parameters,
   const UniformMaterial material = scene.make_material(parameters.periodic);
   const TimeStepChoice time      = choose_time_step(parameters, material);
   const double n_steps           = static_cast<double>(time.n_steps);
-  const double crossing          = crossing_time(material);
   report.precision(4);
-  report << time.text() << "\nA wave takes " << 1e3 * crossing
-         << " ms from the flat to the top, the run " << 1e3 * parameters.time.end_time
-         << " ms";
-  // Millimetres typed as metres end here.
-  if (parameters.time.end_time < 2. * crossing)
-    report << ": it ends before the wave is back; are Body/Size and Time/End time in m and s?";
-  report << '\n'
+  report << time.text() << "\nTimes: " << crossing_text(parameters, material) << '\n'
          << n_snapshots(parameters, n_steps) << " snapshots, "
-         << bytes_text(dynamics_file_size(parameters, scene.grid, n_steps).bytes)
+         << bytes_text(dynamics_file_size(parameters, material, n_steps).bytes)
          << " on the disk, "
          << bytes_text(field_memory(parameters.analysis, scene.grid).bytes +
-                       history_memory(parameters, n_steps).bytes)
+                       history_memory(parameters, material, n_steps).bytes)
          << " of memory\n";
+  for (const std::string &warning : transient_warnings(parameters, material))
+    report << "Warning: " << warning << '\n';
 }
 
 void
@@ -80,8 +88,11 @@ estimate(dealii::ParameterHandler &prm, std::ostream &report)
   if (parameters.analysis == ContactAnalysis::friction_homogenization)
     return;
   const Scene scene = make_scene(parameters);
-  report << "Body: " << size_text(scene.grid) << ", " << 2 * scene.grid.n_nodes()
-         << " degrees of freedom\n";
+  for (const std::string &line : body_text(parameters, scene))
+    report << line << '\n';
+  report << 2 * scene.grid.n_nodes() << " degrees of freedom\n";
+  for (const std::string &warning : body_warnings(scene))
+    report << "Warning: " << warning << '\n';
   if (parameters.analysis == ContactAnalysis::transient)
     estimate_transient(parameters, scene, report);
 }
@@ -132,6 +143,18 @@ run_identity(const dealii::ParameterHandler &prm,
          "\n";
 }
 
+// With a log of what is taken, and of what looks like a slip.
+Scene
+make_logged_scene(const ContactParameters &parameters, RunContext &context)
+{
+  Scene scene = make_scene(parameters);
+  for (const std::string &line : body_text(parameters, scene))
+    context.log(line);
+  for (const std::string &warning : body_warnings(scene))
+    context.warn(warning);
+  return scene;
+}
+
 void
 run(dealii::ParameterHandler &prm, RunContext &context)
 {
@@ -143,13 +166,13 @@ run(dealii::ParameterHandler &prm, RunContext &context)
     {
       case ContactAnalysis::transient:
         {
-          const Scene scene = make_scene(parameters);
+          const Scene scene = make_logged_scene(parameters, context);
           return run_transient(parameters, scene, run_identity(prm, parameters, scene), context);
         }
       case ContactAnalysis::modal:
-        return run_modal(parameters, make_scene(parameters), context);
+        return run_modal(parameters, make_logged_scene(parameters, context), context);
       case ContactAnalysis::static_contact:
-        return run_static_contact(parameters, make_scene(parameters), context);
+        return run_static_contact(parameters, make_logged_scene(parameters, context), context);
       case ContactAnalysis::friction_homogenization:
         return run_friction_homogenization(parameters, context);
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace mesoslip
 {
@@ -31,6 +32,26 @@ double history_bytes(const ContactParameters &parameters, const double n_steps)
   if (o.energy_interval > 0)
     numbers += energy_numbers * n_steps / o.energy_interval;
   return sizeof(double) * numbers;
+}
+
+/** "1e+06 steps of 5e-09 s, 95 % of the critical time step, which ...". */
+std::string steps_text(const ContactParameters &parameters,
+                       const UniformMaterial &material,
+                       const double n_steps)
+{
+  const TimeParameters &t = parameters.time;
+  std::ostringstream text;
+  text.precision(3);
+  text << n_steps << " steps of " << t.end_time / n_steps << " s";
+  if (!std::isnan(t.time_step))
+    text << " (Time/Time step)";
+  else if (const double shortening = step_shortening(parameters, material);
+           shortening > 10.)
+    text << ": Time/Rayleigh beta = " << t.beta << " s makes them " << shortening
+         << " times shorter than without damping; is it in s?";
+  else
+    text << " (" << 100. * t.safety << " % of the critical time step)";
+  return text.str();
 }
 } // namespace
 
@@ -76,26 +97,37 @@ double crossing_time(const UniformMaterial &material)
   return material.grid().extent(1) / std::sqrt(fastest);
 }
 
-Need history_memory(const ContactParameters &parameters, const double n_steps)
+double step_shortening(const ContactParameters &parameters,
+                       const UniformMaterial &material)
+{
+  const TimeParameters &t = parameters.time;
+  const double omega      = element_frequency_bound(material);
+  return critical_time_step(omega, t.beta2, 0.) /
+         critical_time_step(omega, t.beta2, t.beta);
+}
+
+Need history_memory(const ContactParameters &parameters,
+                    const UniformMaterial &material,
+                    const double n_steps)
 {
   return {history_bytes(parameters, n_steps),
           "increase Observation/History interval (and Probe interval, Energy interval), "
           "or reduce Time/End time, now " +
-            to_text(n_steps) + " steps"};
+            steps_text(parameters, material, n_steps)};
 }
 
 Need dynamics_file_size(const ContactParameters &parameters,
-                        const UniformGrid<2> &grid,
+                        const UniformMaterial &material,
                         const double n_steps)
 {
   const double snapshots = n_snapshots(parameters, n_steps);
-  const double field     = 2. * sizeof(double) * n_nodes(grid);
+  const double field     = 2. * sizeof(double) * n_nodes(material.grid());
   // In snapshots.part until the run is complete, as well.
   const double fields    = 2. * snapshots * field;
   const double histories = history_bytes(parameters, n_steps);
   // Displacement, increment and histories, in the old one and in the new.
   const double checkpoints = 2. * (2. * field + histories);
-  Need need                = history_memory(parameters, n_steps);
+  Need need                = history_memory(parameters, material, n_steps);
   if (fields > histories)
     need.remedy = to_text(snapshots) +
                   " snapshots take most of it: increase Snapshots/Interval, now " +

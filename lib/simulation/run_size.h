@@ -27,13 +27,20 @@ double largest_number_of_steps(const ContactParameters &parameters,
  * material.*/
 double crossing_time(const UniformMaterial &material);
 
+/** How many times longer the critical time step would be without Time/Rayleigh beta; at
+ * least 1, of a single cell. */
+double step_shortening(const ContactParameters &parameters,
+                       const UniformMaterial &material);
+
 /** Memory of the histories, which are kept until the end of a transient run. */
-Need history_memory(const ContactParameters &parameters, const double n_steps);
+Need history_memory(const ContactParameters &parameters,
+                    const UniformMaterial &material,
+                    const double n_steps);
 
 /** Disk space of dynamics.h5 and the checkpoints of a transient run, when it is largest.
  */
 Need dynamics_file_size(const ContactParameters &parameters,
-                        const UniformGrid<2> &grid,
+                        const UniformMaterial &material,
                         const double n_steps);
 } // namespace mesoslip
 

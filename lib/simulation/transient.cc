@@ -7,11 +7,31 @@
 #include "io/record_file.h"
 #include "io/run_context.h"
 #include "simulation/dynamics_file.h"
+#include "simulation/run_report.h"
 #include "simulation/transient_run.h"
 #include "simulation/transient_summary.h"
 
 namespace mesoslip
 {
+namespace
+{
+/** Evaluation and output have failed: what was computed is not to be lost with them. */
+void
+keep_state(TransientRun &run, RunContext &context)
+{
+  try
+    {
+      run.save();
+      context.log("The state is in the checkpoint: once the reason is mended, the same command "
+                  "with --resume writes the results without computing them again");
+    }
+  catch (const std::exception &)
+    {
+      context.log("The state could not be kept, either");
+    }
+}
+} // namespace
+
 void
 run_transient(const ContactParameters &parameters,
               const Scene             &scene,
@@ -38,6 +58,8 @@ run_transient(const ContactParameters &parameters,
   if (!resumed)
     checkpoint.discard();
   context.log(time.text());
+  for (const std::string &warning : transient_warnings(parameters, material))
+    context.warn(warning);
 
   DynamicsFile file(context, parameters, scene, resumed ? checkpoint.position().snapshots : 0);
   TransientRun run(parameters, scene, time, material, checkpoint, file, context);
@@ -45,14 +67,21 @@ run_transient(const ContactParameters &parameters,
     run.restore();
   const TransientObservations observed = run.run();
 
-  {
-    const auto scope = context.timer().scope("Evaluation and output");
-    on_root(context.communicator(), [&]() {
-      const TransientSummary summary = summarize_transient(parameters, scene, observed);
-      file.write(observed, summary);
-      write_summary(parameters, scene, time, observed, summary, context);
-    });
-  }
+  try
+    {
+      const auto scope = context.timer().scope("Evaluation and output");
+      on_root(context.communicator(), [&]() {
+        const TransientSummary summary = summarize_transient(parameters, scene, observed);
+        file.write(observed, summary);
+        write_summary(parameters, scene, time, observed, summary, context);
+      });
+    }
+  catch (...)
+    {
+      keep_state(run, context);
+      throw;
+    }
+  context.results_are_written();
   if (observed.interrupted)
     throw Interrupted("stopped on request after step " + std::to_string(observed.steps_done) +
                       "; what was observed so far is in " + context.output_folder() +

@@ -190,7 +190,8 @@ TransientRun::make_snapshots()
   // Beyond the last step there is none to be seen.
   return std::make_unique<SnapshotRecorder>(
     o.snapshots_from,
-    std::isnan(o.snapshots_to) ? parameters.time.end_time : o.snapshots_to,
+    std::isnan(o.snapshots_to) ? parameters.time.end_time :
+                                 std::min(o.snapshots_to, (time.n_steps + 1) * time.step.dt),
     o.snapshots_interval,
     time.step.dt,
     u,

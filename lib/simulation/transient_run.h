@@ -52,6 +52,10 @@ public:
   TransientObservations
   run();
 
+  /** Puts the state into the checkpoint. */
+  void
+  save();
+
   /** State between two steps (Boost.Serialization); observers come and go with the keys. */
   template <class Archive>
   void
@@ -100,8 +104,6 @@ private:
   request_of_all(const std::uint64_t n);
   bool
   control(const std::uint64_t n);
-  void
-  save();
   std::unique_ptr<SnapshotRecorder>
   make_snapshots();
   TopHistory

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 namespace mesoslip
 {
@@ -56,6 +57,13 @@ tail(const std::vector<T> &values, const std::size_t first)
   return std::vector<T>(values.begin() + std::min(first, values.size()), values.end());
 }
 
+std::ptrdiff_t
+n_steady_samples(const TransientObservations &observed)
+{
+  const std::vector<double> &time = observed.contact.time;
+  return time.end() - std::lower_bound(time.begin(), time.end(), observed.steady_from);
+}
+
 void
 evaluate_reference_node(const TransientObservations &observed, TransientSummary &summary)
 {
@@ -63,8 +71,7 @@ evaluate_reference_node(const TransientObservations &observed, TransientSummary 
   if (h.time.size() < 16)
     return;
   const double      sampling = h.time[1] - h.time[0];
-  const std::size_t first =
-    std::lower_bound(h.time.begin(), h.time.end(), observed.steady_from) - h.time.begin();
+  const std::size_t first = h.time.size() - n_steady_samples(observed);
   const std::vector<double> ux = tail(h.nodes[0].ux, first), vx = tail(h.nodes[0].vx, first);
   if (ux.size() < 16)
     return;
@@ -88,7 +95,7 @@ evaluate_friction(const ContactParameters     &parameters,
                   TransientSummary            &summary)
 {
   const ContactHistory &h = observed.contact;
-  if (h.time.size() < 16)
+  if (h.time.size() < 16 || n_steady_samples(observed) < 3)
     return;
   const double reference_power = parameters.top.pressure.amplitude() * scene.grid.extent(0) *
                                  std::fabs(parameters.friction.flat_velocity.amplitude());
@@ -104,6 +111,15 @@ evaluate_friction(const ContactParameters     &parameters,
       window_mean(h.time, summary.apparent_friction, observed.steady_from, end, period);
 }
 
+double
+largest(const std::vector<double> &values)
+{
+  double result = 0.;
+  for (const double x : values)
+    result = std::max(result, std::fabs(x));
+  return result;
+}
+
 void
 evaluate_energy(const TransientObservations &observed, TransientSummary &summary)
 {
@@ -112,17 +128,24 @@ evaluate_energy(const TransientObservations &observed, TransientSummary &summary
     summary.friction_energy = observed.contact.friction_energy.back();
   if (e.time.empty())
     return;
-  double largest = 0., scale = 0.;
-  for (const double r : e.residual())
-    largest = std::max(largest, std::fabs(r));
-  for (std::size_t k = 0; k < e.time.size(); ++k)
-    scale = std::max({scale, e.kinetic[k] + e.elastic[k]});
-  const double friction = std::fabs(e.friction.back());
-  // Hardly any sliding yet: a share of the energy in the body says more.
-  summary.residual_of_friction = friction > 1e-3 * scale;
-  scale                        = summary.residual_of_friction ? friction : scale;
-  if (scale > 0.)
-    summary.energy_residual = largest / scale;
+  const double             friction = largest(e.friction);
+  std::pair<double, const char *> scale{friction, "the frictional work"};
+  const auto consider = [&](const double term, const char *name) {
+    if (friction < 0.1 * term && scale.first < term)
+      scale = {term, name};
+  };
+  std::vector<double> energy = e.kinetic;
+  for (std::size_t k = 0; k < energy.size(); ++k)
+    energy[k] += e.elastic[k];
+  consider(largest(energy), "the energy in the body");
+  consider(largest(e.potential), "the work of the body forces");
+  consider(largest(e.external_work), "the work of the loads");
+  consider(largest(e.impact), "the impact energy");
+  consider(largest(e.damping), "the damped energy");
+  consider(largest(e.scheme), "the energy that the scheme dissipates");
+  summary.residual_scale = scale.second;
+  if (scale.first > 0.)
+    summary.energy_residual = largest(e.residual()) / scale.first;
 }
 
 nlohmann::json
@@ -136,6 +159,19 @@ shares_json(const ContactShares &shares)
 {
   return {
     {"slip", shares.slip}, {"stick", shares.stick}, {"separation", shares.separation}};
+}
+
+/** A run that ended before Steady from, at a limit cycle or on request. */
+std::string
+steady_part_warning(const TransientObservations &observed)
+{
+  if (observed.contact.time.size() < 16 || n_steady_samples(observed) >= 3)
+    return "";
+  std::ostringstream text;
+  text << "fewer than three samples lie between the start of the steady part, "
+       << observed.steady_from << " s, and the end, " << observed.contact.time.back()
+       << " s: mu_inter and the spectrum are left out; set Observation/Steady from earlier";
+  return text.str();
 }
 
 /** What to say about T_G; empty when it can be relied on. */
@@ -155,6 +191,7 @@ contact_duration_warning(const ContactDuration &duration)
 void
 log_key_numbers(const TransientObservations &observed,
                 const TransientSummary      &summary,
+                const unsigned int           energy_interval,
                 RunContext                  &context)
 {
   context.log(observed.limit_cycle);
@@ -177,9 +214,12 @@ log_key_numbers(const TransientObservations &observed,
     {
       std::ostringstream energy;
       energy.precision(3);
-      energy << "Energy balance closes to " << *summary.energy_residual
-             << (summary.residual_of_friction ? " of the frictional work" :
-                                                " of the energy in the body");
+      energy << "Energy balance closes to " << *summary.energy_residual << " of "
+             << summary.residual_scale;
+      // What damping takes between two samples is known only in the mean.
+      if (energy_interval > 1 && !(*summary.energy_residual <= 1e-3))
+        energy << "; it is sampled every " << energy_interval
+               << " steps, with Observation/Energy interval = 1 it closes to round-off";
       context.log(energy.str());
     }
 }
@@ -270,11 +310,14 @@ write_summary(const ContactParameters     &parameters,
   json["friction_energy"] = summary.friction_energy;
   json["energy_balance_residual"] =
     summary.energy_residual ? nlohmann::json(*summary.energy_residual) : nlohmann::json();
+  json["energy_balance_scale"] =
+    summary.energy_residual ? nlohmann::json(summary.residual_scale) : nlohmann::json();
   json["steady_from"]         = observed.steady_from;
   json["limit_cycle_reached"] = observed.limit_cycle_reached;
   json["limit_cycle"]         = observed.limit_cycle;
-  log_key_numbers(observed, summary, context);
-  if (!warning.empty())
-    context.warn(warning);
+  log_key_numbers(observed, summary, parameters.observation.energy_interval, context);
+  for (const std::string &text : {warning, steady_part_warning(observed)})
+    if (!text.empty())
+      context.warn(text);
 }
 } // namespace mesoslip

@@ -20,7 +20,8 @@ struct TransientSummary
   /** Ratio of tangential to normal force at the top (contact forces if it is free). */
   std::vector<double> apparent_friction;
 
-  std::optional<Estimate>        mu_inter;              ///< eq. (9)
+  /** Eq. (9); none with fewer than three samples in the steady part. */
+  std::optional<Estimate>        mu_inter;
   std::optional<Estimate>        mean_apparent_friction; ///< paper, remark 1
   ContactSummary                 contact; ///< shares and durations in the steady part
   unsigned int                   reference_node = 0; ///< number on the contact line
@@ -32,12 +33,12 @@ struct TransientSummary
   double                         friction_energy = 0.; ///< J/m
 
   /**
-   * Largest residual of the energy balance as a share of the frictional work or, while
-   * there is hardly any, of the largest energy in the body.
+   * Largest residual of the energy balance as a share of the frictional work or, while that
+   * is below a tenth of the largest term of the balance, of that term.
    */
   std::optional<double> energy_residual;
-  /** Share of the frictional work, not of the energy. */
-  bool                  residual_of_friction = true;
+  /** That term in words: "the frictional work". */
+  std::string           residual_scale;
 };
 
 /** Evaluates the steady part of a run; the root's business. */

@@ -50,6 +50,16 @@ CASES = [
     ("contact_dynamics", CONTACT, ["--set", "Body/Stiffness=1e9, 2e9, 1e9, 1e9"], ["Body/Stiffness", "1e+09, 2e+09", "positive definite", "D12^2"]),
     ("contact_dynamics", CONTACT, ["--set", "Body/Size=0.01"], ["Size"]),
     ("contact_dynamics", CONTACT, ["--set", "Flat/Expression=2*frog(t)"], ["Expression"]),
+    ("contact_dynamics", CONTACT, ["--set", "Flat/Expression=2,5"], ["Flat/Expression", "2,5", "point"]),
+    ("contact_dynamics", CONTACT, ["--set", "Top/Expression=0,5e6*t"], ["Top/Expression", "0,5", "point"]),
+    ("contact_dynamics", CONTACT, ["--set", "Top/Expression=min(0,5, t)"], ["Top/Expression", "0,5", "min()", "point"]),
+    ("contact_dynamics", CONTACT, ["--set", "Observation/Steady from=1"], ["Steady from: 1 s", "End time, 1e-06 s", "earlier"]),
+    ("contact_dynamics", CONTACT, ["--set", "Observation/Steady from=9e-7"], ["Steady from: 9e-07 s", "three samples"]),
+    ("contact_dynamics", CONTACT, ["--set", "Observation/Probes=A"], ["Observation/A/Position", "missing"]),
+    ("contact_dynamics", CONTACT, ["--set", "Time/Rayleigh beta=44"], ["memory", "Rayleigh beta = 44 s", "times shorter", "in s?"]),
+    ("contact_dynamics", CONTACT, ["--set", "Time/Time step=1e-18"], ["memory", "1e+12 steps of 1e-18 s (Time/Time step)"]),
+    ("contact_dynamics", "# no key at all\n", [], ["case.prm", "no key"]),
+    ("rve_homogenization", RVE, ["--set", "Microstructure/Type=image"], ["Microstructure/File", "no file is named", "image"]),
     ("contact_dynamics", CONTACT, ["--set", "Friction/Coefficient from=phases"], ["Coefficient from"]),
     ("contact_dynamics", CONTACT, ["--set", "Observation/Reference x=1"], ["Reference x"]),
     ("contact_dynamics", CONTACT + "subsection Observation\n set Probes = A\n subsection A\n set Position = 1, 1\n end\nend\n",
@@ -133,7 +143,7 @@ def check_sizes():
             ("contact_dynamics", "Body", CONTACT, "0.032, 0.016",
              ["of 1.6 x 1.6 mm, 32 x 16 mm", "0.008 ms from the flat to the top, the run 1 ms", "of memory"], ["ends before"]),
             ("contact_dynamics", "Body", CONTACT, "32, 16",
-             ["of 1.6 x 1.6 m, 32 x 16 m,", "8 ms from the flat", "it ends before", "Body/Size"], [])):
+             ["of 1.6 x 1.6 m, 32 x 16 m\n", "8 ms from the flat", "it ends before", "Body/Size"], [])):
         with tempfile.TemporaryDirectory() as folder:
             with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
                 file.write(text)
@@ -146,8 +156,44 @@ def check_sizes():
     return problems
 
 
+def check_slips():
+    """What may be meant as it is, but hardly is: run and --validate say so, and the run ends well."""
+    image = ["--set", "Microstructure/Type=image", "--set", "Microstructure/File=dark.txt"]
+    moduli = lambda matrix, fibre: ["--set", f"Phases/matrix/Young modulus={matrix}", "--set", f"Phases/fibre/Young modulus={fibre}"]
+    problems = []
+    for program, text, options, words in (
+            ("rve_homogenization", RVE, image, ["phase 'fibre'", "fills no cell"]),
+            ("rve_homogenization", RVE, moduli(30, 120), ["phase 'matrix'", "less than soft rubber", "in Pa"]),
+            ("rve_homogenization", RVE, moduli(1e6, 2e12), ["phase 'fibre' is 2e+06 times as stiff as phase 'matrix'", "in Pa"]),
+            ("contact_dynamics", CONTACT, ["--set", "Body/Stiffness=36.5, 9.1, 47.3, 13.8"], ["47.3 Pa", "in Pa"]),
+            ("contact_dynamics", CONTACT, ["--set", "Body/Size=8, 4"], ["ends before the wave is back", "Body/Size"]),
+            ("contact_dynamics", CONTACT, ["--set", "Time/Rayleigh beta=1e-6"], ["Rayleigh beta = 1e-06 s", "times shorter"])):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, content in (("case.prm", text), ("dark.txt", "\ufeff" + "0 0\n" * 2)):
+                with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                    file.write(content)
+            for validate in ([], ["--validate"]):
+                done = subprocess.run([os.path.join(PROGRAMS, program), "case.prm", *options, *validate], cwd=folder, text=True,
+                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                said = done.stdout if validate else done.stderr
+                problems += [f"{program} {options} {validate}: exit status {done.returncode}, {done.stderr}"] * (done.returncode != 0)
+                problems += [f"{program} {options} {validate}: '{word}' is missing in: {said}" for word in words if word not in said]
+    return problems
+
+
+def check_line_ends():
+    """Carriage returns alone end a line, too: not everything is the comment that the file begins with."""
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8", newline="") as file:
+            file.write("# a pin" + CONTACT.replace("\n", "\r"))
+        done = subprocess.run([os.path.join(PROGRAMS, "contact_dynamics"), "case.prm", "--validate"], cwd=folder, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        return [] if "20 x 10 cells" in done.stdout else [f"carriage returns: {done.stdout}{done.stderr}"]
+
+
 def main():
     problems = [p for case in CASES for p in check(*case)] + check_morphology_against_body() + check_sizes()
+    problems += check_slips() + check_line_ends()
     for program in ("rve_homogenization", "contact_dynamics", "stress_localization"):
         for arguments in (["missing.prm"], ["/"], ["--unknown"], []):
             with tempfile.TemporaryDirectory() as folder:

@@ -55,6 +55,9 @@ def check_dynamics(folder):
             assert u.shape == (len(nodes[1]), len(nodes[0]), 2)
         assert set(dynamics.probes) and all(p["stress"].shape[1] == 3 for p in dynamics.probes.values())
         expect(KeyError, "slip", lambda: dynamics["contact/slipp"])
+        for action in (lambda: dynamics["nix"], lambda: dynamics.group("nix"), lambda: dynamics.attributes("nix"),
+                       lambda: dynamics.unit("nix"), lambda: dynamics.group("history/time")):
+            expect(KeyError, f"{dynamics.path} has no ", action)
         expect(ValueError, "multiple of MPa", lambda: time.to("MPa"))
 
 
@@ -63,6 +66,7 @@ def check_localization(folder, rve):
         assert localization["mean_von_mises"].shape == (40, 80)
         assert localization["mean_stress"].to("MPa").max() < 1e3
         assert localization["mean_stress"].unit == "Pa"
+        expect(KeyError, "localization.h5 has no group 'history'; there is: ", lambda: localization.history)
     expect(FileNotFoundError, "no file or folder", lambda: mesoslip.open(os.path.join(folder, "nothing")))
     expect(mesoslip.FormatError, "HDF5", lambda: mesoslip.open(os.path.join(folder, "summary.json")))
     foreign = os.path.join(folder, "foreign.h5")

@@ -128,6 +128,17 @@ TEST(Parameters, ThirdIsAThird)
   EXPECT_EQ(get_double(prm, "Fraction"), 1. / 3.);
 }
 
+TEST(Parameters, LineEndsOfAnySystem)
+{
+  for (const std::string end : {"\n", "\r\n", "\r"})
+    {
+      const RawParameters raw = RawParameters::parse(
+        "# of another system" + end + "set Cells = 1\\" + end + "7" + end + "# end", "a.prm");
+      EXPECT_EQ(raw.get("Cells", ""), "17");
+      expect_contains(error_of("#" + end + end + "set Cels = 1" + end), "run.prm:3: ");
+    }
+}
+
 TEST(Parameters, NamesWhatIsWrong)
 {
   expect_contains(

@@ -3,6 +3,7 @@
 #include "material/bounds.h"
 #include "material/engineering_constants.h"
 #include "material/mandel.h"
+#include "material/plausibility.h"
 #include "material/rotation.h"
 #include "material/stiffness.h"
 
@@ -349,4 +350,21 @@ TEST(EngineeringConstants, ClosestOrthotropicIsClosest)
   EXPECT_LT(found.relative_distance, least + 1e-12);
   EXPECT_GT(found.relative_distance, least - 1e-6);
   EXPECT_GE(found.principal_stiffness(0, 0), found.principal_stiffness(1, 1));
+}
+
+TEST(Plausibility, ModuliInOtherUnits)
+{
+  const auto warning = [](const double matrix, const double fibre) {
+    return stiffness_warning({{"matrix", isotropic_stiffness<2>(matrix, 0.)},
+                              {"fibre", isotropic_stiffness<2>(fibre, 0.)}});
+  };
+  EXPECT_EQ(warning(30e9, 240e9), "");
+  EXPECT_EQ(warning(1e6, 1e12), ""); // a million times, and rubber
+  EXPECT_EQ(warning(30e9, 240.),
+            "phase 'matrix' is 1.25e+08 times as stiff as phase 'fibre'; is "
+            "one of them in GPa or MPa? Moduli are in Pa");
+  EXPECT_EQ(warning(240e3, 30e3),
+            "phase 'fibre' has a stiffness of 3e+04 Pa, less than soft "
+            "rubber; is it in GPa or MPa? Moduli are in Pa");
+  EXPECT_EQ(stiffness_warning({}), "");
 }

@@ -135,6 +135,16 @@ TEST(ImageMap, PicturesStandUpright)
   EXPECT_EQ(picture(other), (std::vector<std::string>{"#.#", "..#"}));
 }
 
+TEST(ImageMap, TextOfAnyEditor)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "phases.txt";
+  write_file(path, "\xef\xbb\xbf"
+                   "0 0 1\r1 0 0\r\n");
+  EXPECT_EQ(picture(read_phase_map(make_grid(3, 2, 1e-4), path, {}, 2)),
+            (std::vector<std::string>{"..#", "#.."}));
+}
+
 TEST(ImageMap, WholeMultiples)
 {
   Image image;

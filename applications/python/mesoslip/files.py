@@ -4,12 +4,14 @@ import builtins
 import collections
 import json
 import os
+import warnings
 
 import h5py
 import numpy as np
 
 from .array import Array
 
+UNFINISHED = "unfinished.txt"
 NAMES = ("dynamics.h5", "localization.h5", "rve.h5", "modal.h5")
 FORMATS = ("mesoslip-rve", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal")
 VERSION = 1
@@ -34,8 +36,13 @@ class Grid(collections.namedtuple("Grid", "cells spacing origin")):
 def open(path):
     """Opens a result file, or the one in the folder of a run; close it, or use `with`.
 
-    Raises FileNotFoundError, or FormatError naming what is wrong."""
-    return ResultFile(_find(os.fspath(path)))
+    Raises FileNotFoundError, or FormatError naming what is wrong. Warns when the file is of an earlier run than the
+    parameters beside it."""
+    path = _find(os.fspath(path))
+    if _is_of_earlier_run(path):
+        warnings.warn(f"{path} is older than the run whose parameters and log are beside it, which has not ended or has "
+                      f"failed; {UNFINISHED} there lists such files", stacklevel=2)
+    return ResultFile(path)
 
 
 class ResultFile:
@@ -73,24 +80,30 @@ class ResultFile:
 
     def __getitem__(self, name):
         """The whole dataset as an Array. Raises KeyError naming what stands in its group."""
+        item = self._item(name, "dataset", h5py.Dataset)
+        if h5py.check_string_dtype(item.dtype):
+            return [text.decode() for text in item[...].ravel()]
+        return Array(item[...], self.unit(name), name)
+
+    def _item(self, name, kind, types):
+        """The object of that name. Raises KeyError naming what stands in its group unless it is of one of `types`."""
         item = self.hdf5.get(name)
-        if isinstance(item, h5py.Dataset):
-            if h5py.check_string_dtype(item.dtype):
-                return [text.decode() for text in item[...].ravel()]
-            return Array(item[...], self.unit(name), name)
-        group = item if isinstance(item, h5py.Group) else self.hdf5.get(os.path.dirname(name) or "/")
+        if isinstance(item, types):
+            return item
+        group = item if isinstance(item, h5py.Group) else self.hdf5.get(os.path.dirname(name.rstrip("/")) or "/")
         there = ", ".join(group) if isinstance(group, h5py.Group) else "no such group"
-        raise KeyError(f"{self.path} has no dataset '{name}'; there is: {there}")
+        raise KeyError(f"{self.path} has no {kind} '{name}'; there is: {there}")
 
     def unit(self, name):
         """Unit of a dataset, "" for pure numbers, without reading it."""
-        unit = self.hdf5[name].attrs.get("unit", "")
+        unit = self._item(name, "dataset", h5py.Dataset).attrs.get("unit", "")
         unit = unit.decode() if isinstance(unit, bytes) else str(unit)
         return "" if unit in ("-", "1") else unit
 
     def attributes(self, name="/"):
         """Attributes of a group or dataset as a dict."""
-        return {key: value.decode() if isinstance(value, bytes) else value for key, value in self.hdf5[name].attrs.items()}
+        return {key: value.decode() if isinstance(value, bytes) else value for key, value in
+                self._item(name, "group or dataset", (h5py.Group, h5py.Dataset)).attrs.items()}
 
     @property
     def grid(self):
@@ -108,7 +121,8 @@ class ResultFile:
 
     def group(self, name):
         """All arrays of a group as {name: Array}, such as group("contact")."""
-        return {key: self[f"{name}/{key}"] for key, item in self.hdf5[name].items() if isinstance(item, h5py.Dataset)}
+        return {key: self[f"{name}/{key}"] for key, item in self._item(name, "group", h5py.Group).items()
+                if isinstance(item, h5py.Dataset)}
 
     @property
     def history(self):
@@ -148,3 +162,12 @@ def _find(path):
         if os.path.exists(os.path.join(path, name)):
             return os.path.join(path, name)
     raise FileNotFoundError(f"the folder {path} holds none of {', '.join(NAMES)}")
+
+
+def _is_of_earlier_run(path):
+    folder, name = os.path.split(path)
+    try:
+        with builtins.open(os.path.join(folder, UNFINISHED), encoding="utf-8") as file:
+            return name in file.read().splitlines()
+    except OSError:
+        return False

@@ -1,0 +1,94 @@
+#include "simulation/run_report.h"
+
+#include "grid/size_text.h"
+#include "io/parameters.h"
+#include "material/plausibility.h"
+#include "simulation/run_size.h"
+
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+std::string material_text(const ContactParameters &parameters, const Scene &scene)
+{
+  const BodyParameters &body = parameters.body;
+  std::ostringstream text;
+  text.precision(4);
+  if (body.heterogeneous)
+    {
+      std::vector<std::string> names;
+      for (const Phase<2> &phase : scene.phases)
+        names.push_back(phase.name);
+      text << "heterogeneous, the phases " << to_text(names);
+    }
+  else
+    {
+      const VoigtMatrix<2> &D = scene.phases[0].stiffness;
+      text << "homogeneous, D11, D12, D22, D33 = " << 1e-9 * D(0, 0) << ", "
+           << 1e-9 * D(0, 1) << ", " << 1e-9 * D(1, 1) << ", " << 1e-9 * D(2, 2)
+           << " GPa, " << scene.phases[0].density << " kg/m^3";
+    }
+  text << (body.rve_file.empty()
+             ? std::string(", from Body/Stiffness and Density (no RVE file)")
+             : " of " + body.rve_file);
+  return text.str();
+}
+} // namespace
+
+std::vector<std::string> body_text(const ContactParameters &parameters,
+                                   const Scene &scene)
+{
+  std::vector<std::string> lines = {"Body: " + size_text(scene.grid),
+                                    "Material: " + material_text(parameters, scene)};
+  if (!parameters.friction.coefficient_by_phase)
+    return lines;
+  std::string coefficients;
+  for (const Phase<2> &phase : scene.phases)
+    coefficients += (coefficients.empty() ? "" : ", ") + phase.name + " " +
+                    to_text(phase.friction_coefficient);
+  lines.push_back("Friction coefficients of the phases: " + coefficients);
+  return lines;
+}
+
+std::string crossing_text(const ContactParameters &parameters,
+                          const UniformMaterial &material)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << "a wave takes " << 1e3 * crossing_time(material)
+       << " ms from the flat to the top, the run " << 1e3 * parameters.time.end_time
+       << " ms";
+  return text.str();
+}
+
+std::vector<std::string> body_warnings(const Scene &scene)
+{
+  const std::string stiffness = stiffness_warning(scene.phases);
+  return stiffness.empty() ? std::vector<std::string>()
+                           : std::vector<std::string>{stiffness};
+}
+
+std::vector<std::string> transient_warnings(const ContactParameters &parameters,
+                                            const UniformMaterial &material)
+{
+  std::vector<std::string> warnings;
+  if (!(parameters.time.end_time >= 2. * crossing_time(material)))
+    warnings.push_back(
+      crossing_text(parameters, material) +
+      ": it ends before the wave is back; are Body/Size and Time/End time in "
+      "m and s, and the stiffness in Pa?");
+  const double shortening = step_shortening(parameters, material);
+  if (!(shortening <= 10.))
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << "Time/Rayleigh beta = " << parameters.time.beta
+           << " s makes the critical time step " << shortening
+           << " times shorter than without damping; is it in s?";
+      warnings.push_back(text.str());
+    }
+  return warnings;
+}
+} // namespace mesoslip
