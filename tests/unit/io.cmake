@@ -13,3 +13,5 @@ target_sources(unit_io PRIVATE
 target_compile_definitions(unit_io PRIVATE
   IO_PROGRAM="$<TARGET_FILE:io_program>" MPIEXEC="${MPIEXEC_EXECUTABLE}")
 add_dependencies(unit_io io_program)
+# It starts mpirun, to which the settings of one process do not apply.
+set_tests_properties(unit/io PROPERTIES ENVIRONMENT "")
