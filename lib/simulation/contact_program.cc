@@ -39,13 +39,15 @@ check_probes(const ContactParameters &parameters, const UniformGrid<2> &grid)
                     to_text(grid.extent(0)) + " m");
 }
 
-// mu_inter rests on the histories' samples from there to the end: three at least.
+// mu_inter rests on the histories' samples from there to the end: three at least, unless the
+// histories are too coarse for it anyway.
 void
 check_steady_from(const ContactParameters &parameters, const double n_steps)
 {
   const double from = parameters.observation.steady_from, end = parameters.time.end_time;
-  const double samples = 2. * parameters.observation.history_interval * end / n_steps;
-  if (!std::isnan(from) && !(from + samples <= end))
+  const double n_samples = n_steps / parameters.observation.history_interval;
+  const double latest    = n_samples < 16. ? end : end - 2. * end / n_samples;
+  if (!std::isnan(from) && !(from < end && from <= latest))
     throw UserError("Observation/Steady from: " + to_text(from) +
                     " s leaves fewer than three samples of the histories before Time/End time, " +
                     to_text(end) + " s; set it earlier, or auto");

@@ -54,7 +54,7 @@ CASES = [
     ("contact_dynamics", CONTACT, ["--set", "Top/Expression=0,5e6*t"], ["Top/Expression", "0,5", "point"]),
     ("contact_dynamics", CONTACT, ["--set", "Top/Expression=min(0,5, t)"], ["Top/Expression", "0,5", "min()", "point"]),
     ("contact_dynamics", CONTACT, ["--set", "Observation/Steady from=1"], ["Steady from: 1 s", "End time, 1e-06 s", "earlier"]),
-    ("contact_dynamics", CONTACT, ["--set", "Observation/Steady from=9e-7"], ["Steady from: 9e-07 s", "three samples"]),
+    ("contact_dynamics", CONTACT, ["--set", "Observation/Steady from=9.9e-7", "--set", "Observation/History interval=1"], ["Steady from: 9.9e-07 s", "three samples"]),
     ("contact_dynamics", CONTACT, ["--set", "Observation/Probes=A"], ["Observation/A/Position", "missing"]),
     ("contact_dynamics", CONTACT, ["--set", "Time/Rayleigh beta=44"], ["memory", "Rayleigh beta = 44 s", "times shorter", "in s?"]),
     ("contact_dynamics", CONTACT, ["--set", "Time/Time step=1e-18"], ["memory", "1e+12 steps of 1e-18 s (Time/Time step)"]),
