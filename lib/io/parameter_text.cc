@@ -2,6 +2,7 @@
 #include "io/files.h"
 #include "io/parameters.h"
 #include "io/text.h"
+#include "io/unfinished.h"
 
 #include <charconv>
 #include <filesystem>
@@ -132,5 +133,13 @@ void require_readable_file(const std::string &what,
   errno = 0;
   if (!std::ifstream(path, std::ios::binary))
     throw UserError(what + path + " cannot be read (" + system_message() + ")" + after);
+}
+
+void require_input_file(const std::string &what,
+                        const std::string &path,
+                        const std::string &hint)
+{
+  require_readable_file(what, path, hint);
+  require_finished(what, path);
 }
 } // namespace mesoslip

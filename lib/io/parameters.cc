@@ -2,7 +2,6 @@
 
 #include "io/errors.h"
 #include "io/text.h"
-#include "io/unfinished.h"
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -153,8 +152,7 @@ std::string get_input_file(dealii::ParameterHandler &prm,
                     (hint.empty() ? "" : "; " + hint));
   const std::string absolute =
     std::filesystem::absolute(path).lexically_normal().string();
-  require_readable_file(full_key(prm, key) + ": ", absolute, hint);
-  require_finished(full_key(prm, key) + ": ", absolute);
+  require_input_file(full_key(prm, key) + ": ", absolute, hint);
   return absolute;
 }
 } // namespace mesoslip

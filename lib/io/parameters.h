@@ -198,6 +198,14 @@ void require_readable_file(const std::string &what,
                            const std::string &path,
                            const std::string &hint = "");
 
+/**
+ * The same for an input of a run, which must not be left from an earlier run either
+ * (unfinished.h).
+ */
+void require_input_file(const std::string &what,
+                        const std::string &path,
+                        const std::string &hint = "");
+
 /** The shortest decimal text that reads back as the same double. */
 std::string to_text(const double value);
 

@@ -3,7 +3,6 @@
 #include "io/errors.h"
 #include "io/parameters.h"
 #include "io/raw_parameters.h"
-#include "io/unfinished.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -96,8 +95,7 @@ std::string input_path(Handler &prm,
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     path = (std::filesystem::path(path) / name).string();
-  require_readable_file("'Input/" + key + "': ", path, hint);
-  require_finished("'Input/" + key + "': ", path);
+  require_input_file("'Input/" + key + "': ", path, hint);
   return path;
 }
 

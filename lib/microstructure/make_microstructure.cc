@@ -1,6 +1,5 @@
 #include "io/errors.h"
 #include "io/parameters.h"
-#include "io/unfinished.h"
 #include "microstructure/image_map.h"
 #include "microstructure/microstructure_parameters.h"
 #include "microstructure/statistics.h"
@@ -18,10 +17,9 @@ Microstructure read_microstructure(const MicrostructureParameters &p)
 {
   const UniformGrid<2> grid = p.grid.grid();
   const auto n_phases       = static_cast<unsigned int>(p.phases.phases.size());
-  require_readable_file("Microstructure/File: ", p.file,
-                        p.type == Type::image ? "it has to name an image"
-                                              : "it has to name a list of rectangles");
-  require_finished("Microstructure/File: ", p.file);
+  require_input_file("Microstructure/File: ", p.file,
+                     p.type == Type::image ? "it has to name an image"
+                                           : "it has to name a list of rectangles");
   Microstructure result;
   if (p.type == Type::image)
     {

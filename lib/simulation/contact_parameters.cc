@@ -2,7 +2,6 @@
 
 #include "io/errors.h"
 #include "io/parameters.h"
-#include "io/unfinished.h"
 
 #include <cmath>
 #include <set>
@@ -67,10 +66,7 @@ parse_body(Handler &prm)
     throw UserError("Body/RVE file is empty, but a heterogeneous body takes its phases and "
                     "morphology from there; run rve_homogenization and name its rve.h5");
   if (!body.rve_file.empty())
-    {
-      require_readable_file("Body/RVE file: ", body.rve_file, "run rve_homogenization first");
-      require_finished("Body/RVE file: ", body.rve_file);
-    }
+    require_input_file("Body/RVE file: ", body.rve_file, "run rve_homogenization first");
   return body;
 }
 

@@ -8,19 +8,9 @@ import subprocess
 import sys
 import tempfile
 
+from scenes import SMALL_RVE as RVE
+
 PROGRAMS = sys.argv[1]
-RVE = """
-subsection Grid
-  set Cells = 20, 10
-  set Size = 0.002, 0.001
-end
-subsection Microstructure
-  subsection Random fibres
-    set Minimum height = 2e-4
-    set Maximum height = 4e-4
-  end
-end
-"""
 CONTACT = """
 subsection Body
   set Cells = 20, 10

@@ -10,23 +10,13 @@ import sys
 import tempfile
 import warnings
 
+from scenes import SMALL_RVE as RVE
+
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 sys.path.insert(0, os.path.join(TOP, "applications", "python"))
 import mesoslip
 
 PROGRAMS = os.path.abspath(sys.argv[1])
-RVE = """
-subsection Grid
-  set Cells = 20, 10
-  set Size = 0.002, 0.001
-end
-subsection Microstructure
-  subsection Random fibres
-    set Minimum height = 2e-4
-    set Maximum height = 4e-4
-  end
-end
-"""
 CONTACT = """
 subsection Body
   set RVE file = rve/rve.h5
