@@ -104,6 +104,7 @@ bool read_all_strings(const hid_t object,
 
 bool Hdf5File::has_attribute(const std::string &object, const std::string &name) const
 {
+  const hdf5::CrashGuard guard(file_path);
   return exists(object) &&
          H5Aexists_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }
@@ -213,6 +214,7 @@ T Hdf5File::read_attribute(const std::string &object,
                            const std::string &name,
                            const std::string &hint) const
 {
+  const hdf5::CrashGuard guard(file_path);
   const Handle attribute(open_attribute(object, name, hint));
   const auto check = [&](const std::string &problem) {
     if (!problem.empty())

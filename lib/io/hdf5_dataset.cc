@@ -115,6 +115,7 @@ Shape Hdf5File::shape_of(const std::string &name, const Id dataset) const
 
 Shape Hdf5File::shape(const std::string &name, const std::string &hint) const
 {
+  const hdf5::CrashGuard guard(file_path);
   const Handle dataset(open_dataset(name, hint));
   Shape extents   = shape_of(name, dataset);
   const auto open = extendables.find(name);
@@ -177,6 +178,7 @@ void Hdf5File::write_strings(const std::string &name,
 std::vector<std::string> Hdf5File::read_strings(const std::string &name,
                                                 const std::string &hint) const
 {
+  const hdf5::CrashGuard guard(file_path);
   const Handle dataset(open_dataset(name, hint));
   std::vector<std::string> strings;
   if (!hdf5::read_all_strings(dataset, false, strings))
@@ -232,6 +234,7 @@ std::vector<T> Hdf5File::read(const std::string &name,
                               const Shape &expected,
                               const std::string &hint) const
 {
+  const hdf5::CrashGuard guard(file_path);
   const Handle dataset(open_dataset(name, hint));
   check_type(name, dataset, hdf5::native_type<T>());
   const Shape extents = shape_of(name, dataset);
@@ -254,6 +257,7 @@ std::vector<T> Hdf5File::read_block(const std::string &name,
                                     const Shape &count,
                                     const std::string &hint) const
 {
+  const hdf5::CrashGuard guard(file_path);
   const Handle dataset(open_dataset(name, hint));
   check_type(name, dataset, hdf5::native_type<T>());
   const Shape extents = shape_of(name, dataset);

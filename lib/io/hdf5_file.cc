@@ -120,6 +120,7 @@ Hdf5File Hdf5File::create(const std::string &path)
 Hdf5File
 Hdf5File::open_as(const std::string &path, const std::string &disk_name, const bool write)
 {
+  const hdf5::CrashGuard guard(disk_name);
   Hdf5File result(path);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
@@ -243,6 +244,7 @@ bool Hdf5File::link_exists(const std::string &name) const
 
 bool Hdf5File::exists(const std::string &name) const
 {
+  const hdf5::CrashGuard guard(file_path);
   return name == "/" ||
          (link_exists(name) && H5Oexists_by_name(file, name.c_str(), H5P_DEFAULT) > 0);
 }
@@ -250,6 +252,7 @@ bool Hdf5File::exists(const std::string &name) const
 std::vector<std::string> Hdf5File::list(const std::string &group,
                                         const std::string &hint) const
 {
+  const hdf5::CrashGuard guard(file_path);
   const Handle object(open_object(group, hint));
   if (H5Iget_type(object) != H5I_GROUP)
     fail(group + " is not a group", hint);

@@ -3,8 +3,9 @@
 
 #include "io/hdf5_file.h"
 
+#include <array>
+#include <csignal>
 #include <hdf5.h>
-
 #include <string>
 #include <vector>
 
@@ -14,11 +15,32 @@ namespace mesoslip
 namespace hdf5
 {
 /**
- * From now on nothing is closed any more: the library (1.10) crashes when it closes a file
- * that it cannot write to, also in its own exit handlers.
+ * From now on nothing is closed any more: the library (1.10) crashes when it closes a
+ * file that it cannot write to, also in its own exit handlers.
  */
 void abandon();
 bool abandoned();
+
+/**
+ * While the library reads a file: should it crash, the process ends at once with a
+ * sentence that names the file and with ExitStatus::user_error. The library (1.10)
+ * believes the sizes in a damaged attribute and reads up to 64 kB beyond its memory. Of
+ * several, one within another, the outermost counts.
+ */
+class CrashGuard
+{
+public:
+  explicit CrashGuard(const std::string &path);
+  CrashGuard(const CrashGuard &) = delete;
+  ~CrashGuard();
+
+private:
+  static constexpr std::array<int, 4> crashes = {{SIGSEGV, SIGBUS, SIGFPE, SIGABRT}};
+
+  const std::string own;
+  bool outermost = false;
+  std::array<struct sigaction, crashes.size()> before = {};
+};
 
 /** Closes whatever an HDF5 identifier stands for. */
 class Handle
@@ -117,8 +139,8 @@ Handle make_space(const Shape &shape);
 
 /**
  * Texts as they are stored: UTF-8 of fixed length, filled up with zeros. Not of variable
- * length: these lie in a heap of which the library (1.10) checks nothing, so that a damaged
- * file makes it crash, hang or write beyond its memory.
+ * length: these lie in a heap of which the library (1.10) checks nothing, so that a
+ * damaged file makes it crash, hang or write beyond its memory.
  */
 struct FixedStrings
 {

@@ -120,6 +120,64 @@ TEST(HostileHdf5, CompactDatasetsAreNotRead)
 
 namespace
 {
+/** A compression that crashes where the library undoes it: the library itself does so
+ * only where its over-reading happens to leave the memory of the process. */
+void register_crashing_filter()
+{
+  H5Z_class2_t filter    = {};
+  filter.version         = H5Z_CLASS_T_VERS;
+  filter.id              = H5Z_FILTER_RESERVED + 1;
+  filter.encoder_present = filter.decoder_present = 1;
+  filter.name                                     = "crash";
+  filter.filter = [](unsigned int flags, std::size_t, const unsigned int *, std::size_t n,
+                     std::size_t *, void **) -> std::size_t {
+    if ((flags & H5Z_FLAG_REVERSE) != 0)
+      std::raise(SIGSEGV);
+    return n;
+  };
+  ASSERT_GE(H5Zregister(&filter), 0);
+}
+
+void write_crashing(const std::string &path)
+{
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+  const hsize_t one      = 1;
+  H5Pset_chunk(properties, 1, &one);
+  H5Pset_filter(properties, H5Z_FILTER_RESERVED + 1, 0, 0, nullptr);
+  const hid_t space  = H5Screate_simple(1, &one, nullptr);
+  const hid_t set    = H5Dcreate2(file, "/hollow", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT,
+                                  properties, H5P_DEFAULT);
+  const double value = 1.;
+  ASSERT_GE(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value), 0);
+  H5Dclose(set);
+  H5Sclose(space);
+  H5Pclose(properties);
+  H5Fclose(file);
+}
+} // namespace
+
+TEST(HostileHdf5, ACrashOfTheLibraryEndsWithASentence)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5";
+  register_crashing_filter();
+  write_crashing(path);
+  EXPECT_EXIT(Hdf5File::open(path).read<double>("/hollow"), testing::ExitedWithCode(2),
+              "a.h5: HDF5 crashes on it, as the file is damaged");
+  // What crashes elsewhere is not the fault of the file.
+  const auto handler = []() {
+    struct sigaction action = {};
+    sigaction(SIGSEGV, nullptr, &action);
+    return action.sa_handler;
+  };
+  const auto before = handler();
+  EXPECT_EQ(Hdf5File::open(path).shape("/hollow"), Shape{1});
+  EXPECT_EQ(handler(), before);
+}
+
+namespace
+{
 /** A file with /group/secret, as somebody else's on the same machine, and what a foreign
  * file would make of it. */
 struct ForeignFile
