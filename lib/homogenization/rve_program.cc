@@ -183,6 +183,7 @@ void run(dealii::ParameterHandler &prm, RunContext &context)
   if (reuse != 0)
     {
       context.log("rve.h5 is up to date: nothing that determines it has changed");
+      context.results_are_reused();
       if (context.root() && restore_rve_summary(context))
         log_stiffness(context);
       return;

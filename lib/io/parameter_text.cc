@@ -2,7 +2,7 @@
 #include "io/files.h"
 #include "io/parameters.h"
 #include "io/text.h"
-#include "io/unfinished.h"
+#include "io/earlier_results.h"
 
 #include <charconv>
 #include <filesystem>
@@ -140,6 +140,6 @@ void require_input_file(const std::string &what,
                         const std::string &hint)
 {
   require_readable_file(what, path, hint);
-  require_finished(what, path);
+  require_of_latest_run(what, path);
 }
 } // namespace mesoslip

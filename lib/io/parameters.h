@@ -200,7 +200,7 @@ void require_readable_file(const std::string &what,
 
 /**
  * The same for an input of a run, which must not be left from an earlier run either
- * (unfinished.h).
+ * (earlier_results.h).
  */
 void require_input_file(const std::string &what,
                         const std::string &path,

@@ -4,7 +4,6 @@
 #include "io/errors.h"
 #include "io/files.h"
 #include "io/interrupt.h"
-#include "io/unfinished.h"
 #include "io/version.h"
 
 #include <cmath>
@@ -111,7 +110,7 @@ void RunContext::begin()
   on_root(comm, [&]() {
     std::error_code ignored;
     fs::remove(file("summary.json"), ignored);
-    mark_unfinished(output_folder());
+    earlier = EarlierResults(output_folder());
     write_file(file("original.prm"), original_parameters);
     write_file(file("parameters.prm"), effective_parameters);
   });
@@ -183,7 +182,11 @@ void RunContext::write_summary()
 
 void RunContext::results_are_written()
 {
-  if (root())
-    unmark_unfinished(output_folder());
+  on_root(comm, [&]() { earlier.replaced(); });
+}
+
+void RunContext::results_are_reused()
+{
+  on_root(comm, [&]() { earlier.adopted(); });
 }
 } // namespace mesoslip

@@ -1,6 +1,7 @@
 #ifndef mesoslip_io_run_context_h
 #define mesoslip_io_run_context_h
 
+#include "io/earlier_results.h"
 #include "io/lock.h"
 #include "io/progress.h"
 #include "io/timer.h"
@@ -84,7 +85,7 @@ public:
 
   /**
    * From here on the folder is that of this run: removes an old summary.json, lists old
-   * results (io/unfinished.h), writes original.prm and parameters.prm. A run that is resumed calls it
+   * results (EarlierResults), writes original.prm and parameters.prm. A run that is resumed calls it
    * once it is clear that it can go on; one that never does leaves the folder as it was.
    */
   void begin();
@@ -149,8 +150,11 @@ public:
   /** Writes summary.json; run_program() calls it after a successful run. */
   void write_summary();
 
-  /** The results of an earlier run are replaced (io/unfinished.h); write_summary() calls it. */
+  /** See EarlierResults::replaced(); write_summary() calls it. Collective. */
   void results_are_written();
+
+  /** The results found in the folder are those of this run. Collective. */
+  void results_are_reused();
 
 private:
   RunOptions run_options;
@@ -158,6 +162,7 @@ private:
   int my_rank = 0;
   int size    = 1;
   std::unique_ptr<FolderLock> lock;
+  EarlierResults earlier;
   std::ofstream log_file;
   std::unique_ptr<Progress> progress_display;
   Timer run_timer;

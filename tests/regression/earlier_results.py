@@ -14,7 +14,9 @@ from scenes import SMALL_RVE as RVE
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 sys.path.insert(0, os.path.join(TOP, "applications", "python"))
+sys.path.insert(1, os.path.join(TOP, "applications", "report"))
 import mesoslip
+from data import Chain
 
 PROGRAMS = os.path.abspath(sys.argv[1])
 CONTACT = """
@@ -34,6 +36,7 @@ subsection Input
   set Homogeneous run = run/dynamics.h5
 end
 """
+LIST = "earlier_results.txt"
 FAILS = ["--set", "Flat/Expression=sqrt(5e-6 - t)"]
 
 
@@ -62,14 +65,14 @@ def check_failed_run(folder):
     """The old results stay, are listed, and are not read unawares; the next good run clears up."""
     folder.run(0, "rve_homogenization", "rve")
     folder.run(0, "contact_dynamics", "run")
-    assert not os.path.exists(folder("run", "unfinished.txt"))
+    assert not os.path.exists(folder("run", LIST))
     folder.run(0, "stress_localization", "local")
     results = ["dynamics.h5", "dynamics.xdmf", "energy.csv", "history.csv"]
     before = {name: folder.read("run", name) for name in results}
 
     folder.run(3, "contact_dynamics", "run", *FAILS)
     assert before == {name: folder.read("run", name) for name in results}, "an old result was touched"
-    assert folder.read("run", "unfinished.txt").decode().splitlines()[1:] == results
+    assert folder.read("run", LIST).decode().splitlines()[1:] == results
     for options in ([], ["--validate"]):
         said = folder.run(2, "stress_localization", "local", *options)
         assert "Input/Homogeneous run" in said and "run/dynamics.h5 is older than the run" in said, said
@@ -77,18 +80,22 @@ def check_failed_run(folder):
         warnings.simplefilter("always")
         mesoslip.open(folder("run")).close()
     assert len(caught) == 1 and "older than the run" in str(caught[0].message), caught
+    assert any(folder("run") in note and "has failed" in note for note in Chain([folder.path]).notes), "the report is silent"
 
+    folder.run(0, "contact_dynamics", "run", "--set", "Observation/Energy interval=0")
+    assert folder.read("run", LIST).decode().splitlines()[1:] == ["energy.csv"], "an old result is not told apart"
+    assert folder.read("run", "energy.csv") == before["energy.csv"], "a file was lost"
     folder.run(0, "contact_dynamics", "run")
-    assert not os.path.exists(folder("run", "unfinished.txt"))
+    assert not os.path.exists(folder("run", LIST))
     folder.run(0, "stress_localization", "local")
 
 
 def check_reuse(folder):
     """An rve.h5 that is up to date is its run's result, though it was there before."""
     folder.run(2, "rve_homogenization", "rve", "--set", "Homogenization/Boundary conditions=")
-    assert not os.path.exists(folder("rve", "unfinished.txt")), "a run that did not begin left a trace"
+    assert not os.path.exists(folder("rve", LIST)), "a run that did not begin left a trace"
     assert "rve.h5 is up to date" in folder.run(0, "rve_homogenization", "rve")
-    assert not os.path.exists(folder("rve", "unfinished.txt"))
+    assert not os.path.exists(folder("rve", LIST))
 
 
 def check_output_that_fails(folder):

@@ -11,7 +11,7 @@ import numpy as np
 
 from .array import Array
 
-UNFINISHED = "unfinished.txt"
+EARLIER = "earlier_results.txt"
 NAMES = ("dynamics.h5", "localization.h5", "rve.h5", "modal.h5")
 FORMATS = ("mesoslip-rve", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal")
 VERSION = 1
@@ -40,8 +40,8 @@ def open(path):
     parameters beside it."""
     path = _find(os.fspath(path))
     if _is_of_earlier_run(path):
-        warnings.warn(f"{path} is older than the run whose parameters and log are beside it, which has not ended or has "
-                      f"failed; {UNFINISHED} there lists such files", stacklevel=2)
+        warnings.warn(f"{path} is older than the run whose parameters and log are beside it, which has not ended, has "
+                      f"failed or has no such result; {EARLIER} there lists such files", stacklevel=2)
     return ResultFile(path)
 
 
@@ -167,7 +167,7 @@ def _find(path):
 def _is_of_earlier_run(path):
     folder, name = os.path.split(path)
     try:
-        with builtins.open(os.path.join(folder, UNFINISHED), encoding="utf-8") as file:
+        with builtins.open(os.path.join(folder, EARLIER), encoding="utf-8") as file:
             return name in file.read().splitlines()
     except OSError:
         return False
