@@ -23,9 +23,9 @@ bool abandoned();
 
 /**
  * While the library reads a file: should it crash, the process ends at once with a
- * sentence that names the file and with ExitStatus::user_error. The library (1.10)
- * believes the sizes in a damaged attribute and reads up to 64 kB beyond its memory. Of
- * several, one within another, the outermost counts.
+ * sentence that names the file and with ExitStatus::user_error. What of a damaged file is
+ * known to make it crash is not given to it (hdf5_header.h, FixedStrings); this is for the
+ * rest. Of several, one within another, the outermost counts.
  */
 class CrashGuard
 {

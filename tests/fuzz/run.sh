@@ -13,7 +13,6 @@ mkdir -p "$inputs" "$findings"
 export ASAN_OPTIONS=allocator_may_return_null=1:max_allocation_size_mb=1024:detect_leaks=0
 # Half of the time went into stacks of allocations and the frequency of each branch. Findings have stacks when run by themselves.
 ASAN_OPTIONS+=:malloc_context_size=0:max_malloc_fill_size=0:quarantine_size_mb=4
-ASAN_OPTIONS+=:suppressions=$here/hdf5_known.txt
 exec nice "$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -malloc_limit_mb=2048 -max_len=4096 \
   -entropic=0 -detect_leaks=0 -verbosity=0 -print_final_stats=1 -artifact_prefix="$findings/$target-" "$@" "$inputs" \
   "$here/corpus/$target"

@@ -120,6 +120,84 @@ TEST(HostileHdf5, CompactDatasetsAreNotRead)
 
 namespace
 {
+/** Where the parts of the attribute `hostile` of write_with_attribute() lie, from its
+ * name. */
+enum Part
+{
+  name_size  = -6,
+  type_size  = -4,
+  space_size = -2,
+  name_end   = 7,
+  type_class = 8,
+  value_size = 12,
+  space      = 24,
+  rank       = 25,
+  extent     = 32
+};
+
+void write_with_attribute(const std::string &path)
+{
+  Hdf5File file = Hdf5File::create(path);
+  file.write_attribute("/", "hostile", std::vector<int>{1, 2, 3});
+  file.close();
+}
+
+/** The sentence when a byte of the attribute is another one. */
+std::string
+refusal_of_attribute(const std::string &path, const Part part, const unsigned int byte)
+{
+  std::string bytes          = read_file(path);
+  const std::size_t position = bytes.find("hostile");
+  bytes[position + part]     = static_cast<char>(byte);
+  const std::string damaged  = path + ".damaged";
+  write_file(damaged, bytes);
+  return user_error([&]() { Hdf5File::open(damaged).has_attribute("/", "any"); });
+}
+} // namespace
+
+// Found by a fuzzer: the library copied as much as the attribute says from behind it,
+// here 16 MB.
+TEST(HostileHdf5, DamagedAttributesAreNotDecoded)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5";
+  write_with_attribute(path);
+  const auto expect = [&](const Part part, const unsigned int byte, const char *problem) {
+    expect_contains(refusal_of_attribute(path, part, byte),
+                    std::string("an attribute of / ") + problem);
+  };
+  expect(Part(extent + 2), 0x40, "has more values than fit in it");
+  expect(extent, 100, "has more values than fit in it");
+  expect(value_size, 100, "has more values than fit in it");
+  expect(Part(value_size + 3), 1, "has a damaged type");
+  expect(Part(name_size + 1), 0xff, "is longer than its place");
+  expect(Part(type_size + 1), 0xff, "is longer than its place");
+  expect(Part(space_size + 1), 0xff, "is longer than its place");
+  expect(type_size, 8, "is longer than its place");
+  expect(name_end, 'x', "has a name without end");
+  expect(type_class, 0x16, "is neither a number nor a text");
+  expect(space, 9, "has damaged extents");
+  expect(rank, 33, "has damaged extents");
+  expect(rank, 2, "is longer than its place");
+  EXPECT_EQ(Hdf5File::open(path).read_attribute<std::vector<int>>("/", "hostile"),
+            (std::vector<int>{1, 2, 3}));
+}
+
+TEST(HostileHdf5, AttributesOfOtherKindsAreNotDecoded)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5";
+  const hid_t access     = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+  H5Fclose(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access));
+  H5Pclose(access);
+  expect_contains(
+    user_error([&]() { Hdf5File::open(path).has_attribute("/", "any"); }),
+    "an attribute of / is in a header of a kind that no program here writes");
+}
+
+namespace
+{
 /** A compression that crashes where the library undoes it: the library itself does so
  * only where its over-reading happens to leave the memory of the process. */
 void register_crashing_filter()
