@@ -59,20 +59,11 @@ std::string joined(const std::vector<T> &values)
   return text.str();
 }
 
-/** The coordinates of the grid lines along one axis. */
-std::vector<std::string> grid_lines(const XdmfGrid &grid, const unsigned int axis)
-{
-  std::vector<std::string> lines;
-  for (unsigned int i = 0; i <= grid.cells[axis]; ++i)
-    lines.push_back(to_text(grid.origin[axis] + i * grid.spacing[axis]));
-  return lines;
-}
-
 /**
  * Writes the XML. The detours are those of ParaView's reader, tried with 5.11: it puts
- * 2DCoRectMesh into the y-z plane, loses the cell data of a 3DCoRectMesh one node thick,
- * and misreads vectors on a 2DRectMesh. So plane grids are 3DCoRectMesh one node thick
- * unless there are cell data, and then 2DRectMesh with vectors as single components.
+ * 2DCoRectMesh into the y-z plane, leaves out the coordinates and some cells of a
+ * 2DRectMesh, and the cell data of a 3DCoRectMesh one node thick. So plane grids are
+ * 3DCoRectMesh: one node thick with data of nodes, one cell with data of cells.
  */
 class Writer
 {
@@ -83,7 +74,9 @@ public:
     , n_times(n)
   {
     for (const XdmfField &field : fields)
-      flat = flat || (grid.dim == 2 && field.centre == XdmfField::Centre::cell);
+      if (grid.dim == 2 && field.centre != fields.front().centre)
+        throw std::logic_error("ParaView cannot show data of nodes and of cells on one "
+                               "plane grid");
   }
 
   std::ostringstream out;
@@ -103,9 +96,11 @@ private:
   /** Extents of what is shown, z first. */
   std::vector<std::size_t> extents(const XdmfField::Centre centre) const
   {
-    std::vector<std::size_t> result(flat ? 0 : 3 - grid.dim, 1);
+    const bool nodes = centre == XdmfField::Centre::node;
+    const bool thick = fields.front().centre == XdmfField::Centre::cell;
+    std::vector<std::size_t> result(3 - grid.dim, nodes && thick ? 2 : 1);
     for (unsigned int d = grid.dim; d-- > 0;)
-      result.push_back(grid.cells[d] + (centre == XdmfField::Centre::node ? 1 : 0));
+      result.push_back(grid.cells[d] + (nodes ? 1 : 0));
     return result;
   }
 
@@ -118,26 +113,18 @@ private:
 
   void write_geometry()
   {
-    out << "<Topology TopologyType=\"" << (flat ? "2DRectMesh" : "3DCoRectMesh")
-        << "\" Dimensions=\"" << joined(extents(XdmfField::Centre::node))
-        << "\"/>\n<Geometry GeometryType=\"" << (flat ? "VXVY" : "ORIGIN_DXDYDZ")
-        << "\">\n";
-    if (flat)
+    std::vector<std::string> origin(3 - grid.dim, "0"),
+      spacing(3 - grid.dim, to_text(grid.spacing[0]));
+    for (unsigned int d = grid.dim; d-- > 0;)
       {
-        write_numbers(grid_lines(grid, 0));
-        write_numbers(grid_lines(grid, 1));
+        origin.push_back(to_text(grid.origin[d]));
+        spacing.push_back(to_text(grid.spacing[d]));
       }
-    else
-      {
-        std::vector<std::string> origin(3 - grid.dim, "0"), spacing(3 - grid.dim, "1");
-        for (unsigned int d = grid.dim; d-- > 0;)
-          {
-            origin.push_back(to_text(grid.origin[d]));
-            spacing.push_back(to_text(grid.spacing[d]));
-          }
-        write_numbers(origin);
-        write_numbers(spacing);
-      }
+    out << "<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\""
+        << joined(extents(XdmfField::Centre::node))
+        << "\"/>\n<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n";
+    write_numbers(origin);
+    write_numbers(spacing);
     out << "</Geometry>\n";
   }
 
@@ -153,7 +140,7 @@ private:
     };
     if (field.components == 0)
       attribute(field.name, "Scalar", 0, 1);
-    else if (field.components == grid.dim && !flat)
+    else if (field.components == grid.dim)
       attribute(field.name, "Vector", 0, field.components); // plane ones get a third, 0
     else
       for (unsigned int c = 0; c < field.components; ++c)
@@ -214,7 +201,6 @@ private:
   const XdmfGrid &grid;
   const std::vector<XdmfField> &fields;
   const std::size_t n_times;
-  bool flat = false;
 };
 } // namespace
 

@@ -57,9 +57,9 @@ struct XdmfField
  * Writes a file that ParaView opens (with its "XDMF Reader", not "Xdmf3 Reader"). The
  * arrays are [time] z y x [component], as in the exchange files; @p times may be empty
  * for fields that do not change. Fields of dim components are vectors, of other numbers
- * single components "name_xx" (or "name_0"). Plane grids with cell data show vectors as
- * "name_x" and "name_y", too, because ParaView cannot read both from one grid: write two
- * files where vectors matter.
+ * single components "name_xx" (or "name_0"). ParaView cannot show data of nodes and of
+ * cells on one plane grid: for both write two files (otherwise std::logic_error). A plane
+ * grid with data of cells is shown as a slab one cell thick.
  */
 void write_xdmf(const std::string &path,
                 const XdmfGrid &grid,

@@ -72,6 +72,8 @@ private:
     field.dataset    = name;
     field.centre     = XdmfField::Centre::cell;
     field.components = components;
+    if (components == 3)
+      field.component_names = {"xx", "yy", "xy"};
     shown.push_back(field);
   }
 

@@ -176,17 +176,21 @@ TEST(Xdmf, NamesDatasetsAndExtents)
   EXPECT_EQ(slab.rbegin()->second.get<std::string>("<xmlattr>.Dimensions"), "2 4 5 2");
   EXPECT_EQ(slab.rbegin()->second.data(), "d.h5:/snapshots/displacement");
 
-  write_xdmf(folder / "c.xdmf", grid, {phase, displacement}, {0.5});
+  XdmfField stress  = phase;
+  stress.name       = "stress";
+  stress.components = 3;
+  write_xdmf(folder / "c.xdmf", grid, {phase, stress}, {0.5});
   boost::property_tree::ptree cells;
   read_xml(folder / "c.xdmf", cells);
   const auto &only = cells.get_child("Xdmf.Domain.Grid.Grid");
-  EXPECT_EQ(only.get<std::string>("Topology.<xmlattr>.Dimensions"), "4 5");
-  EXPECT_EQ(only.get<std::string>("Geometry.DataItem"), "1 1.1 1.2 1.3 1.4");
+  EXPECT_EQ(only.get<std::string>("Topology.<xmlattr>.Dimensions"), "2 4 5");
   EXPECT_EQ(only.get<std::string>("Attribute.<xmlattr>.Name"), "phase <&>");
-  EXPECT_EQ(only.get<std::string>("Attribute.DataItem.<xmlattr>.Dimensions"), "3 4");
-  EXPECT_EQ(only.rbegin()->second.get<std::string>("<xmlattr>.Name"), "displacement_y");
+  EXPECT_EQ(only.get<std::string>("Attribute.DataItem.<xmlattr>.Dimensions"), "1 3 4");
+  EXPECT_EQ(only.rbegin()->second.get<std::string>("<xmlattr>.Name"), "stress_2");
   EXPECT_EQ(only.rbegin()->second.get<std::string>("DataItem.DataItem"),
-            "0 0 0 1  1 1 1 1  1 4 5 1");
+            "0 0 2  1 1 1  3 4 1");
+  EXPECT_THROW(write_xdmf(folder / "e.xdmf", grid, {phase, displacement}),
+               std::logic_error);
 }
 
 TEST(Checkpoints, ComeBackOrSayWhyNot)
