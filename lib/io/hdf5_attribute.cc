@@ -1,6 +1,5 @@
 #include "io/errors.h"
 #include "io/hdf5_file.h"
-#include "io/hdf5_header.h"
 #include "io/hdf5_internal.h"
 
 #include <algorithm>
@@ -107,26 +106,14 @@ bool Hdf5File::has_attribute(const std::string &object, const std::string &name)
 {
   const hdf5::CrashGuard guard(file_path);
   return exists(object) &&
-         H5Aexists(Handle(open_with_attributes(object, "")), name.c_str()) > 0;
-}
-
-Hdf5File::Id Hdf5File::open_with_attributes(const std::string &object,
-                                            const std::string &hint) const
-{
-  Handle owner(open_object(object, hint));
-  // What is written here is not on the disk yet.
-  const std::string problem = writable ? "" : hdf5::attribute_problem(owner);
-  if (!problem.empty())
-    fail("an attribute of " + object + " " + problem + ": the file is damaged or foreign",
-         hint);
-  return owner.release();
+         H5Aexists_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
 Hdf5File::Id Hdf5File::open_attribute(const std::string &object,
                                       const std::string &name,
                                       const std::string &hint) const
 {
-  const Handle owner(open_with_attributes(object, hint));
+  const Handle owner(open_object(object, hint));
   if (H5Aexists(owner, name.c_str()) <= 0)
     fail("the attribute '" + name + "' of " + object + " is missing", hint);
   Handle attribute(H5Aopen(owner, name.c_str(), H5P_DEFAULT));
@@ -202,7 +189,9 @@ std::string read_numbers(const hid_t attribute, std::vector<T> &values)
 
 std::string read_numbers(const hid_t attribute, std::vector<std::string> &values)
 {
-  return hdf5::read_all_strings(attribute, true, values) ? "" : "is not a text of fixed length";
+  return hdf5::read_all_strings(attribute, true, values)
+           ? ""
+           : "is not a text of fixed length";
 }
 } // namespace
 

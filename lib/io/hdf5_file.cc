@@ -2,6 +2,7 @@
 
 #include "io/errors.h"
 #include "io/hdf5_internal.h"
+#include "io/hdf5_structure.h"
 #include "io/parameters.h"
 #include "io/version.h"
 
@@ -122,18 +123,21 @@ Hdf5File::open_as(const std::string &path, const std::string &disk_name, const b
 {
   const hdf5::CrashGuard guard(disk_name);
   Hdf5File result(path);
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
-  result.file = H5Fopen(disk_name.c_str(), write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access);
-  result.writable = write;
-  if (result.file >= 0)
-    return result;
   if (H5Fis_hdf5(disk_name.c_str()) == 0)
     throw UserError(disk_name + " is not an HDF5 file");
-  throw UserError(
-    disk_name +
-    " cannot be opened: it is truncated, damaged, or being written by another "
-    "program");
+  const std::string problem = write ? "" : hdf5::structure_problem(disk_name);
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
+  H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
+  if (problem.empty())
+    result.file =
+      H5Fopen(disk_name.c_str(), write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access);
+  result.writable = write;
+  if (result.file < 0)
+    throw UserError(disk_name +
+                    " cannot be opened: it is truncated, damaged, foreign, or being "
+                    "written by another program" +
+                    (problem.empty() ? "" : " (" + problem + ")"));
+  return result;
 }
 
 Hdf5File Hdf5File::open(const std::string &path, const std::string &hint)

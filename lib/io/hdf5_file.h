@@ -245,7 +245,6 @@ private:
   bool link_exists(const std::string &name) const;
   Id open_object(const std::string &name, const std::string &hint) const;
   Id open_dataset(const std::string &name, const std::string &hint) const;
-  Id open_with_attributes(const std::string &object, const std::string &hint) const;
   Id open_attribute(const std::string &object,
                     const std::string &name,
                     const std::string &hint) const;

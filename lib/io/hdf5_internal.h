@@ -24,8 +24,8 @@ bool abandoned();
 /**
  * While the library reads a file: should it crash, the process ends at once with a
  * sentence that names the file and with ExitStatus::user_error. What of a damaged file is
- * known to make it crash is not given to it (hdf5_header.h, FixedStrings); this is for the
- * rest. Of several, one within another, the outermost counts.
+ * known to make it crash is not given to it (hdf5_structure.h, FixedStrings); this is for
+ * the rest. Of several, one within another, the outermost counts.
  */
 class CrashGuard
 {
@@ -38,7 +38,7 @@ private:
   static constexpr std::array<int, 4> crashes = {{SIGSEGV, SIGBUS, SIGFPE, SIGABRT}};
 
   const std::string own;
-  bool outermost = false;
+  bool outermost                                      = false;
   std::array<struct sigaction, crashes.size()> before = {};
 };
 

@@ -151,7 +151,7 @@ refusal_of_attribute(const std::string &path, const Part part, const unsigned in
   bytes[position + part]     = static_cast<char>(byte);
   const std::string damaged  = path + ".damaged";
   write_file(damaged, bytes);
-  return user_error([&]() { Hdf5File::open(damaged).has_attribute("/", "any"); });
+  return user_error([&]() { Hdf5File::open(damaged); });
 }
 } // namespace
 
@@ -164,7 +164,7 @@ TEST(HostileHdf5, DamagedAttributesAreNotDecoded)
   write_with_attribute(path);
   const auto expect = [&](const Part part, const unsigned int byte, const char *problem) {
     expect_contains(refusal_of_attribute(path, part, byte),
-                    std::string("an attribute of / ") + problem);
+                    std::string("(an attribute of / ") + problem);
   };
   expect(Part(extent + 2), 0x40, "has more values than fit in it");
   expect(extent, 100, "has more values than fit in it");
@@ -183,7 +183,48 @@ TEST(HostileHdf5, DamagedAttributesAreNotDecoded)
             (std::vector<int>{1, 2, 3}));
 }
 
-TEST(HostileHdf5, AttributesOfOtherKindsAreNotDecoded)
+// Found by a fuzzer: free space in a circle took all memory, names beyond the list were
+// read.
+TEST(HostileHdf5, DamagedGroupsAreNotOpened)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5", damaged = folder / "b.h5";
+  Hdf5File file = Hdf5File::create(path);
+  file.write<double>("/group/numbers", {100}, std::vector<double>(100), 1);
+  file.close();
+  const std::string bytes = read_file(path);
+  const auto expect       = [&](const char *signature, const std::size_t offset,
+                          const unsigned int byte, const char *problem) {
+    std::string changed        = bytes;
+    const std::size_t position = bytes.find(signature);
+    ASSERT_NE(position, std::string::npos);
+    changed[position + offset] = static_cast<char>(byte);
+    write_file(damaged, changed);
+    expect_contains(user_error([&]() { Hdf5File::open(damaged); }),
+                          std::string("written by another program (the list of ") + problem);
+  };
+  expect("HEAP", 16, 0, "members of / has damaged names");
+  expect("HEAP", 10, 0xff, "members of / lies beyond the end");
+  expect("HEAP", 0, 'h', "members of / is not where something else refers to it");
+  expect("TREE", 5, 1, "members of / is not where something else refers to it");
+  expect("TREE", 6, 0xff, "members of / is a damaged tree");
+  expect("SNOD", 9, 0xff, "members of / has a name without end");
+  expect("SNOD", 6, 0xff, "members of / is a damaged tree");
+  const std::string chunks("TREE\x01", 5);
+  expect(chunks.c_str(), 5, 1, "chunks of /group/numbers lies beyond the end");
+  expect(chunks.c_str(), 27, 0xff, "chunks of /group/numbers lies beyond the end");
+  // A node that is its own child.
+  std::string changed        = bytes;
+  const std::size_t position = bytes.find("TREE");
+  changed[position + 5]      = 1;
+  for (std::size_t k = 0; k < 8; ++k)
+    changed[position + 32 + k] = static_cast<char>(position >> 8 * k & 0xff);
+  write_file(damaged, changed);
+  expect_contains(user_error([&]() { Hdf5File::open(damaged); }),
+                  "(the list of members of / is a damaged tree)");
+}
+
+TEST(HostileHdf5, FilesOfOtherKindsAreNotOpened)
 {
   const TemporaryFolder folder;
   const std::string path = folder / "a.h5";
@@ -191,9 +232,8 @@ TEST(HostileHdf5, AttributesOfOtherKindsAreNotDecoded)
   H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
   H5Fclose(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access));
   H5Pclose(access);
-  expect_contains(
-    user_error([&]() { Hdf5File::open(path).has_attribute("/", "any"); }),
-    "an attribute of / is in a header of a kind that no program here writes");
+  expect_contains(user_error([&]() { Hdf5File::open(path).has_attribute("/", "any"); }),
+                  "the superblock of / is of a kind that no program here writes");
 }
 
 namespace

@@ -1,0 +1,83 @@
+#ifndef mesoslip_io_hdf5_bytes_h
+#define mesoslip_io_hdf5_bytes_h
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// HDF5 files, byte by byte; for hdf5_structure.cc.
+namespace mesoslip
+{
+namespace hdf5
+{
+/** What is wrong with a file: "lies beyond the end". */
+struct Damage
+{
+  std::string what;
+};
+
+inline void require(const bool holds, const char *what)
+{
+  if (!holds)
+    throw Damage{what};
+}
+
+/** An address that stands for none. */
+constexpr std::uint64_t undefined_address = ~std::uint64_t(0);
+
+/** Bytes of a file, taken from the front; taking more than there are is a Damage. */
+class Bytes
+{
+public:
+  Bytes(const unsigned char *begin, const std::size_t size);
+
+  std::size_t left() const
+  {
+    return size;
+  }
+
+  /** The next @p n. */
+  Bytes take(const std::size_t n);
+
+  /** Of the next @p n_bytes, at most 8, the least one first. */
+  std::uint64_t number(const std::size_t n_bytes);
+
+  /** A Damage unless the next ones are these. */
+  void signature(const char *expected);
+
+  bool has_zero() const;
+
+private:
+  const unsigned char *begin;
+  std::size_t size;
+};
+
+/** A file that is only read. */
+class RawFile
+{
+public:
+  explicit RawFile(const std::string &path);
+  RawFile(const RawFile &)            = delete;
+  RawFile &operator=(const RawFile &) = delete;
+  ~RawFile();
+
+  std::uint64_t size() const
+  {
+    return n_bytes;
+  }
+
+  /** A Damage if they are not all in the file. */
+  std::vector<unsigned char> read(const std::uint64_t address,
+                                  const std::uint64_t n) const;
+
+  /** A Damage unless they are in the file. */
+  void require_inside(const std::uint64_t address, const std::uint64_t n) const;
+
+private:
+  int descriptor;
+  std::uint64_t n_bytes = 0;
+};
+} // namespace hdf5
+} // namespace mesoslip
+
+#endif
