@@ -61,12 +61,8 @@ public:
   RawFile &operator=(const RawFile &) = delete;
   ~RawFile();
 
-  std::uint64_t size() const
-  {
-    return n_bytes;
-  }
-
-  /** A Damage if they are not all in the file. */
+  /** A Damage if they are not all in the file, or if the whole of it has been read many
+   * times: something leads back to where it came from. */
   std::vector<unsigned char> read(const std::uint64_t address,
                                   const std::uint64_t n) const;
 
@@ -75,7 +71,8 @@ public:
 
 private:
   int descriptor;
-  std::uint64_t n_bytes = 0;
+  std::uint64_t n_bytes        = 0;
+  mutable std::uint64_t n_read = 0;
 };
 } // namespace hdf5
 } // namespace mesoslip

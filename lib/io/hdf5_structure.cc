@@ -2,9 +2,8 @@
 
 #include "io/hdf5_bytes.h"
 #include "io/hdf5_messages.h"
+#include "io/hdf5_tables.h"
 
-#include <algorithm>
-#include <functional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -16,99 +15,6 @@ namespace hdf5
 {
 namespace
 {
-/** The names of a group's members ("local heap", III.D). */
-class Names
-{
-public:
-  Names(const RawFile &file, const std::uint64_t address)
-  {
-    const auto head = file.read(address, 32);
-    Bytes bytes(head.data(), head.size());
-    bytes.signature("HEAP");
-    bytes.take(4);
-    const std::uint64_t size = bytes.number(8), free = bytes.number(8);
-    data = file.read(bytes.number(8), size);
-    check_free_blocks(free);
-    const auto last = std::find(data.rbegin(), data.rend(), 0);
-    ends            = static_cast<std::size_t>(data.rend() - last);
-  }
-
-  std::string at(const std::uint64_t offset) const
-  {
-    require(offset < ends, "has a name without end");
-    return reinterpret_cast<const char *>(data.data() + offset);
-  }
-
-private:
-  /** A chain of blocks, each with the offset of the next and its own size. */
-  void check_free_blocks(std::uint64_t offset) const
-  {
-    constexpr std::uint64_t end = 1;
-    constexpr std::size_t least = 16;
-    require(!data.empty(), "has no names");
-    for (std::size_t n = 0; offset != end; ++n)
-      {
-        require(offset < data.size() && n < data.size() / least, "has damaged names");
-        Bytes block(data.data() + offset, data.size() - offset);
-        offset                   = block.number(8);
-        const std::uint64_t size = block.number(8);
-        require(size >= least && size - least <= block.left(), "has damaged names");
-      }
-  }
-
-  std::vector<unsigned char> data;
-  /** Texts that begin before this byte have an end. */
-  std::size_t ends = 0;
-};
-
-/** A "version 1 B-tree" (III.A.1): of the members of a group, or of chunks. */
-struct Tree
-{
-  std::uint64_t type;    ///< 0 or 1
-  std::size_t key_bytes; ///< before each child, and after the last
-  std::uint64_t most;    ///< children of a node
-  /** For each key. */
-  std::function<void(Bytes)> check_key;
-  /** For the child of a leaf, with the key before it. */
-  std::function<void(std::uint64_t, Bytes)> visit;
-};
-
-/** Calls check_key and visit; a tree in a circle is a Damage. */
-void walk(const RawFile &file, const Tree &tree, const std::uint64_t root)
-{
-  constexpr std::size_t head_bytes                             = 24;
-  constexpr std::uint64_t any                                  = 256;
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> waiting = {{root, any}};
-  for (std::size_t n = 0; !waiting.empty(); ++n)
-    {
-      require(n <= file.size() / head_bytes, "goes round in a circle");
-      const auto [address, expected] = waiting.back();
-      waiting.pop_back();
-      const auto head = file.read(address, head_bytes);
-      Bytes bytes(head.data(), head.size());
-      bytes.signature("TREE");
-      const std::uint64_t type = bytes.number(1), level = bytes.number(1),
-                          used = bytes.number(2);
-      require(type == tree.type && used <= tree.most &&
-                (expected == any || level == expected),
-              "is a damaged tree");
-      const auto body =
-        file.read(address + head_bytes, used * (tree.key_bytes + 8) + tree.key_bytes);
-      Bytes entries(body.data(), body.size());
-      for (std::uint64_t k = 0; k < used; ++k)
-        {
-          const Bytes key = entries.take(tree.key_bytes);
-          tree.check_key(key);
-          const std::uint64_t child = entries.number(8);
-          if (level > 0)
-            waiting.emplace_back(child, level - 1);
-          else
-            tree.visit(child, key);
-        }
-      tree.check_key(entries);
-    }
-}
-
 /** All that can be reached from the root. */
 class Structure
 {
@@ -209,7 +115,6 @@ private:
       {address + prefix, bytes.number(4)}};
     for (std::size_t k = 0; k < blocks.size(); ++k)
       {
-        require(k <= file.size() / prefix, "goes round in a circle");
         const auto block = file.read(blocks[k].first, blocks[k].second);
         Bytes messages(block.data(), block.size());
         constexpr std::size_t message_prefix = 8;
@@ -257,7 +162,8 @@ private:
 
   void check_chunks(const ChunkTree &chunks)
   {
-    if (chunks.address == undefined_address || !visited.insert(chunks.address).second)
+    if (chunks.address == undefined_address ||
+        !chunk_trees.emplace(chunks.address, chunks.key_bytes).second)
       return;
     subject                      = "the list of chunks of ";
     constexpr std::uint64_t most = 64;
@@ -312,7 +218,7 @@ private:
   std::uint64_t most_members = 0, most_nodes = 0;
   std::vector<Member> waiting;
   std::set<std::uint64_t> visited;
-  std::set<std::pair<std::uint64_t, std::uint64_t>> groups;
+  std::set<std::pair<std::uint64_t, std::uint64_t>> groups, chunk_trees;
   std::string subject = "the superblock of ", place = "/";
 };
 } // namespace

@@ -224,6 +224,28 @@ TEST(HostileHdf5, DamagedGroupsAreNotOpened)
                   "(the list of members of / is a damaged tree)");
 }
 
+TEST(HostileHdf5, HeadersThatContinueInThemselvesAreNotOpened)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5";
+  Hdf5File file          = Hdf5File::create(path);
+  for (int k = 0; k < 20; ++k)
+    file.write_attribute("/", std::to_string(k), k);
+  file.close();
+  std::string bytes = read_file(path);
+  // Type and size of the message, then flags, address and size of the next block.
+  const std::size_t message = bytes.find(std::string("\x10\0\x10\0", 4));
+  ASSERT_NE(message, std::string::npos);
+  for (std::size_t k = 0; k < 8; ++k)
+    {
+      bytes[message + 8 + k]  = static_cast<char>(message >> 8 * k & 0xff);
+      bytes[message + 16 + k] = static_cast<char>(k == 0 ? 24 : 0);
+    }
+  write_file(path, bytes);
+  expect_contains(user_error([&]() { Hdf5File::open(path); }),
+                  "(the header of / goes round in a circle)");
+}
+
 TEST(HostileHdf5, FilesOfOtherKindsAreNotOpened)
 {
   const TemporaryFolder folder;
