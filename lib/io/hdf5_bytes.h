@@ -10,12 +10,13 @@ namespace mesoslip
 {
 namespace hdf5
 {
-/** What is wrong with a file: "lies beyond the end". */
+/** Thrown where a file is damaged. */
 struct Damage
 {
-  std::string what;
+  std::string what; ///< "lies beyond the end": goes on after the name of something
 };
 
+/** Throws a Damage. */
 inline void require(const bool holds, const char *what)
 {
   if (!holds)
@@ -29,8 +30,10 @@ constexpr std::uint64_t undefined_address = ~std::uint64_t(0);
 class Bytes
 {
 public:
+  /** Of memory that outlives them. */
   Bytes(const unsigned char *begin, const std::size_t size);
 
+  /** How many there are. */
   std::size_t left() const
   {
     return size;
@@ -45,6 +48,7 @@ public:
   /** A Damage unless the next ones are these. */
   void signature(const char *expected);
 
+  /** Whether one of them is 0, the end of a text. */
   bool has_zero() const;
 
 private:
@@ -56,6 +60,7 @@ private:
 class RawFile
 {
 public:
+  /** One that cannot be read is empty. */
   explicit RawFile(const std::string &path);
   RawFile(const RawFile &)            = delete;
   RawFile &operator=(const RawFile &) = delete;

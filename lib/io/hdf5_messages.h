@@ -36,9 +36,10 @@ std::uint64_t linked_object(Bytes message);
 struct ChunkTree
 {
   std::uint64_t address = undefined_address; ///< undefined_address: no chunks
-  std::size_t key_bytes = 0;
+  std::size_t key_bytes = 0;                 ///< Tree::key_bytes
 };
 
+/** From the layout of a dataset; none for one that is not in chunks. */
 ChunkTree chunk_tree(Bytes layout);
 } // namespace hdf5
 } // namespace mesoslip

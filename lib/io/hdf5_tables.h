@@ -17,6 +17,7 @@ namespace hdf5
 class Names
 {
 public:
+  /** Those that begin at @p address. */
   Names(const RawFile &file, const std::uint64_t address);
 
   /** The one that begins there. */
