@@ -103,6 +103,11 @@ def stiffness_entries(matrices):
     return [(f"D<sub>{i + 1}{j + 1}</sub>", i, j) for i, j in shown if coupled or i == j or j == 1]
 
 
+def gigapascal(value):
+    """With two decimals, and no minus before what rounds to zero."""
+    return f"{round(1e-9 * value, 2) + 0.0:.2f}"
+
+
 def stiffness_table(page, run):
     matrices = stiffness_matrices(run)
     if not matrices:
@@ -111,9 +116,9 @@ def stiffness_table(page, run):
     rows = []
     for label, i, j in stiffness_entries(matrices):
         reference = paper.STIFFNESS[i][j]
-        cells = [f"{1e-9 * matrix[i, j]:.2f}" + f" <small>({difference(matrix[i, j], reference)})</small>" * (compared and reference > 0)
+        cells = [gigapascal(matrix[i, j]) + f" <small>({difference(matrix[i, j], reference)})</small>" * (compared and reference > 0)
                  for matrix in matrices.values()]
-        rows.append([label] + [f"{1e-9 * reference:.2f}"] * compared + cells)
+        rows.append([label] + [gigapascal(reference)] * compared + cells)
     shares = [f"{escape(phase.get('name'))} {100 * phase['volume_fraction']:.2f} %"
               for phase in run.summary.get("phases") or []
               if isinstance(phase, dict) and isinstance(phase.get("volume_fraction"), (int, float))]

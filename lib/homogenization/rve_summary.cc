@@ -4,6 +4,7 @@
 #include "material/bounds.h"
 #include "material/engineering_constants.h"
 
+#include <cmath>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -69,7 +70,8 @@ std::string row_text(const std::string &name, const json &D)
        << std::setprecision(3);
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = i; j < 3; ++j)
-      line << std::setw(9) << D[i][j].get<double>() * 1e-9;
+      // Whole MPa; what rounds to zero loses its sign.
+      line << std::setw(9) << std::round(D[i][j].get<double>() * 1e-6) * 1e-3 + 0.;
   return line.str();
 }
 

@@ -14,29 +14,56 @@ constexpr std::uint64_t size_limit = 1 << 16;
 
 constexpr char other_kind[] = "is of a kind that no program here writes";
 
+enum : std::uint64_t
+{
+  fixed_point     = 0,
+  floating_point  = 1,
+  text            = 3,
+  variable_length = 9
+};
+
+/** Whole numbers fill their bytes: from others the library takes bits beyond them. */
+void check_fixed_point(Bytes properties, const std::uint64_t value_bytes)
+{
+  const std::uint64_t offset    = properties.number(2);
+  const std::uint64_t precision = properties.number(2);
+  require(value_bytes <= 8 && offset == 0 && precision == 8 * value_bytes,
+          "has damaged numbers");
+}
+
+/** IEEE 754, of 16, 32 or 64 bits. @p flags: the class bit field. */
+void check_floating_point(Bytes properties,
+                          const std::uint64_t flags,
+                          const std::uint64_t value_bytes)
+{
+  require(value_bytes == 2 || value_bytes == 4 || value_bytes == 8,
+          "has damaged numbers");
+  const std::uint64_t bits     = 8 * value_bytes;
+  const std::uint64_t exponent = value_bytes == 2 ? 5 : value_bytes == 4 ? 8 : 11;
+  constexpr std::uint64_t vax  = 0x40;
+  // Sign, then exponent, then mantissa.
+  require((flags & vax) == 0 && flags >> 8 == bits - 1 && properties.number(2) == 0 &&
+            properties.number(2) == bits && properties.number(1) == bits - 1 - exponent &&
+            properties.number(1) == exponent && properties.number(1) == 0 &&
+            properties.number(1) == bits - 1 - exponent,
+          "has damaged numbers");
+}
+
 /** Datatype message: bytes of a value. */
 std::uint64_t check_datatype(Bytes bytes, const bool in_variable_length = false)
 {
   const std::uint64_t class_and_version = bytes.number(1);
   const std::uint64_t version           = class_and_version >> 4;
-  bytes.take(3);
-  const std::uint64_t value_bytes = bytes.number(4);
-  require(version >= 1 && version <= 3 && value_bytes > 0 && value_bytes <= size_limit,
-          "has a damaged type");
-  enum : std::uint64_t
-  {
-    fixed_point     = 0,
-    floating_point  = 1,
-    text            = 3,
-    variable_length = 9
-  };
+  const std::uint64_t flags             = bytes.number(3);
+  const std::uint64_t value_bytes       = bytes.number(4);
+  require(version >= 1 && version <= 3 && value_bytes > 0, "has a damaged type");
   switch (class_and_version & 0xf)
     {
     case fixed_point:
-      bytes.take(4);
+      check_fixed_point(bytes, value_bytes);
       break;
     case floating_point:
-      bytes.take(12);
+      check_floating_point(bytes, flags, value_bytes);
       break;
     case text:
       break;
@@ -91,6 +118,13 @@ void check_attribute(Bytes message)
   const std::uint64_t value_bytes = check_datatype(part(1));
   require(value_bytes * check_dataspace(part(2)) <= message.left(),
           "has more values than fit in it");
+}
+
+void check_dataset_type(Bytes message)
+{
+  const std::uint64_t kind = Bytes(message).number(1) & 0xf;
+  if (kind == fixed_point || kind == floating_point || kind == text)
+    check_datatype(message);
 }
 
 void check_link_info(Bytes message)

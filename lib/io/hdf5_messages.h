@@ -15,6 +15,7 @@ namespace hdf5
 enum class Message : std::uint64_t
 {
   link_info      = 0x02,
+  datatype       = 0x03,
   link           = 0x06,
   layout         = 0x08,
   attribute      = 0x0c,
@@ -25,6 +26,9 @@ enum class Message : std::uint64_t
 
 /** A number or a text, of fixed or variable length, which lies in its place. */
 void check_attribute(Bytes message);
+
+/** Numbers are those of machines of today; types of which nothing is read may be any. */
+void check_dataset_type(Bytes message);
 
 /** The links of the group are in its header. */
 void check_link_info(Bytes message);

@@ -150,6 +150,9 @@ private:
           const std::uint64_t tree = body.number(8);
           return check_group(tree, body.number(8));
         }
+      case Message::datatype:
+        require((flags & shared) == 0, "is of a kind that no program here writes");
+        return check_dataset_type(body);
       case Message::link_info:
         return check_link_info(body);
       case Message::link:

@@ -13,6 +13,7 @@ import tempfile
 import xml.etree.ElementTree as xml
 
 import h5py
+import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "applications", "studies"))
@@ -32,6 +33,11 @@ def run_chain(folder, programs):
         study.add(name, "contact_dynamics", prm,
                   {**SMALL, "Body/RVE file": "{rve}/rve.h5", "Observation/Reference x": 0.0026,
                    "Observation/fibre_at_contact/Position": [0.0026, 0.0]})
+    homogeneous = os.path.join(CHAIN, "20-contact_dynamics-homogeneous.prm")
+    study.add("dense", "contact_dynamics", homogeneous,
+              {"Body/RVE file": "{rve}/rve.h5", "Time/End time": 1e-6, "Snapshots/From": 5e-7, "Snapshots/Interval": 1e-12})
+    study.add("at rest", "contact_dynamics", homogeneous,
+              {"Body/RVE file": "{rve}/rve.h5", "Flat/Velocity": 0, "Observation/Energy interval": 1})
     study.add("statics", "contact_dynamics", os.path.join(CHAIN, "30-contact_dynamics-heterogeneous.prm"), STATIC)
     study.add("modal", "contact_dynamics", os.path.join(CHAIN, "30-contact_dynamics-heterogeneous.prm"),
               {**STATIC, "Analysis": "modal", "Modal/Number of modes": 2})
@@ -129,6 +135,25 @@ def check_reused(results, programs):
     assert f"{effective[0][0] * 1e-9:.3f}" in dict(rows)["effective"], rows
 
 
+def check_dense_snapshots(results):
+    """An interval below the time step, of 5 ns here, is one of every step."""
+    with h5py.File(os.path.join(results["dense"].folder, "dynamics.h5")) as file:
+        times = file["/snapshots/time"][:]
+    assert np.allclose(times, 5e-9 * np.arange(100, 200), rtol=1e-12, atol=0), times
+
+
+def check_energy_scale(results):
+    """On a flat at rest little is rubbed off: the residual is relative to what the loads do."""
+    summary = results["at rest"].summary
+    assert summary["energy_balance_scale"] == "the work of the loads", summary["energy_balance_scale"]
+    assert summary["energy_balance_residual"] < 1e-12, summary["energy_balance_residual"]
+    with open(os.path.join(results["at rest"].folder, "energy.csv"), encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    column = {name.split(" ")[0]: name for name in rows[0]}
+    largest = lambda name: max(abs(float(row[column[name]])) for row in rows)
+    assert 0 < largest("friction") < 0.1 * largest("external_work"), rows[-1]
+
+
 def check_contact_duration(results):
     """4 microseconds after the start nearly every node still presses on the flat."""
     summary = results["homogeneous"].summary
@@ -152,6 +177,8 @@ def main():
         check_reference_phase(results)
         check_phase_means(results)
         check_contact_duration(results)
+        check_dense_snapshots(results)
+        check_energy_scale(results)
         check_reused(results, programs)
     print(f"files: {len(results)} runs")
 

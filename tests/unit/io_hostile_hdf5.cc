@@ -130,6 +130,8 @@ enum Part
   name_end   = 7,
   type_class = 8,
   value_size = 12,
+  bit_offset = 16,
+  precision  = 18,
   space      = 24,
   rank       = 25,
   extent     = 32
@@ -168,8 +170,11 @@ TEST(HostileHdf5, DamagedAttributesAreNotDecoded)
   };
   expect(Part(extent + 2), 0x40, "has more values than fit in it");
   expect(extent, 100, "has more values than fit in it");
-  expect(value_size, 100, "has more values than fit in it");
-  expect(Part(value_size + 3), 1, "has a damaged type");
+  expect(extent, 0xff, "has more values than fit in it");
+  expect(value_size, 8, "has damaged numbers");
+  expect(value_size, 0, "has a damaged type");
+  expect(bit_offset, 1, "has damaged numbers");
+  expect(Part(precision + 1), 1, "has damaged numbers");
   expect(Part(name_size + 1), 0xff, "is longer than its place");
   expect(Part(type_size + 1), 0xff, "is longer than its place");
   expect(Part(space_size + 1), 0xff, "is longer than its place");
@@ -222,6 +227,27 @@ TEST(HostileHdf5, DamagedGroupsAreNotOpened)
   write_file(damaged, changed);
   expect_contains(user_error([&]() { Hdf5File::open(damaged); }),
                   "(the list of members of / is a damaged tree)");
+}
+
+// Found by a fuzzer: for other places of the bits the library looked beyond the number.
+TEST(HostileHdf5, DamagedNumbersAreNotOpened)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.h5";
+  Hdf5File file          = Hdf5File::create(path);
+  file.write<double>("/numbers", {2}, {1., 2.});
+  file.close();
+  const std::string bytes = read_file(path);
+  const std::size_t type  = bytes.find(std::string("\x11\x20\x3f\0\x08\0\0\0", 8));
+  ASSERT_NE(type, std::string::npos);
+  for (const std::size_t part : {2, 4, 8, 10, 12, 13, 14, 15})
+    {
+      std::string changed = bytes;
+      ++changed[type + part];
+      write_file(path, changed);
+      expect_contains(user_error([&]() { Hdf5File::open(path); }),
+                      "(the header of /numbers has damaged numbers)");
+    }
 }
 
 TEST(HostileHdf5, HeadersThatContinueInThemselvesAreNotOpened)
