@@ -54,6 +54,7 @@ tidy() {
   local cmake_options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
                        -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
   configure build-lint
+  cmake build-lint >build-lint/configure.log # files may have come and gone
   say "clang-tidy reads library and programs (some minutes)"
   run-clang-tidy -p build-lint -quiet -extra-arg=-Wno-ignored-optimization-argument "^$PWD/(build-lint/)?(lib|applications)/" \
     >build-lint/clang-tidy.log 2>&1 || {
