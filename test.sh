@@ -5,7 +5,7 @@
 #   --label NAME     unit, verification, regression, lint or long
 #   --sanitize       unit tests, and those of programs and verification that are quick enough, with AddressSanitizer,
 #                    UndefinedBehaviorSanitizer, LeakSanitizer and the assertions of deal.II's Debug library, in build-sanitize
-#   --lint           clang-tidy and cppcheck over library and programs
+#   --lint           clang-format, clang-tidy and cppcheck over library and programs
 #   --fuzz SECONDS   only the fuzzers, so long each, built with clang in build-fuzz
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")"
@@ -47,10 +47,12 @@ sanitize() {
   ctest --test-dir build-sanitize --output-on-failure -j "$(nproc)" --label-regex '^sanitize$' "$@"
 }
 
-# clang-tidy. The files of a topic are read as one: deal.II's headers take longer than ours.
+# clang-format, and clang-tidy. The files of a topic are read as one: deal.II's headers take longer than ours.
 tidy() {
-  local mesoslip_packages=("${mesoslip_packages[@]}" clang clang-tidy)
+  local mesoslip_packages=("${mesoslip_packages[@]}" clang clang-tidy clang-format)
   install_packages
+  find lib applications tests doc -name '*.cc' -o -name '*.h' | xargs clang-format --dry-run -Werror ||
+    fail "clang-format would write the above differently: clang-format -i"
   local cmake_options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
                        -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
   configure build-lint

@@ -1,7 +1,6 @@
 #include "homogenization/rve_program.h"
 
-int
-main(int argc, char **argv)
+int main(int argc, char **argv)
 {
   return mesoslip::run_program(argc, argv, mesoslip::rve_homogenization_program());
 }

@@ -19,8 +19,8 @@ constexpr double thrown = 1., gravity = 1e5;                            // m/s, 
 UniformMaterial block()
 {
   UniformGrid<2> grid;
-  grid.cells   = {{10, 5}};
-  grid.spacing = {{1e-4, 1e-4}};
+  grid.cells               = {{10, 5}};
+  grid.spacing             = {{1e-4, 1e-4}};
   const ElasticClass steel = {isotropic_stiffness<2>(210e9, 0.3), 7800.};
   return UniformMaterial(grid, {steel}, std::vector<std::uint8_t>(grid.n_cells(), 0));
 }
@@ -45,14 +45,15 @@ double mean_velocity(const NodalField<double> &w)
 int main()
 {
   const UniformMaterial material = block();
-  StepParameters        step;
+  StepParameters step;
   step.beta         = 2e-8; // s, so that the landing does not ring on
   step.dt           = 0.5 * critical_time_step(material, step.beta2, step.beta);
   step.acceleration = {{0., -gravity}};
 
   ContactSetup setup;
-  setup.law.time             = 0.; // plain Coulomb with our coefficient
-  setup.law.node_law         = std::make_shared<VelocityWeakening>(mu_rest, mu_fast, critical_velocity);
+  setup.law.time = 0.; // plain Coulomb with our coefficient
+  setup.law.node_law =
+    std::make_shared<VelocityWeakening>(mu_rest, mu_fast, critical_velocity);
   setup.friction_coefficient = std::vector<double>(material.n_columns(), mu_rest);
   setup.flat_velocity        = LoadHistory(0.);
   ContactRow contact(setup, step);
@@ -67,6 +68,5 @@ int main()
     stepper.advance(10);
   const double stopped = step.dt * stepper.step_number();
   std::printf("stops after %.3f microseconds, exact for a rigid block %.3f\n",
-              1e6 * stopped,
-              1e6 * exact_stop());
+              1e6 * stopped, 1e6 * exact_stop());
 }

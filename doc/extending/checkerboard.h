@@ -4,7 +4,8 @@
 #include <grid/phase_map.h>
 
 /** Squares of @p side cells, phases 0 and 1 in turn, phase 0 in the lower left corner. */
-inline mesoslip::PhaseMap<2> checkerboard(const mesoslip::UniformGrid<2> &grid, const unsigned int side)
+inline mesoslip::PhaseMap<2> checkerboard(const mesoslip::UniformGrid<2> &grid,
+                                          const unsigned int side)
 {
   mesoslip::PhaseMap<2> map;
   map.grid = grid;

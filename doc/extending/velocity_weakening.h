@@ -10,11 +10,14 @@ class VelocityWeakening : public mesoslip::NodeLaw
 {
 public:
   /** @param critical_velocity V_c (m/s) */
-  VelocityWeakening(const double at_rest, const double fast, const double critical_velocity)
+  VelocityWeakening(const double at_rest,
+                    const double fast,
+                    const double critical_velocity)
     : at_rest(at_rest)
     , fast(fast)
     , critical_velocity(critical_velocity)
-  {}
+  {
+  }
 
   void update(const mesoslip::SlidingNodes &nodes,
               double /*dt*/,
@@ -24,7 +27,8 @@ public:
     for (unsigned int i = 0; i < nodes.n; ++i)
       {
         const double slip_rate = std::fabs(nodes.flat_velocity - nodes.velocity[i]);
-        coefficient[i] = fast + (at_rest - fast) * std::exp(-slip_rate / critical_velocity);
+        coefficient[i] =
+          fast + (at_rest - fast) * std::exp(-slip_rate / critical_velocity);
       }
   }
 

@@ -22,10 +22,10 @@ struct ContactArrays
   const double *internal_y;     ///< normal to it
   const double *inverse_mass_x; ///< 0 where held
   const double *inverse_mass_y; ///< 0 where held
-  double       *u_x;            ///< displacement (m), in and out
-  double       *u_y;            ///< displacement (m), in and out
-  double       *w_x;            ///< velocity of the scheme (m/s), in and out
-  double       *w_y;            ///< velocity of the scheme (m/s), in and out
+  double *u_x;                  ///< displacement (m), in and out
+  double *u_y;                  ///< displacement (m), in and out
+  double *w_x;                  ///< velocity of the scheme (m/s), in and out
+  double *w_y;                  ///< velocity of the scheme (m/s), in and out
 
   // Constant in time.
   const double *gap;                  ///< initial distance to the flat (m)
@@ -38,7 +38,8 @@ struct ContactArrays
   double *increment_x; ///< along the contact
   double *increment_y; ///< normal to it
 
-  // State: friction memory (N/m) and whether the node touched in the step before (1 or 0).
+  // State: friction memory (N/m) and whether the node touched in the step before (1 or
+  // 0).
   double *tangential_force; ///< on the body (N/m)
   double *touching;         ///< 1: touched in the step before
 

@@ -9,11 +9,10 @@ namespace mesoslip
 namespace
 {
 // Whether a node can have stuck, slipped and landed in so many of the steps.
-bool
-are_counts(const double        stick,
-           const double        slip,
-           const double        landings,
-           const std::uint64_t steps)
+bool are_counts(const double stick,
+                const double slip,
+                const double landings,
+                const std::uint64_t steps)
 {
   const auto is_count = [](const double x) { return x >= 0. && x == std::floor(x); };
   return is_count(stick) && is_count(slip) && is_count(landings) &&
@@ -34,16 +33,14 @@ ContactRow::ContactRow(const ContactSetup &setup, const StepParameters &step)
   const double infinity = std::numeric_limits<double>::infinity();
   std::fill_n(column(gap), values.stride(), infinity);
   std::fill_n(column(gap), n_distinct, setup.gap);
-  std::copy(setup.friction_coefficient.begin(),
-            setup.friction_coefficient.end(),
+  std::copy(setup.friction_coefficient.begin(), setup.friction_coefficient.end(),
             column(friction_coefficient));
   const double factor = setup.law.time > 0. ? std::exp(-step.dt / setup.law.time) : 0.;
   std::fill_n(column(decay), values.stride(), factor);
   samples.nodes.resize(setup.monitored_nodes.size());
 }
 
-ContactArrays
-ContactRow::arrays(const RowView &row)
+ContactArrays ContactRow::arrays(const RowView &row)
 {
   ContactArrays a;
   a.n = (n_nodes + contact_lanes - 1) / contact_lanes * contact_lanes;
@@ -71,17 +68,14 @@ ContactRow::arrays(const RowView &row)
   return a;
 }
 
-void
-ContactRow::advance(const RowView &row)
+void ContactRow::advance(const RowView &row)
 {
   const double flat_velocity = setup.flat_velocity(row.time);
   if (!started)
     initialize_increments(row);
   if (setup.law.node_law)
-    setup.law.node_law->update({n_nodes, row.wx, flat_velocity},
-                               step.dt,
-                               column(friction_coefficient),
-                               column(decay));
+    setup.law.node_law->update({n_nodes, row.wx, flat_velocity}, step.dt,
+                               column(friction_coefficient), column(decay));
 
   const bool sampled =
     setup.history_interval > 0 && row.step % setup.history_interval == 0;
@@ -109,11 +103,10 @@ ContactRow::advance(const RowView &row)
     record(row, sums);
 }
 
-bool
-ContactRow::is_consistent() const
+bool ContactRow::is_consistent() const
 {
-  const ContactHistory &s        = samples;
-  const auto            complete = [&](const MonitoredNode &node) {
+  const ContactHistory &s = samples;
+  const auto complete     = [&](const MonitoredNode &node) {
     return equally_long(s.step, node.ux, node.uy, node.vx, node.vy, node.normal_force) &&
            equally_long(s.step, node.tangential_force);
   };
@@ -122,34 +115,34 @@ ContactRow::is_consistent() const
         !equally_long(counts.stick, counts.slip, counts.landings))
       return false;
     for (std::size_t i = 0; i < n_nodes; ++i)
-      if (!are_counts(counts.stick[i], counts.slip[i], counts.landings[i], counts.n_steps))
+      if (!are_counts(counts.stick[i], counts.slip[i], counts.landings[i],
+                      counts.n_steps))
         return false;
     return true;
   };
   for (std::size_t i = 0; i < n_nodes; ++i)
-    if (!are_counts(column(stick_count)[i],
-                    column(slip_count)[i],
-                    column(landing_count)[i],
-                    block.n_steps))
+    if (!are_counts(column(stick_count)[i], column(slip_count)[i],
+                    column(landing_count)[i], block.n_steps))
       return false;
   std::uint64_t next_step = 0;
-  const auto    follows   = [&](const NodeCounts &counts) {
-    const bool right = counts.first_step == next_step && counts.n_steps <= counted_steps();
+  const auto follows      = [&](const NodeCounts &counts) {
+    const bool right =
+      counts.first_step == next_step && counts.n_steps <= counted_steps();
     next_step += counts.n_steps;
     return right;
   };
   return std::all_of(complete_blocks.begin(), complete_blocks.end(), follows) &&
          follows(block) && s.nodes.size() == setup.monitored_nodes.size() &&
          equally_long(s.step, s.time, s.normal_force, s.tangential_force, s.sticking) &&
-         equally_long(s.step, s.slipping, s.separated, s.friction_energy, s.impact_energy) &&
+         equally_long(s.step, s.slipping, s.separated, s.friction_energy,
+                      s.impact_energy) &&
          equally_long(s.step, s.flat_work) &&
          std::all_of(s.nodes.begin(), s.nodes.end(), complete) &&
          std::all_of(complete_blocks.begin(), complete_blocks.end(), of_all_nodes);
 }
 
 // The work of the first step needs the increment before it.
-void
-ContactRow::initialize_increments(const RowView &row)
+void ContactRow::initialize_increments(const RowView &row)
 {
   for (unsigned int i = 0; i < n_nodes; ++i)
     {
@@ -159,8 +152,7 @@ ContactRow::initialize_increments(const RowView &row)
   started = true;
 }
 
-void
-ContactRow::record(const RowView &row, const ContactSums &sums)
+void ContactRow::record(const RowView &row, const ContactSums &sums)
 {
   samples.step.push_back(row.step);
   samples.time.push_back(row.time);
@@ -177,8 +169,8 @@ ContactRow::record(const RowView &row, const ContactSums &sums)
   const double b = step.beta2;
   for (std::size_t k = 0; k < setup.monitored_nodes.size(); ++k)
     {
-      const unsigned int i    = setup.monitored_nodes[k];
-      MonitoredNode     &node = samples.nodes[k];
+      const unsigned int i = setup.monitored_nodes[k];
+      MonitoredNode &node  = samples.nodes[k];
       node.vx.push_back((1. - b) * w_before_x[k] + b * row.wx[i]);
       node.vy.push_back((1. - b) * w_before_y[k] + b * row.wy[i]);
       node.normal_force.push_back(column(normal)[i]);
@@ -186,16 +178,14 @@ ContactRow::record(const RowView &row, const ContactSums &sums)
     }
 }
 
-void
-ContactRow::count_step()
+void ContactRow::count_step()
 {
   ++block.n_steps;
   if (steps_per_block > 0 && block.n_steps == steps_per_block)
     finish();
 }
 
-void
-ContactRow::finish()
+void ContactRow::finish()
 {
   if (block.n_steps == 0)
     return;

@@ -42,7 +42,8 @@ struct ContactSetup
   std::vector<unsigned int> monitored_nodes;
 };
 
-/** Motion and forces of one contact node, a value each sample; forces per unit thickness. */
+/** Motion and forces of one contact node, a value each sample; forces per unit thickness.
+ */
 struct MonitoredNode
 {
   std::vector<double> ux;               ///< displacement (m)
@@ -54,32 +55,31 @@ struct MonitoredNode
 
   /** Of boost::serialization. */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     archive &ux &uy &vx &vy &normal_force &tangential_force;
   }
 };
 
-/** Sampled resultants; energies are those dissipated from the start to the end of the step. */
+/** Sampled resultants; energies are those dissipated from the start to the end of the
+ * step. */
 struct ContactHistory
 {
-  std::vector<std::uint64_t> step;             ///< number of the sampled step
-  std::vector<double>        time;             ///< s
-  std::vector<double>        normal_force;     ///< N/m, positive when pressed
-  std::vector<double>        tangential_force; ///< N/m, on the body
-  std::vector<double> sticking;                ///< number of nodes that stick
-  std::vector<double> slipping;                ///< number of nodes that slip
-  std::vector<double> separated;               ///< numbers of nodes
-  std::vector<double>        friction_energy;  ///< J/m
-  std::vector<double>        impact_energy;    ///< J/m
-  std::vector<double>        flat_work;        ///< J/m
-  std::vector<MonitoredNode> nodes;            ///< those of ContactSetup that are monitored
+  std::vector<std::uint64_t> step;      ///< number of the sampled step
+  std::vector<double> time;             ///< s
+  std::vector<double> normal_force;     ///< N/m, positive when pressed
+  std::vector<double> tangential_force; ///< N/m, on the body
+  std::vector<double> sticking;         ///< number of nodes that stick
+  std::vector<double> slipping;         ///< number of nodes that slip
+  std::vector<double> separated;        ///< numbers of nodes
+  std::vector<double> friction_energy;  ///< J/m
+  std::vector<double> impact_energy;    ///< J/m
+  std::vector<double> flat_work;        ///< J/m
+  std::vector<MonitoredNode> nodes;     ///< those of ContactSetup that are monitored
 
   /** Of boost::serialization. */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     archive &step &time &normal_force &tangential_force &sticking &slipping &separated;
     archive &friction_energy &impact_energy &flat_work &nodes;
@@ -89,16 +89,15 @@ struct ContactHistory
 /** Steps that each node stuck or slipped in, and landings, in one block of steps. */
 struct NodeCounts
 {
-  std::uint64_t      first_step = 0; ///< first step of the block, from 0
-  std::uint64_t      n_steps    = 0; ///< in the block
-  std::vector<float> stick;          ///< steps that stuck
-  std::vector<float> slip;           ///< steps that slipped
-  std::vector<float> landings;       ///< steps in which contact began
+  std::uint64_t first_step = 0; ///< first step of the block, from 0
+  std::uint64_t n_steps    = 0; ///< in the block
+  std::vector<float> stick;     ///< steps that stuck
+  std::vector<float> slip;      ///< steps that slipped
+  std::vector<float> landings;  ///< steps in which contact began
 
   /** Of boost::serialization. */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     archive &first_step &n_steps &stick &slip &landings;
   }
@@ -113,8 +112,7 @@ struct ContactWork
 
   /** Of boost::serialization. */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     archive &friction &impact &flat;
   }
@@ -134,44 +132,37 @@ public:
   /**
    * Contact forces by forward increment Lagrange multipliers, then the step of the row.
    */
-  void
-  advance(const RowView &row) override;
+  void advance(const RowView &row) override;
 
   /** What was sampled so far. */
-  const ContactHistory &
-  history() const
+  const ContactHistory &history() const
   {
     return samples;
   }
 
   /** Complete blocks and, after finish(), the last, shorter one. */
-  const std::vector<NodeCounts> &
-  blocks() const
+  const std::vector<NodeCounts> &blocks() const
   {
     return complete_blocks;
   }
 
   /** Closes the running block of the node statistics. */
-  void
-  finish();
+  void finish();
 
   /** Energies since the start, of all nodes. */
-  const ContactWork &
-  work() const
+  const ContactWork &work() const
   {
     return total;
   }
 
   /** Contact forces of the last step (N/m), one value a node. */
-  const double *
-  normal_force() const
+  const double *normal_force() const
   {
     return column(normal);
   }
 
   /** Of each node on the body (N/m), after the step. */
-  const double *
-  tangential_force() const
+  const double *tangential_force() const
   {
     return column(tangential);
   }
@@ -181,24 +172,21 @@ public:
    * continued with another setup keeps the length of its blocks.
    */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     archive &values &started &total &samples &steps_per_block &block &complete_blocks;
     require_when_loading(archive, is_consistent());
   }
 
   /** Steps since the start, as the blocks have counted them. */
-  std::uint64_t
-  counted_steps() const
+  std::uint64_t counted_steps() const
   {
     return block.first_step + block.n_steps;
   }
 
 private:
   /** Whether histories and blocks are those of this setup. */
-  bool
-  is_consistent() const;
+  bool is_consistent() const;
 
   enum Column
   {
@@ -217,43 +205,37 @@ private:
     n_columns_stored
   };
 
-  double *
-  column(const Column c)
+  double *column(const Column c)
   {
     return values.row(0, c);
   }
-  const double *
-  column(const Column c) const
+  const double *column(const Column c) const
   {
     return values.row(0, c);
   }
 
-  ContactArrays
-  arrays(const RowView &row);
+  ContactArrays arrays(const RowView &row);
 
-  void
-  initialize_increments(const RowView &row);
+  void initialize_increments(const RowView &row);
 
-  void
-  record(const RowView &row, const ContactSums &sums);
+  void record(const RowView &row, const ContactSums &sums);
 
-  void
-  count_step();
+  void count_step();
 
   const ContactFunction advance_nodes = contact_function();
 
-  const ContactSetup   setup;
+  const ContactSetup setup;
   const StepParameters step;
-  const unsigned int   n_nodes;
-  const unsigned int   n_distinct;
+  const unsigned int n_nodes;
+  const unsigned int n_distinct;
 
-  NodalField<double>      values; ///< one row for each Column; component 1 is unused
-  std::vector<double>     w_before_x, w_before_y; ///< of the monitored nodes, within a step
-  bool                    started = false;
-  ContactWork             total;
-  ContactHistory          samples;
-  std::uint64_t           steps_per_block;
-  NodeCounts              block;
+  NodalField<double> values; ///< one row for each Column; component 1 is unused
+  std::vector<double> w_before_x, w_before_y; ///< of the monitored nodes, within a step
+  bool started = false;
+  ContactWork total;
+  ContactHistory samples;
+  std::uint64_t steps_per_block;
+  NodeCounts block;
   std::vector<NodeCounts> complete_blocks;
 };
 } // namespace mesoslip

@@ -8,13 +8,13 @@ SlipRateRegularization::SlipRateRegularization(const double length,
                                                const double reference_velocity)
   : length(length)
   , reference_velocity(reference_velocity)
-{}
+{
+}
 
-void
-SlipRateRegularization::update(const SlidingNodes &nodes,
-                               const double        dt,
-                               double * /*coefficient*/,
-                               double *decay) const
+void SlipRateRegularization::update(const SlidingNodes &nodes,
+                                    const double dt,
+                                    double * /*coefficient*/,
+                                    double *decay) const
 {
   const double rate = dt / length;
   for (unsigned int i = 0; i < nodes.n; ++i)

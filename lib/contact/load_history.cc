@@ -45,8 +45,8 @@ std::string around(const std::string &text, const std::size_t comma)
 }
 
 /**
- * The parser evaluates "2,5" to 5, its last item, and min(0,5, t) has three arguments. Other
- * functions take a fixed number and refuse one more.
+ * The parser evaluates "2,5" to 5, its last item, and min(0,5, t) has three arguments.
+ * Other functions take a fixed number and refuse one more.
  */
 void require_decimal_points(const std::string &text)
 {
@@ -60,17 +60,19 @@ void require_decimal_points(const std::string &text)
     else if (text[i] == ',')
       {
         if (functions.empty() || functions.back().empty())
-          throw std::invalid_argument("'" + text + "' has a comma in '" + around(text, i) +
+          throw std::invalid_argument("'" + text + "' has a comma in '" +
+                                      around(text, i) +
                                       "', outside the arguments of a function; decimals "
                                       "have a point");
-        const bool tight = i > 0 && i + 1 < text.size() && is_digit(text[i - 1]) &&
-                           is_digit(text[i + 1]);
+        const bool tight =
+          i > 0 && i + 1 < text.size() && is_digit(text[i - 1]) && is_digit(text[i + 1]);
         if (tight && std::find(any_number.begin(), any_number.end(), functions.back()) !=
                        any_number.end())
-          throw std::invalid_argument("'" + text + "' may mean one number or two by '" +
-                                      around(text, i) + "' in " + functions.back() +
-                                      "(); decimals have a point, and a blank goes behind "
-                                      "the comma between two arguments");
+          throw std::invalid_argument(
+            "'" + text + "' may mean one number or two by '" + around(text, i) + "' in " +
+            functions.back() +
+            "(); decimals have a point, and a blank goes behind "
+            "the comma between two arguments");
       }
 }
 } // namespace
@@ -81,9 +83,9 @@ struct LoadHistory::Expression
   {
     require_decimal_points(text);
     // The parser reports to std::cerr before it throws; one sentence is enough.
-    std::ostringstream    unused;
+    std::ostringstream unused;
     std::streambuf *const cerr = std::cerr.rdbuf(unused.rdbuf());
-    bool                  good = true;
+    bool good                  = true;
     try
       {
         parser.initialize("t", text, {{"pi", M_PI}});
@@ -101,8 +103,7 @@ struct LoadHistory::Expression
   dealii::FunctionParser<1> parser;
 };
 
-Ramp
-ramp_from_string(const std::string &name)
+Ramp ramp_from_string(const std::string &name)
 {
   if (name == "step")
     return Ramp::step;
@@ -117,23 +118,22 @@ LoadHistory::LoadHistory(const double amplitude, const Ramp ramp, const double r
   : scale(amplitude)
   , ramp(ramp_time > 0. ? ramp : Ramp::step)
   , ramp_time(ramp_time)
-{}
+{
+}
 
 LoadHistory::LoadHistory(const double amplitude, const std::string &expression)
   : scale(amplitude)
   , expression(std::make_shared<Expression>(expression))
-{}
+{
+}
 
-LoadHistory::~LoadHistory()                       = default;
-LoadHistory::LoadHistory(const LoadHistory &)     = default;
-LoadHistory::LoadHistory(LoadHistory &&) noexcept = default;
-LoadHistory &
-LoadHistory::operator=(const LoadHistory &) = default;
-LoadHistory &
-LoadHistory::operator=(LoadHistory &&) noexcept = default;
+LoadHistory::~LoadHistory()                                  = default;
+LoadHistory::LoadHistory(const LoadHistory &)                = default;
+LoadHistory::LoadHistory(LoadHistory &&) noexcept            = default;
+LoadHistory &LoadHistory::operator=(const LoadHistory &)     = default;
+LoadHistory &LoadHistory::operator=(LoadHistory &&) noexcept = default;
 
-double
-LoadHistory::operator()(const double time) const
+double LoadHistory::operator()(const double time) const
 {
   if (expression)
     return expression->parser.value(dealii::Point<1>(time), 0);

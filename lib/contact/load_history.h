@@ -15,8 +15,7 @@ enum class Ramp
 };
 
 /** @throws std::invalid_argument unless @p name is step, linear or smooth. */
-Ramp
-ramp_from_string(const std::string &name);
+Ramp ramp_from_string(const std::string &name);
 
 /**
  * A load (pressure, velocity of the flat) as a function of time: an amplitude times a
@@ -25,16 +24,17 @@ ramp_from_string(const std::string &name);
 class LoadHistory
 {
 public:
-  /** amplitude * s(t / ramp_time), s = 1 (step), t/T (linear), (1 - cos(pi t/T))/2 (smooth). */
+  /** amplitude * s(t / ramp_time), s = 1 (step), t/T (linear), (1 - cos(pi t/T))/2
+   * (smooth). */
   LoadHistory(const double amplitude = 0.,
-              const Ramp   ramp      = Ramp::step,
+              const Ramp ramp        = Ramp::step,
               const double ramp_time = 0.);
 
   /**
    * The value of an expression such as `2*cos(2*pi*1000*t)`; amplitude() stays
    * @p amplitude, the scale that energies are made dimensionless with.
-   * @throws std::invalid_argument when the expression cannot be parsed, or has a comma where
-   * no argument ends, which is taken for a decimal one.
+   * @throws std::invalid_argument when the expression cannot be parsed, or has a comma
+   * where no argument ends, which is taken for a decimal one.
    */
   LoadHistory(const double amplitude, const std::string &expression);
 
@@ -47,20 +47,16 @@ public:
   LoadHistory(LoadHistory &&) noexcept;
 
   /** Copies expression and amplitude. */
-  LoadHistory &
-  operator=(const LoadHistory &);
+  LoadHistory &operator=(const LoadHistory &);
 
   /** Moves the parsed expression. */
-  LoadHistory &
-  operator=(LoadHistory &&) noexcept;
+  LoadHistory &operator=(LoadHistory &&) noexcept;
 
   /** Value at @p time (s), in the unit of the amplitude. */
-  double
-  operator()(const double time) const;
+  double operator()(const double time) const;
 
   /** Factor before the expression. */
-  double
-  amplitude() const
+  double amplitude() const
   {
     return scale;
   }
@@ -68,9 +64,9 @@ public:
 private:
   struct Expression;
 
-  double                            scale     = 0.;
-  Ramp                              ramp      = Ramp::step;
-  double                            ramp_time = 0.;
+  double scale     = 0.;
+  Ramp ramp        = Ramp::step;
+  double ramp_time = 0.;
   std::shared_ptr<const Expression> expression;
 };
 } // namespace mesoslip

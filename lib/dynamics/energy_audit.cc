@@ -8,13 +8,13 @@ namespace mesoslip
 {
 namespace
 {
-// Sum of term(0) to term(n - 1): eight at a time, as each addition would wait for the one before.
+// Sum of term(0) to term(n - 1): eight at a time, as each addition would wait for the one
+// before.
 template <typename Term>
-double
-sum_of(const unsigned int n, const Term &term)
+double sum_of(const unsigned int n, const Term &term)
 {
-  double       lanes[8] = {};
-  unsigned int i        = 0;
+  double lanes[8] = {};
+  unsigned int i  = 0;
   for (; i + 8 <= n; i += 8)
     for (unsigned int l = 0; l < 8; ++l)
       lanes[l] += term(i + l);
@@ -25,12 +25,11 @@ sum_of(const unsigned int n, const Term &term)
 }
 
 // a.(b - c) over the first n_distinct nodes of the owned rows.
-double
-dot_difference(const NodalField<double> &a,
-               const NodalField<double> &b,
-               const NodalField<double> *c,
-               const NodeRows           &rows,
-               const unsigned int        n_distinct)
+double dot_difference(const NodalField<double> &a,
+                      const NodalField<double> &b,
+                      const NodalField<double> *c,
+                      const NodeRows &rows,
+                      const unsigned int n_distinct)
 {
   double sum = 0.;
   for (unsigned int component = 0; component < 2; ++component)
@@ -38,39 +37,38 @@ dot_difference(const NodalField<double> &a,
       {
         const double *x = a.row(component, j), *y = b.row(component, j);
         const double *z = c != nullptr ? c->row(component, j) : nullptr;
-        sum += z != nullptr ?
-                 sum_of(n_distinct, [&](const unsigned int i) { return x[i] * (y[i] - z[i]); }) :
-                 sum_of(n_distinct, [&](const unsigned int i) { return x[i] * y[i]; });
+        sum += z != nullptr
+                 ? sum_of(n_distinct,
+                          [&](const unsigned int i) { return x[i] * (y[i] - z[i]); })
+                 : sum_of(n_distinct, [&](const unsigned int i) { return x[i] * y[i]; });
       }
   return sum;
 }
 } // namespace
 
-bool
-EnergyHistory::is_complete() const
+bool EnergyHistory::is_complete() const
 {
-  return equally_long(
-    time, kinetic, elastic, potential, external_work, friction, impact, damping, scheme);
+  return equally_long(time, kinetic, elastic, potential, external_work, friction, impact,
+                      damping, scheme);
 }
 
-std::vector<double>
-EnergyHistory::residual() const
+std::vector<double> EnergyHistory::residual() const
 {
   std::vector<double> r(time.size());
   for (std::size_t k = 0; k < r.size(); ++k)
-    r[k] = kinetic[k] + elastic[k] + potential[k] - initial - external_work[k] + friction[k] +
-           impact[k] + damping[k] + scheme[k];
+    r[k] = kinetic[k] + elastic[k] + potential[k] - initial - external_work[k] +
+           friction[k] + impact[k] + damping[k] + scheme[k];
   return r;
 }
 
-EnergyAudit::EnergyAudit(const UniformGridOperator           &op,
-                         const StepParameters                &step,
-                         NodalField<double>                  &u,
-                         NodalField<double>                  &w,
-                         const double                         platen_mass,
-                         const std::uint64_t                  interval,
+EnergyAudit::EnergyAudit(const UniformGridOperator &op,
+                         const StepParameters &step,
+                         NodalField<double> &u,
+                         NodalField<double> &w,
+                         const double platen_mass,
+                         const std::uint64_t interval,
                          const std::function<BoundaryWork()> &boundary_work,
-                         const MPI_Comm                       communicator)
+                         const MPI_Comm communicator)
   : op(op)
   , step(step)
   , u(u)
@@ -92,20 +90,19 @@ EnergyAudit::EnergyAudit(const UniformGridOperator           &op,
   const unsigned int n = u.n_columns();
   mass.resize(static_cast<std::size_t>(n) * (op.rows().end - op.rows().begin));
   for (unsigned int j = op.rows().begin; j < op.rows().end; ++j)
-    op.material().mass_row(j, mass.data() + static_cast<std::size_t>(n) * (j - op.rows().begin));
+    op.material().mass_row(j, mass.data() +
+                                static_cast<std::size_t>(n) * (j - op.rows().begin));
 }
 
-std::uint64_t
-EnergyAudit::next_step(const std::uint64_t n) const
+std::uint64_t EnergyAudit::next_step(const std::uint64_t n) const
 {
-  const std::uint64_t sample        = next_multiple(n, interval);
-  const bool          wants_earlier = damped || dissipative; // u_(n-1), w_(n-1)
+  const std::uint64_t sample = next_multiple(n, interval);
+  const bool wants_earlier   = damped || dissipative; // u_(n-1), w_(n-1)
   return wants_earlier && sample > n && interval > 1 ? sample - 1 : sample;
 }
 
 // a_(-1) = 0: the body moved with w_0 before the start.
-void
-EnergyAudit::initialize()
+void EnergyAudit::initialize()
 {
   u_before = u;
   w_before = w;
@@ -120,8 +117,7 @@ EnergyAudit::initialize()
   samples.initial  = nodal.kinetic + nodal.potential + sums.elastic;
 }
 
-void
-EnergyAudit::before_step(const std::uint64_t n)
+void EnergyAudit::before_step(const std::uint64_t n)
 {
   if (n == 0)
     initialize();
@@ -147,8 +143,7 @@ EnergyAudit::before_step(const std::uint64_t n)
     }
 }
 
-void
-EnergyAudit::after_step(const std::uint64_t n)
+void EnergyAudit::after_step(const std::uint64_t n)
 {
   if (n % interval != 0)
     return;
@@ -181,25 +176,24 @@ EnergyAudit::after_step(const std::uint64_t n)
   samples.scheme.push_back(sum_scheme);
 }
 
-EnergyAudit::Sums
-EnergyAudit::nodal_sums() const
+EnergyAudit::Sums EnergyAudit::nodal_sums() const
 {
-  const NodeRows    &rows       = op.rows();
+  const NodeRows &rows          = op.rows();
   const unsigned int n          = u.n_columns();
   const unsigned int n_distinct = op.material().periodicity().x ? n - 1 : n;
-  const double       c          = (step.beta2 - 0.5) * step.dt * step.dt;
-  const double       c_now      = 0.25 * c / (step.dt * step.dt);
+  const double c                = (step.beta2 - 0.5) * step.dt * step.dt;
+  const double c_now            = 0.25 * c / (step.dt * step.dt);
 
   Sums sums;
   for (unsigned int component = 0; component < 2; ++component)
     for (unsigned int j = rows.begin; j < rows.end; ++j)
       {
         const unsigned int l = rows.local(j);
-        const double      *m = mass.data() + static_cast<std::size_t>(n) * (j - rows.begin);
-        const double      *w2      = w.row(component, l);
-        const bool         platen  = component == 1 && j + 1 == rows.n_global;
-        const double       m_extra = platen ? platen_mass : 0.; // of node 0
-        const auto squares = [&](const double factor, const auto &value) {
+        const double *m   = mass.data() + static_cast<std::size_t>(n) * (j - rows.begin);
+        const double *w2  = w.row(component, l);
+        const bool platen = component == 1 && j + 1 == rows.n_global;
+        const double m_extra = platen ? platen_mass : 0.; // of node 0
+        const auto squares   = [&](const double factor, const auto &value) {
           const auto square = [&](const unsigned int i) { return value(i) * value(i); };
           const auto term   = [&](const unsigned int i) { return m[i] * square(i); };
           return factor * (sum_of(n_distinct, term) + m_extra * square(0));
@@ -208,22 +202,26 @@ EnergyAudit::nodal_sums() const
         if (dissipative)
           {
             const double *w0 = w_before.row(component, l), *w1 = w_now.row(component, l);
-            sums.kinetic += squares(c_now, [&](const unsigned int i) { return w2[i] - w1[i]; });
-            sums.scheme += squares(c_now, [&](const unsigned int i) { return w2[i] - w0[i]; });
+            sums.kinetic +=
+              squares(c_now, [&](const unsigned int i) { return w2[i] - w1[i]; });
+            sums.scheme +=
+              squares(c_now, [&](const unsigned int i) { return w2[i] - w0[i]; });
           }
         if (heavy)
           {
             const double *u1 = u_now.row(component, l), *u2 = u.row(component, l);
-            const auto moved = [&](const unsigned int i) { return m[i] * (u1[i] + u2[i]); };
-            sums.potential -= 0.5 * step.acceleration[component] * sum_of(n_distinct, moved);
+            const auto moved = [&](const unsigned int i) {
+              return m[i] * (u1[i] + u2[i]);
+            };
+            sums.potential -=
+              0.5 * step.acceleration[component] * sum_of(n_distinct, moved);
           }
       }
   return sums;
 }
 
 // K u_n and K w_n, whose ghost rows are set for it.
-void
-EnergyAudit::multiply(NodalField<double> &u_n, NodalField<double> &w_n)
+void EnergyAudit::multiply(NodalField<double> &u_n, NodalField<double> &w_n)
 {
   update_ghost_rows(u_n, op.rows(), communicator);
   op.vmult(stiff_u, u_n);
@@ -234,32 +232,25 @@ EnergyAudit::multiply(NodalField<double> &u_n, NodalField<double> &w_n)
 }
 
 // u_(n+1).K u_n / 2 and beta (u_(n+1) - u_(n-1)).K w_n / 2
-void
-EnergyAudit::add_products(Sums &sums) const
+void EnergyAudit::add_products(Sums &sums) const
 {
-  const NodeRows    &rows       = op.rows();
+  const NodeRows &rows          = op.rows();
   const unsigned int n_distinct = u.n_columns() - (op.material().periodicity().x ? 1 : 0);
   sums.elastic = 0.5 * dot_difference(stiff_u, u, nullptr, rows, n_distinct);
   if (damped)
-    sums.damping = 0.5 * step.beta * dot_difference(stiff_w, u, &u_before, rows, n_distinct);
+    sums.damping =
+      0.5 * step.beta * dot_difference(stiff_w, u, &u_before, rows, n_distinct);
 }
 
-EnergyHistory
-EnergyAudit::reduce() const
+EnergyHistory EnergyAudit::reduce() const
 {
   EnergyHistory all = samples;
-  const auto    sum = [&](std::vector<double> &values) {
+  const auto sum    = [&](std::vector<double> &values) {
     const int n = static_cast<int>(values.size());
     MPI_Allreduce(MPI_IN_PLACE, values.data(), n, MPI_DOUBLE, MPI_SUM, communicator);
   };
-  for (auto *values : {&all.kinetic,
-                       &all.elastic,
-                       &all.potential,
-                       &all.external_work,
-                       &all.friction,
-                       &all.impact,
-                       &all.damping,
-                       &all.scheme})
+  for (auto *values : {&all.kinetic, &all.elastic, &all.potential, &all.external_work,
+                       &all.friction, &all.impact, &all.damping, &all.scheme})
     sum(*values);
   MPI_Allreduce(MPI_IN_PLACE, &all.initial, 1, MPI_DOUBLE, MPI_SUM, communicator);
   return all;

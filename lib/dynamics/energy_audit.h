@@ -16,7 +16,8 @@
 
 namespace mesoslip
 {
-/** Work done on and energy dissipated at the boundary since the start (J/m), local share. */
+/** Work done on and energy dissipated at the boundary since the start (J/m), local share.
+ */
 struct BoundaryWork
 {
   double external = 0.; ///< by the top's load and the moving flat
@@ -42,20 +43,17 @@ struct EnergyHistory
 
   /** Of boost::serialization. */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     archive &time &kinetic &elastic &potential &external_work &friction &impact;
     archive &damping &scheme &initial;
   }
 
   /** Whether all terms have as many samples. */
-  bool
-  is_complete() const;
+  bool is_complete() const;
 
   /** What is left of the balance at each sample; zero in exact arithmetic. */
-  std::vector<double>
-  residual() const;
+  std::vector<double> residual() const;
 };
 
 /**
@@ -77,37 +75,31 @@ public:
    * @p u, @p w and @p op are referenced. @p platen_mass (kg/m) moves with the top row.
    * @p boundary_work gives the work since the start after the step just done.
    */
-  EnergyAudit(const UniformGridOperator          &op,
-              const StepParameters               &step,
-              NodalField<double>                 &u,
-              NodalField<double>                 &w,
-              const double                        platen_mass,
-              const std::uint64_t                 interval,
+  EnergyAudit(const UniformGridOperator &op,
+              const StepParameters &step,
+              NodalField<double> &u,
+              NodalField<double> &w,
+              const double platen_mass,
+              const std::uint64_t interval,
               const std::function<BoundaryWork()> &boundary_work,
-              const MPI_Comm                      communicator);
+              const MPI_Comm communicator);
 
-  std::uint64_t
-  next_step(const std::uint64_t n) const override;
-  void
-  before_step(const std::uint64_t n) override;
-  void
-  after_step(const std::uint64_t n) override;
+  std::uint64_t next_step(const std::uint64_t n) const override;
+  void before_step(const std::uint64_t n) override;
+  void after_step(const std::uint64_t n) override;
 
   /** Local shares so far. */
-  const EnergyHistory &
-  local_history() const
+  const EnergyHistory &local_history() const
   {
     return samples;
   }
 
   /** Sum over the ranks, on all ranks. */
-  EnergyHistory
-  reduce() const;
+  EnergyHistory reduce() const;
 
   /** Saves or restores the state between two steps (Boost.Serialization). */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     // What is u_(n-1) for the next sample.
     serialize_own_rows(archive, interval == 1 ? u_now : u_before, op.rows());
@@ -127,34 +119,30 @@ private:
     double damping   = 0.; ///< D_beta of the step
   };
 
-  Sums
-  nodal_sums() const;
-  void
-  multiply(NodalField<double> &u_n, NodalField<double> &w_n);
-  void
-  add_products(Sums &sums) const;
-  void
-  initialize();
+  Sums nodal_sums() const;
+  void multiply(NodalField<double> &u_n, NodalField<double> &w_n);
+  void add_products(Sums &sums) const;
+  void initialize();
 
-  const UniformGridOperator          &op;
-  const StepParameters                step;
-  NodalField<double>                 &u;
-  NodalField<double>                 &w;
-  const double                        platen_mass;
-  const std::uint64_t                 interval;
+  const UniformGridOperator &op;
+  const StepParameters step;
+  NodalField<double> &u;
+  NodalField<double> &w;
+  const double platen_mass;
+  const std::uint64_t interval;
   const std::function<BoundaryWork()> boundary_work;
-  const MPI_Comm                      communicator;
+  const MPI_Comm communicator;
 
   // Which terms there are; those that vanish are neither computed nor kept fields for.
   const bool damped, dissipative, heavy;
 
-  NodalField<double>  u_before, w_before; ///< u_(n-1), w_(n-1)
-  NodalField<double>  u_now, w_now;       ///< u_n, w_n
-  NodalField<double>  stiff_u, stiff_w;   ///< K u_n, K w_n
-  std::vector<double> mass; ///< of the owned nodes, row by row
-  double              last_scheme = 0., last_damping = 0.;
-  double              sum_scheme = 0., sum_damping = 0.;
-  EnergyHistory       samples;
+  NodalField<double> u_before, w_before; ///< u_(n-1), w_(n-1)
+  NodalField<double> u_now, w_now;       ///< u_n, w_n
+  NodalField<double> stiff_u, stiff_w;   ///< K u_n, K w_n
+  std::vector<double> mass;              ///< of the owned nodes, row by row
+  double last_scheme = 0., last_damping = 0.;
+  double sum_scheme = 0., sum_damping = 0.;
+  EnergyHistory samples;
 };
 } // namespace mesoslip
 

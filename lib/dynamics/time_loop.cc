@@ -9,15 +9,15 @@ namespace mesoslip
 namespace
 {
 /** What the boundaries and the neighbours do not take is the elastic body. */
-void
-timed_steps(ExplicitStepper &stepper, const std::uint64_t n_steps, Timer *timer)
+void timed_steps(ExplicitStepper &stepper, const std::uint64_t n_steps, Timer *timer)
 {
   const auto scope = optional_scope(timer, "Steps", "Elastic body");
   stepper.advance(n_steps);
 }
 
-void
-observed_step(ExplicitStepper &stepper, const std::vector<StepObserver *> &due, Timer *timer)
+void observed_step(ExplicitStepper &stepper,
+                   const std::vector<StepObserver *> &due,
+                   Timer *timer)
 {
   const std::uint64_t n = stepper.step_number();
   for (StepObserver *observer : due)
@@ -28,19 +28,19 @@ observed_step(ExplicitStepper &stepper, const std::vector<StepObserver *> &due, 
 }
 } // namespace
 
-std::uint64_t
-run_time_loop(ExplicitStepper                                &stepper,
-              const std::vector<StepObserver *>              &observers,
-              const std::uint64_t                             n_end,
-              const std::uint64_t                             control_interval,
-              const std::function<bool(const std::uint64_t)> &keep_going,
-              Timer                                          *timer)
+std::uint64_t run_time_loop(ExplicitStepper &stepper,
+                            const std::vector<StepObserver *> &observers,
+                            const std::uint64_t n_end,
+                            const std::uint64_t control_interval,
+                            const std::function<bool(const std::uint64_t)> &keep_going,
+                            Timer *timer)
 {
   std::vector<StepObserver *> due;
-  std::uint64_t               n = stepper.step_number();
+  std::uint64_t n = stepper.step_number();
   while (n < n_end)
     {
-      const std::uint64_t control = std::min(n_end, next_multiple(n + 1, control_interval));
+      const std::uint64_t control =
+        std::min(n_end, next_multiple(n + 1, control_interval));
       while (n < control)
         {
           std::uint64_t next = control;

@@ -9,11 +9,10 @@ namespace
 {
 // Eight partial sums: the order is fixed, and the loop does not wait for one addition
 // before it starts the next.
-double
-sum_row(const double *values, const unsigned int n)
+double sum_row(const double *values, const unsigned int n)
 {
   std::array<double, 8> lanes = {};
-  unsigned int          i     = 0;
+  unsigned int i              = 0;
   for (; i + 8 <= n; i += 8)
     for (unsigned int l = 0; l < 8; ++l)
       lanes[l] += values[i + l];
@@ -26,7 +25,9 @@ sum_row(const double *values, const unsigned int n)
 }
 } // namespace
 
-TopRow::TopRow(const TopSetup &setup, const StepParameters &step, const unsigned int n_columns)
+TopRow::TopRow(const TopSetup &setup,
+               const StepParameters &step,
+               const unsigned int n_columns)
   : setup(setup)
   , step(step)
   , n_distinct(setup.periodic ? n_columns - 1 : n_columns)
@@ -38,8 +39,7 @@ TopRow::TopRow(const TopSetup &setup, const StepParameters &step, const unsigned
     tributary.front() = tributary.back() = 0.5 * setup.cell_width;
 }
 
-void
-TopRow::advance(const RowView &row)
+void TopRow::advance(const RowView &row)
 {
   if (!started)
     initialize(row);
@@ -51,9 +51,9 @@ TopRow::advance(const RowView &row)
 
   work_this_step  = 0.;
   const bool held = setup.kind == TopSetup::Kind::held || row.time >= setup.hold_from;
-  const Load load = held                                      ? hold(row) :
-                    setup.kind == TopSetup::Kind::platen ? push_platen(row) :
-                                                           push_nodes(row);
+  const Load load = held                                   ? hold(row)
+                    : setup.kind == TopSetup::Kind::platen ? push_platen(row)
+                                                           : push_nodes(row);
   total_work += work_this_step;
   if (sampled)
     {
@@ -63,8 +63,7 @@ TopRow::advance(const RowView &row)
     }
 }
 
-void
-TopRow::initialize(const RowView &row)
+void TopRow::initialize(const RowView &row)
 {
   for (unsigned int i = 0; i < row.n_columns; ++i)
     {
@@ -78,17 +77,15 @@ TopRow::initialize(const RowView &row)
   started = true;
 }
 
-void
-TopRow::move_node(double &u, double &w, const double acceleration) const
+void TopRow::move_node(double &u, double &w, const double acceleration) const
 {
   w += step.dt * acceleration;
   u += step.dt * w + (step.beta2 - 0.5) * step.dt * step.dt * acceleration;
 }
 
-TopRow::Load
-TopRow::push_nodes(const RowView &row)
+TopRow::Load TopRow::push_nodes(const RowView &row)
 {
-  Load         load;
+  Load load;
   const double pressure = setup.pressure(row.time);
   for (unsigned int i = 0; i < row.n_columns; ++i)
     {
@@ -114,8 +111,7 @@ TopRow::push_nodes(const RowView &row)
   return load;
 }
 
-TopRow::Load
-TopRow::push_platen(const RowView &row)
+TopRow::Load TopRow::push_platen(const RowView &row)
 {
   const double width = setup.cell_width * (row.n_columns - 1);
 
@@ -129,19 +125,20 @@ TopRow::push_platen(const RowView &row)
   const double increment = u - row.uy[0];
   work_this_step         = -load.normal * 0.5 * (increment + increment_y[0]);
   std::fill(increment_y.begin(), increment_y.end(), increment);
-  platen_w               = w;
+  platen_w = w;
   std::fill_n(row.uy, row.n_columns, u);
   std::fill_n(row.wy, row.n_columns, w);
   return load;
 }
 
 // Work of the force that stops the row at once. It acts during one step, along half the
-// increment of the step before, and its acceleration -w / dt enters the energy for b > 1/2:
+// increment of the step before, and its acceleration -w / dt enters the energy for b >
+// 1/2:
 //     (m (-w / dt) + f) . increment / 2 + (b - 1/2) m w^2 / 2
-void
-TopRow::stop(const RowView &row)
+void TopRow::stop(const RowView &row)
 {
-  const auto work = [&](const double m, const double w, const double increment, const double f) {
+  const auto work = [&](const double m, const double w, const double increment,
+                        const double f) {
     return 0.5 * ((f - m * w / step.dt) * increment + (step.beta2 - 0.5) * m * w * w);
   };
   const auto mass = [](const double inverse) { return inverse > 0. ? 1. / inverse : 0.; };
@@ -152,8 +149,7 @@ TopRow::stop(const RowView &row)
   work_this_step += work(setup.platen_mass, platen_w, increment_y[0], 0.);
 }
 
-TopRow::Load
-TopRow::hold(const RowView &row)
+TopRow::Load TopRow::hold(const RowView &row)
 {
   if (!holding)
     stop(row);

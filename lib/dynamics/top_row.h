@@ -59,8 +59,7 @@ struct TopHistory
 
   /** Of boost::serialization. */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     archive &normal_force &tangential_force &displacement &work;
   }
@@ -77,36 +76,30 @@ public:
   TopRow(const TopSetup &setup, const StepParameters &step, const unsigned int n_columns);
 
   /** One step of the row under its load. */
-  void
-  advance(const RowView &row) override;
+  void advance(const RowView &row) override;
 
   /** What was sampled so far. */
-  const TopHistory &
-  history() const
+  const TopHistory &history() const
   {
     return samples;
   }
 
   /** Work done on the body since the start (J/m). */
-  double
-  work() const
+  double work() const
   {
     return total_work;
   }
 
   /** Saves or restores the state between two steps (Boost.Serialization). */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     archive &increment_x &increment_y &started &holding &moving_mass &platen_w;
     archive &total_work &samples;
     require_when_loading(archive,
                          equally_long(tributary, increment_x, increment_y) &&
-                           equally_long(samples.normal_force,
-                                        samples.tangential_force,
-                                        samples.displacement,
-                                        samples.work));
+                           equally_long(samples.normal_force, samples.tangential_force,
+                                        samples.displacement, samples.work));
   }
 
 private:
@@ -117,34 +110,28 @@ private:
     double tangential = 0.; ///< N/m
   };
 
-  void
-  initialize(const RowView &row);
+  void initialize(const RowView &row);
 
-  Load
-  push_nodes(const RowView &row);
-  Load
-  push_platen(const RowView &row);
-  Load
-  hold(const RowView &row);
-  void
-  stop(const RowView &row);
+  Load push_nodes(const RowView &row);
+  Load push_platen(const RowView &row);
+  Load hold(const RowView &row);
+  void stop(const RowView &row);
 
-  void
-  move_node(double &u, double &w, const double acceleration) const;
+  void move_node(double &u, double &w, const double acceleration) const;
 
-  const TopSetup       setup;
+  const TopSetup setup;
   const StepParameters step;
-  const unsigned int   n_distinct;
+  const unsigned int n_distinct;
 
   std::vector<double> tributary;                ///< width (m) that each node carries
   std::vector<double> increment_x, increment_y; ///< of the step before (m)
-  bool                started        = false;
-  bool                holding        = false;
-  double              moving_mass    = 0.; ///< of platen and row (kg/m)
-  double              platen_w       = 0.;
-  double              total_work     = 0.;
-  double              work_this_step = 0.;
-  TopHistory          samples;
+  bool started          = false;
+  bool holding          = false;
+  double moving_mass    = 0.; ///< of platen and row (kg/m)
+  double platen_w       = 0.;
+  double total_work     = 0.;
+  double work_this_step = 0.;
+  TopHistory samples;
 };
 } // namespace mesoslip
 

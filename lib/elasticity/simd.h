@@ -129,8 +129,8 @@ MESOSLIP_INLINE vint32 iota(const vint32)
 #endif
 }
 
-/** As many entries of (a, b) as a vector has, from @p first on. Of compilers, GCC shuffles by
- *  vectors and clang by constants. */
+/** As many entries of (a, b) as a vector has, from @p first on. Of compilers, GCC
+ * shuffles by vectors and clang by constants. */
 template <int first, typename Vector>
 MESOSLIP_INLINE Vector window(const Vector a, const Vector b)
 {

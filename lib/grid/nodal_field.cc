@@ -8,7 +8,8 @@ template <typename Number>
 NodalField<Number>::NodalField(const unsigned int n_columns, const unsigned int n_rows)
   : columns(n_columns)
   , rows(n_rows)
-  , row_stride((n_columns + vector_length - 1) / vector_length * vector_length + vector_length)
+  , row_stride((n_columns + vector_length - 1) / vector_length * vector_length +
+               vector_length)
 {
   // An odd number of cache lines keeps rows of equal x off the same cache set.
   if ((row_stride / vector_length) % 2 == 0)
@@ -24,8 +25,7 @@ NodalField<Number>::NodalField(const NodalField &other)
 }
 
 template <typename Number>
-NodalField<Number> &
-NodalField<Number>::operator=(const NodalField &other)
+NodalField<Number> &NodalField<Number>::operator=(const NodalField &other)
 {
   if (this != &other)
     {
@@ -37,8 +37,7 @@ NodalField<Number>::operator=(const NodalField &other)
 }
 
 template <typename Number>
-void
-NodalField<Number>::set_zero()
+void NodalField<Number>::set_zero()
 {
   std::fill_n(begin(), size(), Number(0));
 }

@@ -37,80 +37,68 @@ public:
   NodalField(NodalField &&) noexcept = default;
 
   /** Copies all rows; the size becomes that of @p other. */
-  NodalField &
-  operator=(const NodalField &other);
+  NodalField &operator=(const NodalField &other);
 
   /** Takes over the memory. */
-  NodalField &
-  operator=(NodalField &&) noexcept = default;
+  NodalField &operator=(NodalField &&) noexcept = default;
 
   /** Number of nodes in a row. */
-  unsigned int
-  n_columns() const
+  unsigned int n_columns() const
   {
     return columns;
   }
 
   /** Of nodes. */
-  unsigned int
-  n_rows() const
+  unsigned int n_rows() const
   {
     return rows;
   }
 
   /** Distance between two rows of one component, in numbers. */
-  std::size_t
-  stride() const
+  std::size_t stride() const
   {
     return row_stride;
   }
 
   /** Component @p c (0: x, 1: y) of row @p j: n_columns() values and padding. */
-  Number *
-  row(const unsigned int c, const unsigned int j)
+  Number *row(const unsigned int c, const unsigned int j)
   {
     return data.get() + (c * rows + j) * row_stride;
   }
 
   /** As above, read only. */
-  const Number *
-  row(const unsigned int c, const unsigned int j) const
+  const Number *row(const unsigned int c, const unsigned int j) const
   {
     return data.get() + (c * rows + j) * row_stride;
   }
 
   /** All values, padding included: for vector updates that treat every entry alike. */
-  Number *
-  begin()
+  Number *begin()
   {
     return data.get();
   }
 
   /** As above, read only. */
-  const Number *
-  begin() const
+  const Number *begin() const
   {
     return data.get();
   }
 
   /** Numbers from begin() on, padding included. */
-  std::size_t
-  size() const
+  std::size_t size() const
   {
     return row_stride * rows * 2;
   }
 
   /** Padding included. */
-  void
-  set_zero();
+  void set_zero();
 
   /**
    * Saves or restores extents and all values (Boost.Serialization). @throws
    * std::length_error when a field of other extents was saved
    */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     unsigned int saved_columns = columns, saved_rows = rows;
     archive &saved_columns &saved_rows;
@@ -121,9 +109,9 @@ public:
   }
 
 private:
-  unsigned int      columns    = 0;
-  unsigned int      rows       = 0;
-  std::size_t       row_stride = 0;
+  unsigned int columns   = 0;
+  unsigned int rows      = 0;
+  std::size_t row_stride = 0;
   LineArray<Number> data;
 };
 

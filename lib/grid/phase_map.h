@@ -15,8 +15,8 @@ namespace mesoslip
 template <int dim>
 struct PhaseMap
 {
-  UniformGrid<dim>          grid; ///< the cells
-  std::vector<std::uint8_t> id;   ///< of each cell, x fastest
+  UniformGrid<dim> grid;        ///< the cells
+  std::vector<std::uint8_t> id; ///< of each cell, x fastest
 };
 } // namespace mesoslip
 

@@ -13,13 +13,12 @@ namespace mesoslip
 template <int dim>
 struct UniformGrid
 {
-  std::array<unsigned int, dim> cells   = {}; ///< numbers along the axes
-  std::array<double, dim>       spacing = {}; ///< edges of a cell (m)
-  std::array<double, dim>       origin  = {}; ///< lower left corner (m)
+  std::array<unsigned int, dim> cells = {}; ///< numbers along the axes
+  std::array<double, dim> spacing     = {}; ///< edges of a cell (m)
+  std::array<double, dim> origin      = {}; ///< lower left corner (m)
 
   /** Product of the numbers along the axes. */
-  std::size_t
-  n_cells() const
+  std::size_t n_cells() const
   {
     std::size_t n = 1;
     for (const unsigned int c : cells)
@@ -28,8 +27,7 @@ struct UniformGrid
   }
 
   /** Product of those plus one. */
-  std::size_t
-  n_nodes() const
+  std::size_t n_nodes() const
   {
     std::size_t n = 1;
     for (const unsigned int c : cells)
@@ -38,15 +36,13 @@ struct UniformGrid
   }
 
   /** Length of the box along one direction (m). */
-  double
-  extent(const unsigned int direction) const
+  double extent(const unsigned int direction) const
   {
     return cells[direction] * spacing[direction];
   }
 
   /** Area (2D) or volume of one cell. */
-  double
-  cell_measure() const
+  double cell_measure() const
   {
     double measure = 1.;
     for (const double h : spacing)
@@ -55,8 +51,7 @@ struct UniformGrid
   }
 
   /** Whether numbers, spacing and origin are equal, bit by bit. */
-  bool
-  operator==(const UniformGrid &other) const
+  bool operator==(const UniformGrid &other) const
   {
     return cells == other.cells && spacing == other.spacing && origin == other.origin;
   }

@@ -120,8 +120,8 @@ void write_rve_file(const RveParameters &parameters,
 bool restore_rve_summary(RunContext &context)
 {
   const Hdf5File file = Hdf5File::open(context.file("rve.h5"));
-  const auto texts = file.exists("/summary") ? file.read_strings("/summary")
-                                             : std::vector<std::string>();
+  const auto texts =
+    file.exists("/summary") ? file.read_strings("/summary") : std::vector<std::string>();
   if (texts.size() != 1)
     return false;
   const auto stored = nlohmann::json::parse(texts[0], nullptr, false);
@@ -163,12 +163,10 @@ void write_rve_tables(const RveParameters &parameters,
   for (const HomogenizedResponse &response : first.responses)
     for (std::size_t p = 0; p < response.phase_means.size(); ++p)
       {
-        std::vector<std::string> row = {to_string(response.condition),
-                                        results.microstructure.phases[p].name,
-                                        to_text(first.fractions[p]),
-                                        response.condition == BoundaryCondition::SUBC ?
-                                          "B (stress)" :
-                                          "L (strain)"};
+        std::vector<std::string> row = {
+          to_string(response.condition), results.microstructure.phases[p].name,
+          to_text(first.fractions[p]),
+          response.condition == BoundaryCondition::SUBC ? "B (stress)" : "L (strain)"};
         for (unsigned int e = 0; e < 9; ++e)
           row.push_back(to_text(response.phase_means[p](e / 3, e % 3)));
         means.add_row(row);

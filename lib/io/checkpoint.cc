@@ -118,8 +118,8 @@ std::string read_checkpoint(const std::string &path, const CheckpointHeader &exp
   if (preamble.byte_order != Preamble().byte_order)
     throw UserError(path + " was written on a machine with another byte order");
   if (kind_of(preamble) != expected.kind)
-    throw UserError(path + " is a checkpoint of '" + kind_of(preamble) +
-                    "', not of '" + expected.kind + "'");
+    throw UserError(path + " is a checkpoint of '" + kind_of(preamble) + "', not of '" +
+                    expected.kind + "'");
   if (preamble.version != expected.version)
     throw UserError(path + " has layout version " + std::to_string(preamble.version) +
                     ", but this program reads version " +

@@ -1,8 +1,8 @@
+#include "io/earlier_results.h"
 #include "io/errors.h"
 #include "io/files.h"
 #include "io/parameters.h"
 #include "io/text.h"
-#include "io/earlier_results.h"
 
 #include <charconv>
 #include <filesystem>

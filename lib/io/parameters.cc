@@ -50,8 +50,7 @@ Number number(dealii::ParameterHandler &prm, const std::string &key)
   const std::string text = trimmed(raw_value(prm, key));
   Number value;
   if (!parse_number(text, value))
-    throw UserError(full_key(prm, key) + " is '" + text +
-                    "', which is not a number");
+    throw UserError(full_key(prm, key) + " is '" + text + "', which is not a number");
   return value;
 }
 } // namespace

@@ -144,8 +144,7 @@ void check(const Program &program,
 {
   const Need disk = program.check ? program.check(prm) : Need();
   if (!line.resume)
-    on_root(communicator,
-            [&]() { require_disk(choose_output_folder(line, prm), disk); });
+    on_root(communicator, [&]() { require_disk(choose_output_folder(line, prm), disk); });
 }
 
 void do_what_is_asked(const CommandLine &line,

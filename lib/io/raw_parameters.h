@@ -102,9 +102,9 @@ private:
 void print_parameters(const dealii::ParameterHandler &prm, std::ostream &out);
 
 /**
- * Lines "Section/Key = value" without the keys whose full paths are in @p skip ("Section/"
- * skips a section): text that determines a result, for digests and comparison. Input
- * files have no name in it; add their content.
+ * Lines "Section/Key = value" without the keys whose full paths are in @p skip
+ * ("Section/" skips a section): text that determines a result, for digests and
+ * comparison. Input files have no name in it; add their content.
  */
 std::string canonical_parameters(const dealii::ParameterHandler &prm,
                                  const std::vector<std::string> &skip = {});

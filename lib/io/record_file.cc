@@ -81,8 +81,8 @@ void RecordFile::append(const std::vector<double> &values)
 {
   if (values.size() != n_values)
     throw std::logic_error(path + ": a record of another length");
-  const std::size_t n = n_values * sizeof(double);
-  const auto *bytes   = reinterpret_cast<const char *>(values.data());
+  const std::size_t n   = n_values * sizeof(double);
+  const auto *bytes     = reinterpret_cast<const char *>(values.data());
   const auto write_some = [&](const std::size_t done, const std::size_t left,
                               const off_t at) {
     return pwrite(descriptor, bytes + done, left, at);

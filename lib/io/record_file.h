@@ -7,9 +7,9 @@
 namespace mesoslip
 {
 /**
- * Records of n numbers each, appended to a plain file (native byte order) while a run goes
- * on. Unlike an HDF5 file it is readable whenever the process dies: records up to the last
- * complete one are there. Every failure is a UserError that names the file.
+ * Records of n numbers each, appended to a plain file (native byte order) while a run
+ * goes on. Unlike an HDF5 file it is readable whenever the process dies: records up to
+ * the last complete one are there. Every failure is a UserError that names the file.
  */
 class RecordFile
 {

@@ -85,8 +85,9 @@ public:
 
   /**
    * From here on the folder is that of this run: removes an old summary.json, lists old
-   * results (EarlierResults), writes original.prm and parameters.prm. A run that is resumed calls it
-   * once it is clear that it can go on; one that never does leaves the folder as it was.
+   * results (EarlierResults), writes original.prm and parameters.prm. A run that is
+   * resumed calls it once it is clear that it can go on; one that never does leaves the
+   * folder as it was.
    */
   void begin();
 
@@ -136,8 +137,8 @@ public:
 
   /**
    * Whether to save the state and stop: SIGINT, SIGTERM or a file `terminate` in the
-   * output folder (looked for four times a second, by rank 0). Of this rank only: the ranks
-   * have to agree on it, as stop_requested() does.
+   * output folder (looked for four times a second, by rank 0). Of this rank only: the
+   * ranks have to agree on it, as stop_requested() does.
    */
   bool stop_requested_here();
 

@@ -37,8 +37,8 @@ public:
  * would allocate any amount of memory, and a bool of another value than 0 and 1 is
  * undefined. Both throw std::length_error.
  */
-class StateArchive
-  : public boost::archive::binary_iarchive_impl<StateArchive, char, std::char_traits<char>>
+class StateArchive : public boost::archive::
+                       binary_iarchive_impl<StateArchive, char, std::char_traits<char>>
 {
   using Base =
     boost::archive::binary_iarchive_impl<StateArchive, char, std::char_traits<char>>;
@@ -97,7 +97,8 @@ private:
 
 } // namespace mesoslip
 
-// Without it vectors of numbers would be expected in another layout than they are saved in.
+// Without it vectors of numbers would be expected in another layout than they are saved
+// in.
 BOOST_SERIALIZATION_USE_ARRAY_OPTIMIZATION(mesoslip::StateArchive)
 
 #endif

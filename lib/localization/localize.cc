@@ -117,8 +117,8 @@ private:
     if (monitor.log)
       {
         std::ostringstream line;
-        line << range.count << " snapshots of the " << role << ", "
-             << passed.time.front() << " to " << passed.time.back() << " s";
+        line << range.count << " snapshots of the " << role << ", " << passed.time.front()
+             << " to " << passed.time.back() << " s";
         monitor.log(line.str());
       }
     return passed;

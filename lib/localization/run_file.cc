@@ -18,14 +18,15 @@ constexpr int newest_version = 1;
 const char snapshot_hint[] =
   "fields, the mean strain and further probes need it: run contact_dynamics with "
   "Snapshots/Interval > 0";
-const char file_hint[]  = "contact_dynamics writes such a file";
+const char file_hint[] = "contact_dynamics writes such a file";
 const char probe_hint[] =
   "name it in Observation/Probes of the contact_dynamics run, or give its position here";
 } // namespace
 
 RunFile::RunFile(const std::string &path, const std::string &role)
   : file(Hdf5File::open(path, "the " + role + "; run contact_dynamics first"))
-  , the_digest(file.check_header("mesoslip-dynamics", newest_version, 2, file_hint).digest)
+  , the_digest(
+      file.check_header("mesoslip-dynamics", newest_version, 2, file_hint).digest)
   , the_grid(read_grid(file, file_hint))
 {
 }

@@ -10,7 +10,7 @@ namespace mesoslip
  * xx, yy, xy in 2D and xx, yy, zz, yz, xz, xy in 3D; strains carry engineering shear.
  */
 template <int dim>
-constexpr int n_voigt = dim * (dim + 1) / 2;
+constexpr int n_voigt = dim *(dim + 1) / 2;
 
 /** Stress (Pa) or strain (engineering shear) in Voigt order. */
 template <int dim>

@@ -150,7 +150,8 @@ void PhaseParameters::declare(dealii::ParameterHandler &prm, const RawParameters
   declare_word_list(prm, names_key, default_names, {},
                     "Names of the phases, each with a subsection of its name; the first "
                     "one is the background [-]");
-  for (const std::string &name : raw.section_names("Phases/Names", default_names, "phase"))
+  for (const std::string &name :
+       raw.section_names("Phases/Names", default_names, "phase"))
     {
       const ParameterSection subsection(prm, name);
       declare_phase(prm, name);

@@ -80,8 +80,8 @@ ContactSummary summarize_contact(const std::vector<ContactBlock> &blocks,
       shares.stick      = stick[i] / steps;
       shares.separation = (steps - slip[i] - stick[i]) / steps;
       summary.node_shares.push_back(shares);
-      summary.node_durations.push_back(
-        duration_of((slip[i] + stick[i]) * time_step, landings[i], landings[i] > 0. ? 1. : 0.));
+      summary.node_durations.push_back(duration_of(
+        (slip[i] + stick[i]) * time_step, landings[i], landings[i] > 0. ? 1. : 0.));
       summary.shares.slip += weight * shares.slip;
       summary.shares.stick += weight * shares.stick;
       summary.shares.separation += weight * shares.separation;
@@ -93,8 +93,7 @@ ContactSummary summarize_contact(const std::vector<ContactBlock> &blocks,
   summary.shares.slip /= total_weight;
   summary.shares.stick /= total_weight;
   summary.shares.separation /= total_weight;
-  summary.duration =
-    duration_of(contact_time, episodes, landed / static_cast<double>(n));
+  summary.duration = duration_of(contact_time, episodes, landed / static_cast<double>(n));
   return summary;
 }
 

@@ -16,7 +16,7 @@ struct ContactBlock
 {
   /** s; the block covers the steps whose ends lie in (begin, end]. */
   double begin = 0.;
-  double end = 0.; ///< end of the block (s)
+  double end   = 0.; ///< end of the block (s)
 
   /** Steps of the block. */
   double steps = 0.;
@@ -53,8 +53,8 @@ struct ContactDuration
   }
 
   /**
-   * False when fewer than half of the nodes landed: then #mean is mostly the time that the
-   * others have been in contact without an end, and grows with the window.
+   * False when fewer than half of the nodes landed: then #mean is mostly the time that
+   * the others have been in contact without an end, and grows with the window.
    */
   bool representative() const
   {
@@ -67,7 +67,7 @@ struct ContactSummary
 {
   /** s; the window really used: the union of the blocks inside. */
   double begin = 0.;
-  double end = 0.; ///< end of the window (s)
+  double end   = 0.; ///< end of the window (s)
 
   /** One entry a node. */
   std::vector<ContactShares> node_shares;

@@ -34,8 +34,9 @@ bool CycleRecord::is_consistent() const
 {
   return n_bins_ < capacity_ && pending_ < stride_ && pending_mean_.size() == width_ &&
          equally_long(pending_mean_, pending_square_) &&
-         (width_ == 0 ? n_bins_ == 0 && means_.empty()
-                      : means_.size() / width_ == n_bins_ && means_.size() % width_ == 0) &&
+         (width_ == 0
+            ? n_bins_ == 0 && means_.empty()
+            : means_.size() / width_ == n_bins_ && means_.size() % width_ == 0) &&
          equally_long(means_, variances_);
 }
 

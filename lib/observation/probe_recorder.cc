@@ -8,14 +8,14 @@
 namespace mesoslip
 {
 ProbeRecorder::ProbeRecorder(const std::vector<Point> &points,
-                             const UniformMaterial    &material,
-                             const NodeRows           &rows,
-                             const StepParameters     &step,
-                             NodalField<double>       &u,
-                             NodalField<double>       &w,
-                             const std::uint64_t       interval,
-                             const ContactTraction    &traction,
-                             const MPI_Comm            communicator)
+                             const UniformMaterial &material,
+                             const NodeRows &rows,
+                             const StepParameters &step,
+                             NodalField<double> &u,
+                             NodalField<double> &w,
+                             const std::uint64_t interval,
+                             const ContactTraction &traction,
+                             const MPI_Comm communicator)
   : material(material)
   , rows(rows)
   , step(step)
@@ -44,18 +44,17 @@ ProbeRecorder::ProbeRecorder(const std::vector<Point> &points,
   needs_ghosts = between != 0;
 }
 
-ProbeRecorder::Place
-ProbeRecorder::locate(const std::array<double, 2> &position) const
+ProbeRecorder::Place ProbeRecorder::locate(const std::array<double, 2> &position) const
 {
-  const UniformGrid<2>       &grid = material.grid();
-  Place                       place;
+  const UniformGrid<2> &grid = material.grid();
+  Place place;
   std::array<unsigned int, 2> cell = {};
   for (unsigned int d = 0; d < 2; ++d)
     {
       // A point on a line between cells, up to round-off, belongs to the upper one.
       const double s = position[d] / grid.spacing[d] + 1e-9;
-      cell[d]        = std::min(static_cast<unsigned int>(std::max(s, 0.)), grid.cells[d] - 1);
-      place.xi[d]    = std::clamp(position[d] / grid.spacing[d] - cell[d], 0., 1.);
+      cell[d] = std::min(static_cast<unsigned int>(std::max(s, 0.)), grid.cells[d] - 1);
+      place.xi[d] = std::clamp(position[d] / grid.spacing[d] - cell[d], 0., 1.);
     }
   place.i            = cell[0];
   place.j            = cell[1];
@@ -64,14 +63,15 @@ ProbeRecorder::locate(const std::array<double, 2> &position) const
   return place;
 }
 
-std::array<double, 2>
-ProbeRecorder::interpolate(const NodalField<double> &field, const Place &place) const
+std::array<double, 2> ProbeRecorder::interpolate(const NodalField<double> &field,
+                                                 const Place &place) const
 {
   std::array<double, 2> value = {};
-  const unsigned int    j     = rows.local(place.j);
+  const unsigned int j        = rows.local(place.j);
   for (unsigned int c = 0; c < 2; ++c)
     {
-      const double *lower = field.row(c, j) + place.i, *upper = field.row(c, j + 1) + place.i;
+      const double *lower = field.row(c, j) + place.i,
+                   *upper = field.row(c, j + 1) + place.i;
       value[c] =
         (1. - place.xi[1]) * ((1. - place.xi[0]) * lower[0] + place.xi[0] * lower[1]) +
         place.xi[1] * ((1. - place.xi[0]) * upper[0] + place.xi[0] * upper[1]);
@@ -79,25 +79,25 @@ ProbeRecorder::interpolate(const NodalField<double> &field, const Place &place) 
   return value;
 }
 
-VoigtVector<2>
-ProbeRecorder::strain(const Place &place) const
+VoigtVector<2> ProbeRecorder::strain(const Place &place) const
 {
-  const auto        &h = material.grid().spacing;
+  const auto &h        = material.grid().spacing;
   const unsigned int j = rows.local(place.j);
-  double             gradient[2][2];
+  double gradient[2][2];
   for (unsigned int c = 0; c < 2; ++c)
     {
       const double *lower = u.row(c, j) + place.i, *upper = u.row(c, j + 1) + place.i;
-      gradient[c][0] =
-        ((1. - place.xi[1]) * (lower[1] - lower[0]) + place.xi[1] * (upper[1] - upper[0])) / h[0];
-      gradient[c][1] =
-        ((1. - place.xi[0]) * (upper[0] - lower[0]) + place.xi[0] * (upper[1] - lower[1])) / h[1];
+      gradient[c][0] = ((1. - place.xi[1]) * (lower[1] - lower[0]) +
+                        place.xi[1] * (upper[1] - upper[0])) /
+                       h[0];
+      gradient[c][1] = ((1. - place.xi[0]) * (upper[0] - lower[0]) +
+                        place.xi[0] * (upper[1] - lower[1])) /
+                       h[1];
     }
   return VoigtVector<2>(gradient[0][0], gradient[1][1], gradient[0][1] + gradient[1][0]);
 }
 
-bool
-ProbeRecorder::is_consistent() const
+bool ProbeRecorder::is_consistent() const
 {
   return histories.size() == places.size() &&
          std::all_of(histories.begin(), histories.end(), [](const ProbeHistory &h) {
@@ -108,8 +108,7 @@ ProbeRecorder::is_consistent() const
          });
 }
 
-void
-ProbeRecorder::before_step(const std::uint64_t n)
+void ProbeRecorder::before_step(const std::uint64_t n)
 {
   if (n % interval != 0 || places.empty())
     return;
@@ -121,12 +120,13 @@ ProbeRecorder::before_step(const std::uint64_t n)
   for (std::size_t k = 0; k < places.size(); ++k)
     if (places[k].owned)
       {
-        ProbeHistory        &history = histories[k];
-        const auto           value   = interpolate(u, places[k]);
-        const VoigtVector<2> e       = strain(places[k]);
-        const VoigtVector<2> s       = material.classes()[history.phase].stiffness * e;
+        ProbeHistory &history  = histories[k];
+        const auto value       = interpolate(u, places[k]);
+        const VoigtVector<2> e = strain(places[k]);
+        const VoigtVector<2> s = material.classes()[history.phase].stiffness * e;
         history.time.push_back(n * step.dt);
-        history.displacement.insert(history.displacement.end(), value.begin(), value.end());
+        history.displacement.insert(history.displacement.end(), value.begin(),
+                                    value.end());
         history.strain.insert(history.strain.end(), e.data(), e.data() + 3);
         history.stress.insert(history.stress.end(), s.data(), s.data() + 3);
         places[k].w_before = interpolate(w, places[k]);
@@ -134,8 +134,7 @@ ProbeRecorder::before_step(const std::uint64_t n)
 }
 
 // v_n = (1 - b) w_n + b w_(n+1); the contact forces of step n are known after it.
-void
-ProbeRecorder::after_step(const std::uint64_t n)
+void ProbeRecorder::after_step(const std::uint64_t n)
 {
   if (n % interval != 0 || places.empty())
     return;
@@ -156,8 +155,7 @@ ProbeRecorder::after_step(const std::uint64_t n)
       }
 }
 
-std::vector<ProbeHistory>
-ProbeRecorder::gather() const
+std::vector<ProbeHistory> ProbeRecorder::gather() const
 {
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
@@ -169,12 +167,8 @@ ProbeRecorder::gather() const
       if (owner == 0 || (rank != 0 && rank != owner))
         continue;
       ProbeHistory &history = all[k];
-      for (auto *values : {&history.time,
-                           &history.displacement,
-                           &history.velocity,
-                           &history.strain,
-                           &history.stress,
-                           &history.traction})
+      for (auto *values : {&history.time, &history.displacement, &history.velocity,
+                           &history.strain, &history.stress, &history.traction})
         {
           int n = static_cast<int>(values->size());
           if (rank == owner)
@@ -186,7 +180,8 @@ ProbeRecorder::gather() const
             {
               MPI_Recv(&n, 1, MPI_INT, owner, 0, communicator, MPI_STATUS_IGNORE);
               values->resize(static_cast<std::size_t>(n));
-              MPI_Recv(values->data(), n, MPI_DOUBLE, owner, 1, communicator, MPI_STATUS_IGNORE);
+              MPI_Recv(values->data(), n, MPI_DOUBLE, owner, 1, communicator,
+                       MPI_STATUS_IGNORE);
             }
         }
     }

@@ -19,22 +19,22 @@ namespace mesoslip
 /** What a probe saw: one value (or pair, or triple) a sample. */
 struct ProbeHistory
 {
-  std::string           name;               ///< as in the .prm
-  std::array<double, 2> position = {};      ///< from the lower left corner (m)
-  unsigned int          phase    = 0;       ///< class of the cell that it lies in
-  bool                  on_contact = false; ///< has tractions of a contact node
+  std::string name;                       ///< as in the .prm
+  std::array<double, 2> position = {};    ///< from the lower left corner (m)
+  unsigned int phase             = 0;     ///< class of the cell that it lies in
+  bool on_contact                = false; ///< has tractions of a contact node
 
   std::vector<double> time;         ///< s
   std::vector<double> displacement; ///< [k][2], m
   std::vector<double> velocity;     ///< [k][2], m/s
   std::vector<double> strain;       ///< [k][3], Voigt
   std::vector<double> stress;       ///< [k][3], Pa
-  std::vector<double> traction;     ///< [k][2], tangential and normal (pressure), Pa; on the contact
+  std::vector<double>
+    traction; ///< [k][2], tangential and normal (pressure), Pa; on the contact
 
   /** Saves or restores the samples. */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     archive &time &displacement &velocity &strain &stress &traction;
   }
@@ -54,42 +54,37 @@ public:
   /** A point wanted, from the lower left corner (m). */
   struct Point
   {
-    std::string           name;          ///< as in the .prm
+    std::string name;                    ///< as in the .prm
     std::array<double, 2> position = {}; ///< m
   };
 
   /**
-   * @p u, @p w and @p material are referenced; @p traction is called on the rank that owns
-   * the bottom row. Points have to lie in the body.
+   * @p u, @p w and @p material are referenced; @p traction is called on the rank that
+   * owns the bottom row. Points have to lie in the body.
    */
   ProbeRecorder(const std::vector<Point> &points,
-                const UniformMaterial    &material,
-                const NodeRows           &rows,
-                const StepParameters     &step,
-                NodalField<double>       &u,
-                NodalField<double>       &w,
-                const std::uint64_t       interval,
-                const ContactTraction    &traction,
-                const MPI_Comm            communicator);
+                const UniformMaterial &material,
+                const NodeRows &rows,
+                const StepParameters &step,
+                NodalField<double> &u,
+                NodalField<double> &w,
+                const std::uint64_t interval,
+                const ContactTraction &traction,
+                const MPI_Comm communicator);
 
-  std::uint64_t
-  next_step(const std::uint64_t n) const override
+  std::uint64_t next_step(const std::uint64_t n) const override
   {
     return next_multiple(n, interval);
   }
-  void
-  before_step(const std::uint64_t n) override;
-  void
-  after_step(const std::uint64_t n) override;
+  void before_step(const std::uint64_t n) override;
+  void after_step(const std::uint64_t n) override;
 
   /** All probes on rank 0, in their order (collective; elsewhere empty). */
-  std::vector<ProbeHistory>
-  gather() const;
+  std::vector<ProbeHistory> gather() const;
 
   /** Saves or restores the samples (Boost.Serialization). */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     archive &histories;
     require_when_loading(archive, is_consistent());
@@ -97,39 +92,36 @@ public:
 
 private:
   /** Whether there is a history of each place, each with all its samples. */
-  bool
-  is_consistent() const;
+  bool is_consistent() const;
 
   /** Where a point lies: cell, and position in it from 0 to 1. */
   struct Place
   {
-    unsigned int          i = 0, j = 0;
-    std::array<double, 2> xi           = {};
-    unsigned int          contact_node = 0;
-    bool                  owned        = false;
-    std::array<double, 2> w_before     = {};
+    unsigned int i = 0, j = 0;
+    std::array<double, 2> xi       = {};
+    unsigned int contact_node      = 0;
+    bool owned                     = false;
+    std::array<double, 2> w_before = {};
   };
 
-  Place
-  locate(const std::array<double, 2> &position) const;
+  Place locate(const std::array<double, 2> &position) const;
 
-  std::array<double, 2>
-  interpolate(const NodalField<double> &field, const Place &place) const;
+  std::array<double, 2> interpolate(const NodalField<double> &field,
+                                    const Place &place) const;
 
-  VoigtVector<2>
-  strain(const Place &place) const;
+  VoigtVector<2> strain(const Place &place) const;
 
   const UniformMaterial &material;
-  const NodeRows         rows;
-  const StepParameters   step;
-  NodalField<double>    &u;
-  NodalField<double>    &w;
-  const std::uint64_t    interval;
-  const ContactTraction  traction;
-  const MPI_Comm         communicator;
+  const NodeRows rows;
+  const StepParameters step;
+  NodalField<double> &u;
+  NodalField<double> &w;
+  const std::uint64_t interval;
+  const ContactTraction traction;
+  const MPI_Comm communicator;
 
-  std::vector<Place>        places;
-  bool                      needs_ghosts = false; ///< a probe lies between two ranks
+  std::vector<Place> places;
+  bool needs_ghosts = false; ///< a probe lies between two ranks
   std::vector<ProbeHistory> histories;
 };
 } // namespace mesoslip

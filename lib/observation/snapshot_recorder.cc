@@ -8,14 +8,14 @@
 
 namespace mesoslip
 {
-SnapshotRecorder::SnapshotRecorder(const double              from,
-                                   const double              to,
-                                   const double              interval,
-                                   const double              dt,
+SnapshotRecorder::SnapshotRecorder(const double from,
+                                   const double to,
+                                   const double interval,
+                                   const double dt,
                                    const NodalField<double> &u,
-                                   const NodeRows           &rows,
-                                   const MPI_Comm            communicator,
-                                   const Writer             &writer)
+                                   const NodeRows &rows,
+                                   const MPI_Comm communicator,
+                                   const Writer &writer)
   : dt(dt)
   , u(u)
   , rows(rows)
@@ -27,24 +27,23 @@ SnapshotRecorder::SnapshotRecorder(const double              from,
   const auto n = static_cast<std::uint64_t>(std::floor((to - from) / spacing + 1e-6));
   for (std::uint64_t k = 0; k <= n && to >= from; ++k)
     {
-      const auto step = static_cast<std::uint64_t>(std::llround((from + k * spacing) / dt));
+      const auto step =
+        static_cast<std::uint64_t>(std::llround((from + k * spacing) / dt));
       if (steps.empty() || step > steps.back())
         steps.push_back(step);
     }
 }
 
-std::uint64_t
-SnapshotRecorder::next_step(const std::uint64_t n) const
+std::uint64_t SnapshotRecorder::next_step(const std::uint64_t n) const
 {
   const auto next = std::lower_bound(steps.begin(), steps.end(), n);
   return next == steps.end() ? std::numeric_limits<std::uint64_t>::max() : *next;
 }
 
-void
-SnapshotRecorder::before_step(const std::uint64_t n)
+void SnapshotRecorder::before_step(const std::uint64_t n)
 {
   const NodalField<double> whole = gather_rows(u, rows, communicator);
-  int                      rank  = 0;
+  int rank                       = 0;
   MPI_Comm_rank(communicator, &rank);
   if (rank == 0)
     writer(n, n * dt, whole);

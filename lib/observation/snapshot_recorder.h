@@ -11,7 +11,8 @@
 
 namespace mesoslip
 {
-/** Hands the whole displacement field to a writer on rank 0 at equal times of a window. */
+/** Hands the whole displacement field to a writer on rank 0 at equal times of a window.
+ */
 class SnapshotRecorder : public StepObserver
 {
 public:
@@ -19,38 +20,36 @@ public:
   using Writer =
     std::function<void(const std::uint64_t, const double, const NodalField<double> &)>;
 
-  /** Steps nearest to from, from + interval, ... up to to (s); every step if interval < dt. */
-  SnapshotRecorder(const double              from,
-                   const double              to,
-                   const double              interval,
-                   const double              dt,
+  /** Steps nearest to from, from + interval, ... up to to (s); every step if interval <
+   * dt. */
+  SnapshotRecorder(const double from,
+                   const double to,
+                   const double interval,
+                   const double dt,
                    const NodalField<double> &u,
-                   const NodeRows           &rows,
-                   const MPI_Comm            communicator,
-                   const Writer             &writer);
+                   const NodeRows &rows,
+                   const MPI_Comm communicator,
+                   const Writer &writer);
 
-  std::uint64_t
-  next_step(const std::uint64_t n) const override;
-  void
-  before_step(const std::uint64_t n) override;
-  void
-  after_step(const std::uint64_t) override
-  {}
+  std::uint64_t next_step(const std::uint64_t n) const override;
+  void before_step(const std::uint64_t n) override;
+  void after_step(const std::uint64_t) override
+  {
+  }
 
   /** Handed over so far. */
-  std::size_t
-  n_snapshots() const
+  std::size_t n_snapshots() const
   {
     return steps.size();
   }
 
 private:
   std::vector<std::uint64_t> steps;
-  const double               dt;
-  const NodalField<double>  &u;
-  const NodeRows             rows;
-  const MPI_Comm             communicator;
-  const Writer               writer;
+  const double dt;
+  const NodalField<double> &u;
+  const NodeRows rows;
+  const MPI_Comm communicator;
+  const Writer writer;
 };
 } // namespace mesoslip
 

@@ -25,10 +25,11 @@ void create_snapshots(Hdf5File &file, const UniformGrid<2> &grid);
 void append_snapshot(Hdf5File &file, const double time, const NodalField<double> &u);
 
 /**
- * Shows vector series [k][ny + 1][nx + 1][2] of the file @p h5 beside the XDMF file @p path
- * (`NAME.xdmf`), and the phases of a heterogeneous body in `NAME-phases.xdmf`, as ParaView
- * cannot read vectors and cell data from one plane grid. @p series: names in ParaView and
- * datasets.
+ * Shows vector series [k][ny + 1][nx + 1][2] of the file @p h5 beside the XDMF file @p
+ * path
+ * (`NAME.xdmf`), and the phases of a heterogeneous body in `NAME-phases.xdmf`, as
+ * ParaView cannot read vectors and cell data from one plane grid. @p series: names in
+ * ParaView and datasets.
  */
 void write_body_xdmf(const std::string &path,
                      const Scene &scene,

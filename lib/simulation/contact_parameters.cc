@@ -17,11 +17,10 @@ LoadHistory
 parse_load(Handler &prm, const std::string &section_name, const std::string &key)
 {
   const ParameterSection section(prm, section_name);
-  const double           amplitude  = get_double(prm, key);
-  const std::string      expression = get_string(prm, "Expression");
+  const double amplitude       = get_double(prm, key);
+  const std::string expression = get_string(prm, "Expression");
   if (expression.empty())
-    return LoadHistory(amplitude,
-                       ramp_from_string(get_string(prm, "Ramp")),
+    return LoadHistory(amplitude, ramp_from_string(get_string(prm, "Ramp")),
                        get_double(prm, "Ramp time"));
   try
     {
@@ -35,8 +34,7 @@ parse_load(Handler &prm, const std::string &section_name, const std::string &key
 }
 
 template <typename Number>
-std::array<Number, 2>
-pair(const std::string &key, const std::vector<Number> &values)
+std::array<Number, 2> pair(const std::string &key, const std::vector<Number> &values)
 {
   if (values.empty())
     return {};
@@ -45,11 +43,10 @@ pair(const std::string &key, const std::vector<Number> &values)
   return {{values[0], values[1]}};
 }
 
-BodyParameters
-parse_body(Handler &prm)
+BodyParameters parse_body(Handler &prm)
 {
   const ParameterSection section(prm, "Body");
-  BodyParameters         body;
+  BodyParameters body;
   body.heterogeneous  = get_string(prm, "Material") == "heterogeneous";
   body.rve_file       = get_string(prm, "RVE file");
   body.stiffness_name = get_string(prm, "Stiffness from");
@@ -57,62 +54,63 @@ parse_body(Handler &prm)
   body.density        = get_double(prm, "Density");
   body.size           = pair("Body/Size", get_double_list(prm, "Size"));
   const auto cells    = pair("Body/Cells", get_integer_list(prm, "Cells"));
-  body.cells = {{static_cast<unsigned int>(cells[0]), static_cast<unsigned int>(cells[1])}};
-  body.initial_velocity = pair("Body/Initial velocity", get_double_list(prm, "Initial velocity"));
-  body.acceleration     = pair("Body/Acceleration", get_double_list(prm, "Acceleration"));
+  body.cells          = {
+             {static_cast<unsigned int>(cells[0]), static_cast<unsigned int>(cells[1])}};
+  body.initial_velocity =
+    pair("Body/Initial velocity", get_double_list(prm, "Initial velocity"));
+  body.acceleration = pair("Body/Acceleration", get_double_list(prm, "Acceleration"));
   if (body.stiffness.size() == 5)
-    throw UserError("Body/Stiffness: 5 numbers found; give D11, D12, D22, D33 or all six");
+    throw UserError(
+      "Body/Stiffness: 5 numbers found; give D11, D12, D22, D33 or all six");
   if (body.heterogeneous && body.rve_file.empty())
-    throw UserError("Body/RVE file is empty, but a heterogeneous body takes its phases and "
-                    "morphology from there; run rve_homogenization and name its rve.h5");
+    throw UserError(
+      "Body/RVE file is empty, but a heterogeneous body takes its phases and "
+      "morphology from there; run rve_homogenization and name its rve.h5");
   if (!body.rve_file.empty())
     require_input_file("Body/RVE file: ", body.rve_file, "run rve_homogenization first");
   return body;
 }
 
-TimeParameters
-parse_time(Handler &prm)
+TimeParameters parse_time(Handler &prm)
 {
   const ParameterSection section(prm, "Time");
-  TimeParameters         time;
-  time.end_time  = get_double(prm, "End time");
-  time.time_step = get_double_or_auto(prm, "Time step");
-  time.safety    = get_double(prm, "Safety factor");
-  time.beta2     = get_double(prm, "Beta2");
-  time.beta      = get_double(prm, "Rayleigh beta");
+  TimeParameters time;
+  time.end_time        = get_double(prm, "End time");
+  time.time_step       = get_double_or_auto(prm, "Time step");
+  time.safety          = get_double(prm, "Safety factor");
+  time.beta2           = get_double(prm, "Beta2");
+  time.beta            = get_double(prm, "Rayleigh beta");
   time.check_time_step = get_bool(prm, "Check time step");
   if (time.time_step > time.end_time)
-    throw UserError("Time/Time step: " + to_text(time.time_step) + " s is longer than End time, " +
-                    to_text(time.end_time) + " s");
+    throw UserError("Time/Time step: " + to_text(time.time_step) +
+                    " s is longer than End time, " + to_text(time.end_time) + " s");
   return time;
 }
 
-TopSetup
-parse_top(Handler &prm)
+TopSetup parse_top(Handler &prm)
 {
   TopSetup top;
   top.pressure = parse_load(prm, "Top", "Pressure");
   const ParameterSection section(prm, "Top");
-  const std::string      kind = get_string(prm, "Kind");
-  top.kind         = kind == "pressure" ? TopSetup::Kind::pressure :
-                     kind == "platen"   ? TopSetup::Kind::platen :
-                                          TopSetup::Kind::held;
-  top.lateral_held = get_bool(prm, "Lateral held");
-  top.platen_mass  = get_double(prm, "Platen mass");
+  const std::string kind = get_string(prm, "Kind");
+  top.kind               = kind == "pressure" ? TopSetup::Kind::pressure
+                           : kind == "platen" ? TopSetup::Kind::platen
+                                              : TopSetup::Kind::held;
+  top.lateral_held       = get_bool(prm, "Lateral held");
+  top.platen_mass        = get_double(prm, "Platen mass");
   const double hold_from = get_double_or_auto(prm, "Hold from");
   if (!std::isnan(hold_from))
     top.hold_from = hold_from;
   return top;
 }
 
-void
-parse_sides(Handler &prm, ContactParameters &parameters)
+void parse_sides(Handler &prm, ContactParameters &parameters)
 {
   const ParameterSection section(prm, "Sides");
-  const auto             held = [&](const std::string &key) {
-    const std::string   value = get_string(prm, key);
-    const std::array<bool, 2> components = {{value == "u_x" || value == "both",
-                                             value == "u_y" || value == "both"}};
+  const auto held = [&](const std::string &key) {
+    const std::string value              = get_string(prm, key);
+    const std::array<bool, 2> components = {
+      {value == "u_x" || value == "both", value == "u_y" || value == "both"}};
     return components;
   };
   parameters.sides.left_held  = held("Left");
@@ -123,8 +121,7 @@ parse_sides(Handler &prm, ContactParameters &parameters)
     throw UserError("Sides/Periodic is true, so Left and Right have to be free");
 }
 
-FrictionParameters
-parse_friction(Handler &prm)
+FrictionParameters parse_friction(Handler &prm)
 {
   FrictionParameters friction;
   friction.flat_velocity = parse_load(prm, "Flat", "Velocity");
@@ -133,8 +130,8 @@ parse_friction(Handler &prm)
     friction.gap = get_double(prm, "Gap");
   }
   const ParameterSection section(prm, "Friction");
-  const std::string      law = get_string(prm, "Law");
-  friction.law.time      = law == "coulomb" ? 0. : get_double(prm, "Regularization time");
+  const std::string law = get_string(prm, "Law");
+  friction.law.time     = law == "coulomb" ? 0. : get_double(prm, "Regularization time");
   if (law == "slip rate")
     friction.law.node_law = std::make_shared<SlipRateRegularization>(
       get_double(prm, "Length"), get_double(prm, "Reference velocity"));
@@ -144,23 +141,24 @@ parse_friction(Handler &prm)
   return friction;
 }
 
-std::vector<ProbeParameters>
-parse_probes(Handler &prm)
+std::vector<ProbeParameters> parse_probes(Handler &prm)
 {
   std::vector<ProbeParameters> probes;
-  std::set<std::string>        names;
+  std::set<std::string> names;
   for (const std::string &name : get_word_list(prm, "Probes"))
     {
       if (!names.insert(name).second)
         throw UserError("Observation/Probes: '" + name + "' is named twice");
       const ParameterSection section(prm, name);
-      ProbeParameters        probe;
-      probe.name         = name;
+      ProbeParameters probe;
+      probe.name          = name;
       const auto position = get_double_list(prm, "Position");
       if (position.empty())
-        throw UserError("Observation/" + name +
-                        "/Position is missing; give x and y of the probe from the lower left "
-                        "corner in m, in a subsection " + name);
+        throw UserError(
+          "Observation/" + name +
+          "/Position is missing; give x and y of the probe from the lower left "
+          "corner in m, in a subsection " +
+          name);
       probe.position     = pair("Observation/" + name + "/Position", position);
       probe.nearest_node = get_bool(prm, "Nearest node");
       probes.push_back(probe);
@@ -168,8 +166,7 @@ parse_probes(Handler &prm)
   return probes;
 }
 
-ObservationParameters
-parse_observation(Handler &prm)
+ObservationParameters parse_observation(Handler &prm)
 {
   ObservationParameters observation;
   {
@@ -194,23 +191,24 @@ parse_observation(Handler &prm)
 }
 } // namespace
 
-ContactParameters
-ContactParameters::parse(dealii::ParameterHandler &prm)
+ContactParameters ContactParameters::parse(dealii::ParameterHandler &prm)
 {
   ContactParameters parameters;
   const std::string analysis = get_string(prm, "Analysis");
-  parameters.analysis        = analysis == "transient"      ? ContactAnalysis::transient :
-                               analysis == "modal"          ? ContactAnalysis::modal :
-                               analysis == "static contact" ? ContactAnalysis::static_contact :
-                                                       ContactAnalysis::friction_homogenization;
+  parameters.analysis        = analysis == "transient" ? ContactAnalysis::transient
+                               : analysis == "modal"   ? ContactAnalysis::modal
+                               : analysis == "static contact"
+                                 ? ContactAnalysis::static_contact
+                                 : ContactAnalysis::friction_homogenization;
   parameters.body            = parse_body(prm);
   parameters.time            = parse_time(prm);
   parameters.top             = parse_top(prm);
   parse_sides(prm, parameters);
   if (parameters.top.kind == TopSetup::Kind::platen &&
       (parameters.sides.left_held[1] || parameters.sides.right_held[1]))
-    throw UserError("Sides: u_y is held on a side, but the platen of Top/Kind moves its corner; hold "
-                    "u_x only, or set Top/Kind = pressure or held");
+    throw UserError(
+      "Sides: u_y is held on a side, but the platen of Top/Kind moves its corner; hold "
+      "u_x only, or set Top/Kind = pressure or held");
   parameters.friction    = parse_friction(prm);
   parameters.observation = parse_observation(prm);
   {
@@ -220,8 +218,8 @@ ContactParameters::parse(dealii::ParameterHandler &prm)
   }
   {
     const ParameterSection section(prm, "Modal");
-    parameters.modal.n_modes = get_integer(prm, "Number of modes");
-    parameters.modal.bottom  = get_string(prm, "Bottom");
+    parameters.modal.n_modes   = get_integer(prm, "Number of modes");
+    parameters.modal.bottom    = get_string(prm, "Bottom");
     parameters.modal.tolerance = get_double(prm, "Tolerance");
   }
   {

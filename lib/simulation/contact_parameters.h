@@ -35,122 +35,121 @@ enum class ContactAnalysis
 struct BodyParameters
 {
   /** Every phase with its own stiffness, else the effective one. */
-  bool                        heterogeneous = false;
-  std::string                 rve_file;              ///< empty: typed in
-  std::string                 stiffness_name;        ///< dataset of /stiffness
-  std::vector<double>         stiffness;             ///< 4 or 6 coefficients (Pa)
-  double                      density = 0.;          ///< kg/m^3
-  std::array<double, 2>       size    = {};          ///< m; 0: as the RVE
-  std::array<unsigned int, 2> cells   = {};          ///< 0: as the RVE
-  std::array<double, 2>       initial_velocity = {}; ///< m/s
-  std::array<double, 2>       acceleration     = {}; ///< m/s^2
+  bool heterogeneous = false;
+  std::string rve_file;                        ///< empty: typed in
+  std::string stiffness_name;                  ///< dataset of /stiffness
+  std::vector<double> stiffness;               ///< 4 or 6 coefficients (Pa)
+  double density                         = 0.; ///< kg/m^3
+  std::array<double, 2> size             = {}; ///< m; 0: as the RVE
+  std::array<unsigned int, 2> cells      = {}; ///< 0: as the RVE
+  std::array<double, 2> initial_velocity = {}; ///< m/s
+  std::array<double, 2> acceleration     = {}; ///< m/s^2
 };
 
 /** Section Time. */
 struct TimeParameters
 {
-  double end_time   = 0.;        ///< s
-  double time_step  = 0.;        ///< s; NaN: automatic
-  double safety     = 0.;        ///< share of the critical time step
-  double beta2      = 0.;        ///< of the time scheme, 0.5 to 1
-  double beta       = 0.;        ///< s
-  bool   check_time_step = true; ///< refuse steps above the critical one
+  double end_time      = 0.;   ///< s
+  double time_step     = 0.;   ///< s; NaN: automatic
+  double safety        = 0.;   ///< share of the critical time step
+  double beta2         = 0.;   ///< of the time scheme, 0.5 to 1
+  double beta          = 0.;   ///< s
+  bool check_time_step = true; ///< refuse steps above the critical one
 };
 
 /** Sections Flat and Friction. */
 struct FrictionParameters
 {
-  LoadHistory flat_velocity; ///< m/s
-  double      gap = 0.;      ///< m
-  FrictionLaw law; ///< delta and its rule
-  bool        coefficient_by_phase = false; ///< those of the phases in rve.h5
-  double      coefficient          = 0.; ///< of all nodes, unless by phase
+  LoadHistory flat_velocity;         ///< m/s
+  double gap = 0.;                   ///< m
+  FrictionLaw law;                   ///< delta and its rule
+  bool coefficient_by_phase = false; ///< those of the phases in rve.h5
+  double coefficient        = 0.;    ///< of all nodes, unless by phase
   std::string node_rule; ///< stiffness, mean, largest or smallest of the adjacent cells
 };
 
 /** A point that is watched. */
 struct ProbeParameters
 {
-  std::string           name;                 ///< of its subsection
-  std::array<double, 2> position = {};        ///< m
-  bool                  nearest_node = false; ///< move the position to a node
+  std::string name;                       ///< of its subsection
+  std::array<double, 2> position = {};    ///< m
+  bool nearest_node              = false; ///< move the position to a node
 };
 
 /** Sections Observation and Snapshots. */
 struct ObservationParameters
 {
-  unsigned int                 history_interval = 0;        ///< steps
-  unsigned int                 energy_interval  = 0;        ///< steps; 0: none
-  unsigned int                 blocks           = 0;        ///< of contact states over the run
-  double                       steady_from      = 0.;       ///< s; NaN: automatic
-  double                       reference_x      = 0.;       ///< m; NaN: the middle
-  bool                         stop_at_limit_cycle = false; ///< end early
+  unsigned int history_interval = 0;     ///< steps
+  unsigned int energy_interval  = 0;     ///< steps; 0: none
+  unsigned int blocks           = 0;     ///< of contact states over the run
+  double steady_from            = 0.;    ///< s; NaN: automatic
+  double reference_x            = 0.;    ///< m; NaN: the middle
+  bool stop_at_limit_cycle      = false; ///< end early
   /** Relative difference of the parts. */
-  double                       limit_cycle_tolerance = 0.;
-  unsigned int                 limit_cycle_periods   = 0; ///< in a part, at least
-  unsigned int                 limit_cycle_windows   = 0; ///< parts that are compared
-  unsigned int                 probe_interval        = 0; ///< steps
-  std::vector<ProbeParameters> probes;                    ///< in the order of the .prm
-  double                       snapshots_from     = 0.;   ///< s
-  double                       snapshots_to       = 0.;   ///< s; NaN: the end
-  double                       snapshots_interval = 0.;   ///< s; 0: none
+  double limit_cycle_tolerance     = 0.;
+  unsigned int limit_cycle_periods = 0; ///< in a part, at least
+  unsigned int limit_cycle_windows = 0; ///< parts that are compared
+  unsigned int probe_interval      = 0; ///< steps
+  std::vector<ProbeParameters> probes;  ///< in the order of the .prm
+  double snapshots_from     = 0.;       ///< s
+  double snapshots_to       = 0.;       ///< s; NaN: the end
+  double snapshots_interval = 0.;       ///< s; 0: none
 };
 
 /** Section Modal. */
 struct ModalParameters
 {
-  unsigned int n_modes = 0;    ///< for each bottom
-  std::string  bottom;         ///< free, held in y, both
-  double       tolerance = 0.; ///< of the residual, relative
+  unsigned int n_modes = 0; ///< for each bottom
+  std::string bottom;       ///< free, held in y, both
+  double tolerance = 0.;    ///< of the residual, relative
 };
 
 /** Section Static contact. */
 struct StaticContactParameters
 {
-  double       tolerance      = 0.; ///< of the residual forces, relative
+  double tolerance            = 0.; ///< of the residual forces, relative
   unsigned int max_iterations = 0;  ///< over contact states and friction
 };
 
 /** Section Friction homogenization. */
 struct FrictionHomogenizationParameters
 {
-  std::string heterogeneous_run;  ///< folder with dynamics.h5 and summary.json
-  std::string homogeneous_run;    ///< may be empty: T_G of the heterogeneous run
-  std::string static_contact;     ///< folder of a static contact analysis, may be empty
-  std::string pressures = "auto"; ///< or surface fractions, volume fractions, static contact
-  bool        calibrate = false;  ///< delta relative to the homogeneous run
+  std::string heterogeneous_run; ///< folder with dynamics.h5 and summary.json
+  std::string homogeneous_run;   ///< may be empty: T_G of the heterogeneous run
+  std::string static_contact;    ///< folder of a static contact analysis, may be empty
+  std::string pressures =
+    "auto";               ///< or surface fractions, volume fractions, static contact
+  bool calibrate = false; ///< delta relative to the homogeneous run
 };
 
 /** All of contact_dynamics' parameters, checked. */
 struct ContactParameters
 {
   /** What is computed. */
-  ContactAnalysis                  analysis = ContactAnalysis::transient;
-  BodyParameters                   body;  ///< section Body
-  TimeParameters                   time;  ///< section Time
-  TopSetup                         top;   ///< section Top
-  SideConstraints                  sides; ///< components held on the left and right
+  ContactAnalysis analysis = ContactAnalysis::transient;
+  BodyParameters body;   ///< section Body
+  TimeParameters time;   ///< section Time
+  TopSetup top;          ///< section Top
+  SideConstraints sides; ///< components held on the left and right
   /** The right side continues on the left. */
-  bool                             periodic = false;
-  FrictionParameters               friction;       ///< sections Flat and Friction
-  ObservationParameters            observation;    ///< sections Observation and Snapshots
-  CheckpointParameters             checkpoints;    ///< section Checkpoints
-  ModalParameters                  modal;          ///< section Modal
-  StaticContactParameters          static_contact; ///< section Static contact
+  bool periodic = false;
+  FrictionParameters friction;                     ///< sections Flat and Friction
+  ObservationParameters observation;               ///< sections Observation and Snapshots
+  CheckpointParameters checkpoints;                ///< section Checkpoints
+  ModalParameters modal;                           ///< section Modal
+  StaticContactParameters static_contact;          ///< section Static contact
   FrictionHomogenizationParameters homogenization; ///< section Friction homogenization
-  unsigned int                     wavefront = 0;  ///< time steps in flight; 0: automatic
+  unsigned int wavefront = 0;                      ///< time steps in flight; 0: automatic
   /** Of the row kernels; auto: the best there is. */
-  std::string                      instruction_set;
+  std::string instruction_set;
   /** For static contact and modes. */
-  StaticSolverKind                 static_solver = StaticSolverKind::multigrid;
+  StaticSolverKind static_solver = StaticSolverKind::multigrid;
 
   /** All sections; @p raw names the probes, which have subsections. */
-  static void
-  declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+  static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
 
   /** @throws UserError naming the key. */
-  static ContactParameters
-  parse(dealii::ParameterHandler &prm);
+  static ContactParameters parse(dealii::ParameterHandler &prm);
 };
 } // namespace mesoslip
 

@@ -23,38 +23,37 @@ namespace mesoslip
 {
 namespace
 {
-void
-check_probes(const ContactParameters &parameters, const UniformGrid<2> &grid)
+void check_probes(const ContactParameters &parameters, const UniformGrid<2> &grid)
 {
   for (const ProbeParameters &probe : parameters.observation.probes)
     for (unsigned int d = 0; d < 2; ++d)
-      if (!(probe.position[d] >= 0. && probe.position[d] <= grid.extent(d) * (1. + 1e-12)))
+      if (!(probe.position[d] >= 0. &&
+            probe.position[d] <= grid.extent(d) * (1. + 1e-12)))
         throw UserError("Observation/" + probe.name + "/Position: (" +
                         to_text(probe.position[0]) + ", " + to_text(probe.position[1]) +
                         ") m lies outside the body, which reaches from (0, 0) to (" +
                         to_text(grid.extent(0)) + ", " + to_text(grid.extent(1)) + ") m");
   const double x = parameters.observation.reference_x;
   if (!std::isnan(x) && !(x >= 0. && x <= grid.extent(0)))
-    throw UserError("Observation/Reference x: " + to_text(x) + " m lies outside the body, 0 to " +
-                    to_text(grid.extent(0)) + " m");
+    throw UserError("Observation/Reference x: " + to_text(x) +
+                    " m lies outside the body, 0 to " + to_text(grid.extent(0)) + " m");
 }
 
-// mu_inter rests on the histories' samples from there to the end: three at least, unless the
-// histories are too coarse for it anyway.
-void
-check_steady_from(const ContactParameters &parameters, const double n_steps)
+// mu_inter rests on the histories' samples from there to the end: three at least, unless
+// the histories are too coarse for it anyway.
+void check_steady_from(const ContactParameters &parameters, const double n_steps)
 {
   const double from = parameters.observation.steady_from, end = parameters.time.end_time;
   const double n_samples = n_steps / parameters.observation.history_interval;
   const double latest    = n_samples < 16. ? end : end - 2. * end / n_samples;
   if (!std::isnan(from) && !(from < end && from <= latest))
-    throw UserError("Observation/Steady from: " + to_text(from) +
-                    " s leaves fewer than three samples of the histories before Time/End time, " +
-                    to_text(end) + " s; set it earlier, or auto");
+    throw UserError(
+      "Observation/Steady from: " + to_text(from) +
+      " s leaves fewer than three samples of the histories before Time/End time, " +
+      to_text(end) + " s; set it earlier, or auto");
 }
 
-Need
-check_transient(const ContactParameters &parameters, const Scene &scene)
+Need check_transient(const ContactParameters &parameters, const Scene &scene)
 {
   const UniformMaterial material = scene.make_material(parameters.periodic);
   check_time_step(parameters, material);
@@ -83,8 +82,7 @@ void estimate_transient(const ContactParameters &parameters,
     report << "Warning: " << warning << '\n';
 }
 
-void
-estimate(dealii::ParameterHandler &prm, std::ostream &report)
+void estimate(dealii::ParameterHandler &prm, std::ostream &report)
 {
   const ContactParameters parameters = ContactParameters::parse(prm);
   if (parameters.analysis == ContactAnalysis::friction_homogenization)
@@ -100,8 +98,7 @@ estimate(dealii::ParameterHandler &prm, std::ostream &report)
 }
 
 // What every analysis needs, then what the chosen one does.
-Need
-check(dealii::ParameterHandler &prm)
+Need check(dealii::ParameterHandler &prm)
 {
   const ContactParameters parameters = ContactParameters::parse(prm);
   require_memory(field_memory(parameters.analysis, body_grid(parameters)));
@@ -109,45 +106,39 @@ check(dealii::ParameterHandler &prm)
   check_probes(parameters, scene.grid);
   switch (parameters.analysis)
     {
-      case ContactAnalysis::transient:
-        return check_transient(parameters, scene);
-      case ContactAnalysis::static_contact:
-        check_static_contact(parameters, scene);
-        break;
-      case ContactAnalysis::friction_homogenization:
-        friction_estimates(
-          read_friction_homogenization(parameters.homogenization, parameters.body.rve_file));
-        break;
-      case ContactAnalysis::modal:
-        break;
+    case ContactAnalysis::transient:
+      return check_transient(parameters, scene);
+    case ContactAnalysis::static_contact:
+      check_static_contact(parameters, scene);
+      break;
+    case ContactAnalysis::friction_homogenization:
+      friction_estimates(read_friction_homogenization(parameters.homogenization,
+                                                      parameters.body.rve_file));
+      break;
+    case ContactAnalysis::modal:
+      break;
     }
   return {};
 }
 
-// Whatever decides a bit of the state or of what was written so far: a run that is resumed
-// has to agree in it.
-std::string
-run_identity(const dealii::ParameterHandler &prm,
-             const ContactParameters        &parameters,
-             const Scene                    &scene)
+// Whatever decides a bit of the state or of what was written so far: a run that is
+// resumed has to agree in it.
+std::string run_identity(const dealii::ParameterHandler &prm,
+                         const ContactParameters &parameters,
+                         const Scene &scene)
 {
   return canonical_parameters(prm,
-                              {"Output folder",
-                               "Time/End time",
-                               "Observation/Steady from",
-                               "Checkpoints/",
-                               "Performance/",
-                               "Modal/",
-                               "Static contact/",
-                               "Friction homogenization/"}) +
-         "Performance/Instruction set = " + to_string(resolve(sweep_options(parameters).isa)) +
-         "\nContent of Body/RVE file = " + scene.rve_digest + "\nProgram version = " + version +
-         "\n";
+                              {"Output folder", "Time/End time",
+                               "Observation/Steady from", "Checkpoints/", "Performance/",
+                               "Modal/", "Static contact/", "Friction homogenization/"}) +
+         "Performance/Instruction set = " +
+         to_string(resolve(sweep_options(parameters).isa)) +
+         "\nContent of Body/RVE file = " + scene.rve_digest +
+         "\nProgram version = " + version + "\n";
 }
 
 // With a log of what is taken, and of what looks like a slip.
-Scene
-make_logged_scene(const ContactParameters &parameters, RunContext &context)
+Scene make_logged_scene(const ContactParameters &parameters, RunContext &context)
 {
   Scene scene = make_scene(parameters);
   for (const std::string &line : body_text(parameters, scene))
@@ -157,38 +148,39 @@ make_logged_scene(const ContactParameters &parameters, RunContext &context)
   return scene;
 }
 
-void
-run(dealii::ParameterHandler &prm, RunContext &context)
+void run(dealii::ParameterHandler &prm, RunContext &context)
 {
   const ContactParameters parameters = ContactParameters::parse(prm);
   if (context.n_ranks() > 1 && (parameters.analysis == ContactAnalysis::modal ||
                                 parameters.analysis == ContactAnalysis::static_contact))
-    context.warn("this analysis runs on one rank, all others repeat it; start it without mpirun");
+    context.warn(
+      "this analysis runs on one rank, all others repeat it; start it without mpirun");
   switch (parameters.analysis)
     {
-      case ContactAnalysis::transient:
-        {
-          const Scene scene = make_logged_scene(parameters, context);
-          return run_transient(parameters, scene, run_identity(prm, parameters, scene), context);
-        }
-      case ContactAnalysis::modal:
-        return run_modal(parameters, make_logged_scene(parameters, context), context);
-      case ContactAnalysis::static_contact:
-        return run_static_contact(parameters, make_logged_scene(parameters, context), context);
-      case ContactAnalysis::friction_homogenization:
-        return run_friction_homogenization(parameters, context);
+    case ContactAnalysis::transient:
+      {
+        const Scene scene = make_logged_scene(parameters, context);
+        return run_transient(parameters, scene, run_identity(prm, parameters, scene),
+                             context);
+      }
+    case ContactAnalysis::modal:
+      return run_modal(parameters, make_logged_scene(parameters, context), context);
+    case ContactAnalysis::static_contact:
+      return run_static_contact(parameters, make_logged_scene(parameters, context),
+                                context);
+    case ContactAnalysis::friction_homogenization:
+      return run_friction_homogenization(parameters, context);
     }
 }
 } // namespace
 
-Program
-contact_dynamics_program()
+Program contact_dynamics_program()
 {
   Program program;
   program.name = "contact_dynamics";
   program.description =
     "Explicit dynamics of an elastic body that rubs on a moving rigid flat.";
-  program.declare = ContactParameters::declare;
+  program.declare   = ContactParameters::declare;
   program.check     = check;
   program.estimate  = estimate;
   program.resumable = [](dealii::ParameterHandler &prm) {

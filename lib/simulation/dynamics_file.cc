@@ -15,8 +15,7 @@ namespace mesoslip
 {
 namespace
 {
-std::vector<double>
-node_positions(const UniformGrid<2> &grid)
+std::vector<double> node_positions(const UniformGrid<2> &grid)
 {
   std::vector<double> x(grid.cells[0] + 1);
   for (std::size_t i = 0; i < x.size(); ++i)
@@ -24,17 +23,17 @@ node_positions(const UniformGrid<2> &grid)
   return x;
 }
 // As of a probe there: a point between two cells belongs to the upper one.
-unsigned int
-reference_phase(const Scene &scene, const unsigned int node)
+unsigned int reference_phase(const Scene &scene, const unsigned int node)
 {
-  return scene.phase_id.empty() ? 0 : scene.phase_id[std::min(node, scene.grid.cells[0] - 1)];
+  return scene.phase_id.empty() ? 0
+                                : scene.phase_id[std::min(node, scene.grid.cells[0] - 1)];
 }
 } // namespace
 
-DynamicsFile::DynamicsFile(RunContext              &context,
+DynamicsFile::DynamicsFile(RunContext &context,
                            const ContactParameters &parameters,
-                           const Scene             &scene,
-                           const std::uint64_t      n_snapshots)
+                           const Scene &scene,
+                           const std::uint64_t n_snapshots)
   : context(context)
   , parameters(parameters)
   , scene(scene)
@@ -53,16 +52,14 @@ DynamicsFile::DynamicsFile(RunContext              &context,
 
 DynamicsFile::~DynamicsFile() = default;
 
-void
-DynamicsFile::add_snapshot(const double time, const NodalField<double> &u)
+void DynamicsFile::add_snapshot(const double time, const NodalField<double> &u)
 {
   std::vector<double> record = interleaved(u);
   record.insert(record.begin(), time);
   snapshots->append(record);
 }
 
-std::uint64_t
-DynamicsFile::save_snapshots()
+std::uint64_t DynamicsFile::save_snapshots()
 {
   if (!snapshots)
     return 0;
@@ -70,15 +67,13 @@ DynamicsFile::save_snapshots()
   return snapshots->n_records();
 }
 
-void
-DynamicsFile::remove_snapshots()
+void DynamicsFile::remove_snapshots()
 {
   if (snapshots)
     std::filesystem::remove(context.file("snapshots.part"));
 }
 
-void
-DynamicsFile::write_snapshots()
+void DynamicsFile::write_snapshots()
 {
   create_snapshots(*file, scene.grid);
   std::vector<double> times;
@@ -90,25 +85,20 @@ DynamicsFile::write_snapshots()
       times.push_back(record[0]);
     }
   if (!times.empty())
-    write_body_xdmf(context.file("dynamics.xdmf"),
-                    scene,
-                    "dynamics.h5",
-                    {{"displacement", "/snapshots/displacement"}},
-                    times);
+    write_body_xdmf(context.file("dynamics.xdmf"), scene, "dynamics.h5",
+                    {{"displacement", "/snapshots/displacement"}}, times);
 }
 
-void
-DynamicsFile::write_column(const std::string         &name,
-                           const std::vector<double> &values,
-                           const std::string         &unit)
+void DynamicsFile::write_column(const std::string &name,
+                                const std::vector<double> &values,
+                                const std::string &unit)
 {
   file->write(name, {values.size()}, values);
   file->write_unit(name, unit);
 }
 
-void
-DynamicsFile::write_history(const TransientObservations &observed,
-                            const TransientSummary      &summary)
+void DynamicsFile::write_history(const TransientObservations &observed,
+                                 const TransientSummary &summary)
 {
   const ContactHistory &h = observed.contact;
   const std::vector<std::pair<std::string, const std::vector<double> *>> columns = {
@@ -126,18 +116,18 @@ DynamicsFile::write_history(const TransientObservations &observed,
     {"top_displacement [m]", &observed.top.displacement}};
 
   std::vector<std::string> headings;
-  std::size_t              n = h.time.size();
+  std::size_t n = h.time.size();
   for (const auto &[heading, values] : columns)
     {
       headings.push_back(heading);
-      n = std::min(n, values->size());
+      n                       = std::min(n, values->size());
       const std::size_t split = heading.find(" [");
       const std::string name  = "/history/" + heading.substr(0, split);
       write_column(name, *values, heading.substr(split + 2, heading.size() - split - 3));
     }
   // A spreadsheet has no use for a million rows.
-  const std::size_t   stride = std::max<std::size_t>(1, n / 5000);
-  TableWriter         table(context.file("history.csv"), headings);
+  const std::size_t stride = std::max<std::size_t>(1, n / 5000);
+  TableWriter table(context.file("history.csv"), headings);
   std::vector<double> row(columns.size());
   for (std::size_t k = 0; k < n; k += stride)
     {
@@ -148,8 +138,7 @@ DynamicsFile::write_history(const TransientObservations &observed,
   table.flush();
 }
 
-void
-DynamicsFile::write_energy(const EnergyHistory &e)
+void DynamicsFile::write_energy(const EnergyHistory &e)
 {
   const std::vector<double> residual = e.residual();
   const std::vector<std::pair<std::string, const std::vector<double> *>> columns = {
@@ -172,7 +161,7 @@ DynamicsFile::write_energy(const EnergyHistory &e)
     }
   file->write_attribute("/energy", "initial", e.initial);
   file->write_attribute("/energy", "unit", std::string("J/m"));
-  TableWriter         table(context.file("energy.csv"), headings);
+  TableWriter table(context.file("energy.csv"), headings);
   std::vector<double> row(columns.size());
   for (std::size_t k = 0; k < e.time.size(); ++k)
     {
@@ -183,28 +172,27 @@ DynamicsFile::write_energy(const EnergyHistory &e)
   table.flush();
 }
 
-void
-DynamicsFile::write_probes(const TransientObservations &observed)
+void DynamicsFile::write_probes(const TransientObservations &observed)
 {
   const auto write = [&](const ProbeHistory &probe, const std::string &group) {
     const std::size_t n = probe.time.size();
     write_column(group + "/time", probe.time, "s");
-    const auto write_components = [&](const std::string         &name,
-                                      const std::size_t          components,
-                                      const std::vector<double> &values,
-                                      const std::string         &unit) {
-      if (values.empty() && components > 2)
-        return;
-      file->write(group + name, {n, components}, values);
-      file->write_unit(group + name, unit);
-    };
+    const auto write_components =
+      [&](const std::string &name, const std::size_t components,
+          const std::vector<double> &values, const std::string &unit) {
+        if (values.empty() && components > 2)
+          return;
+        file->write(group + name, {n, components}, values);
+        file->write_unit(group + name, unit);
+      };
     write_components("/displacement", 2, probe.displacement, "m");
     write_components("/velocity", 2, probe.velocity, "m/s");
     write_components("/strain", 3, probe.strain, "-");
     write_components("/stress", 3, probe.stress, "Pa");
     if (!probe.traction.empty())
       write_components("/traction", 2, probe.traction, "Pa");
-    file->write_attribute(group, "position", std::vector<double>{probe.position[0], probe.position[1]});
+    file->write_attribute(group, "position",
+                          std::vector<double>{probe.position[0], probe.position[1]});
     file->write_attribute(group, "phase", probe.phase);
   };
   for (const ProbeHistory &probe : observed.probes)
@@ -215,8 +203,8 @@ DynamicsFile::write_probes(const TransientObservations &observed)
   if (h.nodes.empty())
     return;
   const MonitoredNode &node = h.nodes[0];
-  const double         dx   = scene.grid.spacing[0];
-  const bool           end =
+  const double dx           = scene.grid.spacing[0];
+  const bool end =
     observed.reference_node == 0 || observed.reference_node == scene.grid.cells[0];
   const double width = end && !parameters.periodic ? 0.5 * dx : dx;
   ProbeHistory reference;
@@ -225,19 +213,21 @@ DynamicsFile::write_probes(const TransientObservations &observed)
   reference.time     = h.time;
   for (std::size_t k = 0; k < h.time.size() && k < node.vx.size(); ++k)
     {
-      reference.displacement.insert(reference.displacement.end(), {node.ux[k], node.uy[k]});
+      reference.displacement.insert(reference.displacement.end(),
+                                    {node.ux[k], node.uy[k]});
       reference.velocity.insert(reference.velocity.end(), {node.vx[k], node.vy[k]});
-      reference.traction.insert(reference.traction.end(),
-                                {node.tangential_force[k] / width, node.normal_force[k] / width});
+      reference.traction.insert(
+        reference.traction.end(),
+        {node.tangential_force[k] / width, node.normal_force[k] / width});
     }
   write(reference, "/reference");
 }
 
-void
-DynamicsFile::write_contact(const TransientObservations &observed, const TransientSummary &summary)
+void DynamicsFile::write_contact(const TransientObservations &observed,
+                                 const TransientSummary &summary)
 {
-  const std::vector<double> x       = node_positions(scene.grid);
-  const std::size_t         n_nodes = x.size(), n_blocks = observed.blocks.size();
+  const std::vector<double> x = node_positions(scene.grid);
+  const std::size_t n_nodes = x.size(), n_blocks = observed.blocks.size();
   write_column("/contact/x", x, "m");
   write_column("/contact/friction_coefficient", scene.node_friction, "-");
   std::vector<double> slip, stick, separated;
@@ -255,7 +245,7 @@ DynamicsFile::write_contact(const TransientObservations &observed, const Transie
   write_column("/contact/separated", separated, "-");
 
   std::vector<double> times;
-  std::vector<float>  block_slip, block_stick, block_separated;
+  std::vector<float> block_slip, block_stick, block_separated;
   for (const NodeCounts &block : observed.blocks)
     {
       times.push_back((block.first_step + block.n_steps) * observed.dt);
@@ -274,8 +264,7 @@ DynamicsFile::write_contact(const TransientObservations &observed, const Transie
     file->write_unit(std::string("/contact/blocks/") + state, "-");
 }
 
-void
-DynamicsFile::write_evaluation(const TransientSummary &summary)
+void DynamicsFile::write_evaluation(const TransientSummary &summary)
 {
   if (!summary.spectrum.frequency.empty())
     {
@@ -292,8 +281,8 @@ DynamicsFile::write_evaluation(const TransientSummary &summary)
     }
 }
 
-void
-DynamicsFile::write(const TransientObservations &observed, const TransientSummary &summary)
+void DynamicsFile::write(const TransientObservations &observed,
+                         const TransientSummary &summary)
 {
   file = std::make_unique<Hdf5File>(
     create_body_file(context.file("dynamics.h5"), "mesoslip-dynamics", scene));

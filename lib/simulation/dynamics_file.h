@@ -26,50 +26,41 @@ class DynamicsFile
 {
 public:
   /** @p snapshots of them are there already, of the run that is continued. */
-  DynamicsFile(RunContext              &context,
+  DynamicsFile(RunContext &context,
                const ContactParameters &parameters,
-               const Scene             &scene,
-               const std::uint64_t      snapshots);
+               const Scene &scene,
+               const std::uint64_t snapshots);
   ~DynamicsFile();
 
   /** Appends the displacement (m) at time @p time (s). */
-  void
-  add_snapshot(const double time, const NodalField<double> &u);
+  void add_snapshot(const double time, const NodalField<double> &u);
 
   /** Waits until the snapshots are on the disk; returns their number. */
-  std::uint64_t
-  save_snapshots();
+  std::uint64_t save_snapshots();
 
   /** Writes dynamics.h5 and its companions, replacing older ones. */
-  void
-  write(const TransientObservations &observed, const TransientSummary &summary);
+  void write(const TransientObservations &observed, const TransientSummary &summary);
 
   /** Removes snapshots.part. */
-  void
-  remove_snapshots();
+  void remove_snapshots();
 
 private:
-  void
-  write_history(const TransientObservations &observed, const TransientSummary &summary);
-  void
-  write_energy(const EnergyHistory &energy);
-  void
-  write_probes(const TransientObservations &observed);
-  void
-  write_contact(const TransientObservations &observed, const TransientSummary &summary);
-  void
-  write_evaluation(const TransientSummary &summary);
-  void
-  write_snapshots();
-  void
-  write_column(const std::string         &name,
-               const std::vector<double> &values,
-               const std::string         &unit);
+  void write_history(const TransientObservations &observed,
+                     const TransientSummary &summary);
+  void write_energy(const EnergyHistory &energy);
+  void write_probes(const TransientObservations &observed);
+  void write_contact(const TransientObservations &observed,
+                     const TransientSummary &summary);
+  void write_evaluation(const TransientSummary &summary);
+  void write_snapshots();
+  void write_column(const std::string &name,
+                    const std::vector<double> &values,
+                    const std::string &unit);
 
-  RunContext                &context;
-  const ContactParameters   &parameters;
-  const Scene               &scene;
-  std::unique_ptr<Hdf5File>   file;
+  RunContext &context;
+  const ContactParameters &parameters;
+  const Scene &scene;
+  std::unique_ptr<Hdf5File> file;
   std::unique_ptr<RecordFile> snapshots;
 };
 } // namespace mesoslip

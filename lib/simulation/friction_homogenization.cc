@@ -52,9 +52,9 @@ nlohmann::json to_json(const FrictionRun &run)
     {"folder", run.folder},
     {"global_interface_friction_coefficient", run.mu_inter},
     {"mean_contact_duration", json_or_null(run.contact_duration)},
-    {"mean_contact_duration_warning", run.duration_warning.empty() ?
-                                        nlohmann::json() :
-                                        nlohmann::json(run.duration_warning)},
+    {"mean_contact_duration_warning", run.duration_warning.empty()
+                                        ? nlohmann::json()
+                                        : nlohmann::json(run.duration_warning)},
     {"regularization_time", json_or_null(run.regularization_time)},
     {"friction_coefficient", json_or_null(run.friction_coefficient)}};
   if (run.contact_duration && run.regularization_time && run.friction_coefficient)
@@ -70,9 +70,9 @@ void write_summary(const FrictionHomogenizationInput &input,
                    const std::string &warning,
                    nlohmann::json &json)
 {
-  json["analysis"]          = "friction homogenization";
-  json["mu_homo"]           = mu_homo;
-  json["delta"]             = delta;
+  json["analysis"]      = "friction homogenization";
+  json["mu_homo"]       = mu_homo;
+  json["delta"]         = delta;
   json["delta_warning"] = warning.empty() ? nlohmann::json() : nlohmann::json(warning);
   json["heterogeneous_run"] = to_json(input.heterogeneous);
   json["homogeneous_run"] =
@@ -215,9 +215,9 @@ std::string duration_warning(const FrictionHomogenizationInput &input,
 {
   const FrictionRun &run =
     chosen.duration == "homogeneous" ? *input.homogeneous : input.heterogeneous;
-  return run.duration_warning.empty() ?
-           "" :
-           "the proposed delta is poor: in " + run.folder + ", " + run.duration_warning;
+  return run.duration_warning.empty()
+           ? ""
+           : "the proposed delta is poor: in " + run.folder + ", " + run.duration_warning;
 }
 
 const FrictionEstimate &
@@ -277,7 +277,6 @@ void run_friction_homogenization(const ContactParameters &parameters, RunContext
     "subsection Friction\n  set Coefficient         = " + to_text(chosen.mu_homo) +
     "\n  set Regularization time = " + to_text(delta) + "\nend");
   if (context.root())
-    write_summary(
-      input, estimates, chosen.mu_homo, delta, warning, context.summary());
+    write_summary(input, estimates, chosen.mu_homo, delta, warning, context.summary());
 }
 } // namespace mesoslip

@@ -10,19 +10,19 @@ namespace
 template <class Part>
 struct Timed
 {
-  Part       &part;
+  Part &part;
   const char *name;
-  Timer      &timer;
+  Timer &timer;
 };
 
 struct TimedRow : BoundaryRow, Timed<BoundaryRow>
 {
   explicit TimedRow(const Timed<BoundaryRow> &timed)
     : Timed(timed)
-  {}
+  {
+  }
 
-  void
-  advance(const RowView &row) override
+  void advance(const RowView &row) override
   {
     const auto scope = timer.scope(name);
     part.advance(row);
@@ -33,25 +33,23 @@ struct TimedHalo : Halo, Timed<Halo>
 {
   explicit TimedHalo(const Timed<Halo> &timed)
     : Timed(timed)
-  {}
+  {
+  }
 
-  void
-  send(const Side side, const RowBlock &own) override
+  void send(const Side side, const RowBlock &own) override
   {
     const auto scope = timer.scope(name);
     part.send(side, own);
   }
 
-  void
-  receive(const Side side, const RowBlock &ghosts) override
+  void receive(const Side side, const RowBlock &ghosts) override
   {
     const auto scope = timer.scope(name);
     part.receive(side, ghosts);
   }
 
   /** Every few rows: too often for a clock. */
-  void
-  progress() override
+  void progress() override
   {
     part.progress();
   }
@@ -61,23 +59,21 @@ struct TimedObserver : StepObserver, Timed<StepObserver>
 {
   explicit TimedObserver(const Timed<StepObserver> &timed)
     : Timed(timed)
-  {}
+  {
+  }
 
-  std::uint64_t
-  next_step(const std::uint64_t n) const override
+  std::uint64_t next_step(const std::uint64_t n) const override
   {
     return part.next_step(n);
   }
 
-  void
-  before_step(const std::uint64_t n) override
+  void before_step(const std::uint64_t n) override
   {
     const auto scope = timer.scope(name);
     part.before_step(n);
   }
 
-  void
-  after_step(const std::uint64_t n) override
+  void after_step(const std::uint64_t n) override
   {
     const auto scope = timer.scope(name);
     part.after_step(n);
@@ -98,24 +94,22 @@ wrap(Part &part, const char *name, Timer *timer, std::vector<std::unique_ptr<Par
 
 LoopProfile::LoopProfile(Timer *timer)
   : clock(timer)
-{}
+{
+}
 
 LoopProfile::~LoopProfile() = default;
 
-BoundaryRow *
-LoopProfile::timed(BoundaryRow &row, const char *name)
+BoundaryRow *LoopProfile::timed(BoundaryRow &row, const char *name)
 {
   return wrap<TimedRow>(row, name, clock, rows);
 }
 
-Halo *
-LoopProfile::timed(Halo &halo, const char *name)
+Halo *LoopProfile::timed(Halo &halo, const char *name)
 {
   return wrap<TimedHalo>(halo, name, clock, halos);
 }
 
-StepObserver *
-LoopProfile::timed(StepObserver &observer, const char *name)
+StepObserver *LoopProfile::timed(StepObserver &observer, const char *name)
 {
   return wrap<TimedObserver>(observer, name, clock, observers);
 }

@@ -25,28 +25,24 @@ public:
   ~LoopProfile();
 
   /** @p row, timed as @p name. The result lives as long as both. */
-  BoundaryRow *
-  timed(BoundaryRow &row, const char *name);
+  BoundaryRow *timed(BoundaryRow &row, const char *name);
 
   /** The same for sending to and waiting for neighbours. */
-  Halo *
-  timed(Halo &halo, const char *name);
+  Halo *timed(Halo &halo, const char *name);
 
   /** The same for an observer. */
-  StepObserver *
-  timed(StepObserver &observer, const char *name);
+  StepObserver *timed(StepObserver &observer, const char *name);
 
   /** Null if nothing is timed. */
-  Timer *
-  timer() const
+  Timer *timer() const
   {
     return clock;
   }
 
 private:
-  Timer                                     *clock;
-  std::vector<std::unique_ptr<BoundaryRow>>  rows;
-  std::vector<std::unique_ptr<Halo>>         halos;
+  Timer *clock;
+  std::vector<std::unique_ptr<BoundaryRow>> rows;
+  std::vector<std::unique_ptr<Halo>> halos;
   std::vector<std::unique_ptr<StepObserver>> observers;
 };
 } // namespace mesoslip

@@ -13,14 +13,12 @@ namespace mesoslip
 {
 namespace
 {
-std::string
-size_text(const std::array<unsigned int, 2> &cells)
+std::string size_text(const std::array<unsigned int, 2> &cells)
 {
   return std::to_string(cells[0]) + " x " + std::to_string(cells[1]);
 }
 
-VoigtMatrix<2>
-typed_stiffness(const std::vector<double> &d)
+VoigtMatrix<2> typed_stiffness(const std::vector<double> &d)
 {
   VoigtMatrix<2> D;
   if (d.size() == 4)
@@ -39,15 +37,14 @@ typed_stiffness(const std::vector<double> &d)
   return D;
 }
 
-UniformGrid<2>
-make_grid(const BodyParameters &body, const UniformGrid<2> *rve)
+UniformGrid<2> make_grid(const BodyParameters &body, const UniformGrid<2> *rve)
 {
-  UniformGrid<2>        grid;
+  UniformGrid<2> grid;
   std::array<double, 2> size = body.size;
   grid.cells                 = body.cells;
   if (size[0] == 0.)
-    size = rve != nullptr ? std::array<double, 2>{{rve->extent(0), rve->extent(1)}} :
-                            std::array<double, 2>{{56e-3, 16e-3}};
+    size = rve != nullptr ? std::array<double, 2>{{rve->extent(0), rve->extent(1)}}
+                          : std::array<double, 2>{{56e-3, 16e-3}};
   if (grid.cells[0] == 0)
     grid.cells = rve != nullptr ? rve->cells : std::array<unsigned int, 2>{{560, 160}};
   for (unsigned int d = 0; d < 2; ++d)
@@ -73,7 +70,7 @@ refine(const RveFile &rve, const UniformGrid<2> &grid, const std::string &file)
                       size_text(coarse.cells) + " cells of " + file +
                       ", whose morphology a heterogeneous body takes");
   const std::vector<std::uint8_t> coarse_id = rve.phase_id();
-  std::vector<std::uint8_t>       id(grid.n_cells());
+  std::vector<std::uint8_t> id(grid.n_cells());
   for (unsigned int j = 0; j < grid.cells[1]; ++j)
     for (unsigned int i = 0; i < grid.cells[0]; ++i)
       {
@@ -85,8 +82,7 @@ refine(const RveFile &rve, const UniformGrid<2> &grid, const std::string &file)
   return id;
 }
 
-Phase<2>
-effective_phase(const RveFile &rve, const std::string &name)
+Phase<2> effective_phase(const RveFile &rve, const std::string &name)
 {
   Phase<2> phase;
   phase.name      = "effective";
@@ -95,23 +91,23 @@ effective_phase(const RveFile &rve, const std::string &name)
   return phase;
 }
 
-std::vector<double>
-bottom_friction(const Scene &scene, const FrictionParameters &friction)
+std::vector<double> bottom_friction(const Scene &scene,
+                                    const FrictionParameters &friction)
 {
   std::vector<double> mu(scene.grid.cells[0], friction.coefficient);
   if (friction.coefficient_by_phase)
     {
       if (scene.phase_id.empty())
-        throw UserError("Friction/Coefficient from is 'phases', but the body is homogeneous; use "
-                        "'constant' (analysis 'friction homogenization' gives the coefficient)");
+        throw UserError(
+          "Friction/Coefficient from is 'phases', but the body is homogeneous; use "
+          "'constant' (analysis 'friction homogenization' gives the coefficient)");
       for (unsigned int i = 0; i < scene.grid.cells[0]; ++i)
         mu[i] = scene.phases[scene.phase_id[i]].friction_coefficient;
     }
   return mu;
 }
 
-std::vector<double>
-bottom_stiffness(const Scene &scene)
+std::vector<double> bottom_stiffness(const Scene &scene)
 {
   std::vector<double> D22(scene.grid.cells[0]);
   for (unsigned int i = 0; i < scene.grid.cells[0]; ++i)
@@ -123,12 +119,13 @@ bottom_stiffness(const Scene &scene)
 std::vector<double>
 friction_of_nodes(const std::vector<double> &friction_of_bottom_cells,
                   const std::vector<double> &stiffness_of_bottom_cells,
-                  const std::string         &rule,
-                  const bool                 periodic)
+                  const std::string &rule,
+                  const bool periodic)
 {
-  const std::vector<double> &mu = friction_of_bottom_cells, &D = stiffness_of_bottom_cells;
-  const std::size_t          n = mu.size();
-  std::vector<double>        nodes(n + 1);
+  const std::vector<double> &mu = friction_of_bottom_cells,
+                            &D  = stiffness_of_bottom_cells;
+  const std::size_t n           = mu.size();
+  std::vector<double> nodes(n + 1);
   for (std::size_t i = 0; i <= n; ++i)
     {
       const std::size_t left  = i > 0 ? i - 1 : (periodic ? n - 1 : 0);
@@ -136,15 +133,14 @@ friction_of_nodes(const std::vector<double> &friction_of_bottom_cells,
       if (rule == "stiffness")
         nodes[i] = (D[left] * mu[left] + D[right] * mu[right]) / (D[left] + D[right]);
       else
-        nodes[i] = rule == "mean"    ? 0.5 * (mu[left] + mu[right]) :
-                   rule == "largest" ? std::max(mu[left], mu[right]) :
-                                       std::min(mu[left], mu[right]);
+        nodes[i] = rule == "mean"      ? 0.5 * (mu[left] + mu[right])
+                   : rule == "largest" ? std::max(mu[left], mu[right])
+                                       : std::min(mu[left], mu[right]);
     }
   return nodes;
 }
 
-UniformMaterial
-Scene::make_material(const bool periodic) const
+UniformMaterial Scene::make_material(const bool periodic) const
 {
   std::vector<ElasticClass> classes;
   for (const Phase<2> &phase : phases)
@@ -159,8 +155,7 @@ Scene::make_material(const bool periodic) const
     }
 }
 
-std::vector<double>
-Scene::surface_fractions() const
+std::vector<double> Scene::surface_fractions() const
 {
   std::vector<double> fractions(phases.size(), 0.);
   for (unsigned int i = 0; i < grid.cells[0]; ++i)
@@ -168,8 +163,7 @@ Scene::surface_fractions() const
   return fractions;
 }
 
-UniformGrid<2>
-body_grid(const ContactParameters &parameters)
+UniformGrid<2> body_grid(const ContactParameters &parameters)
 {
   const BodyParameters &body = parameters.body;
   if (body.rve_file.empty())
@@ -177,11 +171,10 @@ body_grid(const ContactParameters &parameters)
   return make_grid(body, &RveFile::open(body.rve_file).grid());
 }
 
-Scene
-make_scene(const ContactParameters &parameters)
+Scene make_scene(const ContactParameters &parameters)
 {
   const BodyParameters &body = parameters.body;
-  Scene                 scene;
+  Scene scene;
   if (body.rve_file.empty())
     {
       scene.grid = make_grid(body, nullptr);
@@ -209,10 +202,9 @@ make_scene(const ContactParameters &parameters)
       else
         scene.phases = {effective_phase(rve, body.stiffness_name)};
     }
-  scene.node_friction = friction_of_nodes(bottom_friction(scene, parameters.friction),
-                                          bottom_stiffness(scene),
-                                          parameters.friction.node_rule,
-                                          parameters.periodic);
+  scene.node_friction = friction_of_nodes(
+    bottom_friction(scene, parameters.friction), bottom_stiffness(scene),
+    parameters.friction.node_rule, parameters.periodic);
   return scene;
 }
 } // namespace mesoslip

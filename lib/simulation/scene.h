@@ -30,32 +30,29 @@ struct Scene
   std::string rve_digest;
 
   /** The grid with its material classes. */
-  UniformMaterial
-  make_material(const bool periodic) const;
+  UniformMaterial make_material(const bool periodic) const;
 
   /** Share of the bottom's length that lies in each phase. */
-  std::vector<double>
-  surface_fractions() const;
+  std::vector<double> surface_fractions() const;
 };
 
 /** The body's grid, without what it is made of. @throws UserError naming key or file. */
-UniformGrid<2>
-body_grid(const ContactParameters &parameters);
+UniformGrid<2> body_grid(const ContactParameters &parameters);
 
 /** Builds the body from parameters and RVE file. @throws UserError naming key or file. */
-Scene
-make_scene(const ContactParameters &parameters);
+Scene make_scene(const ContactParameters &parameters);
 
 /**
  * Coefficient of each of the cells+1 bottom nodes from those of the two cells beside it.
- * @p rule: stiffness (mean weighted with @p stiffness_of_bottom_cells, D22, as the pressure
- * is shared when both cells are compressed alike, eq. 18), mean, largest or smallest.
+ * @p rule: stiffness (mean weighted with @p stiffness_of_bottom_cells, D22, as the
+ * pressure is shared when both cells are compressed alike, eq. 18), mean, largest or
+ * smallest.
  */
 std::vector<double>
 friction_of_nodes(const std::vector<double> &friction_of_bottom_cells,
                   const std::vector<double> &stiffness_of_bottom_cells,
-                  const std::string         &rule,
-                  const bool                 periodic);
+                  const std::string &rule,
+                  const bool periodic);
 } // namespace mesoslip
 
 #endif

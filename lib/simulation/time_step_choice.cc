@@ -11,8 +11,7 @@ namespace mesoslip
 {
 namespace
 {
-std::string
-nanoseconds(const double t)
+std::string nanoseconds(const double t)
 {
   std::ostringstream text;
   text.precision(4);
@@ -21,8 +20,7 @@ nanoseconds(const double t)
 }
 } // namespace
 
-std::string
-TimeStepChoice::text() const
+std::string TimeStepChoice::text() const
 {
   std::ostringstream out;
   out.precision(4);
@@ -32,32 +30,32 @@ TimeStepChoice::text() const
   return out.str();
 }
 
-TimeStepChoice
-choose_time_step(const ContactParameters &parameters, const UniformMaterial &material)
+TimeStepChoice choose_time_step(const ContactParameters &parameters,
+                                const UniformMaterial &material)
 {
   const TimeParameters &t = parameters.time;
-  TimeStepChoice        choice;
+  TimeStepChoice choice;
   choice.critical          = critical_time_step(material, t.beta2, t.beta);
   choice.step.beta2        = t.beta2;
   choice.step.beta         = t.beta;
   choice.step.acceleration = parameters.body.acceleration;
   choice.step.dt = std::isnan(t.time_step) ? t.safety * choice.critical : t.time_step;
   if (t.check_time_step && choice.step.dt > choice.critical)
-    throw UserError("Time/Time step: " + to_text(choice.step.dt) + " s is above the critical " +
-                    to_text(choice.critical) +
+    throw UserError("Time/Time step: " + to_text(choice.step.dt) +
+                    " s is above the critical " + to_text(choice.critical) +
                     " s, the run would be unstable; use auto or a smaller one");
-  choice.n_steps =
-    static_cast<std::uint64_t>(std::ceil(parameters.time.end_time / choice.step.dt - 1e-9));
+  choice.n_steps = static_cast<std::uint64_t>(
+    std::ceil(parameters.time.end_time / choice.step.dt - 1e-9));
   return choice;
 }
 
-void
-check_time_step(const ContactParameters &parameters, const UniformMaterial &material)
+void check_time_step(const ContactParameters &parameters, const UniformMaterial &material)
 {
   const TimeParameters &t = parameters.time;
   // The bound of a single cell is free; the exact limit takes some operator applications.
   if (!std::isnan(t.time_step) && t.check_time_step &&
-      t.time_step > critical_time_step(element_frequency_bound(material), t.beta2, t.beta))
+      t.time_step >
+        critical_time_step(element_frequency_bound(material), t.beta2, t.beta))
     choose_time_step(parameters, material);
 }
 } // namespace mesoslip

@@ -13,22 +13,21 @@ namespace mesoslip
 /** Time step and what it was chosen from. */
 struct TimeStepChoice
 {
-  StepParameters step;          ///< time step and parameters of the scheme
-  double         critical = 0.; ///< s
-  std::uint64_t  n_steps  = 0;  ///< to the end time
+  StepParameters step;        ///< time step and parameters of the scheme
+  double critical       = 0.; ///< s
+  std::uint64_t n_steps = 0;  ///< to the end time
 
   /** "dt = 13.2 ns, 95 % of the critical 13.9 ns; beta2 = 0.5, beta = 4.4 ns". */
-  std::string
-  text() const;
+  std::string text() const;
 };
 
 /** @throws UserError when a given time step is above the critical one. */
-TimeStepChoice
-choose_time_step(const ContactParameters &parameters, const UniformMaterial &material);
+TimeStepChoice choose_time_step(const ContactParameters &parameters,
+                                const UniformMaterial &material);
 
 /** Whether a given time step is stable, as cheaply as can be told. @throws UserError */
-void
-check_time_step(const ContactParameters &parameters, const UniformMaterial &material);
+void check_time_step(const ContactParameters &parameters,
+                     const UniformMaterial &material);
 } // namespace mesoslip
 
 #endif

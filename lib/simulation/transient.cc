@@ -16,14 +16,14 @@ namespace mesoslip
 namespace
 {
 /** Evaluation and output have failed: what was computed is not to be lost with them. */
-void
-keep_state(TransientRun &run, RunContext &context)
+void keep_state(TransientRun &run, RunContext &context)
 {
   try
     {
       run.save();
-      context.log("The state is in the checkpoint: once the reason is mended, the same command "
-                  "with --resume writes the results without computing them again");
+      context.log(
+        "The state is in the checkpoint: once the reason is mended, the same command "
+        "with --resume writes the results without computing them again");
     }
   catch (const std::exception &)
     {
@@ -32,23 +32,22 @@ keep_state(TransientRun &run, RunContext &context)
 }
 } // namespace
 
-void
-run_transient(const ContactParameters &parameters,
-              const Scene             &scene,
-              const std::string       &identity,
-              RunContext              &context)
+void run_transient(const ContactParameters &parameters,
+                   const Scene &scene,
+                   const std::string &identity,
+                   RunContext &context)
 {
   const UniformMaterial material = scene.make_material(parameters.periodic);
-  const TimeStepChoice  time     = [&]() {
+  const TimeStepChoice time      = [&]() {
     const auto scope = context.timer().scope("Critical time step");
     return choose_time_step(parameters, material);
   }();
 
-  TransientCheckpoint checkpoint(context,
-                                 parameters.checkpoints,
-                                 identity + "Time step in s = " + to_text(time.step.dt) + "\n");
-  const auto found = context.resume() ? checkpoint.find(time.n_steps) :
-                                        TransientCheckpoint::Found::nothing;
+  TransientCheckpoint checkpoint(context, parameters.checkpoints,
+                                 identity + "Time step in s = " + to_text(time.step.dt) +
+                                   "\n");
+  const auto found = context.resume() ? checkpoint.find(time.n_steps)
+                                      : TransientCheckpoint::Found::nothing;
   if (found == TransientCheckpoint::Found::complete)
     return context.log("The run in " + context.output_folder() +
                        " is complete: there is nothing to resume");
@@ -61,7 +60,8 @@ run_transient(const ContactParameters &parameters,
   for (const std::string &warning : transient_warnings(parameters, material))
     context.warn(warning);
 
-  DynamicsFile file(context, parameters, scene, resumed ? checkpoint.position().snapshots : 0);
+  DynamicsFile file(context, parameters, scene,
+                    resumed ? checkpoint.position().snapshots : 0);
   TransientRun run(parameters, scene, time, material, checkpoint, file, context);
   if (resumed)
     run.restore();
@@ -83,7 +83,8 @@ run_transient(const ContactParameters &parameters,
     }
   context.results_are_written();
   if (observed.interrupted)
-    throw Interrupted("stopped on request after step " + std::to_string(observed.steps_done) +
+    throw Interrupted("stopped on request after step " +
+                      std::to_string(observed.steps_done) +
                       "; what was observed so far is in " + context.output_folder() +
                       ", and the same command with --resume goes on from there");
   // The state is dropped only when nothing is left to be done.

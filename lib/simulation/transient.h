@@ -18,36 +18,36 @@ class RunContext;
 /** Everything a finished run has observed; complete on rank 0. */
 struct TransientObservations
 {
-  ContactHistory            contact; ///< sampled histories
-  TopHistory                top;     ///< sampled histories
-  std::vector<NodeCounts>   blocks;  ///< contact states by node
-  EnergyHistory             energy;  ///< terms of the balance
-  std::vector<ProbeHistory> probes;  ///< in the order of the .prm
+  ContactHistory contact;           ///< sampled histories
+  TopHistory top;                   ///< sampled histories
+  std::vector<NodeCounts> blocks;   ///< contact states by node
+  EnergyHistory energy;             ///< terms of the balance
+  std::vector<ProbeHistory> probes; ///< in the order of the .prm
 
-  std::uint64_t steps_done   = 0;            ///< of the whole run
-  double        dt           = 0.;           ///< s
-  unsigned int  reference_node = 0;          ///< number on the contact line
-  double        loop_seconds = 0.;           ///< wall-clock time of the time loop
-  bool          interrupted  = false;        ///< stopped on request
-  std::string   kernel;                      ///< variant and instruction set
-  std::string   limit_cycle;                 ///< the criterion and what came of it
-  bool          limit_cycle_reached = false; ///< by the criterion
-  double        steady_from         = 0.;    ///< s
-  double        period              = 0.;    ///< s
+  std::uint64_t steps_done    = 0;     ///< of the whole run
+  double dt                   = 0.;    ///< s
+  unsigned int reference_node = 0;     ///< number on the contact line
+  double loop_seconds         = 0.;    ///< wall-clock time of the time loop
+  bool interrupted            = false; ///< stopped on request
+  std::string kernel;                  ///< variant and instruction set
+  std::string limit_cycle;             ///< the criterion and what came of it
+  bool limit_cycle_reached = false;    ///< by the criterion
+  double steady_from       = 0.;       ///< s
+  double period            = 0.;       ///< s
 };
 
 /**
- * Explicit dynamics of the body on the moving flat: runs, observes, and leaves dynamics.h5,
- * tables and the summary in the output folder. With RunContext::resume() it continues from
- * the checkpoint there, if @p identity (lines "key = value") is that of the run so far.
+ * Explicit dynamics of the body on the moving flat: runs, observes, and leaves
+ * dynamics.h5, tables and the summary in the output folder. With RunContext::resume() it
+ * continues from the checkpoint there, if @p identity (lines "key = value") is that of
+ * the run so far.
  * @throws Interrupted after a checkpoint and what was observed so far have been written
  * @throws NumericalFailure when the run blows up; the last checkpoint stays
  */
-void
-run_transient(const ContactParameters &parameters,
-              const Scene             &scene,
-              const std::string       &identity,
-              RunContext              &context);
+void run_transient(const ContactParameters &parameters,
+                   const Scene &scene,
+                   const std::string &identity,
+                   RunContext &context);
 } // namespace mesoslip
 
 #endif

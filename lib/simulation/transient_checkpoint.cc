@@ -88,10 +88,11 @@ TransientCheckpoint::Found TransientCheckpoint::look(const std::uint64_t n_steps
       return Found::nothing;
     }
   if (record.state_sizes.size() != static_cast<std::size_t>(context.n_ranks()))
-    throw UserError(file_path + " is damaged: it does not hold one state for each MPI rank");
-  std::size_t at = payload.size() - std::accumulate(record.state_sizes.begin(),
-                                                    record.state_sizes.end(),
-                                                    std::uint64_t(0));
+    throw UserError(file_path +
+                    " is damaged: it does not hold one state for each MPI rank");
+  std::size_t at =
+    payload.size() - std::accumulate(record.state_sizes.begin(), record.state_sizes.end(),
+                                     std::uint64_t(0));
   for (const std::uint64_t size : record.state_sizes)
     {
       states.push_back(payload.substr(at, size));
@@ -138,9 +139,8 @@ void TransientCheckpoint::discard()
 
 bool TransientCheckpoint::due() const
 {
-  return parameters.interval > 0. &&
-         std::chrono::steady_clock::now() - last >=
-           std::chrono::duration<double>(parameters.interval);
+  return parameters.interval > 0. && std::chrono::steady_clock::now() - last >=
+                                       std::chrono::duration<double>(parameters.interval);
 }
 
 void TransientCheckpoint::write_file(const CheckpointPosition &position,

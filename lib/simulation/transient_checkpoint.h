@@ -90,7 +90,8 @@ public:
    * gone on from it. */
   void discard();
 
-  /** Whether the interval since the last one is over; by the clock of the calling rank. */
+  /** Whether the interval since the last one is over; by the clock of the calling rank.
+   */
   bool due() const;
 
   /** Saves this rank's @p state. */

@@ -18,20 +18,19 @@ namespace
 // Steps: often enough to react to an interruption, seldom enough to cost nothing, and not
 // so few that the stepper could not have several in flight. The same whenever the run is
 // resumed, as it may end at a limit cycle only then.
-std::uint64_t
-control_interval(const UniformGrid<2> &grid)
+std::uint64_t control_interval(const UniformGrid<2> &grid)
 {
   return next_multiple(std::max<std::uint64_t>(1, 20000000 / grid.n_cells()), 64);
 }
 } // namespace
 
 TransientRun::TransientRun(const ContactParameters &parameters,
-                           const Scene             &scene,
-                           const TimeStepChoice    &time,
-                           const UniformMaterial   &material,
-                           TransientCheckpoint     &checkpoint,
-                           DynamicsFile            &file,
-                           RunContext              &context)
+                           const Scene &scene,
+                           const TimeStepChoice &time,
+                           const UniformMaterial &material,
+                           TransientCheckpoint &checkpoint,
+                           DynamicsFile &file,
+                           RunContext &context)
   : parameters(parameters)
   , scene(scene)
   , time(time)
@@ -57,7 +56,8 @@ TransientRun::TransientRun(const ContactParameters &parameters,
             w,
             profile.timed(contact, "Contact and its histories"),
             profile.timed(top, "Top and its histories"),
-            context.n_ranks() > 1 ? profile.timed(halo, "Exchange between ranks") : nullptr,
+            context.n_ranks() > 1 ? profile.timed(halo, "Exchange between ranks")
+                                  : nullptr,
             sweep_options(parameters))
   , op(material, rows)
   , monitor(
@@ -78,43 +78,32 @@ TransientRun::TransientRun(const ContactParameters &parameters,
   set_initial_velocity(parameters, rows, w);
   const ObservationParameters &observation = parameters.observation;
   if (observation.energy_interval > 0)
-    energy = std::make_unique<EnergyAudit>(op,
-                                           time.step,
-                                           u,
-                                           w,
-                                           parameters.top.platen_mass,
-                                           observation.energy_interval,
-                                           [this]() { return boundary_work(); },
-                                           context.communicator());
+    energy = std::make_unique<EnergyAudit>(
+      op, time.step, u, w, parameters.top.platen_mass, observation.energy_interval,
+      [this]() { return boundary_work(); }, context.communicator());
   if (!observation.probes.empty())
     probes = std::make_unique<ProbeRecorder>(
-      probe_points(observation, scene.grid),
-      material,
-      rows,
-      time.step,
-      u,
-      w,
+      probe_points(observation, scene.grid), material, rows, time.step, u, w,
       observation.probe_interval,
-      [this](const unsigned int node) { return traction(node); },
-      context.communicator());
+      [this](const unsigned int node) { return traction(node); }, context.communicator());
 }
 
-BoundaryWork
-TransientRun::boundary_work() const
+BoundaryWork TransientRun::boundary_work() const
 {
-  return {top.work() + contact.work().flat, contact.work().friction, contact.work().impact};
+  return {top.work() + contact.work().flat, contact.work().friction,
+          contact.work().impact};
 }
 
-std::array<double, 2>
-TransientRun::traction(const unsigned int node) const
+std::array<double, 2> TransientRun::traction(const unsigned int node) const
 {
-  const bool   end = !parameters.periodic && (node == 0 || node + 1 == material.n_columns());
+  const bool end =
+    !parameters.periodic && (node == 0 || node + 1 == material.n_columns());
   const double width = scene.grid.spacing[0] * (end ? 0.5 : 1.);
-  return {{contact.tangential_force()[node] / width, contact.normal_force()[node] / width}};
+  return {
+    {contact.tangential_force()[node] / width, contact.normal_force()[node] / width}};
 }
 
-TransientRun::Request
-TransientRun::request(const std::uint64_t n)
+TransientRun::Request TransientRun::request(const std::uint64_t n)
 {
   if (!limit_cycle.update(contact.history(), energy.get()))
     return Request::look;
@@ -127,11 +116,10 @@ TransientRun::request(const std::uint64_t n)
   return context.root() && checkpoint.due() ? Request::save : Request::go_on;
 }
 
-TransientRun::Request
-TransientRun::request_of_all(const std::uint64_t n)
+TransientRun::Request TransientRun::request_of_all(const std::uint64_t n)
 {
-  const auto scope  = context.timer().scope("Limit cycle, requests");
-  Request    wanted = request(n);
+  const auto scope = context.timer().scope("Limit cycle, requests");
+  Request wanted   = request(n);
   MPI_Allreduce(MPI_IN_PLACE, &wanted, 1, MPI_INT, MPI_MAX, context.communicator());
   if (wanted == Request::look)
     monitor.check(n);
@@ -139,19 +127,17 @@ TransientRun::request_of_all(const std::uint64_t n)
   return wanted;
 }
 
-bool
-TransientRun::control(const std::uint64_t n)
+bool TransientRun::control(const std::uint64_t n)
 {
   const Request wanted = request_of_all(n);
-  interrupted    = wanted == Request::stop;
-  at_limit_cycle = wanted == Request::end && n < time.n_steps;
+  interrupted          = wanted == Request::stop;
+  at_limit_cycle       = wanted == Request::end && n < time.n_steps;
   if (wanted == Request::save || wanted == Request::stop)
     save();
   return wanted < Request::stop;
 }
 
-CheckpointPosition
-TransientRun::position() const
+CheckpointPosition TransientRun::position() const
 {
   CheckpointPosition p;
   p.step           = stepper.step_number();
@@ -161,8 +147,7 @@ TransientRun::position() const
   return p;
 }
 
-void
-TransientRun::save()
+void TransientRun::save()
 {
   const auto now = std::chrono::steady_clock::now();
   loop_seconds += std::chrono::duration<double>(now - counted).count();
@@ -172,17 +157,15 @@ TransientRun::save()
   checkpoint.write(position, save_state(*this));
 }
 
-void
-TransientRun::restore()
+void TransientRun::restore()
 {
   load_state(checkpoint.take_state(), *this, checkpoint.path());
   at_limit_cycle = checkpoint.position().by_limit_cycle;
-  context.log("Resumed at step " + std::to_string(stepper.step_number()) + ", t = " +
-              to_text(stepper.step_number() * time.step.dt) + " s");
+  context.log("Resumed at step " + std::to_string(stepper.step_number()) +
+              ", t = " + to_text(stepper.step_number() * time.step.dt) + " s");
 }
 
-std::unique_ptr<SnapshotRecorder>
-TransientRun::make_snapshots()
+std::unique_ptr<SnapshotRecorder> TransientRun::make_snapshots()
 {
   const ObservationParameters &o = parameters.observation;
   if (!(o.snapshots_interval > 0.))
@@ -190,21 +173,17 @@ TransientRun::make_snapshots()
   // Beyond the last step there is none to be seen.
   return std::make_unique<SnapshotRecorder>(
     o.snapshots_from,
-    std::isnan(o.snapshots_to) ? parameters.time.end_time :
-                                 std::min(o.snapshots_to, (time.n_steps + 1) * time.step.dt),
-    o.snapshots_interval,
-    time.step.dt,
-    u,
-    rows,
-    context.communicator(),
+    std::isnan(o.snapshots_to)
+      ? parameters.time.end_time
+      : std::min(o.snapshots_to, (time.n_steps + 1) * time.step.dt),
+    o.snapshots_interval, time.step.dt, u, rows, context.communicator(),
     [this](const std::uint64_t, const double t, const NodalField<double> &whole) {
       const auto scope = context.timer().scope("Writing snapshots");
       file.add_snapshot(t, whole);
     });
 }
 
-TransientObservations
-TransientRun::run()
+TransientObservations TransientRun::run()
 {
   std::vector<StepObserver *> observers = {profile.timed(monitor, "Stability monitor")};
   if (energy)
@@ -218,17 +197,15 @@ TransientRun::run()
       monitor.guard(*snapshots);
     }
 
-  context.progress().start("Sliding", time.n_steps, scene.grid.n_cells(), stepper.step_number());
+  context.progress().start("Sliding", time.n_steps, scene.grid.n_cells(),
+                           stepper.step_number());
   counted = std::chrono::steady_clock::now();
   if (!at_limit_cycle)
     {
       const auto scope = context.timer().scope("Time loop");
-      run_time_loop(stepper,
-                    observers,
-                    time.n_steps,
-                    control_interval(scene.grid),
-                    [this](const std::uint64_t n) { return control(n); },
-                    profile.timer());
+      run_time_loop(
+        stepper, observers, time.n_steps, control_interval(scene.grid),
+        [this](const std::uint64_t n) { return control(n); }, profile.timer());
       monitor.check(stepper.step_number());
     }
   context.progress().finish();
@@ -239,15 +216,14 @@ TransientRun::run()
   return collect();
 }
 
-TopHistory
-TransientRun::gather_top() const
+TopHistory TransientRun::gather_top() const
 {
   TopHistory history = top.history();
-  const int  last    = context.n_ranks() - 1;
+  const int last     = context.n_ranks() - 1;
   if (last == 0)
     return history;
-  for (auto *values :
-       {&history.normal_force, &history.tangential_force, &history.displacement, &history.work})
+  for (auto *values : {&history.normal_force, &history.tangential_force,
+                       &history.displacement, &history.work})
     {
       int n = static_cast<int>(values->size());
       MPI_Bcast(&n, 1, MPI_INT, last, context.communicator());
@@ -257,8 +233,7 @@ TransientRun::gather_top() const
   return history;
 }
 
-TransientObservations
-TransientRun::collect()
+TransientObservations TransientRun::collect()
 {
   TransientObservations all;
   contact.finish();
@@ -269,18 +244,18 @@ TransientRun::collect()
     all.energy = energy->reduce();
   if (probes)
     all.probes = probes->gather();
-  all.steps_done          = stepper.step_number();
-  all.dt                  = time.step.dt;
-  all.reference_node      = reference_node(parameters, scene.grid);
-  all.loop_seconds        = loop_seconds;
-  all.interrupted         = interrupted;
-  all.kernel              = stepper.kernel_name();
+  all.steps_done                     = stepper.step_number();
+  all.dt                             = time.step.dt;
+  all.reference_node                 = reference_node(parameters, scene.grid);
+  all.loop_seconds                   = loop_seconds;
+  all.interrupted                    = interrupted;
+  all.kernel                         = stepper.kernel_name();
   const LimitCycleDetector &detector = limit_cycle.detector();
-  all.limit_cycle_reached = detector.reached();
-  all.limit_cycle         = detector.description();
-  const double given      = parameters.observation.steady_from;
-  all.steady_from         = std::isnan(given) ? detector.steady_from() : given;
-  all.period              = detector.period();
+  all.limit_cycle_reached            = detector.reached();
+  all.limit_cycle                    = detector.description();
+  const double given                 = parameters.observation.steady_from;
+  all.steady_from                    = std::isnan(given) ? detector.steady_from() : given;
+  all.period                         = detector.period();
   return all;
 }
 } // namespace mesoslip

@@ -26,43 +26,40 @@ namespace mesoslip
 class RunContext;
 
 /**
- * One run: the body, its boundaries and its observers; everything that changes from step to
- * step, and when it is saved. All ranks call the members.
+ * One run: the body, its boundaries and its observers; everything that changes from step
+ * to step, and when it is saved. All ranks call the members.
  */
 class TransientRun
 {
 public:
   /** The initial state; all arguments must outlive it. */
   TransientRun(const ContactParameters &parameters,
-               const Scene             &scene,
-               const TimeStepChoice    &time,
-               const UniformMaterial   &material,
-               TransientCheckpoint     &checkpoint,
-               DynamicsFile            &file,
-               RunContext              &context);
+               const Scene &scene,
+               const TimeStepChoice &time,
+               const UniformMaterial &material,
+               TransientCheckpoint &checkpoint,
+               DynamicsFile &file,
+               RunContext &context);
 
   /** Takes over the state in the checkpoint. */
-  void
-  restore();
+  void restore();
 
   /**
-   * Goes on until End time, the limit cycle or a request to stop, after which the state is
-   * in the checkpoint. @throws NumericalFailure
+   * Goes on until End time, the limit cycle or a request to stop, after which the state
+   * is in the checkpoint. @throws NumericalFailure
    */
-  TransientObservations
-  run();
+  TransientObservations run();
 
   /** Puts the state into the checkpoint. */
-  void
-  save();
+  void save();
 
-  /** State between two steps (Boost.Serialization); observers come and go with the keys. */
+  /** State between two steps (Boost.Serialization); observers come and go with the keys.
+   */
   template <class Archive>
-  void
-  serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int)
   {
     std::uint64_t n = stepper.step_number();
-    archive      &n;
+    archive &n;
     serialize_own_rows(archive, u, rows);
     serialize_own_rows(archive, w, rows);
     archive &contact &top &monitor &limit_cycle &loop_seconds;
@@ -71,70 +68,61 @@ public:
       archive &*energy;
     if (probes)
       archive &*probes;
-    require_when_loading(
-      archive,
-      n == checkpoint.position().step &&
-        contact.counted_steps() == (rows.begin == 0 ? n : 0) && // the others have no contact
-        limit_cycle.follows(contact.history(), energy.get(), n));
+    require_when_loading(archive,
+                         n == checkpoint.position().step &&
+                           contact.counted_steps() ==
+                             (rows.begin == 0 ? n : 0) && // the others have no contact
+                           limit_cycle.follows(contact.history(), energy.get(), n));
   }
 
   /** Where the run stands. */
-  CheckpointPosition
-  position() const;
+  CheckpointPosition position() const;
 
 private:
   /** What the ranks have to say between two steps; the largest wins. */
   enum class Request : int
   {
     go_on,
-    save,  ///< the interval of the checkpoints is over
-    stop,  ///< by a signal or a file
-    end,   ///< End time or limit cycle
-    look   ///< something is not finite
+    save, ///< the interval of the checkpoints is over
+    stop, ///< by a signal or a file
+    end,  ///< End time or limit cycle
+    look  ///< something is not finite
   };
 
-  BoundaryWork
-  boundary_work() const;
-  std::array<double, 2>
-  traction(const unsigned int node) const;
-  Request
-  request(const std::uint64_t n);
+  BoundaryWork boundary_work() const;
+  std::array<double, 2> traction(const unsigned int node) const;
+  Request request(const std::uint64_t n);
   /** The greatest of all ranks, after looking and reporting. */
-  Request
-  request_of_all(const std::uint64_t n);
-  bool
-  control(const std::uint64_t n);
-  std::unique_ptr<SnapshotRecorder>
-  make_snapshots();
-  TopHistory
-  gather_top() const;
-  TransientObservations
-  collect();
+  Request request_of_all(const std::uint64_t n);
+  bool control(const std::uint64_t n);
+  std::unique_ptr<SnapshotRecorder> make_snapshots();
+  TopHistory gather_top() const;
+  TransientObservations collect();
 
   const ContactParameters &parameters;
-  const Scene             &scene;
-  const TimeStepChoice    &time;
-  const UniformMaterial   &material;
-  TransientCheckpoint     &checkpoint;
-  DynamicsFile            &file;
-  RunContext              &context;
-  const NodeRows           rows;
-  NodalField<double>       u, w;
-  ContactRow               contact;
-  TopRow                   top;
-  MPIHalo                  halo;
-  LoopProfile              profile;
-  ExplicitStepper          stepper;
-  UniformGridOperator      op;
-  StabilityMonitor         monitor;
-  LimitCycleWatch          limit_cycle;
-  bool                     interrupted    = false;
-  bool                     at_limit_cycle = false;
-  double                   loop_seconds   = 0.; ///< in earlier runs, too
+  const Scene &scene;
+  const TimeStepChoice &time;
+  const UniformMaterial &material;
+  TransientCheckpoint &checkpoint;
+  DynamicsFile &file;
+  RunContext &context;
+  const NodeRows rows;
+  NodalField<double> u, w;
+  ContactRow contact;
+  TopRow top;
+  MPIHalo halo;
+  LoopProfile profile;
+  ExplicitStepper stepper;
+  UniformGridOperator op;
+  StabilityMonitor monitor;
+  LimitCycleWatch limit_cycle;
+  bool interrupted    = false;
+  bool at_limit_cycle = false;
+  double loop_seconds = 0.; ///< in earlier runs, too
 
   std::chrono::steady_clock::time_point counted; ///< loop_seconds reach up to here
 
-  std::unique_ptr<EnergyAudit>   energy;
+  std::unique_ptr<EnergyAudit> energy;
   std::unique_ptr<ProbeRecorder> probes;
 };
 } // namespace mesoslip

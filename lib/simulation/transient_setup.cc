@@ -5,18 +5,17 @@
 
 namespace mesoslip
 {
-unsigned int
-reference_node(const ContactParameters &parameters, const UniformGrid<2> &grid)
+unsigned int reference_node(const ContactParameters &parameters,
+                            const UniformGrid<2> &grid)
 {
   const double wanted = parameters.observation.reference_x;
   const double x      = std::isnan(wanted) ? 0.5 * grid.extent(0) : wanted;
   return std::lround(std::clamp(x, 0., grid.extent(0)) / grid.spacing[0]);
 }
 
-ContactSetup
-contact_setup(const ContactParameters &parameters,
-              const Scene             &scene,
-              const TimeStepChoice    &time)
+ContactSetup contact_setup(const ContactParameters &parameters,
+                           const Scene &scene,
+                           const TimeStepChoice &time)
 {
   ContactSetup setup;
   setup.law                  = parameters.friction.law;
@@ -27,15 +26,15 @@ contact_setup(const ContactParameters &parameters,
   setup.history_interval     = parameters.observation.history_interval;
   setup.steps_per_block =
     std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
-  // The reference node and four more along the contact, for the judgement of the limit cycle.
+  // The reference node and four more along the contact, for the judgement of the limit
+  // cycle.
   setup.monitored_nodes = {reference_node(parameters, scene.grid)};
   for (const unsigned int sixth : {1, 2, 4, 5})
     setup.monitored_nodes.push_back(sixth * scene.grid.cells[0] / 6);
   return setup;
 }
 
-TopSetup
-top_setup(const ContactParameters &parameters, const UniformGrid<2> &grid)
+TopSetup top_setup(const ContactParameters &parameters, const UniformGrid<2> &grid)
 {
   TopSetup setup         = parameters.top;
   setup.cell_width       = grid.spacing[0];
@@ -44,8 +43,7 @@ top_setup(const ContactParameters &parameters, const UniformGrid<2> &grid)
   return setup;
 }
 
-SweepOptions
-sweep_options(const ContactParameters &parameters)
+SweepOptions sweep_options(const ContactParameters &parameters)
 {
   SweepOptions options;
   options.wavefront = parameters.wavefront;
@@ -57,8 +55,8 @@ sweep_options(const ContactParameters &parameters)
   return options;
 }
 
-LimitCycleCriterion
-limit_cycle_criterion(const ContactParameters &parameters, const UniformGrid<2> &grid)
+LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
+                                          const UniformGrid<2> &grid)
 {
   LimitCycleCriterion c;
   c.periods         = parameters.observation.limit_cycle_periods;
@@ -69,8 +67,8 @@ limit_cycle_criterion(const ContactParameters &parameters, const UniformGrid<2> 
   return c;
 }
 
-std::vector<ProbeRecorder::Point>
-probe_points(const ObservationParameters &observation, const UniformGrid<2> &grid)
+std::vector<ProbeRecorder::Point> probe_points(const ObservationParameters &observation,
+                                               const UniformGrid<2> &grid)
 {
   std::vector<ProbeRecorder::Point> points;
   for (const ProbeParameters &probe : observation.probes)
@@ -85,10 +83,9 @@ probe_points(const ObservationParameters &observation, const UniformGrid<2> &gri
   return points;
 }
 
-void
-set_initial_velocity(const ContactParameters &parameters,
-                     const NodeRows          &rows,
-                     NodalField<double>      &w)
+void set_initial_velocity(const ContactParameters &parameters,
+                          const NodeRows &rows,
+                          NodalField<double> &w)
 {
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < rows.n_local(); ++j)

@@ -21,36 +21,32 @@ namespace mesoslip
  * @{
  */
 /** Column of the reference contact node M. */
-unsigned int
-reference_node(const ContactParameters &parameters, const UniformGrid<2> &grid);
+unsigned int reference_node(const ContactParameters &parameters,
+                            const UniformGrid<2> &grid);
 
 /** The contact line: gaps, friction coefficients and law of the scene's bottom nodes. */
-ContactSetup
-contact_setup(const ContactParameters &parameters,
-              const Scene             &scene,
-              const TimeStepChoice    &time);
+ContactSetup contact_setup(const ContactParameters &parameters,
+                           const Scene &scene,
+                           const TimeStepChoice &time);
 
 /** The load on the top, whose pressure becomes a force on each node. */
-TopSetup
-top_setup(const ContactParameters &parameters, const UniformGrid<2> &grid);
+TopSetup top_setup(const ContactParameters &parameters, const UniformGrid<2> &grid);
 
 /** Instruction set and number of time steps in flight. */
-SweepOptions
-sweep_options(const ContactParameters &parameters);
+SweepOptions sweep_options(const ContactParameters &parameters);
 
 /** Tolerance, periods and windows asked for, with the contact nodes that are watched. */
-LimitCycleCriterion
-limit_cycle_criterion(const ContactParameters &parameters, const UniformGrid<2> &grid);
+LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
+                                          const UniformGrid<2> &grid);
 
 /** Positions of the probes, moved to the nearest node where that is wanted. */
-std::vector<ProbeRecorder::Point>
-probe_points(const ObservationParameters &observation, const UniformGrid<2> &grid);
+std::vector<ProbeRecorder::Point> probe_points(const ObservationParameters &observation,
+                                               const UniformGrid<2> &grid);
 
 /** Velocity of the body at the start (m/s), zero where it is held. */
-void
-set_initial_velocity(const ContactParameters &parameters,
-                     const NodeRows          &rows,
-                     NodalField<double>      &w);
+void set_initial_velocity(const ContactParameters &parameters,
+                          const NodeRows &rows,
+                          NodalField<double> &w);
 /** @} */
 } // namespace mesoslip
 

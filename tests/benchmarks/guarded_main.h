@@ -9,8 +9,7 @@
 namespace mesoslip
 {
 /** main() of a benchmark: MPI around @p run; an exception is one line and status 2. */
-inline int
-guarded_main(int argc, char **argv, const char *name, int (*run)(int, char **))
+inline int guarded_main(int argc, char **argv, const char *name, int (*run)(int, char **))
 {
   MPI_Init(&argc, &argv);
   int status = 0;

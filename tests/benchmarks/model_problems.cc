@@ -8,10 +8,10 @@
  * gives one line of CSV; cpu_s is that of the time loop alone, without observers:
  * median, lowest and highest of the repetitions.
  */
-#include "guarded_main.h"
 #include "../verification/impact_bar.h"
 #include "../verification/rectangle_mode.h"
 #include "../verification/sliding_layer.h"
+#include "guarded_main.h"
 
 #include <algorithm>
 #include <cstdio>

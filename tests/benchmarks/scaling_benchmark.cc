@@ -19,8 +19,8 @@
  * A step is that of a body on the flat with contact, friction and damping, without
  * observers. Times are wall-clock: median, lowest and highest of the repetitions.
  */
-#include "guarded_main.h"
 #include "../verification/sliding_body.h"
+#include "guarded_main.h"
 
 #include "elasticity/mpi_halo.h"
 

@@ -114,10 +114,10 @@ TEST(LoadHistory, Ramps)
 // The parser takes the last item of a list: 2,5 would be 5.
 TEST(LoadHistory, DecimalCommasAreNoNumbers)
 {
-  for (const std::string text : {"2,5", "0,5e6", "2,5*t", "(2,5)*t", "2 , 5", "sin(2*t), 5",
-                                 "if((0,5) > t, 1, 0)", ",5", "min(0,5, t)", "max(t,0,5)",
-                                 "min(sin(t), 2*(t + 0,5))", "sqrt(2,5)", "if(t < 1, 0,5, 1)",
-                                 "if(t > 0,5, 1, 2)", "pi(0,5)", "avg (0,5, t)"})
+  for (const std::string text :
+       {"2,5", "0,5e6", "2,5*t", "(2,5)*t", "2 , 5", "sin(2*t), 5", "if((0,5) > t, 1, 0)",
+        ",5", "min(0,5, t)", "max(t,0,5)", "min(sin(t), 2*(t + 0,5))", "sqrt(2,5)",
+        "if(t < 1, 0,5, 1)", "if(t > 0,5, 1, 2)", "pi(0,5)", "avg (0,5, t)"})
     EXPECT_THROW(LoadHistory(1., text), std::invalid_argument) << text;
   EXPECT_EQ(LoadHistory(1., "min(0.5, t)")(2.), 0.5);
   EXPECT_EQ(LoadHistory(1., "max(t, 3, 2)")(1.), 3.);

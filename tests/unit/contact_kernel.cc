@@ -203,8 +203,8 @@ TEST(ContactKernel, TheSameBitsFromEveryInstructionSet)
     {
       ContactSums sums;
       const NodalField<double> found = advanced(isa, sums);
-      EXPECT_TRUE(std::equal(expected.begin(), expected.begin() + expected.size(),
-                             found.begin()))
+      EXPECT_TRUE(
+        std::equal(expected.begin(), expected.begin() + expected.size(), found.begin()))
         << to_string(isa);
       EXPECT_EQ(std::memcmp(&sums, &first, sizeof sums), 0) << to_string(isa);
     }

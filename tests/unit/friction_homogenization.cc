@@ -57,7 +57,7 @@ protected:
   {
     const std::vector<double> D = stiffness();
     const auto end              = D.begin() + static_cast<std::ptrdiff_t>(9 * n_phases);
-    Hdf5File file = Hdf5File::create(rve());
+    Hdf5File file               = Hdf5File::create(rve());
     file.write_header("mesoslip-rve", 1, 2, digest);
     write_grid(file, grid);
     file.write("/phase/id", {4, 10}, id);

@@ -76,9 +76,8 @@ TEST(Parameters, ReadsWhatIsSet)
   const ParameterSection section(prm, "Input/Deep");
   EXPECT_EQ(get_string(prm, "Kind"), "two words");
   EXPECT_EQ(get_string(prm, "Image file"), "/some/where/a/b.png");
-  expect_contains(
-    user_error([&]() { get_input_file(prm, "Image file", "draw it"); }),
-    "Input/Deep/Image file: there is no file /some/where/a/b.png; draw it");
+  expect_contains(user_error([&]() { get_input_file(prm, "Image file", "draw it"); }),
+                  "Input/Deep/Image file: there is no file /some/where/a/b.png; draw it");
   // deal.II's assertion, where it is compiled in, would end the program.
   dealii::deal_II_exceptions::disable_abort_on_exception();
   EXPECT_THROW(get_double(prm, "Undeclared"), std::logic_error);
@@ -114,10 +113,14 @@ TEST(Parameters, DifferencesAreNamed)
   EXPECT_EQ(canonical_parameters(prm, {"Time step"}), all);
 
   EXPECT_EQ(parameter_differences("A/b = 1\nc = x y\n", "A/b = 1\nc = x y\n"), "");
-  EXPECT_EQ(parameter_differences("A/b = 2\nc = \nnew = 3\n", "A/b = 1\nc = x y\nold = \n"),
-            "A/b is 2 instead of 1, c is empty instead of x y, new is new (3), old is gone (empty)");
-  EXPECT_EQ(parameter_differences("", "a = 1\nb = 1\nc = 1\nd = 1\ne = 1\nf = 1\ng = 1\n"),
-            "a is gone (1), b is gone (1), c is gone (1), d is gone (1), e is gone (1) and 2 more");
+  EXPECT_EQ(
+    parameter_differences("A/b = 2\nc = \nnew = 3\n", "A/b = 1\nc = x y\nold = \n"),
+    "A/b is 2 instead of 1, c is empty instead of x y, new is new (3), old is gone "
+    "(empty)");
+  EXPECT_EQ(
+    parameter_differences("", "a = 1\nb = 1\nc = 1\nd = 1\ne = 1\nf = 1\ng = 1\n"),
+    "a is gone (1), b is gone (1), c is gone (1), d is gone (1), e is gone (1) and 2 "
+    "more");
 }
 
 TEST(Parameters, ThirdIsAThird)
@@ -133,7 +136,8 @@ TEST(Parameters, LineEndsOfAnySystem)
   for (const std::string end : {"\n", "\r\n", "\r"})
     {
       const RawParameters raw = RawParameters::parse(
-        "# of another system" + end + "set Cells = 1\\" + end + "7" + end + "# end", "a.prm");
+        "# of another system" + end + "set Cells = 1\\" + end + "7" + end + "# end",
+        "a.prm");
       EXPECT_EQ(raw.get("Cells", ""), "17");
       expect_contains(error_of("#" + end + end + "set Cels = 1" + end), "run.prm:3: ");
     }

@@ -78,7 +78,8 @@ TEST(CommandLineTest, PrintedParametersAreAParameterFile)
                              "  set Fraction = 0.3333333333333333\n");
   write_file(folder / "all.prm", first.out);
   EXPECT_EQ(run(folder, "--print-parameters all.prm").out, first.out);
-  const Result more = run(folder, "--print-parameters all.prm --set 'Phases/Names=matrix, b'");
+  const Result more =
+    run(folder, "--print-parameters all.prm --set 'Phases/Names=matrix, b'");
   expect_contains(more.out, "  subsection b\n");
 }
 
@@ -123,7 +124,8 @@ TEST(CommandLineTest, ARunLeavesItsPapers)
                     "Input/Image file: there is no file " + folder.path +
                       "/x.png; draw one first");
   std::ofstream(folder / "file") << "x";
-  expect_user_error(run(folder, "in/b.prm --output file"), "is not a folder; give another one");
+  expect_user_error(run(folder, "in/b.prm --output file"),
+                    "is not a folder; give another one");
   expect_user_error(run(folder, "in/b.prm --output none --resume"), "nothing to resume");
 }
 

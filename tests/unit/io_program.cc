@@ -99,7 +99,7 @@ int main(int argc, char **argv)
   program.estimate    = [](dealii::ParameterHandler &, std::ostream &report) {
     report << "memory 1 MB\n";
   };
-  program.run         = run;
-  program.resumable   = [](dealii::ParameterHandler &) { return true; };
+  program.run       = run;
+  program.resumable = [](dealii::ParameterHandler &) { return true; };
   return mesoslip::run_program(argc, argv, program);
 }

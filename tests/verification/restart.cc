@@ -31,18 +31,19 @@ struct ObservedBody : SlidingBody
         },
         [](const Runaway &, std::uint64_t) { throw std::runtime_error("blown up"); },
         MPI_COMM_SELF)
-    , probes({{"inside", {{0.9e-3, 0.7e-3}}}, {"contact", {{0.5e-3, 0.}}}},
-             material,
-             rows,
-             setup.step,
-             u,
-             w,
-             5,
-             [this](const unsigned int node) {
-               return std::array<double, 2>{
-                 {contact.tangential_force()[node], contact.normal_force()[node]}};
-             },
-             MPI_COMM_SELF)
+    , probes(
+        {{"inside", {{0.9e-3, 0.7e-3}}}, {"contact", {{0.5e-3, 0.}}}},
+        material,
+        rows,
+        setup.step,
+        u,
+        w,
+        5,
+        [this](const unsigned int node) {
+          return std::array<double, 2>{
+            {contact.tangential_force()[node], contact.normal_force()[node]}};
+        },
+        MPI_COMM_SELF)
     , watch(LimitCycleCriterion(), 10, setup.energy_interval, MPI_COMM_SELF)
   {
     set_w([](const double x, const double y, const unsigned int c) {
@@ -145,13 +146,15 @@ void expect_equal_contact(const ContactRow &a, const ContactRow &b)
   expect_equal(x.nodes[0].vx, y.nodes[0].vx, "v_x");
   expect_equal(x.nodes[0].vy, y.nodes[0].vy, "v_y");
   expect_equal(x.nodes[0].normal_force, y.nodes[0].normal_force, "node's pressure");
-  expect_equal(x.nodes[0].tangential_force, y.nodes[0].tangential_force, "node's friction");
+  expect_equal(x.nodes[0].tangential_force, y.nodes[0].tangential_force,
+               "node's friction");
   ASSERT_EQ(a.blocks().size(), b.blocks().size());
   for (std::size_t k = 0; k < a.blocks().size(); ++k)
     {
       const NodeCounts &p = a.blocks()[k], &q = b.blocks()[k];
       EXPECT_TRUE(p.first_step == q.first_step && p.n_steps == q.n_steps) << k;
-      EXPECT_TRUE(p.stick == q.stick && p.slip == q.slip && p.landings == q.landings) << k;
+      EXPECT_TRUE(p.stick == q.stick && p.slip == q.slip && p.landings == q.landings)
+        << k;
     }
 }
 
@@ -251,7 +254,8 @@ ContactHistory vibration(const std::size_t n)
 
 std::vector<double> judgement(const LimitCycleDetector &d)
 {
-  return {d.reached() ? 1. : 0., d.reached_at().value_or(-1.), d.steady_from(), d.period()};
+  return {d.reached() ? 1. : 0., d.reached_at().value_or(-1.), d.steady_from(),
+          d.period()};
 }
 } // namespace
 

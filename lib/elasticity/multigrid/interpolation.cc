@@ -129,12 +129,12 @@ void Interpolation::set_corner_weights(const int J,
                     north    = strength(a02[i] + a13[i - 1]),
                     west     = strength(b23[i - 1] + a01[i - 1]),
                     east     = strength(b23[i] + a01[i]);
-        const float w[4]     = {strength(b03[i - 1]) + south * down[I] + west * side[I],
-                                strength(b12[i]) + south * (1.F - down[I]) + east * side[I + 1],
-                                strength(a12[i - 1]) + north * up[I] + west * (1.F - side[I]),
-                                strength(a03[i]) + north * (1.F - up[I]) +
-                                  east * (1.F - side[I + 1])};
-        const float sum      = w[0] + w[1] + w[2] + w[3];
+        const float w[4]     = {
+              strength(b03[i - 1]) + south * down[I] + west * side[I],
+              strength(b12[i]) + south * (1.F - down[I]) + east * side[I + 1],
+              strength(a12[i - 1]) + north * up[I] + west * (1.F - side[I]),
+              strength(a03[i]) + north * (1.F - up[I]) + east * (1.F - side[I + 1])};
+        const float sum = w[0] + w[1] + w[2] + w[3];
         for (unsigned int c = 0; c < 4; ++c)
           corners.row(c, J)[I] = sum > 0.F ? w[c] / sum : 0.25F;
       }

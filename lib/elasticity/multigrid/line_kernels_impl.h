@@ -1,5 +1,5 @@
-// The row kernels of LineSmoother. Included inside a namespace by kernels_x86_64*.cc, after
-// kernels_impl.h; what they do is in kernels.h.
+// The row kernels of LineSmoother. Included inside a namespace by kernels_x86_64*.cc,
+// after kernels_impl.h; what they do is in kernels.h.
 
 template <int nc, typename Number>
 static void eliminate(const unsigned int n,
