@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-// HDF5 files, byte by byte; for hdf5_structure.cc.
+// HDF5 files, byte by byte; for structure.cc.
 namespace mesoslip
 {
 namespace hdf5

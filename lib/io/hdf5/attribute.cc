@@ -1,6 +1,6 @@
 #include "io/errors.h"
+#include "io/hdf5/internal.h"
 #include "io/hdf5_file.h"
-#include "io/hdf5_internal.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "io/hdf5_messages.h"
+#include "io/hdf5/messages.h"
 
 #include <algorithm>
 #include <array>

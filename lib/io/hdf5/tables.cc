@@ -1,4 +1,4 @@
-#include "io/hdf5_tables.h"
+#include "io/hdf5/tables.h"
 
 #include <algorithm>
 #include <utility>

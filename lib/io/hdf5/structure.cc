@@ -1,8 +1,8 @@
-#include "io/hdf5_structure.h"
+#include "io/hdf5/structure.h"
 
-#include "io/hdf5_bytes.h"
-#include "io/hdf5_messages.h"
-#include "io/hdf5_tables.h"
+#include "io/hdf5/bytes.h"
+#include "io/hdf5/messages.h"
+#include "io/hdf5/tables.h"
 
 #include <set>
 #include <utility>

@@ -1,5 +1,5 @@
 #include "io/errors.h"
-#include "io/hdf5_internal.h"
+#include "io/hdf5/internal.h"
 
 #include <unistd.h>
 

@@ -24,7 +24,7 @@ bool abandoned();
 /**
  * While the library reads a file: should it crash, the process ends at once with a
  * sentence that names the file and with ExitStatus::user_error. What of a damaged file is
- * known to make it crash is not given to it (hdf5_structure.h, FixedStrings); this is for
+ * known to make it crash is not given to it (structure.h, FixedStrings); this is for
  * the rest. Of several, one within another, the outermost counts.
  */
 class CrashGuard

@@ -1,4 +1,4 @@
-#include "io/hdf5_bytes.h"
+#include "io/hdf5/bytes.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,7 +1,7 @@
 #ifndef mesoslip_io_hdf5_tables_h
 #define mesoslip_io_hdf5_tables_h
 
-#include "io/hdf5_bytes.h"
+#include "io/hdf5/bytes.h"
 
 #include <functional>
 #include <string>

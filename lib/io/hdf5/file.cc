@@ -1,8 +1,8 @@
 #include "io/hdf5_file.h"
 
 #include "io/errors.h"
-#include "io/hdf5_internal.h"
-#include "io/hdf5_structure.h"
+#include "io/hdf5/internal.h"
+#include "io/hdf5/structure.h"
 #include "io/parameters.h"
 #include "io/version.h"
 
