@@ -73,6 +73,8 @@ public:
     , fields(f)
     , n_times(n)
   {
+    if (fields.empty())
+      throw std::logic_error("an XDMF file shows at least one field");
     for (const XdmfField &field : fields)
       if (grid.dim == 2 && field.centre != fields.front().centre)
         throw std::logic_error("ParaView cannot show data of nodes and of cells on one "

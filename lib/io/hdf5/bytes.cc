@@ -17,6 +17,11 @@ Bytes::Bytes(const unsigned char *begin, const std::size_t size)
 {
 }
 
+Bytes::Bytes(const std::vector<unsigned char> &memory)
+  : Bytes(memory.data(), memory.size())
+{
+}
+
 Bytes Bytes::take(const std::size_t n)
 {
   require(n <= size, "is longer than its place");

@@ -23,6 +23,9 @@ inline void require(const bool holds, const char *what)
     throw Damage{what};
 }
 
+/** Of what the format allows, but is not read here. */
+constexpr char other_kind[] = "is of a kind that no program here writes";
+
 /** An address that stands for none. */
 constexpr std::uint64_t undefined_address = ~std::uint64_t(0);
 
@@ -32,6 +35,10 @@ class Bytes
 public:
   /** Of memory that outlives them. */
   Bytes(const unsigned char *begin, const std::size_t size);
+
+  /** All of it. */
+  explicit Bytes(const std::vector<unsigned char> &memory);
+  explicit Bytes(std::vector<unsigned char> &&memory) = delete;
 
   /** How many there are. */
   std::size_t left() const

@@ -12,8 +12,6 @@ namespace
 /** Sizes of messages have 16 bits; no attribute is larger. */
 constexpr std::uint64_t size_limit = 1 << 16;
 
-constexpr char other_kind[] = "is of a kind that no program here writes";
-
 enum : std::uint64_t
 {
   fixed_point     = 0,

@@ -59,10 +59,10 @@ private:
   Member root()
   {
     const auto block = file.read(0, 96);
-    Bytes bytes(block.data(), block.size());
+    Bytes bytes(block);
     bytes.signature("\x89HDF\r\n\x1a\n");
     const std::uint64_t versions = bytes.number(5);
-    require((versions & 0xff) == 0, "is of a kind that no program here writes");
+    require((versions & 0xff) == 0, other_kind);
     const std::uint64_t address_bytes = bytes.number(1), length_bytes = bytes.number(1);
     bytes.take(1);
     most_members = 2 * bytes.number(2);
@@ -73,7 +73,7 @@ private:
     const std::uint64_t driver = bytes.number(8);
     require(address_bytes == 8 && length_bytes == 8 && base == 0 &&
               driver == undefined_address,
-            "is of a kind that no program here writes");
+            other_kind);
     bytes.take(8);
     return read_member("/", bytes);
   }
@@ -108,15 +108,15 @@ private:
     subject                        = "the header of ";
     constexpr std::uint64_t prefix = 16;
     const auto head                = file.read(address, prefix);
-    Bytes bytes(head.data(), head.size());
-    require(bytes.number(1) == 1, "is of a kind that no program here writes");
+    Bytes bytes(head);
+    require(bytes.number(1) == 1, other_kind);
     bytes.take(7);
     std::vector<std::pair<std::uint64_t, std::uint64_t>> blocks = {
       {address + prefix, bytes.number(4)}};
     for (std::size_t k = 0; k < blocks.size(); ++k)
       {
         const auto block = file.read(blocks[k].first, blocks[k].second);
-        Bytes messages(block.data(), block.size());
+        Bytes messages(block);
         constexpr std::size_t message_prefix = 8;
         while (messages.left() >= message_prefix)
           check_message(messages, blocks);
@@ -136,11 +136,11 @@ private:
       {
       case Message::attribute:
         subject = "an attribute of ";
-        require((flags & shared) == 0, "is of a kind that no program here writes");
+        require((flags & shared) == 0, other_kind);
         return check_attribute(body);
       case Message::attribute_info:
         subject = "an attribute of ";
-        throw Damage{"is of a kind that no program here writes"};
+        throw Damage{other_kind};
       case Message::continuation:
         blocks.emplace_back(body.number(8), 0);
         blocks.back().second = body.number(8);
@@ -151,7 +151,7 @@ private:
           return check_group(tree, body.number(8));
         }
       case Message::datatype:
-        require((flags & shared) == 0, "is of a kind that no program here writes");
+        require((flags & shared) == 0, other_kind);
         return check_dataset_type(body);
       case Message::link_info:
         return check_link_info(body);
@@ -196,13 +196,13 @@ private:
   {
     constexpr std::size_t entry_bytes = 40;
     const auto head                   = file.read(address, 8);
-    Bytes bytes(head.data(), head.size());
+    Bytes bytes(head);
     bytes.signature("SNOD");
     bytes.take(2);
     const std::uint64_t n = bytes.number(2);
     require(n <= most_members, "is a damaged tree");
     const auto block = file.read(address + 8, n * entry_bytes);
-    Bytes entries(block.data(), block.size());
+    Bytes entries(block);
     for (std::uint64_t k = 0; k < n; ++k)
       {
         const std::string name = names.at(entries.number(8));

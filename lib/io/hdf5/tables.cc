@@ -10,7 +10,7 @@ namespace hdf5
 Names::Names(const RawFile &file, const std::uint64_t address)
 {
   const auto head = file.read(address, 32);
-  Bytes bytes(head.data(), head.size());
+  Bytes bytes(head);
   bytes.signature("HEAP");
   bytes.take(4);
   const std::uint64_t size = bytes.number(8);
@@ -54,7 +54,7 @@ Node read_node(const RawFile &file, const Tree &tree, const std::uint64_t addres
 {
   constexpr std::size_t head_bytes = 24;
   const auto head                  = file.read(address, head_bytes);
-  Bytes bytes(head.data(), head.size());
+  Bytes bytes(head);
   bytes.signature("TREE");
   const std::uint64_t type = bytes.number(1);
   Node node;
@@ -77,7 +77,7 @@ void walk(const RawFile &file, const Tree &tree, const std::uint64_t root)
       waiting.pop_back();
       const Node node = read_node(file, tree, address);
       require(level == any_level || node.level == level, "is a damaged tree");
-      Bytes entries(node.entries.data(), node.entries.size());
+      Bytes entries(node.entries);
       for (std::uint64_t k = 0; k < node.used; ++k)
         {
           const Bytes key = entries.take(tree.key_bytes);
