@@ -176,9 +176,9 @@ class Chain:
         inside = [folder] + [os.path.join(folder, name) for name in sorted(os.listdir(folder))]
         holds = lambda path, name: os.path.isfile(os.path.join(path, name))
         complete = [path for path in inside if holds(path, "summary.json")]
-        self.notes += [f"{path}: its run has not ended or has failed, see log.txt there; what else is there is left out"
-                       for path in inside if holds(path, "log.txt") and path not in complete]
-        if not complete and not self.notes:
+        failed = [path for path in inside if holds(path, "log.txt") and path not in complete]
+        self.notes += [f"{path}: its run has not ended or has failed, see log.txt there; what else is there is left out" for path in failed]
+        if not complete and not failed:
             self.notes.append(f"{folder} holds no summary.json")
         for path in complete:
             self._open(path)

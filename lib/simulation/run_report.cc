@@ -79,16 +79,10 @@ std::vector<std::string> transient_warnings(const ContactParameters &parameters,
       crossing_text(parameters, material) +
       ": it ends before the wave is back; are Body/Size and Time/End time in "
       "m and s, and the stiffness in Pa?");
-  const double shortening = step_shortening(parameters, material);
-  if (!(shortening <= 10.))
-    {
-      std::ostringstream text;
-      text.precision(3);
-      text << "Time/Rayleigh beta = " << parameters.time.beta
-           << " s makes the critical time step " << shortening
-           << " times shorter than without damping; is it in s?";
-      warnings.push_back(text.str());
-    }
+  const std::string damping =
+    damping_warning(parameters, material, "the critical time step");
+  if (!damping.empty())
+    warnings.push_back(damping);
   return warnings;
 }
 } // namespace mesoslip

@@ -45,10 +45,9 @@ std::string steps_text(const ContactParameters &parameters,
   text << n_steps << " steps of " << t.end_time / n_steps << " s";
   if (!std::isnan(t.time_step))
     text << " (Time/Time step)";
-  else if (const double shortening = step_shortening(parameters, material);
-           shortening > 10.)
-    text << ": Time/Rayleigh beta = " << t.beta << " s makes them " << shortening
-         << " times shorter than without damping; is it in s?";
+  else if (const std::string warning = damping_warning(parameters, material, "them");
+           !warning.empty())
+    text << ": " << warning;
   else
     text << " (" << 100. * t.safety << " % of the critical time step)";
   return text.str();
@@ -97,13 +96,21 @@ double crossing_time(const UniformMaterial &material)
   return material.grid().extent(1) / std::sqrt(fastest);
 }
 
-double step_shortening(const ContactParameters &parameters,
-                       const UniformMaterial &material)
+std::string damping_warning(const ContactParameters &parameters,
+                            const UniformMaterial &material,
+                            const std::string &shortened)
 {
   const TimeParameters &t = parameters.time;
   const double omega      = element_frequency_bound(material);
-  return critical_time_step(omega, t.beta2, 0.) /
-         critical_time_step(omega, t.beta2, t.beta);
+  const double shortening =
+    critical_time_step(omega, t.beta2, 0.) / critical_time_step(omega, t.beta2, t.beta);
+  if (shortening <= 10.)
+    return "";
+  std::ostringstream text;
+  text.precision(3);
+  text << "Time/Rayleigh beta = " << t.beta << " s makes " << shortened << " "
+       << shortening << " times shorter than without damping; is it in s?";
+  return text.str();
 }
 
 Need history_memory(const ContactParameters &parameters,

@@ -27,10 +27,14 @@ double largest_number_of_steps(const ContactParameters &parameters,
  * material.*/
 double crossing_time(const UniformMaterial &material);
 
-/** How many times longer the critical time step would be without Time/Rayleigh beta; at
- * least 1, of a single cell. */
-double step_shortening(const ContactParameters &parameters,
-                       const UniformMaterial &material);
+/**
+ * "Time/Rayleigh beta = ... makes <shortened> 20 times shorter than without damping; is
+ * it in s?" where the critical time step of a single cell would be more than ten times
+ * longer without it; otherwise empty.
+ */
+std::string damping_warning(const ContactParameters &parameters,
+                            const UniformMaterial &material,
+                            const std::string &shortened);
 
 /** Memory of the histories, which are kept until the end of a transient run. */
 Need history_memory(const ContactParameters &parameters,
