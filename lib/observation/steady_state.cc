@@ -290,7 +290,6 @@ std::string LimitCycleDetector::description() const
       text << "not reached by t = " << last_time_ << " s";
       if (difference_ >= 0.)
         text << " (" << quantity_ << " differs by " << 100. * difference_ << " %)";
-      text << ", statistics from " << steady_from() << " s on";
     }
   return text.str();
 }

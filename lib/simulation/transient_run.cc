@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace mesoslip
 {
@@ -21,6 +22,20 @@ namespace
 std::uint64_t control_interval(const UniformGrid<2> &grid)
 {
   return next_multiple(std::max<std::uint64_t>(1, 20000000 / grid.n_cells()), 64);
+}
+
+// With the begin of the statistics unless it is that of the limit cycle, which is in the
+// description.
+std::string limit_cycle_text(const LimitCycleDetector &detector,
+                             const double given,
+                             const double from)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << detector.description();
+  if (!detector.reached() || !std::isnan(given))
+    text << ", statistics from " << from << " s on";
+  return text.str();
 }
 } // namespace
 
@@ -252,9 +267,9 @@ TransientObservations TransientRun::collect()
   all.kernel                         = stepper.kernel_name();
   const LimitCycleDetector &detector = limit_cycle.detector();
   all.limit_cycle_reached            = detector.reached();
-  all.limit_cycle                    = detector.description();
   const double given                 = parameters.observation.steady_from;
   all.steady_from                    = std::isnan(given) ? detector.steady_from() : given;
+  all.limit_cycle                    = limit_cycle_text(detector, given, all.steady_from);
   all.period                         = detector.period();
   return all;
 }
