@@ -56,8 +56,9 @@ def _cell(run, value, place, unit):
 
 
 def warnings(run):
-    found = [run.summary[key] for key in ("mean_contact_duration_warning", "delta_warning")
-             if isinstance(run.summary.get(key), str)]
+    """Every warning of the run, and that about T_G, which has a key of its own."""
+    found = [run.summary[key] for key in ("mean_contact_duration_warning",) if isinstance(run.summary.get(key), str)]
+    found += [text for text in run.summary.get("warnings") or [] if isinstance(text, str) and text not in found]
     return "".join(f'<p class="note">{escape(run.label)}. Warning: {escape(text)}.</p>' for text in found)
 
 

@@ -76,7 +76,8 @@ def runs_table(page, chain):
                      quantity(run.number("peak_memory_bytes"), "B", 3)])
     body = table(["folder", "program", "cells", "steps", "simulated", "wall time", "memory"], rows, (0, 1))
     versions = sorted({str(run.summary.get("version")) for run in chain.runs})
-    return body + f'<p class="lead">Program version {escape(", ".join(versions))}.</p>'
+    body += f'<p class="lead">Program version {escape(", ".join(versions))}.</p>'
+    return body + "".join(key_numbers.warnings(run) for run in chain.runs if run not in chain.transient)
 
 
 def stiffness_matrices(run):

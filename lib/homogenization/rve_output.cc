@@ -124,9 +124,13 @@ bool restore_rve_summary(RunContext &context)
     file.exists("/summary") ? file.read_strings("/summary") : std::vector<std::string>();
   if (texts.size() != 1)
     return false;
-  const auto stored = nlohmann::json::parse(texts[0], nullptr, false);
+  auto stored = nlohmann::json::parse(texts[0], nullptr, false);
   if (!stored.is_object() || !stored.contains("stiffness"))
     return false;
+  for (const auto &warning : stored.value("warnings", nlohmann::json::array()))
+    if (warning.is_string())
+      context.warn(warning.get<std::string>());
+  stored.erase("warnings");
   context.summary().update(stored);
   return true;
 }

@@ -6,6 +6,7 @@
 #include "io/interrupt.h"
 #include "io/version.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
@@ -94,7 +95,8 @@ RunContext::RunContext(const RunOptions &options,
                   {"dim", nullptr},
                   {"cells", nullptr},
                   {"dofs", nullptr},
-                  {"ranks", size}};
+                  {"ranks", size},
+                  {"warnings", nlohmann::json::array()}};
   log(run_options.program + " " + version + ", " + std::to_string(size) +
       (size == 1 ? " process, " : " processes, ") + date_and_time() + ", " +
       run_options.prm_file + " -> " + output_folder());
@@ -142,6 +144,9 @@ void RunContext::warn(const std::string &line)
 {
   if (!root())
     return;
+  nlohmann::json &warnings = (*run_summary)["warnings"];
+  if (std::find(warnings.begin(), warnings.end(), line) == warnings.end())
+    warnings.push_back(line);
   log_file << "warning: " << line << std::endl;
   progress_display->clear();
   std::cerr << run_options.program << ": warning: " << line << std::endl;

@@ -111,7 +111,11 @@ public:
   /** One line to log.txt only. */
   void log_to_file(const std::string &line);
 
-  /** As log(), also with --quiet, to stderr and marked as a warning. */
+  /**
+   * Writes one sentence to stderr (also with --quiet) and to log.txt, marked as a
+   * warning, and appends it to the list `warnings` of summary.json unless it is there
+   * already. Only rank 0 writes.
+   */
   void warn(const std::string &line);
 
   /** The progress display; start() it with the total. */
@@ -128,7 +132,8 @@ public:
 
   /**
    * Becomes summary.json. Prefilled: program, version, dim, cells, dofs (null until
-   * set), ranks; seconds and peak_memory_bytes are filled in when it is written.
+   * set), ranks, warnings; seconds and peak_memory_bytes are filled in when it is
+   * written.
    */
   nlohmann::json &summary()
   {

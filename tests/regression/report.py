@@ -233,9 +233,11 @@ def main():
         with open(os.path.join(folders[1], "summary.json"), "r+", encoding="utf-8") as stream:
             summary = json.load(stream)
             summary["mean_contact_duration_warning"] = "T_G rests on 3 %"
+            summary["warnings"] = ["T_G rests on 3 %", "the unit of <P> looks wrong"]
             stream.seek(0)
             json.dump(summary, stream)
-        assert "Warning: T_G rests on 3 %." in report(program, root, folders[1])
+        page = report(program, root, folders[1])
+        assert page.count("Warning: T_G rests on 3 %.") == 1 and "Warning: the unit of &lt;P&gt; looks wrong." in page
 
         # Analyses without a history.
         page = report(program, root, *write_analyses(root))
