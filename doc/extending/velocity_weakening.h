@@ -21,13 +21,12 @@ public:
 
   void update(const mesoslip::SlidingNodes &nodes,
               double /*dt*/,
-              double *coefficient,
-              double * /*decay*/) const override
+              const mesoslip::NodeFriction &friction) const override
   {
     for (unsigned int i = 0; i < nodes.n; ++i)
       {
         const double slip_rate = std::fabs(nodes.flat_velocity - nodes.velocity[i]);
-        coefficient[i] =
+        friction.coefficient[i] =
           fast + (at_rest - fast) * std::exp(-slip_rate / critical_velocity);
       }
   }

@@ -31,17 +31,19 @@ struct ContactArrays
   const double *gap;                  ///< initial distance to the flat (m)
   const double *friction_coefficient; ///< Coulomb, at least 0
 
-  // Constant in time unless the regularization depends on the slip rate.
-  const double *decay; ///< exp(-dt / delta)
+  // Constant in time unless the regularization depends on the slip rate; see Relaxation.
+  const double *decay; ///< weight of the friction memory
+  const double *lag;   ///< weight of the target's change
 
   // Displacement increments: of the step before, and predicted (m).
   double *increment_x; ///< along the contact
   double *increment_y; ///< normal to it
 
-  // State: friction memory (N/m) and whether the node touched in the step before (1 or
-  // 0).
+  // State: friction and its target in the step before, 0 when separated; whether the node
+  // touched then.
   double *tangential_force; ///< on the body (N/m)
-  double *touching;         ///< 1: touched in the step before
+  double *target;           ///< Coulomb's force, on the body (N/m)
+  double *touching;         ///< 1 or 0
 
   // Results: N/m, pressing on the node from below; 1 or 0.
   double *normal_force; ///< N/m, not negative

@@ -52,8 +52,10 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   const vdouble limit    = load(a.friction_coefficient + i) * normal;
   const vint64 sticks    = touches & (absolute(to_stick) <= limit);
   const vdouble target   = to_stick < zero ? -limit : limit;
-  const vdouble relaxed =
-    target + (load(a.tangential_force + i) - target) * load(a.decay + i);
+  const vdouble before   = load(a.target + i);
+  const vdouble relaxed  = target +
+                          (load(a.tangential_force + i) - before) * load(a.decay + i) -
+                          (target - before) * load(a.lag + i);
 
   // In its own direction friction never exceeds the force that makes the node stick.
   const vint64 same_direction = relaxed * to_stick > zero;
@@ -89,6 +91,7 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   store(a.sticking + i, stick);
   store(a.normal_force + i, normal);
   store(a.tangential_force + i, tangential);
+  store(a.target + i, touches ? target : zero);
   s.normal += normal;
   s.tangential += tangential;
   s.sticking += stick;

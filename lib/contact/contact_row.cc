@@ -35,8 +35,9 @@ ContactRow::ContactRow(const ContactSetup &setup, const StepParameters &step)
   std::fill_n(column(gap), n_distinct, setup.gap);
   std::copy(setup.friction_coefficient.begin(), setup.friction_coefficient.end(),
             column(friction_coefficient));
-  const double factor = setup.law.time > 0. ? std::exp(-step.dt / setup.law.time) : 0.;
-  std::fill_n(column(decay), values.stride(), factor);
+  const Relaxation relaxation(step.dt, setup.law.time);
+  std::fill_n(column(decay), values.stride(), relaxation.decay);
+  std::fill_n(column(lag), values.stride(), relaxation.lag);
   samples.nodes.resize(setup.monitored_nodes.size());
 }
 
@@ -56,9 +57,11 @@ ContactArrays ContactRow::arrays(const RowView &row)
   a.gap                  = column(gap);
   a.friction_coefficient = column(friction_coefficient);
   a.decay                = column(decay);
+  a.lag                  = column(lag);
   a.increment_x          = column(increment_x);
   a.increment_y          = column(increment_y);
   a.tangential_force     = column(tangential);
+  a.target               = column(target);
   a.touching             = column(touching);
   a.normal_force         = column(normal);
   a.sticking             = column(sticking);
@@ -74,8 +77,9 @@ void ContactRow::advance(const RowView &row)
   if (!started)
     initialize_increments(row);
   if (setup.law.node_law)
-    setup.law.node_law->update({n_nodes, row.wx, flat_velocity}, step.dt,
-                               column(friction_coefficient), column(decay));
+    setup.law.node_law->update(
+      {n_nodes, row.wx, flat_velocity}, step.dt,
+      {column(friction_coefficient), column(decay), column(lag)});
 
   const bool sampled =
     setup.history_interval > 0 && row.step % setup.history_interval == 0;

@@ -4,6 +4,19 @@
 
 namespace mesoslip
 {
+// The weights come from 1 - exp(-x), which keeps its digits for small x = dt / delta.
+Relaxation::Relaxation(const double dt, const double delta)
+  : decay(0.)
+  , lag(0.)
+{
+  if (delta > 0.)
+    {
+      const double x = dt / delta, relaxed = -std::expm1(-x);
+      decay = 1. - relaxed;
+      lag   = x > 0. ? relaxed / x : 1.;
+    }
+}
+
 SlipRateRegularization::SlipRateRegularization(const double length,
                                                const double reference_velocity)
   : length(length)
@@ -13,12 +26,12 @@ SlipRateRegularization::SlipRateRegularization(const double length,
 
 void SlipRateRegularization::update(const SlidingNodes &nodes,
                                     const double dt,
-                                    double * /*coefficient*/,
-                                    double *decay) const
+                                    const NodeFriction &friction) const
 {
-  const double rate = dt / length;
   for (unsigned int i = 0; i < nodes.n; ++i)
-    decay[i] = std::exp(
-      -rate * (std::fabs(nodes.flat_velocity - nodes.velocity[i]) + reference_velocity));
+    {
+      const double slip_rate = std::fabs(nodes.flat_velocity - nodes.velocity[i]);
+      friction.set(i, Relaxation(dt, length / (slip_rate + reference_velocity)));
+    }
 }
 } // namespace mesoslip

@@ -14,9 +14,39 @@ struct SlidingNodes
 };
 
 /**
+ * One step of d f / dt = -(f - target) / delta, solved exactly for a target that changes
+ * linearly in time during the step:
+ *
+ *     f_new = target_new + decay (f - target) - lag (target_new - target)
+ */
+struct Relaxation
+{
+  /** A step of length @p dt (s) with the time @p delta (s); 0: f follows its target. */
+  Relaxation(double dt, double delta);
+
+  double decay; ///< exp(-dt / delta)
+  double lag;   ///< (1 - decay) delta / dt
+};
+
+/** What a NodeLaw may change: one value a node. */
+struct NodeFriction
+{
+  double *coefficient; ///< Coulomb's
+  double *decay;       ///< of Relaxation
+  double *lag;         ///< of Relaxation
+
+  /** Regularizes node @p i like this during the next step. */
+  void set(const unsigned int i, const Relaxation &relaxation) const
+  {
+    decay[i] = relaxation.decay;
+    lag[i]   = relaxation.lag;
+  }
+};
+
+/**
  * A friction law whose numbers change with the motion of each node. It keeps no state of
- * its own: the memory of the contact is the tangential traction, so that a run can be
- * continued from a checkpoint.
+ * its own: the memory of the contact is the tangential traction and its target, so that a
+ * run can be continued from a checkpoint.
  */
 class NodeLaw
 {
@@ -25,12 +55,10 @@ public:
 
   /**
    * Called before each step of length @p dt (s): sets Coulomb's coefficient and the
-   * factor exp(-dt / delta) of each node. What it leaves alone keeps its value.
+   * regularization of each node. What it leaves alone keeps its value.
    */
-  virtual void update(const SlidingNodes &nodes,
-                      double dt,
-                      double *coefficient,
-                      double *decay) const = 0;
+  virtual void
+  update(const SlidingNodes &nodes, double dt, const NodeFriction &friction) const = 0;
 };
 
 /** delta = L / (|V_rel| + V_ref): the traction relaxes over a slip length. */
@@ -43,8 +71,7 @@ public:
 
   void update(const SlidingNodes &nodes,
               double dt,
-              double *coefficient,
-              double *decay) const override;
+              const NodeFriction &friction) const override;
 
 private:
   double length, reference_velocity;

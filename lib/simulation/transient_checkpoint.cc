@@ -18,7 +18,8 @@ namespace
 CheckpointHeader header()
 {
   CheckpointHeader header;
-  header.kind = "contact_dynamics";
+  header.kind    = "contact_dynamics";
+  header.version = 2; // 1 had no friction target
   return header;
 }
 

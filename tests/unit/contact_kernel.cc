@@ -17,7 +17,7 @@ struct ReferenceNode
 {
   double m, mu, gap, delta;
   double ux, uy, wx, wy;
-  double memory = 0., ux_before = 0., uy_before = 0.;
+  double memory = 0., target_before = 0., ux_before = 0., uy_before = 0.;
   double friction_energy = 0., impact_energy = 0.;
   enum
   {
@@ -33,12 +33,16 @@ struct ReferenceNode
     const double ax = -fx / m, ay = -fy / m;
     const double du = dt * (wx + dt * ax) + (b - 0.5) * dt * dt * ax;
     const double g  = gap + uy + dt * (wy + dt * ay) + (b - 0.5) * dt * dt * ay;
-    f_n = f_t = 0.;
-    status    = separated;
+    f_n = f_t               = 0.;
+    status                  = separated;
+    const double target_old = target_before;
+    target_before           = 0.;
     if (g < 0.)
       {
         f_n                 = -g / kappa;
         const double fstick = (V * dt - du) / kappa;
+        const double target = std::copysign(mu * f_n, fstick);
+        target_before       = target;
         if (std::abs(fstick) <= mu * f_n)
           {
             status = sticks;
@@ -46,9 +50,10 @@ struct ReferenceNode
           }
         else
           {
-            status              = slips;
-            const double target = std::copysign(mu * f_n, fstick);
-            f_t = target + (memory - target) * (delta > 0. ? std::exp(-dt / delta) : 0.);
+            status         = slips;
+            const double x = dt / delta, q = std::exp(-x), mean = (1. - q) / x;
+            f_t = delta > 0. ? q * memory + (mean - q) * target_old + (1. - mean) * target
+                             : target;
             if (f_t * fstick > 0. && std::abs(f_t) > std::abs(fstick))
               f_t = fstick;
           }
@@ -159,7 +164,7 @@ TEST(ContactKernel, TheSameBitsFromEveryInstructionSet)
   const auto advanced     = [](const InstructionSet isa, ContactSums &sums) {
     std::mt19937 generator(seed);
     std::uniform_real_distribution<double> random(-1., 1.);
-    NodalField<double> values(n, 10);
+    NodalField<double> values(n, 11);
     unsigned int next = 0;
     const auto row    = [&](const double centre, const double width) {
       double *r = values.row(next % 2, next / 2);
@@ -185,6 +190,8 @@ TEST(ContactKernel, TheSameBitsFromEveryInstructionSet)
     a.increment_y          = row(0., 1e-3);
     a.tangential_force     = row(0., 5.);
     a.touching             = row(0.5, 0.);
+    a.lag                  = row(0.5, 0.5);
+    a.target               = row(0., 5.);
     a.normal_force         = row(0., 0.);
     a.sticking             = row(0., 0.);
     a.stick_count          = row(0., 0.);

@@ -48,7 +48,7 @@ void expect_growth(const Layer &layer, const double growth, const double frequen
   EXPECT_NEAR(orders(errors).back(), 2., 0.25);
   if (layer.delta > 0.)
     {
-      EXPECT_NEAR(orders(law_errors).back(), 1., 0.05);
+      EXPECT_NEAR(orders(law_errors).back(), 2., 0.01);
     }
 }
 } // namespace

@@ -21,14 +21,15 @@ struct Layer
   /** Time step (s) whose friction law is meant; 0: the law itself. */
   double dt = 0.;
 
-  /** Friction over mu times the pressure. The scheme takes the pressure at the end of a
-   *  step for that of the whole step, which is half a step early. */
+  /** Friction over the pressure. The scheme solves the law for a pressure that is linear
+   * in time within a step. */
   Complex friction(const Complex s) const
   {
     if (dt == 0. || delta == 0.)
       return mu / (1. + s * delta);
-    const double q = std::exp(-dt / delta);
-    return mu * (1. - q) / (1. - q * std::exp(-s * dt));
+    const double q = std::exp(-dt / delta), mean = (1. - q) * delta / dt;
+    const Complex before = std::exp(-s * dt);
+    return mu * (1. - mean + (mean - q) * before) / (1. - q * before);
   }
 
   double k() const
