@@ -80,7 +80,9 @@ void expect_closed(const BodySetup &setup, const char *what, const double safety
   EXPECT_GT(found.slip, 1000.) << what;
   EXPECT_GT(found.landings, 50.) << what;
   EXPECT_GT(found.e.friction.back(), 1e-3 * found.scale) << what;
-  EXPECT_GT(found.e.impact.back(), 1e-5 * found.scale) << what;
+  // A body that overlaps with the flat at the start is pushed out in the first steps.
+  const double pushed = *std::min_element(found.e.impact.begin(), found.e.impact.end());
+  EXPECT_GT(found.e.impact.back() - pushed, 1e-5 * found.scale) << what;
 }
 } // namespace
 

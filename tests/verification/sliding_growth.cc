@@ -10,6 +10,8 @@ using namespace verification::sliding_layer;
 
 namespace
 {
+const Layer damped_layer = {1., 0.25, 1.5e-6, 4.4e-9};
+
 void expect_growth(const Layer &layer, const double growth, const double frequency)
 {
   const Complex s = layer.fastest();
@@ -51,6 +53,43 @@ void expect_growth(const Layer &layer, const double growth, const double frequen
       EXPECT_NEAR(orders(law_errors).back(), 2., 0.01);
     }
 }
+
+/** Order of the growth rate's change with the time step on one grid, each change being
+ *  that of the discrete relation. */
+double order_in_dt(const Layer &layer)
+{
+  const Complex s = layer.fastest();
+  BodySetup setup = layer_setup(layer, 20);
+  std::vector<Complex> found, predicted;
+  for (const double dt : {16e-8, 8e-8, 4e-8})
+    {
+      setup.step.dt  = dt;
+      Layer discrete = layer;
+      discrete.dt = discrete.scheme_dt = dt;
+      found.push_back(observed(setup, layer, s).rate);
+      predicted.push_back(discrete.root(s));
+    }
+  const Complex limit = found[2] + s - predicted[2]; // of this grid
+  for (const unsigned int n : {0u, 1u, 2u})
+    if (layer.beta == 0.)
+      measured::error("growth, time step", 1u << n,
+                      std::abs(found[n] - limit) / std::abs(s));
+  for (const unsigned int n : {0u, 1u})
+    {
+      const Complex due = predicted[n] - predicted[n + 1];
+      EXPECT_LT(std::abs(found[n] - found[n + 1] - due), 0.05 * std::abs(due));
+    }
+  return std::log2(std::abs((found[0] - found[1]) / (found[1] - found[2])));
+}
+
+/** By how much s changes as damping acts on a velocity half a step old. */
+Complex damping_shift(const Complex s, const double dt)
+{
+  Layer early = damped_layer, leapfrog = damped_layer, exact = damped_layer;
+  early.scheme_dt = leapfrog.scheme_dt = dt;
+  leapfrog.beta = exact.beta = 0.;
+  return early.root(s) - s - (leapfrog.root(s) - exact.root(s));
+}
 } // namespace
 
 TEST(Growth, Coulomb)
@@ -60,5 +99,24 @@ TEST(Growth, Coulomb)
 
 TEST(Growth, RegularizedAndDamped)
 {
-  expect_growth({1., 0.25, 1.5e-6, 4.4e-9}, 23574.532, 45632.343);
+  expect_growth(damped_layer, 23574.532, 45632.343);
+}
+
+TEST(Growth, OfOrderTwoInTheTimeStep)
+{
+  // One grid, so that what changes is the time step; the discrete relation predicts it.
+  Layer layer = damped_layer;
+  layer.beta  = 0.;
+  EXPECT_NEAR(order_in_dt(layer), 2., 0.05);
+
+  // Damping acts half a step early: a stiffness larger by beta omega^2 dt / 2.
+  const Complex s = damped_layer.fastest();
+  for (const double dt : {4e-8, 1e-8})
+    {
+      const double estimate = 0.25 * damped_layer.beta * s.imag() * s.imag() * dt;
+      const double shift    = damping_shift(s, dt).imag() / s.imag();
+      EXPECT_NEAR(shift, estimate, 0.05 * estimate);
+      EXPECT_LT(shift, 4e-6);
+    }
+  EXPECT_GT(order_in_dt(damped_layer), 1.8);
 }

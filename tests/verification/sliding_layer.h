@@ -18,8 +18,12 @@ struct Layer
 {
   double kH, mu, delta, beta;
 
-  /** Time step (s) whose friction law is meant; 0: the law itself. */
+  /** Time step (s) of the discrete friction law; 0: the law itself. */
   double dt = 0.;
+
+  /** Time step (s) of the scheme: leapfrog, and damping of the velocity half a step
+   *  earlier; 0: differential equations. */
+  double scheme_dt = 0.;
 
   /** Friction over the pressure. The scheme solves the law for a pressure that is linear
    * in time within a step. */
@@ -36,10 +40,18 @@ struct Layer
   {
     return kH / H;
   }
+  /** Inertia over stiffness with its damping, s^2 / (1 + beta s). */
+  Complex inertia(const Complex s) const
+  {
+    if (scheme_dt == 0.)
+      return s * s / (1. + beta * s);
+    const Complex root = 2. / scheme_dt * std::sinh(0.5 * s * scheme_dt);
+    return root * root / (1. + beta * (1. - std::exp(-s * scheme_dt)) / scheme_dt);
+  }
   /** a (c_L) or b (c_T) */
   Complex decay(const Complex s, const double speed) const
   {
-    return std::sqrt(k() * k() + s * s / (speed * speed * (1. + beta * s)));
+    return std::sqrt(k() * k() + inertia(s) / (speed * speed));
   }
   double c_L() const
   {
@@ -50,7 +62,7 @@ struct Layer
   Complex operator()(const Complex s) const
   {
     const Complex a = decay(s, c_L()), b = decay(s, c_T), k2 = k() * k();
-    return s * s / (c_T * c_T * (1. + beta * s)) +
+    return inertia(s) / (c_T * c_T) +
            I * k() * friction(s) *
              ((b * b + k2) * std::tanh(a * H) / a - 2. * b * std::tanh(b * H));
   }
