@@ -245,14 +245,14 @@ void EnergyAudit::add_products(Sums &sums) const
 EnergyHistory EnergyAudit::reduce() const
 {
   EnergyHistory all = samples;
-  const auto sum    = [&](std::vector<double> &values) {
-    const int n = static_cast<int>(values.size());
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), n, MPI_DOUBLE, MPI_SUM, communicator);
-  };
-  for (auto *values : {&all.kinetic, &all.elastic, &all.potential, &all.external_work,
-                       &all.friction, &all.impact, &all.damping, &all.scheme})
-    sum(*values);
-  MPI_Allreduce(MPI_IN_PLACE, &all.initial, 1, MPI_DOUBLE, MPI_SUM, communicator);
+  // All members by name, so that one that is added has to be looked at here.
+  auto &[time, kinetic, elastic, potential, external_work, friction, impact, damping,
+         scheme, initial] = all;
+  for (auto *values : {&kinetic, &elastic, &potential, &external_work, &friction, &impact,
+                       &damping, &scheme})
+    MPI_Allreduce(MPI_IN_PLACE, values->data(), static_cast<int>(values->size()),
+                  MPI_DOUBLE, MPI_SUM, communicator);
+  MPI_Allreduce(MPI_IN_PLACE, &initial, 1, MPI_DOUBLE, MPI_SUM, communicator);
   return all;
 }
 } // namespace mesoslip

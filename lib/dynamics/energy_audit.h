@@ -6,9 +6,9 @@
 #include "elasticity/row_partition.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "grid/nodal_field.h"
+#include "io/serialize_members.h"
 #include "io/state_checks.h"
 
-#include <boost/serialization/vector.hpp>
 
 #include <functional>
 #include <mpi.h>
@@ -45,8 +45,7 @@ struct EnergyHistory
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &time &kinetic &elastic &potential &external_work &friction &impact;
-    archive &damping &scheme &initial;
+    serialize_members<10>(archive, *this);
   }
 
   /** Whether all terms have as many samples. */

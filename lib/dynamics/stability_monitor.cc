@@ -1,6 +1,7 @@
 #include "dynamics/stability_monitor.h"
 
 #include "elasticity/row_partition.h"
+#include "io/exchange.h"
 
 #include <algorithm>
 #include <array>
@@ -129,7 +130,7 @@ Runaway StabilityMonitor::locate() const
   } mine = {fastest, 0}, best;
   MPI_Comm_rank(communicator, &mine.rank);
   MPI_Allreduce(&mine, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, communicator);
-  MPI_Bcast(&worst, sizeof(worst), MPI_BYTE, best.rank, communicator);
+  broadcast_object(communicator, worst, best.rank);
   return worst;
 }
 } // namespace mesoslip

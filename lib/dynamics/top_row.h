@@ -3,9 +3,8 @@
 
 #include "contact/load_history.h"
 #include "elasticity/explicit_stepper.h"
+#include "io/serialize_members.h"
 #include "io/state_checks.h"
-
-#include <boost/serialization/vector.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -61,7 +60,7 @@ struct TopHistory
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &normal_force &tangential_force &displacement &work;
+    serialize_members<4>(archive, *this);
   }
 };
 

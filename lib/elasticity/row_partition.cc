@@ -78,15 +78,20 @@ void copy_rows(const NodalField<double> &from,
 }
 } // namespace
 
+unsigned int largest_number_of_ranks(const unsigned int n_rows)
+{
+  return std::max(1u, n_rows / 2);
+}
+
 NodeRows partition_rows(const unsigned int n_rows,
                         MPI_Comm communicator,
                         const unsigned int ghosts)
 {
   const unsigned int size = size_of(communicator);
-  if (size > 1 && n_rows < 2 * size)
+  if (size > largest_number_of_ranks(n_rows))
     throw std::invalid_argument(std::to_string(n_rows) + " node rows are too few for " +
                                 std::to_string(size) + " ranks; use at most " +
-                                std::to_string(n_rows / 2));
+                                std::to_string(largest_number_of_ranks(n_rows)));
   return rows_of(n_rows, rank_of(communicator), size, ghosts);
 }
 

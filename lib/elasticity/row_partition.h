@@ -9,6 +9,9 @@
 
 namespace mesoslip
 {
+/** Over how many ranks @p n_rows node rows can be divided: two rows each, or one rank. */
+unsigned int largest_number_of_ranks(const unsigned int n_rows);
+
 /**
  * Contiguous slabs of node rows over the ranks of @p communicator, equal to two rows.
  * Rank 0 has the bottom. Every rank gets at least two rows: throws std::invalid_argument

@@ -45,6 +45,30 @@ StiffnessStatistics stiffness_statistics(const std::vector<EnsembleMember> &memb
   return statistics;
 }
 
+std::vector<std::string> morphology_warnings(const std::vector<EnsembleMember> &members)
+{
+  std::vector<std::string> sentences;
+  std::map<std::string, std::vector<std::uint64_t>> seeds;
+  for (const EnsembleMember &member : members)
+    for (const std::string &sentence : member.warnings)
+      {
+        std::vector<std::uint64_t> &of = seeds[sentence];
+        if (of.empty())
+          sentences.push_back(sentence);
+        of.push_back(member.seed);
+      }
+  for (std::string &sentence : sentences)
+    {
+      const std::vector<std::uint64_t> of = seeds[sentence];
+      std::string list;
+      for (const std::uint64_t seed : of)
+        list += (list.empty() ? "" : ", ") + std::to_string(seed);
+      if (of.size() < members.size())
+        sentence += of.size() == 1 ? " (seed " + list + ")" : " (seeds " + list + ")";
+    }
+  return sentences;
+}
+
 UniformMaterial make_material(const Microstructure &microstructure)
 {
   std::vector<ElasticClass> classes;

@@ -15,8 +15,16 @@ namespace mesoslip
 struct EnsembleMember
 {
   std::uint64_t seed = 0;                     ///< of its morphology
+  std::vector<std::string> warnings;          ///< about its morphology
   std::vector<double> fractions;              ///< of the phases
   std::vector<HomogenizedResponse> responses; ///< in the order of the conditions
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<4>(archive, *this);
+  }
 };
 
 /** Statistics of one entry of the stiffness over the members. */
@@ -41,6 +49,12 @@ EntryStatistics entry_statistics(const std::vector<double> &values,
 StiffnessStatistics stiffness_statistics(const std::vector<EnsembleMember> &members,
                                          const std::size_t condition,
                                          const double confidence);
+
+/**
+ * What there is to warn of in the morphologies: each sentence once, with the seeds of
+ * those that it is about unless it is about all.
+ */
+std::vector<std::string> morphology_warnings(const std::vector<EnsembleMember> &members);
 
 /** The material of a morphology on its grid. */
 UniformMaterial make_material(const Microstructure &microstructure);

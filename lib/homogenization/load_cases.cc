@@ -1,6 +1,7 @@
 #include "homogenization/load_cases.h"
 
 #include "elasticity/uniform_grid_operator.h"
+#include "io/exchange.h"
 
 #include <Eigen/Dense>
 
@@ -133,23 +134,18 @@ private:
   std::shared_ptr<StaticSolver> plain_solver, solver;
 };
 
-void send_to_root(NodalField<double> &u,
-                  SolverReport &report,
-                  const int owner,
-                  const MPI_Comm comm)
+// By rows, not as a whole object: fields are large, and MPI counts in int.
+void bring_field_to_root(NodalField<double> &u, const int owner, const MPI_Comm comm)
 {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   const int n_columns = static_cast<int>(u.n_columns());
-  // By rows: MPI counts in int, which a large field exceeds.
   for (unsigned int c = 0; owner != 0 && c < 2; ++c)
     for (unsigned int j = 0; j < u.n_rows(); ++j)
       if (rank == owner)
         MPI_Send(u.row(c, j), n_columns, MPI_DOUBLE, 0, 0, comm);
       else if (rank == 0)
         MPI_Recv(u.row(c, j), n_columns, MPI_DOUBLE, owner, 0, comm, MPI_STATUS_IGNORE);
-  MPI_Bcast(&report.iterations, 1, MPI_UNSIGNED, owner, comm);
-  MPI_Bcast(&report.residual, 1, MPI_DOUBLE, owner, comm);
 }
 } // namespace
 
@@ -249,8 +245,10 @@ solve_load_cases(const UniformMaterial &material,
         solution.displacement[n % 3] = zero_field(material.grid());
     }
   for (unsigned int n = 0; n < n_cases; ++n)
-    send_to_root(solutions[n / 3].displacement[n % 3], solutions[n / 3].reports[n % 3],
-                 owner(n), communicator);
+    {
+      bring_field_to_root(solutions[n / 3].displacement[n % 3], owner(n), communicator);
+      broadcast_object(communicator, solutions[n / 3].reports[n % 3], owner(n));
+    }
   return solutions;
 }
 } // namespace mesoslip

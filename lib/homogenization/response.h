@@ -2,6 +2,7 @@
 #define mesoslip_homogenization_response_h
 
 #include "homogenization/load_cases.h"
+#include "io/serialize_members.h"
 #include "material/voigt.h"
 
 #include <optional>
@@ -46,6 +47,13 @@ struct HomogenizedResponse
   std::vector<VoigtMatrix<2>> phase_means;
 
   std::array<SolverReport, 3> reports; ///< of the three solves
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<10>(archive, *this);
+  }
 };
 
 /**

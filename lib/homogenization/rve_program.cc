@@ -5,8 +5,10 @@
 #include "homogenization/rve_output.h"
 #include "io/digest.h"
 #include "io/errors.h"
+#include "io/exchange.h"
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
+#include "io/version.h"
 #include "material/plausibility.h"
 #include "microstructure/statistics.h"
 
@@ -17,11 +19,17 @@ namespace mesoslip
 {
 namespace
 {
-// What determines rve.h5: the parameters that matter and the content of the input file.
+// To be raised when the same parameters come to have other results: an rve.h5 of before
+// is then made again. 2: ensembles on several ranks had been wrong.
+constexpr double revision = 2.;
+
+// What determines rve.h5: the computation, the parameters that matter and the content of
+// the input file.
 std::string inputs_digest(const dealii::ParameterHandler &prm,
                           const RveParameters &parameters)
 {
   Digest digest;
+  digest.add(version).add(revision);
   digest.add(canonical_parameters(prm, {"Output folder", "Homogenization/Reuse"}));
   if (!parameters.microstructure.file.empty())
     digest.add_file(parameters.microstructure.file);
@@ -54,6 +62,7 @@ EnsembleMember compute_member(const RveParameters &parameters,
   const UniformMaterial material = make_material(microstructure);
   EnsembleMember member;
   member.seed      = parameters.microstructure.placement.seed;
+  member.warnings  = microstructure.warnings;
   member.fractions = area_fractions(microstructure.map, microstructure.phases.size());
   auto solutions   = solve_load_cases(material, parameters.conditions, parameters.solver,
                                       parameters.tolerance, communicator, progress, &timer);
@@ -65,36 +74,6 @@ EnsembleMember compute_member(const RveParameters &parameters,
       solution.displacement = {};
     }
   return member;
-}
-
-void exchange(EnsembleMember &member,
-              const std::size_t n_conditions,
-              const int owner,
-              const MPI_Comm comm)
-{
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  if (owner == 0 || (rank != 0 && rank != owner))
-    return;
-  int n_phases = static_cast<int>(member.fractions.size());
-  if (rank == owner)
-    {
-      MPI_Send(&member.seed, sizeof(member.seed), MPI_BYTE, 0, 0, comm);
-      MPI_Send(&n_phases, 1, MPI_INT, 0, 1, comm);
-      MPI_Send(member.fractions.data(), n_phases, MPI_DOUBLE, 0, 2, comm);
-      for (HomogenizedResponse &response : member.responses)
-        MPI_Send(response.stiffness.data(), 9, MPI_DOUBLE, 0, 3, comm);
-      return;
-    }
-  MPI_Recv(&member.seed, sizeof(member.seed), MPI_BYTE, owner, 0, comm,
-           MPI_STATUS_IGNORE);
-  MPI_Recv(&n_phases, 1, MPI_INT, owner, 1, comm, MPI_STATUS_IGNORE);
-  member.fractions.resize(static_cast<std::size_t>(n_phases));
-  MPI_Recv(member.fractions.data(), n_phases, MPI_DOUBLE, owner, 2, comm,
-           MPI_STATUS_IGNORE);
-  member.responses.resize(n_conditions);
-  for (HomogenizedResponse &response : member.responses)
-    MPI_Recv(response.stiffness.data(), 9, MPI_DOUBLE, owner, 3, comm, MPI_STATUS_IGNORE);
 }
 
 // A single member shares its load cases among the ranks; several are dealt out whole.
@@ -116,7 +95,8 @@ RveResults compute(const RveParameters &parameters, RunContext &context)
         return make_microstructure(own.microstructure);
       }();
       for (const std::string &warning : microstructure.warnings)
-        context.warn(warning);
+        if (n == 1) // those of several are told apart when all are known
+          context.warn(warning);
       const auto scope   = context.timer().scope("Load cases");
       results.members[m] = compute_member(
         own, microstructure, n > 1 ? MPI_COMM_SELF : context.communicator(),
@@ -130,8 +110,11 @@ RveResults compute(const RveParameters &parameters, RunContext &context)
     }
   context.progress().finish();
   for (unsigned int m = 0; n > 1 && m < n; ++m)
-    exchange(results.members[m], parameters.conditions.size(),
-             static_cast<int>(m) % context.n_ranks(), context.communicator());
+    bring_object_to_root(context.communicator(), results.members[m],
+                         static_cast<int>(m) % context.n_ranks());
+  if (n > 1)
+    for (const std::string &warning : morphology_warnings(results.members))
+      context.warn(warning);
   return results;
 }
 
@@ -177,10 +160,10 @@ void run(dealii::ParameterHandler &prm, RunContext &context)
 {
   const RveParameters parameters = RveParameters::parse(prm);
   const std::string digest       = inputs_digest(prm, parameters);
-  int reuse =
+  bool reuse =
     context.root() && parameters.reuse && is_up_to_date(context.file("rve.h5"), digest);
-  MPI_Bcast(&reuse, 1, MPI_INT, 0, context.communicator());
-  if (reuse != 0)
+  broadcast_object(context.communicator(), reuse);
+  if (reuse)
     {
       context.log("rve.h5 is up to date: nothing that determines it has changed");
       context.results_are_reused();

@@ -34,16 +34,31 @@ std::string receive(const MPI_Comm communicator, const int rank)
 }
 } // namespace
 
-void broadcast(const MPI_Comm communicator, std::string &text)
+void broadcast(const MPI_Comm communicator, std::string &text, const int owner)
 {
   int n_ranks = 1;
   MPI_Comm_size(communicator, &n_ranks);
   if (n_ranks == 1)
     return;
   unsigned long long length = text.size();
-  MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, communicator);
+  MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, owner, communicator);
   text.resize(length);
-  MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, 0, communicator);
+  for (std::size_t at = 0; at < text.size(); at += longest_message)
+    MPI_Bcast(text.data() + at,
+              static_cast<int>(std::min(longest_message, text.size() - at)), MPI_CHAR,
+              owner, communicator);
+}
+
+void bring_to_root(const MPI_Comm communicator, std::string &text, const int owner)
+{
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  if (owner == 0)
+    return;
+  if (rank == owner)
+    send(communicator, 0, text);
+  else if (rank == 0)
+    text = receive(communicator, owner);
 }
 
 std::vector<std::string> gather(const MPI_Comm communicator, const std::string &text)

@@ -16,8 +16,11 @@ namespace mesoslip
  */
 void on_root(const MPI_Comm communicator, const std::function<void()> &work);
 
-/** Gives every rank rank 0's text. */
-void broadcast(const MPI_Comm communicator, std::string &text);
+/** Gives every rank the text of rank @p owner. */
+void broadcast(const MPI_Comm communicator, std::string &text, const int owner = 0);
+
+/** Gives rank 0 the text of rank @p owner; the other ranks keep theirs. */
+void bring_to_root(const MPI_Comm communicator, std::string &text, const int owner);
 
 /** The texts of all ranks on rank 0, in their order; elsewhere empty. */
 std::vector<std::string> gather(const MPI_Comm communicator, const std::string &text);

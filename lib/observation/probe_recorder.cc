@@ -1,6 +1,7 @@
 #include "observation/probe_recorder.h"
 
 #include "elasticity/row_partition.h"
+#include "io/exchange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,26 +165,7 @@ std::vector<ProbeHistory> ProbeRecorder::gather() const
     {
       int owner = places[k].owned ? rank : -1;
       MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MAX, communicator);
-      if (owner == 0 || (rank != 0 && rank != owner))
-        continue;
-      ProbeHistory &history = all[k];
-      for (auto *values : {&history.time, &history.displacement, &history.velocity,
-                           &history.strain, &history.stress, &history.traction})
-        {
-          int n = static_cast<int>(values->size());
-          if (rank == owner)
-            {
-              MPI_Send(&n, 1, MPI_INT, 0, 0, communicator);
-              MPI_Send(values->data(), n, MPI_DOUBLE, 0, 1, communicator);
-            }
-          else
-            {
-              MPI_Recv(&n, 1, MPI_INT, owner, 0, communicator, MPI_STATUS_IGNORE);
-              values->resize(static_cast<std::size_t>(n));
-              MPI_Recv(values->data(), n, MPI_DOUBLE, owner, 1, communicator,
-                       MPI_STATUS_IGNORE);
-            }
-        }
+      bring_object_to_root(communicator, static_cast<ProbeSamples &>(all[k]), owner);
     }
   if (rank != 0)
     all.clear();

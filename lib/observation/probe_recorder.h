@@ -6,6 +6,7 @@
 #include "elasticity/node_rows.h"
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
+#include "io/serialize_members.h"
 #include "io/state_checks.h"
 
 #include <array>
@@ -17,13 +18,8 @@
 namespace mesoslip
 {
 /** What a probe saw: one value (or pair, or triple) a sample. */
-struct ProbeHistory
+struct ProbeSamples
 {
-  std::string name;                       ///< as in the .prm
-  std::array<double, 2> position = {};    ///< from the lower left corner (m)
-  unsigned int phase             = 0;     ///< class of the cell that it lies in
-  bool on_contact                = false; ///< has tractions of a contact node
-
   std::vector<double> time;         ///< s
   std::vector<double> displacement; ///< [k][2], m
   std::vector<double> velocity;     ///< [k][2], m/s
@@ -32,12 +28,21 @@ struct ProbeHistory
   std::vector<double>
     traction; ///< [k][2], tangential and normal (pressure), Pa; on the contact
 
-  /** Saves or restores the samples. */
+  /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &time &displacement &velocity &strain &stress &traction;
+    serialize_members<6>(archive, *this);
   }
+};
+
+/** A probe and its samples. Every rank knows the first, its owner the second. */
+struct ProbeHistory : ProbeSamples
+{
+  std::string name;                       ///< as in the .prm
+  std::array<double, 2> position = {};    ///< from the lower left corner (m)
+  unsigned int phase             = 0;     ///< class of the cell that it lies in
+  bool on_contact                = false; ///< has tractions of a contact node
 };
 
 /** Tangential and normal contact traction (Pa) of a contact node after a step. */

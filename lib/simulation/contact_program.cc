@@ -1,5 +1,6 @@
 #include "simulation/contact_program.h"
 
+#include "elasticity/row_partition.h"
 #include "elasticity/uniform_material.h"
 #include "io/errors.h"
 #include "io/parameters.h"
@@ -15,6 +16,8 @@
 #include "simulation/static_contact.h"
 #include "simulation/transient.h"
 #include "simulation/transient_setup.h"
+
+#include <deal.II/base/mpi.h>
 
 #include <cmath>
 #include <ostream>
@@ -53,8 +56,24 @@ void check_steady_from(const ContactParameters &parameters, const double n_steps
       to_text(end) + " s; set it earlier, or auto");
 }
 
+// The rows of nodes are divided among the ranks.
+void check_ranks(const UniformGrid<2> &grid)
+{
+  const unsigned int n_rows  = grid.cells[1] + 1,
+                     n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                     most    = largest_number_of_ranks(n_rows);
+  if (n_ranks > most)
+    throw UserError(
+      "the body has " + std::to_string(n_rows) +
+      " rows of nodes (Body/Cells), which are divided among the processes, "
+      "two at least each; start " +
+      (most == 1 ? "it without mpirun" : "at most " + std::to_string(most) + " of them") +
+      " instead of " + std::to_string(n_ranks));
+}
+
 Need check_transient(const ContactParameters &parameters, const Scene &scene)
 {
+  check_ranks(scene.grid);
   const UniformMaterial material = scene.make_material(parameters.periodic);
   check_time_step(parameters, material);
   const double n_steps = largest_number_of_steps(parameters, material);

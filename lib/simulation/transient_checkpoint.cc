@@ -2,8 +2,8 @@
 
 #include "io/archive.h"
 #include "io/checkpoint.h"
-#include "io/collective.h"
 #include "io/errors.h"
+#include "io/exchange.h"
 #include "io/parameters.h"
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
@@ -108,10 +108,8 @@ TransientCheckpoint::Found TransientCheckpoint::find(const std::uint64_t n_steps
   std::vector<std::string> states;
   Found found = Found::nothing;
   on_root(comm, [&]() { found = look(n_steps, states); });
-  MPI_Bcast(&found, sizeof(found), MPI_BYTE, 0, comm);
-  std::string where = save_state(record.position);
-  broadcast(comm, where);
-  load_state(where, record.position, file_path);
+  broadcast_object(comm, found);
+  broadcast_object(comm, record.position);
   if (found == Found::state)
     own_state = scatter(comm, states);
   return found;

@@ -1,8 +1,7 @@
 #ifndef mesoslip_simulation_transient_checkpoint_h
 #define mesoslip_simulation_transient_checkpoint_h
 
-#include <boost/serialization/string.hpp>
-#include <boost/serialization/vector.hpp>
+#include "io/serialize_members.h"
 
 #include <chrono>
 #include <cstdint>
@@ -34,7 +33,7 @@ struct CheckpointPosition
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &step &time &at_end &by_limit_cycle &snapshots;
+    serialize_members<5>(archive, *this);
   }
 };
 
@@ -111,7 +110,7 @@ private:
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &identity &position &state_sizes;
+      serialize_members<3>(archive, *this);
     }
   };
 

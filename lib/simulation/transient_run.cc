@@ -2,7 +2,7 @@
 
 #include "dynamics/time_loop.h"
 #include "io/archive.h"
-#include "io/collective.h"
+#include "io/exchange.h"
 #include "io/parameters.h"
 #include "io/run_context.h"
 #include "simulation/runaway_report.h"
@@ -234,17 +234,7 @@ TransientObservations TransientRun::run()
 TopHistory TransientRun::gather_top() const
 {
   TopHistory history = top.history();
-  const int last     = context.n_ranks() - 1;
-  if (last == 0)
-    return history;
-  for (auto *values : {&history.normal_force, &history.tangential_force,
-                       &history.displacement, &history.work})
-    {
-      int n = static_cast<int>(values->size());
-      MPI_Bcast(&n, 1, MPI_INT, last, context.communicator());
-      values->resize(static_cast<std::size_t>(n));
-      MPI_Bcast(values->data(), n, MPI_DOUBLE, last, context.communicator());
-    }
+  broadcast_object(context.communicator(), history, context.n_ranks() - 1);
   return history;
 }
 

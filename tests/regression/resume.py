@@ -18,6 +18,8 @@ import time
 import h5py
 import numpy as np
 
+from comparison import content_of_h5
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 RUN_CHAIN = os.path.join(HERE, "..", "..", "applications", "run_chain.py")
 CHECKPOINT = "contact_dynamics.checkpoint"
@@ -134,19 +136,6 @@ def identity(path):
 
 def options_of(material):
     return ["--set", f"Body/Material={material}"]
-
-
-def content_of_h5(path):
-    content = {}
-    with h5py.File(path, "r") as file:
-        def visit(name, item):
-            if isinstance(item, h5py.Dataset):
-                content[name] = item[...]
-            for key, value in item.attrs.items():
-                content[name + "@" + key] = np.asarray(value)
-        visit("/", file["/"])
-        file.visititems(visit)
-    return content
 
 
 def values_that_differ(one, two):

@@ -1,0 +1,139 @@
+"""The table of ranks.py: what is run on which numbers of ranks, and how far results may be apart."""
+
+import dataclasses
+import re
+
+# One rank works, or all do the same: one other number of ranks is enough.
+ALL, FEW, NONE = (2, 3, 5), (3,), ()
+
+FILES = {
+    "rectangles.csv": "x_left_mm,y_bottom_mm,width_mm,height_mm\n0.3,0.2,0.3,0.6\n1.1,0.0,0.2,0.5\n1.5,0.7,0.4,0.4\n",
+    "map.txt": "\n".join(" ".join(str(int((3 * i + 5 * j) % 7 < 2)) for i in range(20)) for j in range(12)) + "\n",
+}
+
+
+@dataclasses.dataclass
+class Run:
+    """In a setting `{name-1}` is the folder of the run of that name on one rank and `<files>` that of FILES. The results on
+    `ranks` are compared with those on one, bit by bit but for `tolerances` (see comparison.py)."""
+    name: str
+    program: str
+    text: str
+    settings: dict
+    ranks: tuple = ALL
+    tolerances: tuple = ()
+
+    def __post_init__(self):
+        texts = [str(value) for value in self.settings.values()]
+        self.needs = {name for text in texts for name in re.findall(r"\{([^}]+)-1\}", text)}
+
+
+VOLUME = """
+subsection Grid
+  set Cells = 20, 12
+  set Size = 0.002, 0.0012
+end
+subsection Phases
+  subsection fibre
+    set Young modulus = 240e9
+    set Poisson ratio = 0.2
+    set Density = 1770
+    set Friction coefficient = 0.1
+  end
+end
+subsection Microstructure
+  subsection Random fibres
+    set Minimum height = 2e-4
+    set Maximum height = 4e-4
+    set Cut by border = true
+  end
+end
+subsection Homogenization
+  set Boundary conditions = KUBC, SUBC, PBC
+end
+"""
+BODY = """
+subsection Body
+  set RVE file = here
+end
+subsection Time
+  set End time = 5e-6
+  set Time step = 5e-9
+end
+subsection Observation
+  set Energy interval = 7
+  set Probes = contact, between, top
+  subsection contact
+    set Position = 0.00105, 0.00005
+  end
+  subsection between
+    set Position = 0.00105, 0.00062
+  end
+  subsection top
+    set Position = 0.0003, 0.0012
+  end
+end
+subsection Snapshots
+  set From = 2e-6
+  set Interval = 2e-7
+end
+"""
+LOCALIZATION = """
+subsection Input
+  set RVE file = here
+end
+"""
+
+# Sums over the body are formed slab by slab: round-off of the largest term, of which a difference may be left.
+SUMS = (
+    (r"^energy\.csv:|^dynamics\.h5:/energy/", 1e-12, 1e-12),
+    (r"^summary\.json:energy_balance_residual", 0.0, 1e-12),
+)
+
+
+def rve(name, ranks=ALL, **settings):
+    return Run(name, "rve_homogenization", VOLUME, settings, ranks)
+
+
+def ensemble(effective):
+    return rve("ensemble-" + effective, **{"Ensemble/Members": 4, "Homogenization/Effective": effective})
+
+
+def contact(name, ranks=ALL, tolerances=SUMS, **settings):
+    return Run(name, "contact_dynamics", BODY, {"Body/RVE file": "{rve-random-1}/rve.h5", **settings}, ranks, tolerances)
+
+
+def localization(name, **settings):
+    return Run(name, "stress_localization", LOCALIZATION,
+               {"Input/RVE file": "{rve-random-1}/rve.h5", "Input/Homogeneous run": "{homogeneous-platen-1}/dynamics.h5",
+                "Comparison/Edge distance": 2e-4, "Comparison/Surface depth": 2e-4, **settings}, FEW)
+
+
+HETEROGENEOUS = {"Body/Material": "heterogeneous", "Friction/Coefficient from": "phases"}
+# For a mean contact duration; only the friction homogenization needs it.
+LONG = {"Time/End time": 1e-4, "Snapshots/Interval": 0, "Flat/Velocity": 5}
+
+RUNS = [
+    rve("rve-random"),
+    rve("rve-rectangles", **{"Microstructure/Type": "rectangles", "Microstructure/File": "<files>/rectangles.csv",
+                             "Homogenization/Solver": "assembled"}),
+    rve("rve-image", **{"Microstructure/Type": "image", "Microstructure/File": "<files>/map.txt",
+                        "Homogenization/Solver": "jacobi"}),
+    *(ensemble(effective) for effective in ("KUBC", "SUBC", "PBC", "mean")),
+    contact("homogeneous-platen", **{"Top/Hold from": 3e-6, "Top/Platen mass": 0.02, "Flat/Ramp": "smooth",
+                                     "Flat/Ramp time": 2e-6}),
+    contact("heterogeneous-pressure", **HETEROGENEOUS, **{"Top/Kind": "pressure", "Top/Lateral held": True, "Sides/Left": "u_x",
+                                                         "Friction/Law": "slip rate", "Friction/Node rule": "mean"}),
+    contact("periodic-held", **{"Sides/Periodic": True, "Top/Kind": "held", "Body/Acceleration": [0, -1e7], "Time/Beta2": 0.6,
+                                "Flat/Gap": 1e-9, "Body/Cells": [40, 24], "Performance/Wavefront": 3}),
+    contact("long-homogeneous", NONE, **LONG),
+    contact("long-heterogeneous", NONE, **LONG, **HETEROGENEOUS),
+    contact("modal", FEW, **{"Analysis": "modal", "Modal/Number of modes": 2}),
+    contact("static", FEW, **HETEROGENEOUS, **{"Analysis": "static contact"}),
+    contact("friction", FEW, **{"Analysis": "friction homogenization", "Friction homogenization/Static contact": "{static-1}",
+                                "Friction homogenization/Heterogeneous run": "{long-heterogeneous-1}",
+                                "Friction homogenization/Homogeneous run": "{long-homogeneous-1}"}),
+    localization("localization-alone", **{"Probes/Further": "0.0005, 0.0006"}),
+    localization("localization-direct", **{"Input/Direct run": "{heterogeneous-pressure-1}/dynamics.h5", "Window/From": 3e-6,
+                                           "Localization/Variant": "both", "Localization/Concentration": "PBC"}),
+]
