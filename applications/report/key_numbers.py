@@ -22,6 +22,8 @@ QUANTITIES = [
     ("Frictional energy", ("friction_energy",), "J/m"),
     ("Residual of the energy balance, relative", ("energy_balance_residual",), ""),
     ("Statistics from", ("steady_from",), "s"),
+    ("Means over whole periods from", ("window_begin",), "s"),
+    ("Means over whole periods to", ("window_end",), "s"),
 ]
 
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -16,10 +17,11 @@ namespace
 {
 constexpr unsigned int most_batches = 20, batches_without_period = 10;
 
-/** Samples [first, last] of the window and the equal batches it is cut into. */
+/** Samples [first, last] of the window and the equal batches at its end. */
 struct Batches
 {
   double begin = 0., end = 0.;
+  double length       = 0.; ///< s; of a batch
   unsigned int number = 0;
   std::size_t first = 0, last = 0;
 };
@@ -40,21 +42,21 @@ Batches choose_batches(const std::vector<double> &time,
       throw UserError(text.str());
     }
   Batches batches;
-  batches.end    = *(after - 1);
-  batches.begin  = *start;
-  batches.number = batches_without_period;
-  if (period > 0.)
+  batches.end   = *(after - 1);
+  batches.begin = *start;
+  const double periods =
+    period > 0. ? std::floor((batches.end - batches.begin) / period * (1. + 1e-9)) : 0.;
+  if (periods >= 1.)
     {
-      const auto periods =
-        static_cast<unsigned long>((batches.end - batches.begin) / period * (1. + 1e-9));
-      const auto number = std::min<unsigned long>(periods, most_batches);
-      batches.number    = std::max(1u, static_cast<unsigned int>(number));
-      if (number > 0)
-        {
-          const unsigned long whole = periods / number * number;
-          batches.begin =
-            std::max(batches.begin, batches.end - static_cast<double>(whole) * period);
-        }
+      const double in_a_batch = std::ceil(periods / most_batches);
+      batches.begin           = std::max(batches.begin, batches.end - periods * period);
+      batches.length          = in_a_batch * period;
+      batches.number          = static_cast<unsigned int>(periods / in_a_batch);
+    }
+  else
+    {
+      batches.number = period > 0. ? 1 : batches_without_period;
+      batches.length = (batches.end - batches.begin) / batches.number;
     }
   batches.last  = static_cast<std::size_t>(after - time.begin()) - 1;
   batches.first = static_cast<std::size_t>(
@@ -76,30 +78,30 @@ double interpolated(const std::vector<double> &time,
   return (1. - s) * values[i - 1] + s * values[i];
 }
 
-/** Mean rate of a cumulative quantity by batches. */
+/** Mean rate of a cumulative quantity over the window, its error by batches. */
 Estimate batch_rates(const std::vector<double> &time,
                      const std::vector<double> &cumulative,
                      const Batches &batches)
 {
-  const double length = (batches.end - batches.begin) / batches.number;
-  std::vector<double> rates(batches.number);
-  double before = interpolated(time, cumulative, batches.begin);
+  const auto rate = [&](const double begin, const double end) {
+    return (interpolated(time, cumulative, end) - interpolated(time, cumulative, begin)) /
+           (end - begin);
+  };
   Estimate estimate;
+  estimate.value   = rate(batches.begin, batches.end);
   estimate.batches = batches.number;
-  for (unsigned int b = 0; b < batches.number; ++b)
-    {
-      const double after = interpolated(
-        time, cumulative,
-        b + 1 == batches.number ? batches.end : batches.begin + (b + 1) * length);
-      rates[b] = (after - before) / length;
-      estimate.value += rates[b] / batches.number;
-      before = after;
-    }
+  estimate.begin   = batches.begin;
+  estimate.end     = batches.end;
   if (batches.number < 2)
     return estimate;
-  double square = 0.;
-  for (const double rate : rates)
-    square += (rate - estimate.value) * (rate - estimate.value);
+  std::vector<double> rates(batches.number);
+  for (unsigned int b = 0; b < batches.number; ++b)
+    rates[b] = rate(std::max(batches.begin, batches.end - (b + 1) * batches.length),
+                    batches.end - b * batches.length);
+  const double mean = std::accumulate(rates.begin(), rates.end(), 0.) / batches.number;
+  double square     = 0.;
+  for (const double x : rates)
+    square += (x - mean) * (x - mean);
   estimate.batch_deviation = std::sqrt(square / (batches.number - 1));
   estimate.standard_error  = estimate.batch_deviation / std::sqrt(batches.number);
   estimate.half_width =

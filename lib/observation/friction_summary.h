@@ -23,14 +23,21 @@ struct Estimate
 
   /** Batches of whole periods; at most 20, so that neighbours are hardly correlated. */
   unsigned int batches = 0;
+
+  /** s; the value rests on the samples from here to #end. */
+  double begin = 0.;
+  double end   = 0.; ///< s; the last sample used
 };
 
 /**
  * Global interface friction coefficient, eq. (9): least-squares slope of the frictional
  * energy (J, per m of thickness in 2D) over @p from <= time <= @p to, divided by
  * @p reference_power = P S |V| (W). The window is shortened at its beginning to whole
- * periods; a @p period of 0 makes ten equal batches of it. The error
- * follows from the mean powers of the batches (end differences, exact for a limit cycle).
+ * periods, all of which count; a @p period of 0 leaves it as it is. The error follows
+ * from the mean powers of batches (end differences, exact for a limit cycle) of
+ * ceil(periods / 20) periods each, counted backwards from the end; without a period of
+ * ten equal parts. Periods at the beginning that do not fill a batch count for the value
+ * only.
  *
  * @throws UserError if fewer than three samples lie in the window or the reference power
  * is not positive

@@ -151,6 +151,13 @@ nlohmann::json value_or_null(const std::optional<Estimate> &estimate)
   return estimate ? nlohmann::json(estimate->value) : nlohmann::json();
 }
 
+/** Begin or end of the window that the means are of. */
+nlohmann::json window_json(const TransientSummary &summary, double Estimate::*const limit)
+{
+  const auto &mean = summary.mu_inter ? summary.mu_inter : summary.mean_apparent_friction;
+  return mean ? nlohmann::json((*mean).*limit) : nlohmann::json();
+}
+
 nlohmann::json shares_json(const ContactShares &shares)
 {
   return {
@@ -198,7 +205,8 @@ void log_key_numbers(const TransientObservations &observed,
       line << "mu_inter = " << summary.mu_inter->value;
       if (summary.mu_inter->batches > 1)
         line << " +- " << summary.mu_inter->half_width << " (95 %)";
-      line << ", ";
+      line << " from " << summary.mu_inter->begin << " to " << summary.mu_inter->end
+           << " s, ";
     }
   if (summary.frequencies)
     line << "main frequency " << summary.frequencies->main.frequency / 1e3 << " kHz, ";
@@ -312,6 +320,8 @@ void write_summary(const ContactParameters &parameters,
   json["energy_balance_scale"] =
     summary.energy_residual ? nlohmann::json(summary.residual_scale) : nlohmann::json();
   json["steady_from"]         = observed.steady_from;
+  json["window_begin"]        = window_json(summary, &Estimate::begin);
+  json["window_end"]          = window_json(summary, &Estimate::end);
   json["limit_cycle_reached"] = observed.limit_cycle_reached;
   json["limit_cycle"]         = observed.limit_cycle;
   log_key_numbers(observed, summary, parameters.observation.energy_interval, context);

@@ -107,13 +107,49 @@ TEST(Friction, SlopeOfALimitCycle)
     interface_friction_coefficient(times(10001, dt), energy, 2.5e-4, 1e-3, period, 5e4);
   EXPECT_NEAR(mu.value, 0.2, 1e-4);
   EXPECT_LT(mu.standard_error, 1e-4);
-  EXPECT_EQ(mu.batches, 20u);
+  EXPECT_EQ(mu.batches, 15u); // of two of the 30 whole periods
   EXPECT_THROW(
     interface_friction_coefficient(times(10001, dt), energy, 2e-3, 3e-3, period, 5e4),
     UserError);
   EXPECT_THROW(
     interface_friction_coefficient(times(10001, dt), energy, 0., 1e-3, period, 0.),
     UserError);
+}
+
+// Whole periods with a mean of their own, k/1000 in the k-th of 39, and a fraction before
+// them: all 39 count for the value, the last 38 as 19 batches of two for its error.
+TEST(Friction, AllWholePeriodsCount)
+{
+  const double period = 2e-5, dt = 1e-7, from = 0.6 * period, end = 39.6 * period;
+  const auto power = [&](const double t) {
+    const double k = std::floor((t - from) / period) + 1.;
+    return 1e-3 * k + 0.1 * std::sin(2. * pi * (t - from) / period);
+  };
+  const auto values = sampled(7921, dt, [&](const double t) { return power(t + 1e-12); });
+  const auto mean   = window_mean(times(7921, dt), values, 0., end, period);
+  // Neighbouring periods share a sample of the trapezoidal rule: dt / period / 2 of a
+  // step.
+  EXPECT_NEAR(mean.value, 20e-3, 1e-3 * 0.5 * dt / period + 1e-12);
+  EXPECT_EQ(mean.batches, 19u);
+  EXPECT_NEAR(mean.begin, from, 1e-15);
+  EXPECT_NEAR(mean.end, end, 1e-15);
+  // 2.5, 4.5, ... 38.5: the deviation of 19 equidistant numbers, 2 apart.
+  EXPECT_NEAR(mean.batch_deviation, 2e-3 * std::sqrt(19. * 20. / 12.), 1e-5);
+  EXPECT_NEAR(mean.half_width, 2.10092 * mean.batch_deviation / std::sqrt(19.), 1e-7);
+
+  // The slope of a parabola is its rate in the middle of the window.
+  const std::vector<std::pair<unsigned int, unsigned int>> batches = {
+    {1, 1}, {19, 19}, {20, 20}, {21, 10}, {39, 19}, {41, 13}, {100, 20}};
+  const auto energy = sampled(21001, dt, [](const double t) { return t * t; });
+  for (const auto &[periods, number] : batches)
+    {
+      const double to = (periods + 0.4) * period;
+      const auto mu =
+        interface_friction_coefficient(times(21001, dt), energy, 0., to, period, 2.);
+      EXPECT_NEAR(mu.value, to - 0.5 * periods * period, 1e-9 * to) << periods;
+      EXPECT_NEAR(mu.end - mu.begin, periods * period, 1e-12) << periods;
+      EXPECT_EQ(mu.batches, number) << periods;
+    }
 }
 
 // A power that fluctuates at random: 95 % of the intervals have to cover the truth.
