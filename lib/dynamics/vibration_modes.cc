@@ -1,15 +1,14 @@
 #include "dynamics/vibration_modes.h"
 
+#include "dynamics/free_dofs.h"
 #include "elasticity/uniform_grid_operator.h"
 
 #include <deal.II/lac/arpack_solver.h>
-#include <deal.II/lac/vector.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <sstream>
 
@@ -17,81 +16,9 @@ namespace mesoslip
 {
 namespace
 {
-using Vector = dealii::Vector<double>;
+using Vector = FreeDofs::Vector;
 
-/** The free degrees of freedom, numbered; duplicates of periodic sides are left out. */
-class FreeDofs
-{
-public:
-  FreeDofs(const UniformMaterial &material, const DofMask &held)
-    : periodic(material.periodicity())
-    , n_columns(material.n_columns())
-    , n_rows(material.n_rows())
-  {
-    const NodalField<double> layout(n_columns, n_rows);
-    std::vector<double> row(n_columns);
-    for (unsigned int j = 0; j + periodic.y < n_rows; ++j)
-      {
-        material.mass_row(j, row.data());
-        for (unsigned int c = 0; c < 2; ++c)
-          for (unsigned int i = 0; i + periodic.x < n_columns; ++i)
-            if (!held.is_held(c, i, j))
-              {
-                offsets.push_back(layout.row(c, j) - layout.begin() + i);
-                masses.push_back(row[i]);
-                places.push_back({c, i, j});
-              }
-      }
-  }
-
-  struct Place
-  {
-    unsigned int component, i, j;
-  };
-
-  std::size_t size() const
-  {
-    return offsets.size();
-  }
-  double mass(const std::size_t k) const
-  {
-    return masses[k];
-  }
-  const Place &place(const std::size_t k) const
-  {
-    return places[k];
-  }
-
-  /** Held entries become zero, duplicates copies. */
-  void scatter(NodalField<double> &field, const Vector &values) const
-  {
-    field.set_zero();
-    for (std::size_t k = 0; k < offsets.size(); ++k)
-      field.begin()[offsets[k]] = values[k];
-    for (unsigned int c = 0; c < 2; ++c)
-      {
-        for (unsigned int j = 0; periodic.x && j < n_rows; ++j)
-          field.row(c, j)[n_columns - 1] = field.row(c, j)[0];
-        if (periodic.y)
-          std::copy_n(field.row(c, 0), n_columns, field.row(c, n_rows - 1));
-      }
-  }
-
-  void gather(Vector &values, const NodalField<double> &field) const
-  {
-    for (std::size_t k = 0; k < offsets.size(); ++k)
-      values[k] = field.begin()[offsets[k]];
-  }
-
-private:
-  const Periodicity periodic;
-  const unsigned int n_columns, n_rows;
-  std::vector<std::size_t> offsets;
-  std::vector<double> masses;
-  std::vector<Place> places;
-};
-
-/** The lumped mass of the free degrees of freedom. */
+/** The lumped mass, as ARPACK wants it. */
 struct MassMatrix
 {
   const FreeDofs &dofs;
@@ -100,14 +27,6 @@ struct MassMatrix
   {
     for (std::size_t k = 0; k < dofs.size(); ++k)
       dst[k] = dofs.mass(k) * src[k];
-  }
-
-  double dot(const Vector &x, const Vector &y) const
-  {
-    double sum = 0.;
-    for (std::size_t k = 0; k < dofs.size(); ++k)
-      sum += dofs.mass(k) * x[k] * y[k];
-    return sum;
   }
 };
 
@@ -124,16 +43,17 @@ std::array<double, 3> rigid_motion(const UniformGrid<2> &grid, const FreeDofs::P
 /** The rigid motions that nothing holds, orthonormal with respect to the mass. */
 std::vector<Vector> free_rigid_motions(const UniformMaterial &material,
                                        const DofMask &held,
-                                       const FreeDofs &dofs,
-                                       const MassMatrix &mass)
+                                       const FreeDofs &dofs)
 {
+  const bool platen    = dofs.platen() != FreeDofs::none;
   Eigen::Matrix3d hold = Eigen::Matrix3d::Zero();
-  if (material.periodicity().x || material.periodicity().y)
+  // Neither can a platen turn.
+  if (material.periodicity().x || material.periodicity().y || platen)
     hold(2, 2) = 1.;
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < held.n_rows(); ++j)
       for (unsigned int i = 0; i < held.n_columns(); ++i)
-        if (held.is_held(c, i, j))
+        if (held.is_held(c, i, j) && !(platen && c == 1 && j + 1 == held.n_rows()))
           {
             const auto m = rigid_motion(material.grid(), {c, i, j});
             const Eigen::Vector3d motion(m[0], m[1], m[2]);
@@ -154,19 +74,23 @@ std::vector<Vector> free_rigid_motions(const UniformMaterial &material,
           motion[d]    = a[0] * m[0] + a[1] * m[1] + a[2] * m[2];
         }
       for (const Vector &other : motions)
-        motion.add(-mass.dot(other, motion), other);
-      motion /= std::sqrt(mass.dot(motion, motion));
+        motion.add(-dofs.mass_product(other, motion), other);
+      motion /= std::sqrt(dofs.mass_product(motion, motion));
       motions.push_back(motion);
     }
   return motions;
 }
 
-/** K^-1 on loads without resultant; solutions have no rigid motion (in the mass' sense).
+/**
+ * K^-1 on loads without resultant; solutions have no rigid motion (in the mass' sense).
+ * Under a platen the body is solved for with the top held, u = K_hh^-1 f, and moves with
+ * the platen on top of that: u + s z, where z is the response to a unit displacement of
+ * the platen and s = z.f / z.K z, as z.K u = 0.
  */
 class InverseStiffness
 {
 public:
-  InverseStiffness(const UniformMaterial &material,
+  InverseStiffness(const UniformGridOperator &stiffness,
                    const DofMask &held,
                    const FreeDofs &dofs,
                    const MassMatrix &mass,
@@ -174,18 +98,18 @@ public:
     : dofs(dofs)
     , mass(mass)
     , options(options)
-    , rigid(free_rigid_motions(material, held, dofs, mass))
-    , solver(make_static_solver(options.solver, material))
-    , force(material.n_columns(), material.n_rows())
-    , u(material.n_columns(), material.n_rows())
+    , rigid(free_rigid_motions(stiffness.material(), held, dofs))
+    , solver(make_static_solver(options.solver, stiffness.material()))
+    , force(stiffness.material().n_columns(), stiffness.material().n_rows())
+    , u(force)
   {
     solver->set_held(held);
+    if (dofs.platen() != FreeDofs::none && !platen_moves_freely())
+      push_platen(stiffness);
   }
 
   void vmult(Vector &dst, const Vector &src) const
   {
-    if (options.before_solve)
-      options.before_solve(n_solves);
     // The mass times a motion is the load that accelerates the body in that motion.
     Vector load(src), motion(src.size());
     for (const Vector &r : rigid)
@@ -195,16 +119,17 @@ public:
       }
     dofs.scatter(force, load);
     u.set_zero();
-    iterations += solver->solve(u, force, options.tolerance).iterations;
-    ++n_solves;
+    solve();
     dofs.gather(dst, u);
+    if (response.size() > 0)
+      dst.add(response * load / platen_stiffness, response);
     remove_rigid(dst);
   }
 
   void remove_rigid(Vector &x) const
   {
     for (const Vector &r : rigid)
-      x.add(-mass.dot(r, x), r);
+      x.add(-dofs.mass_product(r, x), r);
   }
 
   unsigned int n_rigid() const
@@ -215,19 +140,51 @@ public:
   mutable unsigned int n_solves = 0, iterations = 0;
 
 private:
+  void solve() const
+  {
+    if (options.before_solve)
+      options.before_solve(n_solves);
+    iterations += solver->solve(u, force, options.tolerance).iterations;
+    ++n_solves;
+  }
+
+  /** Then a load on it is a resultant, and vmult() has projected it out. */
+  bool platen_moves_freely() const
+  {
+    return std::any_of(rigid.begin(), rigid.end(), [this](const Vector &r) {
+      return std::fabs(r[dofs.platen()]) > 1e-6 * r.linfty_norm();
+    });
+  }
+
+  void push_platen(const UniformGridOperator &stiffness)
+  {
+    Vector unit(dofs.size()), Kz(dofs.size());
+    unit[dofs.platen()] = 1.;
+    dofs.scatter(u, unit);
+    solve();
+    response.reinit(dofs.size());
+    dofs.gather(response, u);
+    stiffness.vmult(force, u);
+    dofs.gather_forces(Kz, force);
+    platen_stiffness = response * Kz;
+  }
+
   const FreeDofs &dofs;
   const MassMatrix &mass;
   const VibrationModesOptions &options;
   const std::vector<Vector> rigid;
   std::unique_ptr<StaticSolver> solver;
   mutable NodalField<double> force, u;
+  Vector response;              ///< z; empty without a platen or when nothing resists it
+  double platen_stiffness = 0.; ///< z.K z (N/m^2)
 };
 
 /** Rayleigh quotient, residual, normalisation and masses of an eigenvector. */
 VibrationMode finish_mode(const Vector &eigenvector,
                           const FreeDofs &dofs,
                           const MassMatrix &mass,
-                          const UniformGridOperator &stiffness)
+                          const UniformGridOperator &stiffness,
+                          const double platen_mass)
 {
   const UniformMaterial &material = stiffness.material();
   VibrationMode mode;
@@ -236,7 +193,7 @@ VibrationMode finish_mode(const Vector &eigenvector,
   Vector Ku(dofs.size()), Mu(dofs.size());
   dofs.scatter(mode.shape, eigenvector);
   stiffness.vmult(field, mode.shape);
-  dofs.gather(Ku, field);
+  dofs.gather_forces(Ku, field);
   mass.vmult(Mu, eigenvector);
   const double uMu = eigenvector * Mu, omega2 = eigenvector * Ku / uMu;
   mode.frequency = std::sqrt(std::max(0., omega2)) / (2. * M_PI);
@@ -244,8 +201,10 @@ VibrationMode finish_mode(const Vector &eigenvector,
   std::array<double, 2> momentum = {};
   for (std::size_t k = 0; k < dofs.size(); ++k)
     momentum[dofs.place(k).component] += Mu[k];
+  const std::array<double, 2> moved = {
+    {material.total_mass(), material.total_mass() + platen_mass}};
   for (unsigned int c = 0; c < 2; ++c)
-    mode.effective_mass[c] = momentum[c] * momentum[c] / (uMu * material.total_mass());
+    mode.effective_mass[c] = momentum[c] * momentum[c] / (uMu * moved[c]);
 
   double norm = Ku.l2_norm();
   Ku.add(-omega2, Mu);
@@ -296,23 +255,32 @@ std::vector<Vector> lowest_eigenvectors(const MassMatrix &mass,
 }
 } // namespace
 
+void check_number_of_modes(const UniformMaterial &material,
+                           const DofMask &held,
+                           const VibrationModesOptions &options)
+{
+  const std::size_t n = FreeDofs(material, held, options.platen_mass).size();
+  if (n < 2 * options.n_modes + 10)
+    throw std::invalid_argument(std::to_string(options.n_modes) + " modes of only " +
+                                std::to_string(n) +
+                                " free degrees of freedom; at most half of them, less 5, "
+                                "can be computed");
+}
+
 VibrationModes vibration_modes(const UniformMaterial &material,
                                const DofMask &held,
                                const VibrationModesOptions &options)
 {
-  const FreeDofs dofs(material, held);
+  check_number_of_modes(material, held, options);
+  const FreeDofs dofs(material, held, options.platen_mass);
   const MassMatrix mass{dofs};
-  if (dofs.size() < 2 * options.n_modes + 10)
-    throw std::invalid_argument(
-      std::to_string(options.n_modes) + " modes of only " + std::to_string(dofs.size()) +
-      " free degrees of freedom; at most half of them, less 5, can "
-      "be computed");
-  const InverseStiffness inverse(material, held, dofs, mass, options);
   const UniformGridOperator stiffness(material);
+  const InverseStiffness inverse(stiffness, held, dofs, mass, options);
 
   VibrationModes result;
   for (const Vector &x : lowest_eigenvectors(mass, inverse, dofs.size(), options.n_modes))
-    result.modes.push_back(finish_mode(x, dofs, mass, stiffness));
+    result.modes.push_back(
+      finish_mode(x, dofs, mass, stiffness, options.platen_mass.value_or(0.)));
   std::sort(result.modes.begin(), result.modes.end(),
             [](const VibrationMode &a, const VibrationMode &b) {
               return a.frequency < b.frequency;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace mesoslip
@@ -16,6 +17,12 @@ namespace mesoslip
 struct VibrationModesOptions
 {
   unsigned int n_modes = 4; ///< wanted
+
+  /**
+   * Mass (kg/m) of a rigid platen on the top row, which has one common u_y; without a
+   * value there is none. Held are then u_y of that row and whatever else is.
+   */
+  std::optional<double> platen_mass;
 
   StaticSolverKind solver = StaticSolverKind::multigrid; ///< of the systems with K
 
@@ -35,9 +42,12 @@ struct VibrationMode
    */
   NodalField<double> shape;
 
-  double modal_mass = 0.; ///< shape.M shape (kg/m)
+  double modal_mass = 0.; ///< shape.M shape (kg/m), with the platen's
 
-  /** Share of the mass that takes part in a rigid acceleration along x and y. */
+  /**
+   * Share of the mass that takes part in a rigid acceleration along x and y: of the
+   * body's, and along y of the platen's as well.
+   */
   std::array<double, 2> effective_mass = {};
 
   /** |K u - omega^2 M u| / |K u| at the free degrees of freedom. */
@@ -56,6 +66,11 @@ struct VibrationModes
   unsigned int n_solves          = 0; ///< with K
   unsigned int solver_iterations = 0; ///< of all solves
 };
+
+/** @throws std::invalid_argument if there are not as many modes as @p options wants. */
+void check_number_of_modes(const UniformMaterial &material,
+                           const DofMask &held,
+                           const VibrationModesOptions &options);
 
 /**
  * Solves K u = omega^2 M u (lumped mass) on a uniform grid by shift-and-invert Lanczos

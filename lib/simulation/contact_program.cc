@@ -135,6 +135,7 @@ Need check(dealii::ParameterHandler &prm)
                                                       parameters.body.rve_file));
       break;
     case ContactAnalysis::modal:
+      check_modal(parameters, scene);
       break;
     }
   return {};

@@ -47,6 +47,37 @@ std::string kilohertz(const double frequency)
   return text;
 }
 
+std::vector<std::string> bottoms(const ContactParameters &parameters)
+{
+  const std::string &wanted = parameters.modal.bottom;
+  if (wanted == "both")
+    return {"free", "held"};
+  return {wanted == "free" ? "free" : "held"};
+}
+
+/** The top of the transient run as long as it is loaded. */
+TopSetup top_at_start(const ContactParameters &parameters)
+{
+  TopSetup top = parameters.top;
+  if (!(top.hold_from > 0.))
+    top.kind = TopSetup::Kind::held;
+  return top;
+}
+
+std::string top_text(const TopSetup &top)
+{
+  switch (top.kind)
+    {
+    case TopSetup::Kind::platen:
+      return "rigid platen of " + to_text(top.platen_mass) +
+             " kg/m: u_x = 0 and one common u_y";
+    case TopSetup::Kind::held:
+      return "held: u = 0";
+    default:
+      return top.lateral_held ? "u_x = 0, free in y" : "free";
+    }
+}
+
 void log_modes(const ModalCase &c, const bool paper, RunContext &context)
 {
   const VibrationModes &all = c.modes;
@@ -154,10 +185,37 @@ DofMask modal_constraints(const ContactParameters &parameters,
                           const bool bottom_held)
 {
   DofMask held = held_sides(material, parameters.sides);
-  hold_top(held, parameters.top);
+  hold_top(held, top_at_start(parameters));
   if (bottom_held)
     held.hold_row(1, 0);
   return held;
+}
+
+VibrationModesOptions modal_options(const ContactParameters &parameters)
+{
+  VibrationModesOptions options;
+  options.n_modes   = parameters.modal.n_modes;
+  options.tolerance = parameters.modal.tolerance;
+  options.solver    = parameters.static_solver;
+  if (top_at_start(parameters).kind == TopSetup::Kind::platen)
+    options.platen_mass = parameters.top.platen_mass;
+  return options;
+}
+
+void check_modal(const ContactParameters &parameters, const Scene &scene)
+{
+  const UniformMaterial material = scene.make_material(parameters.periodic);
+  for (const std::string &bottom : bottoms(parameters))
+    try
+      {
+        check_number_of_modes(material,
+                              modal_constraints(parameters, material, bottom == "held"),
+                              modal_options(parameters));
+      }
+    catch (const std::invalid_argument &e)
+      {
+        throw UserError(std::string("Modal/Number of modes: ") + e.what());
+      }
 }
 
 bool is_paper_body(const ContactParameters &parameters, const Scene &scene)
@@ -166,7 +224,8 @@ bool is_paper_body(const ContactParameters &parameters, const Scene &scene)
     return std::fabs(value - reference) <= tolerance * reference;
   };
   if (!is(scene.grid.extent(0), 56e-3, 1e-6) || !is(scene.grid.extent(1), 16e-3, 1e-6) ||
-      parameters.top.kind == TopSetup::Kind::pressure || parameters.periodic)
+      parameters.top.kind == TopSetup::Kind::pressure || parameters.periodic ||
+      parameters.top.platen_mass != 0.)
     return false;
   for (const auto &side : {parameters.sides.left_held, parameters.sides.right_held})
     if (side[0] || side[1])
@@ -186,29 +245,17 @@ std::vector<ModalCase> compute_modes(const ContactParameters &parameters,
                                      RunContext &context)
 {
   const UniformMaterial material = scene.make_material(parameters.periodic);
-  VibrationModesOptions options;
-  options.n_modes      = parameters.modal.n_modes;
-  options.tolerance    = parameters.modal.tolerance;
-  options.solver       = parameters.static_solver;
-  options.before_solve = stop_or_report(context, "the static solve");
+  VibrationModesOptions options  = modal_options(parameters);
+  options.before_solve           = stop_or_report(context, "the static solve");
 
   std::vector<ModalCase> cases;
-  for (const std::string bottom : {"free", "held"})
+  for (const std::string &bottom : bottoms(parameters))
     {
-      if (parameters.modal.bottom != "both" && parameters.modal.bottom.find(bottom) != 0)
-        continue;
       const auto scope = context.timer().scope(("Bottom " + bottom).c_str());
       const auto held  = modal_constraints(parameters, material, bottom == "held");
-      try
-        {
-          with_advice("loosen Modal/Tolerance or ask for fewer modes", [&]() {
-            cases.push_back({bottom, vibration_modes(material, held, options)});
-          });
-        }
-      catch (const std::invalid_argument &e)
-        {
-          throw UserError(std::string("Modal/Number of modes: ") + e.what());
-        }
+      with_advice("loosen Modal/Tolerance or ask for fewer modes", [&]() {
+        cases.push_back({bottom, vibration_modes(material, held, options)});
+      });
     }
   return cases;
 }
@@ -219,6 +266,10 @@ void run_modal(const ContactParameters &parameters,
 {
   const std::vector<ModalCase> cases = compute_modes(parameters, scene, context);
   const bool paper                   = is_paper_body(parameters, scene);
+  context.log("Top: " + top_text(top_at_start(parameters)) + ", as in a transient run" +
+              (std::isfinite(parameters.top.hold_from) && parameters.top.hold_from > 0.
+                 ? " before Top/Hold from"
+                 : ""));
   for (const ModalCase &c : cases)
     log_modes(c, paper, context);
   if (!context.root())

@@ -19,10 +19,19 @@ struct ModalCase
   VibrationModes modes; ///< lowest first
 };
 
-/** The degrees of freedom that sides, top and bottom hold. */
+/**
+ * The degrees of freedom that sides, top and bottom hold; a platen's u_y is among them,
+ * and modal_options() lets it move.
+ */
 DofMask modal_constraints(const ContactParameters &parameters,
                           const UniformMaterial &material,
                           const bool bottom_held);
+
+/** Number of modes, tolerance, solver, and the platen if the run has one at its start. */
+VibrationModesOptions modal_options(const ContactParameters &parameters);
+
+/** @throws UserError if there are not as many modes as Modal/Number of modes. */
+void check_modal(const ContactParameters &parameters, const Scene &scene);
 
 /** Modes under the boundary conditions that section Modal asks for. */
 std::vector<ModalCase> compute_modes(const ContactParameters &parameters,
@@ -30,8 +39,9 @@ std::vector<ModalCase> compute_modes(const ContactParameters &parameters,
                                      RunContext &context);
 
 /**
- * Whether the body is that of the paper's figure 8: 56 x 16 mm, top held, sides free, the
- * stiffness of eq. (10) (homogeneous) or the phases of table 1 (heterogeneous), to 5 %.
+ * Whether the body is that of the paper's figure 8: 56 x 16 mm, a top that is held or
+ * under a platen without mass, sides free, the stiffness of eq. (10) (homogeneous) or the
+ * phases of table 1 (heterogeneous), to 5 %.
  */
 bool is_paper_body(const ContactParameters &parameters, const Scene &scene);
 
