@@ -35,6 +35,24 @@ std::string material_text(const ContactParameters &parameters, const Scene &scen
              : " of " + body.rve_file);
   return text.str();
 }
+
+bool flat_moves(const ContactParameters &parameters)
+{
+  constexpr unsigned int looks = 100;
+  for (unsigned int k = 0; k <= looks; ++k)
+    if (parameters.friction.flat_velocity(parameters.time.end_time * k / looks) != 0.)
+      return true;
+  return false;
+}
+
+bool slides_undamped(const ContactParameters &parameters)
+{
+  const FrictionParameters &friction = parameters.friction;
+  return friction.law.time == 0. && !friction.law.node_law &&
+         parameters.time.beta == 0. && parameters.time.beta2 == 0.5 &&
+         (friction.coefficient_by_phase || friction.coefficient > 0.) &&
+         flat_moves(parameters);
+}
 } // namespace
 
 std::vector<std::string> body_text(const ContactParameters &parameters,
@@ -83,6 +101,12 @@ std::vector<std::string> transient_warnings(const ContactParameters &parameters,
     damping_warning(parameters, material, "the critical time step");
   if (!damping.empty())
     warnings.push_back(damping);
+  if (slides_undamped(parameters))
+    warnings.push_back(
+      "the run has neither regularization (Friction/Law = coulomb or Regularization time "
+      "= 0) nor damping (Time/Rayleigh beta = 0): while nodes slide, waves of three to "
+      "four cells grow that the body does not have, the faster the finer the grid is, so "
+      "that no grid is fine enough; set one of them, the paper has 1.5e-6 and 4.4e-9 s");
   return warnings;
 }
 } // namespace mesoslip

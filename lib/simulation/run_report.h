@@ -22,7 +22,8 @@ std::string crossing_text(const ContactParameters &parameters,
 /** What looks like a slip of units in any analysis of the body; sentences. */
 std::vector<std::string> body_warnings(const Scene &scene);
 
-/** The same of a transient run: too short for a wave, or damped beyond reason. */
+/** The same of a transient run: too short for a wave, damped beyond reason, or sliding
+ *  with nothing that stops the waves of the grid. */
 std::vector<std::string> transient_warnings(const ContactParameters &parameters,
                                             const UniformMaterial &material);
 } // namespace mesoslip

@@ -150,6 +150,7 @@ def check_slips():
     """What may be meant as it is, but hardly is: run and --validate say so, and the run ends well."""
     image = ["--set", "Microstructure/Type=image", "--set", "Microstructure/File=dark.txt"]
     moduli = lambda matrix, fibre: ["--set", f"Phases/matrix/Young modulus={matrix}", "--set", f"Phases/fibre/Young modulus={fibre}"]
+    undamped, plain = ["--set", "Time/Rayleigh beta=0"], ["--set", "Friction/Regularization time=0"]
     problems = []
     for program, text, options, words in (
             ("rve_homogenization", RVE, image, ["phase 'fibre'", "fills no cell"]),
@@ -157,7 +158,9 @@ def check_slips():
             ("rve_homogenization", RVE, moduli(1e6, 2e12), ["phase 'fibre' is 2e+06 times as stiff as phase 'matrix'", "in Pa"]),
             ("contact_dynamics", CONTACT, ["--set", "Body/Stiffness=36.5, 9.1, 47.3, 13.8"], ["47.3 Pa", "in Pa"]),
             ("contact_dynamics", CONTACT, ["--set", "Body/Size=8, 4"], ["ends before the wave is back", "Body/Size"]),
-            ("contact_dynamics", CONTACT, ["--set", "Time/Rayleigh beta=1e-6"], ["Rayleigh beta = 1e-06 s", "times shorter"])):
+            ("contact_dynamics", CONTACT, ["--set", "Time/Rayleigh beta=1e-6"], ["Rayleigh beta = 1e-06 s", "times shorter"]),
+            ("contact_dynamics", CONTACT, [*undamped, "--set", "Friction/Law=coulomb"], ["neither regularization", "no grid is fine enough"]),
+            ("contact_dynamics", CONTACT, [*undamped, *plain, "--set", "Flat/Expression=cos(1e6*t)"], ["Warning", "neither regularization"])):
         with tempfile.TemporaryDirectory() as folder:
             for name, content in (("case.prm", text), ("dark.txt", "\ufeff" + "0 0\n" * 2)):
                 with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
@@ -168,6 +171,23 @@ def check_slips():
                 said = done.stdout if validate else done.stderr
                 problems += [f"{program} {options} {validate}: exit status {done.returncode}, {done.stderr}"] * (done.returncode != 0)
                 problems += [f"{program} {options} {validate}: '{word}' is missing in: {said}" for word in words if word not in said]
+    return problems
+
+
+def check_damped_sliding():
+    """What does not slide, or has damping or regularization, gets no warning about waves of the grid."""
+    problems = []
+    for options in ([], ["Friction/Law=coulomb"], ["Time/Rayleigh beta=0"], ["Time/Rayleigh beta=0", "Friction/Law=slip rate"],
+                    ["Time/Rayleigh beta=0", "Friction/Law=coulomb", "Flat/Velocity=0"],
+                    ["Time/Rayleigh beta=0", "Friction/Law=coulomb", "Friction/Coefficient=0"]):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
+                file.write(CONTACT)
+            done = subprocess.run([os.path.join(PROGRAMS, "contact_dynamics"), "case.prm", "--validate",
+                                   *(word for option in options for word in ("--set", option))], cwd=folder, text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        if done.returncode or "neither regularization" in done.stdout:
+            problems.append(f"contact_dynamics {options}: {done.stdout}{done.stderr}")
     return problems
 
 
@@ -183,7 +203,7 @@ def check_line_ends():
 
 def main():
     problems = [p for case in CASES for p in check(*case)] + check_morphology_against_body() + check_sizes()
-    problems += check_slips() + check_line_ends()
+    problems += check_slips() + check_damped_sliding() + check_line_ends()
     for program in ("rve_homogenization", "contact_dynamics", "stress_localization"):
         for arguments in (["missing.prm"], ["/"], ["--unknown"], []):
             with tempfile.TemporaryDirectory() as folder:

@@ -200,7 +200,9 @@ Growth rates (1/s) of steady sliding by wavelength, from the exact dispersion re
 
 How to read this:
 
-* With plain Coulomb friction and no damping, short waves grow as fast as long ones: a finer grid always adds waves that grow, and refinement has no limit.
+* With plain Coulomb friction and no damping, short waves grow as fast as long ones: a finer grid always adds waves that
+  grow. One of 3.3 cells, which only the grid has, grows at a rate proportional to 1/h ([theory](../theory.md#3-contact-and-friction-libcontactcontact_kernelcc)).
+  Refinement has no limit.
 * delta = 1500 ns lets only long waves grow, with and without damping, so that steady sliding has a limit. It also decides which motion follows (main frequencies in the table above).
 * The motion past the first separation needs damping as well: with beta = 0 and delta = 1500 ns mu_inter is {mu} and the share of fast motion {fast} on ever finer cells, though the linear
   growth of short waves is gone. What is left to excite them are the landings, and nothing takes them away again.

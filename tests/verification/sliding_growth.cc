@@ -90,6 +90,37 @@ Complex damping_shift(const Complex s, const double dt)
   leapfrog.beta = exact.beta = 0.;
   return early.root(s) - s - (leapfrog.root(s) - exact.root(s));
 }
+
+/** Ten columns and ten rows of squares, periodic. */
+BodySetup grid_wave_setup(const double h, const double delta, const double beta)
+{
+  Layer layer{1., 0.25, delta, beta};
+  BodySetup setup = layer_setup(layer, 20);
+  setup.cells     = {{10, 10}};
+  setup.spacing   = {{h, h}};
+  setup.step.dt   = 0.8 * h / layer.c_L();
+  return setup;
+}
+
+/** What three waves in ten columns do while the layer slides. */
+Complex grid_wave(const BodySetup &setup)
+{
+  SlidingBody body(setup);
+  const auto &D       = setup.classes[0].stiffness;
+  const double height = setup.cells[1] * setup.spacing[1];
+  body.set_u([&](const double, const double y, const unsigned int c) {
+    return c == 0 ? 0.25 * P / D(2, 2) * (height - y) : -P / D(1, 1) * y;
+  });
+  body.set_w([&](const double x, const double y, const unsigned int c) {
+    const double phase = 0.6 * M_PI * x / setup.spacing[0];
+    return c == 0 && y == 0. ? 1e-8 * std::cos(phase) : 0.;
+  });
+  FourierProbe probe(body, 3, 1);
+  body.run(800, &probe);
+  for (const double n : body.contact.history().slipping)
+    EXPECT_EQ(n, setup.cells[0]);
+  return probe.rate(400 * setup.step.dt);
+}
 } // namespace
 
 TEST(Growth, Coulomb)
@@ -119,4 +150,24 @@ TEST(Growth, OfOrderTwoInTheTimeStep)
       EXPECT_LT(shift, 4e-6);
     }
   EXPECT_GT(order_in_dt(damped_layer), 1.8);
+}
+
+TEST(Growth, OfTheGridWithoutDampingAndRegularization)
+{
+  // A half-space of these squares has a wave of 10/3 cells within three rows of the flat,
+  // which bodies have not. Eigenvalue for nu = 0.2, mu = 0.25, by numpy: s h / c_T.
+  const Complex grid(0.0330625, -2.6404373);
+  for (const double h : {8e-4, 4e-4})
+    {
+      Complex s             = grid * c_T / h;
+      const BodySetup setup = grid_wave_setup(h, 0., 0.);
+      const double dt       = setup.step.dt;
+      s                     = 2. / dt * std::asinh(0.5 * dt * s); // leapfrog
+      const Complex found   = grid_wave(setup);
+      std::printf("h = %g mm: growth %.0f 1/s at %.1f kHz\n", 1e3 * h, found.real(),
+                  -found.imag() / (2e3 * M_PI));
+      EXPECT_LT(std::abs(found - s), 1e-3 * s.real());
+      EXPECT_LT(grid_wave(grid_wave_setup(h, 0., 4.4e-9)).real(), 0.);
+      EXPECT_LT(grid_wave(grid_wave_setup(h, 1.5e-6, 0.)).real(), 0.01 * s.real());
+    }
 }

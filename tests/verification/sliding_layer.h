@@ -106,24 +106,28 @@ struct Layer
   }
 };
 
-/** Fourier component k of a row: its log over time, the phase unwrapped. */
+/** A Fourier component of the lowest row: its log over time, the phase unwrapped. */
 struct FourierProbe : StepObserver
 {
-  explicit FourierProbe(const SlidingBody &body)
+  explicit FourierProbe(const SlidingBody &body,
+                        const unsigned int waves    = 1,
+                        const unsigned int interval = 10)
     : body(body)
+    , waves(waves)
+    , interval(interval)
   {
   }
 
   std::uint64_t next_step(const std::uint64_t n) const override
   {
-    return next_multiple(n, 10);
+    return next_multiple(n, interval);
   }
   void before_step(const std::uint64_t n) override
   {
     Complex sum      = 0.;
     const unsigned N = body.setup.cells[0];
     for (unsigned int i = 0; i < N; ++i)
-      sum += body.u.row(0, 0)[i] * std::exp(-2. * M_PI * I * (double(i) / N));
+      sum += body.u.row(0, 0)[i] * std::exp(-2. * M_PI * I * (double(waves * i) / N));
     Complex next = std::log(sum);
     if (!logs.empty())
       next += 2. * M_PI * I * std::round((logs.back() - next).imag() / (2. * M_PI));
@@ -152,6 +156,7 @@ struct FourierProbe : StepObserver
   }
 
   const SlidingBody &body;
+  const unsigned int waves, interval;
   std::vector<double> times;
   std::vector<Complex> logs;
 };
