@@ -5,10 +5,14 @@
 
 import os
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
 import warnings
+
+import h5py
+import numpy as np
 
 from scenes import SMALL_RVE as RVE
 
@@ -98,6 +102,43 @@ def check_reuse(folder):
     assert not os.path.exists(folder("rve", LIST))
 
 
+def fnv(state, data):
+    """64-bit FNV-1a of bytes, going on from `state`."""
+    for byte in data:
+        state = ((state ^ byte) * 0x100000001b3) % 2**64
+    return state
+
+
+def digested_parameters(path):
+    """What alone identified an rve.h5 before the computation had a revision: the keys with their values, in their order."""
+    sections, text = [], ""
+    with open(path, encoding="utf-8") as file:
+        for line in (line.strip() for line in file):
+            if line.startswith("subsection "):
+                sections.append(line[len("subsection "):].strip())
+            elif line == "end":
+                sections.pop()
+            elif line.startswith("set "):
+                key, value = (part.strip() for part in line[len("set "):].split("=", 1))
+                key = "/".join([*sections, key])
+                if key not in ("Output folder", "Homogenization/Reuse"):
+                    text += f"{key} = {value}\n"
+    data = text.encode()
+    return data + struct.pack("<Q", len(data))
+
+
+def check_revision(folder):
+    """An rve.h5 is made again when its program or the revision of the computation is another, with the same parameters."""
+    start, parameters = 0xcbf29ce484222325, digested_parameters(folder("rve", "parameters.prm"))
+    with h5py.File(folder("rve", "rve.h5"), "r+") as file:
+        version = file.attrs["program_version"]
+        program = fnv(start, version + struct.pack("<Q", len(version)))
+        assert file.attrs["digest"].decode() in {f"{fnv(fnv(program, struct.pack('<d', k)), parameters):016x}" for k in range(2, 100)}
+        file.attrs.modify("digest", np.bytes_(f"{fnv(start, parameters):016x}"))
+    assert "up to date" not in folder.run(0, "rve_homogenization", "rve")
+    assert "rve.h5 is up to date" in folder.run(0, "rve_homogenization", "rve")
+
+
 def check_output_that_fails(folder):
     """What was computed is in the checkpoint: --resume writes it, the same as without the failure."""
     os.mkdir(folder("late"))
@@ -120,6 +161,7 @@ def main():
         folder = Folder(path)
         check_failed_run(folder)
         check_reuse(folder)
+        check_revision(folder)
         check_output_that_fails(folder)
 
 

@@ -57,7 +57,7 @@ subsection Body
   set RVE file = here
 end
 subsection Time
-  set End time = 5e-6
+  set End time = 2e-6
   set Time step = 5e-9
 end
 subsection Observation
@@ -74,8 +74,8 @@ subsection Observation
   end
 end
 subsection Snapshots
-  set From = 2e-6
-  set Interval = 2e-7
+  set From = 1e-6
+  set Interval = 1e-7
 end
 """
 LOCALIZATION = """
@@ -110,8 +110,8 @@ def localization(name, **settings):
 
 
 HETEROGENEOUS = {"Body/Material": "heterogeneous", "Friction/Coefficient from": "phases"}
-# For a mean contact duration; only the friction homogenization needs it.
-LONG = {"Time/End time": 1e-4, "Snapshots/Interval": 0, "Flat/Velocity": 5}
+# Nodes have to lift off; only the friction homogenization needs it.
+LONG = {"Time/End time": 2e-5, "Observation/Steady from": 2e-6, "Snapshots/Interval": 0}
 
 RUNS = [
     rve("rve-random"),
@@ -120,8 +120,8 @@ RUNS = [
     rve("rve-image", **{"Microstructure/Type": "image", "Microstructure/File": "<files>/map.txt",
                         "Homogenization/Solver": "jacobi"}),
     *(ensemble(effective) for effective in ("KUBC", "SUBC", "PBC", "mean")),
-    contact("homogeneous-platen", **{"Top/Hold from": 3e-6, "Top/Platen mass": 0.02, "Flat/Ramp": "smooth",
-                                     "Flat/Ramp time": 2e-6}),
+    contact("homogeneous-platen", **{"Top/Hold from": 1.2e-6, "Top/Platen mass": 0.02, "Flat/Ramp": "smooth",
+                                     "Flat/Ramp time": 1e-6}),
     contact("heterogeneous-pressure", **HETEROGENEOUS, **{"Top/Kind": "pressure", "Top/Lateral held": True, "Sides/Left": "u_x",
                                                          "Friction/Law": "slip rate", "Friction/Node rule": "mean"}),
     contact("periodic-held", **{"Sides/Periodic": True, "Top/Kind": "held", "Body/Acceleration": [0, -1e7], "Time/Beta2": 0.6,
@@ -134,6 +134,6 @@ RUNS = [
                                 "Friction homogenization/Heterogeneous run": "{long-heterogeneous-1}",
                                 "Friction homogenization/Homogeneous run": "{long-homogeneous-1}"}),
     localization("localization-alone", **{"Probes/Further": "0.0005, 0.0006"}),
-    localization("localization-direct", **{"Input/Direct run": "{heterogeneous-pressure-1}/dynamics.h5", "Window/From": 3e-6,
+    localization("localization-direct", **{"Input/Direct run": "{heterogeneous-pressure-1}/dynamics.h5", "Window/From": 1.2e-6,
                                            "Localization/Variant": "both", "Localization/Concentration": "PBC"}),
 ]
