@@ -173,8 +173,8 @@ void run(dealii::ParameterHandler &prm, RunContext &context)
   const ContactParameters parameters = ContactParameters::parse(prm);
   if (context.n_ranks() > 1 && (parameters.analysis == ContactAnalysis::modal ||
                                 parameters.analysis == ContactAnalysis::static_contact))
-    context.warn(
-      "this analysis runs on one rank, all others repeat it; start it without mpirun");
+    context.log(
+      "This analysis runs on one process, all others repeat it; start it without mpirun");
   switch (parameters.analysis)
     {
     case ContactAnalysis::transient:

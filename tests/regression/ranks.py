@@ -15,7 +15,7 @@ import h5py
 import numpy as np
 
 from comparison import Comparison
-from rank_scenes import ALL, FILES, RUNS
+from rank_scenes import ENSEMBLE_RANKS, FILES, RUNS
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "applications", "studies"))
@@ -24,7 +24,7 @@ from study import Study  # noqa: E402
 # What tells of a process and not of the body; and the state of each rank, which resume.py looks at.
 SKIPPED_FILES = r"\.study.*|study_stderr\.txt|\.lock|contact_dynamics\.checkpoint"
 SKIPPED_VALUES = r"(summary\.json:|rve\.h5:/summary:)(ranks$|seconds(/|$)|peak_memory_bytes$|cell_updates_per_second$)"
-SKIPPED_LINES = r" process(es)?, |^done in |runs on one rank, all others repeat it|^one process works, the others wait"
+SKIPPED_LINES = r"^\w+ [\d.]+, \d+ process(es)?, |^done in |^This analysis runs on one process, all others repeat it|^one process works, the others wait"
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 
@@ -106,7 +106,7 @@ def check_that_differences_are_seen(folder, one):
 def check_effective(path):
     """The stiffness of the composite is the mean over the members of the conditions that it is to stand for."""
     for effective, conditions in (("KUBC", ["KUBC"]), ("SUBC", ["SUBC"]), ("PBC", ["PBC"]), ("mean", ["KUBC", "SUBC"])):
-        for ranks in (1, *ALL):
+        for ranks in (1, *ENSEMBLE_RANKS[effective]):
             with open(os.path.join(path(f"ensemble-{effective}-{ranks}"), "summary.json"), encoding="utf-8") as file:
                 summary = json.load(file)
             expected = sum(np.array(summary["ensemble"][name]["mean"]) for name in conditions) / len(conditions)
