@@ -20,6 +20,7 @@ QUANTITIES = [
     ("Reference node: separated", ("reference_node", "separation"), "%"),
     ("Mean contact duration T<sub>G</sub>", ("mean_contact_duration",), "s"),
     ("Frictional energy", ("friction_energy",), "J/m"),
+    ("Largest strain", ("largest_strain",), "%"),
     ("Residual of the energy balance, relative", ("energy_balance_residual",), ""),
     ("Statistics from", ("steady_from",), "s"),
     ("Means over whole periods from", ("window_begin",), "s"),

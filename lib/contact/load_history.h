@@ -61,6 +61,12 @@ public:
     return scale;
   }
 
+  /** Whether it is given as an expression, which amplitude() says nothing about. */
+  bool is_expression() const
+  {
+    return expression != nullptr;
+  }
+
 private:
   struct Expression;
 

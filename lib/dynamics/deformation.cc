@@ -32,7 +32,7 @@ void evaluate_row(const double *ux,
                   RowValues &values)
 {
   double *strain = values.strain.data(), *rotation = values.rotation.data(),
-         *jacobian      = values.jacobian.data();
+         *jacobian    = values.jacobian.data();
   const std::size_t n = values.strain.size();
   for (std::size_t i = 0; i < n; ++i)
     {

@@ -36,16 +36,19 @@ StabilityMonitor::StabilityMonitor(
 {
 }
 
+std::uint64_t StabilityMonitor::next_regular_step(const std::uint64_t n)
+{
+  if (n == 0)
+    return 0;
+  for (std::uint64_t early = shortest_interval; early < longest_interval; early *= 2)
+    if (early >= n)
+      return early;
+  return next_multiple(n, longest_interval);
+}
+
 std::uint64_t StabilityMonitor::next_step(const std::uint64_t n) const
 {
-  std::uint64_t next = n == 0 ? 0 : next_multiple(n, longest_interval);
-  for (std::uint64_t early = shortest_interval; n > 0 && early < longest_interval;
-       early *= 2)
-    if (early >= n)
-      {
-        next = early;
-        break;
-      }
+  std::uint64_t next = next_regular_step(n);
   for (const StepObserver *observer : guarded)
     next = std::min(next, observer->next_step(n));
   return next;

@@ -58,6 +58,9 @@ public:
 
   std::uint64_t next_step(const std::uint64_t n) const override;
 
+  /** The same without guarded observers. */
+  static std::uint64_t next_regular_step(const std::uint64_t n);
+
   void before_step(const std::uint64_t n) override
   {
     check(n);

@@ -142,7 +142,34 @@ unsigned long estimated_megabytes(const RveParameters &parameters)
   return 150 + static_cast<unsigned long>(n_cells * (solver + fields) * 1e-6);
 }
 
-// Slips of units; and what --validate can say of a morphology that is read, not placed.
+// What looks like another unit.
+std::vector<std::string> slips(const MicrostructureParameters &p)
+{
+  std::vector<PlausibleRange> ranges = plausible_phases(p.phases.make_phases());
+  for (unsigned int d = 0; d < 2; ++d)
+    ranges.push_back(plausible_length("Grid/Size along " + std::string(1, "xy"[d]),
+                                      p.grid.grid().extent(d)));
+  if (p.type == MicrostructureParameters::Type::random_fibres)
+    {
+      const auto add = [&](const char *key, const double length, const unsigned int d) {
+        PlausibleRange range = plausible_length(random_fibres_section + key, length);
+        range.lowest         = 0.; // at least a cell, of which the size is judged
+        range.highest        = p.grid.grid().extent(d);
+        range.if_high        = "more than the volume of Grid/Size measures; is it in m?";
+        ranges.push_back(range);
+      };
+      add("/Fibre width", p.placement.width, 0);
+      add("/Maximum height", p.placement.max_height, 1);
+      add("/Minimum gap", p.placement.minimum_gap, 0);
+    }
+  std::vector<std::string> sentences = implausible(ranges);
+  const std::string stiffness        = stiffness_warning(p.phases.make_phases());
+  if (!stiffness.empty())
+    sentences.push_back(stiffness);
+  return sentences;
+}
+
+// Slips; and what --validate can say of a morphology that is read, not placed.
 std::vector<std::string> input_warnings(const RveParameters &parameters)
 {
   using Type                        = MicrostructureParameters::Type;
@@ -150,9 +177,8 @@ std::vector<std::string> input_warnings(const RveParameters &parameters)
   std::vector<std::string> warnings;
   if (p.type == Type::image || p.type == Type::rectangles)
     warnings = make_microstructure(p).warnings;
-  const std::string stiffness = stiffness_warning(p.phases.make_phases());
-  if (!stiffness.empty())
-    warnings.push_back(stiffness);
+  for (const std::string &slip : slips(p))
+    warnings.push_back(slip);
   return warnings;
 }
 
@@ -172,9 +198,7 @@ void run(dealii::ParameterHandler &prm, RunContext &context)
       return;
     }
 
-  const std::string slip =
-    stiffness_warning(parameters.microstructure.phases.make_phases());
-  if (!slip.empty())
+  for (const std::string &slip : slips(parameters.microstructure))
     context.warn(slip);
   RveResults results;
   try

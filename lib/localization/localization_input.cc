@@ -3,6 +3,7 @@
 #include "io/errors.h"
 #include "io/parameters.h"
 #include "material/engineering_constants.h"
+#include "material/plausibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,6 +105,30 @@ std::vector<double> out_of_plane_ratios(const LocalizationParameters &parameters
   return ratios;
 }
 
+/** What looks like another unit. */
+std::vector<std::string> slips(const LocalizationParameters &parameters,
+                               const UniformGrid<2> &grid,
+                               const bool compared)
+{
+  std::vector<PlausibleRange> ranges;
+  for (const double ratio : parameters.out_of_plane_ratio)
+    ranges.push_back({"Localization/Out-of-plane ratio", ratio, "", -1.,
+                      "less than any Poisson's ratio, which it is in plane strain", 1.,
+                      "more than any Poisson's ratio, which it is in plane strain"});
+  const auto add = [&](const char *key, const double length, const double side) {
+    ranges.push_back({std::string("Comparison/") + key, length, "m", 0., "", side,
+                      "more than the body's " + quantity_text(side, "m") +
+                        ", so that no cell is left to be compared apart; is it in m?"});
+  };
+  if (compared)
+    {
+      add("Surface depth", parameters.surface_depth, grid.extent(1));
+      add("Edge distance", parameters.edge_distance,
+          std::max(grid.extent(0), grid.extent(1)));
+    }
+  return implausible(ranges);
+}
+
 TimeWindow choose_window(const LocalizationParameters &parameters,
                          const RunFile &homogeneous,
                          const std::optional<RunFile> &direct)
@@ -179,6 +204,8 @@ LocalizationInput::LocalizationInput(const LocalizationParameters &parameters)
       check_direct(*direct, rve, phase_id, warnings);
     }
   window = choose_window(parameters, homogeneous, direct);
+  for (const std::string &slip : slips(parameters, rve.grid(), direct.has_value()))
+    warnings.push_back(slip);
 }
 
 std::vector<PlannedProbe> plan_probes(const LocalizationParameters &parameters,

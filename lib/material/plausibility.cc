@@ -15,6 +15,74 @@ double stiffness(const Phase<2> &phase)
 }
 } // namespace
 
+std::string quantity_text(const double value, const std::string &unit)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << value << (unit.empty() ? "" : " ") << unit;
+  return text.str();
+}
+
+std::vector<std::string> implausible(const std::vector<PlausibleRange> &ranges)
+{
+  std::vector<std::string> sentences;
+  for (const PlausibleRange &range : ranges)
+    {
+      const bool low = !(range.value >= range.lowest);
+      if (low || range.value > range.highest)
+        sentences.push_back(range.key + " is " + quantity_text(range.value, range.unit) +
+                            ", " + (low ? range.if_low : range.if_high));
+    }
+  return sentences;
+}
+
+PlausibleRange plausible_density(const std::string &key, const double density)
+{
+  const std::string question = "; is it in g/cm^3? Densities are in kg/m^3";
+  return {key,
+          density,
+          "kg/m^3",
+          density == 0. ? 0. : 25.,
+          "less than most foams" + question,
+          25000.,
+          "more than any solid" + question};
+}
+
+PlausibleRange plausible_friction(const std::string &key, const double coefficient)
+{
+  return {key,
+          coefficient,
+          "",
+          0.,
+          "less than none",
+          2.,
+          "more than dry friction has; is it in per cent?"};
+}
+
+PlausibleRange plausible_length(const std::string &key, const double length)
+{
+  return {key,
+          length,
+          "m",
+          1e-7,
+          "no length of a solid with a microstructure; lengths are in m",
+          10.,
+          "is it in mm? Lengths are in m"};
+}
+
+std::vector<PlausibleRange> plausible_phases(const std::vector<Phase<2>> &phases)
+{
+  std::vector<PlausibleRange> ranges;
+  for (const Phase<2> &phase : phases)
+    {
+      const std::string section = "Phases/" + phase.name + "/";
+      ranges.push_back(plausible_density(section + "Density", phase.density));
+      ranges.push_back(
+        plausible_friction(section + "Friction coefficient", phase.friction_coefficient));
+    }
+  return ranges;
+}
+
 std::string stiffness_warning(const std::vector<Phase<2>> &phases)
 {
   const auto [soft, stiff] = std::minmax_element(

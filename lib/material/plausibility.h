@@ -3,11 +3,44 @@
 
 #include "material/phase.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
+/** What the value of a key may reasonably be; outside it looks like a slip of units. */
+struct PlausibleRange
+{
+  std::string key;   ///< such as "Friction/Regularization time"
+  double value = 0.; ///< that was given, or follows from what was given
+  std::string unit;  ///< such as "s"; empty for a pure number
+
+  double lowest      = -std::numeric_limits<double>::infinity(); ///< itself plausible
+  std::string if_low = {}; ///< how the sentence goes on below the lowest
+
+  double highest      = std::numeric_limits<double>::infinity(); ///< itself plausible
+  std::string if_high = {}; ///< how the sentence goes on above the highest
+};
+
+/** "KEY is VALUE UNIT, ..." for each value outside its range; NaN is below all. */
+std::vector<std::string> implausible(const std::vector<PlausibleRange> &ranges);
+
+/** "1500 s": four digits and the unit. */
+std::string quantity_text(const double value, const std::string &unit);
+
+/** Of a density: 25 (foam) to 25,000 kg/m^3; 0, one that is not given, is plausible. */
+PlausibleRange plausible_density(const std::string &key, const double density);
+
+/** Of a friction coefficient: up to 2. */
+PlausibleRange plausible_friction(const std::string &key, const double coefficient);
+
+/** Of a side of a body or volume: 0.1 micrometres to 10 m. */
+PlausibleRange plausible_length(const std::string &key, const double length);
+
+/** Densities and friction coefficients below Phases/NAME/. */
+std::vector<PlausibleRange> plausible_phases(const std::vector<Phase<2>> &phases);
+
 /**
  * What looks like a modulus typed in another unit than Pa: a phase softer than soft
  * rubber (1 MPa), or one more than a million times as stiff as another; one sentence,

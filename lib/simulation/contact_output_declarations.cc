@@ -69,8 +69,8 @@ void declare_other_analyses(dealii::ParameterHandler &prm)
     declare_integer(prm, "Number of modes", 4, 1, 1000, "Lowest modes wanted [-]");
     declare_selection(
       prm, "Bottom", "both", {"free", "held in y", "both"},
-      "The paper's boundary conditions BC1 (free) and BC2 (held in y); a platen "
-      "or held top is u = 0");
+      "The paper's boundary conditions BC1 (free) and BC2 (held in y); the top is that "
+      "of section Top at the start of a run");
     declare_double(
       prm, "Tolerance", 1e-10, Range::open(0., 1.),
       "Relative residual of the static solves within the Lanczos iteration [-]");

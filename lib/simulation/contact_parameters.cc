@@ -133,8 +133,12 @@ FrictionParameters parse_friction(Handler &prm)
   const std::string law = get_string(prm, "Law");
   friction.law.time     = law == "coulomb" ? 0. : get_double(prm, "Regularization time");
   if (law == "slip rate")
-    friction.law.node_law = std::make_shared<SlipRateRegularization>(
-      get_double(prm, "Length"), get_double(prm, "Reference velocity"));
+    {
+      friction.slip_length        = get_double(prm, "Length");
+      friction.reference_velocity = get_double(prm, "Reference velocity");
+      friction.law.node_law       = std::make_shared<SlipRateRegularization>(
+        friction.slip_length, friction.reference_velocity);
+    }
   friction.coefficient_by_phase = get_string(prm, "Coefficient from") == "phases";
   friction.coefficient          = get_double(prm, "Coefficient");
   friction.node_rule            = get_string(prm, "Node rule");

@@ -63,6 +63,8 @@ struct FrictionParameters
   LoadHistory flat_velocity;         ///< m/s
   double gap = 0.;                   ///< m
   FrictionLaw law;                   ///< delta and its rule
+  double slip_length        = 0.;    ///< L of the slip-rate law (m); 0: another law
+  double reference_velocity = 0.;    ///< V_ref of the slip-rate law (m/s)
   bool coefficient_by_phase = false; ///< those of the phases in rve.h5
   double coefficient        = 0.;    ///< of all nodes, unless by phase
   std::string node_rule; ///< stiffness, mean, largest or smallest of the adjacent cells

@@ -14,6 +14,7 @@
 #include "simulation/run_size.h"
 #include "simulation/scene.h"
 #include "simulation/static_contact.h"
+#include "simulation/time_step_choice.h"
 #include "simulation/transient.h"
 #include "simulation/transient_setup.h"
 
@@ -41,6 +42,9 @@ void check_probes(const ContactParameters &parameters, const UniformGrid<2> &gri
     throw UserError("Observation/Reference x: " + to_text(x) +
                     " m lies outside the body, 0 to " + to_text(grid.extent(0)) + " m");
 }
+
+// A million years on a machine of today.
+constexpr double most_steps = 1e18;
 
 // mu_inter rests on the histories' samples from there to the end: three at least, unless
 // the histories are too coarse for it anyway.
@@ -77,6 +81,11 @@ Need check_transient(const ContactParameters &parameters, const Scene &scene)
   const UniformMaterial material = scene.make_material(parameters.periodic);
   check_time_step(parameters, material);
   const double n_steps = largest_number_of_steps(parameters, material);
+  if (!(n_steps <= most_steps))
+    throw UserError("Time/End time: " + to_text(parameters.time.end_time) + " s are " +
+                    to_text(n_steps) +
+                    " steps, more than any run can do; are Body/Size in m, the stiffness "
+                    "in Pa, the density in kg/m^3 and the times in s?");
   check_steady_from(parameters, n_steps);
   require_memory(history_memory(parameters, material, n_steps));
   return dynamics_file_size(parameters, material, n_steps);
@@ -110,7 +119,7 @@ void estimate(dealii::ParameterHandler &prm, std::ostream &report)
   for (const std::string &line : body_text(parameters, scene))
     report << line << '\n';
   report << 2 * scene.grid.n_nodes() << " degrees of freedom\n";
-  for (const std::string &warning : body_warnings(scene))
+  for (const std::string &warning : body_warnings(parameters, scene))
     report << "Warning: " << warning << '\n';
   if (parameters.analysis == ContactAnalysis::transient)
     estimate_transient(parameters, scene, report);
@@ -123,6 +132,8 @@ Need check(dealii::ParameterHandler &prm)
   require_memory(field_memory(parameters.analysis, body_grid(parameters)));
   const Scene scene = make_scene(parameters);
   check_probes(parameters, scene.grid);
+  if (parameters.analysis != ContactAnalysis::friction_homogenization)
+    require_frequency(scene.make_material(parameters.periodic));
   switch (parameters.analysis)
     {
     case ContactAnalysis::transient:
@@ -163,7 +174,7 @@ Scene make_logged_scene(const ContactParameters &parameters, RunContext &context
   Scene scene = make_scene(parameters);
   for (const std::string &line : body_text(parameters, scene))
     context.log(line);
-  for (const std::string &warning : body_warnings(scene))
+  for (const std::string &warning : body_warnings(parameters, scene))
     context.warn(warning);
   return scene;
 }

@@ -3,6 +3,7 @@
 #include "grid/size_text.h"
 #include "io/parameters.h"
 #include "material/plausibility.h"
+#include "simulation/plausible_input.h"
 #include "simulation/run_size.h"
 
 #include <sstream>
@@ -81,17 +82,24 @@ std::string crossing_text(const ContactParameters &parameters,
   return text.str();
 }
 
-std::vector<std::string> body_warnings(const Scene &scene)
+std::vector<std::string> body_warnings(const ContactParameters &parameters,
+                                       const Scene &scene)
 {
-  const std::string stiffness = stiffness_warning(scene.phases);
-  return stiffness.empty() ? std::vector<std::string>()
-                           : std::vector<std::string>{stiffness};
+  std::vector<std::string> warnings = implausible_body(parameters, scene);
+  const std::string stiffness       = stiffness_warning(scene.phases);
+  if (!stiffness.empty())
+    warnings.push_back(stiffness);
+  if (parameters.analysis == ContactAnalysis::static_contact)
+    for (const std::string &warning :
+         implausible_static_load(parameters, scene.make_material(parameters.periodic)))
+      warnings.push_back(warning);
+  return warnings;
 }
 
 std::vector<std::string> transient_warnings(const ContactParameters &parameters,
                                             const UniformMaterial &material)
 {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = implausible_run(parameters, material);
   if (!(parameters.time.end_time >= 2. * crossing_time(material)))
     warnings.push_back(
       crossing_text(parameters, material) +

@@ -19,10 +19,12 @@ std::vector<std::string> body_text(const ContactParameters &parameters,
 std::string crossing_text(const ContactParameters &parameters,
                           const UniformMaterial &material);
 
-/** What looks like a slip of units in any analysis of the body; sentences. */
-std::vector<std::string> body_warnings(const Scene &scene);
+/** What looks like a slip of units in the body and the load of a static contact analysis;
+ *  sentences. */
+std::vector<std::string> body_warnings(const ContactParameters &parameters,
+                                       const Scene &scene);
 
-/** The same of a transient run: too short for a wave, damped beyond reason, or sliding
+/** The same of a transient run: its times, loads, velocities, law and damping, and sliding
  *  with nothing that stops the waves of the grid. */
 std::vector<std::string> transient_warnings(const ContactParameters &parameters,
                                             const UniformMaterial &material);

@@ -2,6 +2,7 @@
 
 #include "io/errors.h"
 #include "io/parameters.h"
+#include "simulation/deformation_report.h"
 
 #include <cmath>
 #include <sstream>
@@ -75,5 +76,24 @@ void report_runaway(const Runaway &found,
         << "xy"[found.component] << " = " << found.displacement << " m and a velocity of "
         << found.velocity << " m/s";
   throw NumericalFailure(what.str(), n, n * time.step.dt, place.str());
+}
+
+void require_upright_cells(const Deformation &found,
+                           const std::uint64_t n,
+                           const TimeStepChoice &time,
+                           const ContactParameters &parameters,
+                           const UniformMaterial &material)
+{
+  const std::string text = inverted_cell_text(found, parameters, material);
+  if (text.empty())
+    return;
+  // Of an unstable run the time step is the cause, whatever the loads are.
+  Runaway runaway;
+  if (time.step.dt > time.critical)
+    throw NumericalFailure(
+      "the run blew up: " + text.substr(0, text.find("; likely cause")) +
+        "; likely cause: " + likely_cause(runaway, time) + "; found",
+      n, n * time.step.dt, "");
+  throw NumericalFailure(text + "; found", n, n * time.step.dt, "");
 }
 } // namespace mesoslip

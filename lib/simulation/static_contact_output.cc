@@ -1,7 +1,10 @@
+#include "dynamics/deformation.h"
+#include "io/errors.h"
 #include "io/parameters.h"
 #include "io/run_context.h"
 #include "io/table.h"
 #include "simulation/body_file.h"
+#include "simulation/deformation_report.h"
 #include "simulation/static_contact.h"
 #include "simulation/static_support.h"
 
@@ -186,6 +189,26 @@ void write_summary(const ContactParameters &parameters,
   json["residual"]          = s.residual;
   json["friction_change"]   = s.friction_change;
 }
+
+/** @throws NumericalFailure if a cell is inside out; the largest strain into the summary.
+ */
+void judge_strain(const ContactParameters &parameters,
+                  const Scene &scene,
+                  const StaticContactResult &result,
+                  RunContext &context)
+{
+  const NodalField<double> &u    = result.solution.displacement;
+  const UniformMaterial material = scene.make_material(parameters.periodic);
+  const Deformation found =
+    largest_deformation(scene.grid, NodeRows::all(u.n_rows()), u, MPI_COMM_SELF);
+  const std::string inverted = inverted_cell_text(found, parameters, material);
+  if (!inverted.empty())
+    throw NumericalFailure("static contact: " + inverted);
+  const std::string large = large_strain_warning(found, parameters, material, "");
+  if (!large.empty())
+    context.warn(large);
+  context.summary()["largest_strain"] = found.strain.value;
+}
 } // namespace
 
 void run_static_contact(const ContactParameters &parameters,
@@ -204,6 +227,7 @@ void run_static_contact(const ContactParameters &parameters,
     with_advice("loosen Static contact/Tolerance or allow more Iterations",
                 [&]() { result = compute_static_contact(parameters, scene, options); });
   }
+  judge_strain(parameters, scene, result, context);
   const HomogenizedCoefficients mu = homogenized(parameters, scene, result);
   log_result(parameters, scene, result, mu, context);
   if (!context.root())

@@ -30,6 +30,17 @@ std::string TimeStepChoice::text() const
   return out.str();
 }
 
+void require_frequency(const UniformMaterial &material)
+{
+  const double omega = element_frequency_bound(material);
+  if (!(omega > 0.) || !std::isfinite(omega))
+    throw UserError(
+      "Body: stiffness, density and cells of " + to_text(material.grid().spacing[0]) +
+      " x " + to_text(material.grid().spacing[1]) +
+      " m give a cell no frequency of vibration that a number can hold; are Size in m, "
+      "Stiffness in Pa and Density in kg/m^3?");
+}
+
 TimeStepChoice choose_time_step(const ContactParameters &parameters,
                                 const UniformMaterial &material)
 {

@@ -21,6 +21,9 @@ struct TimeStepChoice
   std::string text() const;
 };
 
+/** That the stiffest cell has a frequency, and so a time step. @throws UserError */
+void require_frequency(const UniformMaterial &material);
+
 /** @throws UserError when a given time step is above the critical one. */
 TimeStepChoice choose_time_step(const ContactParameters &parameters,
                                 const UniformMaterial &material);

@@ -5,6 +5,8 @@
 #include "io/exchange.h"
 #include "io/parameters.h"
 #include "io/run_context.h"
+#include "material/plausibility.h"
+#include "simulation/deformation_report.h"
 #include "simulation/runaway_report.h"
 #include "simulation/transient_setup.h"
 
@@ -85,6 +87,12 @@ TransientRun::TransientRun(const ContactParameters &parameters,
         report_runaway(found, n, this->time, this->parameters);
       },
       context.communicator())
+  , strains(
+      scene.grid,
+      rows,
+      u,
+      [this](const Deformation &found, const std::uint64_t n) { judge(found, n); },
+      context.communicator())
   , limit_cycle(limit_cycle_criterion(parameters, scene.grid),
                 material.n_columns() - (parameters.periodic ? 1 : 0),
                 parameters.observation.energy_interval,
@@ -107,6 +115,17 @@ BoundaryWork TransientRun::boundary_work() const
 {
   return {top.work() + contact.work().flat, contact.work().friction,
           contact.work().impact};
+}
+
+void TransientRun::judge(const Deformation &found, const std::uint64_t n)
+{
+  require_upright_cells(found, n, time, parameters, material);
+  const std::string warning = large_strain_warning(
+    found, parameters, material,
+    " in step " + std::to_string(n) + " at t = " + to_text(n * time.step.dt) + " s");
+  if (!warning.empty() && !warned)
+    context.warn(warning);
+  warned = warned || !warning.empty();
 }
 
 std::array<double, 2> TransientRun::traction(const unsigned int node) const
@@ -200,7 +219,8 @@ std::unique_ptr<SnapshotRecorder> TransientRun::make_snapshots()
 
 TransientObservations TransientRun::run()
 {
-  std::vector<StepObserver *> observers = {profile.timed(monitor, "Stability monitor")};
+  std::vector<StepObserver *> observers = {profile.timed(monitor, "Stability monitor"),
+                                           profile.timed(strains, "Strains")};
   if (energy)
     observers.push_back(profile.timed(*energy, "Energies"));
   if (probes)
@@ -242,6 +262,13 @@ TransientObservations TransientRun::collect()
 {
   TransientObservations all;
   contact.finish();
+  strains.look(stepper.step_number());
+  all.largest_strain = strains.largest_strain();
+  // Before it was resumed, as each run has its own warnings.
+  if (!warned && !(all.largest_strain <= largest_small_strain))
+    context.warn("the strain was " + quantity_text(100. * all.largest_strain, "%") +
+                 " earlier in the run, beyond small strains: its results cannot be "
+                 "trusted");
   all.contact = contact.history();
   all.blocks  = contact.blocks();
   all.top     = gather_top();

@@ -2,6 +2,7 @@
 #define mesoslip_simulation_transient_run_h
 
 #include "contact/contact_row.h"
+#include "dynamics/deformation_watch.h"
 #include "dynamics/energy_audit.h"
 #include "dynamics/stability_monitor.h"
 #include "dynamics/top_row.h"
@@ -62,7 +63,7 @@ public:
     archive &n;
     serialize_own_rows(archive, u, rows);
     serialize_own_rows(archive, w, rows);
-    archive &contact &top &monitor &limit_cycle &loop_seconds;
+    archive &contact &top &monitor &strains &limit_cycle &loop_seconds;
     stepper.set_step_number(n);
     if (energy)
       archive &*energy;
@@ -90,6 +91,7 @@ private:
   };
 
   BoundaryWork boundary_work() const;
+  void judge(const Deformation &found, const std::uint64_t n);
   std::array<double, 2> traction(const unsigned int node) const;
   Request request(const std::uint64_t n);
   /** The greatest of all ranks, after looking and reporting. */
@@ -115,7 +117,9 @@ private:
   ExplicitStepper stepper;
   UniformGridOperator op;
   StabilityMonitor monitor;
+  DeformationWatch strains;
   LimitCycleWatch limit_cycle;
+  bool warned         = false; ///< of large strains
   bool interrupted    = false;
   bool at_limit_cycle = false;
   double loop_seconds = 0.; ///< in earlier runs, too

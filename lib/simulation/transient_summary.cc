@@ -213,7 +213,8 @@ void log_key_numbers(const TransientObservations &observed,
   line << "slip " << 100. * summary.contact.shares.slip << " %, stick "
        << 100. * summary.contact.shares.stick << " %, separated "
        << 100. * summary.contact.shares.separation
-       << " %; middle node: " << summary.regime;
+       << " %; middle node: " << summary.regime << "; largest strain "
+       << 100. * observed.largest_strain << " %";
   context.log(line.str());
   if (summary.energy_residual)
     {
@@ -315,6 +316,7 @@ void write_summary(const ContactParameters &parameters,
                               : nlohmann::json();
   json["regime"]          = summary.regime;
   json["friction_energy"] = summary.friction_energy;
+  json["largest_strain"]  = observed.largest_strain;
   json["energy_balance_residual"] =
     summary.energy_residual ? nlohmann::json(*summary.energy_residual) : nlohmann::json();
   json["energy_balance_scale"] =

@@ -66,7 +66,7 @@ def modes(fragment, runs, names):
     fragment.table(["first mode in Hz", "paper", "ours, eq. (10)", "difference", "heterogeneous (1)",
                     "eq. (10), top free in y"], rows)
     fragment.reading(
-        "The top does not move (what a rigid platen is for these modes); the last column is the literal reading, u_x = 0 and the top free "
+        "Under a rigid platen, which these modes leave at rest; the last column is the literal reading, u_x = 0 and the top free "
         "in y. It is the reason for the platen in all contact runs. The running contact of regime 1 vibrates at "
         f"{frequency(contact):.0f} Hz (paper: {paper.MAIN_FREQUENCY[1]:.0f} Hz), close to BC2.")
     figure, axes = plt.subplots(2, 2, figsize=(7.6, 3.6))

@@ -1,0 +1,314 @@
+#include "simulation/plausible_input.h"
+
+#include "elasticity/critical_time_step.h"
+#include "material/plausibility.h"
+#include "simulation/load_estimates.h"
+#include "simulation/run_size.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+using Ranges = std::vector<PlausibleRange>;
+
+// Strains: below the smallest a pressure is a slip, above the largest a solid yields.
+constexpr double smallest_strain = 1e-9, largest_strain = 1e-2;
+// Of the wave speed: 250 m/s in the paper's pin.
+constexpr double fastest = 0.05;
+// Crossings of the body by a wave: 3 ms in a pin of 16 mm are a thousand.
+constexpr double most_crossings = 1e5;
+constexpr double atom           = 1e-10; // m
+
+std::string percent(const double share)
+{
+  return quantity_text(100. * share, "%");
+}
+
+std::string run_text(const ContactParameters &parameters)
+{
+  return "the whole run (" + quantity_text(parameters.time.end_time, "s") + ")";
+}
+
+/** A duration that has to act within the run. */
+PlausibleRange within_run(const std::string &key,
+                          const double value,
+                          const double longest,
+                          const ContactParameters &parameters,
+                          const std::string &consequence)
+{
+  PlausibleRange range{key, value, "s"};
+  range.highest = longest;
+  range.if_high =
+    "longer than " + run_text(parameters) + ", so that " + consequence + "; is it in s?";
+  return range;
+}
+
+std::string load_name(const LoadHistory &load,
+                      const std::string &section,
+                      const std::string &key,
+                      const std::string &which)
+{
+  return load.is_expression() ? "the " + which + " value of " + section + "/Expression"
+                              : section + "/" + key;
+}
+
+/** That a ramp is over before the run is. */
+void add_ramp(Ranges &ranges,
+              const LoadHistory &load,
+              const std::string &section,
+              const ContactParameters &parameters)
+{
+  if (load.is_expression() || load.amplitude() == 0.)
+    return;
+  PlausibleRange range{"The share of its load that section " + section +
+                         " reaches in the run",
+                       load(parameters.time.end_time) / load.amplitude(), ""};
+  range.lowest = 0.5;
+  range.if_low = "as " + section + "/Ramp time is longer than " + run_text(parameters) +
+                 "; is it in s?";
+  ranges.push_back(range);
+}
+
+void add_pressure(Ranges &ranges,
+                  const LoadRange &pressure,
+                  const std::string &name,
+                  const double stiffness)
+{
+  PlausibleRange range{name, pressure.largest_size(), "Pa"};
+  if (range.value > 0.)
+    range.lowest = smallest_strain * stiffness;
+  range.if_low = "which strains the body by " +
+                 quantity_text(range.value / stiffness, "") +
+                 " only; is it in MPa? Pressures are in Pa";
+  range.highest = largest_strain * stiffness;
+  range.if_high = "which strains the body by " + percent(range.value / stiffness) +
+                  ", beyond small strains; is it in Pa?";
+  ranges.push_back(range);
+}
+
+void add_top(Ranges &ranges,
+             const ContactParameters &parameters,
+             const UniformMaterial &material)
+{
+  const TopSetup &top = parameters.top;
+  if (top.kind == TopSetup::Kind::held || !(top.hold_from > 0.))
+    return;
+  const LoadRange pressure = load_range(top.pressure, parameters.time.end_time);
+  add_pressure(ranges, pressure, load_name(top.pressure, "Top", "Pressure", "largest"),
+               BodyScales(material).stiffness);
+  add_ramp(ranges, top.pressure, "Top", parameters);
+  PlausibleRange pull{load_name(top.pressure, "Top", "Pressure", "smallest"),
+                      pressure.smallest, "Pa"};
+  pull.lowest = 0.;
+  pull.if_low = "which pulls the body off the flat; a positive pressure presses it on";
+  ranges.push_back(pull);
+  if (std::isfinite(top.hold_from))
+    ranges.push_back(within_run("Top/Hold from", top.hold_from, parameters.time.end_time,
+                                parameters, "the top is never held"));
+  const double mass = material.total_mass();
+  PlausibleRange platen{"Top/Platen mass", top.platen_mass, "kg/m"};
+  platen.highest = 1e4 * mass;
+  platen.if_high = "more than 10000 times the body's " + quantity_text(mass, "kg/m") +
+                   "; is it in kg per m of thickness?";
+  ranges.push_back(platen);
+}
+
+/** Against the speed of waves. */
+PlausibleRange
+plausible_speed(const std::string &key, const double speed, const double wave_speed)
+{
+  PlausibleRange range{key, speed, "m/s"};
+  range.highest = fastest * wave_speed;
+  range.if_high = percent(speed / wave_speed) + " of the speed of waves in the body, " +
+                  quantity_text(wave_speed, "m/s") +
+                  "; is it in mm/s? Velocities are in "
+                  "m/s";
+  return range;
+}
+
+void add_velocities(Ranges &ranges,
+                    const ContactParameters &parameters,
+                    const UniformMaterial &material)
+{
+  const double end = parameters.time.end_time, c = BodyScales(material).wave_speed;
+  const LoadHistory &flat = parameters.friction.flat_velocity;
+  const double speed      = load_range(flat, end).largest_size();
+  PlausibleRange range =
+    plausible_speed(load_name(flat, "Flat", "Velocity", "largest"), speed, c);
+  if (speed > 0.)
+    range.lowest = atom / end;
+  range.if_low = "with which the flat moves less than the width of an atom in " +
+                 run_text(parameters) + "; is it in m/s?";
+  ranges.push_back(range);
+  add_ramp(ranges, flat, "Flat", parameters);
+  for (unsigned int d = 0; d < 2; ++d)
+    ranges.push_back(
+      plausible_speed("Body/Initial velocity along " + std::string(1, "xy"[d]),
+                      std::fabs(parameters.body.initial_velocity[d]), c));
+}
+
+/** How far the body can come towards the flat in the run, when nothing stops it. */
+double reach(const ContactParameters &parameters, const UniformMaterial &material)
+{
+  const double end      = parameters.time.end_time;
+  const double pressure = parameters.top.kind == TopSetup::Kind::held
+                            ? 0.
+                            : load_range(parameters.top.pressure, end).largest_size();
+  const double acceleration =
+    std::fabs(parameters.body.acceleration[1]) +
+    pressure * material.grid().extent(0) / material.total_mass();
+  return std::fabs(parameters.body.initial_velocity[1]) * end +
+         0.5 * acceleration * end * end;
+}
+
+void add_contact(Ranges &ranges,
+                 const ContactParameters &parameters,
+                 const UniformMaterial &material)
+{
+  const FrictionParameters &friction = parameters.friction;
+  const double end                   = parameters.time.end_time;
+  // In a short run the first vibrations count, of about ten crossings.
+  const double longest = std::max(end, 10. * crossing_time(material));
+  if (friction.slip_length > 0.)
+    {
+      const double speed = load_range(friction.flat_velocity, end).largest_size();
+      ranges.push_back(
+        within_run("L / (|V| + V_ref), of Friction/Length and Reference velocity at the "
+                   "speed of the "
+                   "flat,",
+                   friction.slip_length / (speed + friction.reference_velocity), longest,
+                   parameters, "friction hardly comes to act"));
+    }
+  else
+    ranges.push_back(within_run("Friction/Regularization time", friction.law.time,
+                                longest, parameters, "friction hardly comes to act"));
+  PlausibleRange gap{"Flat/Gap", friction.gap, "m"};
+  gap.highest = reach(parameters, material);
+  gap.if_high = "but pressure, initial velocity and acceleration move the body by " +
+                quantity_text(gap.highest, "m") +
+                " at most before Time/End time: it never touches the flat; is it in m?";
+  ranges.push_back(gap);
+}
+
+void add_times(Ranges &ranges,
+               const ContactParameters &parameters,
+               const UniformMaterial &material)
+{
+  const TimeParameters &time = parameters.time;
+  PlausibleRange end{"Time/End time", time.end_time, "s"};
+  end.highest = most_crossings * crossing_time(material);
+  end.if_high = "in which a wave crosses the body " +
+                quantity_text(time.end_time / crossing_time(material), "times") +
+                "; is it in s?";
+  ranges.push_back(end);
+  if (std::isnan(time.time_step))
+    return;
+  const double critical =
+    critical_time_step(element_frequency_bound(material), time.beta2, time.beta);
+  PlausibleRange step{"Time/Time step", time.time_step, "s"};
+  step.lowest = 1e-3 * critical;
+  step.if_low = "less than a thousandth of the critical " + quantity_text(critical, "s") +
+                "; is it in s?";
+  ranges.push_back(step);
+}
+
+void add_observation(Ranges &ranges,
+                     const ContactParameters &parameters,
+                     const double n_steps)
+{
+  const ObservationParameters &o = parameters.observation;
+  const auto interval            = [&](const std::string &key, const unsigned int steps) {
+    PlausibleRange range{"Observation/" + key, double(steps), "steps"};
+    range.highest = std::max(200., n_steps); // the default where nothing is asked for
+    range.if_high =
+      "more than " + run_text(parameters) + " has, " + quantity_text(n_steps, "steps");
+    ranges.push_back(range);
+  };
+  interval("History interval", o.history_interval);
+  interval("Energy interval", o.energy_interval);
+  if (!o.probes.empty())
+    interval("Probe interval", o.probe_interval);
+  if (!(o.snapshots_interval > 0.))
+    return;
+  const double end = parameters.time.end_time;
+  ranges.push_back(within_run("Snapshots/Interval", o.snapshots_interval, end, parameters,
+                              "there is one snapshot only"));
+  PlausibleRange last{"Snapshots/To", o.snapshots_to, "s"};
+  last.highest = 2. * end;
+  last.if_high = "long after the end of " + run_text(parameters) + "; is it in s?";
+  if (!std::isnan(o.snapshots_to))
+    ranges.push_back(last);
+}
+
+/** What is no range: values that are not finite, and a body that nothing moves. */
+void add_others(std::vector<std::string> &sentences, const ContactParameters &parameters)
+{
+  const double end = parameters.time.end_time;
+  for (const auto &[load, key] :
+       {std::make_pair(&parameters.top.pressure, "Top/Expression"),
+        std::make_pair(&parameters.friction.flat_velocity, "Flat/Expression")})
+    if (!load_range(*load, end).finite)
+      sentences.push_back(std::string(key) + " is not finite at all times of " +
+                          run_text(parameters) + ", which will stop it");
+  const BodyParameters &body = parameters.body;
+  if (parameters.top.kind != TopSetup::Kind::held &&
+      load_range(parameters.top.pressure, end).largest_size() == 0. &&
+      body.initial_velocity == std::array<double, 2>{} &&
+      body.acceleration == std::array<double, 2>{})
+    sentences.push_back("Top/Pressure is 0 in " + run_text(parameters) +
+                        " and Body/Initial velocity and Acceleration are 0: nothing "
+                        "presses the body on the flat");
+}
+} // namespace
+
+std::vector<std::string> implausible_body(const ContactParameters &parameters,
+                                          const Scene &scene)
+{
+  const bool typed = parameters.body.rve_file.empty();
+  const std::string size =
+    typed ? "Body/Size" : "the size in " + parameters.body.rve_file;
+  Ranges ranges = {plausible_length(size + " along x", scene.grid.extent(0)),
+                   plausible_length(size + " along y", scene.grid.extent(1))};
+  for (const Phase<2> &phase : scene.phases)
+    ranges.push_back(plausible_density(
+      typed ? "Body/Density" : "the density of phase '" + phase.name + "'",
+      phase.density));
+  if (!parameters.friction.coefficient_by_phase)
+    ranges.push_back(
+      plausible_friction("Friction/Coefficient", parameters.friction.coefficient));
+  else
+    for (const Phase<2> &phase : scene.phases)
+      ranges.push_back(
+        plausible_friction("the friction coefficient of phase '" + phase.name + "'",
+                           phase.friction_coefficient));
+  return implausible(ranges);
+}
+
+std::vector<std::string> implausible_static_load(const ContactParameters &parameters,
+                                                 const UniformMaterial &material)
+{
+  Ranges ranges;
+  const double pressure = parameters.top.pressure.amplitude();
+  LoadRange range;
+  range.smallest = range.largest = pressure;
+  add_pressure(ranges, range, "Top/Pressure", BodyScales(material).stiffness);
+  return implausible(ranges);
+}
+
+std::vector<std::string> implausible_run(const ContactParameters &parameters,
+                                         const UniformMaterial &material)
+{
+  Ranges ranges;
+  add_times(ranges, parameters, material);
+  add_top(ranges, parameters, material);
+  add_velocities(ranges, parameters, material);
+  add_contact(ranges, parameters, material);
+  add_observation(ranges, parameters, largest_number_of_steps(parameters, material));
+  std::vector<std::string> sentences = implausible(ranges);
+  add_others(sentences, parameters);
+  return sentences;
+}
+} // namespace mesoslip

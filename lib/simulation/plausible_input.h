@@ -1,0 +1,29 @@
+#ifndef mesoslip_simulation_plausible_input_h
+#define mesoslip_simulation_plausible_input_h
+
+#include "elasticity/uniform_material.h"
+#include "simulation/contact_parameters.h"
+#include "simulation/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** Sentences on size, densities and friction coefficients that look like another unit. */
+std::vector<std::string> implausible_body(const ContactParameters &parameters,
+                                          const Scene &scene);
+
+/** The same on the pressure of a static contact analysis. */
+std::vector<std::string> implausible_static_load(const ContactParameters &parameters,
+                                                 const UniformMaterial &material);
+
+/**
+ * The same on the times, loads, velocities, friction law and intervals of a transient
+ * run, loads given as expressions included.
+ */
+std::vector<std::string> implausible_run(const ContactParameters &parameters,
+                                         const UniformMaterial &material);
+} // namespace mesoslip
+
+#endif
