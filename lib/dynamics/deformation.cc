@@ -1,5 +1,7 @@
 #include "dynamics/deformation.h"
 
+#include "io/exchange.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -55,7 +57,8 @@ void evaluate_row(const double *ux,
                    j11  = (1. + xx1) * (1. + yy1) - xy1 * yx1;
       const double low  = j00 < j01 ? j00 : j01;
       const double high = j10 < j11 ? j10 : j11;
-      jacobian[i]       = low < high ? low : high;
+      // Comparisons pass over a NaN, the sum does not.
+      jacobian[i] = (low < high ? low : high) + 0. * strain[i];
     }
 }
 
@@ -106,12 +109,13 @@ Deformation largest_deformation(const UniformGrid<2> &grid,
     }
   int n_ranks = 1;
   MPI_Comm_size(communicator, &n_ranks);
-  std::vector<Deformation> of_ranks(n_ranks);
-  MPI_Allgather(&found, sizeof(found), MPI_BYTE, of_ranks.data(), sizeof(found), MPI_BYTE,
-                communicator);
   Deformation all;
-  for (const Deformation &one : of_ranks)
-    take(all, one);
+  for (int rank = 0; rank < n_ranks; ++rank)
+    {
+      Deformation one = found;
+      broadcast_object(communicator, one, rank);
+      take(all, one);
+    }
   all.strain.value   = root(all.strain.value);
   all.rotation.value = root(all.rotation.value);
   if (std::isnan(all.jacobian.value))

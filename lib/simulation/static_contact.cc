@@ -124,6 +124,26 @@ void evaluate_phases(const Scene &scene,
   const double force        = result.normal_force / scene.grid.extent(0);
   result.pressure_imbalance = std::fabs(total - force) / std::fabs(force);
 }
+// The pressure's resultant acts in the middle, the reaction at most half the width from
+// there, and their moment has to hold that of the friction between the flat and the top.
+void require_no_tipping(const ContactParameters &parameters, const Scene &scene)
+{
+  const auto &left = parameters.sides.left_held, &right = parameters.sides.right_held;
+  if (parameters.top.kind != TopSetup::Kind::pressure || !parameters.top.lateral_held ||
+      parameters.periodic || left[0] || left[1] || right[0] || right[1] ||
+      sliding_direction(parameters) == 0 ||
+      parameters.body.acceleration != std::array<double, 2>{})
+    return;
+  const double least =
+    *std::min_element(scene.node_friction.begin(), scene.node_friction.end());
+  const double height = scene.grid.extent(1), half = 0.5 * scene.grid.extent(0);
+  if (least * height > half)
+    throw UserError("Friction/Coefficient: the friction of the sliding flat tips the "
+                    "body, as a coefficient of " +
+                    to_text(least) + " times the height of " + to_text(height) +
+                    " m is more than half the width, " + to_text(half) +
+                    " m: there is no equilibrium; reduce it, or set Top/Kind = platen");
+}
 } // namespace
 
 void check_static_contact(const ContactParameters &parameters, const Scene &scene)
@@ -160,6 +180,7 @@ void check_static_contact(const ContactParameters &parameters, const Scene &scen
       "Nothing holds the body against the friction of the sliding flat: set "
       "Top/Lateral held, hold a side in u_x, use a platen, Friction/Coefficient = 0 "
       "or Flat/Velocity = 0");
+  require_no_tipping(parameters, scene);
 }
 
 std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,

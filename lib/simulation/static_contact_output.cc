@@ -190,6 +190,21 @@ void write_summary(const ContactParameters &parameters,
   json["friction_change"]   = s.friction_change;
 }
 
+/** What to do when no equilibrium is found. */
+std::string advice(const ContactParameters &parameters, const Scene &scene)
+{
+  const std::string generic = "loosen Static contact/Tolerance or allow more Iterations";
+  const double mu =
+    *std::max_element(scene.node_friction.begin(), scene.node_friction.end());
+  if (parameters.friction.flat_velocity.amplitude() == 0. || mu <= 0.5)
+    return generic;
+  return "a sliding body need not have an equilibrium: with a friction coefficient of " +
+         to_text(mu) +
+         " it may wedge, lift off or tip; reduce Friction/Coefficient or, where the "
+         "friction forces hardly change any more, " +
+         generic;
+}
+
 /** @throws NumericalFailure if a cell is inside out; the largest strain into the summary.
  */
 void judge_strain(const ContactParameters &parameters,
@@ -224,7 +239,7 @@ void run_static_contact(const ContactParameters &parameters,
   StaticContactResult result;
   {
     const auto scope = context.timer().scope("Equilibrium");
-    with_advice("loosen Static contact/Tolerance or allow more Iterations",
+    with_advice(advice(parameters, scene),
                 [&]() { result = compute_static_contact(parameters, scene, options); });
   }
   judge_strain(parameters, scene, result, context);

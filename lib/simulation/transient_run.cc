@@ -122,7 +122,7 @@ void TransientRun::judge(const Deformation &found, const std::uint64_t n)
   require_upright_cells(found, n, time, parameters, material);
   const std::string warning = large_strain_warning(
     found, parameters, material,
-    " in step " + std::to_string(n) + " at t = " + to_text(n * time.step.dt) + " s");
+    " in step " + std::to_string(n) + " at t = " + quantity_text(n * time.step.dt, "s"));
   if (!warning.empty() && !warned)
     context.warn(warning);
   warned = warned || !warning.empty();

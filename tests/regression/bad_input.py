@@ -67,8 +67,44 @@ CASES = [
      ["the disk of the output folder", "free", "Snapshots/Interval"]),
     ("contact_dynamics", CONTACT, ["--set", "Snapshots/Interval=1e-8", "--set", "Snapshots/From=2e-6"],
      ["Snapshots/From", "earlier"]),
+    ("contact_dynamics", CONTACT, ["--set", "Analysis=modal", "--set", "Modal/Number of modes=500"],
+     ["Modal/Number of modes", "500 modes of only 441 free degrees of freedom", "half of them"]),
+    ("contact_dynamics", CONTACT, ["--set", "Body/Size=1e-200, 1e-200"], ["Body", "no frequency", "in m"]),
+    ("contact_dynamics", CONTACT, ["--set", "Body/Stiffness=1e300, 1e299, 1e300, 1e299"], ["Body"]),
+    ("contact_dynamics", CONTACT, ["--set", "Body/Density=1e-300"], ["Time/End time", "steps", "kg/m^3"]),
+    ("contact_dynamics", CONTACT, ["--set", "Analysis=static contact", "--set", "Friction/Coefficient=5", "--set", "Top/Kind=pressure",
+                                   "--set", "Top/Lateral held=true"], ["tips", "Friction/Coefficient", "half the width"]),
     ("contact_dynamics", CONTACT, ["--output", "case.prm"], ["case.prm", "not a folder", "--output"]),
     ("contact_dynamics", CONTACT, ["--output", "case.prm/below"], ["case.prm", "not a folder", "--output"]),
+]
+
+
+# One key of CONTACT in another unit, and words of the sentence about it.
+SLIPS = [
+    ("Body/Density=1.77", ["Body/Density is 1.77 kg/m^3", "g/cm^3"]),
+    ("Friction/Regularization time=1500", ["Friction/Regularization time is 1500 s", "the whole run (1e-06 s)", "in s?"]),
+    ("Friction/Coefficient=25", ["Friction/Coefficient is 25,", "per cent"]),
+    ("Top/Pressure=5", ["Top/Pressure is 5 Pa", "by 1.058e-10 only", "MPa"]),
+    ("Top/Pressure=6e8", ["Top/Pressure is 6e+08 Pa", "by 1.27 %"]),
+    ("Top/Pressure=-5e6", ["Top/Pressure is -5e+06 Pa", "pulls the body off"]),
+    ("Top/Pressure=0", ["Top/Pressure is 0", "nothing presses"]),
+    ("Top/Expression=5e6*cos(2*pi*1e6*t)", ["the smallest value of Top/Expression is -5e+06 Pa"]),
+    ("Top/Hold from=0.1", ["Top/Hold from is 0.1 s", "never held"]),
+    ("Top/Platen mass=1e4", ["Top/Platen mass is 1e+04 kg/m", "0.00354 kg/m"]),
+    ("Flat/Velocity=2000", ["Flat/Velocity is 2000 m/s", "38.71 % of the speed of waves", "mm/s"]),
+    ("Flat/Velocity=1e-12", ["Flat/Velocity is 1e-12 m/s", "atom"]),
+    ("Flat/Expression=2e12*t*t*1e3", ["the largest value of Flat/Expression is 2000 m/s"]),
+    ("Flat/Gap=0.001", ["Flat/Gap is 0.001 m", "by 1.412e-06 m at most", "never touches"]),
+    ("Body/Initial velocity=500, 0", ["Body/Initial velocity along x is 500 m/s", "9.676 %"]),
+    ("Time/Time step=1e-12", ["Time/Time step is 1e-12 s", "thousandth of the critical"]),
+    ("Observation/History interval=100000", ["Observation/History interval is 1e+05 steps"]),
+    ("Snapshots/Interval=1e-3", ["Snapshots/Interval is 0.001 s", "one snapshot only"]),
+]
+RVE_SLIPS = [
+    ("Phases/matrix/Density=1.77", ["Phases/matrix/Density is 1.77 kg/m^3", "g/cm^3"]),
+    ("Phases/fibre/Friction coefficient=25", ["Phases/fibre/Friction coefficient is 25,"]),
+    ("Microstructure/Random fibres/Maximum height=0.4", ["Maximum height is 0.4 m", "in m?"]),
+    ("Grid/Size=20, 0.001", ["Grid/Size along x is 20 m", "mm"]),
 ]
 
 
@@ -146,6 +182,25 @@ def check_sizes():
     return problems
 
 
+def check_nothing_asked():
+    """What is as it should be is not asked about."""
+    problems = []
+    for program, text, options in (("rve_homogenization", RVE, []), ("contact_dynamics", CONTACT, []),
+                                   ("contact_dynamics", CONTACT, ["--set", "Analysis=modal"]),
+                                   ("contact_dynamics", CONTACT, ["--set", "Analysis=static contact"]),
+                                   ("contact_dynamics", CONTACT, ["--set", "Flat/Ramp=smooth", "--set", "Flat/Ramp time=1e-6"]),
+                                   ("contact_dynamics", CONTACT, ["--set", "Flat/Expression=2*cos(2*pi*1e6*t)"]),
+                                   ("contact_dynamics", CONTACT, ["--set", "Top/Kind=held", "--set", "Top/Pressure=0"])):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
+                file.write(text)
+            done = subprocess.run([os.path.join(PROGRAMS, program), "case.prm", "--validate", *options], cwd=folder, text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            if done.returncode or "arning" in done.stdout + done.stderr:
+                problems.append(f"{program} {options}: {done.stdout}{done.stderr}")
+    return problems
+
+
 def check_slips():
     """What may be meant as it is, but hardly is: run and --validate say so, and the run ends well."""
     image = ["--set", "Microstructure/Type=image", "--set", "Microstructure/File=dark.txt"]
@@ -160,7 +215,9 @@ def check_slips():
             ("contact_dynamics", CONTACT, ["--set", "Body/Size=8, 4"], ["ends before the wave is back", "Body/Size"]),
             ("contact_dynamics", CONTACT, ["--set", "Time/Rayleigh beta=1e-6"], ["Rayleigh beta = 1e-06 s", "times shorter"]),
             ("contact_dynamics", CONTACT, [*undamped, "--set", "Friction/Law=coulomb"], ["neither regularization", "no grid is fine enough"]),
-            ("contact_dynamics", CONTACT, [*undamped, *plain, "--set", "Flat/Expression=cos(1e6*t)"], ["Warning", "neither regularization"])):
+            ("contact_dynamics", CONTACT, [*undamped, *plain, "--set", "Flat/Expression=cos(1e6*t)"], ["Warning", "neither regularization"]),
+            *(("contact_dynamics", CONTACT, ["--set", setting], words) for setting, words in SLIPS),
+            *(("rve_homogenization", RVE, ["--set", setting], words) for setting, words in RVE_SLIPS)):
         with tempfile.TemporaryDirectory() as folder:
             for name, content in (("case.prm", text), ("dark.txt", "\ufeff" + "0 0\n" * 2)):
                 with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
@@ -202,7 +259,7 @@ def check_line_ends():
 
 
 def main():
-    problems = [p for case in CASES for p in check(*case)] + check_morphology_against_body() + check_sizes()
+    problems = [p for case in CASES for p in check(*case)] + check_morphology_against_body() + check_sizes() + check_nothing_asked()
     problems += check_slips() + check_damped_sliding() + check_line_ends()
     for program in ("rve_homogenization", "contact_dynamics", "stress_localization"):
         for arguments in (["missing.prm"], ["/"], ["--unknown"], []):

@@ -368,3 +368,27 @@ TEST(Plausibility, ModuliInOtherUnits)
             "rubber; is it in GPa or MPa? Moduli are in Pa");
   EXPECT_EQ(stiffness_warning({}), "");
 }
+
+TEST(Plausibility, ValuesOutsideTheirRanges)
+{
+  const auto sentences = [](const double value) {
+    return implausible({{"Top/Pressure", value, "Pa", 1., "too low", 2., "too high"}});
+  };
+  EXPECT_TRUE(sentences(1.).empty());
+  EXPECT_TRUE(sentences(2.).empty());
+  ASSERT_EQ(sentences(0.5).size(), 1u);
+  EXPECT_EQ(sentences(0.5)[0], "Top/Pressure is 0.5 Pa, too low");
+  EXPECT_EQ(sentences(2.00001234).at(0), "Top/Pressure is 2 Pa, too high");
+  EXPECT_EQ(sentences(std::nan("")).at(0), "Top/Pressure is nan Pa, too low");
+
+  const auto found = [](const double density, const double coefficient) {
+    return implausible(plausible_phases(
+                         {{"a", isotropic_stiffness<2>(1e9, 0.), density, coefficient}}))
+      .size();
+  };
+  EXPECT_EQ(found(1770., 0.25), 0u);
+  EXPECT_EQ(found(0., 0.), 0u) << "a density that is not given";
+  EXPECT_EQ(found(22590., 2.), 0u) << "osmium";
+  EXPECT_EQ(found(1.77, 25.), 2u);
+  EXPECT_EQ(found(1.77e6, 0.), 1u);
+}

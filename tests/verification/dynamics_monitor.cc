@@ -1,5 +1,5 @@
+#include "dynamics/deformation.h"
 #include "dynamics/stability_monitor.h"
-
 #include "io/errors.h"
 #include "sliding_body.h"
 
@@ -102,4 +102,93 @@ TEST(Monitor, NamesTheNodeThatIsNotFinite)
                   [](SlidingBody &body) { body.w.row(0, 3)[5] = HUGE_VAL; })
               .step,
             128u);
+}
+
+namespace
+{
+constexpr unsigned int n_x = 7, n_y = 5;
+
+UniformGrid<2> deformed_grid()
+{
+  UniformGrid<2> grid;
+  grid.cells   = {{n_x, n_y}};
+  grid.spacing = {{0.1, 0.2}};
+  return grid;
+}
+
+/** u = (a x + b y, c x + d y). */
+NodalField<double>
+linear_field(const double a, const double b, const double c, const double d)
+{
+  NodalField<double> u(n_x + 1, n_y + 1);
+  for (unsigned int j = 0; j <= n_y; ++j)
+    for (unsigned int i = 0; i <= n_x; ++i)
+      {
+        const double x = 0.1 * i, y = 0.2 * j;
+        u.row(0, j)[i] = a * x + b * y;
+        u.row(1, j)[i] = c * x + d * y;
+      }
+  return u;
+}
+
+Deformation deformation(const NodalField<double> &u)
+{
+  return largest_deformation(deformed_grid(), NodeRows::all(n_y + 1), u, MPI_COMM_SELF);
+}
+} // namespace
+
+TEST(Deformation, OfALinearField)
+{
+  const double a = 0.02, b = -0.03, c = 0.05, d = -0.01;
+  const Deformation found = deformation(linear_field(a, b, c, d));
+  EXPECT_NEAR(found.strain.value, std::sqrt(a * a + d * d + 0.5 * (b + c) * (b + c)),
+              1e-14);
+  EXPECT_NEAR(found.rotation.value, 0.5 * std::fabs(c - b), 1e-14);
+  EXPECT_NEAR(found.jacobian.value, (1. + a) * (1. + d) - b * c, 1e-14);
+  // A mirror image has the area -1, and a quarter turn, far from small, that of the body.
+  EXPECT_NEAR(deformation(linear_field(-2., 0., 0., 0.)).jacobian.value, -1., 1e-14);
+  EXPECT_NEAR(deformation(linear_field(-1., -1., 1., -1.)).jacobian.value, 1., 1e-14);
+}
+
+TEST(Deformation, NamesTheCell)
+{
+  NodalField<double> u = linear_field(0., 0., 0., 0.);
+  // A corner of the upper right cell beyond the opposite edge of it.
+  u.row(0, n_y)[n_x] = -0.11;
+  Deformation found  = deformation(u);
+  EXPECT_NEAR(found.jacobian.value, -0.1, 1e-14);
+  for (const CellExtreme &cell : {found.strain, found.jacobian, found.rotation})
+    {
+      EXPECT_EQ(cell.column, n_x - 1);
+      EXPECT_EQ(cell.row, n_y - 1);
+    }
+  u.row(1, 2)[3] = std::nan("");
+  found          = deformation(u);
+  EXPECT_EQ(found.strain.value, HUGE_VAL);
+  EXPECT_EQ(found.jacobian.value, -HUGE_VAL);
+  EXPECT_EQ(found.strain.column, 2u) << "the first of the four beside the node";
+  EXPECT_EQ(found.strain.row, 1u);
+}
+
+// The rows of ranks, one after the other.
+TEST(Deformation, OfSlabs)
+{
+  NodalField<double> u = linear_field(0.01, 0., 0., 0.);
+  u.row(1, 3)[4]       = 0.02;
+  const auto whole     = deformation(u);
+  NodeRows lower{n_y + 1, 0, 3}, upper{n_y + 1, 3, n_y + 1};
+  Deformation best;
+  for (const NodeRows &rows : {lower, upper})
+    {
+      NodalField<double> slab(n_x + 1, rows.n_local());
+      for (unsigned int j = rows.first(); j < rows.last(); ++j)
+        for (unsigned int c = 0; c < 2; ++c)
+          std::copy_n(u.row(c, j), n_x + 1, slab.row(c, rows.local(j)));
+      const auto found = largest_deformation(deformed_grid(), rows, slab, MPI_COMM_SELF);
+      if (found.strain.value > best.strain.value)
+        best = found;
+    }
+  EXPECT_EQ(best.strain.value, whole.strain.value);
+  EXPECT_EQ(best.strain.row, whole.strain.row);
+  EXPECT_EQ(best.strain.column, whole.strain.column);
 }

@@ -57,8 +57,8 @@ double zero_between(double a, double b, const std::function<double(double)> &f)
 {
   for (unsigned int k = 0; k < 100; ++k)
     {
-      const double middle                   = 0.5 * (a + b);
-      (f(a) > 0. == f(middle) > 0. ? a : b) = middle;
+      const double middle                       = 0.5 * (a + b);
+      ((f(a) > 0.) == (f(middle) > 0.) ? a : b) = middle;
     }
   return a;
 }
