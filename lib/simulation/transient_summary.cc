@@ -2,6 +2,7 @@
 
 #include "io/errors.h"
 #include "io/run_context.h"
+#include "material/plausibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -213,9 +214,9 @@ void log_key_numbers(const TransientObservations &observed,
   line << "slip " << 100. * summary.contact.shares.slip << " %, stick "
        << 100. * summary.contact.shares.stick << " %, separated "
        << 100. * summary.contact.shares.separation
-       << " %; middle node: " << summary.regime << "; largest strain "
-       << 100. * observed.largest_strain << " %";
+       << " %; middle node: " << summary.regime;
   context.log(line.str());
+  context.log("Largest strain " + quantity_text(100. * observed.largest_strain, "%"));
   if (summary.energy_residual)
     {
       std::ostringstream energy;

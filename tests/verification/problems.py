@@ -39,6 +39,8 @@ PROBLEMS = [
     ("Localization", "a uniform macroscopic strain returns the solution of the RVE; strains interpolated with order 2",
      ["unit_localization: Localize.UniformMacroscopicStrainGivesTheSolutionOfTheRve", "unit_localization: StrainInterpolation.SecondOrder"]),
     ("The paper's pin", "first modes, bottom free and held (figure 8)", [_STATICS + "Modes.OfThePaperPin"]),
+    ("Column under a platen with mass", "bottom held: r a tan a = 1, bottom free: r a + tan a = 0, a = 2 pi f H / c_L, r = mass of the platen over that of the column; order 2 in h",
+     [_STATICS + "Modes.OfAColumnUnderAPlatenWithMass"]),
     ("Static contact", "uniform compression, sliding layer, laminate under a platen (table 4), partial separation, balance of forces",
      [_STATICS + "StaticContact." + name for name in ("UniformCompression", "SlidingLayer", "LaminateUnderPlaten", "FibresUnderPlatenBalance",
                                                       "PartialSeparation", "RestingFlat")]),
@@ -93,6 +95,8 @@ logarithm. Data: [convergence.csv](verification/convergence.csv).
 * Numbers of the paper: [paper](paper/README.md).
 * Localized stress of the statically compressed pin against the direct solution, below 1 % in the interior: `verification/static_localization`.
 * Stiffness of random phase maps against a dense finite element code written apart in Python, to 1e-8: `verification/independent_finite_elements`.
+* Modes of random phase maps under every kind of top against a dense eigenproblem written apart in Python, to 1e-8: `verification/independent_modes`.
+* Largest strains against those of a column that is compressed alone and of a free body in equilibrium: `verification/large_strains`.
 
 ## Not covered
 
