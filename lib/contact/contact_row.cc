@@ -8,6 +8,11 @@ namespace mesoslip
 {
 namespace
 {
+bool is_due(const std::uint64_t step, const unsigned int interval)
+{
+  return interval > 0 && step % interval == 0;
+}
+
 // Whether a node can have stuck, slipped and landed in so many of the steps.
 bool are_counts(const double stick,
                 const double slip,
@@ -26,8 +31,10 @@ ContactRow::ContactRow(const ContactSetup &setup, const StepParameters &step)
   , n_nodes(setup.friction_coefficient.size())
   , n_distinct(setup.periodic ? n_nodes - 1 : n_nodes)
   , values(n_nodes, n_columns_stored)
-  , w_before_x(setup.monitored_nodes.size())
-  , w_before_y(setup.monitored_nodes.size())
+  , u_before_x(setup.monitored_nodes.size())
+  , u_before_y(u_before_x)
+  , w_before_x(u_before_x)
+  , w_before_y(u_before_x)
   , steps_per_block(setup.steps_per_block)
 {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -39,6 +46,7 @@ ContactRow::ContactRow(const ContactSetup &setup, const StepParameters &step)
   std::fill_n(column(decay), values.stride(), relaxation.decay);
   std::fill_n(column(lag), values.stride(), relaxation.lag);
   samples.nodes.resize(setup.monitored_nodes.size());
+  recent.nodes.resize(setup.monitored_nodes.size());
 }
 
 ContactArrays ContactRow::arrays(const RowView &row)
@@ -81,16 +89,10 @@ void ContactRow::advance(const RowView &row)
       {n_nodes, row.wx, flat_velocity}, step.dt,
       {column(friction_coefficient), column(decay), column(lag)});
 
-  const bool sampled =
-    setup.history_interval > 0 && row.step % setup.history_interval == 0;
-  if (sampled)
-    for (std::size_t k = 0; k < setup.monitored_nodes.size(); ++k)
-      {
-        samples.nodes[k].ux.push_back(row.ux[setup.monitored_nodes[k]]);
-        samples.nodes[k].uy.push_back(row.uy[setup.monitored_nodes[k]]);
-        w_before_x[k] = row.wx[setup.monitored_nodes[k]];
-        w_before_y[k] = row.wy[setup.monitored_nodes[k]];
-      }
+  const bool sampled = is_due(row.step, setup.history_interval);
+  const bool handed  = is_due(row.step, setup.recent_interval);
+  if (sampled || handed)
+    remember(row);
 
   ContactSums sums;
   advance_nodes(arrays(row), {step.dt, step.beta2, flat_velocity * step.dt}, sums);
@@ -104,7 +106,29 @@ void ContactRow::advance(const RowView &row)
   total.flat += sums.tangential_force * flat_velocity * step.dt;
   count_step();
   if (sampled)
-    record(row, sums);
+    record(row, sums, samples);
+  if (handed)
+    record(row, sums, recent);
+}
+
+ContactHistory ContactRow::take_recent()
+{
+  ContactHistory taken;
+  taken.nodes.resize(recent.nodes.size());
+  std::swap(taken, recent);
+  return taken;
+}
+
+void ContactRow::remember(const RowView &row)
+{
+  for (std::size_t k = 0; k < setup.monitored_nodes.size(); ++k)
+    {
+      const unsigned int i = setup.monitored_nodes[k];
+      u_before_x[k]        = row.ux[i];
+      u_before_y[k]        = row.uy[i];
+      w_before_x[k]        = row.wx[i];
+      w_before_y[k]        = row.wy[i];
+    }
 }
 
 bool ContactRow::is_consistent() const
@@ -156,25 +180,29 @@ void ContactRow::initialize_increments(const RowView &row)
   started = true;
 }
 
-void ContactRow::record(const RowView &row, const ContactSums &sums)
+void ContactRow::record(const RowView &row,
+                        const ContactSums &sums,
+                        ContactHistory &history) const
 {
-  samples.step.push_back(row.step);
-  samples.time.push_back(row.time);
-  samples.normal_force.push_back(sums.normal_force);
-  samples.tangential_force.push_back(sums.tangential_force);
-  samples.sticking.push_back(sums.sticking);
-  samples.slipping.push_back(sums.slipping);
-  samples.separated.push_back(n_distinct - sums.sticking - sums.slipping);
-  samples.friction_energy.push_back(total.friction);
-  samples.impact_energy.push_back(total.impact);
-  samples.flat_work.push_back(total.flat);
+  history.step.push_back(row.step);
+  history.time.push_back(row.time);
+  history.normal_force.push_back(sums.normal_force);
+  history.tangential_force.push_back(sums.tangential_force);
+  history.sticking.push_back(sums.sticking);
+  history.slipping.push_back(sums.slipping);
+  history.separated.push_back(n_distinct - sums.sticking - sums.slipping);
+  history.friction_energy.push_back(total.friction);
+  history.impact_energy.push_back(total.impact);
+  history.flat_work.push_back(total.flat);
 
   // v_n = w_n + b dt a_n = (1 - b) w_n + b w_(n+1)
   const double b = step.beta2;
   for (std::size_t k = 0; k < setup.monitored_nodes.size(); ++k)
     {
       const unsigned int i = setup.monitored_nodes[k];
-      MonitoredNode &node  = samples.nodes[k];
+      MonitoredNode &node  = history.nodes[k];
+      node.ux.push_back(u_before_x[k]);
+      node.uy.push_back(u_before_y[k]);
       node.vx.push_back((1. - b) * w_before_x[k] + b * row.wx[i]);
       node.vy.push_back((1. - b) * w_before_y[k] + b * row.wy[i]);
       node.normal_force.push_back(column(normal)[i]);

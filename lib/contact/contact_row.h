@@ -35,6 +35,9 @@ struct ContactSetup
   /** A sample of the histories is kept every so many steps; 0: none. */
   unsigned int history_interval = 1;
 
+  /** A sample is kept for take_recent() every so many steps; 0: none. */
+  unsigned int recent_interval = 0;
+
   /** Steps in a block of the node statistics; 0: one block for the whole run. */
   std::uint64_t steps_per_block = 0;
 
@@ -140,6 +143,9 @@ public:
     return samples;
   }
 
+  /** Takes out the samples of every recent_interval steps since the last call. */
+  ContactHistory take_recent();
+
   /** Complete blocks and, after finish(), the last, shorter one. */
   const std::vector<NodeCounts> &blocks() const
   {
@@ -168,8 +174,9 @@ public:
   }
 
   /**
-   * Saves or restores the state between two steps (Boost.Serialization). A run that is
-   * continued with another setup keeps the length of its blocks.
+   * Saves or restores the state between two steps (Boost.Serialization), after
+   * take_recent(). A run that is continued with another setup keeps the length of its
+   * blocks.
    */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
@@ -220,7 +227,10 @@ private:
 
   void initialize_increments(const RowView &row);
 
-  void record(const RowView &row, const ContactSums &sums);
+  /** Motion of the monitored nodes before the step. */
+  void remember(const RowView &row);
+
+  void record(const RowView &row, const ContactSums &sums, ContactHistory &history) const;
 
   void count_step();
 
@@ -232,10 +242,12 @@ private:
   const unsigned int n_distinct;
 
   NodalField<double> values; ///< one row for each Column; component 1 is unused
-  std::vector<double> w_before_x, w_before_y; ///< of the monitored nodes, within a step
+  // Of the monitored nodes, within a step.
+  std::vector<double> u_before_x, u_before_y, w_before_x, w_before_y;
   bool started = false;
   ContactWork total;
   ContactHistory samples;
+  ContactHistory recent; ///< since take_recent()
   std::uint64_t steps_per_block;
   NodeCounts block;
   std::vector<NodeCounts> complete_blocks;

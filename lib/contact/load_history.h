@@ -55,6 +55,13 @@ public:
   /** Value at @p time (s), in the unit of the amplitude. */
   double operator()(const double time) const;
 
+  /** Whether the value is known to stay the same from @p time (s) on; an expression's is
+   * not. */
+  bool is_constant_from(const double time) const
+  {
+    return !expression && (ramp == Ramp::step || time >= ramp_time);
+  }
+
   /** Factor before the expression. */
   double amplitude() const
   {

@@ -44,10 +44,13 @@ void TopRow::advance(const RowView &row)
   if (!started)
     initialize(row);
 
-  const bool sampled =
-    setup.history_interval > 0 && row.step % setup.history_interval == 0;
-  if (sampled)
-    samples.displacement.push_back(sum_row(row.uy, n_distinct) / n_distinct);
+  const auto is_due = [&](const unsigned int interval) {
+    return interval > 0 && row.step % interval == 0;
+  };
+  const bool sampled = is_due(setup.history_interval),
+             handed  = is_due(setup.recent_interval);
+  const double displacement =
+    sampled || handed ? sum_row(row.uy, n_distinct) / n_distinct : 0.;
 
   work_this_step  = 0.;
   const bool held = setup.kind == TopSetup::Kind::held || row.time >= setup.hold_from;
@@ -55,12 +58,16 @@ void TopRow::advance(const RowView &row)
                     : setup.kind == TopSetup::Kind::platen ? push_platen(row)
                                                            : push_nodes(row);
   total_work += work_this_step;
+  const auto record = [&](TopHistory &history) {
+    history.displacement.push_back(displacement);
+    history.normal_force.push_back(load.normal);
+    history.tangential_force.push_back(load.tangential);
+    history.work.push_back(total_work);
+  };
   if (sampled)
-    {
-      samples.normal_force.push_back(load.normal);
-      samples.tangential_force.push_back(load.tangential);
-      samples.work.push_back(total_work);
-    }
+    record(samples);
+  if (handed)
+    record(recent);
 }
 
 void TopRow::initialize(const RowView &row)

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace mesoslip
@@ -46,6 +47,9 @@ struct TopSetup
 
   /** A sample of the history is kept every so many steps; 0: none. */
   unsigned int history_interval = 1;
+
+  /** A sample is kept for take_recent() every so many steps; 0: none. */
+  unsigned int recent_interval = 0;
 };
 
 /** Sampled resultants at the top, per unit thickness. */
@@ -83,13 +87,20 @@ public:
     return samples;
   }
 
+  /** Takes out the samples of every recent_interval steps since the last call. */
+  TopHistory take_recent()
+  {
+    return std::exchange(recent, TopHistory());
+  }
+
   /** Work done on the body since the start (J/m). */
   double work() const
   {
     return total_work;
   }
 
-  /** Saves or restores the state between two steps (Boost.Serialization). */
+  /** Saves or restores the state between two steps (Boost.Serialization), after
+   * take_recent(). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -131,6 +142,7 @@ private:
   double total_work     = 0.;
   double work_this_step = 0.;
   TopHistory samples;
+  TopHistory recent; ///< since take_recent()
 };
 } // namespace mesoslip
 

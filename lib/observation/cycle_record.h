@@ -6,6 +6,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace mesoslip
@@ -34,6 +35,18 @@ public:
   unsigned long stride() const
   {
     return stride_;
+  }
+
+  /** Samples added so far. */
+  std::uint64_t n_samples() const
+  {
+    return static_cast<std::uint64_t>(n_bins_) * stride_ + pending_;
+  }
+
+  /** Values of a sample; 0 before the first. */
+  std::size_t width() const
+  {
+    return width_;
   }
 
   /** Mean of @p column over the bins [first, last). */

@@ -27,13 +27,11 @@ struct Batches
 };
 
 /** Whole periods, counted backwards from the last sample not after @p to. */
-Batches choose_batches(const std::vector<double> &time,
-                       const double from,
-                       const double to,
-                       const double period)
+Batches choose_batches(const std::vector<double> &time, const MeanWindow &window)
 {
-  const auto after = std::upper_bound(time.begin(), time.end(), to);
-  const auto start = std::lower_bound(time.begin(), time.end(), from);
+  const auto [from, to, period] = window;
+  const auto after              = std::upper_bound(time.begin(), time.end(), to);
+  const auto start              = std::lower_bound(time.begin(), time.end(), from);
   if (after - start < 3)
     {
       std::ostringstream text;
@@ -78,29 +76,39 @@ double interpolated(const std::vector<double> &time,
   return (1. - s) * values[i - 1] + s * values[i];
 }
 
-/** Mean rate of a cumulative quantity over the window, its error by batches. */
-Estimate batch_rates(const std::vector<double> &time,
-                     const std::vector<double> &cumulative,
+/** Mean rates of a cumulative quantity in the batches, the last one first. */
+std::vector<double> batch_rates(const std::vector<double> &time,
+                                const std::vector<double> &cumulative,
+                                const Batches &batches)
+{
+  std::vector<double> rates;
+  for (unsigned int b = 0; b < batches.number; ++b)
+    {
+      const double end   = batches.end - b * batches.length;
+      const double begin = std::max(batches.begin, end - batches.length);
+      rates.push_back(
+        (interpolated(time, cumulative, end) - interpolated(time, cumulative, begin)) /
+        (end - begin));
+    }
+  return rates;
+}
+
+/** @p value with the error that the deviation of the batches' means gives it. */
+Estimate estimate_of(const double value,
+                     const std::vector<double> &batch_means,
                      const Batches &batches)
 {
-  const auto rate = [&](const double begin, const double end) {
-    return (interpolated(time, cumulative, end) - interpolated(time, cumulative, begin)) /
-           (end - begin);
-  };
   Estimate estimate;
-  estimate.value   = rate(batches.begin, batches.end);
+  estimate.value   = value;
   estimate.batches = batches.number;
   estimate.begin   = batches.begin;
   estimate.end     = batches.end;
   if (batches.number < 2)
     return estimate;
-  std::vector<double> rates(batches.number);
-  for (unsigned int b = 0; b < batches.number; ++b)
-    rates[b] = rate(std::max(batches.begin, batches.end - (b + 1) * batches.length),
-                    batches.end - b * batches.length);
-  const double mean = std::accumulate(rates.begin(), rates.end(), 0.) / batches.number;
-  double square     = 0.;
-  for (const double x : rates)
+  const double mean =
+    std::accumulate(batch_means.begin(), batch_means.end(), 0.) / batches.number;
+  double square = 0.;
+  for (const double x : batch_means)
     square += (x - mean) * (x - mean);
   estimate.batch_deviation = std::sqrt(square / (batches.number - 1));
   estimate.standard_error  = estimate.batch_deviation / std::sqrt(batches.number);
@@ -112,9 +120,9 @@ Estimate batch_rates(const std::vector<double> &time,
 
 double least_squares_slope(const std::vector<double> &x,
                            const std::vector<double> &y,
-                           const std::size_t first,
-                           const std::size_t last)
+                           const Batches &batches)
 {
+  const std::size_t first = batches.first, last = batches.last;
   const double n = static_cast<double>(last - first + 1);
   double mean_x = 0., mean_y = 0., product = 0., square = 0.;
   for (std::size_t i = first; i <= last; ++i)
@@ -137,41 +145,52 @@ void check_lengths(const std::vector<double> &time, const std::vector<double> &v
 }
 } // namespace
 
+Estimate mean_power(const std::vector<double> &time,
+                    const std::vector<double> &work,
+                    const MeanWindow &window)
+{
+  check_lengths(time, work);
+  const Batches batches = choose_batches(time, window);
+  return estimate_of(least_squares_slope(time, work, batches),
+                     batch_rates(time, work, batches), batches);
+}
+
 Estimate interface_friction_coefficient(const std::vector<double> &time,
                                         const std::vector<double> &friction_energy,
-                                        const double from,
-                                        const double to,
-                                        const double period,
-                                        const double reference_power)
+                                        const std::vector<double> &load_work,
+                                        const MeanWindow &window)
 {
   check_lengths(time, friction_energy);
-  if (!(reference_power > 0.))
-    throw UserError("the global interface friction coefficient needs a pressure and a "
+  const Estimate load = mean_power(time, load_work, window);
+  if (!(load.value > 0.))
+    throw UserError("the global interface friction coefficient needs a load and a "
                     "sliding velocity that are not zero");
-  const Batches batches = choose_batches(time, from, to, period);
-  Estimate estimate     = batch_rates(time, friction_energy, batches);
-  estimate.value =
-    least_squares_slope(time, friction_energy, batches.first, batches.last) /
-    reference_power;
-  estimate.batch_deviation /= reference_power;
-  estimate.standard_error /= reference_power;
-  estimate.half_width /= reference_power;
-  return estimate;
+  const Batches batches = choose_batches(time, window);
+  const double value = least_squares_slope(time, friction_energy, batches) / load.value;
+  // What the friction of a batch differs from its load by, so that a load that varies
+  // does not count as an error.
+  std::vector<double> means       = batch_rates(time, friction_energy, batches);
+  const std::vector<double> loads = batch_rates(time, load_work, batches);
+  for (std::size_t b = 0; b < means.size(); ++b)
+    means[b] = (means[b] - value * loads[b]) / load.value;
+  return estimate_of(value, means, batches);
 }
 
 Estimate window_mean(const std::vector<double> &time,
                      const std::vector<double> &values,
-                     const double from,
-                     const double to,
-                     const double period)
+                     const MeanWindow &window)
 {
   check_lengths(time, values);
-  const Batches batches = choose_batches(time, from, to, period);
   std::vector<double> integral(time.size(), 0.);
   for (std::size_t i = 1; i < time.size(); ++i)
     integral[i] =
       integral[i - 1] + 0.5 * (values[i] + values[i - 1]) * (time[i] - time[i - 1]);
-  return batch_rates(time, integral, batches);
+  const Batches batches           = choose_batches(time, window);
+  const std::vector<double> means = batch_rates(time, integral, batches);
+  Batches whole                   = batches;
+  whole.number                    = 1;
+  whole.length                    = whole.end - whole.begin;
+  return estimate_of(batch_rates(time, integral, whole)[0], means, batches);
 }
 
 std::string regime_label(const ContactShares &shares, const double threshold)

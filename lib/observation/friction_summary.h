@@ -29,25 +29,39 @@ struct Estimate
   double end   = 0.; ///< s; the last sample used
 };
 
+/** Part of the time over which means are taken. */
+struct MeanWindow
+{
+  double from   = 0.; ///< s
+  double to     = 0.; ///< s
+  double period = 0.; ///< s; 0: none
+};
+
 /**
- * Global interface friction coefficient, eq. (9): least-squares slope of the frictional
- * energy (J, per m of thickness in 2D) over @p from <= time <= @p to, divided by
- * @p reference_power = P S |V| (W). The window is shortened at its beginning to whole
- * periods, all of which count; a @p period of 0 leaves it as it is. The error follows
- * from the mean powers of batches (end differences, exact for a limit cycle) of
- * ceil(periods / 20) periods each, counted backwards from the end; without a period of
- * ten equal parts. Periods at the beginning that do not fill a batch count for the value
- * only.
+ * Mean power (W) of a work (J) that is known since the start: its least-squares slope in
+ * @p window. The window is shortened at its beginning to whole periods, all of which
+ * count; without a period it is left as it is. The error follows from the mean powers of
+ * batches (end differences, exact for a limit cycle) of ceil(periods / 20) periods each,
+ * counted backwards from the end; without a period of ten equal parts. Periods at the
+ * beginning that do not fill a batch count for the value only.
  *
- * @throws UserError if fewer than three samples lie in the window or the reference power
- * is not positive
+ * @throws UserError if fewer than three samples lie in the window
+ */
+Estimate mean_power(const std::vector<double> &time,
+                    const std::vector<double> &work,
+                    const MeanWindow &window);
+
+/**
+ * Global interface friction coefficient, eq. (9): mean power of the frictional energy
+ * over that of the work @p load_work of the load along the way of the flat (P S |V| t
+ * while all of them are constant). Its error is that of a ratio of means.
+ *
+ * @throws UserError as above, or if the mean power of the load is not positive
  */
 Estimate interface_friction_coefficient(const std::vector<double> &time,
                                         const std::vector<double> &friction_energy,
-                                        double from,
-                                        double to,
-                                        double period,
-                                        double reference_power);
+                                        const std::vector<double> &load_work,
+                                        const MeanWindow &window);
 
 /**
  * Mean of uniformly sampled @p values over whole periods of the same window, for instance
@@ -56,9 +70,7 @@ Estimate interface_friction_coefficient(const std::vector<double> &time,
  */
 Estimate window_mean(const std::vector<double> &time,
                      const std::vector<double> &values,
-                     double from,
-                     double to,
-                     double period);
+                     const MeanWindow &window);
 
 /** Shares of time of a node (or of all); they sum to 1. */
 struct ContactShares

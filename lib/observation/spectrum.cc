@@ -115,6 +115,20 @@ Spectrum amplitude_spectrum(const std::vector<double> &signal,
   return spectrum;
 }
 
+double share_near_limit(const Spectrum &spectrum)
+{
+  const std::size_t n = spectrum.amplitude.size();
+  double all = 0., high = 0.;
+  for (std::size_t k = 1; k < n; ++k)
+    {
+      const double power = spectrum.amplitude[k] * spectrum.amplitude[k];
+      all += power;
+      if (10 * k >= 9 * (n - 1))
+        high += power;
+    }
+  return all > 0. ? high / all : 0.;
+}
+
 std::optional<SpectralSummary> summarize_spectrum(const Spectrum &spectrum,
                                                   const FrequencyBand &band,
                                                   const double threshold,

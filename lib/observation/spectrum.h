@@ -63,6 +63,10 @@ Spectrum amplitude_spectrum(const std::vector<double> &signal,
                             double time_step,
                             unsigned int padding = 4);
 
+/** Share of the power above zero frequency that is in the highest tenth of the band; what
+ * is beyond the band is folded into it. 0 without a signal. */
+double share_near_limit(const Spectrum &spectrum);
+
 /**
  * Main peak (parabola through the logarithms of the three highest bins), other peaks and
  * highest significant frequency within @p band. Nothing if the band holds no peak, as for

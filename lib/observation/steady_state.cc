@@ -22,6 +22,9 @@ constexpr double withdrawal = 2.;
 /** Time between two checks, relative to the time so far. */
 constexpr double check_spacing = 0.02;
 
+/** Samples from which the period is estimated at most; up to twice as many are kept. */
+constexpr std::size_t period_samples = 16384;
+
 /** Columns of the record; the displacements follow. */
 enum Column : std::size_t
 {
@@ -122,6 +125,9 @@ bool LimitCycleDetector::add(const CycleSample &sample)
   last_time_            = sample.time;
   ++n_samples_;
   record_.add(values);
+  motion_.push_back(sample.displacement.front());
+  if (motion_.size() >= 2 * period_samples)
+    motion_.erase(motion_.begin(), motion_.end() - period_samples);
   if (sample.time >= next_check_)
     check();
   return reached();
@@ -165,10 +171,13 @@ void LimitCycleDetector::check()
 
 std::optional<double> LimitCycleDetector::estimate_period() const
 {
-  const auto half = record_.column(first_displacement, record_.size() / 2);
-  if (half.size() < 16)
+  const std::size_t kept =
+    std::min<std::size_t>({n_samples_ - n_samples_ / 2, period_samples, motion_.size()});
+  if (kept < 16)
     return std::nullopt;
-  const double step = sample_step() * static_cast<double>(record_.stride());
+  const std::vector<double> half(motion_.end() - static_cast<std::ptrdiff_t>(kept),
+                                 motion_.end());
+  const double step = sample_step();
   const auto summary =
     summarize_spectrum(amplitude_spectrum(half, step, 2), criterion_.band);
   // Fewer than two periods are rather a drift than a vibration.

@@ -126,8 +126,9 @@ public:
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &record_ &n_nodes_ &n_samples_ &first_time_ &last_time_ &last_friction_energy_
-      &next_check_ &period_ &difference_ &quantity_ &sliding_ &reached_at_ &steady_from_;
+    archive &record_ &motion_ &n_nodes_ &n_samples_ &first_time_ &last_time_
+      &last_friction_energy_ &next_check_ &period_ &difference_ &quantity_ &sliding_
+        &reached_at_ &steady_from_;
   }
 
 private:
@@ -141,7 +142,8 @@ private:
   double sample_step() const;
   void check();
 
-  /** Period of the latter half of the record; nothing if it shows no vibration. */
+  /** Period of the latter half of the samples, or of the last 16384 of them; nothing if
+   * they show no vibration. */
   std::optional<double> estimate_period() const;
 
   /** Nothing if the parts of the bins from @p first on would be too short. */
@@ -162,6 +164,8 @@ private:
 
   LimitCycleCriterion criterion_;
   CycleRecord record_;
+  /** Latest displacements of the reference node: bins of the record would alias. */
+  std::vector<double> motion_;
   std::size_t n_nodes_         = 0;
   unsigned long n_samples_     = 0;
   double first_time_           = 0.;

@@ -6,8 +6,10 @@ void declare_observation(dealii::ParameterHandler &prm, const RawParameters &raw
 {
   {
     const ParameterSection section(prm, "Observation");
-    declare_integer(prm, "History interval", 10, 1, most_steps_or_cells,
-                    "Steps between samples of the histories [-]");
+    declare_integer(
+      prm, "History interval", 10, 1, most_steps_or_cells,
+      "Steps between samples of the histories in dynamics.h5; statistics and "
+      "spectrum have samples of their own [-]");
     declare_integer(prm, "Energy interval", 200, 0, most_steps_or_cells,
                     "Steps between energy balances; 1: exact to round-off, 0: none [-]");
     declare_integer(

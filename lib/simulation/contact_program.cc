@@ -17,6 +17,7 @@
 #include "simulation/time_step_choice.h"
 #include "simulation/transient.h"
 #include "simulation/transient_setup.h"
+#include "simulation/transient_summary.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -46,17 +47,21 @@ void check_probes(const ContactParameters &parameters, const UniformGrid<2> &gri
 // A million years on a machine of today.
 constexpr double most_steps = 1e18;
 
-// mu_inter rests on the histories' samples from there to the end: three at least, unless
-// the histories are too coarse for it anyway.
-void check_steady_from(const ContactParameters &parameters, const double n_steps)
+// mu_inter rests on the samples for statistics from there to the end: three at least,
+// unless the run is too short for it anyway.
+void check_steady_from(const ContactParameters &parameters,
+                       const UniformMaterial &material,
+                       const double n_steps)
 {
   const double from = parameters.observation.steady_from, end = parameters.time.end_time;
-  const double n_samples = n_steps / parameters.observation.history_interval;
-  const double latest    = n_samples < 16. ? end : end - 2. * end / n_samples;
+  const double n_samples = n_steps / statistics_interval(material, end / n_steps);
+  const double latest = n_samples < static_cast<double>(TransientSummary::least_samples)
+                          ? end
+                          : end - 2. * end / n_samples;
   if (!std::isnan(from) && !(from < end && from <= latest))
     throw UserError(
       "Observation/Steady from: " + to_text(from) +
-      " s leaves fewer than three samples of the histories before Time/End time, " +
+      " s leaves fewer than three samples for statistics before Time/End time, " +
       to_text(end) + " s; set it earlier, or auto");
 }
 
@@ -86,7 +91,7 @@ Need check_transient(const ContactParameters &parameters, const Scene &scene)
                     to_text(n_steps) +
                     " steps, more than any run can do; are Body/Size in m, the stiffness "
                     "in Pa, the density in kg/m^3 and the times in s?");
-  check_steady_from(parameters, n_steps);
+  check_steady_from(parameters, material, n_steps);
   require_memory(history_memory(parameters, material, n_steps));
   return dynamics_file_size(parameters, material, n_steps);
 }

@@ -19,10 +19,11 @@ FrictionRun read_run(const RunSummary &summary)
 {
   summary.require_analysis("transient");
   FrictionRun run;
-  run.folder = summary.folder();
-  run.mu_inter =
-    summary.number("global_interface_friction_coefficient",
-                   "the run has no steady part; give it a longer Time/End time");
+  run.folder      = summary.folder();
+  std::string why = summary.text("global_interface_friction_warning");
+  if (why.empty())
+    why = "the run has no steady part; give it a longer Time/End time";
+  run.mu_inter             = summary.number("global_interface_friction_coefficient", why);
   run.contact_duration     = summary.find_number("mean_contact_duration");
   run.duration_warning     = summary.text("mean_contact_duration_warning");
   run.regularization_time  = summary.find_number("regularization_time");

@@ -40,17 +40,13 @@ void LimitCycleWatch::gather_energies(const EnergyHistory &local)
   sum(local.elastic, elastic_energy);
 }
 
-bool LimitCycleWatch::follows(const ContactHistory &contact,
-                              const EnergyAudit *energy,
-                              const std::uint64_t n) const
+bool LimitCycleWatch::follows(const EnergyAudit *energy, const std::uint64_t n) const
 {
   const std::size_t known =
     energy != nullptr ? energy->local_history().time.size() : std::size_t(0);
-  return samples_fed <= contact.time.size() && kinetic_energy.size() <= known &&
+  return next_step <= n && kinetic_energy.size() <= known &&
          equally_long(kinetic_energy, elastic_energy) &&
-         (energy == nullptr || known == (n + energy_interval - 1) / energy_interval) &&
-         std::all_of(contact.step.begin(), contact.step.end(),
-                     [&](const std::uint64_t step) { return step < n; });
+         (energy == nullptr || known == (n + energy_interval - 1) / energy_interval);
 }
 
 CycleSample LimitCycleWatch::sample(const ContactHistory &contact,
@@ -78,13 +74,15 @@ bool LimitCycleWatch::update(const ContactHistory &contact, const EnergyAudit *e
 {
   if (energy != nullptr)
     gather_energies(energy->local_history());
-  for (; samples_fed < contact.time.size(); ++samples_fed)
-    {
-      const CycleSample next = sample(contact, samples_fed);
-      if (!is_finite(next))
-        return false;
-      cycle_detector.add(next);
-    }
+  for (std::size_t k = 0; k < contact.step.size(); ++k)
+    if (contact.step[k] >= next_step)
+      {
+        const CycleSample next = sample(contact, k);
+        if (!is_finite(next))
+          return false;
+        cycle_detector.add(next);
+        next_step = contact.step[k] + 1;
+      }
   return true;
 }
 } // namespace mesoslip

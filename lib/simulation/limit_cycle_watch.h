@@ -24,18 +24,17 @@ public:
                   const MPI_Comm communicator);
 
   /**
-   * Passes on what is new; @p energy may be null. Collective.
+   * Passes on what is new in @p contact, the samples of which come in order; @p energy
+   * may be null. Collective.
    * @return false if there is a sample that is not finite (and was not passed on)
    */
   bool update(const ContactHistory &contact, const EnergyAudit *energy);
 
   /**
-   * Whether a restored state can go on with histories that end before step @p n; @p
-   * energy may be null.
+   * Whether a restored state can go on with energies and samples that end before step @p
+   * n; @p energy may be null.
    */
-  bool follows(const ContactHistory &contact,
-               const EnergyAudit *energy,
-               const std::uint64_t n) const;
+  bool follows(const EnergyAudit *energy, const std::uint64_t n) const;
 
   /** With all that update() has passed on. */
   const LimitCycleDetector &detector() const
@@ -47,7 +46,7 @@ public:
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &cycle_detector &samples_fed &kinetic_energy &elastic_energy;
+    archive &cycle_detector &next_step &kinetic_energy &elastic_energy;
   }
 
 private:
@@ -57,7 +56,7 @@ private:
   const unsigned int n_nodes, energy_interval;
   const MPI_Comm communicator;
   LimitCycleDetector cycle_detector;
-  std::size_t samples_fed = 0;
+  std::uint64_t next_step = 0; ///< after the last one passed on
   /** Of all ranks, samples so far. */
   std::vector<double> kinetic_energy, elastic_energy;
 };

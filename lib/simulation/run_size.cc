@@ -3,6 +3,8 @@
 #include "elasticity/critical_time_step.h"
 #include "io/errors.h"
 #include "io/parameters.h"
+#include "observation/steady_record.h"
+#include "simulation/time_step_choice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +34,16 @@ double history_bytes(const ContactParameters &parameters, const double n_steps)
   if (o.energy_interval > 0)
     numbers += energy_numbers * n_steps / o.energy_interval;
   return sizeof(double) * numbers;
+}
+
+/** Bytes of the samples for the statistics, which are not written. */
+double series_bytes(const ContactParameters &parameters,
+                    const UniformMaterial &material,
+                    const double n_steps)
+{
+  const double dt = parameters.time.end_time / n_steps;
+  return sizeof(double) *
+         SteadyRecord::numbers(n_steps / statistics_interval(material, dt));
 }
 
 /** "1e+06 steps of 5e-09 s, 95 % of the critical time step, which ...". */
@@ -117,7 +129,8 @@ Need history_memory(const ContactParameters &parameters,
                     const UniformMaterial &material,
                     const double n_steps)
 {
-  return {history_bytes(parameters, n_steps),
+  return {history_bytes(parameters, n_steps) +
+            series_bytes(parameters, material, n_steps),
           "increase Observation/History interval (and Probe interval, Energy interval), "
           "or reduce Time/End time, now " +
             steps_text(parameters, material, n_steps)};
@@ -133,8 +146,8 @@ Need dynamics_file_size(const ContactParameters &parameters,
   const double fields    = 2. * snapshots * field;
   const double histories = history_bytes(parameters, n_steps);
   // Displacement, increment and histories, in the old one and in the new.
-  const double checkpoints = 2. * (2. * field + histories);
   Need need                = history_memory(parameters, material, n_steps);
+  const double checkpoints = 2. * (2. * field + need.bytes);
   if (fields > histories)
     need.remedy = to_text(snapshots) +
                   " snapshots take most of it: increase Snapshots/Interval, now " +

@@ -3,7 +3,9 @@
 #include "elasticity/critical_time_step.h"
 #include "io/errors.h"
 #include "io/parameters.h"
+#include "simulation/run_size.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -41,6 +43,14 @@ void require_frequency(const UniformMaterial &material)
       "Stiffness in Pa and Density in kg/m^3?");
 }
 
+unsigned int statistics_interval(const UniformMaterial &material, const double dt)
+{
+  const UniformGrid<2> &grid = material.grid();
+  const double crossing =
+    crossing_time(material) * std::min(1., grid.extent(0) / grid.extent(1));
+  return static_cast<unsigned int>(std::clamp(crossing / (6. * dt), 1., 10.));
+}
+
 TimeStepChoice choose_time_step(const ContactParameters &parameters,
                                 const UniformMaterial &material)
 {
@@ -57,6 +67,7 @@ TimeStepChoice choose_time_step(const ContactParameters &parameters,
                     " s, the run would be unstable; use auto or a smaller one");
   choice.n_steps = static_cast<std::uint64_t>(
     std::ceil(parameters.time.end_time / choice.step.dt - 1e-9));
+  choice.statistics_interval = statistics_interval(material, choice.step.dt);
   return choice;
 }
 

@@ -5,6 +5,7 @@
 #include "dynamics/energy_audit.h"
 #include "dynamics/top_row.h"
 #include "observation/probe_recorder.h"
+#include "observation/steady_record.h"
 #include "simulation/contact_parameters.h"
 #include "simulation/scene.h"
 #include "simulation/time_step_choice.h"
@@ -20,6 +21,7 @@ struct TransientObservations
 {
   ContactHistory contact;           ///< sampled histories
   TopHistory top;                   ///< sampled histories
+  SteadySeries series;              ///< for the statistics
   std::vector<NodeCounts> blocks;   ///< contact states by node
   EnergyHistory energy;             ///< terms of the balance
   std::vector<ProbeHistory> probes; ///< in the order of the .prm

@@ -15,14 +15,6 @@ namespace mesoslip
 {
 namespace
 {
-CheckpointHeader header()
-{
-  CheckpointHeader header;
-  header.kind    = "contact_dynamics";
-  header.version = 2; // 1 had no friction target
-  return header;
-}
-
 std::string place(const CheckpointPosition &position)
 {
   return "step " + std::to_string(position.step) + ", t = " + to_text(position.time) +
@@ -39,6 +31,14 @@ TransientCheckpoint::TransientCheckpoint(RunContext &run_context,
   , file_path(context.file("contact_dynamics.checkpoint"))
   , last(std::chrono::steady_clock::now())
 {
+}
+
+CheckpointHeader TransientCheckpoint::header()
+{
+  CheckpointHeader header;
+  header.kind    = "contact_dynamics";
+  header.version = 3; // 1 had no friction target, 2 no samples for statistics
+  return header;
 }
 
 TransientCheckpoint::Record TransientCheckpoint::read(std::string &payload) const

@@ -1,6 +1,7 @@
 #ifndef mesoslip_simulation_transient_checkpoint_h
 #define mesoslip_simulation_transient_checkpoint_h
 
+#include "io/checkpoint.h"
 #include "io/serialize_members.h"
 
 #include <chrono>
@@ -52,6 +53,9 @@ public:
   TransientCheckpoint(RunContext &run_context,
                       const CheckpointParameters &p,
                       const std::string &what);
+
+  /** Kind and version of the file. */
+  static CheckpointHeader header();
 
   /** What a resumed run finds. */
   enum class Found

@@ -18,12 +18,13 @@ namespace mesoslip
 {
 namespace
 {
-// Steps: often enough to react to an interruption, seldom enough to cost nothing, and not
-// so few that the stepper could not have several in flight. The same whenever the run is
-// resumed, as it may end at a limit cycle only then.
+// Steps: often enough to react to an interruption and to keep few samples waiting, seldom
+// enough to cost nothing, and not so few that the stepper could not have several in
+// flight. The same whenever the run is resumed, as it may end at a limit cycle only then.
 std::uint64_t control_interval(const UniformGrid<2> &grid)
 {
-  return next_multiple(std::max<std::uint64_t>(1, 20000000 / grid.n_cells()), 64);
+  return next_multiple(std::clamp<std::uint64_t>(20000000 / grid.n_cells(), 1, 65536),
+                       64);
 }
 
 // With the begin of the statistics unless it is that of the limit cycle, which is in the
@@ -62,7 +63,7 @@ TransientRun::TransientRun(const ContactParameters &parameters,
   , u(material.n_columns(), rows.n_local())
   , w(material.n_columns(), rows.n_local())
   , contact(contact_setup(parameters, scene, time), time.step)
-  , top(top_setup(parameters, scene.grid), time.step, material.n_columns())
+  , top(top_setup(parameters, scene.grid, time), time.step, material.n_columns())
   , halo(material.n_columns(), rows.ghosts, context.communicator())
   , profile(context.options().profile ? &context.timer() : nullptr)
   , stepper(material,
@@ -97,6 +98,7 @@ TransientRun::TransientRun(const ContactParameters &parameters,
                 material.n_columns() - (parameters.periodic ? 1 : 0),
                 parameters.observation.energy_interval,
                 context.communicator())
+  , statistics(time.statistics_interval, time.step.dt, parameters.friction.flat_velocity)
 {
   set_initial_velocity(parameters, rows, w);
   const ObservationParameters &observation = parameters.observation;
@@ -137,9 +139,17 @@ std::array<double, 2> TransientRun::traction(const unsigned int node) const
     {contact.tangential_force()[node] / width, contact.normal_force()[node] / width}};
 }
 
+bool TransientRun::observe()
+{
+  const ContactHistory fresh = contact.take_recent();
+  statistics.add(fresh);
+  statistics.add(top.take_recent());
+  return limit_cycle.update(fresh, energy.get());
+}
+
 TransientRun::Request TransientRun::request(const std::uint64_t n)
 {
-  if (!limit_cycle.update(contact.history(), energy.get()))
+  if (!observe())
     return Request::look;
   const bool reached =
     parameters.observation.stop_at_limit_cycle && limit_cycle.detector().reached();
@@ -258,6 +268,16 @@ TopHistory TransientRun::gather_top() const
   return history;
 }
 
+SteadySeries TransientRun::gather_series() const
+{
+  SteadySeries series            = statistics.series();
+  std::vector<double> at_the_top = statistics.top_friction();
+  broadcast_object(context.communicator(), at_the_top, context.n_ranks() - 1);
+  if (transmits_tangential_force(parameters.top))
+    series.apparent_friction = at_the_top;
+  return series;
+}
+
 TransientObservations TransientRun::collect()
 {
   TransientObservations all;
@@ -272,6 +292,7 @@ TransientObservations TransientRun::collect()
   all.contact = contact.history();
   all.blocks  = contact.blocks();
   all.top     = gather_top();
+  all.series  = gather_series();
   if (energy)
     all.energy = energy->reduce();
   if (probes)

@@ -11,6 +11,7 @@
 #include "elasticity/uniform_grid_operator.h"
 #include "observation/probe_recorder.h"
 #include "observation/snapshot_recorder.h"
+#include "observation/steady_record.h"
 #include "simulation/dynamics_file.h"
 #include "simulation/limit_cycle_watch.h"
 #include "simulation/loop_profile.h"
@@ -63,17 +64,19 @@ public:
     archive &n;
     serialize_own_rows(archive, u, rows);
     serialize_own_rows(archive, w, rows);
-    archive &contact &top &monitor &strains &limit_cycle &loop_seconds;
+    archive &contact &top &monitor &strains &limit_cycle &statistics &loop_seconds;
     stepper.set_step_number(n);
     if (energy)
       archive &*energy;
     if (probes)
       archive &*probes;
-    require_when_loading(archive,
-                         n == checkpoint.position().step &&
-                           contact.counted_steps() ==
-                             (rows.begin == 0 ? n : 0) && // the others have no contact
-                           limit_cycle.follows(contact.history(), energy.get(), n));
+    require_when_loading(
+      archive,
+      n == checkpoint.position().step &&
+        contact.counted_steps() ==
+          (rows.begin == 0 ? n : 0) && // the others have no contact
+        limit_cycle.follows(energy.get(), n) &&
+        statistics.follows(n, rows.begin == 0, rows.end == rows.n_global));
   }
 
   /** Where the run stands. */
@@ -93,12 +96,15 @@ private:
   BoundaryWork boundary_work() const;
   void judge(const Deformation &found, const std::uint64_t n);
   std::array<double, 2> traction(const unsigned int node) const;
+  /** Hands on the latest samples; false: one is not finite. Collective. */
+  bool observe();
   Request request(const std::uint64_t n);
   /** The greatest of all ranks, after looking and reporting. */
   Request request_of_all(const std::uint64_t n);
   bool control(const std::uint64_t n);
   std::unique_ptr<SnapshotRecorder> make_snapshots();
   TopHistory gather_top() const;
+  SteadySeries gather_series() const;
   TransientObservations collect();
 
   const ContactParameters &parameters;
@@ -120,6 +126,7 @@ private:
   DeformationWatch strains;
   LimitCycleWatch limit_cycle;
   bool warned         = false; ///< of large strains
+  SteadyRecord statistics;
   bool interrupted    = false;
   bool at_limit_cycle = false;
   double loop_seconds = 0.; ///< in earlier runs, too

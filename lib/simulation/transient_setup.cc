@@ -24,6 +24,7 @@ ContactSetup contact_setup(const ContactParameters &parameters,
   setup.gap                  = parameters.friction.gap;
   setup.periodic             = parameters.periodic;
   setup.history_interval     = parameters.observation.history_interval;
+  setup.recent_interval      = time.statistics_interval;
   setup.steps_per_block =
     std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
   // The reference node and four more along the contact, for the judgement of the limit
@@ -34,13 +35,21 @@ ContactSetup contact_setup(const ContactParameters &parameters,
   return setup;
 }
 
-TopSetup top_setup(const ContactParameters &parameters, const UniformGrid<2> &grid)
+TopSetup top_setup(const ContactParameters &parameters,
+                   const UniformGrid<2> &grid,
+                   const TimeStepChoice &time)
 {
   TopSetup setup         = parameters.top;
   setup.cell_width       = grid.spacing[0];
   setup.periodic         = parameters.periodic;
   setup.history_interval = parameters.observation.history_interval;
+  setup.recent_interval  = time.statistics_interval;
   return setup;
+}
+
+bool transmits_tangential_force(const TopSetup &top)
+{
+  return top.kind != TopSetup::Kind::pressure || top.lateral_held;
 }
 
 SweepOptions sweep_options(const ContactParameters &parameters)
@@ -99,7 +108,7 @@ void set_initial_velocity(const ContactParameters &parameters,
   hold(parameters.sides.right_held, w.n_columns() - 1);
   // What the top holds does not move from the start.
   const TopSetup::Kind kind = parameters.top.kind;
-  const bool held_x = kind != TopSetup::Kind::pressure || parameters.top.lateral_held;
+  const bool held_x         = transmits_tangential_force(parameters.top);
   if (rows.end == rows.n_global)
     for (unsigned int c = 0; c < 2; ++c)
       if (c == 0 ? held_x : kind == TopSetup::Kind::held)

@@ -30,7 +30,12 @@ ContactSetup contact_setup(const ContactParameters &parameters,
                            const TimeStepChoice &time);
 
 /** The load on the top, whose pressure becomes a force on each node. */
-TopSetup top_setup(const ContactParameters &parameters, const UniformGrid<2> &grid);
+TopSetup top_setup(const ContactParameters &parameters,
+                   const UniformGrid<2> &grid,
+                   const TimeStepChoice &time);
+
+/** Whether the top takes tangential forces; otherwise they are those of the contact. */
+bool transmits_tangential_force(const TopSetup &top);
 
 /** Instruction set and number of time steps in flight. */
 SweepOptions sweep_options(const ContactParameters &parameters);

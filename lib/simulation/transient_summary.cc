@@ -14,139 +14,6 @@ namespace mesoslip
 {
 namespace
 {
-constexpr double spectrum_cut = 1e6; // Hz
-
-std::vector<ContactBlock>
-to_blocks(const std::vector<NodeCounts> &counts, const double dt, const bool periodic)
-{
-  std::vector<ContactBlock> blocks;
-  for (const NodeCounts &count : counts)
-    {
-      ContactBlock block;
-      block.begin         = count.first_step * dt;
-      block.end           = (count.first_step + count.n_steps) * dt;
-      block.steps         = count.n_steps;
-      const auto distinct = [&](const std::vector<float> &values) {
-        return std::vector<double>(values.begin(), values.end() - (periodic ? 1 : 0));
-      };
-      block.stick    = distinct(count.stick);
-      block.slip     = distinct(count.slip);
-      block.landings = distinct(count.landings);
-      blocks.push_back(block);
-    }
-  return blocks;
-}
-
-std::vector<double> apparent_friction(const ContactParameters &parameters,
-                                      const TransientObservations &observed)
-{
-  const bool transmits =
-    parameters.top.kind != TopSetup::Kind::pressure || parameters.top.lateral_held;
-  const auto &tangential =
-    transmits ? observed.top.tangential_force : observed.contact.tangential_force;
-  const auto &normal =
-    transmits ? observed.top.normal_force : observed.contact.normal_force;
-  std::vector<double> ratio(std::min(tangential.size(), normal.size()));
-  for (std::size_t k = 0; k < ratio.size(); ++k)
-    ratio[k] = normal[k] != 0. ? tangential[k] / normal[k] : 0.;
-  return ratio;
-}
-
-template <typename T>
-std::vector<T> tail(const std::vector<T> &values, const std::size_t first)
-{
-  return std::vector<T>(values.begin() + std::min(first, values.size()), values.end());
-}
-
-std::ptrdiff_t n_steady_samples(const TransientObservations &observed)
-{
-  const std::vector<double> &time = observed.contact.time;
-  return time.end() - std::lower_bound(time.begin(), time.end(), observed.steady_from);
-}
-
-void evaluate_reference_node(const TransientObservations &observed,
-                             TransientSummary &summary)
-{
-  const ContactHistory &h = observed.contact;
-  if (h.time.size() < 16)
-    return;
-  const double sampling        = h.time[1] - h.time[0];
-  const std::size_t first      = h.time.size() - n_steady_samples(observed);
-  const std::vector<double> ux = tail(h.nodes[0].ux, first),
-                            vx = tail(h.nodes[0].vx, first);
-  if (ux.size() < 16)
-    return;
-
-  summary.spectrum    = amplitude_spectrum(ux, sampling);
-  summary.frequencies = summarize_spectrum(summary.spectrum, FrequencyBand(), 0.1, 1e-15);
-  const auto cut      = std::upper_bound(summary.spectrum.frequency.begin(),
-                                         summary.spectrum.frequency.end(), spectrum_cut) -
-                   summary.spectrum.frequency.begin();
-  summary.spectrum.frequency.resize(cut);
-  summary.spectrum.amplitude.resize(cut);
-  summary.phase_diagram = mean_phase_diagram(
-    ux, vx, sampling,
-    summary.frequencies ? 1. / summary.frequencies->main.frequency : 0.);
-}
-
-void evaluate_friction(const ContactParameters &parameters,
-                       const Scene &scene,
-                       const TransientObservations &observed,
-                       TransientSummary &summary)
-{
-  const ContactHistory &h = observed.contact;
-  if (h.time.size() < 16 || n_steady_samples(observed) < 3)
-    return;
-  const double reference_power = parameters.top.pressure.amplitude() *
-                                 scene.grid.extent(0) *
-                                 std::fabs(parameters.friction.flat_velocity.amplitude());
-  const double period =
-    summary.frequencies ? 1. / summary.frequencies->main.frequency : 0.;
-  const double end = h.time.back();
-  if (reference_power > 0.)
-    summary.mu_inter = interface_friction_coefficient(
-      h.time, h.friction_energy, observed.steady_from, end, period, reference_power);
-  if (std::any_of(summary.apparent_friction.begin(), summary.apparent_friction.end(),
-                  [](const double x) { return x != 0.; }))
-    summary.mean_apparent_friction =
-      window_mean(h.time, summary.apparent_friction, observed.steady_from, end, period);
-}
-
-double largest(const std::vector<double> &values)
-{
-  double result = 0.;
-  for (const double x : values)
-    result = std::max(result, std::fabs(x));
-  return result;
-}
-
-void evaluate_energy(const TransientObservations &observed, TransientSummary &summary)
-{
-  const EnergyHistory &e = observed.energy;
-  if (!observed.contact.friction_energy.empty())
-    summary.friction_energy = observed.contact.friction_energy.back();
-  if (e.time.empty())
-    return;
-  const double friction = largest(e.friction);
-  std::pair<double, const char *> scale{friction, "the frictional work"};
-  const auto consider = [&](const double term, const char *name) {
-    if (friction < 0.1 * term && scale.first < term)
-      scale = {term, name};
-  };
-  std::vector<double> energy = e.kinetic;
-  for (std::size_t k = 0; k < energy.size(); ++k)
-    energy[k] += e.elastic[k];
-  consider(largest(energy), "the energy in the body");
-  consider(largest(e.potential), "the work of the body forces");
-  consider(largest(e.external_work), "the work of the loads");
-  consider(largest(e.impact), "the impact energy");
-  consider(largest(e.damping), "the damped energy");
-  consider(largest(e.scheme), "the energy that the scheme dissipates");
-  summary.residual_scale = scale.second;
-  if (scale.first > 0.)
-    summary.energy_residual = largest(e.residual()) / scale.first;
-}
-
 nlohmann::json value_or_null(const std::optional<Estimate> &estimate)
 {
   return estimate ? nlohmann::json(estimate->value) : nlohmann::json();
@@ -165,37 +32,8 @@ nlohmann::json shares_json(const ContactShares &shares)
     {"slip", shares.slip}, {"stick", shares.stick}, {"separation", shares.separation}};
 }
 
-/** A run that ended before Steady from, at a limit cycle or on request. */
-std::string steady_part_warning(const TransientObservations &observed)
-{
-  if (observed.contact.time.size() < 16 || n_steady_samples(observed) >= 3)
-    return "";
-  std::ostringstream text;
-  text
-    << "fewer than three samples lie between the start of the steady part, "
-    << observed.steady_from << " s, and the end, " << observed.contact.time.back()
-    << " s: mu_inter and the spectrum are left out; set Observation/Steady from earlier";
-  return text.str();
-}
-
-/** What to say about T_G; empty when it can be relied on. */
-std::string contact_duration_warning(const ContactDuration &duration)
-{
-  if (!duration.complete() || duration.representative())
-    return "";
-  std::ostringstream text;
-  text.precision(3);
-  text << "T_G = " << duration.mean << " s rests on the " << 100. * duration.node_share
-       << " % of the contact nodes that landed in the steady part; the others never left "
-          "the flat "
-          "and only add time, so T_G grows with the run and eq. (13) should not be used "
-          "with it";
-  return text.str();
-}
-
 void log_key_numbers(const TransientObservations &observed,
                      const TransientSummary &summary,
-                     const unsigned int energy_interval,
                      RunContext &context)
 {
   context.log(observed.limit_cycle);
@@ -206,8 +44,9 @@ void log_key_numbers(const TransientObservations &observed,
       line << "mu_inter = " << summary.mu_inter->value;
       if (summary.mu_inter->batches > 1)
         line << " +- " << summary.mu_inter->half_width << " (95 %)";
-      line << " from " << summary.mu_inter->begin << " to " << summary.mu_inter->end
-           << " s, ";
+      line << ", frictional power over " << summary.load.meaning << " = "
+           << summary.load.power << " W/m, from " << summary.mu_inter->begin << " to "
+           << summary.mu_inter->end << " s, ";
     }
   if (summary.frequencies)
     line << "main frequency " << summary.frequencies->main.frequency / 1e3 << " kHz, ";
@@ -217,42 +56,61 @@ void log_key_numbers(const TransientObservations &observed,
        << " %; middle node: " << summary.regime;
   context.log(line.str());
   context.log("Largest strain " + quantity_text(100. * observed.largest_strain, "%"));
+}
+
+void log_energy_balance(const TransientObservations &observed,
+                        const TransientSummary &summary,
+                        const unsigned int energy_interval,
+                        RunContext &context)
+{
+  std::ostringstream text;
+  text.precision(3);
   if (summary.energy_residual)
     {
-      std::ostringstream energy;
-      energy.precision(3);
-      energy << "Energy balance closes to " << *summary.energy_residual << " of "
-             << summary.residual_scale;
+      text << "Energy balance closes to " << *summary.energy_residual << " of "
+           << summary.residual_scale;
       // What damping takes between two samples is known only in the mean.
       if (energy_interval > 1 && !(*summary.energy_residual <= 1e-3))
-        energy << "; it is sampled every " << energy_interval
-               << " steps, with Observation/Energy interval = 1 it closes to round-off";
-      context.log(energy.str());
+        text << "; it is sampled every " << energy_interval
+             << " steps, with Observation/Energy interval = 1 it closes to round-off";
     }
+  else if (energy_interval > 0 && observed.energy.time.size() < 2)
+    text << "The energy balance is not checked: with Observation/Energy interval = "
+         << energy_interval << " the run of " << observed.steps_done
+         << " steps has no sample but that of the start";
+  else if (energy_interval > 0)
+    text << "The energy balance is not checked: there is no energy in it";
+  if (!text.str().empty())
+    context.log(text.str());
+}
+
+nlohmann::json text_or_null(const std::string &text)
+{
+  return text.empty() ? nlohmann::json() : nlohmann::json(text);
+}
+
+/** mu_inter, what it is over, and when. */
+void add_friction(const TransientSummary &summary,
+                  const TransientRemarks &remarks,
+                  nlohmann::json &json)
+{
+  const auto &mu    = summary.mu_inter;
+  const auto number = [&](const double value) {
+    return mu ? nlohmann::json(value) : nlohmann::json();
+  };
+  json["global_interface_friction_coefficient"] = value_or_null(mu);
+  json["global_interface_friction_coefficient_95"] =
+    mu && mu->batches > 1 ? nlohmann::json(mu->half_width) : nlohmann::json();
+  json["global_interface_friction_load"] = number(summary.load.power);
+  json["global_interface_friction_load_meaning"] =
+    text_or_null(mu ? summary.load.meaning : "");
+  json["global_interface_friction_warning"] = text_or_null(remarks.friction);
+  json["mean_apparent_friction_coefficient"] =
+    value_or_null(summary.mean_apparent_friction);
+  json["window_begin"] = window_json(summary, &Estimate::begin);
+  json["window_end"]   = window_json(summary, &Estimate::end);
 }
 } // namespace
-
-TransientSummary summarize_transient(const ContactParameters &parameters,
-                                     const Scene &scene,
-                                     const TransientObservations &observed)
-{
-  TransientSummary summary;
-  summary.apparent_friction = apparent_friction(parameters, observed);
-  evaluate_reference_node(observed, summary);
-  evaluate_friction(parameters, scene, observed, summary);
-  evaluate_energy(observed, summary);
-
-  const auto blocks = to_blocks(observed.blocks, observed.dt, parameters.periodic);
-  if (!blocks.empty())
-    {
-      summary.contact =
-        summarize_contact(blocks, observed.steady_from, blocks.back().end);
-      summary.reference_node = std::min<std::size_t>(
-        observed.reference_node, summary.contact.node_shares.size() - 1);
-      summary.regime = regime_label(summary.contact.node_shares[summary.reference_node]);
-    }
-  return summary;
-}
 
 void write_summary(const ContactParameters &parameters,
                    const Scene &scene,
@@ -292,13 +150,8 @@ void write_summary(const ContactParameters &parameters,
                                    ? nlohmann::json()
                                    : nlohmann::json(parameters.friction.coefficient);
 
-  json["global_interface_friction_coefficient"] = value_or_null(summary.mu_inter);
-  json["global_interface_friction_coefficient_95"] =
-    summary.mu_inter && summary.mu_inter->batches > 1
-      ? nlohmann::json(summary.mu_inter->half_width)
-      : nlohmann::json();
-  json["mean_apparent_friction_coefficient"] =
-    value_or_null(summary.mean_apparent_friction);
+  const TransientRemarks remarks = remarks_on(parameters, scene, observed, summary);
+  add_friction(summary, remarks, json);
   json["slip_fraction"]                    = summary.contact.shares.slip;
   json["stick_fraction"]                   = summary.contact.shares.stick;
   json["separation_fraction"]              = summary.contact.shares.separation;
@@ -306,9 +159,7 @@ void write_summary(const ContactParameters &parameters,
                                                ? nlohmann::json(summary.contact.duration.mean)
                                                : nlohmann::json();
   json["mean_contact_duration_node_share"] = summary.contact.duration.node_share;
-  const std::string warning = contact_duration_warning(summary.contact.duration);
-  json["mean_contact_duration_warning"] =
-    warning.empty() ? nlohmann::json() : nlohmann::json(warning);
+  json["mean_contact_duration_warning"]    = text_or_null(remarks.duration);
   if (!summary.contact.node_shares.empty())
     json["reference_node"] =
       shares_json(summary.contact.node_shares[summary.reference_node]);
@@ -323,13 +174,14 @@ void write_summary(const ContactParameters &parameters,
   json["energy_balance_scale"] =
     summary.energy_residual ? nlohmann::json(summary.residual_scale) : nlohmann::json();
   json["steady_from"]         = observed.steady_from;
-  json["window_begin"]        = window_json(summary, &Estimate::begin);
-  json["window_end"]          = window_json(summary, &Estimate::end);
   json["limit_cycle_reached"] = observed.limit_cycle_reached;
   json["limit_cycle"]         = observed.limit_cycle;
-  log_key_numbers(observed, summary, parameters.observation.energy_interval, context);
-  for (const std::string &text : {warning, steady_part_warning(observed)})
+  log_key_numbers(observed, summary, context);
+  log_energy_balance(observed, summary, parameters.observation.energy_interval, context);
+  for (const std::string &text : {remarks.duration, remarks.friction})
     if (!text.empty())
       context.warn(text);
+  for (const std::string &text : remarks.others)
+    context.warn(text);
 }
 } // namespace mesoslip

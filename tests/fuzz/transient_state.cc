@@ -94,20 +94,13 @@ RunOptions options_in(const std::string &folder, const bool resume)
   return options;
 }
 
-CheckpointHeader header()
-{
-  CheckpointHeader header;
-  header.kind = "contact_dynamics";
-  return header;
-}
-
 /** What a checkpoint after 40 steps holds. */
 std::string valid_state(const InputFile &file)
 {
   RunContext context(options_in(file.folder, false), MPI_COMM_SELF, "", "");
   const Body body(parameters_to("200e-9", true));
   Transient(body, context).run.run();
-  return read_checkpoint(file.path, header());
+  return read_checkpoint(file.path, TransientCheckpoint::header());
 }
 
 void restore_and_go_on(const Body &body, RunContext &context)
@@ -137,7 +130,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
   static const Body body(parameters_to("250e-9", false));
   static RunContext context(options_in(file.folder, true), MPI_COMM_SELF, "", "");
   Choices choices(data, size);
-  write_checkpoint(file.path, header(), {edit_bytes(valid, choices)});
+  write_checkpoint(file.path, TransientCheckpoint::header(),
+                   {edit_bytes(valid, choices)});
   accepted_or_refused([&]() { restore_and_go_on(body, context); });
   return 0;
 }

@@ -257,6 +257,8 @@ TEST_F(FrictionHomogenization, WhatIsMissingIsNamed)
 {
   heterogeneous["global_interface_friction_coefficient"] = nullptr;
   expect_contains(reading_error(), "global_interface_friction_coefficient");
+  heterogeneous["global_interface_friction_warning"] = "mu_inter is left out: no load";
+  expect_contains(reading_error(), "mu_inter is left out: no load");
   heterogeneous["global_interface_friction_coefficient"] = 0.157;
 
   heterogeneous["analysis"] = "modal";

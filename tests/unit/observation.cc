@@ -31,6 +31,14 @@ std::vector<double> times(const std::size_t n, const double time_step)
 {
   return sampled(n, time_step, [](const double t) { return t; });
 }
+
+/** Work of a constant load of @p power. */
+std::vector<double>
+load_of(const double power, const std::size_t n, const double time_step)
+{
+  return sampled(n, time_step, [power](const double t) { return power * t; });
+}
+
 double friction_energy(const double t)
 {
   return 1e4 * t + 0.05 * std::sin(2. * pi * 41321. * t);
@@ -87,6 +95,25 @@ TEST(Spectrum, NoiseHardlyMovesThePeak)
   EXPECT_NEAR(summary->main.frequency / 41234., 1., 5e-4);
 }
 
+TEST(Spectrum, PowerNearTheHighestFrequency)
+{
+  // 500 kHz is the limit; 1.03 MHz is folded to 30 kHz and cannot be seen there, 0.53 MHz
+  // to 470 kHz. Amplitudes 1 and 0.2: 4 % of the power.
+  const auto share = [](const double f) {
+    return share_near_limit(
+      amplitude_spectrum(sampled(5000, 1e-6,
+                                 [f](const double t) {
+                                   return 7. + std::sin(2. * pi * 4.1e4 * t) +
+                                          0.2 * std::sin(2. * pi * f * t);
+                                 }),
+                         1e-6));
+  };
+  EXPECT_LT(share(4.4e5), 1e-6);
+  EXPECT_NEAR(share(4.7e5), 0.04 / 1.04, 1e-4);
+  EXPECT_NEAR(share(5.3e5), 0.04 / 1.04, 1e-4);
+  EXPECT_EQ(share_near_limit(Spectrum()), 0.);
+}
+
 TEST(Spectrum, WhatHasNoSpectrum)
 {
   EXPECT_TRUE(amplitude_spectrum({1., 2., 3.}, 1e-6).frequency.empty());
@@ -103,17 +130,17 @@ TEST(Friction, SlopeOfALimitCycle)
 {
   const double dt = 1e-7, period = 1. / 41321.;
   const auto energy = sampled(10001, dt, friction_energy);
-  const auto mu =
-    interface_friction_coefficient(times(10001, dt), energy, 2.5e-4, 1e-3, period, 5e4);
+  const auto mu     = interface_friction_coefficient(
+        times(10001, dt), energy, load_of(5e4, 10001, dt), {2.5e-4, 1e-3, period});
   EXPECT_NEAR(mu.value, 0.2, 1e-4);
   EXPECT_LT(mu.standard_error, 1e-4);
   EXPECT_EQ(mu.batches, 15u); // of two of the 30 whole periods
-  EXPECT_THROW(
-    interface_friction_coefficient(times(10001, dt), energy, 2e-3, 3e-3, period, 5e4),
-    UserError);
-  EXPECT_THROW(
-    interface_friction_coefficient(times(10001, dt), energy, 0., 1e-3, period, 0.),
-    UserError);
+  EXPECT_THROW(interface_friction_coefficient(
+                 times(10001, dt), energy, load_of(5e4, 10001, dt), {2e-3, 3e-3, period}),
+               UserError);
+  EXPECT_THROW(interface_friction_coefficient(times(10001, dt), energy,
+                                              load_of(0., 10001, dt), {0., 1e-3, period}),
+               UserError);
 }
 
 // Whole periods with a mean of their own, k/1000 in the k-th of 39, and a fraction before
@@ -126,7 +153,7 @@ TEST(Friction, AllWholePeriodsCount)
     return 1e-3 * k + 0.1 * std::sin(2. * pi * (t - from) / period);
   };
   const auto values = sampled(7921, dt, [&](const double t) { return power(t + 1e-12); });
-  const auto mean   = window_mean(times(7921, dt), values, 0., end, period);
+  const auto mean   = window_mean(times(7921, dt), values, {0., end, period});
   // Neighbouring periods share a sample of the trapezoidal rule: dt / period / 2 of a
   // step.
   EXPECT_NEAR(mean.value, 20e-3, 1e-3 * 0.5 * dt / period + 1e-12);
@@ -144,12 +171,31 @@ TEST(Friction, AllWholePeriodsCount)
   for (const auto &[periods, number] : batches)
     {
       const double to = (periods + 0.4) * period;
-      const auto mu =
-        interface_friction_coefficient(times(21001, dt), energy, 0., to, period, 2.);
+      const auto mu   = interface_friction_coefficient(
+          times(21001, dt), energy, load_of(2., 21001, dt), {0., to, period});
       EXPECT_NEAR(mu.value, to - 0.5 * periods * period, 1e-9 * to) << periods;
       EXPECT_NEAR(mu.end - mu.begin, periods * period, 1e-12) << periods;
       EXPECT_EQ(mu.batches, number) << periods;
     }
+}
+
+// Friction that is 0.2 of a load which varies by itself: that variation is no error.
+TEST(Friction, ALoadThatVaries)
+{
+  const double dt = 1e-7;
+  const auto load = sampled(10001, dt, [](const double t) {
+    return 3e4 * t + 4. * std::sin(2. * pi * 1300. * t);
+  });
+  auto friction   = load;
+  for (double &value : friction)
+    value *= 0.2;
+  const auto mu = interface_friction_coefficient(times(10001, dt), friction, load,
+                                                 {9.5e-5, 1e-3, 2.5e-5});
+  EXPECT_NEAR(mu.value, 0.2, 1e-12);
+  EXPECT_EQ(mu.batches, 18u);
+  EXPECT_LT(mu.half_width, 1e-12);
+  EXPECT_GT(mean_power(times(10001, dt), friction, {9.5e-5, 1e-3, 2.5e-5}).half_width,
+            500.);
 }
 
 // A power that fluctuates at random: 95 % of the intervals have to cover the truth.
@@ -169,10 +215,10 @@ TEST(Friction, ConfidenceIntervalCovers)
           if (i > 0)
             energy[i] = energy[i - 1] + 5e4 * power[i] * dt;
         }
-      const auto mu =
-        interface_friction_coefficient(times(4001, dt), energy, 0., 4e-4, 2e-5, 5e4);
+      const auto mu = interface_friction_coefficient(
+        times(4001, dt), energy, load_of(5e4, 4001, dt), {0., 4e-4, 2e-5});
       covered += std::abs(mu.value - 0.2) <= mu.half_width;
-      const auto mean = window_mean(times(4001, dt), power, 0., 4e-4, 2e-5);
+      const auto mean = window_mean(times(4001, dt), power, {0., 4e-4, 2e-5});
       covered_mean += std::abs(mean.value - 0.2) <= mean.half_width;
     }
   EXPECT_GT(covered, 0.88 * trials);
@@ -187,7 +233,7 @@ TEST(Friction, MeanOverWholePeriods)
     return 0.21 + 0.3 * std::sin(2. * pi * 4e4 * t + 0.3);
   });
   // 6.6 periods asked for: 6 used, where the oscillation cancels.
-  const auto mean = window_mean(times(2001, dt), values, 3.5e-5, 2e-4, 2.5e-5);
+  const auto mean = window_mean(times(2001, dt), values, {3.5e-5, 2e-4, 2.5e-5});
   EXPECT_NEAR(mean.value, 0.21, 1e-9);
   EXPECT_EQ(mean.batches, 6u);
 }

@@ -1,4 +1,5 @@
 #include "observation/steady_state.h"
+#include "observation/steady_record.h"
 
 #include "io/errors.h"
 
@@ -235,4 +236,83 @@ TEST(LimitCycle, SteadySlidingIsSteadyUnlessAVibrationGrows)
 
   LimitCycleDetector bad;
   EXPECT_THROW(bad.add(calm(0., std::nan(""), 0.)), NumericalFailure);
+}
+
+// Five samples a period: in a long run a bin of the record holds many of them, and its
+// means would show some other frequency.
+TEST(LimitCycle, PeriodOfALongRun)
+{
+  const double f = 1. / (5.3 * time_step);
+  for (const unsigned int n : {10000, 50000, 300000})
+    {
+      const auto detector = judge(
+        [f](const double t) { return sliding(t, 1e-6 * std::sin(2. * pi * f * t)); }, n);
+      EXPECT_NEAR(detector.period() * f, 1., 1e-4) << n;
+    }
+}
+
+namespace
+{
+/** Samples number @p first to @p last of a contact, every other step of 10 ns. */
+ContactHistory contact_samples(const unsigned int first, const unsigned int last)
+{
+  ContactHistory h;
+  h.nodes.resize(1);
+  for (unsigned int k = first; k < last; ++k)
+    {
+      const double t = k * 2e-8;
+      h.step.push_back(2 * k);
+      h.time.push_back(t);
+      h.nodes[0].ux.push_back(std::sin(2. * pi * t / 1e-6));
+      h.nodes[0].vx.push_back(3.);
+      h.friction_energy.push_back(100. * t * t);
+      h.normal_force.push_back(k % 7 == 0 ? 0. : 5.);
+      h.tangential_force.push_back(1.);
+    }
+  return h;
+}
+} // namespace
+
+TEST(SteadyRecord, SumsStayExactWhenValuesAreMerged)
+{
+  const unsigned int n = 4096;
+  TopHistory top;
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      top.normal_force.push_back(k % 2 == 0 ? 2. : 0.);
+      top.tangential_force.push_back(1.);
+    }
+  const LoadHistory velocity(-2., "-2 * (t >= 4e-5)"); // from sample 2000 on
+  for (const std::size_t capacity : {8192, 512})
+    {
+      SteadyRecord record(2, 1e-8, velocity, capacity);
+      for (unsigned int k = 0; k < n; k += 1024)
+        record.add(contact_samples(k, k + 1024));
+      record.add(top);
+      EXPECT_TRUE(record.follows(2 * n, true, true));
+      const SteadySeries s      = record.series();
+      const unsigned int merged = capacity == 512 ? 16 : 1;
+      ASSERT_EQ(s.time.size(), n / merged);
+      EXPECT_NEAR(s.interval, merged * 2e-8, 1e-20);
+      EXPECT_EQ(s.first(s.time[7]), 7u);
+      for (std::size_t b = 0; b < s.time.size(); ++b)
+        {
+          const unsigned int last = static_cast<unsigned int>(b + 1) * merged - 1;
+          const double t          = last * 2e-8;
+          ASSERT_NEAR(s.time[b], t, 1e-18);
+          ASSERT_NEAR(s.friction_energy[b], 100. * t * t, 1e-20);
+          // 10 W while it presses and the flat moves, summed over 20 ns each.
+          const double pressing = last < 2000 ? 0. : last - 1999. - (last / 7 - 1999 / 7);
+          ASSERT_NEAR(s.load_work[b], pressing * 10. * 2e-8, 1e-17);
+        }
+      EXPECT_EQ(s.velocity[5], 3.);
+      EXPECT_EQ(record.top_friction()[3], merged == 1 ? 0. : 0.25);
+      // A mean of T = 16 samples leaves sinc(f T) of a sine; the rest is its variance.
+      const double x    = pi * 2e-8 * merged / 1e-6,
+                   left = merged == 1 ? 1. : std::sin(x) / x;
+      double within     = 0.;
+      for (const double v : s.displacement_variance)
+        within += v / static_cast<double>(s.time.size());
+      EXPECT_NEAR(within, 0.5 * (1. - left * left), 2e-3);
+    }
 }

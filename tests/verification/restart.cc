@@ -5,6 +5,7 @@
 #include "dynamics/stability_monitor.h"
 #include "io/archive.h"
 #include "observation/probe_recorder.h"
+#include "observation/steady_record.h"
 #include "simulation/limit_cycle_watch.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +46,8 @@ struct ObservedBody : SlidingBody
         },
         MPI_COMM_SELF)
     , watch(LimitCycleCriterion(), 10, setup.energy_interval, MPI_COMM_SELF)
+    , statistics(
+        setup.contact.recent_interval, setup.step.dt, setup.contact.flat_velocity, 16)
   {
     set_w([](const double x, const double y, const unsigned int c) {
       return c == 0 ? 0.3 * std::sin(900. * x + 500. * y) : -0.2;
@@ -57,7 +60,10 @@ struct ObservedBody : SlidingBody
     if (audit)
       observers.push_back(audit.get());
     run_time_loop(stepper, observers, end, 20, [this](std::uint64_t) {
-      return watch.update(contact.history(), audit.get());
+      const ContactHistory fresh = contact.take_recent();
+      statistics.add(fresh);
+      statistics.add(top.take_recent());
+      return watch.update(fresh, audit.get());
     });
   }
 
@@ -65,7 +71,7 @@ struct ObservedBody : SlidingBody
   void serialize(Archive &archive, const unsigned int)
   {
     std::uint64_t n = stepper.step_number();
-    archive &n &u &w &contact &top &monitor &probes &watch;
+    archive &n &u &w &contact &top &monitor &probes &watch &statistics;
     stepper.set_step_number(n);
     if (audit)
       archive &*audit;
@@ -74,6 +80,7 @@ struct ObservedBody : SlidingBody
   StabilityMonitor monitor;
   ProbeRecorder probes;
   LimitCycleWatch watch;
+  SteadyRecord statistics;
 };
 
 BodySetup small_body()
@@ -91,7 +98,9 @@ BodySetup small_body()
   setup.contact.history_interval = 3;
   setup.contact.steps_per_block  = 41;
   setup.contact.monitored_nodes  = {4};
+  setup.contact.recent_interval  = 2;
   setup.top.history_interval     = 3;
+  setup.top.recent_interval      = 2;
   setup.top.pressure             = LoadHistory(4e6);
   return setup;
 }
@@ -224,6 +233,10 @@ TEST(Restart, ContinuesBitByBit)
           expect_equal_observations(whole, second);
           EXPECT_EQ(save_state(whole.monitor), save_state(second.monitor));
           EXPECT_EQ(save_state(whole.watch), save_state(second.watch));
+          EXPECT_EQ(save_state(whole.statistics), save_state(second.statistics));
+          EXPECT_TRUE(second.statistics.follows(end, true, true));
+          EXPECT_FALSE(second.statistics.follows(end + 2, true, true));
+          EXPECT_FALSE(second.statistics.follows(end, false, true));
         }
     }
 }

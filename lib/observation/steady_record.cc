@@ -1,0 +1,120 @@
+#include "observation/steady_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+/** Columns of the record of the contact. */
+enum Column : std::size_t
+{
+  displacement,
+  velocity,
+  friction_energy, ///< since the sample before
+  load_power,
+  apparent_friction,
+  n_columns
+};
+
+double ratio(const double tangential, const double normal)
+{
+  return normal != 0. ? tangential / normal : 0.;
+}
+
+/** Sums of all samples up to the last one of each bin. */
+std::vector<double> running_sum(const CycleRecord &record, const std::size_t column)
+{
+  std::vector<double> sums = record.column(column, 0);
+  double sum               = 0.;
+  for (double &value : sums)
+    value = sum += value * static_cast<double>(record.stride());
+  return sums;
+}
+} // namespace
+
+std::size_t SteadySeries::first(const double from) const
+{
+  return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), from) -
+                                  time.begin());
+}
+
+SteadyRecord::SteadyRecord(const unsigned int interval,
+                           const double dt,
+                           const LoadHistory &flat_velocity,
+                           const std::size_t capacity)
+  : interval(interval)
+  , dt(dt)
+  , flat_velocity(flat_velocity)
+  , contact(capacity)
+  , top(capacity)
+{
+}
+
+void SteadyRecord::add(const ContactHistory &fresh)
+{
+  std::vector<double> values(n_columns);
+  for (std::size_t k = 0; k < fresh.time.size(); ++k)
+    {
+      values[displacement]    = fresh.nodes[0].ux[k];
+      values[velocity]        = fresh.nodes[0].vx[k];
+      values[friction_energy] = fresh.friction_energy[k] - last_friction_energy;
+      values[load_power] =
+        fresh.normal_force[k] * std::fabs(flat_velocity(fresh.time[k]));
+      values[apparent_friction] = ratio(fresh.tangential_force[k], fresh.normal_force[k]);
+      last_friction_energy      = fresh.friction_energy[k];
+      contact.add(values);
+    }
+}
+
+void SteadyRecord::add(const TopHistory &fresh)
+{
+  for (std::size_t k = 0; k < fresh.normal_force.size(); ++k)
+    top.add({ratio(fresh.tangential_force[k], fresh.normal_force[k])});
+}
+
+SteadySeries SteadyRecord::series() const
+{
+  SteadySeries s;
+  s.interval = static_cast<double>(contact.stride()) * interval * dt;
+  for (std::size_t bin = 0; bin < contact.size(); ++bin)
+    s.time.push_back(static_cast<double>(((bin + 1) * contact.stride() - 1) * interval) *
+                     dt);
+  if (contact.size() == 0)
+    return s;
+  s.displacement      = contact.column(displacement, 0);
+  s.velocity          = contact.column(velocity, 0);
+  s.friction_energy   = running_sum(contact, friction_energy);
+  s.load_work         = running_sum(contact, load_power);
+  s.apparent_friction = contact.column(apparent_friction, 0);
+  for (double &work : s.load_work)
+    work *= interval * dt;
+  for (std::size_t bin = 0; bin < contact.size(); ++bin)
+    s.displacement_variance.push_back(contact.variance(displacement, bin, bin + 1));
+  return s;
+}
+
+std::vector<double> SteadyRecord::top_friction() const
+{
+  return top.size() > 0 ? top.column(0, 0) : std::vector<double>();
+}
+
+bool SteadyRecord::follows(const std::uint64_t n,
+                           const bool has_contact,
+                           const bool has_top) const
+{
+  const auto fits = [&](const CycleRecord &record, const bool there,
+                        const std::size_t width) {
+    const std::uint64_t expected = there ? (n + interval - 1) / interval : 0;
+    return record.n_samples() == expected && (expected == 0 || record.width() == width);
+  };
+  return fits(contact, has_contact, n_columns) && fits(top, has_top, 1);
+}
+
+double SteadyRecord::numbers(const double n_samples)
+{
+  return 2. * (n_columns + 1) *
+         std::min(n_samples, static_cast<double>(default_capacity));
+}
+} // namespace mesoslip

@@ -1,0 +1,85 @@
+#ifndef mesoslip_observation_steady_record_h
+#define mesoslip_observation_steady_record_h
+
+#include "contact/contact_row.h"
+#include "dynamics/top_row.h"
+#include "observation/cycle_record.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * What the statistics of the steady part rest on, at equal intervals of time. In a long
+ * run a value stands for several samples: sums are exact at #time, all else is the mean.
+ */
+struct SteadySeries
+{
+  double interval = 0.;                  ///< s; between two values
+  std::vector<double> time;              ///< s; of the last sample of a value
+  std::vector<double> displacement;      ///< m; u_x of the reference node
+  std::vector<double> velocity;          ///< m/s; v_x of the reference node
+  std::vector<double> friction_energy;   ///< J/m; since the start
+  std::vector<double> load_work;         ///< J/m; integral of F_N |V| since the start
+  std::vector<double> apparent_friction; ///< F_T / F_N; 0 where nothing presses
+
+  /** m^2; of the samples of a value about their mean: what the means do not show. */
+  std::vector<double> displacement_variance;
+
+  /** Index of the first value whose time is not before @p from (s). */
+  std::size_t first(const double from) const;
+};
+
+/**
+ * Samples for the statistics, taken at intervals of their own whatever the histories
+ * keep. Memory is bounded: when it is full, neighbouring values are replaced by their
+ * mean.
+ */
+class SteadyRecord
+{
+public:
+  /** A sample every @p interval steps of @p dt seconds; @p capacity is even. */
+  SteadyRecord(const unsigned int interval,
+               const double dt,
+               const LoadHistory &flat_velocity,
+               const std::size_t capacity = default_capacity);
+
+  /** New samples of the contact, the reference node being its first one. */
+  void add(const ContactHistory &fresh);
+
+  /** New samples of the top. */
+  void add(const TopHistory &fresh);
+
+  /** Of the contact, with its own apparent friction. */
+  SteadySeries series() const;
+
+  /** Apparent friction at the top, as long as the series. */
+  std::vector<double> top_friction() const;
+
+  /** Whether a restored record is that of the first @p n steps, with or without contact
+   * and top. */
+  bool follows(const std::uint64_t n, const bool has_contact, const bool has_top) const;
+
+  /** Numbers that @p n_samples samples take in memory, means and variances. */
+  static double numbers(const double n_samples);
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &contact &top &last_friction_energy;
+  }
+
+private:
+  static constexpr std::size_t default_capacity = 1 << 20;
+
+  unsigned int interval;
+  double dt;
+  LoadHistory flat_velocity;
+  CycleRecord contact, top;
+  double last_friction_energy = 0.;
+};
+} // namespace mesoslip
+
+#endif

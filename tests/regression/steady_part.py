@@ -1,0 +1,199 @@
+"""What a transient run says about its steady part, against numpy on its own histories, and that it does not depend on how dense these are.
+
+    steady_part.py <folder with the programs>
+"""
+
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy as np
+
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+# The paper's pin on cells of 1 mm, which vibrates at 221 kHz: 25 steps a period.
+PIN = """
+subsection Body
+  set Cells = 56, 16
+end
+subsection Time
+  set End time = 2e-3
+end
+subsection Flat
+  set Velocity = 2
+end
+subsection Top
+  set Pressure = 5e6
+end
+"""
+LENGTH, PRESSURE, VELOCITY, MU = 0.056, 5e6, 2., 0.25
+SPARSE = "spectra computed from them would show frequencies that are not there"
+
+
+class Run:
+    def __init__(self, folder, settings, ranks=1):
+        prm = os.path.join(folder, "pin.prm")
+        if not os.path.exists(prm):
+            with open(prm, "w") as file:
+                file.write(PIN)
+        self.folder = os.path.join(folder, str(len(os.listdir(folder))))
+        command = [os.path.join(sys.argv[1], "contact_dynamics"), prm, "--output", self.folder]
+        for key, value in settings.items():
+            command += ["--set", f"{key}={value}"]
+        if ranks > 1:
+            command = ["mpirun", "--oversubscribe", "-np", str(ranks)] + command
+        done = subprocess.run(command, capture_output=True, text=True, env=ENVIRONMENT)
+        assert done.returncode == 0, f"{settings}: {done.stderr}"
+        with open(os.path.join(self.folder, "summary.json")) as file:
+            self.summary = json.load(file)
+        with open(os.path.join(self.folder, "log.txt")) as file:
+            self.log = file.read()
+
+    def __getitem__(self, name):
+        return self.summary[name]
+
+    def data(self, name):
+        with h5py.File(os.path.join(self.folder, "dynamics.h5")) as file:
+            return file[name][()]
+
+    def window(self):
+        time = self.data("history/time")
+        return (time >= self["window_begin"] - 1e-12) & (time <= self["window_end"] + 1e-12)
+
+    def slope(self, values):
+        chosen = self.window()
+        return np.polyfit(self.data("history/time")[chosen], values[chosen], 1)[0]
+
+    def load_that_acted(self, velocity):
+        """W/m; the mean of F_N |V|, by the slope of its integral."""
+        time, force = self.data("history/time"), self.data("history/contact_normal_force")
+        return self.slope(np.cumsum(force * np.abs(velocity(time))) * (time[1] - time[0]))
+
+
+def close(found, expected, relative, what):
+    assert abs(found / expected - 1) <= relative, f"{what}: {found} instead of {expected}"
+
+
+def says(run, words, what):
+    assert words in run.log, f"{what}: nothing says '{words}' in\n{run.log}"
+
+
+def check_sampling(folder):
+    """Histories of any density: the same motion, the same statement."""
+    runs = {n: Run(folder, {"Observation/History interval": n}) for n in (1, 2, 10, 20, 50, 200)}
+    first = runs[1]
+    # Independent: the highest peak of the transform of every step.
+    time, u = first.data("reference/time"), first.data("reference/displacement")[:, 0]
+    u = u[time >= first["steady_from"]]
+    u = np.hanning(len(u)) * (u - u.mean())
+    spectrum = np.abs(np.fft.rfft(u, 8 * len(u)))
+    frequency = np.fft.rfftfreq(8 * len(u), time[1] - time[0])
+    spectrum[frequency < 1e3] = 0
+    peak = frequency[spectrum.argmax()]
+    close(peak, 221.4e3, 1e-3, "main frequency by numpy")
+    for n, run in runs.items():
+        close(run["main_frequency"], peak, 1e-3, f"main frequency, every {n} steps")
+        for key in ("main_frequency", "global_interface_friction_coefficient", "global_interface_friction_coefficient_95",
+                    "mean_apparent_friction_coefficient", "window_begin", "window_end", "steady_from", "limit_cycle", "slip_fraction"):
+            assert run[key] == first[key], f"{key}: {run[key]} with samples every {n} steps, {first[key]} with every step"
+        for name in ("spectrum/amplitude", "phase_diagram/velocity"):
+            assert np.array_equal(run.data(name), first.data(name)), name
+        assert (SPARSE in run.log) == (n >= 20), f"every {n} steps:\n{run.log}"
+    # All whole periods of the steady part, and no more; eq. (9) over P S |V|.
+    end, period = first["window_end"], 1 / first["main_frequency"]
+    periods = math.floor((end - first["steady_from"]) / period)
+    assert periods > 200 and abs((end - first["window_begin"]) / period - periods) < 1e-6, (periods, first["window_begin"])
+    mu = first.slope(first.data("history/friction_energy")) / (PRESSURE * LENGTH * VELOCITY)
+    close(first["global_interface_friction_coefficient"], mu, 1e-4, "mu_inter")
+    close(first["global_interface_friction_load"], PRESSURE * LENGTH * VELOCITY, 1e-14, "P S |V|")
+    close(first.load_that_acted(lambda t: VELOCITY + 0 * t), PRESSURE * LENGTH * VELOCITY, 2e-3, "mean of F_N |V|")
+    says(first, "over P S |V| = 5.6e+05 W/m", "what mu_inter is over")
+    chosen = first.window()
+    close(first["mean_apparent_friction_coefficient"], first.data("history/apparent_friction")[chosen].mean(), 1e-3, "mean mu_app")
+    # Of the body on the platen, of the flat on the body: both along x, as the flat moves.
+    forces = [first.data(f"history/{at}_tangential_force")[chosen].mean() for at in ("top", "contact")]
+    assert forces[0] > 0 and abs(forces[0] / forces[1] - 1) < 0.02, forces
+
+
+def check_ranks(folder):
+    """The statistics of two ranks are those of one, the top's as well."""
+    runs = [Run(folder, {"Time/End time": 1e-4}, ranks) for ranks in (1, 2)]
+    for key in ("global_interface_friction_coefficient", "mean_apparent_friction_coefficient", "main_frequency"):
+        close(runs[1][key], runs[0][key], 1e-9, f"{key} on two ranks")
+
+
+def check_loads(folder):
+    """mu_inter is over the load that acted; where there is none, nothing is said about it."""
+    every = {"Observation/History interval": 1, "Time/End time": 3e-4, "Observation/Steady from": 1.5e-4}
+
+    def compare(settings, velocity, what, relative=1e-3):
+        run = Run(folder, {**every, **settings})
+        load = run.load_that_acted(velocity)
+        close(run["global_interface_friction_load"], load, relative, f"{what}: load")
+        power = run.slope(run.data("history/friction_energy"))
+        close(run["global_interface_friction_coefficient"], power / load, relative, f"{what}: mu_inter")
+        says(run, "over the mean of F_N |V|", what)
+        return run
+
+    held = compare({"Top/Kind": "held", "Body/Acceleration": "0, -2e5", "Top/Pressure": 1e9}, lambda t: VELOCITY + 0 * t, "held top")
+    assert 0.1 < held["global_interface_friction_coefficient"] < MU, held["global_interface_friction_coefficient"]
+    compare({"Top/Hold from": 1.4e-4}, lambda t: VELOCITY + 0 * t, "top that stops")
+    compare({"Body/Acceleration": "0, -2e4"}, lambda t: VELOCITY + 0 * t, "weight")
+    compare({"Flat/Expression": "20"}, lambda t: 20 + 0 * t, "velocity by expression")
+    compare({"Flat/Expression": "2 + sin(2*pi*3e4*t)"}, lambda t: 2 + np.sin(2 * np.pi * 3e4 * t), "velocity that varies")
+    # The statistics have every other step; the integral of |V| over the pole is only what its samples are.
+    compare({"Flat/Expression": "1/(t-2e-4)"}, lambda t: 1 / (t - 2e-4), "velocity with a pole", 0.05)
+    compare({"Top/Expression": "5e6*(1 + 0.5*sin(2*pi*2e4*t))"}, lambda t: VELOCITY + 0 * t, "pressure that varies")
+
+    slow = Run(folder, {**every, "Flat/Velocity": 1e-12})
+    assert slow["global_interface_friction_coefficient"] > MU
+    says(slow, "is above the largest friction coefficient, 0.25", "very slow flat")
+    for what, settings in {"flat at rest": {"Flat/Velocity": 0}, "nothing touches": {"Flat/Gap": 1}}.items():
+        run = Run(folder, {**every, **settings})
+        for key in ("coefficient", "coefficient_95", "load", "load_meaning"):
+            assert run[f"global_interface_friction_{key}"] is None, f"{what}: {key}"
+        assert run["global_interface_friction_warning"] in run.log
+        says(run, "mu_inter is left out: the mean of F_N |V| in the steady part is 0 W/m", what)
+    for pressure, words in ((0, "is 0 Pa, which presses nothing"), (-1e6, "is -1e+06 Pa, which pulls the body off the flat")):
+        run = Run(folder, {**every, "Top/Pressure": pressure, "Flat/Gap": 1e-6})
+        says(run, f"no node touched the flat in the steady part: Top/Pressure {words}", f"pressure {pressure}")
+
+
+def check_periodic(folder):
+    """With periodic sides the last node is the first one again, in all that is said of the nodes."""
+    run = Run(folder, {"Sides/Periodic": "true", "Time/End time": 3e-4})
+    for state in ("slip", "stick", "separated"):
+        shares, blocks = run.data(f"contact/{state}"), run.data(f"contact/blocks/{state}")
+        assert shares.shape == (57,) and blocks.shape[1:] == (57,), (shares.shape, blocks.shape)
+        assert shares[-1] == shares[0] and np.array_equal(blocks[:, -1], blocks[:, 0]), f"{state}: {blocks[:, [0, -1]]}"
+    assert 0 < run.data("contact/blocks/slip")[:, -1].max()
+
+
+def check_energy(folder):
+    """A balance is checked from two samples on."""
+    step = 1.7e-7
+    for steps, n_samples in ((200, 1), (201, 2), (401, 3)):
+        run = Run(folder, {"Time/Time step": step, "Time/End time": steps * step})
+        assert len(run.data("energy/time")) == n_samples
+        if n_samples == 1:
+            assert run["energy_balance_residual"] is None and run["energy_balance_scale"] is None
+            says(run, f"The energy balance is not checked: with Observation/Energy interval = 200 the run of {steps} steps has no sample "
+                      "but that of the start", "one sample")
+        else:
+            assert run["energy_balance_residual"] > 0
+            says(run, "Energy balance closes to", f"{n_samples} samples")
+    none = Run(folder, {"Time/End time": 1e-5, "Observation/Energy interval": 0})
+    assert none["energy_balance_residual"] is None and "nergy balance" not in none.log
+
+
+def main():
+    for check in (check_sampling, check_ranks, check_loads, check_periodic, check_energy):
+        with tempfile.TemporaryDirectory() as folder:
+            check(folder)
+
+
+if __name__ == "__main__":
+    main()
