@@ -20,7 +20,8 @@ def friction_energy(runs):
         mu = run.number("global_interface_friction_coefficient")
         label = run.label + (rf", $\mu_\mathrm{{inter}}$ = {mu:.3f}" if mu is not None else "")
         axes.plot(*rescaled(*thinned(time, energy), 1e3, 1 / factor), **style(runs, run), label=label)
-        steady = time >= run.steady_from()
+        begin = run.number("window_begin")
+        steady = time >= (run.steady_from() if begin is None else begin)
         if steady.sum() > 2:
             slope, offset = np.polyfit(time[steady], energy[steady], 1)
             line = np.array([time[steady][0], time[-1]])

@@ -35,7 +35,7 @@ def side_by_side(page, runs):
         values = [run.number(*place) for run in runs]
         if any(value is not None for value in values):
             rows.append([what, *(_cell(run, value, place, unit) for run, value in zip(runs, values))])
-    for what, key in (("Residual of the energy balance is relative to", "energy_balance_scale"), ("Regime of the reference node", "regime")):
+    for what, key in (("μ<sub>inter</sub> is the frictional power over", "global_interface_friction_load_meaning"), ("Residual of the energy balance is relative to", "energy_balance_scale"), ("Regime of the reference node", "regime")):
         if any(run.summary.get(key) for run in runs):
             rows.append([what, *(f'<span class="words">{escape(run.summary.get(key) or "–")}</span>' for run in runs)])
     if not rows:

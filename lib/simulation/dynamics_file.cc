@@ -251,8 +251,10 @@ void DynamicsFile::write_contact(const TransientObservations &observed,
       times.push_back((block.first_step + block.n_steps) * observed.dt);
       for (std::size_t i = 0; i < n_nodes; ++i)
         {
-          block_slip.push_back(block.slip[i] / block.n_steps);
-          block_stick.push_back(block.stick[i] / block.n_steps);
+          // With periodic sides the last node is the first one again and is not counted.
+          const std::size_t counted = parameters.periodic && i + 1 == n_nodes ? 0 : i;
+          block_slip.push_back(block.slip[counted] / block.n_steps);
+          block_stick.push_back(block.stick[counted] / block.n_steps);
           block_separated.push_back(1.f - block_slip.back() - block_stick.back());
         }
     }
