@@ -45,6 +45,34 @@ std::string around(const std::string &text, const std::size_t comma)
 }
 
 /**
+ * Of what the parser knows: "t=3" sets the time to 3, and random numbers are others each
+ * time a run is started or continued.
+ */
+void require_function_of_time(const std::string &text)
+{
+  const auto is_one_of = [](const char c, const std::string &characters) {
+    return characters.find(c) != std::string::npos;
+  };
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '(')
+      {
+        const std::string name = function_before(text, i);
+        if (name == "rand" || name == "rand_seed")
+          throw std::invalid_argument("'" + text + "' has " + name +
+                                      "(), but a load is a function of the time t that "
+                                      "is the same in every run");
+      }
+    else if (text[i] == '=')
+      {
+        if (i + 1 < text.size() && text[i + 1] == '=')
+          ++i;
+        else if (i == 0 || !is_one_of(text[i - 1], "<>!"))
+          throw std::invalid_argument(
+            "'" + text + "' sets a variable with '='; a comparison has '=='");
+      }
+}
+
+/**
  * The parser evaluates "2,5" to 5, its last item, and min(0,5, t) has three arguments.
  * Other functions take a fixed number and refuse one more.
  */
@@ -82,6 +110,7 @@ struct LoadHistory::Expression
   explicit Expression(const std::string &text)
   {
     require_decimal_points(text);
+    require_function_of_time(text);
     // The parser reports to std::cerr before it throws; one sentence is enough.
     std::ostringstream unused;
     std::streambuf *const cerr = std::cerr.rdbuf(unused.rdbuf());

@@ -33,8 +33,9 @@ public:
   /**
    * The value of an expression such as `2*cos(2*pi*1000*t)`; amplitude() stays
    * @p amplitude, the scale that energies are made dimensionless with.
-   * @throws std::invalid_argument when the expression cannot be parsed, or has a comma
-   * where no argument ends, which is taken for a decimal one.
+   * @throws std::invalid_argument when the expression cannot be parsed, has a comma
+   * where no argument ends, which is taken for a decimal one, sets a variable or has
+   * random numbers.
    */
   LoadHistory(const double amplitude, const std::string &expression);
 

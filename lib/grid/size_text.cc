@@ -6,9 +6,6 @@
 
 namespace mesoslip
 {
-namespace
-{
-/** Two lengths with the unit that suits the larger one. */
 std::string lengths_text(const double width, const double height)
 {
   const double largest    = std::max(width, height) * (1. + 1e-9);
@@ -21,7 +18,6 @@ std::string lengths_text(const double width, const double height)
   text << width / unit << " x " << height / unit << name;
   return text.str();
 }
-} // namespace
 
 std::string size_text(const UniformGrid<2> &grid)
 {

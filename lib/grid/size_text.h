@@ -7,6 +7,9 @@
 
 namespace mesoslip
 {
+/** "0.1 x 0.2 mm": two lengths (m) with the unit that suits the larger one. */
+std::string lengths_text(const double width, const double height);
+
 /** "560 x 160 cells of 0.1 x 0.1 mm, 56 x 16 mm"; lengths in km, m, mm or um. */
 std::string size_text(const UniformGrid<2> &grid);
 } // namespace mesoslip

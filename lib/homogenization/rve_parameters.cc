@@ -1,6 +1,7 @@
 #include "homogenization/rve_parameters.h"
 
 #include "io/errors.h"
+#include "io/key_use.h"
 #include "io/parameters.h"
 #include "material/stiffness.h"
 
@@ -42,6 +43,13 @@ void RveParameters::declare(dealii::ParameterHandler &prm, const RawParameters &
                   "Morphologies, of the seeds Seed, Seed + 1, ... [-]");
   declare_double(prm, "Confidence", 0.95, Range::open(0., 1.),
                  "Of the interval of the mean [-]");
+}
+
+void RveParameters::check_keys(const KeyUse &use)
+{
+  MicrostructureParameters::check_keys(use);
+  use.only_if(use.value("Ensemble/Members") != "1" || use.is_typed("Ensemble/Members"),
+              {"Ensemble/Confidence"}, "there is one morphology", "set Ensemble/Members");
 }
 
 RveParameters RveParameters::parse(dealii::ParameterHandler &prm)

@@ -44,6 +44,9 @@ struct RveParameters
   /** All sections; @p raw names the phases, which have subsections. */
   static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
 
+  /** @throws UserError for keys that others leave without effect. */
+  static void check_keys(const KeyUse &use);
+
   /** Parsed and checked. @throws UserError naming the key. */
   static RveParameters parse(dealii::ParameterHandler &prm);
 };

@@ -94,6 +94,12 @@ RveResults compute(const RveParameters &parameters, RunContext &context)
         const auto scope = context.timer().scope("Microstructure");
         return make_microstructure(own.microstructure);
       }();
+      if (m == 0)
+        {
+          context.log("Grid: " + size_text(microstructure.map.grid));
+          for (const std::string &line : microstructure.description)
+            context.log(line);
+        }
       for (const std::string &warning : microstructure.warnings)
         if (n == 1) // those of several are told apart when all are known
           context.warn(warning);
@@ -169,19 +175,6 @@ std::vector<std::string> slips(const MicrostructureParameters &p)
   return sentences;
 }
 
-// Slips; and what --validate can say of a morphology that is read, not placed.
-std::vector<std::string> input_warnings(const RveParameters &parameters)
-{
-  using Type                        = MicrostructureParameters::Type;
-  const MicrostructureParameters &p = parameters.microstructure;
-  std::vector<std::string> warnings;
-  if (p.type == Type::image || p.type == Type::rectangles)
-    warnings = make_microstructure(p).warnings;
-  for (const std::string &slip : slips(p))
-    warnings.push_back(slip);
-  return warnings;
-}
-
 void run(dealii::ParameterHandler &prm, RunContext &context)
 {
   const RveParameters parameters = RveParameters::parse(prm);
@@ -227,8 +220,9 @@ Program rve_homogenization_program()
   program.name = "rve_homogenization";
   program.description =
     "Effective stiffness and concentration tensors of a representative volume.";
-  program.declare = RveParameters::declare;
-  program.check   = [](dealii::ParameterHandler &prm) {
+  program.declare    = RveParameters::declare;
+  program.check_keys = RveParameters::check_keys;
+  program.check      = [](dealii::ParameterHandler &prm) {
     const RveParameters parameters = RveParameters::parse(prm);
     require_memory({1e6 * static_cast<double>(estimated_megabytes(parameters)),
                     "reduce Grid/Cells or choose Homogenization/Solver = jacobi"});
@@ -240,8 +234,13 @@ Program rve_homogenization_program()
     report << size_text(grid) << ", " << 2 * grid.n_nodes() << " degrees of freedom\n"
            << 3 * parameters.conditions.size() * parameters.n_members
            << " load cases, about " << estimated_megabytes(parameters) << " MB\n";
-    for (const std::string &warning : input_warnings(parameters))
-      report << "Warning: " << warning << '\n';
+    const Microstructure microstructure = make_microstructure(parameters.microstructure);
+    for (const std::string &line : microstructure.description)
+      report << line << '\n';
+    for (const auto &warnings :
+         {microstructure.warnings, slips(parameters.microstructure)})
+      for (const std::string &warning : warnings)
+        report << "Warning: " << warning << '\n';
   };
   program.run = run;
   return program;

@@ -2,93 +2,45 @@
 
 #include "io/errors.h"
 #include "io/files.h"
+#include "io/png_reader.h"
 #include "io/text.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cctype>
 #include <limits>
-#include <memory>
-#include <png.h>
 #include <sstream>
+#include <utility>
 
 namespace mesoslip
 {
 namespace
 {
-bool is_png(const std::string &bytes)
+/** What the first bytes of some other kinds of files say. */
+void refuse_other_kinds(const std::string &path, const std::string &bytes)
 {
-  static const unsigned char signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  return bytes.size() >= 8 && std::memcmp(bytes.data(), signature, 8) == 0;
+  static const std::pair<std::string, const char *> kinds[] = {
+    {"\xff\xd8\xff", "a JPEG, which blurs the edges of phases"},
+    {std::string("II*\0", 4), "a TIFF"},
+    {std::string("MM\0*", 4), "a TIFF"},
+    {"GIF8", "a GIF"},
+    {"P2", "a PGM"},
+    {"P3", "a PPM"},
+    {"P5", "a PGM"},
+    {"P6", "a PPM"}};
+  for (const auto &[begin, name] : kinds)
+    if (bytes.compare(0, begin.size(), begin) == 0)
+      throw UserError(path + " is " + name + "; save it as PNG");
+  if (bytes.find('\0') != std::string::npos)
+    throw UserError(path + " is neither a PNG nor a text file with whole numbers; save "
+                           "it as PNG");
 }
 
-/** Many programs write an alpha channel even where nothing is transparent. */
-void require_opaque(const std::string &path, const std::string &bytes)
+/** "0011" is hardly the number eleven. */
+bool has_leading_zero(const std::string &word)
 {
-  png_image png = {};
-  png.version   = PNG_IMAGE_VERSION;
-  const std::unique_ptr<png_image, void (*)(png_image *)> guard(&png, png_image_free);
-  png_image_begin_read_from_memory(&png, bytes.data(), bytes.size());
-  png.format = PNG_FORMAT_GA;
-  std::vector<unsigned char> pixels(PNG_IMAGE_SIZE(png));
-  if (png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr) == 0)
-    throw UserError(path + ": this PNG is damaged or truncated (" + png.message + ")");
-  for (std::size_t i = 1; i < pixels.size(); i += 2)
-    if (pixels[i] != 255)
-      throw UserError(path + " has transparent pixels, which belong to no phase; save it "
-                             "without transparency");
-}
-
-/** All pixels as bytes R, G, B, the top row first. */
-std::vector<unsigned char>
-decode_png(const std::string &path, const std::string &bytes, Image &image)
-{
-  png_image png = {};
-  png.version   = PNG_IMAGE_VERSION;
-  // Releases what libpng holds, however we leave.
-  const std::unique_ptr<png_image, void (*)(png_image *)> guard(&png, png_image_free);
-  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
-    throw UserError(path + ": this PNG cannot be read (" + png.message + ")");
-  const bool has_alpha = (png.format & PNG_FORMAT_FLAG_ALPHA) != 0;
-  if ((png.format & PNG_FORMAT_FLAG_LINEAR) != 0)
-    throw UserError(path + " has 16 bits a channel; save it with 8");
-  // Deflate shrinks to 1/1032 at best: nothing may make us ask for all memory.
-  constexpr double most_pixels_per_byte = 8. * 1032.;
-  if (!(static_cast<double>(png.width) * png.height <=
-        most_pixels_per_byte * static_cast<double>(bytes.size())))
-    throw UserError(path + ": this PNG claims " + std::to_string(png.width) + " x " +
-                    std::to_string(png.height) + " pixels, more than its " +
-                    std::to_string(bytes.size()) + " bytes can hold: it is damaged");
-  png.format   = PNG_FORMAT_RGB;
-  image.width  = png.width;
-  image.height = png.height;
-  std::vector<unsigned char> pixels(PNG_IMAGE_SIZE(png));
-  if (png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr) == 0)
-    throw UserError(path + ": this PNG is damaged or truncated (" + png.message + ")");
-  if (has_alpha)
-    require_opaque(path, bytes);
-  return pixels;
-}
-
-Image read_png(const std::string &path, const std::string &bytes)
-{
-  Image image;
-  const std::vector<unsigned char> pixels = decode_png(path, bytes, image);
-  const std::size_t n_pixels              = pixels.size() / 3;
-  bool grey                               = true;
-  for (std::size_t i = 0; i < n_pixels; ++i)
-    grey =
-      grey && pixels[3 * i] == pixels[3 * i + 1] && pixels[3 * i] == pixels[3 * i + 2];
-
-  image.values.resize(n_pixels);
-  for (unsigned int y = 0; y < image.height; ++y)
-    for (unsigned int x = 0; x < image.width; ++x)
-      {
-        const std::size_t row    = image.height - 1 - y; // the file begins at the top
-        const unsigned char *rgb = &pixels[3 * (row * image.width + x)];
-        image.values[static_cast<std::size_t>(y) * image.width + x] =
-          grey ? rgb[0] : (rgb[0] << 16) + (rgb[1] << 8) + rgb[2];
-      }
-  return image;
+  const std::size_t first = word[0] == '-' || word[0] == '+' ? 1 : 0;
+  return word.size() > first + 1 && word[first] == '0' &&
+         std::isdigit(static_cast<unsigned char>(word[first + 1])) != 0;
 }
 
 /** Whole numbers of one line; commas count as blanks. */
@@ -106,15 +58,31 @@ std::vector<int> parse_line(std::string line, const std::string &where)
           value > std::numeric_limits<int>::max())
         throw UserError(where + "value " + std::to_string(values.size() + 1) + " is '" +
                         word + "', which is not a whole number");
+      if (has_leading_zero(word))
+        throw UserError(where + "value " + std::to_string(values.size() + 1) + " is '" +
+                        word +
+                        "', a number that begins with 0; if every digit is a "
+                        "pixel, put blanks between them");
       values.push_back(static_cast<int>(value));
     }
   return values;
 }
 
+/** Digits of every number of the first column; 0 when they differ. */
+unsigned int common_digits(const std::vector<std::vector<int>> &rows)
+{
+  const auto digits = [](const std::vector<int> &row) {
+    return row.front() < 0 ? 0 : std::to_string(row.front()).size();
+  };
+  const bool common = std::all_of(rows.begin(), rows.end(), [&](const auto &row) {
+    return digits(row) == digits(rows.front());
+  });
+  return common ? static_cast<unsigned int>(digits(rows.front())) : 0;
+}
+
 Image read_text(const std::string &path, const std::string &text)
 {
-  if (text.find('\0') != std::string::npos)
-    throw UserError(path + " is neither a PNG nor a text file with whole numbers");
+  refuse_other_kinds(path, text);
   std::vector<std::vector<int>> rows;
   std::istringstream in(plain_lines(text));
   std::string line;
@@ -136,6 +104,8 @@ Image read_text(const std::string &path, const std::string &text)
   Image image;
   image.height = static_cast<unsigned int>(rows.size());
   image.width  = static_cast<unsigned int>(rows.front().size());
+  if (image.width == 1)
+    image.digits = common_digits(rows);
   for (auto row = rows.rbegin(); row != rows.rend(); ++row)
     image.values.insert(image.values.end(), row->begin(), row->end());
   return image;

@@ -15,6 +15,10 @@ struct Image
   unsigned int width  = 0; ///< pixels
   unsigned int height = 0; ///< pixels
   std::vector<int> values; ///< [height][width], the bottom row first
+  bool coloured = false;   ///< values are 0xRRGGBB
+
+  /** Digits of every number of a text with one number a row; 0: otherwise. */
+  unsigned int digits = 0;
 
   /** Value of pixel @p x from the left, @p y from the bottom. */
   int operator()(const unsigned int x, const unsigned int y) const
@@ -27,10 +31,10 @@ struct Image
 };
 
 /**
- * Reads a PNG: grey levels 0 to 255 if no pixel has a colour, otherwise 0xRRGGBB for
- * every pixel. Any other file is read as text: rows of whole numbers from the top,
- * separated by blanks or commas, # begins a comment. @throws UserError naming file (and
- * line).
+ * Reads a PNG: grey levels 0 to 255 (0 to 65535 if they have 16 bits) if no pixel has a
+ * colour, otherwise 0xRRGGBB for every pixel. Any other file is read as text: rows of
+ * whole numbers from the top, separated by blanks or commas, # begins a comment. @throws
+ * UserError naming file (and line).
  */
 Image read_image(const std::string &path);
 } // namespace mesoslip

@@ -50,6 +50,21 @@ Range Range::at_least(const double lower)
   return range;
 }
 
+Range Range::length()
+{
+  return closed(1e-15, 1e9);
+}
+
+Range Range::stiffness()
+{
+  return closed(-1e20, 1e20);
+}
+
+Range Range::density()
+{
+  return closed(1e-9, 1e12);
+}
+
 bool Range::contains(const double x) const
 {
   return (lower_exclusive ? x > lower : x >= lower) &&

@@ -34,6 +34,12 @@ struct Range
   static Range left_open(const double lower, const double upper);
   /** lower <= x. */
   static Range at_least(const double lower);
+  /** Lengths (m) of bodies and cells whose products neither vanish nor overflow. */
+  static Range length();
+  /** Entries of a stiffness (Pa), likewise. */
+  static Range stiffness();
+  /** Densities (kg/m^3), likewise. */
+  static Range density();
 
   /** False for NaN. */
   bool contains(const double x) const;

@@ -6,6 +6,7 @@
 #include "io/files.h"
 #include "io/hdf5_file.h"
 #include "io/interrupt.h"
+#include "io/key_use.h"
 #include "io/mpi_start.h"
 #include "io/outcome.h"
 #include "io/parameters.h"
@@ -165,6 +166,8 @@ void do_what_is_asked(const CommandLine &line,
   dealii::ParameterHandler prm;
   declare_all(prm, program, file.raw);
   file.raw.apply(prm);
+  if (program.check_keys)
+    program.check_keys(KeyUse(prm, file.raw));
   if (line.print_parameters)
     {
       if (root)

@@ -14,6 +14,7 @@ class ParameterHandler;
 
 namespace mesoslip
 {
+class KeyUse;
 class RawParameters;
 class RunContext;
 
@@ -34,6 +35,12 @@ struct Program
    * "Output folder" is declared already.
    */
   std::function<void(dealii::ParameterHandler &prm, const RawParameters &raw)> declare;
+
+  /**
+   * Refuses keys that others leave without effect; called before check() and before
+   * anything is printed. Throws UserError. May be empty.
+   */
+  std::function<void(const KeyUse &use)> check_keys;
 
   /**
    * Parses and cross-checks, cheaply; always called, before anything is created.

@@ -83,11 +83,11 @@ public:
   /** The folder of the .prm: where its relative paths start. */
   std::string folder() const;
 
+  /** "file.prm:12" or "--set 'Section/Key=value'". */
+  std::string origin(const Entry &entry) const;
+
 private:
   const Entry *find(const std::string &path) const;
-
-  /** "file.prm:12" or "--set Section/Key". */
-  std::string origin(const Entry &entry) const;
 
   std::string file_name;
   std::vector<Entry> all_entries;

@@ -1,6 +1,7 @@
 #include "localization/localization_parameters.h"
 
 #include "io/errors.h"
+#include "io/key_use.h"
 #include "io/parameters.h"
 #include "io/raw_parameters.h"
 
@@ -39,7 +40,7 @@ void declare_localization(Handler &prm)
                     {"mean von Mises", "mean stress", "deviation of stress"},
                     "Statistics over time for each cell; empty: none");
   declare_double_list(
-    prm, "Out-of-plane ratio", {}, Range::any(),
+    prm, "Out-of-plane ratio", {}, Range::closed(-100., 100.),
     "sigma_zz / (sigma_xx + sigma_yy) of each phase (or one for all) in the von "
     "Mises stress; empty: Poisson's ratio of the isotropic solid closest to "
     "the phase, exact for isotropic phases in plane strain; 0: plane stress [-]");
@@ -153,6 +154,19 @@ void LocalizationParameters::declare(dealii::ParameterHandler &prm,
   declare_window(prm);
   declare_probes(prm, raw);
   declare_comparison(prm);
+}
+
+// Direct run = and Fields = switch off what an otherwise complete file asks for.
+void LocalizationParameters::check_keys(const KeyUse &use)
+{
+  const auto fields    = split_list(use.value("Localization/Fields"));
+  const bool von_mises = std::count(fields.begin(), fields.end(), "mean von Mises") > 0;
+  use.only_if(fields.empty() || von_mises, {"Localization/Out-of-plane ratio"},
+              "the von Mises stress is not asked for",
+              "add mean von Mises to Localization/Fields");
+  use.only_if(!use.value("Input/Direct run").empty() || use.is_typed("Input/Direct run"),
+              {"Comparison/"}, "there is no direct run to compare with",
+              "name one in Input/Direct run");
 }
 
 LocalizationParameters LocalizationParameters::parse(dealii::ParameterHandler &prm)

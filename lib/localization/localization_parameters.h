@@ -15,6 +15,7 @@ class ParameterHandler;
 
 namespace mesoslip
 {
+class KeyUse;
 class RawParameters;
 
 /** A place whose stress is followed through the snapshots. */
@@ -59,6 +60,9 @@ struct LocalizationParameters
 
   /** All sections; @p raw names the probes, which have subsections. */
   static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+
+  /** @throws UserError for keys that others leave without effect. */
+  static void check_keys(const KeyUse &use);
 
   /** @throws UserError; input files have to exist. A folder stands for the file in it. */
   static LocalizationParameters parse(dealii::ParameterHandler &prm);

@@ -100,8 +100,9 @@ Program stress_localization_program()
   program.name = "stress_localization";
   program.description =
     "Stresses in fibres and matrix from a run of the homogenized body.";
-  program.declare = LocalizationParameters::declare;
-  program.check   = [](dealii::ParameterHandler &prm) {
+  program.declare    = LocalizationParameters::declare;
+  program.check_keys = LocalizationParameters::check_keys;
+  program.check      = [](dealii::ParameterHandler &prm) {
     LocalizationParameters::parse(prm);
     return Need();
   };

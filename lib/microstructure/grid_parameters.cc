@@ -1,7 +1,10 @@
 #include "microstructure/grid_parameters.h"
 
+#include "grid/size_text.h"
 #include "io/errors.h"
+#include "io/key_use.h"
 #include "io/parameters.h"
+#include "io/text.h"
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -16,12 +19,36 @@ void GridParameters::declare(dealii::ParameterHandler &prm)
   const ParameterSection section(prm, "Grid");
   declare_integer_list(prm, "Cells", {defaults.cells[0], defaults.cells[1]}, 1, 1000000,
                        "Numbers of cells along x and y [-]", 2, 2);
-  declare_double_list(prm, "Size", {defaults.size[0], defaults.size[1]},
-                      Range::positive(), "Width (x) and height (y) of the box [m]", 2, 2);
-  declare_double_list(prm, "Spacing", {}, Range::positive(),
+  declare_double_list(prm, "Size", {defaults.size[0], defaults.size[1]}, Range::length(),
+                      "Width (x) and height (y) of the box [m]", 2, 2);
+  declare_double_list(prm, "Spacing", {}, Range::length(),
                       "Instead of the size: edge of the square cells, or their width and "
                       "height. Empty: size over cells [m]",
                       0, 2);
+}
+
+void GridParameters::check_keys(const KeyUse &use)
+{
+  const auto numbers = [&](const char *key) {
+    std::vector<double> values;
+    for (const std::string &item : split_list(use.value(key)))
+      if (double value; parse_number(item, value))
+        values.push_back(value);
+    return values;
+  };
+  const std::vector<double> cells = numbers("Grid/Cells"), size = numbers("Grid/Size"),
+                            spacing = numbers("Grid/Spacing");
+  if (spacing.empty())
+    return;
+  const std::array<double, 2> found = {
+    {cells.at(0) * spacing.front(), cells.at(1) * spacing.back()}};
+  const auto agrees = [&](const unsigned int d) {
+    return std::abs(size.at(d) - found[d]) <= 1e-9 * found[d];
+  };
+  use.only_if(agrees(0) && agrees(1), {"Grid/Size"},
+              "Grid/Cells times Grid/Spacing make a box of " +
+                lengths_text(found[0], found[1]),
+              "leave Grid/Spacing empty");
 }
 
 void GridParameters::parse(dealii::ParameterHandler &prm)
@@ -44,9 +71,10 @@ void GridParameters::check() const
   for (unsigned int d = 0; d < 2; ++d)
     {
       n *= cells[d];
-      if (!(size[d] > 0.) || !std::isfinite(size[d]))
+      if (!Range::length().contains(size[d]))
         throw UserError("Grid/Size: " + to_text(size[d]) +
-                        " m is not the size of a box; give two positive lengths");
+                        " m is not the size of a box; give two lengths " +
+                        Range::length().text());
     }
   if (!(n >= 1. && n < 2147483648.))
     throw UserError("Grid/Cells: " + to_text(n) +

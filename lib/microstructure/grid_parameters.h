@@ -12,6 +12,8 @@ class ParameterHandler;
 
 namespace mesoslip
 {
+class KeyUse;
+
 /**
  * Section `Grid`: `Cells`, `Size` [m] and, instead of the size, `Spacing` [m].
  * The origin is the lower left corner. Defaults: the paper's pin at 0.1 mm.
@@ -23,6 +25,9 @@ struct GridParameters
 
   /** Keys of the section with the pin as default. */
   static void declare(dealii::ParameterHandler &prm);
+
+  /** Throws UserError for a `Size` that is not `Cells` times `Spacing`. */
+  static void check_keys(const KeyUse &use);
 
   /** Throws UserError for lists of the wrong length. */
   void parse(dealii::ParameterHandler &prm);

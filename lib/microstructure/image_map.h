@@ -4,32 +4,62 @@
 #include "grid/phase_map.h"
 #include "io/image.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
+/** How an image is to be read. */
+struct ImageReading
+{
+  /** `values[p]` is the image value of phase p; empty: those that occur, ascending. */
+  std::vector<long> values;
+  unsigned int n_phases = 0;     ///< of `Phases/Names`
+  bool oblong_pixels    = false; ///< pixels need not be squares in the body
+};
+
+/** What one phase is in an image. */
+struct ImagePhase
+{
+  std::string value;         ///< for messages: "200", or of colours "#ff0000 (16711680)"
+  std::size_t n_pixels = 0;  ///< of this value
+  double fraction      = 0.; ///< of all pixels
+};
+
+/** A morphology that was drawn as an image. */
+struct ImageMap
+{
+  PhaseMap<2> map;                ///< phase of each cell
+  std::vector<ImagePhase> phases; ///< by phase
+  /** Numbers of pixels along x and y. */
+  std::array<unsigned int, 2> pixels = {};
+};
+
 /**
  * The morphology drawn in an image; the top row of the picture is the top of the box.
  *
- * `values[p]` is the image value of phase p; with an empty list the distinct values of
- * the image in ascending order are the phases. Along each direction the pixels are the
- * cells, or one number is an integer multiple of the other: a pixel becomes a block of
- * cells, or a cell takes the pixel at its centre (of the middle two the right or upper
- * one). Throws UserError, beginning with @p source, when sizes do not fit, a value
- * belongs to no phase or there are more than @p n_phases values.
+ * Along each direction the pixels are the cells, or one number is a whole multiple of the
+ * other, in both directions alike: a pixel becomes a block of cells, or a cell takes the
+ * phase that most of its pixels have. Where several phases have as many, it takes the one
+ * that lies furthest below its share of the pixels, counted cell by cell along the rows
+ * from the bottom up to this cell (then the first of them): so ties change no fraction by
+ * more than a cell.
+ *
+ * Throws UserError, beginning with @p source, when sizes do not fit, when pixels are
+ * oblong by more than 1 % and should not be, and when it is not clear which value is
+ * which phase: a value belongs to no phase or, without `values`, there are not as many
+ * values as phases.
  */
-PhaseMap<2> map_from_image(const UniformGrid<2> &grid,
-                           const Image &image,
-                           const std::vector<long> &values,
-                           const unsigned int n_phases,
-                           const std::string &source);
+ImageMap map_from_image(const UniformGrid<2> &grid,
+                        const Image &image,
+                        const ImageReading &reading,
+                        const std::string &source);
 
 /** map_from_image() of a file: PNG or plain text, see read_image(). */
-PhaseMap<2> read_phase_map(const UniformGrid<2> &grid,
-                           const std::string &file,
-                           const std::vector<long> &values,
-                           const unsigned int n_phases);
+ImageMap read_phase_map(const UniformGrid<2> &grid,
+                        const std::string &file,
+                        const ImageReading &reading);
 } // namespace mesoslip
 
 #endif

@@ -1,16 +1,108 @@
+#include "grid/size_text.h"
 #include "io/errors.h"
 #include "io/parameters.h"
 #include "microstructure/image_map.h"
 #include "microstructure/microstructure_parameters.h"
 #include "microstructure/statistics.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace mesoslip
 {
 namespace
 {
 using Type = MicrostructureParameters::Type;
+
+std::string percent(const double fraction)
+{
+  return to_text(std::round(fraction * 1e5) / 1e3) + " %";
+}
+
+std::string file_name(const std::string &path)
+{
+  return std::filesystem::path(path).filename().string();
+}
+
+std::string times(const unsigned int x, const unsigned int y)
+{
+  return std::to_string(x) + " x " + std::to_string(y);
+}
+
+/** Coarse cells may swallow a phase, or swell it. */
+std::vector<std::string> coarsening_warnings(const ImageMap &image,
+                                             const PhaseParameters &parameters)
+{
+  // Fibres eight times as stiff as their matrix contribute seven times their fraction:
+  // 1 % more of them are some percent of stiffness. What a rare phase contributes changes
+  // in proportion.
+  constexpr double absolute = 0.01, relative = 0.1;
+  std::vector<std::string> warnings;
+  const auto fractions = area_fractions(image.map, image.phases.size());
+  for (std::size_t p = 0; p < fractions.size(); ++p)
+    {
+      const double before = image.phases[p].fraction;
+      if (!(std::abs(fractions[p] - before) <= std::min(absolute, relative * before)))
+        warnings.push_back("phase '" + parameters.phases[p].name + "' is " +
+                           percent(before) + " of the image and " +
+                           percent(fractions[p]) +
+                           " of the cells, each of which takes the majority of its "
+                           "pixels; for the composite of the image, increase Grid/Cells");
+    }
+  return warnings;
+}
+
+std::string image_text(const ImageMap &image, const std::string &file)
+{
+  const UniformGrid<2> &grid = image.map.grid;
+  const unsigned int n_x = image.pixels[0], n_y = image.pixels[1];
+  std::string text = "Morphology: " + times(n_x, n_y) + " pixels of " + file_name(file) +
+                     ", each " + lengths_text(grid.extent(0) / n_x, grid.extent(1) / n_y);
+  if (n_x == grid.cells[0] && n_y == grid.cells[1])
+    return text + ", one per cell";
+  if (n_x >= grid.cells[0] && n_y >= grid.cells[1])
+    return text + ", " + times(n_x / grid.cells[0], n_y / grid.cells[1]) +
+           " per cell, of which the majority decides";
+  return text + ", " + times(grid.cells[0] / n_x, grid.cells[1] / n_y) +
+         " cells per pixel";
+}
+
+/** A line for each phase. */
+std::vector<std::string> phase_texts(const PhaseMap<2> &map,
+                                     const PhaseParameters &parameters,
+                                     const std::vector<ImagePhase> &image)
+{
+  std::vector<std::string> lines;
+  const std::size_t n  = parameters.phases.size();
+  const auto fractions = area_fractions(map, static_cast<unsigned int>(n));
+  for (std::size_t p = 0; p < n; ++p)
+    {
+      const double n_cells =
+        std::round(fractions[p] * static_cast<double>(map.id.size()));
+      std::string line =
+        "Phase " + std::to_string(p) + ", " + parameters.phases[p].name + ": ";
+      if (!image.empty())
+        line += "value " + image[p].value + ", " + percent(image[p].fraction) +
+                " of the pixels, ";
+      lines.push_back(line + to_text(n_cells) + " cells, " + percent(fractions[p]) +
+                      "; " + parameters.phases[p].text());
+    }
+  return lines;
+}
+
+Microstructure read_image_map(const MicrostructureParameters &p)
+{
+  const ImageMap image = read_phase_map(
+    p.grid.grid(), p.file,
+    {p.image_values, static_cast<unsigned int>(p.phases.phases.size()), p.oblong_pixels});
+  Microstructure result;
+  result.map         = image.map;
+  result.warnings    = coarsening_warnings(image, p.phases);
+  result.description = phase_texts(image.map, p.phases, image.phases);
+  result.description.insert(result.description.begin(), image_text(image, p.file));
+  return result;
+}
 
 /** The morphologies that come from a file. */
 Microstructure read_microstructure(const MicrostructureParameters &p)
@@ -20,25 +112,19 @@ Microstructure read_microstructure(const MicrostructureParameters &p)
   require_input_file("Microstructure/File: ", p.file,
                      p.type == Type::image ? "it has to name an image"
                                            : "it has to name a list of rectangles");
-  Microstructure result;
   if (p.type == Type::image)
-    {
-      result.map = read_phase_map(grid, p.file, p.image_values, n_phases);
-      return result;
-    }
+    return read_image_map(p);
+  Microstructure result;
   result.rectangles = read_rectangles(p.file, &grid);
   for (std::size_t i = 0; i < result.rectangles.size(); ++i)
     if (result.rectangles[i].phase >= n_phases)
       throw UserError(p.file + ": rectangle " + std::to_string(i + 1) +
                       " has the phase " + std::to_string(result.rectangles[i].phase) +
                       ", and Phases/Names has only 0 to " + std::to_string(n_phases - 1));
-  result.map = draw_rectangles(grid, result.rectangles, p.file);
+  result.map         = draw_rectangles(grid, result.rectangles, p.file);
+  result.description = {"Morphology: " + std::to_string(result.rectangles.size()) +
+                        " rectangles of " + file_name(p.file)};
   return result;
-}
-
-std::string percent(const double fraction)
-{
-  return to_text(std::round(fraction * 1e5) / 1e3) + " %";
 }
 
 /** Sentences about fibre sizes that the grid changes. */
@@ -80,14 +166,13 @@ Microstructure place_microstructure(const MicrostructureParameters &p)
       " asked for, " + percent(placed.reached_fraction(rules.fraction_rule)) +
       " reached with " + std::to_string(placed.fibres.size()) +
       " fibres; no further one fits in under these rules");
-  result.map        = refined_map(placed.map, grid);
-  result.rectangles = placed.fibres;
+  result.map         = refined_map(placed.map, grid);
+  result.rectangles  = placed.fibres;
+  result.description = {"Morphology: " + std::to_string(placed.fibres.size()) +
+                        " random fibres of seed " + std::to_string(rules.seed)};
   return result;
 }
-} // namespace
 
-namespace
-{
 /** A picture of one grey, a list without rectangles of a phase: no error, but no
  * composite. */
 std::vector<std::string> empty_phases(const PhaseMap<2> &map,
@@ -107,12 +192,21 @@ Microstructure make_microstructure(const MicrostructureParameters &parameters)
 {
   Microstructure result;
   if (parameters.type == Type::homogeneous)
-    result.map = homogeneous_map(parameters.grid.grid());
+    {
+      result.map         = homogeneous_map(parameters.grid.grid());
+      result.description = {"Morphology: homogeneous"};
+    }
   else if (parameters.type == Type::random_fibres)
     result = place_microstructure(parameters);
   else
     result = read_microstructure(parameters);
   result.phases = parameters.phases.make_phases();
+  if (result.description.size() == 1)
+    for (const std::string &line : phase_texts(result.map, parameters.phases, {}))
+      result.description.push_back(line);
+  for (const SinglePhaseParameters &phase : parameters.phases.phases)
+    if (const std::string warning = phase.angle_warning(); !warning.empty())
+      result.warnings.push_back(warning);
   if (parameters.type != Type::homogeneous)
     for (const std::string &warning : empty_phases(result.map, result.phases))
       result.warnings.push_back(warning);

@@ -1,6 +1,7 @@
 #include "microstructure/microstructure_parameters.h"
 
 #include "io/errors.h"
+#include "io/key_use.h"
 #include "io/parameters.h"
 #include "io/resources.h"
 
@@ -155,11 +156,29 @@ void MicrostructureParameters::declare(dealii::ParameterHandler &prm,
     declare_integer_list(prm, "Image values", {}, std::numeric_limits<int>::min(),
                          std::numeric_limits<int>::max(),
                          "Image value of each phase in the order of Names. Empty: the "
-                         "values that occur, in ascending order [-]");
+                         "values that occur, in ascending order, if there are as many as "
+                         "phases [-]");
+    declare_bool(
+      prm, "Oblong pixels", false,
+      "Image: the pixels need not be squares in the body; otherwise Grid/Cells "
+      "and Grid/Size have to make them so within 1 % [-]");
   }
   const ParameterSection section(prm, random_fibres_section);
   declare_shape(prm, FibrePlacement());
   declare_rules(prm, FibrePlacement());
+}
+
+void MicrostructureParameters::check_keys(const KeyUse &use)
+{
+  GridParameters::check_keys(use);
+  PhaseParameters::check_keys(use);
+  const std::string type = section_name + "/Type";
+  use.only_with(type, {"random fibres"}, {random_fibres_section + "/"});
+  use.only_with(type, {"rectangles", "image"}, {section_name + "/File"});
+  use.only_with(type, {"image"},
+                {section_name + "/Image values", section_name + "/Oblong pixels"});
+  use.only_with(random_fibres_section + "/Fraction rule", {"actual"},
+                {random_fibres_section + "/Trim last fibre"});
 }
 
 void MicrostructureParameters::parse(dealii::ParameterHandler &prm)
@@ -172,8 +191,9 @@ void MicrostructureParameters::parse(dealii::ParameterHandler &prm)
     for (std::size_t i = 0; i < type_names.size(); ++i)
       if (type_names[i] == name)
         type = static_cast<Type>(i);
-    file         = get_string(prm, "File");
-    image_values = get_integer_list(prm, "Image values");
+    file          = get_string(prm, "File");
+    image_values  = get_integer_list(prm, "Image values");
+    oblong_pixels = get_bool(prm, "Oblong pixels");
   }
   const ParameterSection section(prm, random_fibres_section);
   placement.seed          = static_cast<std::uint64_t>(get_integer(prm, "Seed"));

@@ -19,6 +19,7 @@ class ParameterHandler;
 
 namespace mesoslip
 {
+class KeyUse;
 class RawParameters;
 
 /** Where the rules of random fibres stand in a .prm. */
@@ -57,6 +58,9 @@ struct MicrostructureParameters
   /** Image value of each phase; empty: distinct values in ascending order. */
   std::vector<long> image_values;
 
+  /** Pixels of the image need not be squares in the body. */
+  bool oblong_pixels = false;
+
   FibrePlacement placement; ///< rules of random fibres
 
   /** Name of the phase the fibres are made of; empty: the second one. */
@@ -68,6 +72,9 @@ struct MicrostructureParameters
 
   /** All three sections. */
   static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+
+  /** Throws UserError for keys of all three sections that others leave without effect. */
+  static void check_keys(const KeyUse &use);
 
   /** Reads the values; throws UserError for those that cannot be meant. */
   void parse(dealii::ParameterHandler &prm);
@@ -93,6 +100,9 @@ struct Microstructure
 
   /** Placed or read rectangles in the order of drawing; empty for the other types. */
   std::vector<Rectangle> rectangles;
+
+  /** Lines for the log: where it comes from; value, cells and material of each phase. */
+  std::vector<std::string> description;
 
   /** Sentences for the log: target not reached, sizes rounded to the grid. */
   std::vector<std::string> warnings;

@@ -1,6 +1,7 @@
 #include "microstructure/phase_parameters.h"
 
 #include "io/errors.h"
+#include "io/key_use.h"
 #include "io/parameters.h"
 #include "io/raw_parameters.h"
 #include "material/rotation.h"
@@ -9,6 +10,8 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace mesoslip
@@ -19,30 +22,18 @@ constexpr const char *names_key = "Names";
 
 const std::vector<std::string> default_names = {"matrix", "fibre"};
 
-/** Table 1 of the paper for its two phases; nothing for others. */
-SinglePhaseParameters default_phase(const std::string &name)
+void declare_phase(dealii::ParameterHandler &prm)
 {
-  SinglePhaseParameters phase;
-  phase.name = name;
-  if (name == "matrix" || name == "fibre")
-    {
-      phase.young_modulus = (name == "fibre" ? 240e9 : 30e9);
-      phase.density       = 1770.;
-    }
-  phase.friction_coefficient = 0.25;
-  return phase;
-}
-
-void declare_phase(dealii::ParameterHandler &prm, const std::string &name)
-{
-  const SinglePhaseParameters defaults = default_phase(name);
-  const Range modulus                  = Range::non_negative();
+  const SinglePhaseParameters defaults;
+  const Range modulus = Range::closed(0., Range::stiffness().upper);
   declare_selection(
     prm, "Type", "isotropic", {"isotropic", "orthotropic", "stiffness"},
     "Which keys give the stiffness: Young modulus and Poisson ratio; the "
     "three lists of orthotropic constants; the stiffness coefficients [-]");
-  declare_double(prm, "Young modulus", defaults.young_modulus, modulus,
-                 "Isotropic: Young's modulus E; has to be given [Pa]");
+  declare_double(
+    prm, "Young modulus", defaults.young_modulus, modulus,
+    "Isotropic: Young's modulus E; has to be given; a void has 1e-6 to 1e-4 of that "
+    "of the stiffest phase [Pa]");
   declare_double(prm, "Poisson ratio", defaults.poisson_ratio, Range::open(-1., 0.5),
                  "Isotropic: Poisson's ratio [-]");
   declare_double_list(prm, "Young moduli", {}, modulus, "Orthotropic: E1, E2, E3 [Pa]", 0,
@@ -55,13 +46,14 @@ void declare_phase(dealii::ParameterHandler &prm, const std::string &name)
   declare_double_list(prm, "Shear moduli", {}, modulus, "Orthotropic: G12, G13, G23 [Pa]",
                       0, 3);
   declare_double_list(
-    prm, "Stiffness coefficients", {}, Range::any(),
+    prm, "Stiffness coefficients", {}, Range::stiffness(),
     "Stiffness in plane strain: Dxx, Dxy, Dyy, Dss, or the upper triangle "
     "Dxx, Dxy, Dxs, Dyy, Dys, Dss with s the engineering shear [Pa]",
     0, 6);
   declare_double(prm, "Angle", defaults.angle, Range::any(),
                  "Turns the material counter-clockwise, from x to axis 1 [rad]");
-  declare_double(prm, "Density", defaults.density, Range::non_negative(),
+  declare_double(prm, "Density", defaults.density,
+                 Range::closed(0., Range::density().upper),
                  "Mass density; needed for dynamics [kg/m^3]");
   declare_double(prm, "Friction coefficient", defaults.friction_coefficient,
                  Range::non_negative(),
@@ -113,8 +105,12 @@ void SinglePhaseParameters::check() const
 {
   const std::string section = "'Phases/" + name;
   if (type == Type::isotropic && !(young_modulus > 0.))
-    throw UserError(section + "/Young modulus' is " + to_text(young_modulus) +
-                    "; give the modulus in Pa");
+    throw UserError(
+      section + "/Young modulus' is " + to_text(young_modulus) +
+      "; give the modulus in Pa, or set Type = orthotropic (with Young moduli, Poisson "
+      "ratios and Shear moduli) or Type = stiffness (with Stiffness coefficients); a "
+      "void "
+      "needs a small modulus, 1e-6 to 1e-4 of that of the stiffest phase");
   if (type == Type::orthotropic)
     for (const auto &[key, list] : {std::make_pair("Young moduli", &young_moduli),
                                     std::make_pair("Poisson ratios", &poisson_ratios),
@@ -123,7 +119,7 @@ void SinglePhaseParameters::check() const
         throw UserError(section + "/" + key + "': there are " +
                         std::to_string(list->size()) +
                         " values; an orthotropic phase needs three");
-  if (!(density >= 0.))
+  if (!(density == 0. || Range::density().contains(density)))
     throw UserError(section + "/Density' is " + to_text(density) +
                     "; give the density in kg/m^3");
   if (!(friction_coefficient >= 0.))
@@ -137,6 +133,33 @@ void SinglePhaseParameters::check() const
     {
       throw UserError(section + "': " + error.what());
     }
+}
+
+std::string SinglePhaseParameters::text() const
+{
+  std::ostringstream text;
+  text.precision(5);
+  const VoigtMatrix<2> D = 1e-9 * stiffness();
+  if (type == Type::isotropic)
+    text << "E = " << 1e-9 * young_modulus << " GPa, nu = " << poisson_ratio;
+  else if (D(0, 2) == 0. && D(1, 2) == 0.)
+    text << "D11, D12, D22, D33 = " << D(0, 0) << ", " << D(0, 1) << ", " << D(1, 1)
+         << ", " << D(2, 2) << " GPa";
+  else
+    text << "D11, D12, D13, D22, D23, D33 = " << D(0, 0) << ", " << D(0, 1) << ", "
+         << D(0, 2) << ", " << D(1, 1) << ", " << D(1, 2) << ", " << D(2, 2) << " GPa";
+  if (density > 0.)
+    text << ", " << density << " kg/m^3";
+  return text.str();
+}
+
+std::string SinglePhaseParameters::angle_warning() const
+{
+  if (!(std::fabs(angle) > 2. * M_PI))
+    return "";
+  return "'Phases/" + name + "/Angle' is " + to_text(angle) +
+         " rad, more than a full turn; " + to_text(angle) + " degrees would be " +
+         to_text(std::round(angle * M_PI / 180. * 1e6) * 1e-6) + " rad";
 }
 
 Phase<2> SinglePhaseParameters::phase() const
@@ -154,7 +177,23 @@ void PhaseParameters::declare(dealii::ParameterHandler &prm, const RawParameters
        raw.section_names("Phases/Names", default_names, "phase"))
     {
       const ParameterSection subsection(prm, name);
-      declare_phase(prm, name);
+      declare_phase(prm);
+    }
+}
+
+void PhaseParameters::check_keys(const KeyUse &use)
+{
+  for (const std::string &name :
+       split_list(use.value(std::string("Phases/") + names_key)))
+    {
+      const std::string phase = "Phases/" + name + "/", type = phase + "Type";
+      use.only_with(type, {"isotropic"},
+                    {phase + "Young modulus", phase + "Poisson ratio"});
+      use.only_with(
+        type, {"orthotropic"},
+        {phase + "Young moduli", phase + "Poisson ratios", phase + "Shear moduli"});
+      use.only_with(type, {"stiffness"}, {phase + "Stiffness coefficients"});
+      use.only_with(type, {"orthotropic", "stiffness"}, {phase + "Angle"});
     }
 }
 

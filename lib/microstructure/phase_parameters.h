@@ -13,6 +13,7 @@ class ParameterHandler;
 
 namespace mesoslip
 {
+class KeyUse;
 class RawParameters;
 
 /** Section `Phases/<name>`: the material of one phase. */
@@ -47,7 +48,7 @@ struct SinglePhaseParameters
   /** kg/m^3 */
   double density = 0.;
 
-  double friction_coefficient = 0.; ///< Coulomb, of contact nodes in the phase
+  double friction_coefficient = 0.25; ///< Coulomb, of contact nodes in the phase
 
   /** Throws UserError naming the key when the material makes no sense. */
   void check() const;
@@ -55,14 +56,20 @@ struct SinglePhaseParameters
   /** Pa. Throws std::invalid_argument where check() throws. */
   VoigtMatrix<2> stiffness() const;
 
+  /** Moduli and density for the log; check() has passed. */
+  std::string text() const;
+
+  /** A sentence about an angle that looks like degrees; empty otherwise. */
+  std::string angle_warning() const;
+
   /** check() has passed. */
   Phase<2> phase() const;
 };
 
 /**
  * Section `Phases`: `Names`, a list, and a subsection for each name, declared from
- * what the .prm says about `Names`. The phase that comes first has index 0. Defaults:
- * matrix and fibre of the paper's table 1.
+ * what the .prm says about `Names`. The phase that comes first has index 0. No phase has
+ * a stiffness or a density that was not given, whatever its name.
  */
 struct PhaseParameters
 {
@@ -70,6 +77,9 @@ struct PhaseParameters
 
   /** `Names` and, for the names that @p raw gives, their subsections. */
   static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+
+  /** Throws UserError for keys that a phase's `Type` does not use. */
+  static void check_keys(const KeyUse &use);
 
   /** Throws UserError for names that are not unique or cannot be names. */
   void parse(dealii::ParameterHandler &prm);

@@ -20,14 +20,14 @@ void declare_body(Handler &prm)
                     {"effective", "KUBC", "SUBC", "PBC"},
                     "Which stiffness of the RVE file a homogeneous body takes");
   declare_double_list(
-    prm, "Stiffness", {36.54e9, 9.1e9, 47.26e9, 13.785e9}, Range::any(),
+    prm, "Stiffness", {36.54e9, 9.1e9, 47.26e9, 13.785e9}, Range::stiffness(),
     "Without RVE file: D11, D12, D22, D33, or all six D11, D12, D13, D22, D23, "
     "D33; Voigt order xx, yy, xy, plane strain; default eq. (10) [Pa]",
     4, 6);
-  declare_double(prm, "Density", 1770., Range::positive(),
+  declare_double(prm, "Density", 1770., Range::density(),
                  "Density without RVE file [kg/m^3]");
   declare_double_list(
-    prm, "Size", {}, Range::positive(),
+    prm, "Size", {}, Range::length(),
     "Width and height; empty: those of the RVE file, or the paper's 56 x 16 mm [m]", 0,
     2);
   declare_integer_list(

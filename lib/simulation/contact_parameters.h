@@ -20,6 +20,7 @@ class ParameterHandler;
 
 namespace mesoslip
 {
+class KeyUse;
 class RawParameters;
 
 /** What contact_dynamics computes. */
@@ -149,6 +150,9 @@ struct ContactParameters
 
   /** All sections; @p raw names the probes, which have subsections. */
   static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+
+  /** @throws UserError for keys that others leave without effect. */
+  static void check_keys(const KeyUse &use);
 
   /** @throws UserError naming the key. */
   static ContactParameters parse(dealii::ParameterHandler &prm);

@@ -216,10 +216,11 @@ Program contact_dynamics_program()
   program.name = "contact_dynamics";
   program.description =
     "Explicit dynamics of an elastic body that rubs on a moving rigid flat.";
-  program.declare   = ContactParameters::declare;
-  program.check     = check;
-  program.estimate  = estimate;
-  program.resumable = [](dealii::ParameterHandler &prm) {
+  program.declare    = ContactParameters::declare;
+  program.check_keys = ContactParameters::check_keys;
+  program.check      = check;
+  program.estimate   = estimate;
+  program.resumable  = [](dealii::ParameterHandler &prm) {
     return ContactParameters::parse(prm).analysis == ContactAnalysis::transient;
   };
   program.run = run;

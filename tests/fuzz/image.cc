@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
     grid.cells   = {{image.width, image.height}};
     grid.spacing = {{1., 1.}};
     if (image.values.size() < 10000)
-      map_from_image(grid, image, {}, 2, path);
+      map_from_image(grid, image, {{}, 2, false}, path);
   });
   return 0;
 }

@@ -2,6 +2,7 @@
 #include "fuzzing.h"
 
 #include "homogenization/rve_parameters.h"
+#include "io/key_use.h"
 #include "io/parameters.h"
 #include "io/raw_parameters.h"
 #include "localization/localization_parameters.h"
@@ -21,6 +22,7 @@ void apply(const RawParameters &raw, dealii::ParameterHandler &prm)
 {
   Parameters::declare(prm, raw);
   raw.apply(prm);
+  Parameters::check_keys(KeyUse(prm, raw));
 }
 
 /** What was accepted is accepted again, and the same, when printed. */

@@ -12,6 +12,8 @@ import subprocess
 import sys
 import tempfile
 
+from scenes import PHASES
+
 NOBODY = 65534
 FULL_DISK = r"""
 #define _GNU_SOURCE
@@ -48,7 +50,7 @@ ssize_t writev(int fd, const struct iovec *v, int k)
   return full(fd, -1, n) ? -1 : NEXT(writev)(fd, v, k);
 }
 """
-RVE = """
+RVE = PHASES + """
 subsection Grid
   set Cells = 60, 40
   set Size = 0.006, 0.004

@@ -21,7 +21,8 @@ from study import Study  # noqa: E402
 
 CHAIN = os.path.join(HERE, "chain")
 SMALL = {"Time/End time": 4e-6, "Snapshots/From": 1e-6, "Observation/Energy interval": 10}
-STATIC = {"Analysis": "static contact", "Body/RVE file": "{rve}/rve.h5"}
+STATIC = "set Analysis = static contact\nsubsection Body\n  set Material = heterogeneous\nend\n"
+MODAL = STATIC.replace("static contact", "modal") + "subsection Modal\n  set Number of modes = 2\nend\n"
 
 
 def run_chain(folder, programs):
@@ -39,9 +40,11 @@ def run_chain(folder, programs):
     study.add("at rest", "contact_dynamics", homogeneous,
               {"Body/RVE file": "{rve}/rve.h5", "Flat/Velocity": 0, "Observation/Energy interval": 1,
                "Observation/Steady from": 1.5e-5})
-    study.add("statics", "contact_dynamics", os.path.join(CHAIN, "30-contact_dynamics-heterogeneous.prm"), STATIC)
-    study.add("modal", "contact_dynamics", os.path.join(CHAIN, "30-contact_dynamics-heterogeneous.prm"),
-              {**STATIC, "Analysis": "modal", "Modal/Number of modes": 2})
+    for name, text in (("statics", STATIC), ("modal", MODAL)):
+        prm = os.path.join(folder, name + ".prm")
+        with open(prm, "w", encoding="utf-8") as file:
+            file.write(text)
+        study.add(name, "contact_dynamics", prm, {"Body/RVE file": "{rve}/rve.h5"})
     study.add("local", "stress_localization", os.path.join(CHAIN, "40-stress_localization.prm"),
               {"Input/RVE file": "{rve}/rve.h5", "Input/Homogeneous run": "{homogeneous}/dynamics.h5",
                "Input/Direct run": "{heterogeneous}/dynamics.h5", "Window/From": 1e-6})

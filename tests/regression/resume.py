@@ -19,6 +19,7 @@ import h5py
 import numpy as np
 
 from comparison import content_of_h5
+from scenes import PHASES
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 RUN_CHAIN = os.path.join(HERE, "..", "..", "applications", "run_chain.py")
@@ -27,7 +28,7 @@ ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROO
 # Of summary.json: what the clock says.
 TIMES = ("seconds", "peak_memory_bytes", "cell_updates_per_second")
 
-RVE = """
+RVE = PHASES + """
 subsection Grid
   set Cells = 60, 24
   set Size = 0.006, 0.0024
@@ -287,7 +288,7 @@ def refusals(scene):
     assert after == before, f"a refusal changed the folder: {set(after) ^ set(before)}"
 
     # What only says how and how often is free to change.
-    free = ["--set", "Checkpoints/Interval=0", "--set", "Performance/Wavefront=1", "--set", "Modal/Number of modes=2"]
+    free = ["--set", "Checkpoints/Interval=0", "--set", "Performance/Wavefront=1", "--set", "Performance/Instruction set=auto"]
     scene.expect(0, [], "r", resume + free)
     # Complete: says so and does nothing, unless something else is asked for.
     times = {name: identity(scene.path("r", name)) for name in os.listdir(scene.path("r")) if name != "log.txt"}
@@ -314,7 +315,9 @@ def other_programs(scene):
     """They keep no checkpoints and start from the beginning."""
     scene.expect(0, [], "rve-again", ["--resume"], program="rve_homogenization", prm="rve.prm")
     assert "starts from the beginning" in scene.log("rve-again")
-    scene.expect(0, [], "modal", ["--resume", "--set", "Analysis=modal", "--set", "Body/Material=homogeneous"])
+    with open(scene.path("modal.prm"), "w", encoding="utf-8") as file:
+        file.write("set Analysis = modal\nsubsection Body\n  set RVE file = rve/rve.h5\nend\n")
+    scene.expect(0, [], "modal", ["--resume"], prm="modal.prm")
 
 
 # The last run of a chain takes several ranks if it is long; here all runs count as long.

@@ -51,7 +51,7 @@ def contact_groups():
 
 
 def load_groups():
-    yield "pressure, ramp", "-", [(ramp, {"Top/Ramp": ramp, "Top/Ramp time": 2e-4}) for ramp in ("step", "linear", "smooth")]
+    yield "pressure, ramp", "-", [("step", {})] + [(ramp, {"Top/Ramp": ramp, "Top/Ramp time": 2e-4}) for ramp in ("linear", "smooth")]
     yield "pressure", "Pa", [(text, {"Top/Expression": text}) for text in (
         "if(t < 2.5e-4, 5e6, 1e5)", "2.5e6*(1 + cos(2*pi*20000*t))",
         # The whole contact opens and closes, again and again.

@@ -1,10 +1,9 @@
-// Tables, images, XDMF, checkpoints, locks.
+// Tables, XDMF, checkpoints, locks.
 #include "io_testing.h"
 
 #include "io/archive.h"
 #include "io/checkpoint.h"
 #include "io/files.h"
-#include "io/image.h"
 #include "io/lock.h"
 #include "io/record_file.h"
 #include "io/table.h"
@@ -20,7 +19,6 @@
 #include <fstream>
 #include <limits>
 #include <memory>
-#include <png.h>
 #include <sys/wait.h>
 
 using namespace mesoslip;
@@ -73,72 +71,6 @@ TEST(Tables, NameWhatIsWrong)
   expect_contains(message("\n"), "is empty");
   expect_contains(user_error([&]() { Table::read(folder / "no.csv"); }), "no such file");
   expect_contains(user_error([&]() { Table::read(folder.path); }), "is a folder");
-}
-
-namespace
-{
-void write_png(const std::string &path,
-               const png_uint_32 format,
-               const std::vector<png_byte> &pixels)
-{
-  png_image png = {};
-  png.version   = PNG_IMAGE_VERSION;
-  png.width     = 3;
-  png.height    = 2;
-  png.format    = format;
-  ASSERT_NE(png_image_write_to_file(&png, path.c_str(), 0, pixels.data(), 0, nullptr), 0);
-}
-} // namespace
-
-TEST(Images, BeginAtTheBottom)
-{
-  const TemporaryFolder folder;
-  write_png(folder / "g.png", PNG_FORMAT_GRAY, {0, 128, 255, 7, 7, 255});
-  Image image = read_image(folder / "g.png");
-  EXPECT_EQ(image.width, 3u);
-  EXPECT_EQ(image.height, 2u);
-  EXPECT_EQ(image.values, (std::vector<int>{7, 7, 255, 0, 128, 255}));
-  EXPECT_EQ(image(1, 1), 128);
-  EXPECT_EQ(image.distinct_values(), (std::vector<int>{0, 7, 128, 255}));
-
-  write_png(folder / "c.png", PNG_FORMAT_RGB,
-            {255, 0, 0, 0, 0, 255, 1, 1, 1, 255, 0, 0, 255, 0, 0, 0, 1, 0});
-  image = read_image(folder / "c.png");
-  EXPECT_EQ(image.values, (std::vector<int>{0xff0000, 0xff0000, 0x000100, 0xff0000,
-                                            0x0000ff, 0x010101}));
-
-  write_png(folder / "a.png", PNG_FORMAT_GA,
-            {0, 255, 128, 255, 255, 255, 7, 255, 7, 255, 9, 255});
-  image = read_image(folder / "a.png");
-  EXPECT_EQ(image.values, (std::vector<int>{7, 7, 9, 0, 128, 255}));
-
-  write_file(folder / "t.txt", "# phases\n1 2 3\n\n4,5, -6 # bottom\n");
-  image = read_image(folder / "t.txt");
-  EXPECT_EQ(image.values, (std::vector<int>{4, 5, -6, 1, 2, 3}));
-}
-
-TEST(Images, NameWhatIsWrong)
-{
-  const TemporaryFolder folder;
-  const std::string path = folder / "i.txt";
-  const auto message     = [&](const std::string &text) {
-    write_file(path, text);
-    return user_error([&]() { read_image(path); });
-  };
-  expect_contains(message("1 2\n1 2 3\n"),
-                  "i.txt:2: 3 values, but the rows before have 2");
-  expect_contains(message("1 2\n1 x\n"), "i.txt:2: value 2 is 'x'");
-  expect_contains(message("1 2.5\n"), "i.txt:1: value 2 is '2.5'");
-  expect_contains(message("# nothing\n"), "is empty");
-  write_png(folder / "g.png", PNG_FORMAT_GRAY, {0, 128, 255, 7, 7, 255});
-  write_png(folder / "a.png", PNG_FORMAT_GA,
-            {0, 255, 9, 255, 9, 255, 7, 255, 7, 255, 9, 254});
-  expect_contains(user_error([&]() { read_image(folder / "a.png"); }),
-                  "has transparent pixels");
-  const std::string png = read_file(folder / "g.png");
-  expect_contains(message(png.substr(0, png.size() / 2)), "i.txt");
-  expect_contains(message(png.substr(1)), "neither a PNG nor a text file");
-  expect_contains(user_error([&]() { read_image(folder.path); }), "is a folder");
 }
 
 TEST(Xdmf, NamesDatasetsAndExtents)

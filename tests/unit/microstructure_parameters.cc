@@ -1,14 +1,10 @@
 // Sections Grid, Phases and Microstructure of a .prm: defaults, errors, what they make.
-#include "io_testing.h"
+#include "microstructure_testing.h"
 
 #include "io/files.h"
-#include "io/raw_parameters.h"
 #include "material/rotation.h"
 #include "material/stiffness.h"
-#include "microstructure/microstructure_parameters.h"
 #include "microstructure/statistics.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 #include <sstream>
@@ -18,34 +14,6 @@ using namespace mesoslip_tests;
 
 namespace
 {
-using Settings = std::vector<std::string>;
-
-/** What a program does with a .prm and --set options, up to check(). */
-MicrostructureParameters checked(const Settings &settings, const std::string &text = "")
-{
-  RawParameters raw = RawParameters::parse(text, "run.prm");
-  for (const std::string &setting : settings)
-    raw.override_with(setting);
-  dealii::ParameterHandler prm;
-  MicrostructureParameters::declare(prm, raw);
-  raw.apply(prm);
-  MicrostructureParameters parameters;
-  parameters.parse(prm);
-  parameters.check();
-  return parameters;
-}
-
-std::string error_of(const Settings &settings)
-{
-  return user_error([&] { checked(settings); });
-}
-
-/** A key of the random fibres with its value. */
-std::string fibres(const std::string &assignment)
-{
-  return "Microstructure/Random fibres/" + assignment;
-}
-
 const std::string csv_start = "x_left_mm,y_bottom_mm,width_mm,height_mm,phase\n";
 } // namespace
 
@@ -67,10 +35,12 @@ TEST(MicrostructureParameters, DefaultsAreThePaper)
   EXPECT_TRUE(result.warnings.empty());
 }
 
-TEST(MicrostructureParameters, PrintedDefaultsReadBack)
+TEST(MicrostructureParameters, PrintedParametersReadBack)
 {
   dealii::ParameterHandler prm;
-  MicrostructureParameters::declare(prm, RawParameters());
+  const RawParameters raw = RawParameters::parse(table_1, "run.prm");
+  MicrostructureParameters::declare(prm, raw);
+  raw.apply(prm);
   std::ostringstream text;
   print_parameters(prm, text);
   const auto again = checked({}, text.str());
@@ -88,6 +58,13 @@ TEST(MicrostructureParameters, GridBySpacing)
                            "Microstructure/Type=homogeneous"};
   EXPECT_DOUBLE_EQ(checked(oblong).grid.grid().spacing[1], 3e-4);
   expect_contains(error_of({"Grid/Cells=1000000, 1000000"}), "Grid/Cells: ");
+  // A size beside it has to be the same.
+  EXPECT_NO_THROW(
+    checked({"Grid/Cells=100, 50", "Grid/Spacing=1e-4", "Grid/Size=0.01, 0.005"}));
+  expect_contains(
+    error_of({"Grid/Cells=80, 40", "Grid/Spacing=1e-6", "Grid/Size=0.008, 0.004"}),
+    "Grid/Size has no effect, as Grid/Cells times Grid/Spacing make a box of 80 x 40 "
+    "um; remove it, or leave Grid/Spacing empty");
 }
 
 TEST(MicrostructureParameters, PhasesOfAllTypes)
@@ -131,16 +108,18 @@ end
 
 TEST(MicrostructureParameters, PhaseErrors)
 {
-  expect_contains(error_of({"Phases/Names=matrix, carbon"}),
+  expect_contains(error_of({"Phases/Names=matrix, fibre, carbon"}),
                   "'Phases/carbon/Young modulus'");
-  expect_contains(error_of({"Phases/Names=a, a"}), "two phases named 'a'");
-  expect_contains(error_of({"Phases/Names=matrix"}), "only one phase");
-  expect_contains(error_of({"Phases/fibre/Type=orthotropic"}),
+  expect_contains(error_of({"Phases/Names=a, a"}, ""), "two phases named 'a'");
+  const std::string matrix = "Phases/matrix/Young modulus=30e9";
+  expect_contains(error_of({"Phases/Names=matrix", matrix}, ""), "only one phase");
+  expect_contains(error_of({matrix, "Phases/fibre/Type=orthotropic"}, ""),
                   "'Phases/fibre/Young moduli': there are 0 values");
-  expect_contains(error_of({"Phases/fibre/Type=stiffness"}),
+  expect_contains(error_of({matrix, "Phases/fibre/Type=stiffness"}, ""),
                   "'Phases/fibre': there are 0 stiffness coefficients");
-  expect_contains(error_of({"Phases/fibre/Type=stiffness",
-                            "Phases/fibre/Stiffness coefficients=1e9, 2e9, 3e9, 1e9"}),
+  expect_contains(error_of({matrix, "Phases/fibre/Type=stiffness",
+                            "Phases/fibre/Stiffness coefficients=1e9, 2e9, 3e9, 1e9"},
+                           ""),
                   "not positive definite");
   expect_contains(error_of({"Phases/fibre/Poisson ratio=0.5"}), "Poisson ratio");
   expect_contains(error_of({"Phases/fibre/Density=-1"}), "Density");
@@ -189,8 +168,10 @@ TEST(MicrostructureParameters, Warnings)
 
 TEST(MicrostructureParameters, Homogeneous)
 {
-  const auto result = make_microstructure(
-    checked({"Microstructure/Type=homogeneous", "Phases/Names=matrix"}));
+  const auto result =
+    make_microstructure(checked({"Microstructure/Type=homogeneous", "Phases/Names=matrix",
+                                 "Phases/matrix/Young modulus=30e9"},
+                                ""));
   EXPECT_EQ(area_fractions(result.map, 1), std::vector<double>{1.});
 }
 
@@ -215,11 +196,23 @@ TEST(MicrostructureParameters, ImageFromAFile)
 {
   TemporaryFolder folder;
   const Settings settings = {"Microstructure/Type=image", "Grid/Cells=4, 2",
+                             "Grid/Size=4, 2",
                              "Microstructure/File=" + (folder / "a.txt")};
   write_file(folder / "a.txt", "0 255\n0 0\n");
-  const auto result = make_microstructure(checked(settings));
+  const auto oblong = [](Settings more) {
+    more.push_back("Microstructure/Oblong pixels=true");
+    return more;
+  };
+  expect_contains(error_of(settings), "2 x 2 pixels would be 2 m wide and 1 m high");
+  const auto result = make_microstructure(checked(oblong(settings)));
   EXPECT_EQ(result.map.id, (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 1, 1}));
-  Settings values = settings;
+  ASSERT_EQ(result.description.size(), 3u);
+  EXPECT_EQ(result.description[0],
+            "Morphology: 2 x 2 pixels of a.txt, each 2 x 1 m, 2 x 1 cells per pixel");
+  EXPECT_EQ(result.description[1],
+            "Phase 0, matrix: value 0, 75 % of the pixels, 6 cells, "
+            "75 %; E = 30 GPa, nu = 0.2, 1770 kg/m^3");
+  Settings values = oblong(settings);
   values.push_back("Microstructure/Image values=255, 0");
   EXPECT_EQ(make_microstructure(checked(values)).map.id[0], 1);
   values.back() = "Microstructure/Image values=255";
@@ -228,4 +221,23 @@ TEST(MicrostructureParameters, ImageFromAFile)
   expect_contains(error_of(values), "value 0");
   write_file(folder / "a.txt", "0 255 1\n0 0 1\n");
   expect_contains(error_of(settings), "3 x 2 pixels");
+}
+
+TEST(MicrostructureParameters, CoarseningIsToldAndWarnedOf)
+{
+  TemporaryFolder folder;
+  const auto made = [&](const std::string &row, const std::string &cells) {
+    write_file(folder / "a.txt", row + row);
+    return make_microstructure(
+      checked({"Microstructure/Type=image", "Grid/Cells=" + cells,
+               "Grid/Size=0.006, 0.002", "Microstructure/File=" + (folder / "a.txt")}));
+  };
+  EXPECT_TRUE(made("0 0 0 0 1 1\n", "3, 1").warnings.empty());
+  const auto coarse = made("0 1 1 1 1 0\n", "3, 1");
+  EXPECT_EQ(coarse.description[0], "Morphology: 6 x 2 pixels of a.txt, each 1 x 1 mm, "
+                                   "2 x 2 per cell, of which the majority decides");
+  EXPECT_TRUE(coarse.warnings.empty()); // 0 and 1, as many pixels each: one cell each
+  const auto gone = made("0 0 0 1 0 0\n", "1, 1");
+  ASSERT_EQ(gone.warnings.size(), 1u + 1u);
+  expect_contains(gone.warnings[0], "phase 'matrix' is 83.333 % of the image and 100 %");
 }

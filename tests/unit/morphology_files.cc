@@ -4,7 +4,10 @@
 #include "io/files.h"
 #include "microstructure/image_map.h"
 #include "microstructure/random_fibres.h"
+#include "microstructure/random_numbers.h"
 #include "microstructure/statistics.h"
+
+#include <algorithm>
 
 using namespace mesoslip;
 using namespace mesoslip_tests;
@@ -124,14 +127,37 @@ TEST(Rectangles, ErrorsNameFileAndLine)
                   "number 2");
 }
 
+namespace
+{
+/** The map of an image whose pixels may be oblong. */
+PhaseMap<2> map_of(const UniformGrid<2> &grid,
+                   const Image &image,
+                   const std::vector<long> &values,
+                   const unsigned int n_phases)
+{
+  return map_from_image(grid, image, {values, n_phases, true}, "image").map;
+}
+
+Image make_image(const unsigned int width, const std::vector<int> &values)
+{
+  Image image;
+  image.width  = width;
+  image.height = static_cast<unsigned int>(values.size() / width);
+  image.values = values;
+  return image;
+}
+} // namespace
+
 TEST(ImageMap, PicturesStandUpright)
 {
   TemporaryFolder folder;
   write_file(folder / "a.txt", "0 7 0\n7 7 0\n");
-  const auto map = read_phase_map(make_grid(3, 2, 1.), folder / "a.txt", {}, 2);
+  const auto map =
+    read_phase_map(make_grid(3, 2, 1.), folder / "a.txt", {{}, 2, false}).map;
   EXPECT_EQ(picture(map), (std::vector<std::string>{".#.", "##."}));
   // The values may be named in any order.
-  const auto other = read_phase_map(make_grid(3, 2, 1.), folder / "a.txt", {7, 0}, 2);
+  const auto other =
+    read_phase_map(make_grid(3, 2, 1.), folder / "a.txt", {{7, 0}, 2, false}).map;
   EXPECT_EQ(picture(other), (std::vector<std::string>{"#.#", "..#"}));
 }
 
@@ -141,42 +167,133 @@ TEST(ImageMap, TextOfAnyEditor)
   const std::string path = folder / "phases.txt";
   write_file(path, "\xef\xbb\xbf"
                    "0 0 1\r1 0 0\r\n");
-  EXPECT_EQ(picture(read_phase_map(make_grid(3, 2, 1e-4), path, {}, 2)),
+  EXPECT_EQ(picture(read_phase_map(make_grid(3, 2, 1e-4), path, {{}, 2, false}).map),
             (std::vector<std::string>{"..#", "#.."}));
 }
 
 TEST(ImageMap, WholeMultiples)
 {
-  Image image;
-  image.width  = 2;
-  image.height = 1;
-  image.values = {10, 20};
   // Each pixel a block of cells.
-  EXPECT_EQ(picture(map_from_image(make_grid(6, 2, 1.), image, {}, 2, "image")),
+  EXPECT_EQ(picture(map_of(make_grid(6, 2, 1.), make_image(2, {10, 20}), {}, 2)),
             (std::vector<std::string>{"...###", "...###"}));
-  // The pixel at the centre of each cell: number 1 of 0, 1, 2, number 4 of 3, 4, 5.
-  image.width  = 6;
-  image.values = {9, 10, 9, 9, 20, 9};
-  EXPECT_EQ(picture(map_from_image(make_grid(2, 1, 1.), image, {20, 10, 9}, 3, "image")),
+  // The majority of the pixels of each cell; of three, one has it against two others.
+  EXPECT_EQ(picture(map_of(make_grid(2, 1, 1.), make_image(6, {9, 10, 10, 20, 9, 20}),
+                           {20, 10, 9}, 3)),
             (std::vector<std::string>{"#."}));
+  const auto rows = map_of(make_grid(1, 2, 1.), make_image(1, {1, 1, 2, 2, 1, 2}), {}, 2);
+  EXPECT_EQ(picture(rows), (std::vector<std::string>{"#", "."}));
+}
+
+TEST(ImageMap, TiesKeepTheFractions)
+{
+  // Columns one pixel wide in cells two pixels wide: every tenth of 80 is phase 1.
+  for (const int first : {0, 1, 4, 9})
+    {
+      std::vector<int> values;
+      for (int i = 0; i < 80 * 40; ++i)
+        values.push_back(i % 10 == first ? 1 : 0);
+      const auto map = map_of(make_grid(40, 20, 1.), make_image(80, values), {}, 2);
+      EXPECT_DOUBLE_EQ(area_fractions(map, 2)[1], 0.1) << first;
+    }
+  // A chessboard of pixels: all cells tie, half of them are of each phase.
+  std::vector<int> board;
+  for (int i = 0; i < 16 * 12; ++i)
+    board.push_back((i / 16 + i % 16) % 2);
+  EXPECT_DOUBLE_EQ(
+    area_fractions(map_of(make_grid(8, 6, 1.), make_image(16, board), {}, 2), 2)[1], 0.5);
+}
+
+TEST(ImageMap, CoarseningIsUnbiasedForRandomPixels)
+{
+  // Independent pixels, 30 % of phase 1: of 2 x 2 pixels, 3 or 4 are 1 with probability
+  // 0.0837 and 2 with 0.2646, where ties fill up what is missing: 0.3 exactly.
+  const unsigned int seed = 20240607;
+  RandomNumbers random(seed);
+  std::vector<int> values;
+  for (unsigned int i = 0; i < 400 * 400; ++i)
+    values.push_back(random.unit() < 0.3 ? 1 : 0);
+  const Image image = make_image(400, values);
+  const double of_pixels =
+    static_cast<double>(std::count(values.begin(), values.end(), 1)) / 160000.;
+  const auto map = map_of(make_grid(200, 200, 1.), image, {}, 2);
+  EXPECT_NEAR(area_fractions(map, 2)[1], of_pixels, 5. / 40000.) << "seed " << seed;
+  // Each corner of the picture does so as well, not the whole alone.
+  PhaseMap<2> corner{make_grid(200, 50, 1.), {map.id.begin(), map.id.begin() + 200 * 50}};
+  EXPECT_NEAR(
+    area_fractions(corner, 2)[1],
+    static_cast<double>(std::count(values.begin(), values.begin() + 400 * 100, 1)) /
+      40000.,
+    5. / 10000.)
+    << "seed " << seed;
+}
+
+TEST(ImageMap, TellsWhatBecameOfWhat)
+{
+  Image image      = make_image(2, {0xff0000, 0x0000ff, 0xff0000, 0xff0000});
+  image.coloured   = true;
+  const auto found = map_from_image(make_grid(2, 2, 1.), image, {{}, 2, false}, "a.png");
+  EXPECT_EQ(found.phases[0].value, "#0000ff (255)");
+  EXPECT_EQ(found.phases[1].value, "#ff0000 (16711680)");
+  EXPECT_EQ(found.phases[1].n_pixels, 3u);
+  EXPECT_EQ(found.phases[1].fraction, 0.75);
+  EXPECT_EQ(found.pixels, (std::array<unsigned int, 2>{{2, 2}}));
 }
 
 TEST(ImageMap, Errors)
 {
-  Image image;
-  image.width      = 3;
-  image.height     = 1;
-  image.values     = {1, 2, 3};
-  const auto error = [&](const UniformGrid<2> &grid, const std::vector<long> &values,
-                         const unsigned int n_phases) {
-    return user_error([&] { map_from_image(grid, image, values, n_phases, "a.png"); });
+  const Image image = make_image(3, {1, 2, 3});
+  const auto error  = [&](const UniformGrid<2> &grid, const Image &shown,
+                         const ImageReading &reading) {
+    return user_error([&] { map_from_image(grid, shown, reading, "a.png"); });
   };
-  const std::string sizes = error(make_grid(4, 1, 1.), {}, 3);
+  const std::string sizes = error(make_grid(4, 1, 1.), image, {{}, 3, true});
   expect_contains(sizes, "a.png: ");
   expect_contains(sizes, "3 x 1 pixels");
   expect_contains(sizes, "4 x 1 cells");
-  expect_contains(error(make_grid(3, 1, 1.), {}, 2), "3 different values");
-  expect_contains(error(make_grid(3, 1, 1.), {1, 2}, 2), "value 3");
+  expect_contains(sizes, "Grid/Cells = 3, 1");
+  const UniformGrid<2> grid = make_grid(3, 1, 1.);
+  expect_contains(error(grid, image, {{}, 2, false}), "3 different values");
+  expect_contains(error(grid, image, {{1, 2}, 2, false}), "value 3");
+  expect_contains(
+    error(grid, image, {{}, 4, false}),
+    "3 different values and there are 4 phases; say with "
+    "Microstructure/Image values which value is which phase (the image has 1 "
+    "to 3)");
+  // Swapped numbers of cells refine one side and coarsen the other; swapped or wrong
+  // lengths stretch the pixels.
+  const Image wide = make_image(8, std::vector<int>(32, 1));
+  expect_contains(error(make_grid(4, 8, 1.), wide, {{}, 1, true}),
+                  "one side would be refined and the other coarsened");
+  UniformGrid<2> stretched = make_grid(8, 4, 1.);
+  stretched.spacing[1]     = 2.;
+  expect_contains(error(stretched, wide, {{}, 1, false}),
+                  "its 8 x 4 pixels would be 1 m wide and 2 m high in the body");
+  EXPECT_NO_THROW(map_from_image(stretched, wide, {{}, 1, true}, "a.png"));
+  stretched.spacing[1] = 1.009; // typed with three digits
+  EXPECT_NO_THROW(map_from_image(stretched, wide, {{}, 1, false}, "a.png"));
+}
+
+TEST(ImageMap, DigitsWithoutBlanks)
+{
+  TemporaryFolder folder;
+  const auto read = [&](const std::string &text, const unsigned int n_cells) {
+    write_file(folder / "a.txt", text);
+    read_phase_map(make_grid(n_cells, 4, 1.), folder / "a.txt", {{}, 2, true});
+  };
+  const auto error = [&](const std::string &text, const unsigned int n_cells) {
+    return user_error([&] { read(text, n_cells); });
+  };
+  expect_contains(
+    error("0011\n0011\n1100\n1100\n", 4),
+    "a.txt:1: value 1 is '0011', a number that begins with 0; if every digit "
+    "is a pixel, put blanks between them");
+  expect_contains(
+    error("1100\n1100\n1111\n1111\n", 4),
+    "every row is one number of 4 digits, and the grid has 4 cells along x");
+  // Layers: numbers of one digit, or of different ones, or no such number of cells.
+  EXPECT_NO_THROW(read("1\n2\n2\n1\n", 4));
+  EXPECT_NO_THROW(read("9\n10\n10\n9\n", 4));
+  EXPECT_NO_THROW(read("10\n20\n20\n10\n", 3));
 }
 
 TEST(Statistics, OfASmallMap)

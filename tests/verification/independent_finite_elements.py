@@ -143,7 +143,7 @@ def program(programs, phases, solver):
         for name, d in zip("abc", STIFFNESS):
             text += f" subsection {name}\n  set Type = stiffness\n  set Stiffness coefficients = " + \
                 ", ".join(map(str, d)) + "\n end\n"
-        text += "end\nsubsection Microstructure\n set Type = image\n set File = map.txt\nend\n"
+        text += "end\nsubsection Microstructure\n set Type = image\n set File = map.txt\n set Oblong pixels = true\nend\n"
         text += "subsection Homogenization\n set Boundary conditions = KUBC, SUBC, PBC\n"
         text += f" set Tolerance = 1e-11\n set Solver = {solver}\nend\n"
         with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:

@@ -17,9 +17,8 @@ PIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "prm"
 COMPRESSION = """
 set Analysis = static contact
 subsection Body
-  set Material = %s
   set RVE file = rve/rve.h5
-  set Stiffness from = KUBC
+  set %s
 end
 subsection Top
   set Kind = platen
@@ -52,8 +51,8 @@ def main():
                            check=True)
 
         run("rve_homogenization", "rve", None)
-        for material in ("homogeneous", "heterogeneous"):
-            run("contact_dynamics", material, COMPRESSION % material)
+        run("contact_dynamics", "homogeneous", COMPRESSION % "Stiffness from = KUBC")
+        run("contact_dynamics", "heterogeneous", COMPRESSION % "Material = heterogeneous")
         run("stress_localization", "localized", LOCALIZATION)
 
         with open(os.path.join(folder, "localized", "field_errors.csv"), encoding="utf-8") as file:

@@ -1,0 +1,65 @@
+#ifndef mesoslip_tests_microstructure_testing_h
+#define mesoslip_tests_microstructure_testing_h
+
+#include "io_testing.h"
+
+#include "io/key_use.h"
+#include "io/raw_parameters.h"
+#include "microstructure/microstructure_parameters.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace mesoslip_tests
+{
+using namespace mesoslip;
+
+using Settings = std::vector<std::string>;
+
+/** Phases of the paper's table 1. */
+inline const std::string table_1 = R"(
+subsection Phases
+  subsection matrix
+    set Young modulus = 30e9
+    set Density       = 1770
+  end
+  subsection fibre
+    set Young modulus = 240e9
+    set Density       = 1770
+  end
+end
+)";
+
+/** What a program does with a .prm and --set options, up to check(). */
+inline MicrostructureParameters checked(const Settings &settings,
+                                        const std::string &text = table_1)
+{
+  RawParameters raw = RawParameters::parse(text, "run.prm");
+  for (const std::string &setting : settings)
+    raw.override_with(setting);
+  dealii::ParameterHandler prm;
+  MicrostructureParameters::declare(prm, raw);
+  raw.apply(prm);
+  MicrostructureParameters::check_keys(KeyUse(prm, raw));
+  MicrostructureParameters parameters;
+  parameters.parse(prm);
+  parameters.check();
+  return parameters;
+}
+
+inline std::string error_of(const Settings &settings, const std::string &text = table_1)
+{
+  return user_error([&] { checked(settings, text); });
+}
+
+/** A key of the random fibres with its value. */
+inline std::string fibres(const std::string &assignment)
+{
+  return "Microstructure/Random fibres/" + assignment;
+}
+
+} // namespace mesoslip_tests
+
+#endif
