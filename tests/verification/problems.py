@@ -25,6 +25,8 @@ PROBLEMS = [
      "(fronts), work of friction mu P times the slip", [_SLIDING + "Column.BrakesInStepsAndSticks"]),
     ("Growth of steady sliding", "growth rate and frequency from the exact dispersion relation, within 1 % at H/80; order 2 in h and dt; the time step alone as the relation "
      "discrete in time says", [_SLIDING + "Growth." + name for name in ("Coulomb", "RegularizedAndDamped", "OfOrderTwoInTheTimeStep")]),
+    ("Sliding with neither damping nor regularization", "grows on the grid itself at the eigenvalue of its surface wave, at a rate proportional to 1/h; beta or delta of the "
+     "paper stop it", [_SLIDING + "Growth.OfTheGridWithoutDampingAndRegularization"]),
     ("Energy balance", "closes to 1e-12 of the largest energy with every term from its own formula: tops, stops, damping, gravity, free vibration; below 1e-3 of the "
      "friction work in a coarse pin at 5 MPa sampled every 50 steps",
      [_DYNAMICS + "Energy." + name for name in ("ClosesUnderEveryTop", "ClosesWhenTheTopIsStopped", "ClosesWithEverythingElse",

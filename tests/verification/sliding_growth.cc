@@ -164,8 +164,9 @@ TEST(Growth, OfTheGridWithoutDampingAndRegularization)
       const double dt       = setup.step.dt;
       s                     = 2. / dt * std::asinh(0.5 * dt * s); // leapfrog
       const Complex found   = grid_wave(setup);
-      std::printf("h = %g mm: growth %.0f 1/s at %.1f kHz\n", 1e3 * h, found.real(),
-                  -found.imag() / (2e3 * M_PI));
+      measured::number("growth (1/s), h = " + std::to_string(std::lround(1e6 * h)) +
+                         " micrometres",
+                       s.real(), found.real());
       EXPECT_LT(std::abs(found - s), 1e-3 * s.real());
       EXPECT_LT(grid_wave(grid_wave_setup(h, 0., 4.4e-9)).real(), 0.);
       EXPECT_LT(grid_wave(grid_wave_setup(h, 1.5e-6, 0.)).real(), 0.01 * s.real());
