@@ -110,8 +110,9 @@ std::vector<long> values_of_phases(const Image &image,
       return reading.values;
     }
   const std::string numbers = source + ": the image has " + std::to_string(found.size()) +
-                              " different values and there are " +
-                              std::to_string(reading.n_phases) + " phases; ";
+                              (found.size() == 1 ? " value" : " different values") +
+                              " and there are " + std::to_string(reading.n_phases) +
+                              " phases; ";
   if (found.size() > reading.n_phases)
     throw UserError(numbers + "name more phases, or use an image without smoothed "
                               "edges, segmented if it is a photograph");

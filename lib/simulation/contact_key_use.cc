@@ -11,10 +11,10 @@ void check_analysis(const KeyUse &use)
   use.only_with(analysis, {"transient"},
                 {"Body/Initial velocity", "Time/", "Flat/Ramp", "Flat/Ramp time",
                  "Flat/Expression", "Top/Ramp", "Top/Ramp time", "Top/Expression",
-                 "Top/Platen mass", "Top/Hold from", "Friction/Law",
-                 "Friction/Regularization time", "Friction/Length",
+                 "Friction/Law", "Friction/Regularization time", "Friction/Length",
                  "Friction/Reference velocity", "Observation/", "Snapshots/",
                  "Checkpoints/", "Performance/Wavefront", "Performance/Instruction set"});
+  use.only_with(analysis, {"transient", "modal"}, {"Top/Platen mass", "Top/Hold from"});
   use.only_with(analysis, {"transient", "static contact"},
                 {"Body/Acceleration", "Flat/", "Top/Pressure", "Friction/"});
   use.only_with(analysis, {"transient", "modal", "static contact"},

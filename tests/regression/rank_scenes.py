@@ -35,6 +35,10 @@ subsection Grid
   set Size = 0.002, 0.0012
 end
 subsection Phases
+  subsection matrix
+    set Young modulus = 30e9
+    set Density = 1770
+  end
   subsection fibre
     set Young modulus = 240e9
     set Poisson ratio = 0.2
@@ -42,6 +46,11 @@ subsection Phases
     set Friction coefficient = 0.1
   end
 end
+subsection Homogenization
+  set Boundary conditions = KUBC, SUBC, PBC
+end
+"""
+RANDOM = VOLUME + """
 subsection Microstructure
   subsection Random fibres
     set Minimum height = 2e-4
@@ -49,14 +58,13 @@ subsection Microstructure
     set Cut by border = true
   end
 end
-subsection Homogenization
-  set Boundary conditions = KUBC, SUBC, PBC
-end
 """
-BODY = """
+ALONE = """
 subsection Body
   set RVE file = here
 end
+"""
+BODY = ALONE + """
 subsection Time
   set End time = 2e-6
   set Time step = 5e-9
@@ -94,22 +102,21 @@ SUMS = (
 )
 
 
-def rve(name, ranks=ALL, **settings):
-    return Run(name, "rve_homogenization", VOLUME, settings, ranks)
+def rve(name, ranks=ALL, text=VOLUME, **settings):
+    return Run(name, "rve_homogenization", text, settings, ranks)
 
 
 def ensemble(effective):
-    return rve("ensemble-" + effective, ENSEMBLE_RANKS[effective], **{"Ensemble/Members": 4, "Homogenization/Effective": effective})
+    return rve("ensemble-" + effective, ENSEMBLE_RANKS[effective], RANDOM, **{"Ensemble/Members": 4, "Homogenization/Effective": effective})
 
 
-def contact(name, ranks=ALL, tolerances=SUMS, **settings):
-    return Run(name, "contact_dynamics", BODY, {"Body/RVE file": "{rve-random-1}/rve.h5", **settings}, ranks, tolerances)
+def contact(name, ranks=ALL, tolerances=SUMS, text=BODY, **settings):
+    return Run(name, "contact_dynamics", text, {"Body/RVE file": "{rve-random-1}/rve.h5", **settings}, ranks, tolerances)
 
 
 def localization(name, **settings):
     return Run(name, "stress_localization", LOCALIZATION,
-               {"Input/RVE file": "{rve-random-1}/rve.h5", "Input/Homogeneous run": "{homogeneous-platen-1}/dynamics.h5",
-                "Comparison/Edge distance": 2e-4, "Comparison/Surface depth": 2e-4, **settings}, FEW)
+               {"Input/RVE file": "{rve-random-1}/rve.h5", "Input/Homogeneous run": "{homogeneous-platen-1}/dynamics.h5", **settings}, FEW)
 
 
 HETEROGENEOUS = {"Body/Material": "heterogeneous", "Friction/Coefficient from": "phases"}
@@ -117,7 +124,7 @@ HETEROGENEOUS = {"Body/Material": "heterogeneous", "Friction/Coefficient from": 
 LONG = {"Time/End time": 2e-5, "Observation/Steady from": 2e-6, "Snapshots/Interval": 0}
 
 RUNS = [
-    rve("rve-random"),
+    rve("rve-random", text=RANDOM),
     rve("rve-rectangles", (2, 5), **{"Microstructure/Type": "rectangles", "Microstructure/File": "<files>/rectangles.csv",
                              "Homogenization/Solver": "assembled"}),
     rve("rve-image", FEW, **{"Microstructure/Type": "image", "Microstructure/File": "<files>/map.txt",
@@ -131,13 +138,14 @@ RUNS = [
                                 "Flat/Gap": 1e-9, "Body/Cells": [40, 24], "Performance/Wavefront": 3}),
     contact("long-homogeneous", NONE, **LONG),
     contact("long-heterogeneous", NONE, **LONG, **HETEROGENEOUS),
-    contact("modal", FEW, **{"Analysis": "modal", "Modal/Number of modes": 2}),
-    contact("static", FEW, **HETEROGENEOUS, **{"Analysis": "static contact"}),
-    contact("friction", FEW, **{"Analysis": "friction homogenization", "Friction homogenization/Calibrate": True,
+    contact("modal", FEW, text=ALONE, **{"Analysis": "modal", "Modal/Number of modes": 2}),
+    contact("static", FEW, text=ALONE, **HETEROGENEOUS, **{"Analysis": "static contact"}),
+    contact("friction", FEW, text=ALONE, **{"Analysis": "friction homogenization", "Friction homogenization/Calibrate": True,
                                 "Friction homogenization/Static contact": "{static-1}",
                                 "Friction homogenization/Heterogeneous run": "{long-heterogeneous-1}",
                                 "Friction homogenization/Homogeneous run": "{long-homogeneous-1}"}),
     localization("localization-alone", **{"Probes/Further": "0.0005, 0.0006"}),
     localization("localization-direct", **{"Input/Direct run": "{heterogeneous-pressure-1}/dynamics.h5", "Window/From": 1.2e-6,
+                                           "Comparison/Edge distance": 2e-4, "Comparison/Surface depth": 2e-4,
                                            "Localization/Variant": "both", "Localization/Concentration": "PBC"}),
 ]
