@@ -16,7 +16,7 @@ def values(prm):
     with open(prm, encoding="utf-8-sig", errors="replace") as file:
         text = re.sub(r"\\\s*\n", " ", file.read())
     for line in text.splitlines():
-        setting = SETTING.match(line.split("#")[0])
+        setting = SETTING.match(re.split(r"(?<!\\)#", line)[0].replace("\\#", "#"))
         if setting:
             parts = [part.strip() for part in setting[1].split(",")]
             yield from dict.fromkeys([setting[1].strip(), *parts])

@@ -1,6 +1,7 @@
 """One .prm file of a chain: its program, what it needs, whether its result is up to date."""
 
 import hashlib
+import json
 import os
 import re
 import subprocess
@@ -8,9 +9,37 @@ import subprocess
 from chain.inputs import ChainError, input_files, output_named, values
 
 PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
-STAMP, RANKS = ".up_to_date", ".ranks"
+STAMP, RANKS, EARLIER = ".up_to_date", ".ranks", "earlier_results.txt"
+RESULTS = (".h5", ".csv", ".xdmf")
 LONG_RUN = 3e9  # cells times steps, some seconds: worth the start of several ranks
 ROWS_A_RANK = 40
+
+
+def digest_of(path):
+    """SHA-256 of a file, as text."""
+    digest = hashlib.sha256()
+    with open(path, "rb") as file:
+        while piece := file.read(1 << 20):
+            digest.update(piece)
+    return digest.hexdigest()
+
+
+def results_in(folder):
+    """What the last run wrote for those after it: {name: [bytes, time in ns, SHA-256]}."""
+    try:
+        with open(os.path.join(folder, EARLIER), encoding="utf-8") as file:
+            earlier = file.read().splitlines()
+    except OSError:
+        earlier = []
+    names = [n for n in sorted(os.listdir(folder)) if n == "summary.json" or n.endswith(RESULTS) and n not in earlier]
+    paths = {name: os.path.join(folder, name) for name in names}
+    return {name: [os.path.getsize(path), os.stat(path).st_mtime_ns, digest_of(path)] for name, path in paths.items()}
+
+
+def is_unchanged(path, size, time, digest):
+    """Copies may have another time: then the content decides."""
+    found = os.stat(path)
+    return found.st_size == size and (found.st_mtime_ns == time or digest_of(path) == digest)
 
 
 class Step:
@@ -33,22 +62,24 @@ class Step:
         """Of all that decides the result."""
         digest = hashlib.sha256()
         for path in files:
-            with open(path, "rb") as file:
-                digest.update(hashlib.sha256(file.read()).digest())
+            digest.update(digest_of(path).encode())
         for step in self.needs:
             digest.update(step.stamp.encode())
         return digest.hexdigest()
 
     def up_to_date(self):
+        """Made from the same, and all results are there as the run left them."""
         try:
             with open(os.path.join(self.output, STAMP), encoding="utf-8") as file:
-                return file.read() == self.stamp and os.path.exists(os.path.join(self.output, "summary.json"))
-        except OSError:
+                stamp = json.load(file)
+            return stamp["made_from"] == self.stamp and "summary.json" in stamp["results"] and all(
+                is_unchanged(os.path.join(self.output, name), *known) for name, known in stamp["results"].items())
+        except (OSError, ValueError, KeyError, TypeError):  # no stamp, a result that is gone, or a stamp of an earlier version
             return False
 
     def mark_done(self):
         with open(os.path.join(self.output, STAMP), "w", encoding="utf-8") as file:
-            file.write(self.stamp)
+            json.dump({"made_from": self.stamp, "results": results_in(self.output)}, file)
 
     def begun(self):
         """What is complete and yet not up to date was asked for differently: it starts anew."""

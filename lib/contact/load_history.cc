@@ -107,7 +107,8 @@ void require_decimal_points(const std::string &text)
 
 struct LoadHistory::Expression
 {
-  explicit Expression(const std::string &text)
+  explicit Expression(const std::string &expression_text)
+    : text(expression_text)
   {
     require_decimal_points(text);
     require_function_of_time(text);
@@ -129,6 +130,7 @@ struct LoadHistory::Expression
       throw std::invalid_argument("'" + text + "' is not an expression in the time t");
   }
 
+  const std::string text;
   dealii::FunctionParser<1> parser;
 };
 
@@ -161,6 +163,13 @@ LoadHistory::LoadHistory(const LoadHistory &)                = default;
 LoadHistory::LoadHistory(LoadHistory &&) noexcept            = default;
 LoadHistory &LoadHistory::operator=(const LoadHistory &)     = default;
 LoadHistory &LoadHistory::operator=(LoadHistory &&) noexcept = default;
+
+std::string LoadHistory::shape() const
+{
+  if (expression)
+    return expression->text;
+  return ramp == Ramp::step ? "step" : ramp == Ramp::linear ? "linear" : "smooth";
+}
 
 double LoadHistory::operator()(const double time) const
 {

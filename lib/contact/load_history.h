@@ -63,6 +63,15 @@ public:
     return !expression && (ramp == Ramp::step || time >= ramp_time);
   }
 
+  /** "step", "linear", "smooth", or the expression. */
+  std::string shape() const;
+
+  /** Of the ramp (s); 0 for a step and an expression. */
+  double duration() const
+  {
+    return ramp == Ramp::step ? 0. : ramp_time;
+  }
+
   /** Factor before the expression. */
   double amplitude() const
   {

@@ -43,6 +43,8 @@ std::vector<Phase<2>> read_phases(const Hdf5File &file)
     file.read<double>("/phase/friction_coefficient", {n}, origin_hint);
   if (n == 0)
     throw wrong(file, "/phase/name", "is empty");
+  file.require_unit("/phase/stiffness", "Pa");
+  file.require_unit("/phase/density", "kg/m^3");
 
   std::vector<Phase<2>> phases(n);
   for (std::size_t p = 0; p < n; ++p)
@@ -130,9 +132,10 @@ double RveFile::mean_density() const
 
 VoigtMatrix<2> RveFile::stiffness(const std::string &name) const
 {
-  const auto D                   = file.read<double>("/stiffness/" + name, {3, 3},
+  const auto D = file.read<double>("/stiffness/" + name, {3, 3},
                                    "run rve_homogenization with " + name +
                                      " among its boundary conditions");
+  file.require_unit("/stiffness/" + name, "Pa");
   const VoigtMatrix<2> stiffness = Eigen::Map<const VoigtMatrix<2>>(D.data());
   require_stiffness(file, "/stiffness/" + name, stiffness);
   return stiffness;

@@ -28,6 +28,12 @@ public:
     return file.path();
   }
 
+  /** A sentence if rve_homogenization did not write it as it is; else empty. */
+  std::string change_note() const
+  {
+    return file.change_note("rve_homogenization");
+  }
+
   /** Of the morphology. */
   const UniformGrid<2> &grid() const
   {

@@ -37,13 +37,15 @@ std::string inputs_digest(const dealii::ParameterHandler &prm,
   return digest.hex();
 }
 
+// As this program has written it, with this digest.
 bool is_up_to_date(const std::string &path, const std::string &digest)
 {
   if (!std::filesystem::exists(path))
     return false;
   try
     {
-      return RveFile::open(path).digest() == digest;
+      const RveFile file = RveFile::open(path);
+      return file.digest() == digest && file.change_note().empty();
     }
   catch (const UserError &)
     {

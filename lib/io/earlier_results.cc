@@ -12,6 +12,7 @@ namespace fs = std::filesystem;
 namespace
 {
 constexpr char list_name[] = "earlier_results.txt";
+} // namespace
 
 bool is_result(const fs::directory_entry &entry)
 {
@@ -20,7 +21,6 @@ bool is_result(const fs::directory_entry &entry)
   return entry.is_regular_file(ignored) &&
          (kind == ".h5" || kind == ".csv" || kind == ".xdmf");
 }
-} // namespace
 
 EarlierResults::EarlierResults(const std::string &folder)
   : folder(folder)

@@ -35,6 +35,9 @@ private:
   std::map<std::string, std::filesystem::file_time_type> written;
 };
 
+/** Whether a file in a folder is a result of the kinds above. */
+bool is_result(const std::filesystem::directory_entry &entry);
+
 /**
  * Throws a UserError beginning with @p what if @p path, an input, is among the results
  * that the list in its folder names.

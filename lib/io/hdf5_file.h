@@ -1,6 +1,8 @@
 #ifndef mesoslip_io_hdf5_file_h
 #define mesoslip_io_hdf5_file_h
 
+#include "io/checksum.h"
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -43,6 +45,8 @@ struct Hdf5Header
  *
  * Every failure is a UserError that names file and dataset. The @p hint of a reading
  * function is added when the object is missing: "was rve_homogenization run with KUBC?".
+ * The first bytes of a file are a checksum of the others (checksum.h), which open()
+ * compares. Numbers that are not finite are not written: NumericalFailure.
  * After a failure in writing (the disk is full) the file remains `<path>.part`, and a
  * completed file of that name is untouched; see writing_has_failed().
  */
@@ -197,6 +201,15 @@ public:
   void truncate_rows(const std::string &name, const std::size_t n_rows);
   /** @} */
 
+  /**
+   * A sentence for the user if the file is not known to be as @p program wrote it (its
+   * checksum differs or is missing); empty otherwise.
+   */
+  std::string change_note(const std::string &program) const;
+
+  /** @throws UserError if the attribute `unit` of @p dataset is there and another one. */
+  void require_unit(const std::string &dataset, const std::string &unit) const;
+
   /** Root attributes `format`, `format_version`, `dim`, `program_version`, `digest`. */
   void write_header(const std::string &format,
                     const int version,
@@ -287,6 +300,8 @@ private:
   std::string file_path;
   Id file       = -1;
   bool writable = false;
+  /** Of a file that was opened for reading. */
+  Signature signature = Signature::valid;
   /** Writing failed: the file is closed without getting its name. */
   bool broken            = false;
   int pending_exceptions = 0;

@@ -77,6 +77,15 @@ std::vector<std::string> path_parts(const std::string &path)
   return parts;
 }
 
+/** So that no comment begins in it. */
+std::string with_escaped_hashes(const std::string &value)
+{
+  std::string text;
+  for (const char c : value)
+    text += c == '#' ? std::string("\\#") : std::string(1, c);
+  return text;
+}
+
 /** Closes and opens subsections on the way from @p from to @p to. */
 void change_section(std::ostream &out,
                     const std::vector<std::string> &from,
@@ -108,7 +117,7 @@ void print_parameters(const dealii::ParameterHandler &prm, std::ostream &out)
           "; default: " + (key.default_value.empty() ? "nothing" : key.default_value);
       print_comment(out, indent, text);
       out << indent << "set " << key.key << " =" << (key.value.empty() ? "" : " ")
-          << key.value << '\n';
+          << with_escaped_hashes(key.value) << '\n';
     }
   change_section(out, open, {});
 }

@@ -9,6 +9,7 @@
 #include "io/key_use.h"
 #include "io/mpi_start.h"
 #include "io/outcome.h"
+#include "io/output_folder.h"
 #include "io/parameters.h"
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
@@ -80,6 +81,13 @@ std::string choose_output_folder(const CommandLine &line, dealii::ParameterHandl
   return "output/" + std::filesystem::path(line.prm_file).stem().string();
 }
 
+/** What was asked for only to be printed has to arrive. */
+void require_printed()
+{
+  if (!std::cout.flush())
+    throw UserError("the standard output cannot be written; is the disk full?");
+}
+
 void validate(const Program &program,
               dealii::ParameterHandler &prm,
               const CommandLine &line,
@@ -92,7 +100,8 @@ void validate(const Program &program,
     return;
   std::cout << line.prm_file << ": the parameters are valid; the results would go to "
             << choose_output_folder(line, prm) << '\n'
-            << report.str() << std::flush;
+            << report.str();
+  require_printed();
 }
 
 void run(const Program &program,
@@ -137,15 +146,20 @@ void run(const Program &program,
     context.timer().print(std::cout);
 }
 
-/** Whether parameters and disk allow it; a run to be resumed has had its place. */
+/** Whether parameters, output folder and disk allow it; a run to be resumed has had its
+ * place on the disk. */
 void check(const Program &program,
            dealii::ParameterHandler &prm,
            const CommandLine &line,
            const MPI_Comm communicator)
 {
+  const std::string folder = choose_output_folder(line, prm);
+  on_root(communicator, [&]() {
+    check_output_folder(folder, kind_of_run(program.name, prm), input_paths(prm));
+  });
   const Need disk = program.check ? program.check(prm) : Need();
   if (!line.resume)
-    on_root(communicator, [&]() { require_disk(choose_output_folder(line, prm), disk); });
+    on_root(communicator, [&]() { require_disk(folder, disk); });
 }
 
 void do_what_is_asked(const CommandLine &line,
@@ -158,9 +172,8 @@ void do_what_is_asked(const CommandLine &line,
       if (root)
         std::cout << (line.help
                         ? CommandLine::help_text(program.name, program.description)
-                        : program.name + " (mesoslip) " + version + "\n")
-                  << std::flush;
-      return;
+                        : program.name + " (mesoslip) " + version + "\n");
+      return require_printed();
     }
   const ParameterFile file = read_parameter_file(line, communicator);
   dealii::ParameterHandler prm;
@@ -174,9 +187,8 @@ void do_what_is_asked(const CommandLine &line,
         {
           std::cout << "# " << program.name << ' ' << version << '\n';
           print_parameters(prm, std::cout);
-          std::cout << std::flush;
         }
-      return;
+      return require_printed();
     }
   check(program, prm, line, communicator);
   if (line.validate)

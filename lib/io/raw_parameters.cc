@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
@@ -15,24 +14,25 @@ namespace mesoslip
 {
 namespace
 {
-/** Names and texts have to be: they go on into JSON. */
-bool is_utf8(const std::string &text)
+/** Up to the first #; one behind a backslash belongs to the text, without the backslash.
+ */
+std::string without_comment(const std::string &line)
 {
-  try
-    {
-      nlohmann::json(text).dump();
-      return true;
-    }
-  catch (const nlohmann::json::type_error &)
-    {
-      return false;
-    }
+  std::string text;
+  for (const char c : line)
+    if (c != '#')
+      text += c;
+    else if (!text.empty() && text.back() == '\\')
+      text.back() = '#';
+    else
+      break;
+  return text;
 }
 
 /** A line without comment, with single blanks between words. */
 std::string cleaned(const std::string &line)
 {
-  std::istringstream words(line.substr(0, line.find('#')));
+  std::istringstream words(without_comment(line));
   std::string text, word;
   while (words >> word)
     text += (text.empty() ? "" : " ") + word;
@@ -71,7 +71,7 @@ public:
         else if (word == "end" || word == "END")
           leave(rest);
         else if (word == "set" || word == "SET")
-          set(raw.substr(0, raw.find('#')));
+          set(without_comment(raw));
         else if (word == "include" || word == "INCLUDE")
           fail("'include' is not supported; a parameter file is complete in itself");
         else
@@ -238,7 +238,8 @@ RawParameters::section_names(const std::string &path,
   std::vector<std::string> names;
   for (const std::string &name : get_list(path, fallback))
     {
-      if (name.empty() || name != cleaned(name) ||
+      // Names become groups of HDF5, where a point stands for the group itself.
+      if (name.empty() || name == "." || name == ".." || name != cleaned(name) ||
           name.find_first_of("/,\\=#\"'") != std::string::npos)
         throw UserError(path + ": '" + name + "' cannot be the name of a " + kind +
                         "; use letters, digits and single blanks");

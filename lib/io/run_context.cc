@@ -183,6 +183,11 @@ void RunContext::write_summary()
     write_file(file("summary.json"), run_summary->dump(2) + "\n");
   });
   results_are_written();
+  on_root(comm, [&]() {
+    if (!log_file)
+      throw UserError(file("log.txt") + ": cannot be written (is the disk full?), so the "
+                                        "log is not complete; the results are");
+  });
 }
 
 void RunContext::results_are_written()

@@ -87,6 +87,16 @@ void TableWriter::check_width(const std::size_t n) const
                            " columns");
 }
 
+std::string TableWriter::cell(const double value) const
+{
+  if (std::isinf(value))
+    throw NumericalFailure(
+      path + ": row " + std::to_string(rows + 1) +
+      " would hold an infinite number; look for an input that is far "
+      "too large, and at its unit");
+  return std::isnan(value) ? "" : to_text(value);
+}
+
 void TableWriter::add_row(const std::vector<double> &values)
 {
   check_width(values.size());
@@ -94,8 +104,7 @@ void TableWriter::add_row(const std::vector<double> &values)
     {
       if (i > 0)
         buffer += ',';
-      if (!std::isnan(values[i]))
-        buffer += to_text(values[i]);
+      buffer += cell(values[i]);
     }
   end_row();
 }

@@ -28,7 +28,11 @@ public:
                             const std::vector<std::string> &columns,
                             const std::size_t rows);
 
-  /** One number for each column; NaN leaves the cell empty. */
+  /** A number for a row of texts; empty for NaN. @throws NumericalFailure for an infinite
+   * one. */
+  std::string cell(const double value) const;
+
+  /** One number for each column, as cell() writes them. */
   void add_row(const std::vector<double> &values);
 
   /** One text for each column; quoted where needed. */

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 namespace mesoslip
@@ -30,6 +31,19 @@ bool parse_number(const std::string &text, double &value)
 bool parse_number(const std::string &text, long &value)
 {
   return parse_all(text, value);
+}
+
+bool is_utf8(const std::string &text)
+{
+  try
+    {
+      nlohmann::json(text).dump();
+      return true;
+    }
+  catch (const nlohmann::json::type_error &)
+    {
+      return false;
+    }
 }
 
 std::string trimmed(const std::string &text)

@@ -17,6 +17,9 @@ bool parse_number(const std::string &text, long &value);
  * end of each line, also where it was a carriage return or both. */
 std::string plain_lines(const std::string &text);
 
+/** Whether it can go on into JSON. */
+bool is_utf8(const std::string &text);
+
 /** Without leading and trailing blanks. */
 std::string trimmed(const std::string &text);
 

@@ -139,12 +139,8 @@ TimeWindow choose_window(const LocalizationParameters &parameters,
   if (!std::isnan(parameters.from))
     window.begin = parameters.from;
   else
-    {
-      // fmax passes over a NaN, "not known".
-      window.begin = std::fmax(window.begin, homogeneous.steady_from());
-      if (direct)
-        window.begin = std::fmax(window.begin, direct->steady_from());
-    }
+    window.begin = direct ? std::max(steady_from(homogeneous), steady_from(*direct))
+                          : steady_from(homogeneous);
   return window;
 }
 
@@ -189,23 +185,44 @@ LocalizationInput::LocalizationInput(const LocalizationParameters &parameters)
   , phase_id(rve.phase_id())
   , out_of_plane_ratio(out_of_plane_ratios(parameters, rve))
 {
+  const auto warn_of_changes = [this](const std::string &note) {
+    if (!note.empty())
+      warnings.push_back(note);
+  };
+  warn_of_changes(rve.change_note());
+  warn_of_changes(homogeneous.change_note());
   check_box(homogeneous, "homogeneous run", rve);
   check_digest(homogeneous, "homogeneous run", rve, warnings);
   const auto phases = homogeneous.phase_id();
   if (std::any_of(phases.begin(), phases.end(),
                   [&](const std::uint8_t p) { return p != phases[0]; }))
-    warnings.push_back("the homogeneous run " + homogeneous.path() +
-                       " stores several phases: is it of the heterogeneous body?");
+    throw UserError("the homogeneous run " + homogeneous.path() +
+                    " is one of a heterogeneous body, whose strains are local already; "
+                    "name a run with Body/Material = homogeneous");
   if (!parameters.direct_run.empty())
     {
       direct.emplace(parameters.direct_run, "direct run");
+      warn_of_changes(direct->change_note());
       check_box(*direct, "direct run", rve);
       check_digest(*direct, "direct run", rve, warnings);
       check_direct(*direct, rve, phase_id, warnings);
+      const RunComparison comparison =
+        compare_conditions(homogeneous, *direct, parameters.allow_different_loads);
+      differences = comparison.differences;
+      notes       = comparison.notes;
+      warnings.insert(warnings.end(), comparison.warnings.begin(),
+                      comparison.warnings.end());
     }
   window = choose_window(parameters, homogeneous, direct);
   for (const std::string &slip : slips(parameters, rve.grid(), direct.has_value()))
     warnings.push_back(slip);
+}
+
+TimeWindow LocalizationInput::snapshot_window() const
+{
+  return direct && homogeneous.has_snapshots() && direct->has_snapshots()
+           ? shared_snapshots(homogeneous, *direct, window)
+           : window;
 }
 
 std::vector<PlannedProbe> plan_probes(const LocalizationParameters &parameters,

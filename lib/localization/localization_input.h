@@ -3,6 +3,7 @@
 
 #include "homogenization/rve_file.h"
 #include "localization/localization_parameters.h"
+#include "localization/run_comparison.h"
 #include "localization/run_file.h"
 #include "localization/snapshot_pass.h"
 #include "localization/time_window.h"
@@ -17,9 +18,10 @@ namespace mesoslip
 struct LocalizationInput
 {
   /**
-   * @throws UserError when the grids do not cover the same box (to 1e-9), when the direct
-   * run's is no refinement of the RVE's or when its phases lie elsewhere. What is only
-   * suspicious is added to warnings.
+   * @throws UserError when the grids do not cover the same box (to 1e-9), when the
+   * homogeneous run is one of a heterogeneous body, when the direct run's grid is no
+   * refinement of the RVE's, its phases lie elsewhere or its loads are others. What is
+   * only suspicious is added to warnings.
    */
   explicit LocalizationInput(const LocalizationParameters &parameters);
 
@@ -29,8 +31,14 @@ struct LocalizationInput
   std::vector<std::uint8_t> phase_id; ///< [ny][nx]
   /** sigma_zz / (sigma_xx + sigma_yy) by phase. */
   std::vector<double> out_of_plane_ratio;
-  TimeWindow window;                 ///< times used (s)
+  TimeWindow window; ///< times used (s)
+  /** In what the two runs differ, homogeneous first. */
+  std::vector<ConditionDifference> differences;
+  std::vector<std::string> notes;    ///< sentences for the log, no warnings
   std::vector<std::string> warnings; ///< sentences for the log
+
+  /** The part of the window in which both runs have snapshots. @throws UserError */
+  TimeWindow snapshot_window() const;
 };
 
 /** A probe and where its series come from. */

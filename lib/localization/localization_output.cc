@@ -116,9 +116,7 @@ void write_probe_table(const LocalizationResult &result, const std::string &path
                            "mean [Pa]", "standard deviation [Pa]", "direct mean [Pa]",
                            "direct standard deviation [Pa]", "error of mean [-]",
                            "error of standard deviation [-]", "rms difference [-]"});
-  const auto text = [](const double value) {
-    return std::isnan(value) ? std::string() : to_text(value);
-  };
+  const auto text = [&table](const double value) { return table.cell(value); };
   for (const VariantResult &variant : result.variants)
     for (const ProbeResult &probe : variant.probes)
       for (unsigned int c = 0; c < 3; ++c)
@@ -142,9 +140,20 @@ void write_error_table(const LocalizationResult &result, const std::string &path
     for (const FieldError &error : variant.errors)
       table.add_row(std::vector<std::string>{
         variant.name, error.quantity, error.region, std::to_string(error.n_cells),
-        to_text(error.rms), to_text(error.direct_rms),
-        std::isnan(error.relative) ? "" : to_text(error.relative)});
+        table.cell(error.rms), table.cell(error.direct_rms), table.cell(error.relative)});
   table.flush();
+}
+
+/** [{condition, homogeneous, direct, of_load}] */
+json differences_json(const LocalizationResult &result)
+{
+  json list = json::array();
+  for (const ConditionDifference &d : result.differences)
+    list.push_back({{"condition", d.name},
+                    {"homogeneous", d.first},
+                    {"direct", d.second},
+                    {"of_load", d.of_load}});
+  return list;
 }
 
 json number_or_null(const double value)
@@ -212,15 +221,16 @@ void write_localization(const LocalizationResult &result,
 
 void summarize_localization(const LocalizationResult &result, json &summary)
 {
-  summary["dim"]              = 2;
-  summary["cells"]            = result.grid.n_cells();
-  summary["dofs"]             = result.dofs;
-  summary["phases"]           = result.phase_names;
-  summary["variant"]          = result.variants[0].name;
-  summary["window"]           = {number_or_null(result.window.begin),
-                                 number_or_null(result.window.end)};
-  summary["snapshots"]        = result.n_snapshots;
-  summary["direct_snapshots"] = result.n_direct_snapshots;
+  summary["dim"]                     = 2;
+  summary["cells"]                   = result.grid.n_cells();
+  summary["dofs"]                    = result.dofs;
+  summary["phases"]                  = result.phase_names;
+  summary["variant"]                 = result.variants[0].name;
+  summary["window"]                  = {number_or_null(result.window.begin),
+                                        number_or_null(result.window.end)};
+  summary["snapshots"]               = result.n_snapshots;
+  summary["direct_snapshots"]        = result.n_direct_snapshots;
+  summary["differences_of_the_runs"] = differences_json(result);
   summary.update(variant_json(result.variants[0]));
   if (result.variants.size() > 1)
     summary["mean_strain_variant"] = variant_json(result.variants[1]);

@@ -24,6 +24,10 @@ void declare_input(Handler &prm)
     prm, "Direct run", "",
     "dynamics.h5 of the same run with the heterogeneous body, to compare "
     "with; empty: no comparison");
+  declare_bool(
+    prm, "Allow different loads", false,
+    "Compare with a direct run under other loads, supports or friction "
+    "coefficients as well; the difference is then not the error of localization");
 }
 
 void declare_localization(Handler &prm)
@@ -49,9 +53,10 @@ void declare_localization(Handler &prm)
 void declare_window(Handler &prm)
 {
   const ParameterSection section(prm, "Window");
-  declare_double_or_auto(prm, "From", "auto", Range::any(),
-                         "Begin of the averages; auto: the steady_from in summary.json "
-                         "beside the runs (the later one), or their first time [s]");
+  declare_double_or_auto(
+    prm, "From", "auto", Range::any(),
+    "Begin of the averages; auto: from when on the runs are steady, as "
+    "their dynamics.h5 tell (the later one) [s]");
   declare_double_or_auto(prm, "To", "auto", Range::any(),
                          "End of the averages; auto: the end of the runs [s]");
 }
@@ -110,6 +115,7 @@ void parse_input(Handler &prm, LocalizationParameters &p)
     p.direct_run = input_path(
       prm, "Direct run", "dynamics.h5",
       "run contact_dynamics with the heterogeneous body first, or leave it empty");
+  p.allow_different_loads = get_bool(prm, "Allow different loads");
 }
 
 void parse_localization(Handler &prm, LocalizationParameters &p)
@@ -165,8 +171,8 @@ void LocalizationParameters::check_keys(const KeyUse &use)
               "the von Mises stress is not asked for",
               "add mean von Mises to Localization/Fields");
   use.only_if(!use.value("Input/Direct run").empty() || use.is_typed("Input/Direct run"),
-              {"Comparison/"}, "there is no direct run to compare with",
-              "name one in Input/Direct run");
+              {"Comparison/", "Input/Allow different loads"},
+              "there is no direct run to compare with", "name one in Input/Direct run");
 }
 
 LocalizationParameters LocalizationParameters::parse(dealii::ParameterHandler &prm)

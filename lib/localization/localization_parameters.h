@@ -33,6 +33,8 @@ struct LocalizationParameters
   std::string homogeneous_run; ///< path of its dynamics.h5
   /** Empty: no comparison. */
   std::string direct_run;
+  /** Compare with a direct run under other loads all the same. */
+  bool allow_different_loads = false;
 
   /** KUBC or PBC. */
   std::string concentration = "KUBC";
@@ -44,7 +46,7 @@ struct LocalizationParameters
   /** sigma_zz / (sigma_xx + sigma_yy) by phase; empty: from the stiffnesses. */
   std::vector<double> out_of_plane_ratio;
 
-  /** s; NaN: when the runs are steady, the end. */
+  /** s; NaN: when the runs are steady, as their files tell, and the end. */
   double from = 0.;
   double to   = 0.; ///< end of the window
 

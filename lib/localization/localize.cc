@@ -58,8 +58,12 @@ public:
     for (const std::string &warning : input.warnings)
       if (monitor.warn)
         monitor.warn(warning);
-    result.grid = input.rve.grid();
-    result.dofs = 2 * input.homogeneous.grid().n_nodes();
+    for (const std::string &note : input.notes)
+      if (monitor.log)
+        monitor.log(note);
+    result.differences = input.differences;
+    result.grid        = input.rve.grid();
+    result.dofs        = 2 * input.homogeneous.grid().n_nodes();
     for (const Phase<2> &phase : input.rve.phases())
       result.phase_names.push_back(phase.name);
     result.digests = {input.rve.digest(), input.homogeneous.digest(),
@@ -68,6 +72,8 @@ public:
 
   LocalizationResult run()
   {
+    const bool from_snapshots = parameters.fields.any() || !followed_cells().empty();
+    snapshot_window           = from_snapshots ? input.snapshot_window() : input.window;
     if (input.direct)
       pass_direct();
     pass_homogeneous();
@@ -76,6 +82,7 @@ public:
       add_variant("local strain", local_fields);
     if (parameters.mean_strain)
       add_variant("mean strain", mean_fields);
+    tell_sampling();
     return std::move(result);
   }
 
@@ -108,7 +115,7 @@ private:
                          const SnapshotWork &work,
                          std::size_t &n_snapshots)
   {
-    const IndexRange range = snapshots_in(run, input.window);
+    const IndexRange range = snapshots_in(run, snapshot_window);
     n_snapshots            = range.count;
     if (monitor.start)
       monitor.start("snapshots of the " + role, range.count);
@@ -258,12 +265,40 @@ private:
     result.variants.push_back(std::move(variant));
   }
 
+  /** Probes and fields are sampled differently: how far apart are their means? */
+  void tell_sampling() const
+  {
+    const VariantResult &variant = result.variants.front();
+    double largest               = 0.;
+    std::size_t samples          = 0;
+    for (std::size_t k = 0; k < probes.size() && !variant.fields.mean_stress.empty(); ++k)
+      if (probes[k].recorded && variant.name == "local strain")
+        {
+          const ProbeResult &probe = variant.probes[k];
+          const std::size_t cell =
+            probe.cell[0] + std::size_t(probe.cell[1]) * result.grid.cells[0];
+          const double of_field = variant.fields.mean_stress[3 * cell + 1];
+          largest =
+            std::max(largest, std::fabs(probe.statistics[1].mean / of_field - 1.));
+          samples = probe.time.size();
+        }
+    std::ostringstream line;
+    line.precision(3);
+    line << "Mean sigma_yy of a probe (" << samples
+         << " samples at a point) and of its cell "
+         << "in the fields (" << result.n_snapshots << " snapshots) differ by up to "
+         << 100. * largest << " %";
+    if (samples > 0 && monitor.log)
+      monitor.log(line.str());
+  }
+
   const LocalizationParameters &parameters;
   const LocalizationMonitor &monitor;
   LocalizationInput input;
   const std::vector<PlannedProbe> probes;
   const std::vector<VoigtMatrix<2>> phase_stiffness;
   const StressMap map;
+  TimeWindow snapshot_window; ///< that of both runs
   SnapshotHistories histories, direct_histories;
   StressFields local_fields, mean_fields;
   LocalizationResult result;
@@ -288,7 +323,7 @@ std::string describe_localization(const LocalizationParameters &parameters)
     text << role << ": " << run.grid().cells[0] << " x " << run.grid().cells[1]
          << " cells";
     if (run.has_snapshots())
-      text << ", " << snapshots_in(run, input.window).count << " snapshots";
+      text << ", " << snapshots_in(run, input.snapshot_window()).count << " snapshots";
     text << '\n';
   };
   tell(input.homogeneous, "Homogeneous run");

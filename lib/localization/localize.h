@@ -63,6 +63,8 @@ struct LocalizationResult
   StressFields direct;
   /** Local strain first when both were asked for. */
   std::vector<VariantResult> variants;
+  /** In what the runs differ, homogeneous first; empty without a direct run. */
+  std::vector<ConditionDifference> differences;
   /** Of the three files. */
   std::vector<std::string> digests;
 };

@@ -2,12 +2,7 @@
 
 #include "homogenization/rve_file.h"
 #include "io/errors.h"
-#include "io/files.h"
 #include "io/parameters.h"
-
-#include <filesystem>
-#include <limits>
-#include <nlohmann/json.hpp>
 
 namespace mesoslip
 {
@@ -28,6 +23,7 @@ RunFile::RunFile(const std::string &path, const std::string &role)
   , the_digest(
       file.check_header("mesoslip-dynamics", newest_version, 2, file_hint).digest)
   , the_grid(read_grid(file, file_hint))
+  , the_conditions(read_run_conditions(file))
 {
 }
 
@@ -46,24 +42,11 @@ std::vector<std::uint8_t> RunFile::phase_id() const
                                  {the_grid.cells[1], the_grid.cells[0]});
 }
 
-double RunFile::steady_from() const
-{
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const auto summary       = std::filesystem::path(path()).parent_path() / "summary.json";
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(summary, ignored))
-    return unknown;
-  const auto json = nlohmann::json::parse(read_file(summary.string()), nullptr, false);
-  if (!json.is_object() || !json.contains("steady_from") ||
-      !json["steady_from"].is_number())
-    return unknown;
-  return json["steady_from"].get<double>();
-}
-
 std::vector<double> RunFile::ascending_times(const std::string &dataset,
                                              const std::string &hint) const
 {
   const auto times = file.read<double>(dataset, {any_extent}, hint);
+  file.require_unit(dataset, "s");
   for (std::size_t k = 1; k < times.size(); ++k)
     if (!(times[k] > times[k - 1]))
       throw UserError(path() + ": " + dataset + " does not increase from entry " +
@@ -83,6 +66,7 @@ std::vector<double> RunFile::snapshot_times() const
     throw UserError(path() + ": /snapshots/displacement has the shape " + to_text(shape) +
                     " instead of " + to_text(expected) +
                     ", which its times and /grid ask for");
+  file.require_unit("/snapshots/displacement", "m");
   return times;
 }
 
@@ -121,6 +105,7 @@ ProbeSeries RunFile::probe(const std::string &name,
   if (const Shape shape = file.shape(data, probe_hint); shape != expected)
     throw UserError(path() + ": " + data + " has the shape " + to_text(shape) +
                     " instead of " + to_text(expected) + "; run contact_dynamics again");
+  file.require_unit(data, quantity == "stress" ? "Pa" : "-");
   const IndexRange range = entries_in(series.time, window);
   series.values    = file.read_block<double>(data, {range.first, 0}, {range.count, 3});
   const auto begin = series.time.begin() + static_cast<std::ptrdiff_t>(range.first);

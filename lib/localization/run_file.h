@@ -4,9 +4,11 @@
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
 #include "localization/time_window.h"
+#include "observation/run_conditions.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,8 +57,17 @@ public:
   /** Phase of each cell; empty for a homogeneous body or when not stored. */
   std::vector<std::uint8_t> phase_id() const;
 
-  /** steady_from (s) of the summary.json beside the file; NaN when there is none. */
-  double steady_from() const;
+  /** Under what it was made; nothing if the file is older and does not tell. */
+  const std::optional<RunConditions> &conditions() const
+  {
+    return the_conditions;
+  }
+
+  /** A sentence if contact_dynamics did not write the file as it is; else empty. */
+  std::string change_note() const
+  {
+    return file.change_note("contact_dynamics");
+  }
 
   /** Ascending (s); throws when there are no snapshots. */
   std::vector<double> snapshot_times() const;
@@ -88,6 +99,7 @@ private:
   Hdf5File file;
   std::string the_digest; // of a header that was checked before the grid was read
   UniformGrid<2> the_grid;
+  std::optional<RunConditions> the_conditions;
 };
 } // namespace mesoslip
 

@@ -130,9 +130,10 @@ FrictionParameters parse_friction(Handler &prm)
     friction.gap = get_double(prm, "Gap");
   }
   const ParameterSection section(prm, "Friction");
-  const std::string law = get_string(prm, "Law");
-  friction.law.time     = law == "coulomb" ? 0. : get_double(prm, "Regularization time");
-  if (law == "slip rate")
+  friction.law_name = get_string(prm, "Law");
+  friction.law.time =
+    friction.law_name == "coulomb" ? 0. : get_double(prm, "Regularization time");
+  if (friction.law_name == "slip rate")
     {
       friction.slip_length        = get_double(prm, "Length");
       friction.reference_velocity = get_double(prm, "Reference velocity");

@@ -64,6 +64,7 @@ struct FrictionParameters
   LoadHistory flat_velocity;         ///< m/s
   double gap = 0.;                   ///< m
   FrictionLaw law;                   ///< delta and its rule
+  std::string law_name;              ///< coulomb, constant time or slip rate
   double slip_length        = 0.;    ///< L of the slip-rate law (m); 0: another law
   double reference_velocity = 0.;    ///< V_ref of the slip-rate law (m/s)
   bool coefficient_by_phase = false; ///< those of the phases in rve.h5

@@ -6,6 +6,7 @@
 #include "io/run_context.h"
 #include "io/table.h"
 #include "simulation/body_file.h"
+#include "simulation/stated_conditions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -283,11 +284,22 @@ void DynamicsFile::write_evaluation(const TransientSummary &summary)
     }
 }
 
+void DynamicsFile::write_conditions(const TransientObservations &observed)
+{
+  RunConditions conditions                = stated_conditions(parameters);
+  conditions.numbers["time_step"]         = observed.dt;
+  conditions.numbers["steady_from"]       = observed.steady_from;
+  conditions.numbers["steady_to"]         = observed.steps_done * observed.dt;
+  conditions.words["limit_cycle_reached"] = observed.limit_cycle_reached ? "yes" : "no";
+  write_run_conditions(*file, conditions);
+}
+
 void DynamicsFile::write(const TransientObservations &observed,
                          const TransientSummary &summary)
 {
   file = std::make_unique<Hdf5File>(
     create_body_file(context.file("dynamics.h5"), "mesoslip-dynamics", scene));
+  write_conditions(observed);
   if (snapshots)
     write_snapshots();
   write_history(observed, summary);

@@ -45,6 +45,7 @@ public:
   void remove_snapshots();
 
 private:
+  void write_conditions(const TransientObservations &observed);
   void write_history(const TransientObservations &observed,
                      const TransientSummary &summary);
   void write_energy(const EnergyHistory &energy);

@@ -259,6 +259,8 @@ void run_friction_homogenization(const ContactParameters &parameters, RunContext
   const FrictionHomogenizationInput input =
     read_friction_homogenization(parameters.homogenization, parameters.body.rve_file);
   const std::vector<FrictionEstimate> estimates = friction_estimates(input);
+  for (const std::string &warning : input.warnings)
+    context.warn(warning);
   log_estimates(input, estimates, context);
   if (const std::string of_nodes = node_warning(input); !of_nodes.empty())
     context.warn(of_nodes);

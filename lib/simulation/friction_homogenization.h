@@ -2,6 +2,7 @@
 #define mesoslip_simulation_friction_homogenization_h
 
 #include "contact/homogenized_friction.h"
+#include "observation/run_conditions.h"
 #include "simulation/contact_parameters.h"
 
 #include <optional>
@@ -15,8 +16,10 @@ class RunContext;
 /** A transient run as far as eq. (13) is concerned. */
 struct FrictionRun
 {
-  std::string folder;   ///< with its summary.json
-  double mu_inter = 0.; ///< global interface friction coefficient, eq. (9)
+  std::string folder;       ///< with its summary.json and dynamics.h5
+  RunConditions conditions; ///< of dynamics.h5
+  std::string change_note;  ///< what to say of dynamics.h5, if it has changed
+  double mu_inter = 0.;     ///< global interface friction coefficient, eq. (9)
   std::optional<double> contact_duration; ///< T_G (s); unknown without complete landings
   std::string duration_warning; ///< why T_G should not be used; empty when it may be
   std::optional<double> regularization_time;  ///< delta (s)
@@ -43,6 +46,7 @@ struct FrictionHomogenizationInput
    * analysis if there is one on the same nodes.
    */
   double mu_of_nodes = 0.;
+  std::vector<std::string> warnings;        ///< sentences on the files read
   std::optional<double> static_mu_of_nodes; ///< with pressures of the static contact
 };
 

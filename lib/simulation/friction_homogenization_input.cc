@@ -15,6 +15,26 @@ namespace
 {
 const std::string section = "Friction homogenization/";
 
+const std::string hint = "a transient run of contact_dynamics writes it";
+
+Hdf5File open_dynamics(const std::string &path)
+{
+  Hdf5File file = Hdf5File::open(path, hint);
+  file.check_header("mesoslip-dynamics", 1, 2, hint);
+  return file;
+}
+
+void read_conditions(const std::string &path, FrictionRun &run)
+{
+  const Hdf5File file   = open_dynamics(path);
+  const auto conditions = read_run_conditions(file);
+  if (!conditions)
+    throw UserError(path + " does not tell its loads and its friction law, as an earlier "
+                           "version wrote it; run contact_dynamics again");
+  run.conditions  = *conditions;
+  run.change_note = file.change_note("contact_dynamics");
+}
+
 FrictionRun read_run(const RunSummary &summary)
 {
   summary.require_analysis("transient");
@@ -23,11 +43,14 @@ FrictionRun read_run(const RunSummary &summary)
   std::string why = summary.text("global_interface_friction_warning");
   if (why.empty())
     why = "the run has no steady part; give it a longer Time/End time";
-  run.mu_inter             = summary.number("global_interface_friction_coefficient", why);
-  run.contact_duration     = summary.find_number("mean_contact_duration");
-  run.duration_warning     = summary.text("mean_contact_duration_warning");
-  run.regularization_time  = summary.find_number("regularization_time");
-  run.friction_coefficient = summary.find_number("friction_coefficient");
+  run.mu_inter         = summary.number("global_interface_friction_coefficient", why);
+  run.contact_duration = summary.find_number("mean_contact_duration");
+  run.duration_warning = summary.text("mean_contact_duration_warning");
+  read_conditions(summary.file("dynamics.h5"), run);
+  run.friction_coefficient = run.conditions.number("friction_coefficient");
+  run.regularization_time  = run.conditions.number("regularization_time");
+  if (run.regularization_time && !(*run.regularization_time > 0.))
+    run.regularization_time.reset(); // plain Coulomb
   if (run.contact_duration && !(*run.contact_duration > 0.))
     run.contact_duration.reset();
   return run;
@@ -43,13 +66,12 @@ struct Morphology
   std::vector<std::uint8_t> bottom; ///< phases of the bottom cells
   std::vector<double> node_friction;
   std::string rve_digest;
+  std::string rve_note; ///< what to say of the RVE file, if it has changed
 };
 
 Morphology read_morphology(const RunSummary &summary)
 {
-  const std::string hint = "a transient run of a heterogeneous body writes it";
-  const Hdf5File file    = Hdf5File::open(summary.file("dynamics.h5"), hint);
-  file.check_header("mesoslip-dynamics", 1, 2, hint);
+  const Hdf5File file       = open_dynamics(summary.file("dynamics.h5"));
   const UniformGrid<2> grid = read_grid(file, hint);
   const auto names          = file.read_strings("/material/name", hint);
   const std::size_t n       = names.size();
@@ -110,6 +132,7 @@ void set_friction_coefficients(Morphology &m,
                     "; run contact_dynamics again");
   for (std::size_t p = 0; p < m.phases.size(); ++p)
     m.phases[p].friction_coefficient = rve.phases()[p].friction_coefficient;
+  m.rve_note = rve.change_note();
 }
 
 /** Eq. (17) over nodes; the ends stand for half a cell (also of a periodic body). */
@@ -180,15 +203,24 @@ read_friction_homogenization(const FrictionHomogenizationParameters &parameters,
       const RunSummary homogeneous(section + "Homogeneous run",
                                    parameters.homogeneous_run);
       input.homogeneous = read_run(homogeneous);
-      for (const std::string quantity : {"pressure", "flat_velocity"})
-        if (homogeneous.find_number(quantity) != heterogeneous.find_number(quantity))
-          throw UserError(section + "Homogeneous run: " + quantity +
-                          " differs from that of " + parameters.heterogeneous_run +
-                          "; run both under one load");
+      const std::string loads =
+        differences_text(condition_differences(input.homogeneous->conditions,
+                                               input.heterogeneous.conditions),
+                         true);
+      if (!loads.empty())
+        throw UserError(section + "Homogeneous run: " + input.homogeneous->folder +
+                        " and " + parameters.heterogeneous_run +
+                        " were made under different conditions (" + loads +
+                        "); run both under the same");
     }
 
   Morphology m = read_morphology(heterogeneous);
   set_friction_coefficients(m, input.heterogeneous, rve_file);
+  for (const std::string &note :
+       {input.heterogeneous.change_note,
+        input.homogeneous ? input.homogeneous->change_note : "", m.rve_note})
+    if (!note.empty())
+      input.warnings.push_back(note);
   input.surface = contact_phases(m.phases, m.surface);
   input.volume  = contact_phases(m.phases, m.volume);
   for (std::size_t p = 0; p < m.phases.size(); ++p)

@@ -85,8 +85,10 @@ std::string crossing_text(const ContactParameters &parameters,
 std::vector<std::string> body_warnings(const ContactParameters &parameters,
                                        const Scene &scene)
 {
-  std::vector<std::string> warnings = implausible_body(parameters, scene);
-  const std::string stiffness       = stiffness_warning(scene.phases);
+  std::vector<std::string> warnings = scene.warnings;
+  for (const std::string &warning : implausible_body(parameters, scene))
+    warnings.push_back(warning);
+  const std::string stiffness = stiffness_warning(scene.phases);
   if (!stiffness.empty())
     warnings.push_back(stiffness);
   if (parameters.analysis == ContactAnalysis::static_contact)

@@ -24,8 +24,8 @@ std::string crossing_text(const ContactParameters &parameters,
 std::vector<std::string> body_warnings(const ContactParameters &parameters,
                                        const Scene &scene);
 
-/** The same of a transient run: its times, loads, velocities, law and damping, and sliding
- *  with nothing that stops the waves of the grid. */
+/** The same of a transient run: its times, loads, velocities, law and damping, and
+ * sliding with nothing that stops the waves of the grid. */
 std::vector<std::string> transient_warnings(const ContactParameters &parameters,
                                             const UniformMaterial &material);
 } // namespace mesoslip

@@ -188,7 +188,9 @@ Scene make_scene(const ContactParameters &parameters)
     {
       const RveFile rve = RveFile::open(body.rve_file);
       scene.rve_digest  = rve.digest();
-      scene.grid        = make_grid(body, &rve.grid());
+      if (!rve.change_note().empty())
+        scene.warnings.push_back(rve.change_note());
+      scene.grid = make_grid(body, &rve.grid());
       for (const Phase<2> &phase : rve.phases())
         if (!(phase.density > 0.))
           throw UserError(body.rve_file + ": phase '" + phase.name +

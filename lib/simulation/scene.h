@@ -29,6 +29,9 @@ struct Scene
   /** Digest of the RVE file; empty without one. */
   std::string rve_digest;
 
+  /** Sentences on the RVE file for the user. */
+  std::vector<std::string> warnings;
+
   /** The grid with its material classes. */
   UniformMaterial make_material(const bool periodic) const;
 

@@ -5,6 +5,7 @@
 #include "io/table.h"
 #include "simulation/body_file.h"
 #include "simulation/deformation_report.h"
+#include "simulation/stated_conditions.h"
 #include "simulation/static_contact.h"
 #include "simulation/static_support.h"
 
@@ -108,12 +109,14 @@ void write_table(const Scene &scene,
   table.flush();
 }
 
-void write_file(const Scene &scene,
+void write_file(const ContactParameters &parameters,
+                const Scene &scene,
                 const StaticContactResult &result,
                 RunContext &context)
 {
   Hdf5File file =
     create_body_file(context.file("dynamics.h5"), "mesoslip-dynamics", scene);
+  write_run_conditions(file, stated_conditions(parameters));
   create_snapshots(file, scene.grid);
   append_snapshot(file, 0., result.solution.displacement);
   std::vector<double> x;
@@ -249,7 +252,7 @@ void run_static_contact(const ContactParameters &parameters,
     return;
   const auto scope = context.timer().scope("Output");
   write_table(scene, result, context);
-  write_file(scene, result, context);
+  write_file(parameters, scene, result, context);
   write_summary(parameters, scene, result, mu, context);
 }
 } // namespace mesoslip

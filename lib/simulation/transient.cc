@@ -11,6 +11,8 @@
 #include "simulation/transient_run.h"
 #include "simulation/transient_summary.h"
 
+#include <filesystem>
+
 namespace mesoslip
 {
 namespace
@@ -49,8 +51,13 @@ void run_transient(const ContactParameters &parameters,
   const auto found = context.resume() ? checkpoint.find(time.n_steps)
                                       : TransientCheckpoint::Found::nothing;
   if (found == TransientCheckpoint::Found::complete)
-    return context.log("The run in " + context.output_folder() +
-                       " is complete: there is nothing to resume");
+    {
+      // Its end may have been cut short just before.
+      if (context.root() && !parameters.checkpoints.keep)
+        std::filesystem::remove(context.file("snapshots.part"));
+      return context.log("The run in " + context.output_folder() +
+                         " is complete: there is nothing to resume");
+    }
   if (context.resume())
     context.begin();
   const bool resumed = found == TransientCheckpoint::Found::state;

@@ -125,7 +125,7 @@ private:
   StabilityMonitor monitor;
   DeformationWatch strains;
   LimitCycleWatch limit_cycle;
-  bool warned         = false; ///< of large strains
+  bool warned = false; ///< of large strains
   SteadyRecord statistics;
   bool interrupted    = false;
   bool at_limit_cycle = false;

@@ -60,7 +60,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
 {
   static InputFile file("dynamics.h5");
   static const std::string valid = valid_dynamics(file);
-  file.fill(edited(valid, data, size));
+  static const std::string homogeneous =
+    read_file(file.folder + "/homogeneous/dynamics.h5");
+  // The first reader takes no heterogeneous run.
+  file.fill(edited(chosen_reader(3, data, size) == 1 ? homogeneous : valid, data, size));
   read_with({[]() { localize_run(file); }, []() { compare_with_run(file); },
              []() { homogenize_friction(file); }},
             data, size);

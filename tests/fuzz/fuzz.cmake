@@ -10,7 +10,7 @@ add_library(fuzz_edits STATIC ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/byte_edits.cc
             ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/valid_files.cc)
 deal_ii_setup_target(fuzz_edits)
 mesoslip_warnings(fuzz_edits)
-target_link_libraries(fuzz_edits mesoslip_homogenization mesoslip_io)
+target_link_libraries(fuzz_edits mesoslip_observation mesoslip_homogenization mesoslip_io)
 
 if(NOT has_libfuzzer)
   add_library(fuzz_replay STATIC ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/replay.cc)

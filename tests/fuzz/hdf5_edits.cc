@@ -3,6 +3,8 @@
 #include "byte_edits.h"
 #include "hdf5_contents.h"
 
+#include "io/checksum.h"
+
 #include <hdf5.h>
 
 #include <algorithm>
@@ -227,6 +229,7 @@ edited(const std::string &valid, const std::uint8_t *data, const std::size_t siz
   const Names names = names_of(file);
   for (unsigned int n = 0; n < 8 && !choices.empty(); ++n)
     edit_objects(file, names, choices);
-  return close_image(file);
+  // The image begins behind the user block.
+  return valid.substr(0, mesoslip::signature_bytes) + close_image(file);
 }
 } // namespace mesoslip_tests

@@ -3,6 +3,7 @@
 #include "homogenization/rve_file.h"
 #include "io/files.h"
 #include "material/stiffness.h"
+#include "observation/run_conditions.h"
 
 namespace mesoslip_tests
 {
@@ -67,6 +68,11 @@ void write_dynamics(const std::string &folder, const bool heterogeneous)
                                          ? std::vector<std::string>{"matrix", "fibre"}
                                          : std::vector<std::string>{"effective"});
   file.write_attribute("/material", "rve_digest", rve_digest);
+  RunConditions conditions;
+  conditions.words   = {{"analysis", "transient"}, {"coefficient_from", "phases"}};
+  conditions.numbers = {
+    {"pressure", 1e6}, {"regularization_time", 1e-6}, {"steady_from", 1e-6}};
+  write_run_conditions(file, conditions);
   if (heterogeneous)
     file.write("/material/phase_id", {ny, nx}, phase_id);
 
@@ -85,11 +91,9 @@ void write_dynamics(const std::string &folder, const bool heterogeneous)
   file.write_attribute("/probes/A", "position", std::vector<double>{1.5e-4, 1e-4});
   file.write("/contact/friction_coefficient", {nx + 1}, std::vector<double>(nx + 1, 0.2));
   file.close();
-  write_file(
-    folder + "/summary.json",
-    R"({"analysis": "transient", "steady_from": 1e-6, "pressure": 1e6, "flat_velocity": 2,
- "global_interface_friction_coefficient": 0.18, "mean_contact_duration": 1e-5, "regularization_time": 1e-6,
- "friction_coefficient": null})");
+  write_file(folder + "/summary.json",
+             R"({"analysis": "transient", "global_interface_friction_coefficient": 0.18,
+ "mean_contact_duration": 1e-5})");
 }
 
 void write_static_contact(const std::string &folder)

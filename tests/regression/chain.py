@@ -102,6 +102,17 @@ def main():
         again = run_chain(programs, serial)
         assert again.count("up to date") == len(KEYS), again
 
+        # A result that was changed, or of which one bit has flipped, is made again.
+        path = os.path.join(serial, "10-rve_homogenization", "rve.h5")
+        with open(path, "rb") as file:
+            before = file.read()
+        with h5py.File(path, "r+") as file:
+            file["stiffness/effective"][0, 0] *= 2
+        again = run_chain(programs, serial)
+        assert again.count("up to date") == len(KEYS) - 1 and "10-rve_homogenization: done" in again, again
+        with open(path, "rb") as file:
+            assert file.read() == before, "rve.h5 was not made again"
+
         # What determines nothing is no reason to compute again, what does is one.
         run_chain(programs, parallel, ranks=2)
         wrong = differences(found, summaries(parallel), 1e-8)

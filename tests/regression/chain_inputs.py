@@ -41,6 +41,7 @@ if not asked:
     output = sys.argv[sys.argv.index("--output") + 1]
     os.makedirs(output, exist_ok=True)
     open(os.path.join(output, "summary.json"), "w").write("{}")
+    open(os.path.join(output, "rve.h5"), "w").write("made")
 """
 
 
@@ -106,6 +107,22 @@ def named_files(chain):
     assert chain.started().index("run 20-contact_dynamics.prm") < chain.started().index("run 30-contact_dynamics-law.prm")
 
 
+def results_that_are_gone(chain):
+    """A result that is missing or changed is made again, and only that; a copy with another time is as good."""
+    chain.write("in/10-rve_homogenization.prm", "")
+    chain.write("in/20-contact_dynamics.prm", "set RVE file = 10-rve_homogenization/rve.h5\n")
+    assert len(chain.ran()) == 2
+    path = os.path.join(chain.target, "10-rve_homogenization", "rve.h5")
+    os.remove(path)
+    assert chain.ran() == ["10-rve_homogenization"]
+    chain.write(path, "mode")
+    assert chain.ran() == ["10-rve_homogenization"], "a changed result counts as up to date"
+    os.utime(path, (1, 1))
+    assert chain.ran() == []
+    chain.write("out/10-rve_homogenization/.up_to_date", "0" * 64)
+    assert chain.ran() == ["10-rve_homogenization"], "an earlier version's stamp"
+
+
 def refusals(chain):
     chain.write("in/10-rve_homogenization.prm", "set File = ../outside.png\n")
     cases = [("what lies outside", "../outside.png", {"outside.png": ""}, ())]
@@ -150,7 +167,7 @@ def stopped_twice(chain):
 
 
 def main():
-    for part in (named_files, refusals, stopped_while_asking, stopped_twice):
+    for part in (named_files, results_that_are_gone, refusals, stopped_while_asking, stopped_twice):
         with tempfile.TemporaryDirectory() as folder:
             part(Chain(folder))
         print(f"{part.__name__}: ok")

@@ -165,11 +165,27 @@ def no_temporary_folder(bench):
     bench.expect("a start without a temporary folder", done, 0)
 
 
+def full_device(bench):
+    """What is asked for only to be printed, and a log: without them the exit status is not that of success."""
+    path = lambda program: os.path.join(bench.programs, program)
+    for program in RESULTS:
+        for options in (["--help"], ["--version"], ["--print-parameters"], ["--validate", program + ".prm"]):
+            with open("/dev/full", "w", encoding="utf-8") as full:
+                done = subprocess.run([path(program), *options], cwd=bench.folder, stdout=full, stderr=subprocess.PIPE, text=True)
+            bench.expect(f"{program} {options} > /dev/full", done, 2, "standard output cannot be written")
+    os.mkdir(bench.path("logless"))
+    os.symlink("/dev/full", bench.path("logless", "log.txt"))
+    bench.expect("a log on a full device", bench.run("contact_dynamics", "logless"), 2, "log.txt: cannot be written", "the results are")
+    if "summary.json" not in os.listdir(bench.path("logless")):
+        bench.problems.append("a log on a full device: the results are not complete")
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(os.path.abspath(sys.argv[1]), folder)
         for program in RESULTS:
             fills_up(bench, program)
+        full_device(bench)
         not_permitted(bench)
         no_temporary_folder(bench)
     assert not bench.problems, "\n".join(bench.problems)

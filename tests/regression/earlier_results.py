@@ -1,4 +1,5 @@
-"""Runs that fail in a folder with results of an earlier one: those stay, and are told apart; nothing computed is lost.
+"""Runs in a folder with results of an earlier one: what a failing run finds there stays and is told apart, nothing computed is
+lost, and neither inputs nor results of another program or analysis are replaced.
 
     earlier_results.py <folder with the programs>
 """
@@ -55,7 +56,8 @@ class Folder:
         return os.path.join(self.path, *names)
 
     def run(self, status, program, output, *options):
-        done = subprocess.run([os.path.join(PROGRAMS, program), program + ".prm", "--output", output, *options], cwd=self.path,
+        executable = {"friction": "contact_dynamics", "picture": "rve_homogenization"}.get(program, program)
+        done = subprocess.run([os.path.join(PROGRAMS, executable), program + ".prm", "--output", output, *options], cwd=self.path,
                               text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         assert done.returncode == status, f"{program} {options}: exit status {done.returncode}: {done.stdout}{done.stderr}"
         return done.stdout + done.stderr
@@ -156,6 +158,119 @@ def check_output_that_fails(folder):
     shutil.rmtree(folder("late"))
 
 
+def flip_bit(path, dataset):
+    """One bit of the last number of a dataset, far from all that describes the file."""
+    with h5py.File(path) as file:
+        position = file[dataset].id.get_offset() + file[dataset].id.get_storage_size() - 8
+    with open(path, "r+b") as file:
+        file.seek(position)
+        byte = file.read(1)[0]
+        file.seek(position)
+        file.write(bytes([byte ^ 1]))
+
+
+def check_changed_files(folder):
+    """Numbers that someone else has written are told apart, used as they are, and made again where they can be."""
+    path, changed = folder("rve", "rve.h5"), "rve.h5 has changed since rve_homogenization wrote it"
+    before = folder.read("rve", "rve.h5")
+    flip_bit(path, "concentration/KUBC")
+    for program, output in (("contact_dynamics", "other"), ("stress_localization", "local")):
+        for options in ([], ["--validate"]):
+            said = folder.run(0, program, output, *options)
+            assert said.count(changed) == 1, said
+    with h5py.File(path, "r+") as file:
+        file["stiffness/effective"][0, 0] *= 2
+    assert changed in folder.run(0, "contact_dynamics", "other")
+    said = folder.run(0, "rve_homogenization", "rve")
+    assert "up to date" not in said and folder.read("rve", "rve.h5") == before, said
+    with h5py.File(path, "r+") as file:
+        file["stiffness/effective"].attrs["unit"] = np.bytes_("GPa")
+    said = folder.run(2, "contact_dynamics", "other")
+    assert "/stiffness/effective has the unit 'GPa' instead of 'Pa'" in said, said
+    folder.run(0, "rve_homogenization", "rve")
+
+    run = folder.read("run", "dynamics.h5")
+    with h5py.File(folder("run", "dynamics.h5"), "r+") as file:
+        file["snapshots/displacement"][-1, ::2] = 1e200
+    said = folder.run(3, "stress_localization", "local")
+    assert "dynamics.h5 has changed since contact_dynamics wrote it" in said, said
+    assert "localization.h5: the dataset /mean_von_mises would hold a value that is not finite" in said, said
+    with open(folder("run", "dynamics.h5"), "wb") as file:
+        file.write(run)
+    said = folder.run(3, "stress_localization", "local", "--set", "Localization/Out-of-plane ratio=1e300")
+    assert "/mean_von_mises would hold a value that is not finite" in said, said
+    folder.run(0, "stress_localization", "local")
+
+
+def check_other_loads(folder):
+    """The difference of runs under other loads is not the error of localization; what was adapted or is of the method is."""
+    folder.run(0, "contact_dynamics", "het", "--set", "Body/Material=heterogeneous", "--set", "Friction/Coefficient=0.4",
+               "--set", "Friction/Regularization time=1e-6", "--set", "Flat/Velocity=-2")
+    direct = ["--set", "Input/Direct run=het/dynamics.h5"]
+    for options in (direct, direct + ["--validate"]):
+        said = folder.run(2, "stress_localization", "local", *options)
+        assert "(velocity is 2 m/s and -2 m/s, friction_coefficient is 0.25 and 0.4)" in said, said
+    said = folder.run(0, "stress_localization", "local", *direct, "--set", "Input/Allow different loads=true")
+    assert "warning: the homogeneous run" in said and "differ: regularization_time is 1.5e-06 s and 1e-06 s, time_step is" in said, said
+    with mesoslip.open(folder("local")) as local:
+        differences = local.summary["differences_of_the_runs"]
+    assert [d["condition"] for d in differences if d["of_load"]] == ["velocity", "friction_coefficient"], differences
+    folder.run(0, "contact_dynamics", "het", "--set", "Body/Material=heterogeneous", "--set", "Friction/Regularization time=1e-6")
+    said = folder.run(0, "stress_localization", "local", *direct)
+    assert "warning: the homogeneous run" not in said, said
+    said = folder.run(2, "stress_localization", "local", "--set", "Input/Homogeneous run=het/dynamics.h5")
+    assert "is one of a heterogeneous body" in said, said
+
+
+PICTURE = """
+subsection Grid
+  set Cells = 4, 2
+end
+subsection Microstructure
+  set Type = image
+  set File = picture/map.txt
+end
+"""
+
+
+def check_inputs_in_output(folder):
+    """An output folder that holds an input, by whatever name, or results of another kind is refused before it is touched."""
+    with open(folder("friction.prm"), "w", encoding="utf-8") as file:
+        file.write("set Analysis = friction homogenization\nsubsection Friction homogenization\n  set Heterogeneous run = run\nend\n")
+    os.symlink("run", folder("link to run"))
+    os.mkdir(folder("hard"))
+    os.link(folder("rve", "rve.h5"), folder("hard", "rve.h5"))
+    state = lambda: {(name, os.stat(os.path.join(base, name)).st_mtime_ns) for base, _, names in os.walk(folder.path) for name in names}
+    before, cases = state(), []
+    for program, key, name, outputs in (
+            ("stress_localization", "Input/Homogeneous run", "run/dynamics.h5", ("run", "./rve/../run", "link to run")),
+            ("stress_localization", "Input/RVE file", "rve/rve.h5", ("rve", "hard")),
+            ("contact_dynamics", "Body/RVE file", "rve/rve.h5", ("rve", "rve/", "hard")),
+            ("friction", "Friction homogenization/Heterogeneous run", "run is the output folder", ("run", "link to run"))):
+        cases += [(program, output, [], [key, name, "--output"]) for output in outputs]
+    cases += [("contact_dynamics", "run", ["--set", f"Analysis={analysis}"], ["output folder run", "'transient' of contact_dynamics",
+                                                                           f"'{analysis}'", "remove"])
+              for analysis in ("modal", "static contact")]
+    cases += [("rve_homogenization", "run", [], ["output folder run", "'transient' of contact_dynamics", "those of rve_homogenization"]),
+              ("contact_dynamics", "local", [], ["output folder local", "results of stress_localization", "'transient'"])]
+    for program, output, options, words in cases:
+        for validate in ([], ["--validate"]):
+            said = folder.run(2, program, output, *options, *validate)
+            assert all(word in said for word in words), f"{program} --output {output} {options}: {words} not in {said}"
+            assert state() == before, f"{program} --output {output} {options} {validate}: {state() ^ before}"
+
+    # A picture is no result, and nobody else's log is lost beside it: --output . is fine.
+    os.mkdir(folder("picture"))
+    for name, text in (("picture.prm", PICTURE), ("picture/map.txt", "0 0 1 1\n1 1 0 0\n")):
+        with open(folder(name), "w", encoding="utf-8") as file:
+            file.write(text)
+    for _ in range(2):
+        folder.run(0, "picture", "picture")
+    os.rename(folder("picture", "map.txt"), folder("picture", "log.txt"))
+    said = folder.run(2, "picture", "picture", "--set", "Microstructure/File=picture/log.txt")
+    assert "Microstructure/File" in said and "log.txt lies in the output folder" in said, said
+
+
 def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
@@ -163,6 +278,9 @@ def main():
         check_reuse(folder)
         check_revision(folder)
         check_output_that_fails(folder)
+        check_changed_files(folder)
+        check_other_loads(folder)
+        check_inputs_in_output(folder)
 
 
 if __name__ == "__main__":

@@ -295,6 +295,10 @@ def refusals(scene):
     scene.expect(0, [], "r", resume)
     assert "is complete: there is nothing to resume" in scene.log("r")
     assert times == {name: identity(scene.path("r", name)) for name in times}, "a complete run was touched"
+    with open(scene.path("r", "snapshots.part"), "wb"):  # as a kill leaves it between the last two steps of a run
+        pass
+    scene.run("r", resume)
+    assert not os.path.exists(scene.path("r", "snapshots.part")), "snapshots.part of a complete run is left"
     scene.expect(2, ["Beta2 is 0.6 instead of 0.5"], "r", resume + ["--set", "Time/Beta2=0.6"])
     scene.expect(2, ["was complete at", "Checkpoints/Keep"], "r", resume + ["--set", "Time/End time=1.2e-3"])
 

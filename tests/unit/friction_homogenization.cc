@@ -38,18 +38,19 @@ protected:
     heterogeneous                        = {{"analysis", "transient"},
                                             {"global_interface_friction_coefficient", 0.157},
                                             {"mean_contact_duration", T_heterogeneous},
-                                            {"regularization_time", 1.5e-6},
-                                            {"friction_coefficient", nullptr},
-                                            {"pressure", 5e5},
-                                            {"flat_velocity", 2.}};
+                                            {"mean_contact_duration_warning", nullptr}};
     homogeneous                          = heterogeneous;
     homogeneous["mean_contact_duration"] = T_homogeneous;
-    homogeneous["friction_coefficient"]  = 0.2;
-    static_contact                       = {{"analysis", "static contact"},
-                                            {"rve_digest", "abc"},
-                                            {"phase_contact_pressures", {{"matrix", 0.33e6}, {"fibre", 2e6}}}};
+    under_het.words                      = {{"coefficient_from", "phases"}};
+    under_het.numbers                    = {
+                         {"pressure", 5e5}, {"velocity", 2.}, {"regularization_time", 1.5e-6}};
+    under_hom                                 = under_het;
+    under_hom.words                           = {{"coefficient_from", "constant"}};
+    under_hom.numbers["friction_coefficient"] = 0.2;
+    static_contact                            = {{"analysis", "static contact"},
+                                                 {"rve_digest", "abc"},
+                                                 {"phase_contact_pressures", {{"matrix", 0.33e6}, {"fibre", 2e6}}}};
     write_rve("abc");
-    write_dynamics();
     write_static_contact();
   }
 
@@ -76,6 +77,7 @@ protected:
   {
     Hdf5File file = Hdf5File::create(folder / "het/dynamics.h5");
     file.write_header("mesoslip-dynamics", 1, 2, "xyz");
+    write_run_conditions(file, under_het);
     write_grid(file, grid);
     file.write("/material/stiffness", {2, 3, 3}, stiffness());
     file.write_strings("/material/name", {"matrix", "fibre"});
@@ -86,6 +88,14 @@ protected:
     for (const std::size_t k : {2, 3, 7, 8})
       mu[k] = 0.21;
     file.write("/contact/friction_coefficient", {11}, mu);
+    file.close();
+  }
+
+  void write_homogeneous_dynamics() const
+  {
+    Hdf5File file = Hdf5File::create(folder / "hom/dynamics.h5");
+    file.write_header("mesoslip-dynamics", 1, 2, "xyz");
+    write_run_conditions(file, under_hom);
     file.close();
   }
 
@@ -119,6 +129,8 @@ protected:
     write_file(folder / "het/summary.json", heterogeneous.dump());
     write_file(folder / "hom/summary.json", homogeneous.dump());
     write_file(folder / "sca/summary.json", static_contact.dump());
+    write_dynamics();
+    write_homogeneous_dynamics();
     return read_friction_homogenization(parameters, rve());
   }
 
@@ -131,6 +143,7 @@ protected:
   UniformGrid<2> grid;
   std::vector<std::uint8_t> id;
   nlohmann::json heterogeneous, homogeneous, static_contact;
+  RunConditions under_het, under_hom;
   FrictionHomogenizationParameters parameters;
 };
 
@@ -197,7 +210,7 @@ TEST_F(FrictionHomogenization, DeltaInvertsEquation13)
 TEST_F(FrictionHomogenization, CalibrationRemovesACommonFactor)
 {
   const double mu = 10.44 / 51., delta = 2.5e-6, factor = 0.93;
-  homogeneous["friction_coefficient"] = mu;
+  under_hom.numbers["friction_coefficient"] = mu;
   homogeneous["global_interface_friction_coefficient"] =
     factor * mean_friction_coefficient(mu, 1.5e-6, T_homogeneous);
   heterogeneous["global_interface_friction_coefficient"] =
@@ -238,8 +251,10 @@ TEST_F(FrictionHomogenization, ChoosesStaticContactIfThereIsOne)
 
 TEST_F(FrictionHomogenization, OneCoefficientForAllPhases)
 {
-  heterogeneous["friction_coefficient"] = 0.25;
+  under_het.words["coefficient_from"]       = "constant";
+  under_het.numbers["friction_coefficient"] = 0.25;
   write_file(folder / "het/summary.json", heterogeneous.dump());
+  write_dynamics();
   parameters.homogeneous_run.clear();
   parameters.static_contact.clear();
   // No RVE file is needed then.
@@ -265,9 +280,9 @@ TEST_F(FrictionHomogenization, WhatIsMissingIsNamed)
   expect_contains(reading_error(), "'transient' is needed");
   heterogeneous["analysis"] = "transient";
 
-  homogeneous["pressure"] = 4e5;
-  expect_contains(reading_error(), "pressure differs");
-  homogeneous["pressure"] = 5e5;
+  under_hom.numbers["pressure"] = 4e5;
+  expect_contains(reading_error(), "(pressure is 400000 Pa and 500000 Pa)");
+  under_hom.numbers["pressure"] = 5e5;
 
   static_contact["rve_digest"] = "other";
   expect_contains(reading_error(), "another RVE file");

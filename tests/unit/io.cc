@@ -91,15 +91,27 @@ TEST(Parameters, DefaultsKeepAllDigitsAndPrintingReadsBack)
   declare(again);
   RawParameters raw;
   raw.override_with("Time step/Fraction=0.1234567890123456");
+  raw.override_with("Input/Deep/Image file=/a #1/b\\#.png");
   raw.apply(prm);
   std::ostringstream text;
   print_parameters(prm, text);
   expect_contains(text.str(), "default: 0.3333333333333333");
   RawParameters::parse(text.str(), "printed.prm").apply(again);
   EXPECT_EQ(canonical_parameters(prm), canonical_parameters(again));
+  {
+    const ParameterSection deep(again, "Input/Deep");
+    EXPECT_EQ(get_string(again, "Image file"), "/a #1/b\\#.png");
+  }
   const ParameterSection section(again, "Time step");
   EXPECT_EQ(get_double(again, "Fraction"), 0.1234567890123456);
   EXPECT_TRUE(std::isnan(get_double_or_auto(again, "Size")));
+}
+
+TEST(Parameters, AHashBehindABackslashBeginsNoComment)
+{
+  const RawParameters raw =
+    RawParameters::parse("set File = a\\#1/b # comment \\# too\n", "run.prm");
+  EXPECT_EQ(raw.get("File", ""), "a#1/b");
 }
 
 TEST(Parameters, DifferencesAreNamed)
@@ -215,7 +227,7 @@ TEST(Parameters, NamesOfSubsectionsCanBeTyped)
     return raw.section_names("Names", {}, "phase");
   };
   EXPECT_EQ(names("a, b c, a"), (std::vector<std::string>{"a", "b c"}));
-  for (const std::string name : {"b  c", "b\tc", "a/b", "a =", "a\"", ""})
+  for (const std::string name : {"b  c", "b\tc", "a/b", "a =", "a\"", ".", "..", ""})
     expect_contains(user_error([&]() { names("x, " + name); }),
                     "Names: '" + name +
                       "' cannot be the name of a phase; use letters, "

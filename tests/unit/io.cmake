@@ -9,6 +9,7 @@ target_sources(unit_io PRIVATE
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_command_line.cc
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_files.cc
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_hdf5.cc
+  ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_hdf5_contents.cc
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_hdf5_structure.cc
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_hostile_hdf5.cc
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_images.cc)

@@ -168,10 +168,13 @@ TEST(Hdf5, NamesWhatIsMissingOrDoesNotFit)
     Hdf5File file = Hdf5File::create(path);
     file.write_header("mesoslip-rve", 3, 2, "abc");
     file.write("/concentration/SUBC", {2, 3}, counted(6));
-    file.write("/bad", {2}, std::vector<double>{1., std::nan("")});
+    file.write("/bad", {2}, std::vector<double>{1., 12345.678});
     file.write_strings("/text", {"a"});
-    file.write_attribute("/", "infinite", std::numeric_limits<double>::infinity());
+    file.write_attribute("/", "infinite", 8765.4321);
   }
+  const std::string finite = read_file(path);
+  write_file(path, with_number(with_number(finite, 12345.678, std::nan("")), 8765.4321,
+                               std::numeric_limits<double>::infinity()));
   const Hdf5File file = Hdf5File::open(path);
   const auto message  = [&](const auto &action) { return user_error(action); };
   expect_contains(

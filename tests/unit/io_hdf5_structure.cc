@@ -145,7 +145,7 @@ TEST(HostileHdf5, DamagedGroupsAreNotOpened)
   // A node that is its own child.
   const std::size_t node = file.position_of("TREE");
   file.set(node + 5, 1)
-    .set(node + 32, node, 8)
+    .set(node + 32, node - signature_bytes, 8)
     .expect("the list of members of / is a damaged tree)");
 }
 
@@ -169,7 +169,7 @@ TEST(HostileHdf5, HeadersThatContinueInThemselvesAreNotOpened)
   });
   // Type and size of the message, then flags, address and size of the next block.
   const std::size_t message = file.position_of(std::string("\x10\0\x10\0", 4));
-  file.set(message + 8, message, 8)
+  file.set(message + 8, message - signature_bytes, 8)
     .set(message + 16, 24, 8)
     .expect("the header of / goes round in a circle)");
 }

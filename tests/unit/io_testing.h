@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -49,6 +50,19 @@ inline std::string user_error(const std::function<void()> &action)
     }
   ADD_FAILURE() << "no UserError";
   return "";
+}
+
+/** @p bytes with the number @p now in the place of @p before, which has to be there. */
+inline std::string with_number(std::string bytes, const double before, const double now)
+{
+  std::string old(sizeof(before), '\0');
+  std::memcpy(old.data(), &before, sizeof(before));
+  const std::size_t position = bytes.find(old);
+  if (position == std::string::npos)
+    ADD_FAILURE() << before << " is not there";
+  else
+    std::memcpy(bytes.data() + position, &now, sizeof(now));
+  return bytes;
 }
 
 /** Expects that @p text contains @p part. */

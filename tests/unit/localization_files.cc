@@ -11,49 +11,6 @@
 
 using namespace mesoslip_tests;
 
-namespace
-{
-/** A folder with an RVE and a homogeneous run of uniform strain. */
-struct Case
-{
-  TemporaryFolder folder;
-  TestRve rve;
-  VoigtVector<2> strain = VoigtVector<2>(1e-4, -3e-4, 2e-4);
-
-  Case()
-  {
-    rve.write(folder / "rve.h5");
-    write_run(folder / "homogeneous.h5", make_grid(3, 2), {0.}, {state(make_grid(3, 2))},
-              {probe("A", 1.)});
-  }
-
-  /** Displacement of the strain, times @p factor. */
-  std::vector<double> state(const UniformGrid<2> &grid, const double factor = 1.) const
-  {
-    return uniform_strain(grid, factor * strain[0], factor * strain[1],
-                          factor * strain[2]);
-  }
-
-  /** In the centre of cell 1, which is a fibre; two samples. */
-  TestProbe probe(const std::string &name, const double factor) const
-  {
-    TestProbe p{name, {1.5e-3, 0.5e-3}, {0., 1.}, {}, {}};
-    for (const double scale : {factor, 2. * factor})
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          p.strain.push_back(scale * strain[c]);
-          p.stress.push_back(scale * (rve.matrix(1) * strain)[c]);
-        }
-    return p;
-  }
-
-  LocalizationParameters request() const
-  {
-    return mesoslip_tests::request(folder.path);
-  }
-};
-} // namespace
-
 TEST(Localize, UniformMacroscopicStrainGivesTheSolutionOfTheRve)
 {
   Case c;
@@ -173,10 +130,24 @@ TEST(Localize, OnlyTheWindowCounts)
   const VoigtVector<2> stress = c.rve.matrix(0) * c.strain;
   EXPECT_NEAR(result.variants[0].fields.mean_stress[0], 2. * stress[0],
               1e-10 * stress.norm());
-  // Nothing given: from when the run was steady, as its summary says.
-  std::ofstream(c.folder / "summary.json") << "{\"steady_from\": 2.5}";
+  // Nothing given: from when the run was steady, as the file tells; whatever lies beside.
+  std::ofstream(c.folder / "summary.json") << "{\"steady_from\": 0.5}";
   parameters.from = parameters.to = std::nan("");
+  const auto steady_from          = [&](const std::optional<RunConditions> &conditions) {
+    write_run(c.folder / "homogeneous.h5", grid, {0., 1., 2., 3.},
+                       {c.state(grid), c.state(grid), c.state(grid), c.state(grid)}, {},
+                       "0123456789abcdef", {}, conditions);
+  };
+  RunConditions conditions          = steady_conditions();
+  conditions.numbers["steady_from"] = 2.5;
+  steady_from(conditions);
   EXPECT_EQ(localize(parameters).n_snapshots, 1u);
+  steady_from(std::nullopt); // an older file: never the whole run in silence
+  expect_contains(user_error([&]() { localize(parameters); }),
+                  "Window/From is auto, but " + c.folder / "homogeneous.h5" +
+                    " does not tell from when on the run is steady");
+  parameters.from = 0.;
+  EXPECT_EQ(localize(parameters).n_snapshots, 4u);
   parameters.from = 5.;
   const auto text = user_error([&]() { localize(parameters); });
   expect_contains(text, "no snapshot lies between 5");

@@ -4,6 +4,7 @@
 #include "grid/uniform_grid.h"
 #include "homogenization/rve_file.h"
 #include "io/hdf5_file.h"
+#include "io_testing.h"
 #include "localization/localize.h"
 #include "material/stiffness.h"
 
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -119,18 +121,32 @@ struct TestProbe
   std::vector<double> stress;
 };
 
+/** Of a run that is steady from its start. */
+inline RunConditions steady_conditions()
+{
+  RunConditions conditions;
+  conditions.words["analysis"]      = "transient";
+  conditions.numbers["pressure"]    = 5e6;
+  conditions.numbers["steady_from"] = 0.;
+  return conditions;
+}
+
 /** A dynamics.h5 as far as the localization reads it. */
-inline void write_run(const std::string &path,
-                      const UniformGrid<2> &grid,
-                      const std::vector<double> &times,
-                      const std::vector<std::vector<double>> &snapshots,
-                      const std::vector<TestProbe> &probes   = {},
-                      const std::string &rve_digest          = "0123456789abcdef",
-                      const std::vector<std::uint8_t> &phase = {})
+inline void
+write_run(const std::string &path,
+          const UniformGrid<2> &grid,
+          const std::vector<double> &times,
+          const std::vector<std::vector<double>> &snapshots,
+          const std::vector<TestProbe> &probes           = {},
+          const std::string &rve_digest                  = "0123456789abcdef",
+          const std::vector<std::uint8_t> &phase         = {},
+          const std::optional<RunConditions> &conditions = steady_conditions())
 {
   Hdf5File file = Hdf5File::create(path);
   file.write_header("mesoslip-dynamics", 1, 2, "fedcba9876543210");
   write_grid(file, grid);
+  if (conditions)
+    write_run_conditions(file, *conditions);
   file.create_group("/material");
   file.write_attribute("/material", "rve_digest", rve_digest);
   if (!phase.empty())
@@ -169,6 +185,46 @@ inline LocalizationParameters request(const std::string &folder)
   parameters.from = parameters.to = automatic;
   return parameters;
 }
+
+/** A folder with an RVE and a homogeneous run of uniform strain. */
+struct Case
+{
+  TemporaryFolder folder;
+  TestRve rve;
+  VoigtVector<2> strain = VoigtVector<2>(1e-4, -3e-4, 2e-4);
+
+  Case()
+  {
+    rve.write(folder / "rve.h5");
+    write_run(folder / "homogeneous.h5", make_grid(3, 2), {0.}, {state(make_grid(3, 2))},
+              {probe("A", 1.)});
+  }
+
+  /** Displacement of the strain, times @p factor. */
+  std::vector<double> state(const UniformGrid<2> &grid, const double factor = 1.) const
+  {
+    return uniform_strain(grid, factor * strain[0], factor * strain[1],
+                          factor * strain[2]);
+  }
+
+  /** In the centre of cell 1, which is a fibre; two samples. */
+  TestProbe probe(const std::string &name, const double factor) const
+  {
+    TestProbe p{name, {1.5e-3, 0.5e-3}, {0., 1.}, {}, {}};
+    for (const double scale : {factor, 2. * factor})
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          p.strain.push_back(scale * strain[c]);
+          p.stress.push_back(scale * (rve.matrix(1) * strain)[c]);
+        }
+    return p;
+  }
+
+  LocalizationParameters request() const
+  {
+    return mesoslip_tests::request(folder.path);
+  }
+};
 } // namespace mesoslip_tests
 
 #endif

@@ -1,4 +1,3 @@
-#include "io/errors.h"
 #include "io/hdf5/internal.h"
 #include "io/hdf5_file.h"
 
@@ -109,7 +108,10 @@ void Hdf5File::truncate_rows(const std::string &name, const std::size_t n_rows)
 template <typename T>
 void Hdf5File::append(const std::string &name, const T *data, const std::size_t n_rows)
 {
-  append_raw(name, hdf5::native_type<T>(), data, n_rows);
+  const Id type                = hdf5::native_type<T>();
+  const std::size_t row_values = extendable(name, type).row_bytes / sizeof(T);
+  hdf5::require_finite(file_path, "the dataset " + name, data, n_rows * row_values);
+  append_raw(name, type, data, n_rows);
 }
 
 #define MESOSLIP_INSTANTIATE(T) \

@@ -1,10 +1,8 @@
-#include "io/errors.h"
 #include "io/hdf5/internal.h"
 #include "io/hdf5_file.h"
+#include "io/text.h"
 
 #include <algorithm>
-#include <cmath>
-#include <type_traits>
 
 namespace mesoslip
 {
@@ -189,9 +187,9 @@ std::string read_numbers(const hid_t attribute, std::vector<T> &values)
 
 std::string read_numbers(const hid_t attribute, std::vector<std::string> &values)
 {
-  return hdf5::read_all_strings(attribute, true, values)
-           ? ""
-           : "is not a text of fixed length";
+  if (!hdf5::read_all_strings(attribute, true, values))
+    return "is not a text of fixed length";
+  return std::all_of(values.begin(), values.end(), is_utf8) ? "" : "is not UTF-8";
 }
 } // namespace
 
@@ -200,15 +198,25 @@ void Hdf5File::write_attribute(const std::string &object,
                                const std::string &name,
                                const T &value)
 {
+  const auto check = [&](const auto *values, const std::size_t n) {
+    hdf5::require_finite(file_path, "the attribute '" + name + "' of " + object, values,
+                         n);
+  };
   if constexpr (std::is_same<T, std::string>::value)
     write_string_attribute(object, name, {value}, true);
   else if constexpr (std::is_same<T, std::vector<std::string>>::value)
     write_string_attribute(object, name, value, false);
   else if constexpr (IsVector<T>::value)
-    write_raw_attribute(object, name, hdf5::native_type<typename T::value_type>(),
-                        value.data(), value.size(), false);
+    {
+      check(value.data(), value.size());
+      write_raw_attribute(object, name, hdf5::native_type<typename T::value_type>(),
+                          value.data(), value.size(), false);
+    }
   else
-    write_raw_attribute(object, name, hdf5::native_type<T>(), &value, 1, true);
+    {
+      check(&value, 1);
+      write_raw_attribute(object, name, hdf5::native_type<T>(), &value, 1, true);
+    }
 }
 
 template <typename T>

@@ -1,5 +1,7 @@
 #include "io/hdf5/bytes.h"
 
+#include "io/checksum.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -58,6 +60,15 @@ RawFile::RawFile(const std::string &path)
   struct stat status = {};
   if (descriptor >= 0 && fstat(descriptor, &status) == 0)
     n_bytes = static_cast<std::uint64_t>(status.st_size);
+  std::string first(superblock_signature.size(), '\0');
+  const bool at_begin = pread(descriptor, first.data(), first.size(), 0) ==
+                          static_cast<ssize_t>(first.size()) &&
+                        first == superblock_signature;
+  if (!at_begin && n_bytes >= signature_bytes)
+    {
+      start = signature_bytes;
+      n_bytes -= start;
+    }
 }
 
 RawFile::~RawFile()
@@ -79,7 +90,7 @@ std::vector<unsigned char> RawFile::read(const std::uint64_t address,
   n_read += n;
   require(n_read <= often * n_bytes + always_allowed, "goes round in a circle");
   std::vector<unsigned char> bytes(n);
-  require(pread(descriptor, bytes.data(), n, static_cast<off_t>(address)) ==
+  require(pread(descriptor, bytes.data(), n, static_cast<off_t>(start + address)) ==
             static_cast<ssize_t>(n),
           "cannot be read");
   return bytes;

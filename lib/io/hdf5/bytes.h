@@ -26,6 +26,9 @@ inline void require(const bool holds, const char *what)
 /** Of what the format allows, but is not read here. */
 constexpr char other_kind[] = "is of a kind that no program here writes";
 
+/** With which an HDF5 file begins. */
+inline const std::string superblock_signature = "\x89HDF\r\n\x1a\n";
+
 /** An address that stands for none. */
 constexpr std::uint64_t undefined_address = ~std::uint64_t(0);
 
@@ -63,15 +66,22 @@ private:
   std::size_t size;
 };
 
-/** A file that is only read. */
+/** A file that is only read; addresses count from its superblock. */
 class RawFile
 {
 public:
-  /** One that cannot be read is empty. */
+  /** One that cannot be read is empty. Behind a user block of signature_bytes the
+   * superblock is there, otherwise at the begin. */
   explicit RawFile(const std::string &path);
   RawFile(const RawFile &)            = delete;
   RawFile &operator=(const RawFile &) = delete;
   ~RawFile();
+
+  /** Position of the superblock: the base address that it should name. */
+  std::uint64_t base() const
+  {
+    return start;
+  }
 
   /** A Damage if they are not all in the file, or if the whole of it has been read many
    * times: something leads back to where it came from. */
@@ -83,6 +93,8 @@ public:
 
 private:
   int descriptor;
+  std::uint64_t start = 0;
+  /** From the superblock on. */
   std::uint64_t n_bytes        = 0;
   mutable std::uint64_t n_read = 0;
 };

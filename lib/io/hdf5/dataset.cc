@@ -1,10 +1,8 @@
-#include "io/errors.h"
 #include "io/hdf5/internal.h"
 #include "io/hdf5_file.h"
+#include "io/text.h"
 
 #include <algorithm>
-#include <cmath>
-#include <type_traits>
 
 namespace mesoslip
 {
@@ -152,6 +150,7 @@ void Hdf5File::write(const std::string &name,
                      const T *data,
                      const unsigned int compression)
 {
+  hdf5::require_finite(file_path, dataset_text(name), data, hdf5::product(shape));
   write_raw(name, shape, hdf5::native_type<T>(), data, compression);
 }
 
@@ -183,6 +182,8 @@ std::vector<std::string> Hdf5File::read_strings(const std::string &name,
   std::vector<std::string> strings;
   if (!hdf5::read_all_strings(dataset, false, strings))
     fail(dataset_text(name) + " is not a list of texts of fixed length", hint);
+  if (!std::all_of(strings.begin(), strings.end(), is_utf8))
+    fail(dataset_text(name) + " holds a text that is not UTF-8", hint);
   return strings;
 }
 
@@ -219,14 +220,10 @@ void Hdf5File::check_size(const std::string &name,
 template <typename T>
 void Hdf5File::check_finite(const std::string &name, const std::vector<T> &data) const
 {
-  if constexpr (std::is_floating_point<T>::value)
-    {
-      const auto bad = std::find_if(data.begin(), data.end(),
-                                    [](const T x) { return !std::isfinite(x); });
-      if (bad != data.end())
-        fail(dataset_text(name) + " holds a value that is not finite, at position " +
-             std::to_string(bad - data.begin()) + " of " + std::to_string(data.size()));
-    }
+  const std::size_t position = hdf5::find_not_finite(data.data(), data.size());
+  if (position < data.size())
+    fail(dataset_text(name) + " holds a value that is not finite, at position " +
+         std::to_string(position) + " of " + std::to_string(data.size()));
 }
 
 template <typename T>

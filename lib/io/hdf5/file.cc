@@ -1,10 +1,11 @@
 #include "io/hdf5_file.h"
 
+#include "io/checksum.h"
 #include "io/errors.h"
 #include "io/hdf5/internal.h"
 #include "io/hdf5/structure.h"
 #include "io/parameters.h"
-#include "io/version.h"
+#include "io/text.h"
 
 #include <algorithm>
 #include <atomic>
@@ -64,6 +65,7 @@ Hdf5File::Hdf5File(Hdf5File &&other) noexcept
   : file_path(std::move(other.file_path))
   , file(other.file)
   , writable(other.writable)
+  , signature(other.signature)
   , broken(other.broken)
   , pending_exceptions(other.pending_exceptions)
   , extendables(std::move(other.extendables))
@@ -80,6 +82,7 @@ Hdf5File &Hdf5File::operator=(Hdf5File &&other) noexcept
   file_path          = std::move(other.file_path);
   file               = other.file;
   writable           = other.writable;
+  signature          = other.signature;
   broken             = other.broken;
   pending_exceptions = other.pending_exceptions;
   extendables        = std::move(other.extendables);
@@ -109,7 +112,9 @@ Hdf5File Hdf5File::create(const std::string &path)
   const std::string part = path + ".part";
   const Handle access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
-  result.file     = H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE));
+  H5Pset_userblock(creation, signature_bytes);
+  result.file     = H5Fcreate(part.c_str(), H5F_ACC_TRUNC, creation, access);
   result.writable = true;
   if (result.file < 0)
     throw UserError(part +
@@ -143,7 +148,9 @@ Hdf5File::open_as(const std::string &path, const std::string &disk_name, const b
 Hdf5File Hdf5File::open(const std::string &path, const std::string &hint)
 {
   require_readable_file("", path, hint);
-  return open_as(path, path, false);
+  Hdf5File file  = open_as(path, path, false);
+  file.signature = check_signature(path);
+  return file;
 }
 
 Hdf5File Hdf5File::resume(const std::string &path, const std::string &hint)
@@ -185,6 +192,9 @@ void Hdf5File::close()
     return;
   if (writable)
     flush();
+  const std::string format = writable && has_attribute("/", "format")
+                               ? read_attribute<std::string>("/", "format")
+                               : "mesoslip";
   for (auto &[name, target] : extendables)
     H5Dclose(target.dataset);
   extendables.clear();
@@ -194,6 +204,7 @@ void Hdf5File::close()
     return;
   if (!closed)
     fail_writing("cannot be completed");
+  sign_file(file_path + ".part", format);
   std::error_code code;
   std::filesystem::rename(file_path + ".part", file_path, code);
   if (code)
@@ -268,6 +279,9 @@ std::vector<std::string> Hdf5File::list(const std::string &group,
   std::vector<std::string> names;
   if (H5Literate(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names) < 0)
     fail("the group " + group + " cannot be read", hint);
+  for (const std::string &name : names)
+    if (!is_utf8(name))
+      fail("the name of a member of " + group + " is not UTF-8", hint);
   return names;
 }
 
@@ -303,42 +317,5 @@ Hdf5File::Id Hdf5File::open_object(const std::string &name, const std::string &h
   if (!object.valid())
     fail(name + " cannot be opened: the file is damaged", hint);
   return object.release();
-}
-
-void Hdf5File::write_header(const std::string &format,
-                            const int format_version,
-                            const int dim,
-                            const std::string &digest)
-{
-  write_attribute("/", "format", format);
-  write_attribute("/", "format_version", format_version);
-  write_attribute("/", "dim", dim);
-  write_attribute("/", "program_version", std::string(version));
-  write_attribute("/", "digest", digest);
-}
-
-Hdf5Header Hdf5File::check_header(const std::string &format,
-                                  const int max_version,
-                                  const int dim,
-                                  const std::string &hint) const
-{
-  Hdf5Header header;
-  if (!has_attribute("/", "format"))
-    fail("is not a file of format " + format + ": it has no attribute 'format'", hint);
-  header.format = read_attribute<std::string>("/", "format");
-  if (header.format != format)
-    fail("has the format " + header.format + " instead of " + format, hint);
-  header.version = read_attribute<int>("/", "format_version");
-  if (header.version < 1 || header.version > max_version)
-    fail("has version " + std::to_string(header.version) + " of the format " + format +
-         ", but this program knows versions 1 to " + std::to_string(max_version));
-  header.dim = read_attribute<int>("/", "dim");
-  if (dim != 0 && header.dim != dim)
-    fail("is " + std::to_string(header.dim) + "D, but the run is " + std::to_string(dim) +
-           "D",
-         hint);
-  header.program_version = read_attribute<std::string>("/", "program_version");
-  header.digest          = read_attribute<std::string>("/", "digest");
-  return header;
 }
 } // namespace mesoslip

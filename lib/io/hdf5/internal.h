@@ -3,10 +3,15 @@
 
 #include "io/hdf5_file.h"
 
+#include "io/errors.h"
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <hdf5.h>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // Only for the sources of Hdf5File: the HDF5 library's names stay here.
@@ -132,6 +137,33 @@ inline std::size_t product(const Shape &shape)
   for (const std::size_t extent : shape)
     n *= extent;
   return n;
+}
+
+/** Position of the first of @p n values that is not finite; n if all are. */
+template <typename T>
+std::size_t find_not_finite(const T *values, const std::size_t n)
+{
+  if constexpr (std::is_floating_point<T>::value)
+    return static_cast<std::size_t>(
+      std::find_if(values, values + n, [](const T x) { return !std::isfinite(x); }) -
+      values);
+  else
+    return n;
+}
+
+/** @throws NumericalFailure if @p object of the file @p path would get such a value. */
+template <typename T>
+void require_finite(const std::string &path,
+                    const std::string &object,
+                    const T *values,
+                    const std::size_t n)
+{
+  const std::size_t position = find_not_finite(values, n);
+  if (position < n)
+    throw NumericalFailure(path + ": " + object +
+                           " would hold a value that is not finite, at position " +
+                           std::to_string(position) + " of " + std::to_string(n) +
+                           "; look for an input that is far too large, and at its unit");
 }
 
 /** A simple dataspace, or a scalar one for an empty shape. */

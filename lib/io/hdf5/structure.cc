@@ -60,7 +60,7 @@ private:
   {
     const auto block = file.read(0, 96);
     Bytes bytes(block);
-    bytes.signature("\x89HDF\r\n\x1a\n");
+    bytes.signature(superblock_signature.c_str());
     const std::uint64_t versions = bytes.number(5);
     require((versions & 0xff) == 0, other_kind);
     const std::uint64_t address_bytes = bytes.number(1), length_bytes = bytes.number(1);
@@ -71,7 +71,7 @@ private:
     const std::uint64_t base = bytes.number(8);
     bytes.take(16);
     const std::uint64_t driver = bytes.number(8);
-    require(address_bytes == 8 && length_bytes == 8 && base == 0 &&
+    require(address_bytes == 8 && length_bytes == 8 && base == file.base() &&
               driver == undefined_address,
             other_kind);
     bytes.take(8);
