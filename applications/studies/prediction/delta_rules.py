@@ -23,12 +23,17 @@ class Sweep:
 
     def delta_for(self, mu):
         """delta nearest to DELTA at which the sweep has this mu_inter; where it has none, the one that comes closest."""
-        values = np.array([m.mu for m in self.measures]) - mu
-        inside = (self.deltas >= RANGE[0]) & (self.deltas <= RANGE[1])
-        d, v = self.deltas[inside], values[inside]
-        crossings = [d[i] - v[i] * (d[i + 1] - d[i]) / (v[i + 1] - v[i]) for i in range(len(d) - 1)
-                     if v[i] * v[i + 1] <= 0 and v[i] != v[i + 1]]
-        return float(min(crossings, key=lambda x: abs(x - DELTA)) if crossings else d[np.argmin(np.abs(v))])
+        return nearest_root(self.deltas, np.array([m.mu for m in self.measures]) - mu)
+
+
+def nearest_root(deltas, values):
+    """delta in RANGE nearest to DELTA at which `values` [deltas] are zero, linear between the deltas; where they have no zero,
+    the one with the smallest."""
+    inside = (deltas >= RANGE[0]) & (deltas <= RANGE[1])
+    d, v = deltas[inside], values[inside]
+    crossings = [d[i] - v[i] * (d[i + 1] - d[i]) / (v[i + 1] - v[i]) for i in range(len(d) - 1)
+                 if v[i] * v[i + 1] <= 0 and v[i] != v[i + 1]]
+    return float(min(crossings, key=lambda x: abs(x - DELTA)) if crossings else d[np.argmin(np.abs(v))])
 
 
 def mean_over_contact(delta, duration):

@@ -32,16 +32,18 @@ def save(figure, folder, name):
     return name
 
 
-def growth_over_delta(folder, homogeneous, morphologies):
-    """Growth rates of the modes over delta, with the morphologies at theirs."""
+def growth_over_delta(folder, found):
+    """Growth rates of the modes of eq. (10) over delta, with the morphologies at theirs; grey: modes that do not grow there."""
     figure, axes = plt.subplots(figsize=(6.4, 3.6))
     ns = np.array(growth.DELTAS) * 1e9
-    at = growth.DELTAS.index(growth.START)
-    for k in range(homogeneous.shape[1]):
-        frequency = homogeneous[at, k].imag / (2 * np.pi)
-        axes.plot(ns, homogeneous[:, k].real, "-o", ms=3, color=COLOURS[k % len(COLOURS)], label=f"{frequency / 1e3:.1f} kHz")
-        values = [s[k].real for s in morphologies.values()]
-        axes.plot(np.full(len(values), ns[at]) + 25, values, "_", ms=9, color=COLOURS[k % len(COLOURS)])
+    growing = [k for k, s in enumerate(found.paper[growth.AT]) if s.real > 0]
+    for k, branch in enumerate(found.paper.T):
+        colour = COLOURS[growing.index(k)] if k in growing else GREY
+        label = f"{branch[growth.AT].imag / (2e3 * np.pi):.1f} kHz" if k in growing else None
+        axes.plot(ns, branch.real, "-o", ms=3, color=colour, label=label, zorder=3 if k in growing else 2, lw=1.3 if k in growing else 0.7)
+    for k, colour in zip(range(len(growing)), COLOURS):
+        values = [line[k].real for line in found.morphologies.values()]
+        axes.plot(np.full(len(values), ns[growth.AT]) + 25, values, "_", ms=9, color=colour, zorder=3)
     axes.axhline(0, color="black", lw=0.8)
     axes.set(xlabel="δ [ns]", ylabel="growth rate [1/s]", yscale="symlog")
     axes.set_yscale("symlog", linthresh=100)

@@ -1,19 +1,65 @@
-"""Growth rates of steady sliding: of the homogeneous pin over delta, and of each morphology at its delta."""
+"""Growth of steady sliding: all modes that grow, of homogeneous pins over delta and of each morphology at its delta."""
 
-import csv
+import concurrent.futures
+import dataclasses
+import hashlib
 import os
+import time
 
 import numpy as np
+from scipy.optimize import linear_sum_assignment
 
+import delta_rules
+import sliding_search
 from mixture import coarsen, read_cells
-from sliding_modes import SlidingPin, unstable_modes
+from sliding_modes import SlidingPin
 
-CELLS = (140, 40)
+CELLS, FINER = (140, 40), ((280, 80), (560, 160))
 SIZE = (0.056, 0.016)
-FREQUENCIES = np.arange(36e3, 220e3, 4.5e3)  # where modes are looked for
+LIMIT = 2 * np.pi * 350e3  # 1/s; searched at every delta
+COUNTED = 2 * np.pi * 300e3  # 1/s; here the modes are counted as well
+KEPT = -1e4  # 1/s; shapes of modes that decay faster are not stored
 DELTAS = (0.5e-6, 0.75e-6, 1e-6, 1.25e-6, 1.5e-6, 1.75e-6, 2e-6, 2.5e-6, 3e-6)
-START, MODES = 1.5e-6, 5  # the modes are found here, and followed from here
+START = 1.5e-6  # the morphologies' delta; the branches are followed from here
+AT = DELTAS.index(START)
+ALIKE = 0.9  # overlap of the shapes of one branch at neighbouring deltas, at least
 MU, BETA, DENSITY = 0.25, 4.4e-9, 1770.
+
+
+@dataclasses.dataclass
+class Found:
+    """What a search left: modes that decay slower than KEPT, the fastest growing first."""
+    eigenvalues: np.ndarray
+    shapes: np.ndarray
+    residual: float  # the largest of all modes found
+    searched: float
+    bound: float
+    cpu_seconds: float
+
+    @property
+    def growing(self):
+        return self.eigenvalues[self.eigenvalues.real > 0]
+
+
+@dataclasses.dataclass
+class Growth:
+    """Eigenvalues (1/s) of pins that slide steadily. `paper` (eq. (10)) and `mean` (the mean stiffness of the morphologies):
+    [deltas][branches], those that grow at one of the deltas, by frequency. `fastest`: largest growth of `mean` at each delta.
+    `morphologies` {seed: the mode nearest in shape to each branch of `mean` that grows at START}, `overlaps` of these shapes,
+    `leading` {seed: all growing modes}. `refined` {cells: the branches of `paper` that grow at START}. `missed`: growing modes
+    of `paper` at START up to COUNTED that the count has and the search has not."""
+    paper: np.ndarray
+    mean: np.ndarray
+    fastest: np.ndarray
+    morphologies: dict
+    overlaps: dict
+    leading: dict
+    refined: dict
+    missed: int
+    residual: float
+    searched: float
+    bound: float
+    cpu_seconds: float
 
 
 def homogeneous_pin(stiffness, delta, cells=CELLS):
@@ -38,63 +84,125 @@ def matrices(stiffness):
     return d
 
 
-def find_modes(stiffness):
-    """The MODES eigenvalues (1/s) of the homogeneous pin that grow fastest at START, by frequency."""
-    return sorted(unstable_modes(homogeneous_pin(stiffness, START), FREQUENCIES)[:MODES], key=lambda s: s.imag)
+def digest(pin, *others):
+    """Of all that determines a result."""
+    result = hashlib.sha256(repr((pin.mu, pin.delta, pin.beta, *others)).encode())
+    for matrix in (pin.mass, pin.stiffness, pin.friction):
+        for part in (matrix.data, matrix.indices, matrix.indptr):
+            result.update(part.tobytes())
+    return result.hexdigest()[:16]
 
 
-def follow(stiffness, modes):
-    """[delta][mode] eigenvalues of the homogeneous pin, each delta from its neighbour nearer to START."""
-    found = {START: modes}
-    for ordered in ([d for d in DELTAS if d > START], [d for d in DELTAS if d < START][::-1]):
-        previous = modes
-        for delta in ordered:
-            pin = homogeneous_pin(stiffness, delta)
-            previous = [pin.eigenvalue(s)[0] for s in previous]
-            found[delta] = previous
-    return np.array([found[d] for d in DELTAS])
-
-
-def table(folder, stiffness, rves):
-    """Computes or reads growth.csv: rows (name, delta, mode, growth, frequency); `rves` {seed: file}. Returns
-    (modes [deltas][modes], {seed: [modes]})."""
-    path = os.path.join(folder, "growth.csv")
-    key = ",".join(f"{d:.6g}" for d in stiffness) + f";{sorted(rves)};{CELLS};{DELTAS};{MODES}"
-    if not (os.path.exists(path) and _key_of(path) == key):
-        modes = find_modes(stiffness)
-        rows = [("homogeneous", delta, k, s) for delta, line in zip(DELTAS, follow(stiffness, modes))
-                for k, s in enumerate(line)]
-        for seed, rve in rves.items():
-            pin = heterogeneous_pin(rve, START)
-            rows += [(seed, START, k, pin.eigenvalue(s)[0]) for k, s in enumerate(modes)]
+def stored(folder, name, compute):
+    """The arrays {name: array} that `compute` returns, or those it returned before."""
+    path = os.path.join(folder, name + ".npz")
+    if not os.path.exists(path):
+        found = compute()
         os.makedirs(folder, exist_ok=True)
-        with open(path, "w", encoding="utf-8", newline="") as file:
-            writer = csv.writer(file)
-            writer.writerow(["body", "delta [s]", "mode", "growth [1/s]", "frequency [Hz]", key])
-            writer.writerows([n, d, k, repr(s.real), repr(s.imag / (2 * np.pi))] for n, d, k, s in rows)
-    return _read(path)
+        np.savez(path + ".part.npz", **found)
+        os.replace(path + ".part.npz", path)
+    with np.load(path) as file:
+        return dict(file)
 
 
-def _key_of(path):
-    with open(path, encoding="utf-8") as file:
-        return next(csv.reader(file))[-1]
+def solved(folder, pin, limit=LIMIT):
+    """The modes of the pin with frequencies up to `limit`, from `folder` where they are there."""
+    def compute():
+        begin = time.process_time()
+        modes = sliding_search.search(pin, limit)
+        kept = modes.eigenvalues.real > KEPT
+        return {"eigenvalues": modes.eigenvalues[kept], "shapes": modes.shapes[:, kept].astype(np.complex64),
+                "residual": modes.residuals.max(), "searched": modes.searched, "bound": modes.bound,
+                "cpu_seconds": time.process_time() - begin}
+    return Found(**{name: value if value.ndim else float(value)
+                    for name, value in stored(folder, "modes-" + digest(pin, limit, KEPT), compute).items()})
 
 
-def _read(path):
-    homogeneous, morphologies = np.full((len(DELTAS), MODES), complex(np.nan)), {}
-    with open(path, encoding="utf-8") as file:
-        for name, delta, mode, growth, frequency in list(csv.reader(file))[1:]:
-            s = complex(float(growth), 2 * np.pi * float(frequency))
-            if name == "homogeneous":
-                homogeneous[[abs(d - float(delta)) < 1e-12 for d in DELTAS].index(True), int(mode)] = s
-            else:
-                morphologies.setdefault(int(name), np.full(MODES, complex(np.nan)))[int(mode)] = s
-    return homogeneous, morphologies
+def counted(folder, stiffness):
+    """How many growing modes up to COUNTED the search misses, by the argument principle."""
+    pin = homogeneous_pin(stiffness, START)
+    def compute():
+        modes = sliding_search.search(pin, LIMIT).eigenvalues
+        return {"missed": sliding_search.missed(pin, np.concatenate([modes, modes.conj()]), COUNTED)}
+    return int(stored(folder, "count-" + digest(pin, COUNTED), compute)["missed"])
 
 
-def matching_delta(homogeneous, eigenvalue, mode):
-    """delta (s) at which the homogeneous pin's mode grows as `eigenvalue`, by the slope at START; kept in the range
-    of DELTAS."""
-    k = DELTAS.index(START)
-    slope = (homogeneous[k + 1, mode].real - homogeneous[k - 1, mode].real) / (DELTAS[k + 1] - DELTAS[k - 1])
-    return float(np.clip(START + (eigenvalue.real - homogeneous[k, mode].real) / slope, DELTAS[0], DELTAS[-1]))
+def finer(folder, stiffness, cells, eigenvalue):
+    """The eigenvalue of the homogeneous pin on `cells` nearest to that on CELLS, at START."""
+    pin = homogeneous_pin(stiffness, START, cells)
+    name = "finer-" + digest(pin, complex(eigenvalue))
+    return complex(stored(folder, name, lambda: {"eigenvalue": pin.eigenvalue(complex(eigenvalue))[0]})["eigenvalue"])
+
+
+def overlap(first, second, mass):
+    """|u^H M v| of the shapes in the columns of the two; 1 for equal ones."""
+    return abs(first.conj().T @ (mass[:, None] * second))
+
+
+def follow(searches, mass):
+    """[deltas][branches] of `searches`, one a delta: the modes at START, each to its like at the next delta. Those that grow
+    at some delta, by frequency at START; RuntimeError when one that grows belongs to none."""
+    start = searches[AT]
+    chains = {k: {AT: k} for k in range(len(start.eigenvalues))}  # {mode at START: {delta: mode there}}
+    for steps in (range(AT + 1, len(searches)), range(AT - 1, -1, -1)):
+        for here in steps:
+            before = here - 1 if here > AT else here + 1
+            alike = overlap(searches[before].shapes, searches[here].shapes, mass)
+            for chain in chains.values():
+                if before in chain and alike[chain[before]].max() > ALIKE:
+                    chain[here] = int(np.argmax(alike[chain[before]]))
+    lines = [[searches[i].eigenvalues[chain[i]] if i in chain else complex(np.nan, np.nan) for i in range(len(searches))]
+             for chain in chains.values()]
+    branches = np.array(sorted((line for line in lines if np.nanmax(np.real(line)) > 0), key=lambda line: line[AT].imag)).T
+    for delta, found, line in zip(DELTAS, searches, branches):
+        if sorted(line[line.real > 0], key=abs) != sorted(found.growing, key=abs) or np.isnan(line).any():
+            raise RuntimeError(f"branches are not clear at delta = {delta:g} s: {line} for {found.growing}")
+    return branches
+
+
+def counterparts(found, branches, mean, mass):
+    """The modes of `found` that are most like the modes `branches` (1/s) of `mean`, each taken once, and the overlaps."""
+    columns = [int(np.argmin(abs(mean.eigenvalues - s))) for s in branches]
+    alike = overlap(mean.shapes[:, columns], found.shapes, mass)
+    rows, modes = linear_sum_assignment(-alike**2)
+    return found.eigenvalues[modes], alike[rows, modes]
+
+
+def compute(folder, jobs, paper, mean, rves):
+    """Growth of pins with the stiffnesses `paper` and `mean` (D11, D12, D22, D33 in Pa) and the morphologies `rves`
+    {seed: file}; what is in `folder` already is taken from there."""
+    with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
+        bodies = {name: [homogeneous_pin(stiffness, delta) for delta in DELTAS] for name, stiffness in (("paper", paper), ("mean", mean))}
+        mass = bodies["paper"][0].mass.diagonal()
+        whole = pool.submit(solved, folder, bodies["paper"][AT], np.inf)
+        searches = {name: [pool.submit(solved, folder, pin) for pin in pins] for name, pins in bodies.items()}
+        pins = {seed: pool.submit(solved, folder, heterogeneous_pin(rve, START)) for seed, rve in rves.items()}
+        missed = pool.submit(counted, folder, paper)
+        searches = {name: [task.result() for task in tasks] for name, tasks in searches.items()}
+        branches = {name: follow(found, mass) for name, found in searches.items()}
+        growing = [s for s in branches["paper"][AT] if s.real > 0]
+        refined = {cells: [pool.submit(finer, folder, paper, cells, s) for s in growing] for cells in FINER}
+        refined = {cells: np.array([task.result() for task in tasks]) for cells, tasks in refined.items()}
+        pins = {seed: task.result() for seed, task in pins.items()}
+    if len(whole.result().growing) != len(growing):
+        raise RuntimeError(f"modes above {LIMIT / (2 * np.pi):g} Hz grow: {whole.result().growing}")
+    start = branches["mean"][AT]
+    matched = {seed: counterparts(found, start[start.real > 0], searches["mean"][AT], mass) for seed, found in pins.items()}
+    every = [whole.result(), *searches["paper"], *searches["mean"], *pins.values()]
+    return Growth(branches["paper"], branches["mean"][:, start.real > 0],
+                  np.array([found.eigenvalues[0].real for found in searches["mean"]]),
+                  {seed: values for seed, (values, _) in matched.items()}, {seed: overlaps for seed, (_, overlaps) in matched.items()},
+                  {seed: found.growing for seed, found in pins.items()}, refined, missed.result(),
+                  max(found.residual for found in every), min(found.searched for found in every), whole.result().bound,
+                  np.mean([found.cpu_seconds for found in pins.values()]))
+
+
+def matching_delta(growth, mode, eigenvalue):
+    """delta (s) at which the homogeneous pin's mode grows as `eigenvalue`, by the slope at START; kept in the range of DELTAS."""
+    slope = (growth.mean[AT + 1, mode].real - growth.mean[AT - 1, mode].real) / (DELTAS[AT + 1] - DELTAS[AT - 1])
+    return float(np.clip(START + (eigenvalue.real - growth.mean[AT, mode].real) / slope, DELTAS[0], DELTAS[-1]))
+
+
+def matching_delta_of_fastest(growth, seed):
+    """delta (s) at which the fastest mode of the homogeneous pin, whichever it is, grows as that of the morphology."""
+    return delta_rules.nearest_root(np.array(DELTAS), growth.fastest - growth.leading[seed][0].real)

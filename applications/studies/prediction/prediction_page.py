@@ -3,11 +3,10 @@
 import os
 
 import numpy as np
-from scipy import stats
 
 import delta_rules
 import figures
-import growth
+import growth_page
 import rules
 import seeds
 from measures import measure
@@ -28,12 +27,11 @@ def write(folder, data):
               [[load.label, w, d, *measure_row(m)] for (load, w), sweep in sweeps.items() for d, m in zip(sweep.deltas, sweep.measures)])
     write_csv(pictures, "rules.csv", ["load", "window", "rule", "seed", "delta* [s]"],
               [[key[0].label, key[1], name, s, f"{d:.5g}"] for key in keys for name, (_, _, deltas) in tried[key].items() for s, d in deltas.items()])
-    write_csv(pictures, "growth.csv", ["seed", "mode", "growth [1/s]", "frequency [Hz]"],
-              [[s, k, f"{v.real:.6g}", f"{v.imag / 2 / np.pi:.6g}"] for s, line in data.morphologies.items() for k, v in enumerate(line)])
+    growth_page.write_morphologies(pictures, data.growth)
     figures.mu_over_delta(pictures, sweeps, {key: list(found.values()) for key, found in runs.items()})
     for key in keys:
         figures.rule_errors(pictures, {name: e["mu"] for name, e in errors[key].items()}, key)
-    sections = [*_head(data), *_short(data, keys, errors, runs, sweeps, tried), *_theory(), *_scatter(data, keys, sweeps, runs), *_growth(data, keys, runs), *_rules(keys, tried, errors, runs),
+    sections = [*_head(data), *_short(data, keys, errors, runs, sweeps, tried), *_theory(), *_scatter(data, keys, sweeps, runs), *growth_page.prediction_section(data, keys, runs), *_rules(keys, tried, errors, runs),
                 *_verdict(keys, errors, runs, data)]
     with open(os.path.join(folder, "prediction.md"), "w", encoding="utf-8") as file:
         file.write("\n\n".join(sections) + "\n")
@@ -180,39 +178,6 @@ def _fine_row(data, load, window, coarse):
 def _mean(values, digits=4):
     mean, _, half = delta_rules.interval(values)
     return f"{mean:.{digits}f} ± {half:.{digits}f}"
-
-
-def _growth(data, keys, runs):
-    at = growth.DELTAS.index(growth.START)
-    rows = []
-    for k, s in enumerate(data.modes[at]):
-        rates = delta_rules.interval([v[k].real for v in data.morphologies.values()])
-        tones = delta_rules.interval([v[k].imag / 2 / np.pi for v in data.morphologies.values()])
-        stars = delta_rules.interval([1e9 * growth.matching_delta(data.modes, v[k], k) for v in data.morphologies.values()])
-        rows.append([f"{s.imag / 2 / np.pi / 1e3:.2f}", f"{tones[0] / 1e3:.2f} ± {tones[2] / 1e3:.2f}", f"{s.real:.0f}",
-                     f"{rates[0]:.0f} ± {rates[2]:.0f}", f"{rates[1]:.0f}", f"{stars[0]:.0f} ± {stars[2]:.0f}", f"{stars[1]:.0f}"]
-                    + [_rank_correlation(data, runs[key], k) for key in keys])
-    return ["## Growth rates of steady sliding",
-            f"Eigenvalues of the sliding pin on cells of {56 / growth.CELLS[0]:g} mm, homogeneous and with each morphology; the δ* at which the "
-            "homogeneous mode grows as that of the morphology (by the slope over δ at 1500 ns, within the sweep); and Spearman's rank "
-            "correlation over the morphologies of the growth rate with mu_inter:",
-            markdown(["kHz, homogeneous", "kHz, morphologies", "growth, homogeneous [1/s]", "growth, morphologies [1/s]", "deviation",
-                      "δ* [ns]", "deviation"] + [f"correlation, {load.label}, {w}" for load, w in keys], rows),
-            "The frequencies agree within a per cent. The growth rates part widely from one morphology to the next, though the effective stiffnesses agree "
-            "within some tenths of a per cent: a growth rate is a percent or less of the angular frequency, a small difference between what friction feeds in "
-            "and what is lost. Here morphologies differ that are equal in statics and in free vibration; the paper found no such difference (section 3.6.2). "
-            f"With {len(data.morphologies)} morphologies a single correlation is significant at 5 % above {_significant(len(data.morphologies)):.2f}; {len(rows) * len(keys)} are shown, so that one such is to be expected."]
-
-
-def _rank_correlation(data, found, mode):
-    names = [s for s in data.morphologies if s in found]
-    return f"{stats.spearmanr([data.morphologies[s][mode].real for s in names], [found[s].mu for s in names])[0]:+.2f}"
-
-
-def _significant(n, level=0.05):
-    """|r| of n pairs beyond which a correlation is significant (Student's t)."""
-    t = stats.t.ppf(1 - level / 2, n - 2)
-    return t / np.sqrt(n - 2 + t * t)
 
 
 def _rules(keys, tried, errors, runs):

@@ -7,7 +7,7 @@ import numpy as np
 
 import cycle_life
 import figures
-import growth
+import growth_page
 import open_choices
 import regime_map
 import rules
@@ -64,16 +64,15 @@ def coexisting(found):
 
 def write(folder, found, choice_results, lives, data):
     """`found` of regime_map.collect, the results of the part `choices`, `lives` of cycle_life.collect, `data` of the part
-    `seeds` (rules.Data)."""
-    choices, modes = open_choices.collect(choice_results), data.modes
+    `seeds` and of growth (rules.Data)."""
+    choices = open_choices.collect(choice_results)
     pictures = os.path.join(folder, "regimes")
     write_csv(pictures, "regime_map.csv", ["P [Pa]", "delta [s]", "start", "window"] + MEASURE_COLUMNS,
               [[p, d, s, w, *measure_row(m)] for (p, d, s), pair in found.items() for w, m in zip(("early", "late"), pair)])
     write_csv(pictures, "open_choices.csv", ["choice", "window"] + MEASURE_COLUMNS,
               [[n, w, *measure_row(m)] for n, pair in choices.items() for w, m in zip(("early", "late"), pair)])
-    write_csv(pictures, "growth.csv", ["delta [s]", "mode", "growth [1/s]", "frequency [Hz]"],
-              [[d, k, f"{s.real:.6g}", f"{s.imag / 2 / np.pi:.6g}"] for d, line in zip(growth.DELTAS, modes) for k, s in enumerate(line)])
-    figures.growth_over_delta(pictures, modes, data.morphologies)
+    growth_page.write_branches(pictures, data.growth)
+    figures.growth_over_delta(pictures, data.growth)
     figures.regime_maps(pictures, found, AT_REST, "regime_map_rest.png")
     figures.regime_maps(pictures, found, tuple(regime_map.PUSHES), "regime_map_pushed.png")
     figures.search(pictures, found)
@@ -85,7 +84,7 @@ def write(folder, found, choice_results, lives, data):
 
 
 def _sections(found, choices, choice_results, lives, data):
-    return [*_head(found), *_short(found, choices, data), *_identity(found), *_growth(data.modes), *_map(), *_search(found),
+    return [*_head(found), *_short(found, choices, data), *_identity(found), *growth_page.regimes_section(data.growth, found), *_map(), *_search(found),
             *_coexistence(found), *_over_delta(data), *cycle_life.section(lives), *_choices(choices), *_placements(choice_results)]
 
 
@@ -130,7 +129,7 @@ def _short(found, choices, data):
             f"* It is one end of a branch: in {len(branch)} runs, of all delta, M is separated 70 to 90 % of the time late, with main frequencies of {_span([round(m.frequency / 1e3, 1) for m in branch])} kHz "
             f"and mu_inter from {max(m.mu for m in branch):.2f} (small delta) to {min(m.mu for m in branch):.2f} (large delta).\n"
             "* From rest and at higher P/V the map has cycles near 124 and 176 kHz beside those near 41 kHz. Steady sliding has unstable modes near these "
-            "frequencies, and they grow faster than that at 41 kHz.\n"
+            "frequencies, and they grow faster than that at 41 kHz: the fastest is the one near 124 kHz from 1500 ns on, that near 181 kHz below.\n"
             "* The platen and the push are readings, not findings. For the platen: the two modes of fig. 8. For the push: both regimes at both printed pressures.\n"
             f"* The {len(pins[seeds.LOADS[0]])} heterogeneous pins of [prediction](prediction.md), late. {heterogeneous}. In the paper one of two is in regime 2 at 0.4 MPa "
             "(table 3: 0.173 and 0.213), here all are."]
@@ -146,23 +145,6 @@ def _identity(found):
             f"and mean apparent friction are the same to {EQUAL:.0e}; in the others nodes stuck or turned outside the windows, after which motions part. mu_inter itself falls with P/V, by up to "
             f"{mu:.4f} there: it is the power of friction with the relative velocity, and part of the flat's work goes into the pin. So mean mu_app "
             "and mu_inter are not equal, unlike in the paper's remark 1."]
-
-
-def _growth(modes):
-    at = growth.DELTAS.index(growth.START)
-    rows = [[f"{s.imag / 2 / np.pi / 1e3:.1f}"] + [f"{line[k].real:.0f}" for line in modes] for k, s in enumerate(modes[at])]
-    first = min(range(modes.shape[1]), key=lambda k: abs(modes[at, k].imag / 2 / np.pi - 41.6e3))
-    fastest = max(modes[at], key=lambda s: s.real)
-    ratio = fastest.real / modes[at, first].real
-    return ["## Growth of steady sliding",
-            "Eigenvalues of the pin that slides steadily (`sliding_modes.py`: cells of "
-            f"{56 / growth.CELLS[0]:g} mm, converges at second order to the exact dispersion relation of the layer). Growth in 1/s:",
-            markdown(["kHz at 1500 ns"] + [f"δ = {d * 1e9:g} ns" for d in growth.DELTAS], rows),
-            "![growth](regimes/growth.png)",
-            f"At 1500 ns the mode near 41.6 kHz, the paper's main frequency, grows by {modes[at, first].real:.0f} 1/s: a time constant of "
-            f"{1e3 / modes[at, first].real:.1f} ms. The fastest, at {fastest.imag / 2 / np.pi / 1e3:.0f} kHz, grows {ratio:.0f} times as fast. What a run of 1 ms shows "
-            "near 41 kHz is therefore mostly what the start put there; other modes take over later. "
-            "The short strokes beside 1500 ns are the ten morphologies of [prediction](prediction.md)."]
 
 
 def _map():

@@ -16,10 +16,9 @@ MU = 0.25
 
 @dataclasses.dataclass
 class Data:
-    """Results of the part `seeds` and of the growth rates."""
+    """Results of the parts `seeds` and `growth`."""
     results: dict
-    modes: np.ndarray
-    morphologies: dict
+    growth: growth.Growth
 
     def sweep(self, load, window, cells=seeds.COARSE):
         names = {d: seeds.hom_name(load, d, cells) for d in seeds.SWEEP}
@@ -43,18 +42,18 @@ class Data:
         return self.results[seeds.het_name(seed, load, 1)].summary.get("mean_contact_duration")
 
 
-def by_growth(data, pick):
-    """{seed: delta*} that gives the homogeneous pin's mode `pick` the growth rate of the morphology's."""
-    return {s: growth.matching_delta(data.modes, values[pick], pick) for s, values in data.morphologies.items()}
+def by_growth(data, mode):
+    """{seed: delta*} that gives this mode of the homogeneous pin the growth rate of its like in the morphology."""
+    return {s: growth.matching_delta(data.growth, mode, values[mode]) for s, values in data.growth.morphologies.items()}
+
+
+def by_fastest(data):
+    """{seed: delta*} that gives the fastest mode of the homogeneous pin the growth rate of that of the morphology."""
+    return {s: growth.matching_delta_of_fastest(data.growth, s) for s in data.growth.leading}
 
 
 def mode_near(data, frequency):
-    at = growth.DELTAS.index(growth.START)
-    return int(np.argmin(np.abs(data.modes[at].imag / (2 * np.pi) - frequency)))
-
-
-def fastest_mode(data):
-    return int(np.argmax(data.modes[growth.DELTAS.index(growth.START)].real))
+    return int(np.argmin(np.abs(data.growth.mean[growth.AT].imag / (2 * np.pi) - frequency)))
 
 
 def matched(data, load, window, times, cells):
@@ -71,7 +70,7 @@ def all_rules(data, load, window):
     return {
         "δ* = δ": ("nothing", 0., {s: seeds.DELTA for s in references}),
         "growth, 41.6 kHz mode": ("eigenvalue", None, by_growth(data, mode_near(data, 41.6e3))),
-        "growth, fastest mode": ("eigenvalue", None, by_growth(data, fastest_mode(data))),
+        "growth, fastest mode": ("eigenvalue", None, by_fastest(data)),
         "short run": ("run of 0.5 ms", SHORT[1] / seeds.END, matched(data, load, SHORT, 1, seeds.COARSE)),
         "coarse run": ("run on cells of 0.4 mm", coarse, matched(data, load, window, 2, seeds.COARSER)),
         "other morphologies": ("full runs of the others, once for all", 0., {s: np.mean([d for t, d in best.items() if t != s]) for s in best}),

@@ -61,19 +61,21 @@ def run_seeds(arguments):
     return study.run()
 
 
-def growth_rates(arguments, results):
-    """Of the homogeneous pin with the mean stiffness, and of the morphologies."""
+def run_growth(arguments):
+    """Eigenvalues of the homogeneous pins and of the morphologies; of runs it needs only these."""
+    study = study_of(arguments, "seeds")
+    seeds.add_morphologies(study, prm("rve_homogenization-morphology"))
+    results = study.run()
     mean, _ = seeds.mean_stiffness(results)
     files = {seed: os.path.join(results[f"rve-{seed}"].folder, "rve.h5") for seed in seeds.SEEDS}
-    return growth.table(os.path.join(arguments.output, "growth"), mean, files)
+    return growth.compute(os.path.join(arguments.output, "growth"), arguments.jobs, open_choices.PAPER_STIFFNESS, mean, files)
 
 
 def write_pages(arguments):
     """Both pages; runs that are missing are made first."""
     folder = os.path.join(TOP, "doc", "paper")
     results = run_seeds(arguments)
-    modes, morphologies = growth_rates(arguments, results)
-    data = rules.Data(results, modes, morphologies)
+    data = rules.Data(results, run_growth(arguments))
     choices = run_choices(arguments)
     regimes_page.write(folder, regime_map.collect(run_map(arguments)), choices,
                        cycle_life.collect(run_cycles(arguments)), data)
@@ -81,7 +83,8 @@ def write_pages(arguments):
     print(os.path.join(folder, "regimes.md"), os.path.join(folder, "prediction.md"), sep="\n")
 
 
-PARTS = {"map": run_map, "choices": run_choices, "cycles": run_cycles, "seeds": run_seeds, "pages": write_pages}
+PARTS = {"map": run_map, "choices": run_choices, "cycles": run_cycles, "seeds": run_seeds, "growth": run_growth,
+         "pages": write_pages}
 
 
 def main():

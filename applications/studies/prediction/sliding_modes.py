@@ -100,13 +100,3 @@ def _kept_unknowns(n, contact, top, platen):
         rows = np.concatenate([rows, 2 * top + 1])
         cols = np.concatenate([cols, np.full(len(top), len(kept))])
     return sparse.coo_matrix((np.ones(len(rows)), (rows, cols)), shape=(n, len(kept) + int(platen))).tocsr()
-
-
-def unstable_modes(pin, frequencies):
-    """Distinct eigenvalues near i 2 pi f for f in `frequencies` (Hz), the fastest growing first."""
-    found = []
-    for f in frequencies:
-        s, _ = pin.eigenvalue(complex(0, 2 * np.pi * f))
-        if np.isfinite(s) and all(abs(s - other) > 1e-6 * abs(s) for other in found):
-            found.append(s)
-    return sorted(found, key=lambda s: -s.real)
