@@ -30,27 +30,24 @@ std::string times(const unsigned int x, const unsigned int y)
   return std::to_string(x) + " x " + std::to_string(y);
 }
 
-/** Coarse cells may swallow a phase, or swell it. */
-std::vector<std::string> coarsening_warnings(const ImageMap &image,
-                                             const PhaseParameters &parameters)
+/** Coarse cells may swallow a phase, or swell it; empty when they do neither. */
+std::string coarsening_warning(const ImageMap &image, const PhaseParameters &parameters)
 {
   // Fibres eight times as stiff as their matrix contribute seven times their fraction:
   // 1 % more of them are some percent of stiffness. What a rare phase contributes changes
   // in proportion.
   constexpr double absolute = 0.01, relative = 0.1;
-  std::vector<std::string> warnings;
+  std::string changes;
   const auto fractions = area_fractions(image.map, image.phases.size());
   for (std::size_t p = 0; p < fractions.size(); ++p)
-    {
-      const double before = image.phases[p].fraction;
-      if (!(std::abs(fractions[p] - before) <= std::min(absolute, relative * before)))
-        warnings.push_back("phase '" + parameters.phases[p].name + "' is " +
-                           percent(before) + " of the image and " +
-                           percent(fractions[p]) +
-                           " of the cells, each of which takes the majority of its "
-                           "pixels; for the composite of the image, increase Grid/Cells");
-    }
-  return warnings;
+    if (const double before = image.phases[p].fraction;
+        !(std::abs(fractions[p] - before) <= std::min(absolute, relative * before)))
+      changes += (changes.empty() ? "phase '" : ", phase '") + parameters.phases[p].name +
+                 "' is " + percent(before) + " of the image and " +
+                 percent(fractions[p]) + " of the cells";
+  return changes.empty() ? ""
+                         : changes + ", as each cell takes the majority of its pixels; "
+                                     "for the composite of the image increase Grid/Cells";
 }
 
 std::string image_text(const ImageMap &image, const std::string &file)
@@ -97,8 +94,9 @@ Microstructure read_image_map(const MicrostructureParameters &p)
     p.grid.grid(), p.file,
     {p.image_values, static_cast<unsigned int>(p.phases.phases.size()), p.oblong_pixels});
   Microstructure result;
-  result.map         = image.map;
-  result.warnings    = coarsening_warnings(image, p.phases);
+  result.map = image.map;
+  if (const std::string warning = coarsening_warning(image, p.phases); !warning.empty())
+    result.warnings.push_back(warning);
   result.description = phase_texts(image.map, p.phases, image.phases);
   result.description.insert(result.description.begin(), image_text(image, p.file));
   return result;

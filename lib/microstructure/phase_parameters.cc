@@ -159,7 +159,7 @@ std::string SinglePhaseParameters::angle_warning() const
     return "";
   return "'Phases/" + name + "/Angle' is " + to_text(angle) +
          " rad, more than a full turn; " + to_text(angle) + " degrees would be " +
-         to_text(std::round(angle * M_PI / 180. * 1e6) * 1e-6) + " rad";
+         to_text(std::round(angle * M_PI / 180. * 1e6) / 1e6) + " rad";
 }
 
 Phase<2> SinglePhaseParameters::phase() const

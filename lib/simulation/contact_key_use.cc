@@ -36,7 +36,8 @@ void check_body(const KeyUse &use)
   use.only_with("Body/Material", {"homogeneous"}, {"Body/Stiffness from"});
 }
 
-// The pressure of a held top is what mu_inter refers to.
+// The pressure of a held top is left: the limit cycle is judged on the scale of its
+// power.
 void check_loads(const KeyUse &use)
 {
   for (const std::string section : {"Flat/", "Top/"})

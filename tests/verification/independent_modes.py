@@ -79,7 +79,7 @@ def morphology(folder, phases):
     for name, d, density in zip("abc", STIFFNESS, DENSITY):
         text += f" subsection {name}\n  set Type = stiffness\n  set Stiffness coefficients = {', '.join(map(str, d))}\n"
         text += f"  set Density = {density}\n end\n"
-    text += "end\nsubsection Microstructure\n set Type = image\n set File = map.txt\nend\n"
+    text += "end\nsubsection Microstructure\n set Type = image\n set File = map.txt\n set Oblong pixels = true\nend\n"
     text += "subsection Homogenization\n set Boundary conditions = KUBC\n set Effective = KUBC\nend\n"
     write(folder, "rve.prm", text)
 
