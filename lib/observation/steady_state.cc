@@ -23,7 +23,7 @@ constexpr double withdrawal = 2.;
 constexpr double check_spacing = 0.02;
 
 /** Samples from which the period is estimated at most; up to twice as many are kept. */
-constexpr std::size_t period_samples = 16384;
+constexpr std::size_t period_samples = 8192;
 
 /** Columns of the record; the displacements follow. */
 enum Column : std::size_t

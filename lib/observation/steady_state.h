@@ -142,7 +142,7 @@ private:
   double sample_step() const;
   void check();
 
-  /** Period of the latter half of the samples, or of the last 16384 of them; nothing if
+  /** Period of the latter half of the samples, or of the last 8192 of them; nothing if
    * they show no vibration. */
   std::optional<double> estimate_period() const;
 

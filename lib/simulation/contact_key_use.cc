@@ -36,8 +36,7 @@ void check_body(const KeyUse &use)
   use.only_with("Body/Material", {"homogeneous"}, {"Body/Stiffness from"});
 }
 
-// The pressure of a held top is left: the limit cycle is judged on the scale of its
-// power.
+// The pressure of a held top only scales what the judgement of the limit cycle neglects.
 void check_loads(const KeyUse &use)
 {
   for (const std::string section : {"Flat/", "Top/"})
