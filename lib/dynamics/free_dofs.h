@@ -34,7 +34,9 @@ public:
   /** A component of a node; of the first node of the top row for the platen. */
   struct Place
   {
-    unsigned int component, i, j;
+    unsigned int component; ///< 0: x, 1: y
+    unsigned int i;         ///< column of nodes
+    unsigned int j;         ///< row of nodes
   };
 
   /** What platen() is without one. */

@@ -33,8 +33,9 @@ std::optional<RunConditions> read_run_conditions(const Hdf5File &file);
 /** One condition in which two runs differ. */
 struct ConditionDifference
 {
-  std::string name;          ///< of the attribute
-  std::string first, second; ///< values with unit; "none" where it does not apply
+  std::string name;  ///< of the attribute
+  std::string first; ///< value with unit in the first run; "none" where it does not apply
+  std::string second; ///< the same in the second run
   /**
    * Whether results of the two runs cannot be compared: load, support or friction
    * coefficient differ. False for what is part of the method or adapted on purpose: time
