@@ -5,6 +5,7 @@
 #include "grid/nodal_field.h"
 #include "grid/uniform_grid.h"
 
+#include <limits>
 #include <mpi.h>
 
 namespace mesoslip
@@ -30,7 +31,7 @@ struct Deformation
    * Smallest determinant of the deformation gradient 1 + grad u at a corner of a cell; a
    * cell is turned inside out where it is not positive [-].
    */
-  CellExtreme jacobian = {1., 0, 0};
+  CellExtreme jacobian = {std::numeric_limits<double>::infinity(), 0, 0};
 };
 
 /**

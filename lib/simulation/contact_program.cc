@@ -7,6 +7,7 @@
 #include "io/raw_parameters.h"
 #include "io/run_context.h"
 #include "io/version.h"
+#include "material/plausibility.h"
 #include "simulation/contact_parameters.h"
 #include "simulation/friction_homogenization.h"
 #include "simulation/modal.h"
@@ -88,7 +89,7 @@ Need check_transient(const ContactParameters &parameters, const Scene &scene)
   const double n_steps = largest_number_of_steps(parameters, material);
   if (!(n_steps <= most_steps))
     throw UserError("Time/End time: " + to_text(parameters.time.end_time) + " s are " +
-                    to_text(n_steps) +
+                    quantity_text(n_steps, "") +
                     " steps, more than any run can do; are Body/Size in m, the stiffness "
                     "in Pa, the density in kg/m^3 and the times in s?");
   check_steady_from(parameters, material, n_steps);

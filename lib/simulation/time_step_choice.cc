@@ -35,12 +35,14 @@ std::string TimeStepChoice::text() const
 void require_frequency(const UniformMaterial &material)
 {
   const double omega = element_frequency_bound(material);
-  if (!(omega > 0.) || !std::isfinite(omega))
-    throw UserError(
-      "Body: stiffness, density and cells of " + to_text(material.grid().spacing[0]) +
-      " x " + to_text(material.grid().spacing[1]) +
-      " m give a cell no frequency of vibration that a number can hold; are Size in m, "
-      "Stiffness in Pa and Density in kg/m^3?");
+  // Its square is multiplied and divided by lengths and times.
+  if (!(omega > 1e-100 && omega < 1e100))
+    throw UserError("Body: stiffness, density and cells of " +
+                    to_text(material.grid().spacing[0]) + " x " +
+                    to_text(material.grid().spacing[1]) +
+                    " m give a cell no frequency of vibration that can be computed with; "
+                    "are Size in m, "
+                    "Stiffness in Pa and Density in kg/m^3?");
 }
 
 unsigned int statistics_interval(const UniformMaterial &material, const double dt)

@@ -71,7 +71,7 @@ def check_dynamics(programs, folder, ranks):
         "Body/RVE file": os.path.join(folder, RVE, "rve.h5"), "Body/Cells": "140, 40", "Time/End time": 1e-3, "Checkpoints/Interval": 1e-5, "Checkpoints/Keep": "true"}, ranks)
     check_sums(rows)
     check_rows(rows, "total", ["Critical time step", "Time loop", "Checkpoints", "Evaluation and output", "other"])
-    check_rows(rows, "Time loop", ["Stability monitor", "Energies", "Probes", "Snapshots", "Steps", "Limit cycle, requests",
+    check_rows(rows, "Time loop", ["Stability monitor", "Strains", "Energies", "Probes", "Snapshots", "Steps", "Limit cycle, requests",
                                    "Checkpoints", "other"])
     check_rows(rows, "Snapshots", ["Writing snapshots", "other"])
     check_rows(rows, "Steps", ["Contact and its histories", "Top and its histories" if ranks == 1 else "Exchange between ranks",
