@@ -8,7 +8,6 @@ import subprocess
 import sys
 import tempfile
 
-import h5py
 import numpy as np
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
@@ -105,27 +104,14 @@ def fastest_mode_of_the_pin():
         close("its frequency", s.imag / 2e3 / np.pi, frequency, 1e-4)
 
 
-def lines_of(values, step, length=160, noise=1e-9):
-    """Complex rates (1/s) of the exponentials of which `values`, `step` apart, are a sum: the matrix pencil method."""
-    windows = np.lib.stride_tricks.sliding_window_view(values, length + 1)
-    _, sizes, rows = np.linalg.svd(windows, full_matrices=False)
-    rows = rows[sizes > noise * sizes[0]]
-    return np.log(np.linalg.eigvals(np.linalg.lstsq(rows[:, :-1].T, rows[:, 1:].T, rcond=None)[0]).astype(complex)) / step
-
-
 def growth_of_a_run(programs):
     """contact_dynamics after a slow ramp, all nodes sliding: growth and frequency of the fastest mode and of that near 41.6 kHz."""
-    delta, cells, begin = 2.5e-6, (28, 8), 1.1e-3
-    settings = {"Body/Cells": "28, 8", "Friction/Regularization time": delta, "Flat/Velocity": 50, "Top/Ramp": "smooth",
-                "Top/Ramp time": 1e-3, "Time/Time step": 4e-9, "Time/End time": 3e-3, "Observation/History interval": 1000,
-                "Observation/Energy interval": 0}
+    delta, cells, begin, end = 2.5e-6, (28, 8), 1.1e-3, 3e-3
+    settings = {**growth.RAMPED, "Body/Cells": "28, 8", "Friction/Regularization time": delta, "Time/End time": end}
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([os.path.join(programs, "contact_dynamics"), os.path.join(TOP, "prm", "prediction", "contact_dynamics-homogeneous.prm"),
                         "--output", folder, "--quiet", *(f"--set={key}={value}" for key, value in settings.items())], check=True)
-        with h5py.File(os.path.join(folder, "dynamics.h5"), "r") as file:
-            time, displacement = file["reference/time"][:], file["reference/displacement"][:, 0]
-            assert np.all(file["history/slipping_nodes"][:][file["history/time"][:] > begin] == cells[0] + 1), "a node stuck or left the flat"
-    seen = lines_of(displacement[time > begin], time[1] - time[0])
+        seen = measures.sliding_rates(folder, begin, end)
     modes = sliding_search.search(growth.homogeneous_pin(np.array(PAPER), delta, cells), 2 * np.pi * 200e3).eigenvalues
     for s in (modes[0], modes[np.argmin(abs(modes.imag - 2 * np.pi * 41.6e3))]):
         line = seen[np.argmin(abs(seen - s))]

@@ -11,6 +11,7 @@ from scipy.optimize import linear_sum_assignment
 
 import delta_rules
 import sliding_search
+from measures import sliding_rates
 from mixture import coarsen, read_cells
 from sliding_modes import SlidingPin
 
@@ -24,6 +25,10 @@ START = 1.5e-6  # the morphologies' delta; the branches are followed from here
 AT = DELTAS.index(START)
 ALIKE = 0.9  # overlap of the shapes of one branch at neighbouring deltas, at least
 MU, BETA, DENSITY = 0.25, 4.4e-9, 1770.
+# A run of the homogeneous pin that keeps sliding: its growth is that of the eigenvalues from WINDOW on, until nodes leave the flat.
+RAMPED = {"Flat/Velocity": 50, "Top/Ramp": "smooth", "Top/Ramp time": 1e-3, "Time/Time step": 4e-9, "Observation/History interval": 500,
+          "Observation/Energy interval": 0}
+WINDOW = (1.05e-3, 1.6e-3)  # s
 
 
 @dataclasses.dataclass
@@ -46,8 +51,8 @@ class Growth:
     """Eigenvalues (1/s) of pins that slide steadily. `paper` (eq. (10)) and `mean` (the mean stiffness of the morphologies):
     [deltas][branches], those that grow at one of the deltas, by frequency. `fastest`: largest growth of `mean` at each delta.
     `morphologies` {seed: the mode nearest in shape to each branch of `mean` that grows at START}, `overlaps` of these shapes,
-    `leading` {seed: all growing modes}. `refined` {cells: the branches of `paper` that grow at START}. `missed`: growing modes
-    of `paper` at START up to COUNTED that the count has and the search has not."""
+    `leading` {seed: all growing modes}. `refined` {cells: the branches of `paper` that grow at START}, `seen` these in a run.
+    `missed`: growing modes of `paper` at START up to COUNTED that the count has and the search has not."""
     paper: np.ndarray
     mean: np.ndarray
     fastest: np.ndarray
@@ -55,11 +60,11 @@ class Growth:
     overlaps: dict
     leading: dict
     refined: dict
+    seen: np.ndarray
     missed: int
     residual: float
     searched: float
     bound: float
-    cpu_seconds: float
 
 
 def homogeneous_pin(stiffness, delta, cells=CELLS):
@@ -86,8 +91,12 @@ def matrices(stiffness):
 
 def digest(pin, *others):
     """Of all that determines a result."""
-    result = hashlib.sha256(repr((pin.mu, pin.delta, pin.beta, *others)).encode())
-    for matrix in (pin.mass, pin.stiffness, pin.friction):
+    return _digest((pin.mass, pin.stiffness, pin.friction), pin.mu, pin.delta, pin.beta, *others)
+
+
+def _digest(sparse_matrices, *others):
+    result = hashlib.sha256(repr(others).encode())
+    for matrix in sparse_matrices:
         for part in (matrix.data, matrix.indices, matrix.indptr):
             result.update(part.tobytes())
     return result.hexdigest()[:16]
@@ -99,17 +108,23 @@ def stored(folder, name, compute):
     if not os.path.exists(path):
         found = compute()
         os.makedirs(folder, exist_ok=True)
-        np.savez(path + ".part.npz", **found)
-        os.replace(path + ".part.npz", path)
+        part = f"{path}.{os.getpid()}.npz"  # another process may compute the same
+        np.savez(part, **found)
+        os.replace(part, path)
     with np.load(path) as file:
         return dict(file)
+
+
+def radius_of(folder, pin):
+    name = "radius-" + _digest((pin.stiffness, pin.friction))
+    return float(stored(folder, name, lambda: {"radius": sliding_search.numerical_radius(pin)})["radius"])
 
 
 def solved(folder, pin, limit=LIMIT):
     """The modes of the pin with frequencies up to `limit`, from `folder` where they are there."""
     def compute():
         begin = time.process_time()
-        modes = sliding_search.search(pin, limit)
+        modes = sliding_search.search(pin, limit, radius_of(folder, pin))
         kept = modes.eigenvalues.real > KEPT
         return {"eigenvalues": modes.eigenvalues[kept], "shapes": modes.shapes[:, kept].astype(np.complex64),
                 "residual": modes.residuals.max(), "searched": modes.searched, "bound": modes.bound,
@@ -168,9 +183,14 @@ def counterparts(found, branches, mean, mass):
     return found.eigenvalues[modes], alike[rows, modes]
 
 
-def compute(folder, jobs, paper, mean, rves):
+def add_run(study, prm):
+    study.add("ramped", "contact_dynamics", prm, {"Body/Cells": list(CELLS), "Friction/Regularization time": START, **RAMPED,
+                                                  "Time/End time": WINDOW[1]})
+
+
+def compute(folder, jobs, paper, mean, rves, run):
     """Growth of pins with the stiffnesses `paper` and `mean` (D11, D12, D22, D33 in Pa) and the morphologies `rves`
-    {seed: file}; what is in `folder` already is taken from there."""
+    {seed: file}; `run` is the folder of add_run's. What is in `folder` already is taken from there."""
     with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
         bodies = {name: [homogeneous_pin(stiffness, delta) for delta in DELTAS] for name, stiffness in (("paper", paper), ("mean", mean))}
         mass = bodies["paper"][0].mass.diagonal()
@@ -187,14 +207,15 @@ def compute(folder, jobs, paper, mean, rves):
     if len(whole.result().growing) != len(growing):
         raise RuntimeError(f"modes above {LIMIT / (2 * np.pi):g} Hz grow: {whole.result().growing}")
     start = branches["mean"][AT]
+    rates = sliding_rates(run, *WINDOW)
+    seen = np.array([rates[np.argmin(abs(rates - s))] for s in growing])
     matched = {seed: counterparts(found, start[start.real > 0], searches["mean"][AT], mass) for seed, found in pins.items()}
     every = [whole.result(), *searches["paper"], *searches["mean"], *pins.values()]
     return Growth(branches["paper"], branches["mean"][:, start.real > 0],
                   np.array([found.eigenvalues[0].real for found in searches["mean"]]),
                   {seed: values for seed, (values, _) in matched.items()}, {seed: overlaps for seed, (_, overlaps) in matched.items()},
-                  {seed: found.growing for seed, found in pins.items()}, refined, missed.result(),
-                  max(found.residual for found in every), min(found.searched for found in every), whole.result().bound,
-                  np.mean([found.cpu_seconds for found in pins.values()]))
+                  {seed: found.growing for seed, found in pins.items()}, refined, seen, missed.result(),
+                  max(found.residual for found in every), min(found.searched for found in every), whole.result().bound)
 
 
 def matching_delta(growth, mode, eigenvalue):

@@ -86,3 +86,24 @@ def main_line(time, values):
     left, top, right = np.log(amplitudes[peak - 1:peak + 2] + 1e-300)
     shift = 0.5 * (left - right) / (left - 2 * top + right)
     return float(frequencies[peak] + shift * frequencies[1]), float(amplitudes[peak])
+
+
+def rates(values, step, length=160, noise=1e-10):
+    """Growth rate + i angular frequency (1/s) of the exponentials of which `values`, `step` (s) apart, are a sum: the matrix
+    pencil method with windows of `length` steps; what is below `noise` of the largest singular value is left out."""
+    windows = np.lib.stride_tricks.sliding_window_view(values, length + 1)
+    _, sizes, rows = np.linalg.svd(windows, full_matrices=False)
+    rows = rows[sizes > noise * sizes[0]]
+    return np.log(np.linalg.eigvals(np.linalg.lstsq(rows[:, :-1].T, rows[:, 1:].T, rcond=None)[0]).astype(complex)) / step
+
+
+def sliding_rates(folder, begin, end):
+    """`rates` of u_x of the middle contact node in the run in `folder` between two times (s); all nodes have to slide there."""
+    with h5py.File(os.path.join(folder, "dynamics.h5"), "r") as file:
+        time, displacement = file["reference/time"][:], file["reference/displacement"][:, 0]
+        history = file["history/time"][:]
+        other = file["history/sticking_nodes"][:] + file["history/separated_nodes"][:]
+    if np.any(other[(history >= begin) & (history <= end)]):
+        raise ValueError(f"{folder}: a node sticks or leaves the flat between {begin:g} and {end:g} s")
+    inside = (time >= begin) & (time <= end)
+    return rates(displacement[inside], time[1] - time[0])

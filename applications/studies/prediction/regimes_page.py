@@ -129,7 +129,7 @@ def _short(found, choices, data):
             f"* It is one end of a branch: in {len(branch)} runs, of all delta, M is separated 70 to 90 % of the time late, with main frequencies of {_span([round(m.frequency / 1e3, 1) for m in branch])} kHz "
             f"and mu_inter from {max(m.mu for m in branch):.2f} (small delta) to {min(m.mu for m in branch):.2f} (large delta).\n"
             "* From rest and at higher P/V the map has cycles near 124 and 176 kHz beside those near 41 kHz. Steady sliding has unstable modes near these "
-            "frequencies, and they grow faster than that at 41 kHz: the fastest is the one near 124 kHz from 1500 ns on, that near 181 kHz below.\n"
+            f"frequencies, and they grow faster than that at 41 kHz: the fastest is that {growth_page.fastest_branches(data.growth)}.\n"
             "* The platen and the push are readings, not findings. For the platen: the two modes of fig. 8. For the push: both regimes at both printed pressures.\n"
             f"* The {len(pins[seeds.LOADS[0]])} heterogeneous pins of [prediction](prediction.md), late. {heterogeneous}. In the paper one of two is in regime 2 at 0.4 MPa "
             "(table 3: 0.173 and 0.213), here all are."]

@@ -62,13 +62,15 @@ def run_seeds(arguments):
 
 
 def run_growth(arguments):
-    """Eigenvalues of the homogeneous pins and of the morphologies; of runs it needs only these."""
+    """Eigenvalues of the homogeneous pins and of the morphologies; of runs it needs these and one of a homogeneous pin."""
     study = study_of(arguments, "seeds")
     seeds.add_morphologies(study, prm("rve_homogenization-morphology"))
     results = study.run()
     mean, _ = seeds.mean_stiffness(results)
     files = {seed: os.path.join(results[f"rve-{seed}"].folder, "rve.h5") for seed in seeds.SEEDS}
-    return growth.compute(os.path.join(arguments.output, "growth"), arguments.jobs, open_choices.PAPER_STIFFNESS, mean, files)
+    ramped = study_of(arguments, "growth")
+    growth.add_run(ramped, prm("contact_dynamics-homogeneous"))
+    return growth.compute(ramped.folder, arguments.jobs, open_choices.PAPER_STIFFNESS, mean, files, ramped.run()["ramped"].folder)
 
 
 def write_pages(arguments):

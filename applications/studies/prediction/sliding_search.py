@@ -100,8 +100,9 @@ class Region:
 
     The left side grows with a, and for a = 0 with w; the right side falls."""
 
-    def __init__(self, pin):
-        self.beta, self.delta, self.strength = pin.beta, pin.delta, pin.mu * numerical_radius(pin)
+    def __init__(self, pin, radius=None):
+        """`radius`: numerical_radius(pin), which does not depend on mu, delta and beta, where it is known."""
+        self.beta, self.delta, self.strength = pin.beta, pin.delta, pin.mu * (radius or numerical_radius(pin))
         if not self.strength < 1:
             raise ValueError(f"mu times the numerical radius of friction is {self.strength:g}; below 1 growth is bounded")
         low, high = 0., 1.
@@ -127,9 +128,9 @@ def count_at(omega):
     return int(np.clip(omega / (2 * np.pi * 10e3), 4, 40))
 
 
-def search(pin, limit=np.inf, region=None):
+def search(pin, limit=np.inf, radius=None):
     """Modes of the region up to Im s = `limit` (1/s), by overlapping discs."""
-    region = region or Region(pin)
+    region = Region(pin, radius)
     end, edge, reach, discs, shapes = min(limit, region.bound), 0., 2 * np.pi * 20e3, [], []
     while edge < end:
         middle = edge + 0.85 * reach
