@@ -113,6 +113,9 @@ SolverReport ConjugateGradients::solve(NodalField<double> &u,
   SolverReport report;
   const double initial = std::sqrt(dot(r, r));
   double rho           = 0.;
+  if (!std::isfinite(initial))
+    throw NotConverged("conjugate gradients met numbers that are not finite",
+                       NotConverged::Reason::not_finite);
   while (initial > 0.)
     {
       const double norm = std::sqrt(dot(r, r));
@@ -125,7 +128,9 @@ SolverReport ConjugateGradients::solve(NodalField<double> &u,
           message << "conjugate gradients stopped after " << report.iterations
                   << " iterations at a relative residual of " << report.residual
                   << ", wanted " << tolerance;
-          throw NotConverged(message.str());
+          throw NotConverged(message.str(), std::isfinite(norm)
+                                              ? NotConverged::Reason::iterations
+                                              : NotConverged::Reason::not_finite);
         }
       precondition(z, r);
       const double rho_new = dot(r, z), beta = report.iterations > 0 ? rho_new / rho : 0.;

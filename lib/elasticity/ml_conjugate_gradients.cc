@@ -8,6 +8,7 @@
 #include <ml_MultiLevelPreconditioner.h>
 #include <ml_utils.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace mesoslip
@@ -103,6 +104,9 @@ MlConjugateGradients::solve(Vector &u, const Vector &force, const double toleran
   r.sadd(-1., 1., force);
   clear_held(r, false);
   const double reference = r.l2_norm();
+  if (!std::isfinite(reference))
+    throw NotConverged("conjugate gradients with ML met numbers that are not finite",
+                       NotConverged::Reason::not_finite);
 
   matrix.vmult(r, u);
   r.sadd(-1., 1., force);

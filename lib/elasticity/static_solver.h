@@ -6,6 +6,7 @@
 #include "grid/nodal_field.h"
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -27,13 +28,39 @@ struct SolverReport
 {
   unsigned int iterations = 0;  ///< of the iterative solver
   double residual         = 0.; ///< relative to the right-hand side
+
+  /** Where multigrid went on in double precision: those in single precision before. */
+  std::optional<unsigned int> single_iterations = std::nullopt;
 };
 
-/** The iteration limit was reached, or something was not finite. */
+/** A solve that failed, for a reason that advice may depend on. */
 class NotConverged : public std::runtime_error
 {
 public:
-  using std::runtime_error::runtime_error;
+  /** Why it ended. */
+  enum class Reason
+  {
+    iterations, ///< as many as are allowed
+    broke_down, ///< the preconditioner is indefinite, by round-off
+    not_finite  ///< forces or displacements overflow or are no numbers
+  };
+
+  /** @p text says what happened, without advice. */
+  explicit NotConverged(const std::string &text,
+                        const Reason the_reason = Reason::iterations)
+    : std::runtime_error(text)
+    , why(the_reason)
+  {
+  }
+
+  /** Why it ended. */
+  Reason reason() const
+  {
+    return why;
+  }
+
+private:
+  Reason why;
 };
 
 /**

@@ -64,8 +64,26 @@ public:
   {
   }
 
+  /** @throws NotConverged, which names condition and load case. */
   SolverReport
   solve(const BoundaryCondition condition, const unsigned int k, NodalField<double> &u)
+  {
+    try
+      {
+        return solve_case(condition, k, u);
+      }
+    catch (const NotConverged &e)
+      {
+        static const char *const names[] = {"xx", "yy", "xy"};
+        throw NotConverged(to_string(condition) + " " + names[k] + ": " + e.what(),
+                           e.reason());
+      }
+  }
+
+private:
+  SolverReport solve_case(const BoundaryCondition condition,
+                          const unsigned int k,
+                          NodalField<double> &u)
   {
     const UniformGrid<2> &grid = material.grid();
     if (condition == BoundaryCondition::SUBC)
@@ -94,7 +112,6 @@ public:
     return report;
   }
 
-private:
   void set_up(const BoundaryCondition condition)
   {
     if (solver && condition == current)

@@ -4,6 +4,9 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+#include <cmath>
+
 namespace mesoslip
 {
 namespace
@@ -114,7 +117,42 @@ std::optional<double> two_phase_residual(const UniformMaterial &material,
   const VoigtMatrix<2> expected = inverse * (D - C_m) / f;
   return (response.phase_means[present[1]] - expected).norm() / expected.norm();
 }
+
+VoigtMatrix<2> symmetric_part(const VoigtMatrix<2> &A)
+{
+  return 0.5 * (A + A.transpose());
+}
+
+/** @p mean: of the stress per unit strain, or (SUBC) of the strain per unit stress. @p
+ * energy: u_k.K u_l / V. */
+void set_stiffness(HomogenizedResponse &response,
+                   const VoigtMatrix<2> &mean,
+                   const VoigtMatrix<2> &energy)
+{
+  const bool stresses          = response.condition == BoundaryCondition::SUBC;
+  const VoigtMatrix<2> D       = stresses ? VoigtMatrix<2>(mean.inverse()) : mean;
+  response.stiffness_from_mean = symmetric_part(D);
+  response.stiffness           = symmetric_part(
+              stresses ? VoigtMatrix<2>((2. * symmetric_part(mean) - energy).inverse()) : energy);
+  response.hill_mandel_residual =
+    scaled_difference(response.stiffness_from_mean, response.stiffness);
+  response.symmetry_residual = scaled_difference(D, D.transpose());
+}
 } // namespace
+
+double scaled_difference(const VoigtMatrix<2> &a, const VoigtMatrix<2> &b)
+{
+  double largest = 0.;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      {
+        const double d = std::fabs(a(i, j) - b(i, j)) / std::sqrt(b(i, i) * b(j, j));
+        if (std::isnan(d))
+          return d;
+        largest = std::max(largest, d);
+      }
+  return largest;
+}
 
 HomogenizedResponse homogenize(const UniformMaterial &material,
                                const LoadCaseSolutions &solutions,
@@ -137,15 +175,10 @@ HomogenizedResponse homogenize(const UniformMaterial &material,
                                        ? VoigtMatrix<2>(mean / phase.cells)
                                        : VoigtMatrix<2>(VoigtMatrix<2>::Zero()));
     }
-  const VoigtMatrix<2> energy = energy_products(material, solutions);
   response.mean_residual =
     ((stresses ? stress : strain) - VoigtMatrix<2>(VoigtMatrix<2>::Identity())).norm();
-  const VoigtMatrix<2> mean      = stresses ? VoigtMatrix<2>(strain.inverse()) : stress;
-  response.stiffness_from_energy = stresses ? VoigtMatrix<2>(energy.inverse()) : energy;
-  response.symmetry_residual     = (mean - mean.transpose()).norm() / mean.norm();
-  response.hill_mandel_residual =
-    (mean - response.stiffness_from_energy).norm() / mean.norm();
-  response.stiffness          = 0.5 * (mean + mean.transpose());
+  set_stiffness(response, stresses ? strain : stress,
+                energy_products(material, solutions));
   response.two_phase_residual = two_phase_residual(material, response, sums);
   return response;
 }

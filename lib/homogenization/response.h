@@ -15,16 +15,23 @@ struct HomogenizedResponse
 {
   BoundaryCondition condition = BoundaryCondition::KUBC; ///< on the boundary
 
-  /** Effective stiffness (Pa): mean of C:L, or inverse of the mean of S:B (SUBC). */
+  /**
+   * Effective stiffness (Pa) from the energy that the boundary condition makes extremal:
+   * of second order in the error of the displacements. KUBC, PBC: the elastic energy,
+   * mean of L^T C L with the hourglass part. SUBC: inverse of the compliance from the
+   * complementary energy, twice the work of the tractions less the elastic energy.
+   */
   VoigtMatrix<2> stiffness = VoigtMatrix<2>::Zero();
 
-  /** The same from the elastic energy, mean of L^T C L with the hourglass part. */
-  VoigtMatrix<2> stiffness_from_energy = VoigtMatrix<2>::Zero();
+  /** The same from the means, of first order: mean of C:L, or inverse of the mean of S:B
+   * (SUBC). */
+  VoigtMatrix<2> stiffness_from_mean = VoigtMatrix<2>::Zero();
 
-  /** |difference of the two| / |stiffness|, Frobenius: zero by Hill and Mandel. */
+  /** Largest difference of the two, zero by Hill and Mandel, see scaled_difference(). */
   double hill_mandel_residual = 0.;
 
-  /** |D - D^T| / |D| before symmetrization. */
+  /** Largest entry of D - D^T for stiffness_from_mean, in the same scale, before
+   * symmetrization. */
   double symmetry_residual = 0.;
 
   /** Norm of (mean of L) - I (KUBC, PBC) or (mean of B) - I (SUBC). */
@@ -55,6 +62,10 @@ struct HomogenizedResponse
     serialize_members<10>(archive, *this);
   }
 };
+
+/** Largest |a_ij - b_ij| / sqrt(b_ii b_jj): the same in any units, and where one modulus
+ * is far below the others. */
+double scaled_difference(const VoigtMatrix<2> &a, const VoigtMatrix<2> &b);
 
 /**
  * Evaluates the solutions on the rank that holds them. Fields are kept only if

@@ -145,8 +145,7 @@ void write_rve_tables(const RveParameters &parameters,
     {
       const std::string name = to_string(response.condition);
       stiffness.add_row(stiffness_row(name, response.stiffness));
-      stiffness.add_row(
-        stiffness_row(name + " from energy", response.stiffness_from_energy));
+      stiffness.add_row(stiffness_row(name + " from mean", response.stiffness_from_mean));
     }
   stiffness.add_row(stiffness_row("effective", results.effective));
   if (parameters.reference)

@@ -1,6 +1,7 @@
 #include "homogenization/rve_program.h"
 
 #include "grid/size_text.h"
+#include "homogenization/response_check.h"
 #include "homogenization/rve_file.h"
 #include "homogenization/rve_output.h"
 #include "io/digest.h"
@@ -178,6 +179,19 @@ std::vector<std::string> slips(const MicrostructureParameters &p)
   return sentences;
 }
 
+/** What helps a solve that failed. */
+std::string advice(const NotConverged::Reason reason, const StaticSolverKind solver)
+{
+  if (reason == NotConverged::Reason::not_finite)
+    return "check the moduli of Phases and Grid/Size, which are in Pa and m: forces or "
+           "displacements are beyond the range of numbers";
+  if (solver != StaticSolverKind::multigrid)
+    return "set Homogenization/Solver = multigrid";
+  return reason == NotConverged::Reason::broke_down
+           ? "set Homogenization/Solver = jacobi"
+           : "loosen Homogenization/Tolerance or set Homogenization/Solver = jacobi";
+}
+
 void run(dealii::ParameterHandler &prm, RunContext &context)
 {
   const RveParameters parameters = RveParameters::parse(prm);
@@ -203,12 +217,13 @@ void run(dealii::ParameterHandler &prm, RunContext &context)
     }
   catch (const NotConverged &e)
     {
-      throw NumericalFailure(
-        std::string(e.what()) +
-        "; loosen Homogenization/Tolerance or set Solver = assembled");
+      throw NumericalFailure(std::string(e.what()) + "; " +
+                             advice(e.reason(), parameters.solver));
     }
   if (!context.root())
     return;
+  for (const std::string &warning : result_warnings(results.members, parameters))
+    context.warn(warning);
   const auto scope  = context.timer().scope("Output");
   results.effective = effective_stiffness(results.members, parameters);
   write_rve_tables(parameters, results, context);

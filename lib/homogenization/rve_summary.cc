@@ -100,7 +100,11 @@ void log_identities(const EnsembleMember &member, RunContext &context)
       std::ostringstream line;
       line << to_string(r.condition) << ": iterations";
       for (const SolverReport &report : r.reports)
-        line << " " << report.iterations;
+        {
+          line << " " << report.iterations;
+          if (report.single_iterations)
+            line << " (in double precision from " << *report.single_iterations << " on)";
+        }
       line << std::scientific << std::setprecision(1) << "; residuals: Hill-Mandel "
            << r.hill_mandel_residual << ", symmetry " << r.symmetry_residual
            << (stresses ? ", <B> = I " : ", <L> = I ") << r.mean_residual;
@@ -131,8 +135,8 @@ void log_stiffness(RunContext &context)
     else if (!several && !summary["stiffness"][name].is_null())
       {
         context.log(row_text(name, summary["stiffness"][name]));
-        context.log(row_text(std::string(name) + " from energy",
-                             summary["stiffness_from_energy"][name]));
+        context.log(row_text(std::string(name) + " from mean",
+                             summary["stiffness_from_mean"][name]));
       }
   const json &effective = summary["stiffness"]["effective"];
   context.log(row_text("effective", effective));
@@ -159,11 +163,11 @@ void write_rve_summary(const RveParameters &parameters,
   out["stiffness"] = {{"KUBC", nullptr}, {"SUBC", nullptr}, {"PBC", nullptr}};
   for (const HomogenizedResponse &response : first.responses)
     {
-      const std::string name             = to_string(response.condition);
-      out["stiffness"][name]             = matrix_json(response.stiffness);
-      out["stiffness_from_energy"][name] = matrix_json(response.stiffness_from_energy);
-      out["hill_mandel_residual"][name]  = response.hill_mandel_residual;
-      out["symmetry_residual"][name]     = response.symmetry_residual;
+      const std::string name            = to_string(response.condition);
+      out["stiffness"][name]            = matrix_json(response.stiffness);
+      out["stiffness_from_mean"][name]  = matrix_json(response.stiffness_from_mean);
+      out["hill_mandel_residual"][name] = response.hill_mandel_residual;
+      out["symmetry_residual"][name]    = response.symmetry_residual;
       out["mean_concentration_residual"][name] = response.mean_residual;
       out["two_phase_residual"][name] =
         response.two_phase_residual ? json(*response.two_phase_residual) : json(nullptr);

@@ -103,7 +103,7 @@ TEST(Multigrid, IsSymmetricAndPositive)
 {
   const UniformMaterial material(make_grid(45, 26), classes(8.), noise(45, 26, 2));
   const UniformGridOperator K(material);
-  multigrid::Multigrid preconditioner(material, K);
+  multigrid::Multigrid<float> preconditioner(material, K);
   const DofMask mask = make_mask(material, Support::contact);
   preconditioner.set_held(mask);
   std::mt19937_64 random(seed);

@@ -1,1 +1,2 @@
 mesoslip_test(unit multigrid LIBS mesoslip_elasticity)
+target_sources(unit_multigrid PRIVATE ${CMAKE_CURRENT_LIST_DIR}/multigrid_definiteness.cc)

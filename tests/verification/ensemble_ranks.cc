@@ -29,7 +29,7 @@ HomogenizedResponse response_of(const double number)
           number + 5.,
           {number + 6., number + 7.},
           {matrix_of(number + 8.), matrix_of(number + 9.)},
-          {{{1, number + 10.}, {2, number + 11.}, {3, number + 12.}}}};
+          {{{1, number + 10., 4}, {2, number + 11., 5}, {3, number + 12., {}}}}};
 }
 
 EnsembleMember member_of(const unsigned int number)
@@ -46,11 +46,11 @@ EnsembleMember member_of(const unsigned int number)
 void expect_equal(const HomogenizedResponse &one, const HomogenizedResponse &two)
 {
   // Names all members, so that one that is added has to be compared as well.
-  const auto &[condition, stiffness, from_energy, hill_mandel, symmetry, mean, two_phase,
+  const auto &[condition, stiffness, from_mean, hill_mandel, symmetry, mean, two_phase,
                concentration, phase_means, reports] = one;
   EXPECT_EQ(condition, two.condition);
   EXPECT_EQ(stiffness, two.stiffness);
-  EXPECT_EQ(from_energy, two.stiffness_from_energy);
+  EXPECT_EQ(from_mean, two.stiffness_from_mean);
   EXPECT_EQ(hill_mandel, two.hill_mandel_residual);
   EXPECT_EQ(symmetry, two.symmetry_residual);
   EXPECT_EQ(mean, two.mean_residual);
@@ -59,9 +59,10 @@ void expect_equal(const HomogenizedResponse &one, const HomogenizedResponse &two
   EXPECT_EQ(phase_means, two.phase_means);
   for (unsigned int k = 0; k < 3; ++k)
     {
-      const auto &[iterations, residual] = reports[k];
+      const auto &[iterations, residual, single] = reports[k];
       EXPECT_EQ(iterations, two.reports[k].iterations);
       EXPECT_EQ(residual, two.reports[k].residual);
+      EXPECT_EQ(single, two.reports[k].single_iterations);
     }
 }
 

@@ -17,6 +17,9 @@ using namespace mesoslip;
 
 constexpr unsigned int seed = 20081;
 
+/** Volumes of the random study: the first argument of the program. */
+inline unsigned int n_random_cases = 100;
+
 inline const std::vector<BoundaryCondition> all_conditions = {
   BoundaryCondition::KUBC, BoundaryCondition::SUBC, BoundaryCondition::PBC};
 

@@ -93,7 +93,8 @@ Galerkin::Galerkin(const UniformMaterial &the_material,
         PaddedRows<double>(n_cell_entries, 1, interpolations[l - 1].x.n_coarse_cells());
 }
 
-void Galerkin::compute(Stencil<float> &first, std::vector<Stencil<double>> &rest)
+template <typename Number>
+void Galerkin::compute(Stencil<Number> &first, std::vector<Stencil<double>> &rest)
 {
   if (interpolations.empty())
     return;
@@ -128,10 +129,11 @@ void Galerkin::compute(Stencil<float> &first, std::vector<Stencil<double>> &rest
     rest[l].finish(held[l + 2]);
 }
 
+template <typename Number>
 void Galerkin::finish_row(const unsigned int l,
                           const unsigned int J,
                           PaddedRows<double> &matrices,
-                          Stencil<float> &first,
+                          Stencil<Number> &first,
                           std::vector<Stencil<double>> &rest)
 {
   const Interpolation &p = interpolations[l - 1];
@@ -245,5 +247,8 @@ void Galerkin::coarse_row(const unsigned int l,
       kernels().galerkin_coarse(coarse, matrices.row(0, 0) + I0, matrices.array_stride());
     }
 }
+
+template void Galerkin::compute(Stencil<float> &, std::vector<Stencil<double>> &);
+template void Galerkin::compute(Stencil<double> &, std::vector<Stencil<double>> &);
 } // namespace multigrid
 } // namespace mesoslip

@@ -31,7 +31,8 @@ public:
            const std::vector<HeldUnknowns> &held);
 
   /** Fills @p first, the operator of grid 1, and rest[l - 2], the operator of grid l. */
-  void compute(Stencil<float> &first, std::vector<Stencil<double>> &rest);
+  template <typename Number>
+  void compute(Stencil<Number> &first, std::vector<Stencil<double>> &rest);
 
 private:
   void finest_row(const unsigned int J, PaddedRows<double> &matrices);
@@ -39,10 +40,11 @@ private:
   void set_free_nodes(const unsigned int I0, const unsigned int J);
   void
   coarse_row(const unsigned int l, const unsigned int J, PaddedRows<double> &matrices);
+  template <typename Number>
   void finish_row(const unsigned int l,
                   const unsigned int J,
                   PaddedRows<double> &matrices,
-                  Stencil<float> &first,
+                  Stencil<Number> &first,
                   std::vector<Stencil<double>> &rest);
 
   const UniformMaterial &material;

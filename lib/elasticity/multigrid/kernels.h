@@ -138,6 +138,24 @@ struct GridKernels
                             const Number *const coarse[3],
                             Number *const even[],
                             Number *const odd[]);
+
+  /**
+   * @name Vectors of the conjugate gradients and their preconditioner, n in whole vectors
+   * @{
+   */
+  /** p = scale z + beta p */
+  void (*direction)(std::size_t n, double scale, double beta, const Number *z, double *p);
+
+  /** y = scale x */
+  void (*scaled)(std::size_t n, double scale, const double *x, Number *y);
+
+  /** r.z and q.z */
+  void (*two_dots)(
+    std::size_t n, const double *r, const double *q, const Number *z, double results[2]);
+
+  /** r = b - r */
+  void (*subtract_from)(std::size_t n, const Number *b, Number *r);
+  /** @} */
 };
 
 /** All row kernels of one instruction set. */
@@ -166,19 +184,6 @@ struct Kernels
   /** x += alpha p, r -= alpha q; r.r */
   double (*step)(
     std::size_t n, double alpha, const double *p, const double *q, double *x, double *r);
-
-  /** p = scale z + beta p */
-  void (*direction)(std::size_t n, double scale, double beta, const float *z, double *p);
-
-  /** y = scale x */
-  void (*narrow)(std::size_t n, double scale, const double *x, float *y);
-
-  /** r.z and q.z */
-  void (*two_dots)(
-    std::size_t n, const double *r, const double *q, const float *z, double results[2]);
-
-  /** r = b - r */
-  void (*subtract_from)(std::size_t n, const float *b, float *r);
   /** @} */
 };
 

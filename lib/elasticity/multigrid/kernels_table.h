@@ -12,7 +12,11 @@ static GridKernels<Number> grid_kernels_of()
           split<Number>,
           merge<Number>,
           {restrict_row<2, Number>, restrict_row<3, Number>},
-          {prolongate_row<2, Number>, prolongate_row<3, Number>}};
+          {prolongate_row<2, Number>, prolongate_row<3, Number>},
+          direction<Number>,
+          scaled<Number>,
+          two_dots<Number>,
+          subtract_from<Number>};
 }
 
 const Kernels &kernels()
@@ -23,10 +27,6 @@ const Kernels &kernels()
                                 galerkin_coarse,
                                 dense,
                                 dot,
-                                step,
-                                direction,
-                                narrow,
-                                two_dots,
-                                subtract_from};
+                                step};
   return table;
 }

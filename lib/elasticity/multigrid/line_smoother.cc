@@ -46,6 +46,49 @@ Block<n> safe_inverse(const Block<n> &pivot, const Block<n> &diagonal)
   return Block<n>(diagonal.diagonal().cwiseInverse().asDiagonal());
 }
 
+/** What the two ends of a cut line are given for the coupling that closed it. */
+template <int n>
+struct Closing
+{
+  Block<n> first = Block<n>::Zero(); ///< added to the block of the first node
+  Block<n> last  = Block<n>::Zero(); ///< added to the block of the last node
+
+  /** To be added to the block of node @p i of @p n_nodes. */
+  Block<n> at(const unsigned int i, const unsigned int n_nodes) const
+  {
+    Block<n> sum = Block<n>::Zero();
+    if (i == 0)
+      sum += first;
+    if (i + 1 == n_nodes)
+      sum += last;
+    return sum;
+  }
+
+  Closing() = default;
+
+  /**
+   * With @p coupling c between the last node (rows) and the first (columns),
+   * 2 x_last.c x_first <= x_last.(c c^T)^(1/2) x_last + x_first.(c^T c)^(1/2) x_first,
+   * here for unknowns scaled such that the diagonals of both nodes are one: whatever
+   * units displacements and rotations have, and however flat the cells are.
+   */
+  Closing(const Block<n> &coupling,
+          const Block<n> &first_diagonal,
+          const Block<n> &last_diagonal)
+  {
+    if (coupling.isZero(0.))
+      return;
+    using Scale       = Eigen::DiagonalMatrix<double, n>;
+    const Scale left  = Scale(last_diagonal.diagonal().cwiseSqrt()),
+                right = Scale(first_diagonal.diagonal().cwiseSqrt());
+    const Eigen::JacobiSVD<Block<n>> svd(left.inverse() * coupling * right.inverse(),
+                                         Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const auto sigma = svd.singularValues().asDiagonal();
+    last  = left * Block<n>(svd.matrixU() * sigma * svd.matrixU().transpose()) * left;
+    first = right * Block<n>(svd.matrixV() * sigma * svd.matrixV().transpose()) * right;
+  }
+};
+
 /** One step of a block LDL^T factorization along a line. */
 template <int n>
 struct Pivot
@@ -88,24 +131,42 @@ LineSmoother<n_components, Number>::LineSmoother(
   , tile(1, 1, (columns_of_grid + 3) * n_components * lanes<Number>)
   , eliminated(n_components, 2, columns_of_grid)
 {
-  using B = Block<n_components>;
-  std::vector<Pivot<n_components>, Eigen::aligned_allocator<Pivot<n_components>>> column(
-    n_columns);
+  using B                   = Block<n_components>;
+  using P                   = Pivot<n_components>;
+  using C                   = Closing<n_components>;
+  const auto diagonal_block = [](const LineBlocks<Number> &b, const unsigned int i) {
+    return symmetric_block<n_components>(b.centre + i, b.stride);
+  };
   std::vector<B, Eigen::aligned_allocator<B>> below(n_columns, B::Zero());
+  std::vector<P, Eigen::aligned_allocator<P>> column(n_columns);
+  std::vector<C, Eigen::aligned_allocator<C>> closing(n_columns);
+  const LineBlocks<Number> bottom = blocks(0);
+  for (unsigned int i = 0; i < n_columns; ++i)
+    below[i] = diagonal_block(bottom, i);
+  const LineBlocks<Number> top = blocks(n_rows - 1);
+  for (unsigned int i = 0; i < n_columns; ++i)
+    {
+      closing[i] = C(full_block<n_components>(top.north + i, top.stride), below[i],
+                     diagonal_block(top, i));
+      below[i].setZero();
+    }
   for (unsigned int j = 0; j < n_rows; ++j)
     {
       const LineBlocks<Number> b = blocks(j);
-      Number *to_columns         = column_factors.row(0, static_cast<int>(j));
+      const unsigned int last    = n_columns - 1;
+      const C row_closing(full_block<n_components>(b.east + last, b.stride),
+                          diagonal_block(b, 0), diagonal_block(b, last));
+      Number *to_columns = column_factors.row(0, static_cast<int>(j));
       Number *to_rows =
         row_factors.row(0, static_cast<int>(j / lanes<Number>)) + j % lanes<Number>;
-      Pivot<n_components> pivot;
+      P pivot;
       B left = B::Zero();
       for (unsigned int i = 0; i < n_columns; ++i)
         {
-          const B diagonal = symmetric_block<n_components>(b.centre + i, b.stride);
-          column[i].advance(diagonal, below[i]);
+          const B diagonal = diagonal_block(b, i);
+          column[i].advance(diagonal + closing[i].at(j, n_rows), below[i]);
           column[i].store(to_columns + i, column_factors.array_stride());
-          pivot.advance(diagonal, left);
+          pivot.advance(diagonal + row_closing.at(i, n_columns), left);
           pivot.store(to_rows + i * n_factors * lanes<Number>, lanes<Number>);
           left     = full_block<n_components>(b.east + i, b.stride);
           below[i] = full_block<n_components>(b.north + i, b.stride);
@@ -114,6 +175,7 @@ LineSmoother<n_components, Number>::LineSmoother(
 }
 
 template class LineSmoother<2, float>;
+template class LineSmoother<2, double>;
 template class LineSmoother<3, float>;
 template class LineSmoother<3, double>;
 } // namespace multigrid

@@ -26,9 +26,17 @@ struct LineBlocks
  * nodes. Stiff fibres, once the grid is coarse, are chains of nodes that hold together
  * firmly and to nothing else; a point smoother would need as many sweeps as the contrast.
  *
- * Columns only touch their neighbours, so odd and even columns make a 2x2 block matrix,
- * and no eigenvalue of the preconditioned matrix exceeds 2: any damping below 1
- * converges. Lines that close periodically are cut, which raises this a little.
+ * With T the blocks of K, no eigenvalue of T^-1 K exceeds 2, and any damping below 1
+ * converges. For K is a sum of positive semidefinite matrices of cells, each of which
+ * touches two columns, left and right: 2 x_l.K_lr x_r <= x_l.K_ll x_l + x_r.K_rr x_r,
+ * hence K_cell <= 2 (K_ll + K_rr), and the sum of the right sides is 2 T. This holds for
+ * any number of columns, odd or even, closed periodically or not, one column that is its
+ * own neighbour included, for rows, and on coarse grids, whose matrices are sums over
+ * cells as well.
+ *
+ * Lines that close periodically are cut, as a factorization of closed ones costs twice as
+ * much: the blocks of the two ends take the absolute value of the coupling c between
+ * them instead, 2 x.c y <= x.(c c^T)^(1/2) x + y.(c^T c)^(1/2) y, which only adds to T.
  */
 template <int n_components, typename Number>
 class LineSmoother
@@ -133,6 +141,7 @@ void LineSmoother<n_components, Number>::rows(const Field &r, Field &x) const
 }
 
 extern template class LineSmoother<2, float>;
+extern template class LineSmoother<2, double>;
 extern template class LineSmoother<3, float>;
 extern template class LineSmoother<3, double>;
 } // namespace multigrid

@@ -1,7 +1,5 @@
 #include "elasticity/multigrid/multigrid.h"
 
-#include "elasticity/multigrid/galerkin.h"
-
 #include <xmmintrin.h>
 
 #include <algorithm>
@@ -63,8 +61,9 @@ double shear_contrast(const UniformMaterial &material)
 }
 } // namespace
 
-Multigrid::Multigrid(const UniformMaterial &the_material,
-                     const UniformGridOperator &the_stiffness)
+template <typename Number>
+Multigrid<Number>::Multigrid(const UniformMaterial &the_material,
+                             const UniformGridOperator &the_stiffness)
   : material(the_material)
   , stiffness(the_stiffness)
   , finest_x(Axis::uniform(material.grid().cells[0], 1., material.periodicity().x))
@@ -77,7 +76,8 @@ Multigrid::Multigrid(const UniformMaterial &the_material,
   build_interpolations();
 }
 
-void Multigrid::build_interpolations()
+template <typename Number>
+void Multigrid<Number>::build_interpolations()
 {
   Conductor conductor = Conductor::finest(material);
   Axis x = finest_x, y = finest_y;
@@ -95,17 +95,18 @@ void Multigrid::build_interpolations()
   build_levels();
 }
 
-void Multigrid::build_levels()
+template <typename Number>
+void Multigrid<Number>::build_levels()
 {
   if (bottom() == 0)
     return;
-  from_finest = Transfer<float>(interpolations[0]);
-  first       = Level<float>(interpolations[0].coarse_x, interpolations[0].coarse_y);
+  from_finest = Transfer<Number>(interpolations[0]);
+  first       = Level<Number>(interpolations[0].coarse_x, interpolations[0].coarse_y);
   if (bottom() == 1)
     return;
-  first.to_coarse = Transfer<float>(interpolations[1]);
-  interface       = PaddedRows<float>(3, interpolations[1].coarse_y.n_nodes(),
-                                interpolations[1].coarse_x.n_nodes());
+  first.to_coarse = Transfer<Number>(interpolations[1]);
+  interface       = PaddedRows<Number>(3, interpolations[1].coarse_y.n_nodes(),
+                                 interpolations[1].coarse_x.n_nodes());
   for (unsigned int l = 2; l <= bottom(); ++l)
     {
       rest.emplace_back(interpolations[l - 1].coarse_x, interpolations[l - 1].coarse_y);
@@ -114,37 +115,8 @@ void Multigrid::build_levels()
     }
 }
 
-void Multigrid::set_held(const DofMask &mask)
-{
-  modes = RigidModes(material, mask);
-  held.assign(1, HeldUnknowns(mask, finest_x, finest_y));
-  for (const Interpolation &interpolation : interpolations)
-    held.emplace_back(held.back(), interpolation);
-  if (bottom() > 0)
-    {
-      std::vector<Stencil<double>> stencils;
-      first.stencil =
-        Stencil<float>(interpolations[0].coarse_x, interpolations[0].coarse_y);
-      for (unsigned int l = 2; l <= bottom(); ++l)
-        stencils.emplace_back(interpolations[l - 1].coarse_x,
-                              interpolations[l - 1].coarse_y);
-      Galerkin(material, interpolations, held).compute(first.stencil, stencils);
-      for (unsigned int l = 2; l <= bottom(); ++l)
-        rest[l - 2].stencil = std::move(stencils[l - 2]);
-      build_finest_smoother();
-    }
-  for (unsigned int l = 1; l < bottom(); ++l)
-    {
-      const Interpolation &p = interpolations[l - 1];
-      if (l == 1)
-        build_smoother(first, p.coarse_x, p.coarse_y);
-      else
-        build_smoother(rest[l - 2], p.coarse_x, p.coarse_y);
-    }
-  build_bottom();
-}
-
-void Multigrid::copy_duplicates(NodalField<float> &x) const
+template <typename Number>
+void Multigrid<Number>::copy_duplicates(NodalField<Number> &x) const
 {
   const unsigned int last_column = material.n_columns() - 1,
                      last_row    = material.n_rows() - 1;
@@ -158,17 +130,20 @@ void Multigrid::copy_duplicates(NodalField<float> &x) const
     }
 }
 
-void Multigrid::finest_residual(const NodalField<float> &x, const NodalField<float> &b)
+template <typename Number>
+void Multigrid<Number>::finest_residual(const NodalField<Number> &x,
+                                        const NodalField<Number> &b)
 {
   stiffness.vmult(finest_r, x);
-  const unsigned int n = whole_vectors<float>(material.n_columns());
+  const unsigned int n = whole_vectors<Number>(material.n_columns());
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < material.n_rows(); ++j)
-      kernels().subtract_from(n, b.row(c, j), finest_r.row(c, j));
+      grid_kernels<Number>().subtract_from(n, b.row(c, j), finest_r.row(c, j));
   held[0].clear(finest_r, 2);
 }
 
-void Multigrid::vmult(NodalField<float> &x, const NodalField<float> &b)
+template <typename Number>
+void Multigrid<Number>::vmult(NodalField<Number> &x, const NodalField<Number> &b)
 {
   const FlushDenormals flush;
   if (bottom() == 0)
@@ -183,10 +158,10 @@ void Multigrid::vmult(NodalField<float> &x, const NodalField<float> &b)
   finest_smoother.rows(finest_r, x);
   copy_duplicates(x);
   finest_residual(x, b);
-  from_finest.restrict_to<2>(finest_r, first.b);
+  from_finest.template restrict_to<2>(finest_r, first.b);
   held[1].clear(first.b, 3);
   visit_first();
-  from_finest.prolongate_from<2>(first.x, x);
+  from_finest.template prolongate_from<2>(first.x, x);
   held[0].clear(x, 2);
   copy_duplicates(x);
   finest_residual(x, b);
@@ -198,23 +173,25 @@ void Multigrid::vmult(NodalField<float> &x, const NodalField<float> &b)
   copy_duplicates(x);
 }
 
-void Multigrid::visit_first()
+template <typename Number>
+void Multigrid<Number>::visit_first()
 {
   if (bottom() == 1)
     return solve_bottom(first.x, first.b, interpolations[0].coarse_x,
                         interpolations[0].coarse_y, 3);
   sweep(first, true, [this]() {
     Level<double> &next = rest[0];
-    first.to_coarse.restrict_to<3>(first.r, interface);
+    first.to_coarse.template restrict_to<3>(first.r, interface);
     next.b.convert_from(interface);
     held[2].clear(next.b, 3);
     visit(2);
     interface.convert_from(next.x);
-    first.to_coarse.prolongate_from<3>(interface, first.x);
+    first.to_coarse.template prolongate_from<3>(interface, first.x);
   });
 }
 
-void Multigrid::visit(const unsigned int l)
+template <typename Number>
+void Multigrid<Number>::visit(const unsigned int l)
 {
   Level<double> &level = rest[l - 2];
   if (l == bottom())
@@ -222,10 +199,10 @@ void Multigrid::visit(const unsigned int l)
                         interpolations[l - 1].coarse_y, 3);
   const auto correct = [this, l, &level]() {
     Level<double> &next = rest[l - 1];
-    level.to_coarse.restrict_to<3>(level.r, next.b);
+    level.to_coarse.template restrict_to<3>(level.r, next.b);
     held[l + 1].clear(next.b, 3);
     visit(l + 1);
-    level.to_coarse.prolongate_from<3>(next.x, level.x);
+    level.to_coarse.template prolongate_from<3>(next.x, level.x);
   };
   sweep(level, true, correct);
   if (strong_contrast)
@@ -233,10 +210,13 @@ void Multigrid::visit(const unsigned int l)
 }
 
 /** Columns, rows, coarse grid, rows, columns. */
-template <typename Number, typename Correct>
-void Multigrid::sweep(Level<Number> &level, const bool from_zero, const Correct &correct)
+template <typename Number>
+template <typename T, typename Correct>
+void Multigrid<Number>::sweep(Level<T> &level,
+                              const bool from_zero,
+                              const Correct &correct)
 {
-  const Stencil<Number> &A = level.stencil;
+  const Stencil<T> &A = level.stencil;
   if (from_zero)
     level.r.convert_from(level.b);
   else
@@ -252,12 +232,13 @@ void Multigrid::sweep(Level<Number> &level, const bool from_zero, const Correct 
   level.smoother.columns(level.r, level.x, true);
 }
 
+template <typename Number>
 template <typename Field>
-void Multigrid::solve_bottom(Field &x,
-                             const Field &b,
-                             const Axis &axis_x,
-                             const Axis &axis_y,
-                             const unsigned int n_components)
+void Multigrid<Number>::solve_bottom(Field &x,
+                                     const Field &b,
+                                     const Axis &axis_x,
+                                     const Axis &axis_y,
+                                     const unsigned int n_components)
 {
   double *in = bottom_vectors.row(0, 0), *out = bottom_vectors.row(1, 0);
   const auto for_each_unknown = [&](const auto &function) {
@@ -266,14 +247,17 @@ void Multigrid::solve_bottom(Field &x,
         for (unsigned int c = 0; c < n_components; ++c, ++k)
           function(k, c, j, i);
   };
-  using Number = std::decay_t<decltype(x.row(0, 0)[0])>;
+  using T = std::decay_t<decltype(x.row(0, 0)[0])>;
   for_each_unknown([&](const unsigned int k, const unsigned int c, const unsigned int j,
                        const unsigned int i) { in[k] = b.row(c, j)[i]; });
   kernels().dense(bottom_vectors.n_columns(), bottom_inverse.row(0, 0),
                   bottom_inverse.array_stride(), in, out);
   for_each_unknown(
     [&](const unsigned int k, const unsigned int c, const unsigned int j,
-        const unsigned int i) { x.row(c, j)[i] = static_cast<Number>(out[k]); });
+        const unsigned int i) { x.row(c, j)[i] = static_cast<T>(out[k]); });
 }
+
+template class Multigrid<float>;
+template class Multigrid<double>;
 } // namespace multigrid
 } // namespace mesoslip

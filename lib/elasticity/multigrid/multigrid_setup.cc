@@ -12,6 +12,7 @@ namespace multigrid
 namespace
 {
 /** Blocks of the node rows of the finest grid, made from those of the cells. */
+template <typename Number>
 class FinestBlocks
 {
 public:
@@ -26,11 +27,11 @@ public:
     , arrays(n_arrays, 1, the_x.n_nodes() + 1)
   {
     for (const ElasticClass &c : material.classes())
-      cells.emplace_back(
-        finest_cell_matrix(c.stiffness, y.position[1] / x.position[1]).cast<float>());
+      cells.emplace_back(finest_cell_matrix(c.stiffness, y.position[1] / x.position[1])
+                           .template cast<Number>());
   }
 
-  LineBlocks<float> operator()(const unsigned int j)
+  LineBlocks<Number> operator()(const unsigned int j)
   {
     arrays.set_zero();
     const unsigned int ny = y.n_cells();
@@ -43,9 +44,9 @@ public:
         arrays.row(k, 0)[0] += arrays.row(k, 0)[x.n_cells()];
     for (const HeldUnknowns::Node &node : held.row(j))
       hold(node);
-    if (j + 1 < y.n_nodes())
-      for (const HeldUnknowns::Node &node : held.row(j + 1))
-        clear_column(node, node.column, 7);
+    // The row above; that of the last one is the first, if any.
+    for (const HeldUnknowns::Node &node : held.row((j + 1) % y.n_nodes()))
+      clear_column(node, node.column, 7);
     return {arrays.row(0, 0), arrays.row(3, 0), arrays.row(7, 0), arrays.array_stride()};
   }
 
@@ -56,12 +57,12 @@ private:
   /** Cell row j; its lower (corner 0) or upper (2) nodes are those of the row. */
   void add_cells(const unsigned int j, const unsigned int corner)
   {
-    float *to[n_arrays];
+    Number *to[n_arrays];
     for (unsigned int k = 0; k < n_arrays; ++k)
       to[k] = arrays.row(k, 0);
     for (unsigned int i = 0; i < x.n_cells(); ++i)
       {
-        const Eigen::Matrix<float, 8, 8> &K = cells[material.class_of(i, j)];
+        const Eigen::Matrix<Number, 8, 8> &K = cells[material.class_of(i, j)];
         const unsigned int l = 2 * corner, r = l + 2;
         for (unsigned int c = 0, k = 0; c < 2; ++c)
           for (unsigned int d = c; d < 2; ++d, ++k)
@@ -89,7 +90,7 @@ private:
     for (unsigned int d = 0; d < 2; ++d)
       if (node.holds(d))
         for (unsigned int c = 0; c < 2; ++c)
-          arrays.row(array + 2 * c + d, 0)[i] = 0.F;
+          arrays.row(array + 2 * c + d, 0)[i] = 0;
   }
 
   void hold(const HeldUnknowns::Node &node)
@@ -98,21 +99,21 @@ private:
     for (unsigned int c = 0; c < 2; ++c)
       if (node.holds(c))
         {
-          arrays.row(1, 0)[i]     = 0.F;
-          arrays.row(2 * c, 0)[i] = 1.F;
+          arrays.row(1, 0)[i]     = 0;
+          arrays.row(2 * c, 0)[i] = 1;
           for (unsigned int d = 0; d < 2; ++d)
-            arrays.row(3 + 2 * c + d, 0)[i] = arrays.row(7 + 2 * c + d, 0)[i] = 0.F;
+            arrays.row(3 + 2 * c + d, 0)[i] = arrays.row(7 + 2 * c + d, 0)[i] = 0;
         }
-    if (i > 0)
-      clear_column(node, i - 1, 3);
+    // The node to the left; that of the first one is the last, if any.
+    clear_column(node, (i > 0 ? i : x.n_nodes()) - 1, 3);
   }
 
   const UniformMaterial &material;
   const Axis &x;
   const Axis &y;
   const HeldUnknowns &held;
-  std::vector<Eigen::Matrix<float, 8, 8>> cells;
-  PaddedRows<float> arrays;
+  std::vector<Eigen::Matrix<Number, 8, 8>> cells;
+  PaddedRows<Number> arrays;
 };
 
 Eigen::MatrixXd finest_dense(const UniformMaterial &material,
@@ -151,30 +152,30 @@ Eigen::MatrixXd finest_dense(const UniformMaterial &material,
 }
 } // namespace
 
-void Multigrid::build_finest_smoother()
+template <typename Number>
+void Multigrid<Number>::build_finest_smoother()
 {
-  FinestBlocks blocks(material, finest_x, finest_y, held[0]);
+  FinestBlocks<Number> blocks(material, finest_x, finest_y, held[0]);
   finest_smoother =
-    LineSmoother<2, float>(finest_x.n_nodes(), finest_y.n_nodes(),
-                           [&blocks](const unsigned int j) { return blocks(j); });
+    LineSmoother<2, Number>(finest_x.n_nodes(), finest_y.n_nodes(),
+                            [&blocks](const unsigned int j) { return blocks(j); });
 }
 
 template <typename Number>
-void Multigrid::build_smoother(Level<Number> &level, const Axis &x, const Axis &y)
+template <typename T>
+void Multigrid<Number>::build_smoother(Level<T> &level, const Axis &x, const Axis &y)
 {
-  const Stencil<Number> &stencil = level.stencil;
+  const Stencil<T> &stencil = level.stencil;
   level.smoother =
-    LineSmoother<3, Number>(x.n_nodes(), y.n_nodes(), [&stencil](const unsigned int row) {
+    LineSmoother<3, T>(x.n_nodes(), y.n_nodes(), [&stencil](const unsigned int row) {
       const int j = static_cast<int>(row);
-      return LineBlocks<Number>{stencil.row(centre, j), stencil.row(east, j),
-                                stencil.row(north, j), stencil.array_stride()};
+      return LineBlocks<T>{stencil.row(centre, j), stencil.row(east, j),
+                           stencil.row(north, j), stencil.array_stride()};
     });
 }
 
-template void Multigrid::build_smoother(Level<float> &, const Axis &, const Axis &);
-template void Multigrid::build_smoother(Level<double> &, const Axis &, const Axis &);
-
-void Multigrid::build_bottom()
+template <typename Number>
+void Multigrid<Number>::build_bottom()
 {
   const bool only_grid          = interpolations.empty();
   const Axis &x                 = only_grid ? finest_x : interpolations.back().coarse_x;
@@ -211,5 +212,39 @@ void Multigrid::build_bottom()
     for (unsigned int c = 0; c < n; ++c)
       bottom_inverse.row(r, 0)[c] = 0.5 * (inverse(r, c) + inverse(c, r));
 }
+
+template <typename Number>
+void Multigrid<Number>::set_held(const DofMask &mask)
+{
+  modes = RigidModes(material, mask);
+  held.assign(1, HeldUnknowns(mask, finest_x, finest_y));
+  for (const Interpolation &interpolation : interpolations)
+    held.emplace_back(held.back(), interpolation);
+  if (bottom() > 0)
+    {
+      std::vector<Stencil<double>> stencils;
+      first.stencil =
+        Stencil<Number>(interpolations[0].coarse_x, interpolations[0].coarse_y);
+      for (unsigned int l = 2; l <= bottom(); ++l)
+        stencils.emplace_back(interpolations[l - 1].coarse_x,
+                              interpolations[l - 1].coarse_y);
+      Galerkin(material, interpolations, held).compute(first.stencil, stencils);
+      for (unsigned int l = 2; l <= bottom(); ++l)
+        rest[l - 2].stencil = std::move(stencils[l - 2]);
+      build_finest_smoother();
+    }
+  for (unsigned int l = 1; l < bottom(); ++l)
+    {
+      const Interpolation &p = interpolations[l - 1];
+      if (l == 1)
+        build_smoother(first, p.coarse_x, p.coarse_y);
+      else
+        build_smoother(rest[l - 2], p.coarse_x, p.coarse_y);
+    }
+  build_bottom();
+}
+
+template void Multigrid<float>::set_held(const DofMask &);
+template void Multigrid<double>::set_held(const DofMask &);
 } // namespace multigrid
 } // namespace mesoslip

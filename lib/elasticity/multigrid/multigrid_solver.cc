@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -14,15 +15,39 @@ namespace mesoslip
 {
 namespace
 {
-
-
-[[noreturn]] void
-fail(const std::string &what, const unsigned int iterations, const double residual)
+/** A cycle in one precision, with the fields that it takes and gives. */
+template <typename Number>
+struct Preconditioner
 {
+  Preconditioner(const UniformMaterial &material,
+                 const UniformGridOperator &stiffness,
+                 const DofMask &held)
+    : cycle(material, stiffness)
+    , b(material.n_columns(), material.n_rows())
+    , z(b)
+  {
+    cycle.set_held(held);
+  }
+
+  multigrid::Multigrid<Number> cycle;
+  NodalField<Number> b, z;
+};
+
+/** Iterations in single precision, if it lasts that long: what takes more of them is
+ * likely to suffer from round-off, and needs half as many in double precision. */
+constexpr unsigned int max_single_iterations = 100;
+
+std::string failure_text(const NotConverged::Reason reason, const SolverReport &report)
+{
+  using Reason = NotConverged::Reason;
   std::ostringstream text;
-  text << "multigrid conjugate gradients " << what << " after " << iterations
-       << " iterations at a relative residual of " << residual;
-  throw NotConverged(text.str());
+  text << "multigrid conjugate gradients "
+       << (reason == Reason::not_finite   ? "met numbers that are not finite"
+           : reason == Reason::broke_down ? "broke down"
+                                          : "did not converge")
+       << " after " << report.iterations << " iterations at a relative residual of "
+       << report.residual;
+  return text.str();
 }
 } // namespace
 
@@ -32,18 +57,20 @@ struct MultigridSolver::Implementation
                  const unsigned int the_max_iterations)
     : material(the_material)
     , stiffness(the_material)
-    , preconditioner(the_material, stiffness)
     , r(the_material.n_columns(), the_material.n_rows())
     , p(r)
     , q(r)
-    , b32(the_material.n_columns(), the_material.n_rows())
-    , z32(b32)
     , n(multigrid::whole_vectors<float>(the_material.n_columns()))
     , max_iterations(the_max_iterations)
   {
     const Periodicity periodic = material.periodicity();
     unique_columns             = material.n_columns() - periodic.x;
     unique_rows                = material.n_rows() - periodic.y;
+  }
+
+  bool is_ready() const
+  {
+    return single || twice;
   }
 
   /** Zero in held degrees of freedom and duplicates: what remains is summed once. */
@@ -106,21 +133,30 @@ struct MultigridSolver::Implementation
   }
 
   double right_hand_side_norm(const NodalField<double> &u, const NodalField<double> &f);
-  void precondition(const double scale);
-  SolverReport
-  iterate(NodalField<double> &u, const double reference, const double tolerance);
+  SolverReport solve(NodalField<double> &u,
+                     const NodalField<double> &f,
+                     const double reference,
+                     const double tolerance);
+  template <typename Number>
+  std::optional<NotConverged::Reason> iterate(Preconditioner<Number> &preconditioner,
+                                              NodalField<double> &u,
+                                              const double scale,
+                                              const double tolerance,
+                                              const unsigned int last,
+                                              SolverReport &report);
 
   const UniformMaterial &material;
   UniformGridOperator stiffness;
-  multigrid::Multigrid preconditioner;
   DofMask held;
-  bool ready = false;
+  multigrid::RigidModes modes;
+  /** Of the two there is one; none before set_held(). */
+  std::unique_ptr<Preconditioner<float>> single;
+  std::unique_ptr<Preconditioner<double>> twice;
 
   /** component, column, row */
   std::vector<std::array<unsigned int, 3>> held_dofs;
 
   NodalField<double> r, p, q;
-  NodalField<float> b32, z32;
 
   /** Columns in whole vectors. */
   unsigned int n;
@@ -139,7 +175,8 @@ MultigridSolver::~MultigridSolver() = default;
 
 unsigned int MultigridSolver::n_levels() const
 {
-  return implementation->preconditioner.n_levels();
+  const Implementation &s = *implementation;
+  return s.single ? s.single->cycle.n_levels() : s.twice->cycle.n_levels();
 }
 
 void MultigridSolver::set_held(const DofMask &mask)
@@ -148,18 +185,21 @@ void MultigridSolver::set_held(const DofMask &mask)
   if (mask.n_columns() != s.material.n_columns() || mask.n_rows() != s.material.n_rows())
     throw std::invalid_argument("The mask of held degrees of freedom has another size "
                                 "than the grid.");
-  if (s.ready && mask == s.held)
+  if (s.is_ready() && mask == s.held)
     return;
-  s.ready = false;
   s.held_dofs.clear();
   for (unsigned int j = 0; j < mask.n_rows(); ++j)
     for (unsigned int i = 0; i < mask.n_columns(); ++i)
       for (unsigned int c = 0; c < 2; ++c)
         if (mask.is_held(c, i, j))
           s.held_dofs.push_back({{c, i % s.unique_columns, j % s.unique_rows}});
-  s.preconditioner.set_held(mask);
   s.held  = mask;
-  s.ready = true;
+  s.modes = multigrid::RigidModes(s.material, mask);
+  s.twice.reset();
+  if (s.single)
+    s.single->cycle.set_held(mask);
+  else
+    s.single = std::make_unique<Preconditioner<float>>(s.material, s.stiffness, mask);
 }
 
 /** || f - K u_held ||: the scale of the residual, whatever the first guess. */
@@ -171,18 +211,9 @@ double MultigridSolver::Implementation::right_hand_side_norm(const NodalField<do
     p.row(dof[0], dof[2])[dof[1]] = u.row(dof[0], dof[2])[dof[1]];
   copy_duplicates(p);
   residual(p, f);
-  preconditioner.rigid_modes().remove_from(r);
+  modes.remove_from(r);
   restrict_to_unknowns(r);
   return norm(r);
-}
-
-/** z = M^-1 r; @p scale brings r into the range of single precision. */
-void MultigridSolver::Implementation::precondition(const double scale)
-{
-  for_each_row([&](const unsigned int c, const unsigned int j) {
-    multigrid::kernels().narrow(n, scale, r.row(c, j), b32.row(c, j));
-  });
-  preconditioner.vmult(z32, b32);
 }
 
 SolverReport MultigridSolver::solve(NodalField<double> &u,
@@ -190,54 +221,89 @@ SolverReport MultigridSolver::solve(NodalField<double> &u,
                                     const double tolerance)
 {
   Implementation &s = *implementation;
-  if (!s.ready)
+  if (!s.is_ready())
     set_held(DofMask(s.material.n_columns(), s.material.n_rows()));
+  const double reference    = s.right_hand_side_norm(u, force);
+  const SolverReport report = s.solve(u, force, reference, tolerance);
   s.copy_duplicates(u);
-  const double reference = s.right_hand_side_norm(u, force);
-  s.residual(u, force);
-  s.preconditioner.rigid_modes().remove_from(s.r);
-  s.restrict_to_unknowns(s.r);
-  const SolverReport report = s.iterate(u, reference, tolerance);
-  s.copy_duplicates(u);
-  s.preconditioner.rigid_modes().remove_from(u);
+  s.modes.remove_from(u);
   return report;
+}
+
+SolverReport MultigridSolver::Implementation::solve(NodalField<double> &u,
+                                                    const NodalField<double> &f,
+                                                    const double reference,
+                                                    const double tolerance)
+{
+  SolverReport report;
+  if (twice)
+    report.single_iterations = 0;
+  while (true)
+    {
+      copy_duplicates(u);
+      residual(u, f);
+      modes.remove_from(r);
+      restrict_to_unknowns(r);
+      const double scale = reference > 0. ? reference : norm(r);
+      const auto failure =
+        single ? iterate(*single, u, scale, tolerance,
+                         std::min(max_single_iterations, max_iterations), report)
+               : iterate(*twice, u, scale, tolerance, max_iterations, report);
+      if (!failure)
+        return report;
+      if (!single || *failure == NotConverged::Reason::not_finite ||
+          report.iterations == max_iterations)
+        throw NotConverged(failure_text(*failure, report), *failure);
+      single.reset();
+      twice = std::make_unique<Preconditioner<double>>(material, stiffness, held);
+      report.single_iterations = report.iterations;
+    }
 }
 
 /**
  * Flexible conjugate gradients (Polak and Ribiere's beta), which do not mind that the
- * preconditioner is symmetric up to single precision only.
+ * preconditioner is symmetric up to its precision only, until the number @p last of
+ * iterations in all. Returns why it ended before the tolerance was met.
  */
-SolverReport MultigridSolver::Implementation::iterate(NodalField<double> &u,
-                                                      const double reference,
-                                                      const double tolerance)
+template <typename Number>
+std::optional<NotConverged::Reason>
+MultigridSolver::Implementation::iterate(Preconditioner<Number> &preconditioner,
+                                         NodalField<double> &u,
+                                         const double scale,
+                                         const double tolerance,
+                                         const unsigned int last,
+                                         SolverReport &report)
 {
-  SolverReport report;
+  using Reason                                  = NotConverged::Reason;
+  const multigrid::GridKernels<Number> &kernels = multigrid::grid_kernels<Number>();
+  NodalField<Number> &z                         = preconditioner.z;
   double residual_norm = norm(r), alpha = 0., rz = 0.;
-  if (!std::isfinite(residual_norm) || !std::isfinite(reference))
-    fail("met numbers that are not finite", 0, residual_norm);
-  const double scale = reference > 0. ? reference : residual_norm;
-  report.residual    = scale > 0. ? residual_norm / scale : 0.;
+  if (!std::isfinite(residual_norm) || !std::isfinite(scale))
+    return Reason::not_finite;
+  report.residual = scale > 0. ? residual_norm / scale : 0.;
   while (!(report.residual <= tolerance))
     {
-      if (report.iterations == max_iterations)
-        fail("did not converge", report.iterations, report.residual);
-      precondition(1. / residual_norm);
+      if (report.iterations == last)
+        return Reason::iterations;
+      // One over the norm brings r into the range of single precision.
+      for_each_row([&](const unsigned int c, const unsigned int j) {
+        kernels.scaled(n, 1. / residual_norm, r.row(c, j), preconditioner.b.row(c, j));
+      });
+      preconditioner.cycle.vmult(z, preconditioner.b);
       double dots[2] = {0., 0.};
       for_each_row([&](const unsigned int c, const unsigned int j) {
         double row[2];
-        multigrid::kernels().two_dots(n, r.row(c, j), q.row(c, j), z32.row(c, j), row);
+        kernels.two_dots(n, r.row(c, j), q.row(c, j), z.row(c, j), row);
         dots[0] += row[0];
         dots[1] += row[1];
       });
       // z is short of the factor residual_norm, which beta has to make up for.
       const double rz_new = dots[0] * residual_norm;
-      const double beta =
-        report.iterations == 0 ? 0. : -alpha * dots[1] * residual_norm / rz;
-      rz = rz_new;
+      const double beta   = alpha == 0. ? 0. : -alpha * dots[1] * residual_norm / rz;
+      rz                  = rz_new;
       for (unsigned int c = 0; c < 2; ++c)
         for (unsigned int j = 0; j < material.n_rows(); ++j)
-          multigrid::kernels().direction(n, residual_norm, beta, z32.row(c, j),
-                                         p.row(c, j));
+          kernels.direction(n, residual_norm, beta, z.row(c, j), p.row(c, j));
       stiffness.vmult(q, p);
       restrict_to_unknowns(q);
       double pq = 0.;
@@ -245,7 +311,7 @@ SolverReport MultigridSolver::Implementation::iterate(NodalField<double> &u,
         pq += multigrid::kernels().dot(n, p.row(c, j), q.row(c, j));
       });
       if (!(pq > 0.) || !std::isfinite(pq) || !(rz > 0.))
-        fail("broke down", report.iterations, report.residual);
+        return Reason::broke_down;
       alpha      = rz / pq;
       double sum = 0.;
       for_each_row([&](const unsigned int c, const unsigned int j) {
@@ -256,6 +322,6 @@ SolverReport MultigridSolver::Implementation::iterate(NodalField<double> &u,
       report.residual = residual_norm / scale;
       ++report.iterations;
     }
-  return report;
+  return {};
 }
 } // namespace mesoslip

@@ -13,6 +13,9 @@ namespace mesoslip
  * contrasts of composites, whatever the size; time and memory linear in the number of
  * cells. What u brings in free entries is the first guess.
  *
+ * When single precision breaks down or takes more than 100 iterations, the rest of this
+ * and all further solves with the same mask have the cycle in double precision.
+ *
  * All rows on one rank; independent load cases go to different ranks. Not for use by two
  * threads at a time.
  */
@@ -21,7 +24,7 @@ class MultigridSolver : public StaticSolver
 public:
   /** Sets up what does not depend on which displacements are held. */
   explicit MultigridSolver(const UniformMaterial &material,
-                           const unsigned int max_iterations = 1000);
+                           const unsigned int max_iterations = 5000);
 
   ~MultigridSolver() override;
 

@@ -56,29 +56,32 @@ static double step(const std::size_t n,
   return add_up(sums);
 }
 
+template <typename Number>
 static void direction(const std::size_t n,
                       const double scale,
                       const double beta,
-                      const float *__restrict__ z,
+                      const Number *__restrict__ z,
                       double *__restrict__ p)
 {
   for (std::size_t i = 0; i < n; ++i)
     p[i] = scale * static_cast<double>(z[i]) + beta * p[i];
 }
 
-static void narrow(const std::size_t n,
+template <typename Number>
+static void scaled(const std::size_t n,
                    const double scale,
                    const double *__restrict__ x,
-                   float *__restrict__ y)
+                   Number *__restrict__ y)
 {
   for (std::size_t i = 0; i < n; ++i)
-    y[i] = static_cast<float>(scale * x[i]);
+    y[i] = static_cast<Number>(scale * x[i]);
 }
 
+template <typename Number>
 static void two_dots(const std::size_t n,
                      const double *__restrict__ r,
                      const double *__restrict__ q,
-                     const float *__restrict__ z,
+                     const Number *__restrict__ z,
                      double results[2])
 {
   double rz[16] = {}, qz[16] = {};
@@ -93,8 +96,9 @@ static void two_dots(const std::size_t n,
   results[1] = add_up(qz);
 }
 
+template <typename Number>
 static void
-subtract_from(const std::size_t n, const float *__restrict__ b, float *__restrict__ r)
+subtract_from(const std::size_t n, const Number *__restrict__ b, Number *__restrict__ r)
 {
   for (std::size_t i = 0; i < n; ++i)
     r[i] = b[i] - r[i];
