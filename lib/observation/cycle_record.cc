@@ -1,5 +1,6 @@
 #include "observation/cycle_record.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace mesoslip
@@ -19,11 +20,11 @@ void CycleRecord::add(const std::vector<double> &values)
     }
   if (values.size() != width_)
     throw std::invalid_argument("CycleRecord: samples of different lengths");
-  ++pending_;
+  const double share = 1. / static_cast<double>(++pending_);
   for (std::size_t c = 0; c < width_; ++c)
     {
       const double difference = values[c] - pending_mean_[c];
-      pending_mean_[c] += difference / static_cast<double>(pending_);
+      pending_mean_[c] += difference * share;
       pending_square_[c] += difference * (values[c] - pending_mean_[c]);
     }
   if (pending_ == stride_)
@@ -48,8 +49,8 @@ void CycleRecord::close_bin()
       variances_.push_back(pending_square_[c] / static_cast<double>(pending_));
     }
   pending_ = 0;
-  pending_mean_.assign(width_, 0.);
-  pending_square_.assign(width_, 0.);
+  std::fill(pending_mean_.begin(), pending_mean_.end(), 0.);
+  std::fill(pending_square_.begin(), pending_square_.end(), 0.);
   if (++n_bins_ == capacity_)
     merge_pairs();
 }

@@ -104,15 +104,15 @@ LimitCycleDetector::LimitCycleDetector(const LimitCycleCriterion &criterion)
 
 bool LimitCycleDetector::add(const CycleSample &sample)
 {
-  std::vector<double> values = {sample.friction_energy - last_friction_energy_,
-                                sample.normal_force,
-                                sample.tangential_force,
-                                sample.sticking,
-                                sample.slipping,
-                                sample.kinetic_energy,
-                                sample.elastic_energy};
-  values.insert(values.end(), sample.displacement.begin(), sample.displacement.end());
-  for (const double value : values)
+  values_ = {sample.friction_energy - last_friction_energy_,
+             sample.normal_force,
+             sample.tangential_force,
+             sample.sticking,
+             sample.slipping,
+             sample.kinetic_energy,
+             sample.elastic_energy};
+  values_.insert(values_.end(), sample.displacement.begin(), sample.displacement.end());
+  for (const double value : values_)
     if (!std::isfinite(value))
       throw NumericalFailure(
         "a displacement, force or energy of the contact is not finite at "
@@ -124,7 +124,7 @@ bool LimitCycleDetector::add(const CycleSample &sample)
   last_friction_energy_ = sample.friction_energy;
   last_time_            = sample.time;
   ++n_samples_;
-  record_.add(values);
+  record_.add(values_);
   motion_.push_back(sample.displacement.front());
   if (motion_.size() >= 2 * period_samples)
     motion_.erase(motion_.begin(), motion_.end() - period_samples);

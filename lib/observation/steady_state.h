@@ -166,6 +166,7 @@ private:
   CycleRecord record_;
   /** Latest displacements of the reference node: bins of the record would alias. */
   std::vector<double> motion_;
+  std::vector<double> values_; ///< of the sample that is added
   std::size_t n_nodes_         = 0;
   unsigned long n_samples_     = 0;
   double first_time_           = 0.;

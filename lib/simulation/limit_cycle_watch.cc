@@ -49,10 +49,11 @@ bool LimitCycleWatch::follows(const EnergyAudit *energy, const std::uint64_t n) 
          (energy == nullptr || known == (n + energy_interval - 1) / energy_interval);
 }
 
-CycleSample LimitCycleWatch::sample(const ContactHistory &contact,
-                                    const std::size_t k) const
+void LimitCycleWatch::take(const ContactHistory &contact,
+                           const std::size_t k,
+                           CycleSample &sample) const
 {
-  CycleSample sample;
+  sample.displacement.clear();
   for (const MonitoredNode &node : contact.nodes)
     sample.displacement.push_back(node.ux[k]);
   sample.time             = contact.time[k];
@@ -67,17 +68,17 @@ CycleSample LimitCycleWatch::sample(const ContactHistory &contact,
       sample.kinetic_energy = kinetic_energy[e];
       sample.elastic_energy = elastic_energy[e];
     }
-  return sample;
 }
 
 bool LimitCycleWatch::update(const ContactHistory &contact, const EnergyAudit *energy)
 {
   if (energy != nullptr)
     gather_energies(energy->local_history());
+  CycleSample next;
   for (std::size_t k = 0; k < contact.step.size(); ++k)
     if (contact.step[k] >= next_step)
       {
-        const CycleSample next = sample(contact, k);
+        take(contact, k, next);
         if (!is_finite(next))
           return false;
         cycle_detector.add(next);

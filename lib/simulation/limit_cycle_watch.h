@@ -51,7 +51,8 @@ public:
 
 private:
   void gather_energies(const EnergyHistory &local);
-  CycleSample sample(const ContactHistory &contact, const std::size_t k) const;
+  void
+  take(const ContactHistory &contact, const std::size_t k, CycleSample &sample) const;
 
   const unsigned int n_nodes, energy_interval;
   const MPI_Comm communicator;

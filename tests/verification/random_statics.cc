@@ -1,6 +1,7 @@
 #include "independent_statics.h"
 
 #include "homogenization/response_check.h"
+#include "io/errors.h"
 #include "material/rotation.h"
 
 #include <gtest/gtest.h>
@@ -124,50 +125,84 @@ Case random_case(const unsigned int seed)
   return c;
 }
 
-/** Solves by default settings, against the independent solution. */
+/** Solves by default settings, or, where these are refused, by what the program advises;
+ * against a direct solution. */
 class Comparison
 {
 public:
   void add(const Case &c, const BoundaryCondition condition)
   {
     SCOPED_TRACE(to_string(condition) + ", " + c.text);
-    const UniformMaterial material = c.volume.material();
+    const VoigtMatrix<2> D = independent_statics::Solver(c.volume, condition).stiffness();
     try
       {
-        const auto solutions = solve_load_cases(
-          material, {condition}, StaticSolverKind::multigrid, 1e-8, MPI_COMM_SELF);
-        const HomogenizedResponse response = homogenize(material, solutions[0], false);
-        check_response(response, 1e-8); // or throws
-        const double error =
-          scaled_difference(response.stiffness,
-                            independent_statics::Solver(c.volume, condition).stiffness());
-        EXPECT_LT(error, 1e-5);
-        worst        = std::max(worst, error);
-        worst_mean   = std::max(worst_mean, response.hill_mandel_residual);
-        worst_phases = std::max(worst_phases, response.two_phase_residual.value_or(0.));
-        for (const SolverReport &report : response.reports)
+        const std::string warning =
+          compare(c, condition, StaticSolverKind::multigrid, 1e-8, D);
+        if (!warning.empty())
           {
-            most_iterations = std::max(most_iterations, report.iterations);
-            in_double += report.single_iterations.has_value();
+            ++n_warnings;
+            std::cout << warning << " (" << c.text << ")\n";
+            EXPECT_EQ(compare(c, condition, StaticSolverKind::multigrid, 1e-12, D), "");
           }
-        ++n;
       }
-    catch (const std::runtime_error &e)
+    catch (const NotConverged &e)
       {
-        ADD_FAILURE() << e.what();
+        say(e, c);
+        EXPECT_NE(std::string(e.what()).find(to_string(condition) + " "),
+                  std::string::npos);
+        compare(c, condition, StaticSolverKind::jacobi, 1e-8, D);
+      }
+    catch (const NumericalFailure &e)
+      {
+        say(e, c);
+        compare(c, condition, StaticSolverKind::multigrid, 1e-12, D);
       }
   }
 
   void print() const
   {
-    std::cout << n << " solutions, stiffness off by at most " << worst
-              << ", Hill-Mandel residual at most " << worst_mean << ", two phases "
-              << worst_phases << ", at most " << most_iterations << " iterations, "
-              << in_double << " load cases in double precision\n";
+    std::cout << n << " solutions, " << n_refused << " refused before, " << n_warnings
+              << " with a warning; stiffness off by at most " << worst
+              << " without one; Hill-Mandel residual at most " << worst_mean
+              << ", two phases " << worst_phases << "; at most " << most_iterations
+              << " iterations, " << n_double << " load cases in double precision\n";
   }
 
 private:
-  unsigned int n = 0, most_iterations = 0, in_double = 0;
+  void say(const std::exception &e, const Case &c)
+  {
+    ++n_refused;
+    std::cout << e.what() << " (" << c.text << ")\n";
+  }
+
+  /** Returns the warning. What is said to hold, holds. */
+  std::string compare(const Case &c,
+                      const BoundaryCondition condition,
+                      const StaticSolverKind solver,
+                      const double tolerance,
+                      const VoigtMatrix<2> &D)
+  {
+    const UniformMaterial material = c.volume.material();
+    const auto solutions =
+      solve_load_cases(material, {condition}, solver, tolerance, MPI_COMM_SELF);
+    const HomogenizedResponse response = homogenize(material, solutions[0], false);
+    const std::string warning          = check_response(response, tolerance);
+    const double error                 = scaled_difference(response.stiffness, D);
+    EXPECT_LT(error, std::max(1e-5, 10. * response.hill_mandel_residual));
+    if (warning.empty())
+      worst = std::max(worst, error);
+    worst_mean   = std::max(worst_mean, response.hill_mandel_residual);
+    worst_phases = std::max(worst_phases, response.two_phase_residual.value_or(0.));
+    for (const SolverReport &report : response.reports)
+      {
+        most_iterations = std::max(most_iterations, report.iterations);
+        n_double += report.single_iterations.has_value();
+      }
+    ++n;
+    return warning;
+  }
+
+  unsigned int n = 0, n_refused = 0, n_warnings = 0, most_iterations = 0, n_double = 0;
   double worst = 0., worst_mean = 0., worst_phases = 0.;
 };
 

@@ -41,12 +41,13 @@ std::string failure_text(const NotConverged::Reason reason, const SolverReport &
 {
   using Reason = NotConverged::Reason;
   std::ostringstream text;
-  text << "multigrid conjugate gradients "
-       << (reason == Reason::not_finite   ? "met numbers that are not finite"
-           : reason == Reason::broke_down ? "broke down"
-                                          : "did not converge")
-       << " after " << report.iterations << " iterations at a relative residual of "
-       << report.residual;
+  text << "multigrid conjugate gradients ";
+  if (reason == Reason::not_finite)
+    text << "met numbers that are not finite";
+  else
+    text << (reason == Reason::broke_down ? "broke down" : "did not converge")
+         << " after " << report.iterations << " iterations at a relative residual of "
+         << report.residual;
   return text.str();
 }
 } // namespace
