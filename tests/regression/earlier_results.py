@@ -56,7 +56,8 @@ class Folder:
         return os.path.join(self.path, *names)
 
     def run(self, status, program, output, *options):
-        executable = {"friction": "contact_dynamics", "picture": "rve_homogenization"}.get(program, program)
+        executable = {"friction": "contact_dynamics", "modal": "contact_dynamics", "static contact": "contact_dynamics",
+                      "picture": "rve_homogenization"}.get(program, program)
         done = subprocess.run([os.path.join(PROGRAMS, executable), program + ".prm", "--output", output, *options], cwd=self.path,
                               text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         assert done.returncode == status, f"{program} {options}: exit status {done.returncode}: {done.stdout}{done.stderr}"
@@ -235,6 +236,9 @@ end
 
 def check_inputs_in_output(folder):
     """An output folder that holds an input, by whatever name, or results of another kind is refused before it is touched."""
+    for analysis in ("modal", "static contact"):
+        with open(folder(analysis + ".prm"), "w", encoding="utf-8") as file:
+            file.write(f"set Analysis = {analysis}\nsubsection Body\n  set RVE file = rve/rve.h5\nend\n")
     with open(folder("friction.prm"), "w", encoding="utf-8") as file:
         file.write("set Analysis = friction homogenization\nsubsection Friction homogenization\n  set Heterogeneous run = run\nend\n")
     os.symlink("run", folder("link to run"))
@@ -248,8 +252,7 @@ def check_inputs_in_output(folder):
             ("contact_dynamics", "Body/RVE file", "rve/rve.h5", ("rve", "rve/", "hard")),
             ("friction", "Friction homogenization/Heterogeneous run", "run is the output folder", ("run", "link to run"))):
         cases += [(program, output, [], [key, name, "--output"]) for output in outputs]
-    cases += [("contact_dynamics", "run", ["--set", f"Analysis={analysis}"], ["output folder run", "'transient' of contact_dynamics",
-                                                                           f"'{analysis}'", "remove"])
+    cases += [(analysis, "run", [], ["output folder run", "'transient' of contact_dynamics", f"'{analysis}'", "remove"])
               for analysis in ("modal", "static contact")]
     cases += [("rve_homogenization", "run", [], ["output folder run", "'transient' of contact_dynamics", "those of rve_homogenization"]),
               ("contact_dynamics", "local", [], ["output folder local", "results of stress_localization", "'transient'"])]
