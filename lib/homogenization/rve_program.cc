@@ -159,19 +159,6 @@ std::vector<std::string> slips(const MicrostructureParameters &p)
   for (unsigned int d = 0; d < 2; ++d)
     ranges.push_back(plausible_length("Grid/Size along " + std::string(1, "xy"[d]),
                                       p.grid.grid().extent(d)));
-  if (p.type == MicrostructureParameters::Type::random_fibres)
-    {
-      const auto add = [&](const char *key, const double length, const unsigned int d) {
-        PlausibleRange range = plausible_length(random_fibres_section + key, length);
-        range.lowest         = 0.; // at least a cell, of which the size is judged
-        range.highest        = p.grid.grid().extent(d);
-        range.if_high        = "more than the volume of Grid/Size measures; is it in m?";
-        ranges.push_back(range);
-      };
-      add("/Fibre width", p.placement.width, 0);
-      add("/Maximum height", p.placement.max_height, 1);
-      add("/Minimum gap", p.placement.minimum_gap, 0);
-    }
   std::vector<std::string> sentences = implausible(ranges);
   const std::string stiffness        = stiffness_warning(p.phases.make_phases());
   if (!stiffness.empty())

@@ -12,6 +12,7 @@ from scenes import PHASES, SMALL_GRID, SMALL_RVE as RVE
 
 PROGRAMS = sys.argv[1]
 IMAGE = PHASES + SMALL_GRID + "subsection Microstructure\n  set Type = image\nend\n"
+HOMOGENEOUS = PHASES + SMALL_GRID + "subsection Microstructure\n  set Type = homogeneous\nend\n"
 MODAL = "set Analysis = modal\n"
 LOCAL = "subsection Input\n  set RVE file = rve.h5\nend\n"
 BODY = """
@@ -82,7 +83,7 @@ CASES = [
     ("contact_dynamics", CONTACT, ["--set", "Snapshots/Interval=1e-8", "--set", "Snapshots/From=2e-6"],
      ["Snapshots/From", "earlier"]),
     ("contact_dynamics", BODY, ["--set", "Analysis=modal", "--set", "Modal/Number of modes=500"],
-     ["Modal/Number of modes", "500 modes of only 441 free degrees of freedom", "half of them"]),
+     ["Modal/Number of modes", "500 modes of only 421 free degrees of freedom", "half of them"]),
     ("contact_dynamics", CONTACT, ["--set", "Body/Density=1e-9", "--set", "Body/Size=1e-15, 1e-15"], ["Time/End time", "1.384e+38 steps", "kg/m^3"]),
     ("contact_dynamics", CONTACT, ["--set", "Body/Stiffness=1e-320, 0, 1e-320, 1e-320"], ["Body", "no frequency of vibration", "in Pa"]),
     ("contact_dynamics", BODY, ["--set", "Analysis=static contact", "--set", "Friction/Coefficient=5", "--set", "Top/Kind=pressure",
@@ -116,8 +117,6 @@ SLIPS = [
 RVE_SLIPS = [
     ("Phases/matrix/Density=1.77", ["Phases/matrix/Density is 1.77 kg/m^3", "g/cm^3"]),
     ("Phases/fibre/Friction coefficient=25", ["Phases/fibre/Friction coefficient is 25,"]),
-    ("Microstructure/Random fibres/Maximum height=0.4", ["Maximum height is 0.4 m", "in m?"]),
-    ("Grid/Size=20, 0.001", ["Grid/Size along x is 20 m", "mm"]),
 ]
 # Keys that others leave without effect: program, text, what is set, words. Not one word about them before.
 UNUSED = [(program, text, [word for option in options for word in ("--set", option)], words) for program, text, options, words in (
@@ -264,9 +263,10 @@ def check_slips():
             ("contact_dynamics", CONTACT, ["--set", "Body/Size=8, 4"], ["ends before the wave is back", "Body/Size"]),
             ("contact_dynamics", CONTACT, ["--set", "Time/Rayleigh beta=1e-6"], ["Rayleigh beta = 1e-06 s", "times shorter"]),
             ("contact_dynamics", CONTACT, [*undamped, "--set", "Friction/Law=coulomb"], ["neither regularization", "no grid is fine enough"]),
-            ("contact_dynamics", CONTACT, [*undamped, *plain, "--set", "Flat/Expression=cos(1e6*t)"], ["Warning", "neither regularization"]),
+            ("contact_dynamics", CONTACT, [*undamped, *plain, "--set", "Flat/Expression=cos(1e6*t)"], ["arning", "neither regularization"]),
             *(("contact_dynamics", CONTACT, ["--set", setting], words) for setting, words in SLIPS),
-            *(("rve_homogenization", RVE, ["--set", setting], words) for setting, words in RVE_SLIPS)):
+            *(("rve_homogenization", RVE, ["--set", setting], words) for setting, words in RVE_SLIPS),
+            ("rve_homogenization", HOMOGENEOUS, ["--set", "Grid/Size=20, 0.001"], ["Grid/Size along x is 20 m", "mm"])):
         with tempfile.TemporaryDirectory() as folder:
             for name, content in (("case.prm", text), ("dark.txt", "\ufeff" + "0 0\n")):
                 with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
