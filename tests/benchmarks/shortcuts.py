@@ -123,12 +123,12 @@ def difference(shortcut, short, full):
 
 
 def promise(shortcut, short, full):
-    """What the answers may differ by: the tolerance, or the part of h and dt by the fit value + a h^2 + b dt^2 to the nine runs of
+    """What the answers may differ by: the tolerance, or the part of h and dt by the fit value + a h^2 + b dt to the nine runs of
     the pin in work_precision.md, which is a harder case."""
     if shortcut.tolerance is not None:
         return shortcut.tolerance
     fit = next(row for row in read_csv(os.path.join(TOP, "doc", "performance", "pin-limit.csv"))[0] if row["quantity"] == "mu_inter")
-    part = [fit["per_mm2"] * 1e6 * AREA / summary["cells"] + fit["per_ns2"] * (1e9 * summary["time_step"]) ** 2 for summary in (short, full)]
+    part = [fit["per_mm2"] * 1e6 * AREA / summary["cells"] + fit["per_ns"] * 1e9 * summary["time_step"] for summary in (short, full)]
     return abs(part[0] - part[1]) / fit["value"]
 
 

@@ -67,14 +67,14 @@ def test_statistics():
 
 
 def test_limit_of_the_pin():
-    """value + a h^2 + b dt^2 is found from runs that obey it."""
+    """value + a h^2 + b dt is found from runs that obey it."""
     rows = [{"name": f"{h}{dt}", "material": "homogeneous", "beta2": 0.5, "h_mm": h, "dt_s": dt,
-             **{q: 0.2 + 0.01 * h * h + 1e13 * dt * dt for q in pin.QUANTITIES}}
+             **{q: 0.2 + 0.01 * h * h + 1e6 * dt for q in pin.QUANTITIES}}
             for h in SIZES for dt in (1e-8 * h, 2e-8 * h)]
     limit = pin.continuum(rows)["mu_inter"]
     close(limit["value"], 0.2, 1e-12)
     close(limit["per_mm2"], 0.01, 1e-9)
-    close(limit["per_ns2"], 1e-5, 1e-11)
+    close(limit["per_ns"], 1e-3, 1e-9)
 
 
 def test_model_of_the_step():
