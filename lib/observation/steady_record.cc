@@ -8,7 +8,7 @@ namespace mesoslip
 namespace
 {
 /** Columns of the record of the contact. */
-enum Column : std::size_t
+enum RecordColumn : std::size_t
 {
   displacement,
   velocity,
