@@ -6,6 +6,11 @@
 
 namespace mesoslip
 {
+std::string numbers_text(const unsigned int width, const unsigned int height)
+{
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
 std::string lengths_text(const double width, const double height)
 {
   const double largest    = std::max(width, height) * (1. + 1e-9);

@@ -7,6 +7,9 @@
 
 namespace mesoslip
 {
+/** "560 x 160": two numbers of cells or pixels. */
+std::string numbers_text(const unsigned int width, const unsigned int height);
+
 /** "0.1 x 0.2 mm": two lengths (m) with the unit that suits the larger one. */
 std::string lengths_text(const double width, const double height);
 

@@ -1,5 +1,6 @@
 #include "microstructure/image_map.h"
 
+#include "grid/size_text.h"
 #include "io/errors.h"
 #include "io/parameters.h"
 
@@ -12,11 +13,6 @@ namespace mesoslip
 {
 namespace
 {
-std::string times(const unsigned int x, const unsigned int y)
-{
-  return std::to_string(x) + " x " + std::to_string(y);
-}
-
 /** Which pixels lie in a cell, or which cells in a pixel. */
 struct Ratio
 {
@@ -27,9 +23,9 @@ struct Ratio
 Ratio ratio_of(const UniformGrid<2> &grid, const Image &image, const std::string &source)
 {
   const std::array<unsigned int, 2> n_pixels = {{image.width, image.height}};
-  const std::string numbers                  = source + ": the image has " +
-                              times(image.width, image.height) + " pixels and the grid " +
-                              times(grid.cells[0], grid.cells[1]) + " cells; ";
+  const std::string numbers =
+    source + ": the image has " + numbers_text(image.width, image.height) +
+    " pixels and the grid " + numbers_text(grid.cells[0], grid.cells[1]) + " cells; ";
   const std::string advice = "set Grid/Cells = " + std::to_string(image.width) + ", " +
                              std::to_string(image.height);
   Ratio ratio;
@@ -74,7 +70,7 @@ void require_square_pixels(const UniformGrid<2> &grid,
                height       = grid.extent(1) / image.height;
   constexpr double rounding = 0.01; // sizes of three digits
   if (!(std::abs(width - height) <= rounding * std::max(width, height)))
-    throw UserError(source + ": its " + times(image.width, image.height) +
+    throw UserError(source + ": its " + numbers_text(image.width, image.height) +
                     " pixels would be " + to_text(width) + " m wide and " +
                     to_text(height) +
                     " m high in the body; do Grid/Cells and Grid/Size belong to this "

@@ -25,11 +25,6 @@ std::string file_name(const std::string &path)
   return std::filesystem::path(path).filename().string();
 }
 
-std::string times(const unsigned int x, const unsigned int y)
-{
-  return std::to_string(x) + " x " + std::to_string(y);
-}
-
 /** Coarse cells may swallow a phase, or swell it; empty when they do neither. */
 std::string coarsening_warning(const ImageMap &image, const PhaseParameters &parameters)
 {
@@ -54,14 +49,15 @@ std::string image_text(const ImageMap &image, const std::string &file)
 {
   const UniformGrid<2> &grid = image.map.grid;
   const unsigned int n_x = image.pixels[0], n_y = image.pixels[1];
-  std::string text = "Morphology: " + times(n_x, n_y) + " pixels of " + file_name(file) +
-                     ", each " + lengths_text(grid.extent(0) / n_x, grid.extent(1) / n_y);
+  std::string text = "Morphology: " + numbers_text(n_x, n_y) + " pixels of " +
+                     file_name(file) + ", each " +
+                     lengths_text(grid.extent(0) / n_x, grid.extent(1) / n_y);
   if (n_x == grid.cells[0] && n_y == grid.cells[1])
     return text + ", one per cell";
   if (n_x >= grid.cells[0] && n_y >= grid.cells[1])
-    return text + ", " + times(n_x / grid.cells[0], n_y / grid.cells[1]) +
+    return text + ", " + numbers_text(n_x / grid.cells[0], n_y / grid.cells[1]) +
            " per cell, of which the majority decides";
-  return text + ", " + times(grid.cells[0] / n_x, grid.cells[1] / n_y) +
+  return text + ", " + numbers_text(grid.cells[0] / n_x, grid.cells[1] / n_y) +
          " cells per pixel";
 }
 
