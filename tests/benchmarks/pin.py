@@ -137,7 +137,7 @@ def start_rows(results, names):
 
 def continuum(rows):
     """{quantity: value, error_95, a, b, residual} of value + a h^2 + b dt (h in mm, dt in ns): two orders of the bulk,
-    one of the friction law."""
+    one of the moments at which nodes land and lift off."""
     used = [row for row in rows if row["material"] == "homogeneous" and row["beta2"] == 0.5
             and row["name"] != "homogeneous-h0.2-beta"]
     terms = np.array([[1, row["h_mm"] ** 2, 1e9 * row["dt_s"]] for row in used])
@@ -161,7 +161,8 @@ def conclusions(rows):
             own = [row for row in rows if row["material"] == "homogeneous"]
             best = cheapest(own, quantity + "_error", "cpu_s", target)
             found.append({"quantity": quantity, "target": target,
-                          "choice": f"h = {best['h_mm']:g} mm, {best['share']:g} dt_crit, beta2 {best['beta2']:g}"
+                          "choice": f"h = {best['h_mm']:g} mm, {best['share']:g} dt_crit = {1e9 * best['dt_s']:.3g} ns, "
+                                    f"beta2 {best['beta2']:g}"
                           if best else "none of these", "error": abs(best[quantity + "_error"]) if best else "",
                           "cpu_s": best["cpu_s"] if best else ""})
     return found

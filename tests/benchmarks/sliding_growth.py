@@ -4,7 +4,7 @@ import model_problem
 
 
 def run(bench):
-    sizes = [20, 40] if bench.quick else [20, 28, 40, 56, 80]
+    sizes = [20, 40] if bench.quick else [5, 7, 10, 14, 20, 28, 40, 56, 80]
     rows = model_problem.sweep(bench, "growth", sizes, "growth rate (1/s) and frequency of the fastest wave, k H = 1, mu = 0.25, "
                                "delta = 1.5 us, beta = 4.4 ns; cpu_s: time loop of 0.4 ms")
     model_problem.draw(bench, "growth", rows, [
