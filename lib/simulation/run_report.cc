@@ -112,7 +112,7 @@ std::vector<std::string> transient_warnings(const ContactParameters &parameters,
   if (!damping.empty())
     warnings.push_back(damping);
   if (slides_undamped(parameters))
-    warnings.push_back(
+    warnings.emplace_back(
       "the run has neither regularization (Friction/Law = coulomb or Regularization time "
       "= 0) nor damping (Time/Rayleigh beta = 0): while nodes slide, waves of three to "
       "four cells grow that the body does not have, the faster the finer the grid is, so "
