@@ -38,16 +38,16 @@ def growth_over_delta(folder, found):
     ns = np.array(growth.DELTAS) * 1e9
     growing = [k for k, s in enumerate(found.paper[growth.AT]) if s.real > 0]
     for k, branch in enumerate(found.paper.T):
-        colour = COLOURS[growing.index(k)] if k in growing else GREY
+        colour = COLOURS[growing.index(k) % len(COLOURS)] if k in growing else GREY
         label = f"{branch[growth.AT].imag / (2e3 * np.pi):.1f} kHz" if k in growing else None
         axes.plot(ns, branch.real, "-o", ms=3, color=colour, label=label, zorder=3 if k in growing else 2, lw=1.3 if k in growing else 0.7)
-    for k, colour in zip(range(len(growing)), COLOURS):
+    for k in range(len(growing)):
         values = [line[k].real for line in found.morphologies.values()]
-        axes.plot(np.full(len(values), ns[growth.AT]) + 25, values, "_", ms=9, color=colour, zorder=3)
+        axes.plot(np.full(len(values), ns[growth.AT]) + 25, values, "_", ms=9, color=COLOURS[k % len(COLOURS)], zorder=3)
     axes.axhline(0, color="black", lw=0.8)
     axes.set(xlabel="δ [ns]", ylabel="growth rate [1/s]", yscale="symlog")
     axes.set_yscale("symlog", linthresh=100)
-    axes.legend(title="frequency at 1500 ns", ncol=2, fontsize=8)
+    axes.legend(title="frequency at 1500 ns", ncol=2, fontsize=8, loc="lower left", bbox_to_anchor=(0.02, 0.12))
     return save(figure, folder, "growth.png")
 
 
