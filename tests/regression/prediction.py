@@ -115,8 +115,8 @@ def growth_of_a_run(programs):
     modes = sliding_search.search(growth.homogeneous_pin(np.array(PAPER), delta, cells), 2 * np.pi * 200e3).eigenvalues
     for s in (modes[0], modes[np.argmin(abs(modes.imag - 2 * np.pi * 41.6e3))]):
         line = seen[np.argmin(abs(seen - s))]
-        close(f"growth of the run at {s.imag / 2e3 / np.pi:.2f} kHz", line.real, s.real, 5e-3)
-        close("its frequency", line.imag, s.imag, 5e-5)
+        close(f"growth of the run at {s.imag / 2e3 / np.pi:.2f} kHz", line.real, s.real, 1e-4)
+        close("its frequency", line.imag, s.imag, 1e-5)
 
 
 def mixtures():
