@@ -15,7 +15,7 @@ import warnings
 import h5py
 import numpy as np
 
-from scenes import SMALL_RVE as RVE
+from scenes import PHASES, SMALL_RVE as RVE
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 sys.path.insert(0, os.path.join(TOP, "applications", "python"))
@@ -223,9 +223,10 @@ def check_other_loads(folder):
     assert "is one of a heterogeneous body" in said, said
 
 
-PICTURE = """
+PICTURE = PHASES + """
 subsection Grid
   set Cells = 4, 2
+  set Size = 4e-3, 2e-3
 end
 subsection Microstructure
   set Type = image
