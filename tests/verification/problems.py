@@ -58,6 +58,10 @@ PROBLEMS = [
       _HOMOGENIZATION + "Homogenization.MirroredMorphologyGivesMirroredStiffness", _HOMOGENIZATION + "Homogenization.UnitsChangeNothing"]),
     ("Random microstructures", "fractions, gaps, bounds and identities for drawn morphologies (seeds printed)",
      [_HOMOGENIZATION + "RandomMicrostructures.KeepTheirRules", _HOMOGENIZATION + "RandomMicrostructures.KeepOrderAndIdentities"]),
+    ("Random statics", "stiffnesses of drawn volumes (contrast to 1e6, nu to 0.4999, cells to 1:60, 1 x 1 to 64 x 64 cells, soft pores) equal those of a sparse "
+     "direct solution to 1e-5, or a warning says how many digits hold; the energy is of second order in the error of the solver",
+     [_HOMOGENIZATION + "RandomStatics." + name for name in ("EqualADirectSolution", "AdverseVolumesEqualADirectSolution",
+                                                             "StiffInclusionHoldsItsDigits", "EnergiesAreOfSecondOrder")]),
 ]
 
 # Expected order of each series of errors.
