@@ -5,7 +5,7 @@
 mesoslip_packages=(
   build-essential cmake ninja-build libdeal.ii-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev libpng-dev libxxhash-dev
   python3 python3-numpy python3-scipy python3-h5py python3-matplotlib
-  libgtest-dev python3-pil python3-pip doxygen cppcheck)
+  libgtest-dev python3-pil python3-pip doxygen cppcheck g++-aarch64-linux-gnu qemu-user)
 
 # Debian's python has numpy, h5py and matplotlib; another one in PATH may not.
 python=/usr/bin/python3

@@ -4,14 +4,8 @@ namespace mesoslip
 {
 ContactFunction contact_function(const InstructionSet isa)
 {
-  switch (resolve(isa))
-    {
-    case InstructionSet::x86_64_v4:
-      return contact_kernels::x86_64_v4::advance;
-    case InstructionSet::x86_64_v3:
-      return contact_kernels::x86_64_v3::advance;
-    default:
-      return contact_kernels::x86_64::advance;
-    }
+  using namespace contact_kernels;
+  const ContactFunction functions[] = MESOSLIP_VARIANTS(advance);
+  return variant(functions, isa);
 }
 } // namespace mesoslip

@@ -1,6 +1,8 @@
 #ifndef mesoslip_contact_contact_kernel_h
 #define mesoslip_contact_contact_kernel_h
 
+#include "elasticity/kernel_variants.h"
+
 #include <cstddef>
 
 namespace mesoslip
@@ -89,18 +91,13 @@ using ContactFunction = void (*)(const ContactArrays &arrays,
 /** One for each instruction set, see contact_function.h. */
 namespace contact_kernels
 {
-namespace x86_64
-{
-void advance(const ContactArrays &, const ContactStep &, ContactSums &);
-}
-namespace x86_64_v3
-{
-void advance(const ContactArrays &, const ContactStep &, ContactSums &);
-}
-namespace x86_64_v4
-{
-void advance(const ContactArrays &, const ContactStep &, ContactSums &);
-}
+#define MESOSLIP_DECLARE_ADVANCE(name)                                     \
+  namespace name                                                           \
+  {                                                                        \
+  void advance(const ContactArrays &, const ContactStep &, ContactSums &); \
+  }
+MESOSLIP_FOR_EACH_VARIANT(MESOSLIP_DECLARE_ADVANCE)
+#undef MESOSLIP_DECLARE_ADVANCE
 } // namespace contact_kernels
 } // namespace mesoslip
 

@@ -10,20 +10,25 @@ std::string to_string(const InstructionSet isa)
 {
   switch (isa)
     {
-    case InstructionSet::x86_64:
+    case InstructionSet::baseline:
+#ifdef __x86_64__
       return "x86-64";
+#else
+      return "generic";
+#endif
     case InstructionSet::x86_64_v3:
       return "x86-64-v3";
     case InstructionSet::x86_64_v4:
       return "x86-64-v4";
     default:
-      return "automatic";
+      return "auto";
     }
 }
 
 std::vector<InstructionSet> available_instruction_sets()
 {
-  std::vector<InstructionSet> sets = {InstructionSet::x86_64};
+  std::vector<InstructionSet> sets = {InstructionSet::baseline};
+#ifdef __x86_64__
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
       __builtin_cpu_supports("bmi2"))
@@ -32,7 +37,22 @@ std::vector<InstructionSet> available_instruction_sets()
       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
       __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512vl"))
     sets.push_back(InstructionSet::x86_64_v4);
+#endif
   return sets;
+}
+
+InstructionSet instruction_set(const std::string &name)
+{
+  std::string names;
+  for (const InstructionSet isa : {InstructionSet::automatic, InstructionSet::baseline,
+                                   InstructionSet::x86_64_v3, InstructionSet::x86_64_v4})
+    {
+      if (to_string(isa) == name)
+        return isa;
+      names += (names.empty() ? "" : ", ") + to_string(isa);
+    }
+  throw std::runtime_error("there is no instruction set '" + name + "'; use one of " +
+                           names);
 }
 
 namespace
@@ -42,12 +62,15 @@ InstructionSet from_environment(const std::vector<InstructionSet> &available)
   const char *name = std::getenv("MESOSLIP_ISA");
   if (name == nullptr || *name == '\0')
     return available.back();
-  for (const InstructionSet isa :
-       {InstructionSet::x86_64, InstructionSet::x86_64_v3, InstructionSet::x86_64_v4})
-    if (to_string(isa) == name)
-      return isa;
-  throw std::runtime_error("MESOSLIP_ISA is '" + std::string(name) +
-                           "'; use x86-64, x86-64-v3 or x86-64-v4");
+  try
+    {
+      const InstructionSet isa = instruction_set(name);
+      return isa == InstructionSet::automatic ? available.back() : isa;
+    }
+  catch (const std::runtime_error &e)
+    {
+      throw std::runtime_error(std::string("MESOSLIP_ISA: ") + e.what());
+    }
 }
 } // namespace
 

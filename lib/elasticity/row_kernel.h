@@ -1,6 +1,8 @@
 #ifndef mesoslip_elasticity_row_kernel_h
 #define mesoslip_elasticity_row_kernel_h
 
+#include "elasticity/kernel_variants.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -179,9 +181,7 @@ struct Kernels
   double dot(const double *a, const double *b, unsigned int n); \
   }
 
-MESOSLIP_DECLARE_KERNELS(x86_64)
-MESOSLIP_DECLARE_KERNELS(x86_64_v3)
-MESOSLIP_DECLARE_KERNELS(x86_64_v4)
+MESOSLIP_FOR_EACH_VARIANT(MESOSLIP_DECLARE_KERNELS)
 #undef MESOSLIP_DECLARE_KERNELS
 } // namespace kernels
 } // namespace mesoslip

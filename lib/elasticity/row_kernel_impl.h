@@ -1,5 +1,5 @@
-// The one row kernel. Included inside a namespace by row_kernel_x86_64*.cc, after simd.h;
-// the mathematics is in row_kernel.h.
+// The one row kernel. Included inside a namespace by row_kernel.cc, after simd.h; the
+// mathematics is in row_kernel.h.
 
 /** The coefficients of one vector of cells. */
 template <typename Number, MaterialVariant variant>

@@ -62,20 +62,14 @@ make_constants(const UniformMaterial &material)
 template <typename Number>
 unsigned int register_capacity(const InstructionSet isa)
 {
-  constexpr const Number *type = nullptr;
-  switch (isa)
-    {
-    case InstructionSet::x86_64_v4:
-      return kernels::x86_64_v4::register_capacity(type);
-    case InstructionSet::x86_64_v3:
-      return kernels::x86_64_v3::register_capacity(type);
-    default:
-      return kernels::x86_64::register_capacity(type);
-    }
+  using namespace kernels;
+  unsigned int (*const capacities[])(const Number *) =
+    MESOSLIP_VARIANTS(register_capacity);
+  return variant(capacities, isa)(nullptr);
 }
 
-kernels::MaterialVariant variant(const UniformMaterial &material,
-                                 const unsigned int capacity)
+kernels::MaterialVariant material_variant(const UniformMaterial &material,
+                                          const unsigned int capacity)
 {
   using kernels::MaterialVariant;
   const unsigned int n = material.n_classes();
@@ -112,21 +106,14 @@ RowKernels<Number>::RowKernels(const UniformMaterial &material,
   : constants(make_constants<Number>(material))
 {
   const InstructionSet isa = resolve(requested);
-  choice.material          = variant(material, register_capacity<Number>(isa));
+  choice.material          = material_variant(material, register_capacity<Number>(isa));
   choice.anisotropic       = !material.is_orthotropic();
   choice.damping           = damping;
   choice.gravity           = gravity;
-  switch (isa)
-    {
-    case InstructionSet::x86_64_v4:
-      kernels::x86_64_v4::select(choice, functions);
-      break;
-    case InstructionSet::x86_64_v3:
-      kernels::x86_64_v3::select(choice, functions);
-      break;
-    default:
-      kernels::x86_64::select(choice, functions);
-    }
+  using namespace kernels;
+  void (*const selections[])(const Choice &, Kernels<Number> &) =
+    MESOSLIP_VARIANTS(select);
+  variant(selections, isa)(choice, functions);
 }
 
 template <typename Number>

@@ -1,5 +1,5 @@
 // Vectors of the instruction set this translation unit is compiled for. Included by the
-// row kernels only, inside their namespace: see row_kernel_x86_64*.cc.
+// row kernels only, inside their namespace: see row_kernel.cc.
 //
 // GCC vector extensions wherever they suffice; intrinsics where the language has no word
 // for it (fused multiply-add, table lookup, widening of bytes). Contraction by the

@@ -12,20 +12,15 @@ namespace mesoslip
 {
 namespace
 {
-using Strain = decltype(&kernels::x86_64::strain);
-using Dot    = decltype(&kernels::x86_64::dot);
+using Strain = decltype(&kernels::baseline::strain);
+using Dot    = decltype(&kernels::baseline::dot);
 
 std::pair<Strain, Dot> row_functions(const InstructionSet isa)
 {
-  switch (resolve(isa))
-    {
-    case InstructionSet::x86_64_v4:
-      return {&kernels::x86_64_v4::strain, &kernels::x86_64_v4::dot};
-    case InstructionSet::x86_64_v3:
-      return {&kernels::x86_64_v3::strain, &kernels::x86_64_v3::dot};
-    default:
-      return {&kernels::x86_64::strain, &kernels::x86_64::dot};
-    }
+  using namespace kernels;
+  const Strain strains[] = MESOSLIP_VARIANTS(strain);
+  const Dot dots[]       = MESOSLIP_VARIANTS(dot);
+  return {variant(strains, isa), variant(dots, isa)};
 }
 
 /** Everything one precision needs; made when that precision is first used. */

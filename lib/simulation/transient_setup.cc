@@ -56,11 +56,7 @@ SweepOptions sweep_options(const ContactParameters &parameters)
 {
   SweepOptions options;
   options.wavefront = parameters.wavefront;
-  if (parameters.instruction_set != "auto")
-    for (const InstructionSet isa :
-         {InstructionSet::x86_64, InstructionSet::x86_64_v3, InstructionSet::x86_64_v4})
-      if (to_string(isa) == parameters.instruction_set)
-        options.isa = isa;
+  options.isa       = instruction_set(parameters.instruction_set);
   return options;
 }
 

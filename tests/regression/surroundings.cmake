@@ -1,7 +1,9 @@
-# Terminals, full disks, the report in a browser, ParaView. Exit status 77: what the test needs is not there. The function is in chain.cmake.
+# Terminals, full disks, the report in a browser, ParaView, another processor. Exit status 77: what the test needs is not there. The function is in chain.cmake.
 if(MESOSLIP_PYTHON)
   mesoslip_python_test(regression terminal TIMEOUT 120)
   mesoslip_python_test(regression disk TIMEOUT 180)
+  mesoslip_python_test(regression other_processors TIMEOUT 300 PROCESSORS 2)
+  set_tests_properties(regression/other_processors PROPERTIES SKIP_RETURN_CODE 77)
   mesoslip_python_test(regression xdmf TIMEOUT 180 PROCESSORS 2)
   set_tests_properties(regression/xdmf PROPERTIES SKIP_RETURN_CODE 77)
   if(MESOSLIP_PYTHON_MISSES EQUAL 0)

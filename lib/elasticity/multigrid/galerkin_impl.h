@@ -1,5 +1,5 @@
 // Galerkin products, 8 coarse cells at once. Included inside a namespace by
-// kernels_x86_64*.cc, after kernels_impl.h.
+// kernels_table.cc, after kernels_impl.h.
 //
 // Rigid motions (u, v, r) of nodes are first taken about one common point, the lower
 // left corner of the coarse cell: then interpolation multiplies all three by the same

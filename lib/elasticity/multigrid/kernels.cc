@@ -1,30 +1,17 @@
 #include "elasticity/multigrid/kernels.h"
 
 #include "elasticity/instruction_set.h"
+#include "elasticity/kernel_variants.h"
 
 namespace mesoslip
 {
 namespace multigrid
 {
-namespace
-{
-const Kernels &choose()
-{
-  switch (resolve(InstructionSet::automatic))
-    {
-    case InstructionSet::x86_64_v4:
-      return x86_64_v4::kernels();
-    case InstructionSet::x86_64_v3:
-      return x86_64_v3::kernels();
-    default:
-      return x86_64::kernels();
-    }
-}
-} // namespace
-
 const Kernels &kernels()
 {
-  static const Kernels &chosen = choose();
+  using Tables                 = const Kernels &(*)();
+  const Tables tables[]        = MESOSLIP_VARIANTS(kernels);
+  static const Kernels &chosen = variant(tables, InstructionSet::automatic)();
   return chosen;
 }
 

@@ -1,6 +1,7 @@
 #ifndef mesoslip_elasticity_multigrid_kernels_h
 #define mesoslip_elasticity_multigrid_kernels_h
 
+#include "elasticity/kernel_variants.h"
 #include "elasticity/multigrid/patch.h"
 
 #include <cstddef>
@@ -187,18 +188,13 @@ struct Kernels
   /** @} */
 };
 
-namespace x86_64
-{
-const Kernels &kernels();
-}
-namespace x86_64_v3
-{
-const Kernels &kernels();
-}
-namespace x86_64_v4
-{
-const Kernels &kernels();
-}
+#define MESOSLIP_DECLARE_TABLE(name) \
+  namespace name                     \
+  {                                  \
+  const Kernels &kernels();          \
+  }
+MESOSLIP_FOR_EACH_VARIANT(MESOSLIP_DECLARE_TABLE)
+#undef MESOSLIP_DECLARE_TABLE
 
 /** The kernels for what this processor can run (see InstructionSet::automatic). */
 const Kernels &kernels();

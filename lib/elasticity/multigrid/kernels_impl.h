@@ -1,4 +1,4 @@
-// The row kernels of the multigrid. Included inside a namespace by kernels_x86_64*.cc;
+// The row kernels of the multigrid. Included inside a namespace by kernels_table.cc;
 // what they do is in kernels.h.
 
 /** Position of entry (r, c) of the upper triangle of a symmetric block. */

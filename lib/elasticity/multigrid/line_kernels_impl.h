@@ -1,4 +1,4 @@
-// The row kernels of LineSmoother. Included inside a namespace by kernels_x86_64*.cc,
+// The row kernels of LineSmoother. Included inside a namespace by kernels_table.cc,
 // after kernels_impl.h; what they do is in kernels.h.
 
 template <int nc, typename Number>

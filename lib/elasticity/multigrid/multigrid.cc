@@ -1,6 +1,6 @@
 #include "elasticity/multigrid/multigrid.h"
 
-#include <xmmintrin.h>
+#include "elasticity/multigrid/flush_denormals.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -18,30 +18,6 @@ constexpr unsigned int min_cells_to_halve = 3;
 
 /** Ratio of shear moduli beyond which one visit of the coarse grids is not enough. */
 constexpr double strong_contrast_ratio = 50.;
-
-/**
- * Numbers below the range of single precision count as zero while this lives: what decays
- * along a line would otherwise spend hundreds of cycles an operation on being denormal.
- */
-class FlushDenormals
-{
-public:
-  FlushDenormals()
-    : saved(_mm_getcsr())
-  {
-    constexpr unsigned int flush_to_zero = 0x8000, denormals_are_zero = 0x0040;
-    _mm_setcsr(saved | flush_to_zero | denormals_are_zero);
-  }
-  ~FlushDenormals()
-  {
-    _mm_setcsr(saved);
-  }
-  FlushDenormals(const FlushDenormals &)            = delete;
-  FlushDenormals &operator=(const FlushDenormals &) = delete;
-
-private:
-  unsigned int saved;
-};
 
 double shear_contrast(const UniformMaterial &material)
 {

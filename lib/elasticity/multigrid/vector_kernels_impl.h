@@ -1,5 +1,5 @@
 // Row kernels of the conjugate gradients and of the bottom of the hierarchy. Included
-// inside a namespace by kernels_x86_64*.cc.
+// inside a namespace by kernels_table.cc.
 
 static void dense(const unsigned int n,
                   const double *__restrict__ matrix,

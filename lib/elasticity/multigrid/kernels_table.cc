@@ -1,4 +1,21 @@
-// The table of the kernels. Included inside a namespace by kernels_x86_64*.cc, last.
+// The kernels of the multigrid of one instruction set, and their table. Compiled once for
+// each set, see kernel_variants.h.
+#include "elasticity/kernel_variants.h"
+#include "elasticity/multigrid/kernels.h"
+
+namespace mesoslip
+{
+namespace multigrid
+{
+namespace MESOSLIP_VARIANT
+{
+#include "elasticity/multigrid/kernels_impl.h"
+//
+#include "elasticity/multigrid/line_kernels_impl.h"
+//
+#include "elasticity/multigrid/galerkin_impl.h"
+//
+#include "elasticity/multigrid/vector_kernels_impl.h"
 
 template <typename Number>
 static GridKernels<Number> grid_kernels_of()
@@ -30,3 +47,6 @@ const Kernels &kernels()
                                 step};
   return table;
 }
+} // namespace MESOSLIP_VARIANT
+} // namespace multigrid
+} // namespace mesoslip

@@ -1,5 +1,23 @@
-// The one contact kernel. Included inside a namespace by contact_kernel_x86_64*.cc, after
-// elasticity/simd.h. No branches: comparisons give masks, ?: selects lane by lane.
+// The contact kernel of one instruction set. Compiled once for each set, see
+// elasticity/kernel_variants.h. No branches: comparisons give masks, ?: selects lane by
+// lane.
+#include "contact/contact_kernel.h"
+
+#include "elasticity/kernel_variants.h"
+
+#include <cstdint>
+
+#ifdef __x86_64__
+#  include <immintrin.h>
+#endif
+
+namespace mesoslip
+{
+namespace contact_kernels
+{
+namespace MESOSLIP_VARIANT
+{
+#include "elasticity/simd.h"
 
 // Held nodes have no compliance; dividing by the smallest normal number keeps the
 // arithmetic free of 0/0.
@@ -124,3 +142,6 @@ void advance(const ContactArrays &arrays, const ContactStep &step, ContactSums &
   sums.friction_energy  = sum(&LaneSums::friction_energy);
   sums.impact_energy    = sum(&LaneSums::impact_energy);
 }
+} // namespace MESOSLIP_VARIANT
+} // namespace contact_kernels
+} // namespace mesoslip

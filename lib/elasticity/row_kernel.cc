@@ -1,9 +1,26 @@
-// Selection of a kernel instance, and the small row functions. Included inside a
-// namespace by row_kernel_x86_64*.cc, after row_kernel_impl.h.
+// The row kernels of one instruction set: selection of an instance, and the small row
+// functions. Compiled once for each set, see kernel_variants.h.
+#include "elasticity/row_kernel.h"
+
+#include "elasticity/kernel_variants.h"
+
+#ifdef __x86_64__
+#  include <immintrin.h>
+#endif
 
 #ifndef MESOSLIP_ROWS_AT_ONCE
 #  define MESOSLIP_ROWS_AT_ONCE 3
 #endif
+
+namespace mesoslip
+{
+namespace kernels
+{
+namespace MESOSLIP_VARIANT
+{
+#include "elasticity/simd.h"
+//
+#include "elasticity/row_kernel_impl.h"
 
 unsigned int register_capacity(const double *)
 {
@@ -165,3 +182,6 @@ double dot(const double *a, const double *b, const unsigned int n)
     result += a[i] * b[i];
   return result;
 }
+} // namespace MESOSLIP_VARIANT
+} // namespace kernels
+} // namespace mesoslip

@@ -1,0 +1,224 @@
+// Calls every baseline kernel with the same numbers on any processor and prints a digest
+// of the bits of its results: other_processors.py compares the lines.
+
+#include "elasticity/multigrid/kernels.h"
+#include "contact/contact_kernel.h"
+#include "elasticity/row_kernel.h"
+
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+using namespace mesoslip;
+
+namespace
+{
+/** Rows of so many columns, a multiple of every vector, with room on both sides. */
+constexpr unsigned int n = 64, margin = 64;
+
+double random_number()
+{
+  static std::uint64_t state = 1;
+  state                      = state * 6364136223846793005u + 1442695040888963407u;
+  return static_cast<double>(state >> 11) / 9007199254740992. - 0.4;
+}
+
+/** Random numbers, starting at a cache line; data() is behind a margin. */
+template <typename Number>
+class Numbers
+{
+public:
+  explicit Numbers(const std::size_t size)
+    : values((size + 2 * margin) + 64)
+    , start((64 - reinterpret_cast<std::uintptr_t>(values.data()) % 64) / sizeof(Number))
+  {
+    for (Number &x : values)
+      x = static_cast<Number>(random_number());
+  }
+  Number *data()
+  {
+    return values.data() + start + margin;
+  }
+  Number *row(const unsigned int r)
+  {
+    return data() + static_cast<std::size_t>(r) * 2 * n;
+  }
+  void digest(const std::string &name) const
+  {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (std::size_t i = 0; i + 64 < values.size(); ++i)
+      {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, values.data() + start + i, sizeof(Number));
+        hash = (hash ^ bits) * 0x100000001b3;
+      }
+    std::printf("%s %016llx\n", name.c_str(), static_cast<unsigned long long>(hash));
+  }
+
+private:
+  std::vector<Number> values;
+  std::size_t start;
+};
+
+template <typename Number>
+void row_kernels(const kernels::Choice &choice, const std::string &name)
+{
+  static kernels::Constants<Number> c;
+  for (auto &coefficient : c.coefficient)
+    for (Number &x : coefficient)
+      x = static_cast<Number>(random_number());
+  c.n_cells = n - 3;
+  c.ratio   = 0.7f;
+  c.beta    = 0.1f;
+  c.c_new   = 0.9f;
+  c.c_old   = 0.2f;
+  c.scale_x = c.scale_y = 1.1f;
+  c.gravity_x = c.gravity_y = c.scaled_gravity_x = c.scaled_gravity_y = 0.3f;
+  std::vector<std::uint8_t> classes(4 * n, 0);
+  for (unsigned int k = 0; k < classes.size(); ++k)
+    classes[k] =
+      choice.material == kernels::MaterialVariant::two ? k * k % 7 % 2 : k * k % 31;
+  kernels::Kernels<Number> functions;
+  kernels::baseline::select(choice, functions);
+  for (const bool periodic : {false, true})
+    for (unsigned int several = 0; several < 2; ++several)
+      for (const auto function :
+           {functions.step[several], functions.store[several], functions.finish})
+        {
+          if (function == nullptr)
+            continue;
+          c.periodic = periodic;
+          Numbers<Number> x(64 * 2 * n);
+          kernels::Rows<Number> r;
+          unsigned int row = 0;
+          const auto rows  = [&](const unsigned int count) {
+            row += count;
+            return x.row(row - count);
+          };
+          r.ux = rows(4), r.uy = rows(4), r.wx = rows(4), r.wy = rows(4);
+          r.qx = rows(1), r.qy = rows(1), r.sxy = rows(1), r.syy = rows(1);
+          r.fx = rows(3), r.fy = rows(3), r.factor_x = rows(3), r.factor_y = rows(3);
+          r.mass   = rows(3);
+          r.stride = r.f_stride = r.factor_stride = r.mass_stride = 2 * n;
+          r.classes                                               = classes.data();
+          r.class_stride                                          = n;
+          function(c, r);
+          x.digest(name);
+        }
+}
+
+void all_row_kernels()
+{
+  using kernels::MaterialVariant;
+  for (const auto material :
+       {MaterialVariant::homogeneous, MaterialVariant::two, MaterialVariant::any})
+    for (unsigned int terms = 0; terms < 8; ++terms)
+      {
+        kernels::Choice choice;
+        choice.material    = material;
+        choice.anisotropic = terms & 1;
+        choice.damping     = terms & 2;
+        choice.gravity     = terms & 4;
+        const std::string name =
+          " row " + std::to_string(static_cast<int>(material)) + std::to_string(terms);
+        row_kernels<double>(choice, "double" + name);
+        row_kernels<float>(choice, "float" + name);
+      }
+  Numbers<double> x(8 * 2 * n);
+  kernels::baseline::strain(x.row(0), x.row(1), 4 * n, n - 1, 0.3, 0.4, x.row(4),
+                            x.row(5), x.row(6));
+  x.row(7)[0] = kernels::baseline::dot(x.row(0), x.row(1), n - 1);
+  x.digest("strain and dot");
+}
+
+void contact_kernel()
+{
+  Numbers<double> x(25 * 2 * n);
+  unsigned int k  = 0;
+  const auto next = [&]() { return x.row(k++); };
+  ContactArrays a = {n,      next(), next(), next(), next(), next(), next(), next(),
+                     next(), next(), next(), next(), next(), next(), next(), next(),
+                     next(), next(), next(), next(), next(), next(), next()};
+  ContactSums sums;
+  for (unsigned int step = 0; step < 5; ++step)
+    contact_kernels::baseline::advance(a, {1e-1, 0.7, 1e-3}, sums);
+  const double all[] = {sums.normal_force, sums.tangential_force, sums.sticking,
+                        sums.slipping,     sums.friction_energy,  sums.impact_energy};
+  std::memcpy(x.row(24), all, sizeof(all));
+  x.digest("contact");
+}
+
+template <typename Number>
+void multigrid_kernels(const multigrid::GridKernels<Number> &g,
+                       const std::string &precision)
+{
+  for (unsigned int nc = 2; nc < 4; ++nc)
+    {
+      Numbers<Number> x(80 * 2 * n);
+      Number *r[24];
+      for (unsigned int k = 0; k < 24; ++k)
+        r[k] = x.row(k);
+      Number *const more       = x.row(24);
+      const unsigned int lanes = 64 / sizeof(Number);
+      multigrid::TransferRow<Number> transfer;
+      transfer.even     = r[18];
+      transfer.odd_left = r[19], transfer.odd_right = r[20];
+      transfer.to_left = r[21], transfer.to_right = r[22];
+      transfer.dy = 0.3f;
+      if (nc == 3)
+        g.stencil_residual(n, more, more + 44 * n, n, r, r + 9, r + 12);
+      g.eliminate[nc - 2](n, more, n, r, r + 3, r + 6);
+      g.substitute[nc - 2](n, more, n, r, r + 3, Number(0.7), nc == 3, r + 9);
+      g.solve_tile[nc - 2](n / 16, more, more + 60 * n);
+      g.load_tile(n / 2, nc, r, more + 60 * n);
+      g.add_tile(n / 2, nc, lanes - 1, more + 60 * n, Number(0.3), r);
+      g.split(n / 2, r[0], r[12], r[13]);
+      g.merge(n / 2, r[3], r[4], r[14]);
+      g.restrict_row[nc - 2](n / 2, transfer, r, r + 3, r + 6);
+      g.prolongate_row[nc - 2](n / 2, transfer, nc == 2, r, r + 9, r + 12);
+      g.subtract_from(n, r[15], r[16]);
+      Numbers<double> y(5 * 2 * n);
+      g.direction(n, 0.3, 0.4, r[0], y.row(0));
+      g.scaled(n, 0.7, y.row(1), r[17]);
+      g.two_dots(n, y.row(0), y.row(1), r[1], y.row(2));
+      x.digest(precision + " multigrid " + std::to_string(nc));
+      y.digest(precision + " multigrid vectors " + std::to_string(nc));
+    }
+}
+
+template <typename Patch>
+void fill(Patch &patch)
+{
+  double *const begin = reinterpret_cast<double *>(&patch);
+  for (std::size_t k = 0; k < sizeof(Patch) / sizeof(double); ++k)
+    begin[k] = random_number();
+  patch.n_rows = 2;
+}
+
+void all_multigrid_kernels()
+{
+  const multigrid::Kernels &k = multigrid::baseline::kernels();
+  multigrid_kernels(k.single, "float");
+  multigrid_kernels(k.twice, "double");
+  static multigrid::FinestPatch finest;
+  static multigrid::CoarsePatch coarse;
+  fill(finest);
+  fill(coarse);
+  Numbers<double> x(40 * 2 * n);
+  k.galerkin_finest(finest, x.row(0), 8);
+  k.galerkin_coarse(coarse, x.row(8), 8);
+  k.dense(n - 3, x.row(0), n, x.row(36), x.row(37));
+  x.row(39)[0] = k.dot(n, x.row(0), x.row(1));
+  x.row(39)[1] = k.step(n, 0.3, x.row(0), x.row(1), x.row(2), x.row(3));
+  x.digest("galerkin and sums");
+}
+} // namespace
+
+int main()
+{
+  all_row_kernels();
+  contact_kernel();
+  all_multigrid_kernels();
+}

@@ -1,0 +1,42 @@
+"""The kernels of rows compiled for ARM (aarch64) give the bits that they give here: compiles them with Debian's cross compiler and
+runs them in QEMU. Exit status 77: cross compiler or emulator are not installed.
+
+    other_processors.py
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+HERE, CROSS, EMULATOR = "g++", "aarch64-linux-gnu-g++", "qemu-aarch64"
+SOURCES = ["tests/regression/other_processors.cc", "lib/elasticity/row_kernel.cc", "lib/elasticity/multigrid/kernels_table.cc",
+           "lib/contact/contact_kernel.cc"]
+# Contraction off everywhere: the baseline has no fused multiply-add.
+OPTIONS = ["-std=c++17", "-O1", "-static", "-ffp-contract=off", "-Wno-psabi", "-Ilib"]
+
+
+def start(compiler, program):
+    return subprocess.Popen([compiler, *OPTIONS, *SOURCES, "-o", program], cwd=TOP)
+
+
+def main():
+    missing = [name for name in (HERE, CROSS, EMULATOR) if not shutil.which(name)]
+    if missing:
+        print(f"not installed: {', '.join(missing)}")
+        sys.exit(77)
+    with tempfile.TemporaryDirectory() as folder:
+        here, there = os.path.join(folder, "here"), os.path.join(folder, "there")
+        for compilation in [start(HERE, here), start(CROSS, there)]:
+            assert compilation.wait() == 0
+        ours, theirs = (subprocess.check_output(command, text=True).splitlines() for command in ([here], [EMULATOR, there]))
+    assert len(ours) > 100 and len(ours) == len(theirs)
+    different = sorted({one.rsplit(" ", 1)[0] for one, two in zip(ours, theirs) if one != two})
+    assert not different, f"other bits on aarch64: {different}"
+    print(f"{len(ours)} results of the kernels have the same bits on x86-64 and aarch64")
+
+
+if __name__ == "__main__":
+    main()
