@@ -89,9 +89,10 @@ struct ContactShares
  *     stick                         permanent stick
  *     separation                    permanent separation
  *     slip + stick                  stick-slip
- *     slip + separation             slip-separation, regime 1 (mostly slipping)    slip
- * >= separation slip-separation, regime 2 (mostly separated)   slip <  separation stick +
- * separation            stick-separation all three stick-slip-separation
+ *     slip + separation             slip-separation, regime 1 (mostly slipping) if
+ *                                   slip >= separation, else regime 2 (mostly separated)
+ *     stick + separation            stick-separation
+ *     all three                     stick-slip-separation
  *
  * @throws std::invalid_argument if the shares are negative or do not sum to 1 within 1e-6
  */

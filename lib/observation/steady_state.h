@@ -64,9 +64,10 @@ struct CycleSample
  * among the parts within the tolerance:
  *
  *     mean and rms amplitude of u_x of each node   relative to the amplitude, the mean
- * also |mean| frictional power, F_T / F_N                  relative to their mean shares
- * of sticking and slipping nodes        as they are elastic energy, kinetic energy
- * relative to their mean
+ *                                                  also to |mean|
+ *     frictional power, F_T / F_N                  relative to their mean
+ *     shares of sticking and slipping nodes        as they are
+ *     elastic energy, kinetic energy               relative to their mean
  *
  * As the parts grow with the run, a plateau on the way, however flat, does not pass once
  * it is shorter than half of what has been simulated, and slow beats average out. While

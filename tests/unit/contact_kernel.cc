@@ -12,7 +12,7 @@ namespace
 {
 constexpr unsigned int seed = 20241203;
 
-/** One node as numerics.md, section 2, has it, branch by branch. */
+/** One node as doc/theory.md, section 3, has it, branch by branch. */
 struct ReferenceNode
 {
   double m, mu, gap, delta;

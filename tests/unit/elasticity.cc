@@ -28,7 +28,7 @@ TEST(LineMemory, BeginsOnACacheLineAndIsZero)
 
 TEST(Element, EigenvaluesOfTheSquare)
 {
-  // numerics.md 1: omega^2 rho h^2 with quarter masses.
+  // omega^2 rho h^2 of one cell with quarter masses.
   const double lambda = 1.7, mu = 0.9, rho = 2.1, h = 0.3;
   UniformGrid<2> grid;
   grid.cells   = {{1, 1}};

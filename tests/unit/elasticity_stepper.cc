@@ -10,7 +10,7 @@ using namespace elasticity_testing;
 
 namespace
 {
-/** The recursion of numerics.md 1 as it is written there, on the reference product. */
+/** The recursion of doc/theory.md, section 2, on the reference product. */
 void naive_step(const UniformMaterial &material,
                 const StepParameters &p,
                 const SideConstraints &sides,

@@ -10,7 +10,7 @@
 
 using namespace homogenization_testing;
 
-// numerics.md 5.7 has the formulas.
+// doc/theory.md, section 7, has the formulas.
 
 TEST(Homogenization, HomogeneousVolumeReturnsItsStiffness)
 {

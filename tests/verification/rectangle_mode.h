@@ -12,7 +12,7 @@ namespace exact_modes
 /** Size of the rectangle (m). */
 constexpr double L = 0.024, H = 0.016;
 
-/** Wave numbers of mode (m, n) of numerics.md, section 5.2. */
+/** Wave numbers of mode (m, n) of a rectangle between frictionless, rigid sides. */
 struct Mode
 {
   unsigned int m, n;

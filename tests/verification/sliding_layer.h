@@ -13,7 +13,7 @@ using Complex = std::complex<double>;
 constexpr Complex I(0., 1.);
 constexpr double H = 0.016, c_T = 2560., V = 50., P = 5e6;
 
-/** Steady sliding of a layer, numerics.md 5.5: perturbations exp(i k x + s t). */
+/** Steady sliding of a layer, perturbations exp(i k x + s t) (theory.md, 3). */
 struct Layer
 {
   double kH, mu, delta, beta;
