@@ -153,10 +153,11 @@ void ContactParameters::declare(dealii::ParameterHandler &prm, const RawParamete
     prm, "Wavefront", 0, 0, 64,
     "Time steps in flight on grids larger than the cache; 0: automatic, 1: none. "
     "Never changes a result [-]");
-  declare_selection(prm, "Instruction set", "auto",
-                    {"auto", "x86-64", "x86-64-v3", "x86-64-v4", "generic"},
-                    "Kernels to use; auto: the widest the processor has; generic: those of "
-                    "processors other than x86-64");
+  declare_selection(
+    prm, "Instruction set", "auto",
+    {"auto", "x86-64", "x86-64-v3", "x86-64-v4", "generic"},
+    "Kernels to use; auto: the widest the processor has; generic: those of "
+    "processors other than x86-64");
   declare_selection(
     prm, "Static solver", "multigrid", {"multigrid", "jacobi", "assembled"},
     "Of the modal and the static contact analysis, as Homogenization/Solver");
