@@ -109,7 +109,7 @@ VoigtMatrix<2> effective_stiffness(const std::vector<EnsembleMember> &members,
           n += 1.;
         }
   VoigtMatrix<2> D = sum / n;
-  if (parameters.effective_orthotropic)
+  if (!parameters.effective_full)
     D(0, 2) = D(1, 2) = D(2, 0) = D(2, 1) = 0.;
   return D;
 }

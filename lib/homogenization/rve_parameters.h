@@ -10,11 +10,6 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace mesoslip
 {
 /** All of rve_homogenization's parameters. */
@@ -23,32 +18,32 @@ struct RveParameters
   MicrostructureParameters microstructure;   ///< sections Grid, Phases, Microstructure
   std::vector<BoundaryCondition> conditions; ///< in the order of the .prm
   StaticSolverKind solver = StaticSolverKind::multigrid; ///< multigrid or assembled
-  double tolerance        = 0.;                          ///< relative residual of a solve
+  double tolerance        = 1e-8;                        ///< relative residual of a solve
 
   /** mean (of KUBC and SUBC), KUBC, SUBC or PBC: what /stiffness/effective is. */
-  std::string effective;
+  std::string effective = "mean";
 
-  /** D13 = D23 = 0 in the effective stiffness. */
-  bool effective_orthotropic = true;
+  /** Whether the effective stiffness keeps D13 and D23, which are 0 otherwise. */
+  bool effective_full = false;
 
   bool write_concentration = true; ///< tensors of all cells into rve.h5
   bool reuse               = true; ///< an rve.h5 of the same digest is not computed anew
 
-  /** Seeds seed, seed + 1, ... */
+  /** Number of morphologies, of the seeds seed, seed + 1, ... */
   unsigned int n_members = 1;
   double confidence      = 0.95; ///< of the ensemble's intervals, 0 to 1
 
-  /** Pa; compared with the results. */
+  /** Stiffness that the results are compared with (Pa). */
   std::optional<VoigtMatrix<2>> reference;
 
-  /** All sections; @p raw names the phases, which have subsections. */
-  static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+  /** Binds the keys of all sections. @throws UserError naming the key. */
+  void bind(Keys &keys);
 
   /** @throws UserError for keys that others leave without effect. */
-  static void check_keys(const KeyUse &use);
+  static void check_keys(const Keys &keys);
 
-  /** Parsed and checked. @throws UserError naming the key. */
-  static RveParameters parse(dealii::ParameterHandler &prm);
+  /** @throws UserError naming the key. */
+  void check() const;
 };
 } // namespace mesoslip
 

@@ -7,7 +7,7 @@
 #include "io/digest.h"
 #include "io/errors.h"
 #include "io/exchange.h"
-#include "io/raw_parameters.h"
+#include "io/keys.h"
 #include "io/run_context.h"
 #include "io/version.h"
 #include "material/plausibility.h"
@@ -27,12 +27,11 @@ constexpr double revision = 3.;
 
 // What determines rve.h5: the computation, the parameters that matter and the content of
 // the input file.
-std::string inputs_digest(const dealii::ParameterHandler &prm,
-                          const RveParameters &parameters)
+std::string inputs_digest(const Keys &keys, const RveParameters &parameters)
 {
   Digest digest;
   digest.add(version).add(revision);
-  digest.add(canonical_parameters(prm, {"Output folder", "Homogenization/Reuse"}));
+  digest.add(canonical_parameters(keys, {"Output folder", "Homogenization/Reuse"}));
   if (!parameters.microstructure.file.empty())
     digest.add_file(parameters.microstructure.file);
   return digest.hex();
@@ -129,7 +128,7 @@ RveResults compute(const RveParameters &parameters, RunContext &context)
 }
 
 /** Bytes of rve.h5: the phases, and the concentration tensors of the first morphology. */
-Need rve_file_size(const RveParameters &parameters)
+ResourceNeed rve_file_size(const RveParameters &parameters)
 {
   const double n_cells =
     static_cast<double>(parameters.microstructure.grid.grid().n_cells());
@@ -179,10 +178,47 @@ std::string advice(const NotConverged::Reason reason, const StaticSolverKind sol
            : "loosen Homogenization/Tolerance or set Homogenization/Solver = jacobi";
 }
 
-void run(dealii::ParameterHandler &prm, RunContext &context)
+class RveHomogenization : public Analysis
 {
-  const RveParameters parameters = RveParameters::parse(prm);
-  const std::string digest       = inputs_digest(prm, parameters);
+public:
+  explicit RveHomogenization(Keys &keys)
+  {
+    parameters.bind(keys);
+    parameters.check();
+    digest = inputs_digest(keys, parameters);
+    require_memory({1e6 * static_cast<double>(estimated_megabytes(parameters)),
+                    "reduce Grid/Cells or choose Homogenization/Solver = jacobi"});
+  }
+
+  ResourceNeed need() const override
+  {
+    return rve_file_size(parameters);
+  }
+
+  void describe(std::ostream &out) const override;
+  void run(RunContext &context) override;
+
+private:
+  RveParameters parameters;
+  std::string digest;
+};
+
+void RveHomogenization::describe(std::ostream &out) const
+{
+  const UniformGrid<2> grid = parameters.microstructure.grid.grid();
+  out << size_text(grid) << ", " << 2 * grid.n_nodes() << " degrees of freedom\n"
+      << 3 * parameters.conditions.size() * parameters.n_members << " load cases, about "
+      << estimated_megabytes(parameters) << " MB\n";
+  const Microstructure microstructure = make_microstructure(parameters.microstructure);
+  for (const std::string &line : microstructure.description)
+    out << line << '\n';
+  for (const auto &warnings : {microstructure.warnings, slips(parameters.microstructure)})
+    for (const std::string &warning : warnings)
+      out << "Warning: " << warning << '\n';
+}
+
+void RveHomogenization::run(RunContext &context)
+{
   bool reuse =
     context.root() && parameters.reuse && is_up_to_date(context.file("rve.h5"), digest);
   broadcast_object(context.communicator(), reuse);
@@ -221,33 +257,9 @@ void run(dealii::ParameterHandler &prm, RunContext &context)
 
 Program rve_homogenization_program()
 {
-  Program program;
-  program.name = "rve_homogenization";
-  program.description =
-    "Effective stiffness and concentration tensors of a representative volume.";
-  program.declare    = RveParameters::declare;
-  program.check_keys = RveParameters::check_keys;
-  program.check      = [](dealii::ParameterHandler &prm) {
-    const RveParameters parameters = RveParameters::parse(prm);
-    require_memory({1e6 * static_cast<double>(estimated_megabytes(parameters)),
-                    "reduce Grid/Cells or choose Homogenization/Solver = jacobi"});
-    return rve_file_size(parameters);
-  };
-  program.estimate = [](dealii::ParameterHandler &prm, std::ostream &report) {
-    const RveParameters parameters = RveParameters::parse(prm);
-    const UniformGrid<2> grid      = parameters.microstructure.grid.grid();
-    report << size_text(grid) << ", " << 2 * grid.n_nodes() << " degrees of freedom\n"
-           << 3 * parameters.conditions.size() * parameters.n_members
-           << " load cases, about " << estimated_megabytes(parameters) << " MB\n";
-    const Microstructure microstructure = make_microstructure(parameters.microstructure);
-    for (const std::string &line : microstructure.description)
-      report << line << '\n';
-    for (const auto &warnings :
-         {microstructure.warnings, slips(parameters.microstructure)})
-      for (const std::string &warning : warnings)
-        report << "Warning: " << warning << '\n';
-  };
-  program.run = run;
-  return program;
+  return {"rve_homogenization",
+          "Effective stiffness and concentration tensors of a representative volume.",
+          [](Keys &keys) { RveParameters().bind(keys); }, RveParameters::check_keys,
+          [](Keys &keys) { return std::make_unique<RveHomogenization>(keys); }};
 }
 } // namespace mesoslip

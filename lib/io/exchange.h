@@ -40,8 +40,11 @@ void from_message(const std::string &message, T &object)
 template <typename T>
 void broadcast_object(const MPI_Comm communicator, T &object, const int owner = 0)
 {
-  int rank = 0;
+  int rank = 0, n_ranks = 1;
   MPI_Comm_rank(communicator, &rank);
+  MPI_Comm_size(communicator, &n_ranks);
+  if (n_ranks == 1)
+    return;
   std::string message = rank == owner ? internal::to_message(object) : std::string();
   broadcast(communicator, message, owner);
   if (rank != owner)

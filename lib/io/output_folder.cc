@@ -1,11 +1,10 @@
 #include "io/output_folder.h"
 
-#include "io/declarations.h"
 #include "io/earlier_results.h"
 #include "io/errors.h"
 #include "io/files.h"
+#include "io/keys.h"
 #include "io/parameters.h"
-#include "io/patterns.h"
 
 #include <algorithm>
 #include <array>
@@ -104,20 +103,18 @@ std::string RunKind::text() const
   return analysis.empty() ? program : "the analysis '" + analysis + "' of " + program;
 }
 
-std::vector<InputPath> input_paths(const dealii::ParameterHandler &prm)
+std::vector<InputPath> input_paths(const Keys &keys)
 {
   std::vector<InputPath> inputs;
-  for (const Declared &key : declared_keys(prm))
-    if (key.allowed == input_file_description && !key.value.empty())
+  for (const Key &key : keys.all())
+    if (key.is_input && !key.value.empty())
       inputs.push_back({key.path(), key.value});
   return inputs;
 }
 
-RunKind kind_of_run(const std::string &program, const dealii::ParameterHandler &prm)
+RunKind kind_of_run(const std::string &program, const Keys &keys)
 {
-  const Declarations declared(prm);
-  const Declared *analysis = declared.find("Analysis");
-  return {program, analysis == nullptr ? "" : analysis->value};
+  return {program, keys.has("Analysis") ? keys.value("Analysis") : ""};
 }
 
 void check_output_folder(const std::string &folder,

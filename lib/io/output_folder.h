@@ -4,13 +4,10 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace mesoslip
 {
+class Keys;
+
 /** A file or folder that a run reads, with the key that names it. */
 struct InputPath
 {
@@ -18,8 +15,8 @@ struct InputPath
   std::string path; ///< absolute, never empty
 };
 
-/** Values of all keys that name inputs (declare_input_file()) and are not empty. */
-std::vector<InputPath> input_paths(const dealii::ParameterHandler &prm);
+/** The values of all keys of inputs (Keys::bind_input()) that are not empty. */
+std::vector<InputPath> input_paths(const Keys &keys);
 
 /** What a run computes. */
 struct RunKind
@@ -32,7 +29,7 @@ struct RunKind
 };
 
 /** @p program with the value of the key Analysis, if it is declared. */
-RunKind kind_of_run(const std::string &program, const dealii::ParameterHandler &prm);
+RunKind kind_of_run(const std::string &program, const Keys &keys);
 
 /**
  * Whether a run of @p kind may write to @p folder, which need not exist. @throws

@@ -1,157 +1,160 @@
 #include "io/parameters.h"
-
+#include "io/earlier_results.h"
 #include "io/errors.h"
+#include "io/files.h"
 #include "io/text.h"
 
-#include <deal.II/base/parameter_handler.h>
-
-#include <algorithm>
+#include <charconv>
 #include <filesystem>
-#include <map>
+#include <fstream>
 
 namespace mesoslip
 {
-namespace
+Range Range::any()
 {
-/** Sections entered by ParameterSection, for messages; the handler keeps its own secret.
- */
-std::map<const dealii::ParameterHandler *, std::vector<std::string>> entered_sections;
-
-std::string full_key(const dealii::ParameterHandler &prm, const std::string &key)
-{
-  std::string path;
-  const auto entered = entered_sections.find(&prm);
-  if (entered != entered_sections.end())
-    for (const std::string &section : entered->second)
-      path += section + "/";
-  return path + key;
+  return Range();
 }
 
-std::string raw_value(dealii::ParameterHandler &prm, const std::string &key)
+Range Range::positive()
 {
-  try
-    {
-      const std::string value = prm.get(key);
-      // An unknown key reads as "", but cannot be set.
-      if (value.empty())
-        prm.set(key, value);
-      return value;
-    }
-  catch (const dealii::ExceptionBase &)
-    {
-      throw std::logic_error("the program reads the parameter '" + full_key(prm, key) +
-                             "' without declaring it");
-    }
+  Range range;
+  range.lower           = 0.;
+  range.lower_exclusive = true;
+  return range;
 }
 
-template <typename Number>
-Number number(dealii::ParameterHandler &prm, const std::string &key)
+Range Range::non_negative()
 {
-  const std::string text = trimmed(raw_value(prm, key));
-  Number value;
-  if (!parse_number(text, value))
-    throw UserError(full_key(prm, key) + " is '" + text + "', which is not a number");
-  return value;
+  return at_least(0.);
 }
-} // namespace
 
-ParameterSection::ParameterSection(dealii::ParameterHandler &handler,
-                                   const std::string &path)
-  : prm(handler)
+Range Range::closed(const double lower, const double upper)
 {
+  return {lower, upper, false, false};
+}
+
+Range Range::open(const double lower, const double upper)
+{
+  return {lower, upper, true, true};
+}
+
+Range Range::left_open(const double lower, const double upper)
+{
+  return {lower, upper, true, false};
+}
+
+Range Range::at_least(const double lower)
+{
+  Range range;
+  range.lower = lower;
+  return range;
+}
+
+Range Range::length()
+{
+  return closed(1e-15, 1e9);
+}
+
+Range Range::stiffness()
+{
+  return closed(-1e20, 1e20);
+}
+
+Range Range::density()
+{
+  return closed(1e-9, 1e12);
+}
+
+bool Range::contains(const double x) const
+{
+  return (lower_exclusive ? x > lower : x >= lower) &&
+         (upper_exclusive ? x < upper : x <= upper);
+}
+
+std::string Range::text() const
+{
+  const bool below = lower != -std::numeric_limits<double>::max();
+  const bool above = upper != std::numeric_limits<double>::max();
+  if (below && above)
+    return std::string("in ") + (lower_exclusive ? "(" : "[") + to_text(lower) + ", " +
+           to_text(upper) + (upper_exclusive ? ")" : "]");
+  if (below)
+    return (lower_exclusive ? "> " : ">= ") + to_text(lower);
+  if (above)
+    return (upper_exclusive ? "< " : "<= ") + to_text(upper);
+  return "";
+}
+
+std::string to_text(const double value)
+{
+  char text[32];
+  const auto result = std::to_chars(text, text + sizeof(text), value);
+  return std::string(text, result.ptr);
+}
+
+std::string to_text(const std::vector<double> &values)
+{
+  std::vector<std::string> words;
+  for (const double value : values)
+    words.push_back(to_text(value));
+  return to_text(words);
+}
+
+std::string to_text(const std::vector<std::string> &words)
+{
+  std::string text;
+  for (const std::string &word : words)
+    text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::vector<std::string> split_list(const std::string &text)
+{
+  std::vector<std::string> items;
+  if (trimmed(text).empty())
+    return items;
   std::string::size_type begin = 0;
-  while (begin <= path.size())
+  while (begin <= text.size())
     {
-      const auto end         = std::min(path.find('/', begin), path.size());
-      const std::string name = path.substr(begin, end - begin);
-      prm.enter_subsection(name);
-      entered_sections[&prm].push_back(name);
-      ++depth;
+      const auto end = std::min(text.find(',', begin), text.size());
+      items.push_back(trimmed(text.substr(begin, end - begin)));
       begin = end + 1;
     }
+  return items;
 }
 
-ParameterSection::~ParameterSection()
+std::string resolve_input_path(const std::string &path, const std::string &folder)
 {
-  std::vector<std::string> &entered = entered_sections[&prm];
-  for (; depth > 0; --depth)
-    {
-      prm.leave_subsection();
-      entered.pop_back();
-    }
-  if (entered.empty())
-    entered_sections.erase(&prm);
+  namespace fs = std::filesystem;
+  if (path.empty() || fs::path(path).is_absolute())
+    return path;
+  return fs::absolute(fs::path(folder) / path).lexically_normal().string();
 }
 
-double get_double(dealii::ParameterHandler &prm, const std::string &key)
-{
-  return number<double>(prm, key);
-}
-
-double get_double_or_auto(dealii::ParameterHandler &prm, const std::string &key)
-{
-  if (raw_value(prm, key) == "auto")
-    return std::numeric_limits<double>::quiet_NaN();
-  return number<double>(prm, key);
-}
-
-long get_integer(dealii::ParameterHandler &prm, const std::string &key)
-{
-  return number<long>(prm, key);
-}
-
-bool get_bool(dealii::ParameterHandler &prm, const std::string &key)
-{
-  const std::string text = raw_value(prm, key);
-  return text == "true" || text == "yes" || text == "on";
-}
-
-std::string get_string(dealii::ParameterHandler &prm, const std::string &key)
-{
-  return raw_value(prm, key);
-}
-
-std::vector<std::string> get_word_list(dealii::ParameterHandler &prm,
-                                       const std::string &key)
-{
-  return split_list(raw_value(prm, key));
-}
-
-std::vector<double> get_double_list(dealii::ParameterHandler &prm, const std::string &key)
-{
-  std::vector<double> values;
-  for (const std::string &item : split_list(raw_value(prm, key)))
-    if (double value; parse_number(item, value))
-      values.push_back(value);
-    else
-      throw UserError(full_key(prm, key) + " holds '" + item +
-                      "', which is not a number");
-  return values;
-}
-
-std::vector<long> get_integer_list(dealii::ParameterHandler &prm, const std::string &key)
-{
-  std::vector<long> values;
-  for (const std::string &item : split_list(raw_value(prm, key)))
-    if (long value; parse_number(item, value))
-      values.push_back(value);
-    else
-      throw UserError(full_key(prm, key) + " holds '" + item +
-                      "', which is not a whole number");
-  return values;
-}
-
-std::string get_input_file(dealii::ParameterHandler &prm,
-                           const std::string &key,
+void require_readable_file(const std::string &what,
+                           const std::string &path,
                            const std::string &hint)
 {
-  const std::string path = raw_value(prm, key);
+  namespace fs            = std::filesystem;
+  const std::string after = hint.empty() ? "" : "; " + hint;
   if (path.empty())
-    throw UserError(full_key(prm, key) + " is empty, but a file is needed here" +
-                    (hint.empty() ? "" : "; " + hint));
-  const std::string absolute =
-    std::filesystem::absolute(path).lexically_normal().string();
-  require_input_file(full_key(prm, key) + ": ", absolute, hint);
-  return absolute;
+    throw UserError(what + "no file is named" + after);
+  std::error_code code;
+  const auto status = fs::status(path, code);
+  if (!fs::exists(status))
+    throw UserError(what + "there is no file " + path + after);
+  if (fs::is_directory(status))
+    throw UserError(what + path + " is a folder, but a file is needed" + after);
+  errno = 0;
+  if (!std::ifstream(path, std::ios::binary))
+    throw UserError(what + path + " cannot be read (" + system_message() + ")" + after);
+}
+
+void require_input_file(const std::string &what,
+                        const std::string &path,
+                        const std::string &hint)
+{
+  require_readable_file(what, path, hint);
+  require_of_latest_run(what, path);
 }
 } // namespace mesoslip

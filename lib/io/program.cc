@@ -6,17 +6,15 @@
 #include "io/files.h"
 #include "io/hdf5_file.h"
 #include "io/interrupt.h"
-#include "io/key_use.h"
+#include "io/keys.h"
 #include "io/mpi_start.h"
 #include "io/outcome.h"
 #include "io/output_folder.h"
-#include "io/parameters.h"
-#include "io/raw_parameters.h"
 #include "io/run_context.h"
 #include "io/version.h"
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/parameter_handler.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -60,22 +58,11 @@ ParameterFile read_parameter_file(const CommandLine &line, const MPI_Comm commun
   return file;
 }
 
-void declare_all(dealii::ParameterHandler &prm,
-                 const Program &program,
-                 const RawParameters &raw)
-{
-  declare_string(prm, output_key, "",
-                 "Folder for the results, relative to the current folder; empty: "
-                 "output/<name of the .prm>");
-  if (program.declare)
-    program.declare(prm, raw);
-}
-
-std::string choose_output_folder(const CommandLine &line, dealii::ParameterHandler &prm)
+std::string choose_output_folder(const CommandLine &line, const Keys &keys)
 {
   if (!line.output.empty())
     return line.output;
-  const std::string folder = get_string(prm, output_key);
+  const std::string &folder = keys.value(output_key);
   if (!folder.empty())
     return folder;
   return "output/" + std::filesystem::path(line.prm_file).stem().string();
@@ -88,24 +75,23 @@ void require_printed()
     throw UserError("the standard output cannot be written; is the disk full?");
 }
 
-void validate(const Program &program,
-              dealii::ParameterHandler &prm,
+void validate(const Analysis &analysis,
               const CommandLine &line,
-              const bool root)
+              const std::string &folder)
 {
   std::ostringstream report;
-  if (program.estimate)
-    program.estimate(prm, report);
-  if (!root || line.quiet)
+  analysis.describe(report);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0 || line.quiet)
     return;
   std::cout << line.prm_file << ": the parameters are valid; the results would go to "
-            << choose_output_folder(line, prm) << '\n'
+            << folder << '\n'
             << report.str();
   require_printed();
 }
 
-void run(const Program &program,
-         dealii::ParameterHandler &prm,
+void run(Analysis &analysis,
+         const Program &program,
+         const Keys &keys,
          const CommandLine &line,
          const std::string &original,
          const MPI_Comm communicator)
@@ -113,14 +99,14 @@ void run(const Program &program,
   RunOptions options;
   options.program       = program.name;
   options.prm_file      = line.prm_file;
-  options.output_folder = choose_output_folder(line, prm);
-  options.resume        = line.resume && program.resumable && program.resumable(prm);
+  options.output_folder = choose_output_folder(line, keys);
+  options.resume        = line.resume && analysis.resumable();
   options.quiet         = line.quiet;
   options.profile       = line.profile;
 
   std::ostringstream effective;
   effective << "# " << program.name << ' ' << version << ": all parameters of this run\n";
-  print_parameters(prm, effective);
+  print_parameters(keys, effective);
 
   RunContext context(options, communicator, original, effective.str());
   install_interrupt_handlers();
@@ -129,7 +115,7 @@ void run(const Program &program,
                 "beginning");
   try
     {
-      program.run(prm, context);
+      analysis.run(context);
       if (!context.has_begun())
         return;
       context.progress().finish();
@@ -146,22 +132,6 @@ void run(const Program &program,
     context.timer().print(std::cout);
 }
 
-/** Whether parameters, output folder and disk allow it; a run to be resumed has had its
- * place on the disk. */
-void check(const Program &program,
-           dealii::ParameterHandler &prm,
-           const CommandLine &line,
-           const MPI_Comm communicator)
-{
-  const std::string folder = choose_output_folder(line, prm);
-  on_root(communicator, [&]() {
-    check_output_folder(folder, kind_of_run(program.name, prm), input_paths(prm));
-  });
-  const Need disk = program.check ? program.check(prm) : Need();
-  if (!line.resume)
-    on_root(communicator, [&]() { require_disk(folder, disk); });
-}
-
 void do_what_is_asked(const CommandLine &line,
                       const Program &program,
                       const MPI_Comm communicator)
@@ -176,27 +146,41 @@ void do_what_is_asked(const CommandLine &line,
       return require_printed();
     }
   const ParameterFile file = read_parameter_file(line, communicator);
-  dealii::ParameterHandler prm;
-  declare_all(prm, program, file.raw);
-  file.raw.apply(prm);
+  Keys keys(file.raw);
+  std::string output;
+  keys.bind(output_key, output,
+            "Folder for the results, relative to the current folder; empty: "
+            "output/<name of the .prm>");
+  program.declare(keys);
+  keys.apply();
   if (program.check_keys)
-    program.check_keys(KeyUse(prm, file.raw));
+    program.check_keys(keys);
   if (line.print_parameters)
     {
       if (root)
         {
           std::cout << "# " << program.name << ' ' << version << '\n';
-          print_parameters(prm, std::cout);
+          print_parameters(keys, std::cout);
         }
       return require_printed();
     }
-  check(program, prm, line, communicator);
+  const std::string folder = choose_output_folder(line, keys);
+  on_root(communicator, [&]() {
+    check_output_folder(folder, kind_of_run(program.name, keys), input_paths(keys));
+  });
+  const std::unique_ptr<Analysis> analysis = program.build(keys);
+  if (!line.resume) // a run to be resumed has had its place on the disk
+    on_root(communicator, [&]() { require_disk(folder, analysis->need()); });
   if (line.validate)
-    validate(program, prm, line, root);
+    validate(*analysis, line, folder);
   else
-    run(program, prm, line, file.text, communicator);
+    run(*analysis, program, keys, line, file.text, communicator);
 }
 } // namespace
+
+void Analysis::describe(std::ostream &) const
+{
+}
 
 int run_program(int argc, char **argv, const Program &program)
 {

@@ -5,65 +5,68 @@
 
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <string>
-
-namespace dealii
-{
-class ParameterHandler;
-}
 
 namespace mesoslip
 {
-class KeyUse;
-class RawParameters;
+class Keys;
 class RunContext;
 
 /**
- * What distinguishes one application from another. All functions are called on every
- * rank, with the handler at its top level.
+ * A computation whose parameters and input files have been read and checked. All
+ * functions are called on every rank.
  */
-struct Program
+class Analysis
 {
-  /** As typed in the shell. */
-  std::string name;
-  /** One line for --help. */
-  std::string description;
+public:
+  virtual ~Analysis() = default;
+
+  /** What the results take on the disk, to be compared with the free space. */
+  virtual ResourceNeed need() const
+  {
+    return {};
+  }
 
   /**
-   * Declares all keys. @p raw is what the .prm and --set say (empty for
-   * --print-parameters without a file) and decides optional sections.
-   * "Output folder" is declared already.
+   * Prints memory, steps and the like for --validate. Only what rank 0 writes to @p out
+   * is shown.
    */
-  std::function<void(dealii::ParameterHandler &prm, const RawParameters &raw)> declare;
+  virtual void describe(std::ostream &out) const;
 
   /**
-   * Refuses keys that others leave without effect; called before check() and before
-   * anything is printed. Throws UserError. May be empty.
+   * Whether it writes checkpoints, so that run() has to heed RunContext::resume(). Others
+   * start from the beginning with --resume as well.
    */
-  std::function<void(const KeyUse &use)> check_keys;
-
-  /**
-   * Parses and cross-checks, cheaply; always called, before anything is created.
-   * Returns what the results take on the disk, to be compared with the free space.
-   * Throws UserError. May be empty.
-   */
-  std::function<Need(dealii::ParameterHandler &prm)> check;
-
-  /**
-   * Prints memory, steps and the like for --validate; called after check(). Only what
-   * rank 0 writes to @p report is shown. May be empty.
-   */
-  std::function<void(dealii::ParameterHandler &prm, std::ostream &report)> estimate;
-
-  /**
-   * Whether a run with these parameters writes checkpoints, so that run() has to heed
-   * RunContext::resume(). Others start from the beginning with --resume as well. May be
-   * empty: never.
-   */
-  std::function<bool(dealii::ParameterHandler &prm)> resumable;
+  virtual bool resumable() const
+  {
+    return false;
+  }
 
   /** The work itself. */
-  std::function<void(dealii::ParameterHandler &prm, RunContext &context)> run;
+  virtual void run(RunContext &context) = 0;
+};
+
+/** What distinguishes one application from another. */
+struct Program
+{
+  std::string name;        ///< as typed in the shell
+  std::string description; ///< one line for --help
+
+  /** Binds all keys, to declare them. "Output folder" is declared already. */
+  std::function<void(Keys &keys)> declare;
+
+  /**
+   * Refuses keys that others leave without effect; called before anything is printed.
+   * @throws UserError
+   */
+  std::function<void(const Keys &keys)> check_keys;
+
+  /**
+   * Reads the keys and the input files, and checks both, cheaply; always called, before
+   * anything is created. @throws UserError
+   */
+  std::function<std::unique_ptr<Analysis>(Keys &keys)> build;
 };
 
 /**

@@ -50,8 +50,7 @@ public:
   }
 
   std::vector<RawParameters::Entry> entries;
-  std::vector<std::string> sections;
-  std::vector<unsigned int> section_lines;
+  std::vector<RawParameters::Subsection> sections;
 
   void run()
   {
@@ -136,10 +135,7 @@ private:
     check_name(name, "subsection");
     const std::string path = prefix() + name;
     if (known_sections.insert(path).second)
-      {
-        sections.push_back(path);
-        section_lines.push_back(first_line);
-      }
+      sections.push_back({path, first_line});
     open.emplace_back(name, first_line);
   }
 
@@ -186,10 +182,9 @@ RawParameters RawParameters::parse(const std::string &text, const std::string &f
   parser.run();
 
   RawParameters raw;
-  raw.file_name     = file;
-  raw.all_entries   = parser.entries;
-  raw.sections      = parser.sections;
-  raw.section_lines = parser.section_lines;
+  raw.file_name   = file;
+  raw.all_entries = parser.entries;
+  raw.sections    = parser.sections;
   return raw;
 }
 
@@ -223,20 +218,13 @@ std::string RawParameters::get(const std::string &path, const std::string &fallb
 }
 
 std::vector<std::string>
-RawParameters::get_list(const std::string &path,
-                        const std::vector<std::string> &fallback) const
-{
-  const Entry *entry = find(path);
-  return entry != nullptr ? split_list(entry->value) : fallback;
-}
-
-std::vector<std::string>
 RawParameters::section_names(const std::string &path,
                              const std::vector<std::string> &fallback,
                              const std::string &kind) const
 {
+  const Entry *entry = find(path);
   std::vector<std::string> names;
-  for (const std::string &name : get_list(path, fallback))
+  for (const std::string &name : entry != nullptr ? split_list(entry->value) : fallback)
     {
       // Names become groups of HDF5, where a point stands for the group itself.
       if (name.empty() || name == "." || name == ".." || name != cleaned(name) ||
@@ -252,26 +240,6 @@ RawParameters::section_names(const std::string &path,
 bool RawParameters::has(const std::string &path) const
 {
   return find(path) != nullptr;
-}
-
-std::vector<std::string> RawParameters::subsections(const std::string &path) const
-{
-  const std::string prefix = path.empty() ? "" : path + "/";
-  std::vector<std::string> names;
-  const auto add = [&](const std::string &full) {
-    if (full.size() <= prefix.size() || full.compare(0, prefix.size(), prefix) != 0)
-      return;
-    const std::string rest = full.substr(prefix.size());
-    const std::string name = rest.substr(0, rest.find('/'));
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      names.push_back(name);
-  };
-  for (const std::string &section : sections)
-    add(section);
-  for (const Entry &entry : all_entries)
-    if (const auto slash = entry.path.rfind('/'); slash != std::string::npos)
-      add(entry.path.substr(0, slash));
-  return names;
 }
 
 std::string RawParameters::origin(const Entry &entry) const

@@ -38,7 +38,7 @@ std::string bytes_text(const double bytes)
   return text;
 }
 
-void require_memory(const Need &need)
+void require_memory(const ResourceNeed &need)
 {
   const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
                          static_cast<double>(sysconf(_SC_PAGESIZE));
@@ -48,7 +48,7 @@ void require_memory(const Need &need)
                     need.remedy);
 }
 
-void require_disk(const std::string &folder, const Need &need)
+void require_disk(const std::string &folder, const ResourceNeed &need)
 {
   const fs::path path = existing_part(folder);
   std::error_code code;

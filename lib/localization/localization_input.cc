@@ -231,7 +231,7 @@ std::vector<PlannedProbe> plan_probes(const LocalizationParameters &parameters,
   const auto available = input.homogeneous.probes();
   std::vector<PlannedProbe> planned;
   for (const std::string &name :
-       parameters.all_run_probes ? available : parameters.run_probes)
+       parameters.all_run_probes() ? available : parameters.run_probes)
     {
       if (std::find(available.begin(), available.end(), name) == available.end())
         throw UserError("Probes/Of the run names '" + name + "', but the probes of " +

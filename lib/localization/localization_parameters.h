@@ -5,25 +5,19 @@
 #include "localization/time_window.h"
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace mesoslip
 {
-class KeyUse;
-class RawParameters;
+class Keys;
 
 /** A place whose stress is followed through the snapshots. */
 struct ProbeRequest
 {
-  std::string name; ///< of its subsection
-  /** From the lower left corner (m). */
-  std::array<double, 2> position = {};
+  std::string name;                    ///< of its subsection
+  std::array<double, 2> position = {}; ///< from the lower left corner (m)
 };
 
 /** What stress_localization is asked for. */
@@ -46,28 +40,37 @@ struct LocalizationParameters
   /** sigma_zz / (sigma_xx + sigma_yy) by phase; empty: from the stiffnesses. */
   std::vector<double> out_of_plane_ratio;
 
-  /** s; NaN: when the runs are steady, as their files tell, and the end. */
-  double from = 0.;
-  double to   = 0.; ///< end of the window
+  /** Begin of the window (s); NaN: when the runs are steady, as their files tell. */
+  double from = std::numeric_limits<double>::quiet_NaN();
+  /** End of the window (s); NaN: the end of the runs. */
+  double to = std::numeric_limits<double>::quiet_NaN();
 
-  /** Probes of the homogeneous run, unless all are wanted. */
-  std::vector<std::string> run_probes;
-  bool all_run_probes = true;               ///< every probe of the homogeneous run
+  /** Names of probes of the homogeneous run, or "all". */
+  std::vector<std::string> run_probes = {"all"};
   std::vector<ProbeRequest> further_probes; ///< places of one's own
 
-  /** m */
+  /** Cells whose centres are nearer to the contact are the surface (m). */
   double surface_depth = 0.4e-3;
-  /** m */
+  /** Cells nearer to an edge are not in the interior (m). */
   double edge_distance = 1.6e-3;
 
-  /** All sections; @p raw names the probes, which have subsections. */
-  static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+  /** Whether every probe of the homogeneous run is wanted. */
+  bool all_run_probes() const
+  {
+    return run_probes == std::vector<std::string>{"all"};
+  }
+
+  /** Binds the keys of all sections. @throws UserError naming the key. */
+  void bind(Keys &keys);
 
   /** @throws UserError for keys that others leave without effect. */
-  static void check_keys(const KeyUse &use);
+  static void check_keys(const Keys &keys);
 
-  /** @throws UserError; input files have to exist. A folder stands for the file in it. */
-  static LocalizationParameters parse(dealii::ParameterHandler &prm);
+  /**
+   * Checks that the input files exist; a folder becomes the path of the file in it.
+   * @throws UserError
+   */
+  void check();
 };
 } // namespace mesoslip
 

@@ -3,8 +3,7 @@
 #include "io/collective.h"
 #include "io/errors.h"
 #include "io/interrupt.h"
-#include "io/parameters.h"
-#include "io/raw_parameters.h"
+#include "io/keys.h"
 #include "io/run_context.h"
 #include "localization/localization_output.h"
 #include "localization/localize.h"
@@ -60,19 +59,37 @@ void log_key_numbers(RunContext &context)
     }
 }
 
-/**
- * All on rank 0: reading the snapshots takes longer than the arithmetic on them, and
- * handing rows to other ranks would cost as much again.
- */
-void run(dealii::ParameterHandler &prm, RunContext &context)
+/** Works on rank 0 alone: reading the snapshots takes longer than the arithmetic on them,
+ * and handing rows to other ranks would cost as much again. */
+class StressLocalization : public Analysis
 {
-  const LocalizationParameters parameters = LocalizationParameters::parse(prm);
-  const std::string canonical =
-    canonical_parameters(prm, {"Output folder", "Input/RVE file", "Input/Homogeneous run",
-                               "Input/Direct run"});
-  if (context.n_ranks() > 1)
-    context.log("one process works, the others wait: reading is what takes the time");
-  on_root(context.communicator(), [&]() {
+public:
+  explicit StressLocalization(Keys &keys)
+    : canonical(canonical_parameters(
+        keys,
+        {"Output folder", "Input/RVE file", "Input/Homogeneous run", "Input/Direct run"}))
+  {
+    parameters.bind(keys);
+    parameters.check();
+  }
+
+  void describe(std::ostream &out) const override
+  {
+    on_root(MPI_COMM_WORLD, [&]() { out << describe_localization(parameters); });
+  }
+
+  void run(RunContext &context) override
+  {
+    if (context.n_ranks() > 1)
+      context.log("one process works, the others wait: reading is what takes the time");
+    on_root(context.communicator(), [&]() { run_on_root(context); });
+    if (context.root())
+      log_key_numbers(context);
+  }
+
+private:
+  void run_on_root(RunContext &context) const
+  {
     const LocalizationMonitor monitor = make_monitor(context);
     const auto localized              = [&]() {
       const auto scope = context.timer().scope("Localization");
@@ -82,32 +99,19 @@ void run(dealii::ParameterHandler &prm, RunContext &context)
     write_localization(localized, parameters, canonical, context.output_folder());
     summarize_localization(localized, context.summary());
     context.summary()["concentration"] = parameters.concentration;
-  });
-  if (context.root())
-    log_key_numbers(context);
-}
+  }
 
-void estimate(dealii::ParameterHandler &prm, std::ostream &report)
-{
-  const LocalizationParameters parameters = LocalizationParameters::parse(prm);
-  on_root(MPI_COMM_WORLD, [&]() { report << describe_localization(parameters); });
-}
+  LocalizationParameters parameters;
+  const std::string canonical;
+};
 } // namespace
 
 Program stress_localization_program()
 {
-  Program program;
-  program.name = "stress_localization";
-  program.description =
-    "Stresses in fibres and matrix from a run of the homogenized body.";
-  program.declare    = LocalizationParameters::declare;
-  program.check_keys = LocalizationParameters::check_keys;
-  program.check      = [](dealii::ParameterHandler &prm) {
-    LocalizationParameters::parse(prm);
-    return Need();
-  };
-  program.estimate = estimate;
-  program.run      = run;
-  return program;
+  return {"stress_localization",
+          "Stresses in fibres and matrix from a run of the homogenized body.",
+          [](Keys &keys) { LocalizationParameters().bind(keys); },
+          LocalizationParameters::check_keys,
+          [](Keys &keys) { return std::make_unique<StressLocalization>(keys); }};
 }
 } // namespace mesoslip

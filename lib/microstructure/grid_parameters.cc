@@ -2,36 +2,38 @@
 
 #include "grid/size_text.h"
 #include "io/errors.h"
-#include "io/key_use.h"
-#include "io/parameters.h"
+#include "io/keys.h"
 #include "io/text.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 #include <vector>
 
 namespace mesoslip
 {
-void GridParameters::declare(dealii::ParameterHandler &prm)
+void GridParameters::bind(Keys &keys)
 {
-  const GridParameters defaults;
-  const ParameterSection section(prm, "Grid");
-  declare_integer_list(prm, "Cells", {defaults.cells[0], defaults.cells[1]}, 1, 1000000,
-                       "Numbers of cells along x and y [-]", 2, 2);
-  declare_double_list(prm, "Size", {defaults.size[0], defaults.size[1]}, Range::length(),
-                      "Width (x) and height (y) of the box [m]", 2, 2);
-  declare_double_list(prm, "Spacing", {}, Range::length(),
-                      "Instead of the size: edge of the square cells, or their width and "
-                      "height. Empty: size over cells [m]",
-                      0, 2);
+  const auto section     = keys.section("Grid");
+  std::vector<long> list = {cells[0], cells[1]};
+  std::vector<double> spacing;
+  keys.bind_list("Cells", list, 1, 1000000, "Numbers of cells along x and y [-]", 2, 2);
+  keys.bind("Size", size, Range::length(), "Width (x) and height (y) of the box [m]");
+  keys.bind_list("Spacing", spacing, Range::length(),
+                 "Instead of the size: edge of the square cells, or their width and "
+                 "height. Empty: size over cells [m]",
+                 0, 2);
+  for (unsigned int d = 0; d < 2; ++d)
+    {
+      cells[d] = static_cast<unsigned int>(list[d]);
+      if (!spacing.empty())
+        size[d] = cells[d] * spacing[d % spacing.size()];
+    }
 }
 
-void GridParameters::check_keys(const KeyUse &use)
+void GridParameters::check_keys(const Keys &keys)
 {
   const auto numbers = [&](const char *key) {
     std::vector<double> values;
-    for (const std::string &item : split_list(use.value(key)))
+    for (const std::string &item : split_list(keys.value(key)))
       if (double value; parse_number(item, value))
         values.push_back(value);
     return values;
@@ -45,24 +47,10 @@ void GridParameters::check_keys(const KeyUse &use)
   const auto agrees = [&](const unsigned int d) {
     return std::abs(size.at(d) - found[d]) <= 1e-9 * found[d];
   };
-  use.only_if(agrees(0) && agrees(1), {"Grid/Size"},
-              "Grid/Cells times Grid/Spacing make a box of " +
-                lengths_text(found[0], found[1]),
-              "leave Grid/Spacing empty");
-}
-
-void GridParameters::parse(dealii::ParameterHandler &prm)
-{
-  const ParameterSection section(prm, "Grid");
-  const std::vector<long> cell_list   = get_integer_list(prm, "Cells");
-  const std::vector<double> size_list = get_double_list(prm, "Size");
-  const std::vector<double> spacing   = get_double_list(prm, "Spacing");
-  for (unsigned int d = 0; d < 2; ++d)
-    {
-      cells[d] = static_cast<unsigned int>(cell_list.at(d));
-      size[d] =
-        spacing.empty() ? size_list.at(d) : cells[d] * spacing.at(d % spacing.size());
-    }
+  keys.only_if(agrees(0) && agrees(1), {"Grid/Size"},
+               "Grid/Cells times Grid/Spacing make a box of " +
+                 lengths_text(found[0], found[1]),
+               "leave Grid/Spacing empty");
 }
 
 void GridParameters::check() const

@@ -5,14 +5,9 @@
 
 #include <array>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace mesoslip
 {
-class KeyUse;
+class Keys;
 
 /**
  * Section `Grid`: `Cells`, `Size` [m] and, instead of the size, `Spacing` [m].
@@ -23,14 +18,11 @@ struct GridParameters
   std::array<unsigned int, 2> cells = {{560, 160}};     ///< numbers along x and y
   std::array<double, 2> size        = {{0.056, 0.016}}; ///< m, along x and y
 
-  /** Keys of the section with the pin as default. */
-  static void declare(dealii::ParameterHandler &prm);
+  /** Binds the keys of the section, with the pin as default. */
+  void bind(Keys &keys);
 
   /** Throws UserError for a `Size` that is not `Cells` times `Spacing`. */
-  static void check_keys(const KeyUse &use);
-
-  /** Throws UserError for lists of the wrong length. */
-  void parse(dealii::ParameterHandler &prm);
+  static void check_keys(const Keys &keys);
 
   /** Throws UserError unless there are cells of positive finite size, below 2^31 of them.
    */

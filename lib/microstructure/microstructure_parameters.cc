@@ -1,11 +1,8 @@
 #include "microstructure/microstructure_parameters.h"
 
 #include "io/errors.h"
-#include "io/key_use.h"
-#include "io/parameters.h"
+#include "io/keys.h"
 #include "io/resources.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,46 +17,38 @@ const std::string section_name = "Microstructure";
 
 using Type = MicrostructureParameters::Type;
 
-const std::vector<std::string> type_names = {"homogeneous", "random fibres", "rectangles",
-                                             "image"};
-
-void declare_shape(dealii::ParameterHandler &prm, const FibrePlacement &defaults)
+void bind_shape(Keys &keys, FibrePlacement &placement)
 {
-  declare_integer(prm, "Seed", static_cast<long>(defaults.seed), 0,
-                  std::numeric_limits<long>::max(),
-                  "Start of the random numbers; a seed gives the same morphology "
-                  "everywhere [-]");
-  declare_double(prm, "Fibre width", defaults.width, Range::positive(),
-                 "Width of all fibres along x [m]");
-  declare_double(prm, "Minimum height", defaults.min_height, Range::positive(),
-                 "Heights along y are uniform from here [m]");
-  declare_double(prm, "Maximum height", defaults.max_height, Range::positive(),
-                 "to here [m]");
-  declare_string(prm, "Phase", "", "Phase of the fibres; empty: the second of Names [-]");
+  keys.bind("Seed", placement.seed, 0, std::numeric_limits<long>::max(),
+            "Start of the random numbers; a seed gives the same morphology everywhere "
+            "[-]");
+  keys.bind("Fibre width", placement.width, Range::positive(),
+            "Width of all fibres along x [m]");
+  keys.bind("Minimum height", placement.min_height, Range::positive(),
+            "Smallest height of a fibre along y; heights are uniformly distributed "
+            "between the two [m]");
+  keys.bind("Maximum height", placement.max_height, Range::positive(),
+            "Largest height of a fibre along y [m]");
 }
 
-void declare_rules(dealii::ParameterHandler &prm, const FibrePlacement &defaults)
+void bind_rules(Keys &keys, FibrePlacement &placement)
 {
-  declare_double(prm, "Area fraction", defaults.area_fraction, Range::open(0., 1.),
-                 "Area of the fibres over area of the box [-]");
-  declare_selection(prm, "Fraction rule", "actual", {"actual", "nominal"},
-                    "actual: area of the cells that become fibre; nominal: sum of the "
-                    "fibres' areas, overlaps counted twice [-]");
-  declare_bool(prm, "Trim last fibre", defaults.trim_last,
-               "With the actual fraction: shorten the last fibre to meet it [-]");
-  declare_bool(prm, "Allow overlap", defaults.allow_overlap, "Fibres may overlap [-]");
-  declare_double(prm, "Minimum gap", defaults.minimum_gap, Range::non_negative(),
-                 "Between fibres, in x or in y, rounded up to whole cells [m]");
-  declare_bool(prm, "Cut by border", defaults.cut_by_border,
-               "Fibres may stick out of the box and are cut; otherwise they lie "
-               "inside [-]");
-  declare_bool(prm, "Align to grid", defaults.align_to_grid,
-               "Edges of fibres lie on edges of cells; otherwise they lie anywhere and "
-               "the cells with their centre inside become fibre [-]");
-  declare_double(
-    prm, "Placement spacing", 0., Range::non_negative(),
-    "Edge of the squares on which fibres are placed, a multiple of the cell: "
-    "keeps the morphology when the grid is refined. 0: the cells [m]");
+  keys.bind("Area fraction", placement.area_fraction, Range::open(0., 1.),
+            "Area of the fibres over area of the box [-]");
+  keys.bind("Fraction rule", placement.fraction_rule, {"actual", "nominal"},
+            "actual: area of the cells that become fibre; nominal: sum of the "
+            "fibres' areas, overlaps counted twice [-]");
+  keys.bind("Trim last fibre", placement.trim_last,
+            "With the actual fraction: shorten the last fibre to meet it [-]");
+  keys.bind("Allow overlap", placement.allow_overlap, "Fibres may overlap [-]");
+  keys.bind("Minimum gap", placement.minimum_gap, Range::non_negative(),
+            "Between fibres, in x or in y, rounded up to whole cells [m]");
+  keys.bind("Cut by border", placement.cut_by_border,
+            "Fibres may stick out of the box and are cut; otherwise they lie "
+            "inside [-]");
+  keys.bind("Align to grid", placement.align_to_grid,
+            "Edges of fibres lie on edges of cells; otherwise they lie anywhere and "
+            "the cells with their centre inside become fibre [-]");
 }
 
 [[noreturn]] void fail(const std::string &key, const std::string &what)
@@ -138,79 +127,49 @@ void check_image_values(const MicrostructureParameters &p)
 }
 } // namespace
 
-void MicrostructureParameters::declare(dealii::ParameterHandler &prm,
-                                       const RawParameters &raw)
+void MicrostructureParameters::bind(Keys &keys)
 {
-  GridParameters::declare(prm);
-  PhaseParameters::declare(prm, raw);
+  grid.bind(keys);
+  phases.bind(keys);
   {
-    const ParameterSection section(prm, section_name);
-    declare_selection(prm, "Type", "random fibres", type_names,
-                      "Where the morphology comes from; homogeneous is all of the first "
-                      "phase [-]");
-    declare_input_file(
-      prm, "File", "",
-      "Rectangles: CSV with x_left_mm,y_bottom_mm,width_mm,height_mm and, "
-      "if needed, phase (1 where missing). Image: PNG or rows of whole "
-      "numbers from the top [-]");
-    declare_integer_list(prm, "Image values", {}, std::numeric_limits<int>::min(),
-                         std::numeric_limits<int>::max(),
-                         "Image value of each phase in the order of Names. Empty: the "
-                         "values that occur, in ascending order, if there are as many as "
-                         "phases [-]");
-    declare_bool(
-      prm, "Oblong pixels", false,
-      "Image: the pixels need not be squares in the body; otherwise Grid/Cells "
-      "and Grid/Size have to make them so within 1 % [-]");
+    const auto section = keys.section(section_name);
+    keys.bind("Type", type, {"homogeneous", "random fibres", "rectangles", "image"},
+              "Where the morphology comes from; homogeneous is all of the first "
+              "phase [-]");
+    keys.bind_input("File", file,
+                    "Rectangles: CSV with x_left_mm,y_bottom_mm,width_mm,height_mm and, "
+                    "if needed, phase (1 where missing). Image: PNG or rows of whole "
+                    "numbers from the top [-]");
+    keys.bind_list("Image values", image_values, std::numeric_limits<int>::min(),
+                   std::numeric_limits<int>::max(),
+                   "Image value of each phase in the order of Names. Empty: the "
+                   "values that occur, in ascending order, if there are as many as "
+                   "phases [-]",
+                   0, std::numeric_limits<std::size_t>::max());
+    keys.bind("Oblong pixels", oblong_pixels,
+              "Image: the pixels need not be squares in the body; otherwise Grid/Cells "
+              "and Grid/Size have to make them so within 1 % [-]");
   }
-  const ParameterSection section(prm, random_fibres_section);
-  declare_shape(prm, FibrePlacement());
-  declare_rules(prm, FibrePlacement());
+  const auto section = keys.section(random_fibres_section);
+  bind_shape(keys, placement);
+  keys.bind("Phase", fibre_phase, "Phase of the fibres; empty: the second of Names [-]");
+  bind_rules(keys, placement);
+  keys.bind("Placement spacing", placement_spacing, Range::non_negative(),
+            "Edge of the squares on which fibres are placed, a multiple of the cell: "
+            "keeps the morphology when the grid is refined. 0: the cells [m]");
 }
 
-void MicrostructureParameters::check_keys(const KeyUse &use)
+void MicrostructureParameters::check_keys(const Keys &keys)
 {
-  GridParameters::check_keys(use);
-  PhaseParameters::check_keys(use);
+  GridParameters::check_keys(keys);
+  PhaseParameters::check_keys(keys);
   const std::string type = section_name + "/Type";
-  use.only_with(type, {"random fibres"}, {random_fibres_section + "/"});
-  use.only_with(type, {"rectangles", "image"}, {section_name + "/File"});
-  use.only_with(type, {"image"},
-                {section_name + "/Image values", section_name + "/Oblong pixels"});
-  use.only_with(random_fibres_section + "/Fraction rule", {"actual"},
-                {random_fibres_section + "/Trim last fibre"});
-}
-
-void MicrostructureParameters::parse(dealii::ParameterHandler &prm)
-{
-  grid.parse(prm);
-  phases.parse(prm);
-  {
-    const ParameterSection section(prm, section_name);
-    const std::string name = get_string(prm, "Type");
-    for (std::size_t i = 0; i < type_names.size(); ++i)
-      if (type_names[i] == name)
-        type = static_cast<Type>(i);
-    file          = get_string(prm, "File");
-    image_values  = get_integer_list(prm, "Image values");
-    oblong_pixels = get_bool(prm, "Oblong pixels");
-  }
-  const ParameterSection section(prm, random_fibres_section);
-  placement.seed          = static_cast<std::uint64_t>(get_integer(prm, "Seed"));
-  placement.width         = get_double(prm, "Fibre width");
-  placement.min_height    = get_double(prm, "Minimum height");
-  placement.max_height    = get_double(prm, "Maximum height");
-  placement.area_fraction = get_double(prm, "Area fraction");
-  placement.fraction_rule = get_string(prm, "Fraction rule") == "actual"
-                              ? FractionRule::actual
-                              : FractionRule::nominal;
-  placement.trim_last     = get_bool(prm, "Trim last fibre");
-  placement.allow_overlap = get_bool(prm, "Allow overlap");
-  placement.minimum_gap   = get_double(prm, "Minimum gap");
-  placement.cut_by_border = get_bool(prm, "Cut by border");
-  placement.align_to_grid = get_bool(prm, "Align to grid");
-  fibre_phase             = get_string(prm, "Phase");
-  placement_spacing       = get_double(prm, "Placement spacing");
+  keys.only_with(type, {"random fibres"}, {random_fibres_section + "/"});
+  keys.only_with(type, {"rectangles", "image"}, {section_name + "/File"});
+  keys.only_with(type, {"image"},
+                 {section_name + "/Image values", section_name + "/Oblong pixels"});
+  keys.only_with(random_fibres_section + "/Fraction rule", {"actual"},
+                 {random_fibres_section + "/Trim last fibre"});
 }
 
 void MicrostructureParameters::check() const

@@ -12,15 +12,9 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace mesoslip
 {
-class KeyUse;
-class RawParameters;
+class Keys;
 
 /** Where the rules of random fibres stand in a .prm. */
 inline const std::string random_fibres_section = "Microstructure/Random fibres";
@@ -70,14 +64,11 @@ struct MicrostructureParameters
    */
   double placement_spacing = 0.;
 
-  /** All three sections. */
-  static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+  /** Binds the keys of all three sections. */
+  void bind(Keys &keys);
 
   /** Throws UserError for keys of all three sections that others leave without effect. */
-  static void check_keys(const KeyUse &use);
-
-  /** Reads the values; throws UserError for those that cannot be meant. */
-  void parse(dealii::ParameterHandler &prm);
+  static void check_keys(const Keys &keys);
 
   /**
    * Throws UserError: every section's own checks and those across sections. Files

@@ -1,13 +1,9 @@
 #include "microstructure/phase_parameters.h"
 
 #include "io/errors.h"
-#include "io/key_use.h"
-#include "io/parameters.h"
-#include "io/raw_parameters.h"
+#include "io/keys.h"
 #include "material/rotation.h"
 #include "material/stiffness.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,75 +12,36 @@
 
 namespace mesoslip
 {
-namespace
+void SinglePhaseParameters::bind(Keys &keys)
 {
-constexpr const char *names_key = "Names";
-
-const std::vector<std::string> default_names = {"matrix", "fibre"};
-
-void declare_phase(dealii::ParameterHandler &prm)
-{
-  const SinglePhaseParameters defaults;
   const Range modulus = Range::closed(0., Range::stiffness().upper);
-  declare_selection(
-    prm, "Type", "isotropic", {"isotropic", "orthotropic", "stiffness"},
-    "Which keys give the stiffness: Young modulus and Poisson ratio; the "
-    "three lists of orthotropic constants; the stiffness coefficients [-]");
-  declare_double(
-    prm, "Young modulus", defaults.young_modulus, modulus,
-    "Isotropic: Young's modulus E; has to be given; a void has 1e-6 to 1e-4 of that "
-    "of the stiffest phase [Pa]");
-  declare_double(prm, "Poisson ratio", defaults.poisson_ratio, Range::open(-1., 0.5),
-                 "Isotropic: Poisson's ratio [-]");
-  declare_double_list(prm, "Young moduli", {}, modulus, "Orthotropic: E1, E2, E3 [Pa]", 0,
-                      3);
-  declare_double_list(
-    prm, "Poisson ratios", {}, Range::any(),
-    "Orthotropic: nu12, nu13, nu23, where nu_ij is the contraction along "
-    "j for a load along i [-]",
-    0, 3);
-  declare_double_list(prm, "Shear moduli", {}, modulus, "Orthotropic: G12, G13, G23 [Pa]",
-                      0, 3);
-  declare_double_list(
-    prm, "Stiffness coefficients", {}, Range::stiffness(),
-    "Stiffness in plane strain: Dxx, Dxy, Dyy, Dss, or the upper triangle "
-    "Dxx, Dxy, Dxs, Dyy, Dys, Dss with s the engineering shear [Pa]",
-    0, 6);
-  declare_double(prm, "Angle", defaults.angle, Range::any(),
-                 "Turns the material counter-clockwise, from x to axis 1 [rad]");
-  declare_double(prm, "Density", defaults.density,
-                 Range::closed(0., Range::density().upper),
-                 "Mass density; needed for dynamics [kg/m^3]");
-  declare_double(prm, "Friction coefficient", defaults.friction_coefficient,
-                 Range::non_negative(),
-                 "Coulomb coefficient of contact nodes in this phase [-]");
+  keys.bind("Type", type, {"isotropic", "orthotropic", "stiffness"},
+            "Which keys give the stiffness: Young modulus and Poisson ratio; the "
+            "three lists of orthotropic constants; the stiffness coefficients [-]");
+  keys.bind("Young modulus", young_modulus, modulus,
+            "Isotropic: Young's modulus E; has to be given; a void has 1e-6 to 1e-4 of "
+            "that of the stiffest phase [Pa]");
+  keys.bind("Poisson ratio", poisson_ratio, Range::open(-1., 0.5),
+            "Isotropic: Poisson's ratio [-]");
+  keys.bind_list("Young moduli", young_moduli, modulus, "Orthotropic: E1, E2, E3 [Pa]", 0,
+                 3);
+  keys.bind_list("Poisson ratios", poisson_ratios, Range::any(),
+                 "Orthotropic: nu12, nu13, nu23, where nu_ij is the contraction along "
+                 "j for a load along i [-]",
+                 0, 3);
+  keys.bind_list("Shear moduli", shear_moduli, modulus, "Orthotropic: G12, G13, G23 [Pa]",
+                 0, 3);
+  keys.bind_list("Stiffness coefficients", stiffness_coefficients, Range::stiffness(),
+                 "Stiffness in plane strain: Dxx, Dxy, Dyy, Dss, or the upper triangle "
+                 "Dxx, Dxy, Dxs, Dyy, Dys, Dss with s the engineering shear [Pa]",
+                 0, 6);
+  keys.bind("Angle", angle, Range::any(),
+            "Turns the material counter-clockwise, from x to axis 1 [rad]");
+  keys.bind("Density", density, Range::closed(0., Range::density().upper),
+            "Mass density; needed for dynamics [kg/m^3]");
+  keys.bind("Friction coefficient", friction_coefficient, Range::non_negative(),
+            "Coulomb coefficient of contact nodes in this phase [-]");
 }
-
-SinglePhaseParameters::Type parse_type(const std::string &text)
-{
-  using Type = SinglePhaseParameters::Type;
-  return text == "isotropic"     ? Type::isotropic
-         : text == "orthotropic" ? Type::orthotropic
-                                 : Type::stiffness;
-}
-
-SinglePhaseParameters parse_phase(dealii::ParameterHandler &prm, const std::string &name)
-{
-  SinglePhaseParameters phase;
-  phase.name                   = name;
-  phase.type                   = parse_type(get_string(prm, "Type"));
-  phase.young_modulus          = get_double(prm, "Young modulus");
-  phase.poisson_ratio          = get_double(prm, "Poisson ratio");
-  phase.young_moduli           = get_double_list(prm, "Young moduli");
-  phase.poisson_ratios         = get_double_list(prm, "Poisson ratios");
-  phase.shear_moduli           = get_double_list(prm, "Shear moduli");
-  phase.stiffness_coefficients = get_double_list(prm, "Stiffness coefficients");
-  phase.angle                  = get_double(prm, "Angle");
-  phase.density                = get_double(prm, "Density");
-  phase.friction_coefficient   = get_double(prm, "Friction coefficient");
-  return phase;
-}
-} // namespace
 
 VoigtMatrix<2> SinglePhaseParameters::stiffness() const
 {
@@ -167,48 +124,34 @@ Phase<2> SinglePhaseParameters::phase() const
   return {name, stiffness(), density, friction_coefficient};
 }
 
-void PhaseParameters::declare(dealii::ParameterHandler &prm, const RawParameters &raw)
+void PhaseParameters::bind(Keys &keys)
 {
-  const ParameterSection section(prm, "Phases");
-  declare_word_list(prm, names_key, default_names, {},
-                    "Names of the phases, each with a subsection of its name; the first "
-                    "one is the background [-]");
-  for (const std::string &name :
-       raw.section_names("Phases/Names", default_names, "phase"))
+  const auto section             = keys.section("Phases");
+  std::vector<std::string> names = {"matrix", "fibre"};
+  keys.bind_names("Names", names, "phase",
+                  "Names of the phases, each with a subsection of its name; the first "
+                  "one is the background [-]");
+  phases.assign(names.size(), SinglePhaseParameters());
+  for (std::size_t p = 0; p < names.size(); ++p)
     {
-      const ParameterSection subsection(prm, name);
-      declare_phase(prm);
+      const auto subsection = keys.section(names[p]);
+      phases[p].name        = names[p];
+      phases[p].bind(keys);
     }
 }
 
-void PhaseParameters::check_keys(const KeyUse &use)
+void PhaseParameters::check_keys(const Keys &keys)
 {
-  for (const std::string &name :
-       split_list(use.value(std::string("Phases/") + names_key)))
+  for (const std::string &name : split_list(keys.value("Phases/Names")))
     {
       const std::string phase = "Phases/" + name + "/", type = phase + "Type";
-      use.only_with(type, {"isotropic"},
-                    {phase + "Young modulus", phase + "Poisson ratio"});
-      use.only_with(
+      keys.only_with(type, {"isotropic"},
+                     {phase + "Young modulus", phase + "Poisson ratio"});
+      keys.only_with(
         type, {"orthotropic"},
         {phase + "Young moduli", phase + "Poisson ratios", phase + "Shear moduli"});
-      use.only_with(type, {"stiffness"}, {phase + "Stiffness coefficients"});
-      use.only_with(type, {"orthotropic", "stiffness"}, {phase + "Angle"});
-    }
-}
-
-void PhaseParameters::parse(dealii::ParameterHandler &prm)
-{
-  const ParameterSection section(prm, "Phases");
-  phases.clear();
-  for (const std::string &name : get_word_list(prm, names_key))
-    {
-      if (std::any_of(phases.begin(), phases.end(),
-                      [&](const SinglePhaseParameters &p) { return p.name == name; }))
-        throw UserError("Phases/Names: there are two phases named '" + name +
-                        "'; rename one");
-      const ParameterSection subsection(prm, name);
-      phases.push_back(parse_phase(prm, name));
+      keys.only_with(type, {"stiffness"}, {phase + "Stiffness coefficients"});
+      keys.only_with(type, {"orthotropic", "stiffness"}, {phase + "Angle"});
     }
 }
 

@@ -6,15 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace mesoslip
 {
-class KeyUse;
-class RawParameters;
+class Keys;
 
 /** Section `Phases/<name>`: the material of one phase. */
 struct SinglePhaseParameters
@@ -50,6 +44,9 @@ struct SinglePhaseParameters
 
   double friction_coefficient = 0.25; ///< Coulomb, of contact nodes in the phase
 
+  /** Binds the keys of the current section, but for the name. */
+  void bind(Keys &keys);
+
   /** Throws UserError naming the key when the material makes no sense. */
   void check() const;
 
@@ -67,22 +64,22 @@ struct SinglePhaseParameters
 };
 
 /**
- * Section `Phases`: `Names`, a list, and a subsection for each name, declared from
- * what the .prm says about `Names`. The phase that comes first has index 0. No phase has
- * a stiffness or a density that was not given, whatever its name.
+ * Section `Phases`: `Names`, a list, and a subsection for each name. The phase that comes
+ * first has index 0. No phase has a stiffness or a density that was not given, whatever
+ * its name.
  */
 struct PhaseParameters
 {
   std::vector<SinglePhaseParameters> phases; ///< in the order of `Names`
 
-  /** `Names` and, for the names that @p raw gives, their subsections. */
-  static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+  /**
+   * Binds `Names` and the subsection of each name. Throws UserError for names that are
+   * not unique or cannot be names.
+   */
+  void bind(Keys &keys);
 
   /** Throws UserError for keys that a phase's `Type` does not use. */
-  static void check_keys(const KeyUse &use);
-
-  /** Throws UserError for names that are not unique or cannot be names. */
-  void parse(dealii::ParameterHandler &prm);
+  static void check_keys(const Keys &keys);
 
   /** Throws UserError: materials must be sound, and there are 1 to 256 of them. */
   void check() const;

@@ -1,64 +1,338 @@
 #include "simulation/contact_parameters.h"
 
 #include "io/errors.h"
-#include "io/parameters.h"
+#include "io/keys.h"
 
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
 namespace mesoslip
 {
 namespace
 {
-using Handler = dealii::ParameterHandler;
+/** Upper end of the range of whole numbers that only the machine limits. */
+constexpr long most_steps_or_cells = 1000000000;
 
-LoadHistory
-parse_load(Handler &prm, const std::string &section_name, const std::string &key)
+/** x and y, or nothing. */
+std::array<double, 2> pair(const std::string &key, const std::vector<double> &values)
 {
-  const ParameterSection section(prm, section_name);
-  const double amplitude       = get_double(prm, key);
-  const std::string expression = get_string(prm, "Expression");
+  if (values.size() == 1)
+    throw UserError(key + ": one number found, two (x, y) are needed");
+  return values.empty() ? std::array<double, 2>{}
+                        : std::array<double, 2>{{values[0], values[1]}};
+}
+
+void bind(Keys &keys, BodyParameters &body)
+{
+  const auto section = keys.section("Body");
+  std::vector<double> size;
+  std::vector<long> cells;
+  keys.bind("Material", body.heterogeneous, {"homogeneous", "heterogeneous"},
+            "One effective material, or the phases and the morphology of the RVE file");
+  keys.bind_input("RVE file", body.rve_file,
+                  "rve.h5 of rve_homogenization; empty: the material typed in below");
+  keys.bind("Stiffness from", body.stiffness_name, {"effective", "KUBC", "SUBC", "PBC"},
+            "Which stiffness of the RVE file a homogeneous body takes");
+  keys.bind_list(
+    "Stiffness", body.stiffness, Range::stiffness(),
+    "Without RVE file: D11, D12, D22, D33, or all six D11, D12, D13, D22, D23, "
+    "D33; Voigt order xx, yy, xy, plane strain; default eq. (10) [Pa]",
+    4, 6);
+  keys.bind("Density", body.density, Range::density(),
+            "Density without RVE file [kg/m^3]");
+  keys.bind_list(
+    "Size", size, Range::length(),
+    "Width and height; empty: those of the RVE file, or the paper's 56 x 16 mm [m]", 0,
+    2);
+  keys.bind_list("Cells", cells, 1, most_steps_or_cells,
+                 "Cells along x and y; empty: those of the RVE file, or 560, 160. A "
+                 "heterogeneous body may have whole multiples of the RVE's [-]",
+                 0, 2);
+  keys.bind("Initial velocity", body.initial_velocity, Range::any(),
+            "Velocity of the whole body at the start [m/s]");
+  keys.bind("Acceleration", body.acceleration, Range::any(),
+            "Body acceleration, gravity [m/s^2]");
+  body.size = pair("Body/Size", size);
+  const auto numbers =
+    pair("Body/Cells", std::vector<double>(cells.begin(), cells.end()));
+  for (unsigned int d = 0; d < 2; ++d)
+    body.cells[d] = static_cast<unsigned int>(numbers[d]);
+}
+
+void bind(Keys &keys, TimeParameters &time)
+{
+  const auto section = keys.section("Time");
+  keys.bind("End time", time.end_time, Range::positive(), "Simulated time [s]");
+  keys.bind_or_auto("Time step", time.time_step, Range::positive(),
+                    "auto: Safety factor times the critical one [s]");
+  keys.bind("Safety factor", time.safety, Range::left_open(0., 1.),
+            "Share of the critical time step that auto takes [-]");
+  keys.bind("Beta2", time.beta2, Range::closed(0.5, 1.),
+            "beta2 of the scheme: 1/2 leapfrog, above it dissipates high frequencies "
+            "[-]");
+  keys.bind("Rayleigh beta", time.beta, Range::non_negative(),
+            "Stiffness-proportional damping, C = beta K [s]");
+  keys.bind("Check time step", time.check_time_step,
+            "Refuse a time step above the critical one (false: for stability studies)");
+}
+
+/** The key of an amplitude is bound already. */
+LoadHistory bind_history(Keys &keys,
+                         const double amplitude,
+                         const std::string &what,
+                         const std::string &unit)
+{
+  Ramp ramp   = Ramp::step;
+  double time = 0.;
+  std::string expression;
+  keys.bind("Ramp", ramp, {"step", "linear", "smooth"},
+            "How the " + what + " grows from zero");
+  keys.bind("Ramp time", time, Range::non_negative(), "Duration of the ramp [s]");
+  keys.bind("Expression", expression,
+            "The " + what +
+              " as an expression in the time t (s), instead of a ramp, e.g. "
+              "2*cos(2*pi*1000*t) [" +
+              unit + "]");
   if (expression.empty())
-    return LoadHistory(amplitude, ramp_from_string(get_string(prm, "Ramp")),
-                       get_double(prm, "Ramp time"));
+    return {amplitude, ramp, time};
   try
     {
-      return LoadHistory(amplitude, expression);
+      return {amplitude, expression};
     }
   catch (const std::invalid_argument &e)
     {
-      throw UserError(section_name + "/Expression: " + e.what() +
+      throw UserError(keys.path("Expression") + ": " + e.what() +
                       "; write for example 2*cos(2*pi*1000*t)");
     }
 }
 
-template <typename Number>
-std::array<Number, 2> pair(const std::string &key, const std::vector<Number> &values)
+void bind_flat(Keys &keys, FrictionParameters &friction)
 {
-  if (values.empty())
-    return {};
-  if (values.size() != 2)
-    throw UserError(key + ": one number found, two (x, y) are needed");
-  return {{values[0], values[1]}};
+  const auto section = keys.section("Flat");
+  double velocity    = 2.;
+  keys.bind("Velocity", velocity, Range::any(),
+            "Velocity of the rigid flat along x [m/s]");
+  friction.flat_velocity = bind_history(keys, velocity, "velocity", "m/s");
+  keys.bind("Gap", friction.gap, Range::non_negative(),
+            "Distance between the body and the flat at the start [m]");
 }
 
-BodyParameters parse_body(Handler &prm)
+void bind(Keys &keys, TopSetup &top)
 {
-  const ParameterSection section(prm, "Body");
-  BodyParameters body;
-  body.heterogeneous  = get_string(prm, "Material") == "heterogeneous";
-  body.rve_file       = get_string(prm, "RVE file");
-  body.stiffness_name = get_string(prm, "Stiffness from");
-  body.stiffness      = get_double_list(prm, "Stiffness");
-  body.density        = get_double(prm, "Density");
-  body.size           = pair("Body/Size", get_double_list(prm, "Size"));
-  const auto cells    = pair("Body/Cells", get_integer_list(prm, "Cells"));
-  body.cells          = {
-             {static_cast<unsigned int>(cells[0]), static_cast<unsigned int>(cells[1])}};
-  body.initial_velocity =
-    pair("Body/Initial velocity", get_double_list(prm, "Initial velocity"));
-  body.acceleration = pair("Body/Acceleration", get_double_list(prm, "Acceleration"));
+  const auto section = keys.section("Top");
+  double pressure = 5e6, hold_from = automatic;
+  keys.bind("Kind", top.kind, {"pressure", "platen", "held"},
+            "A pressure on each node; a rigid platen (u_x = 0, one common u_y) pushed by "
+            "the pressure's resultant; or u = 0");
+  keys.bind("Pressure", pressure, Range::any(), "Pressure on the top [Pa]");
+  top.pressure = bind_history(keys, pressure, "pressure", "Pa");
+  keys.bind("Lateral held", top.lateral_held,
+            "With a pressure: u_x = 0 on the top, as under a platen");
+  keys.bind("Platen mass", top.platen_mass, Range::non_negative(),
+            "Mass of the platen itself, per unit thickness [kg/m]");
+  keys.bind_or_auto("Hold from", hold_from, Range::non_negative(),
+                    "From this time on the top stays where it is; auto: never [s]");
+  if (!std::isnan(hold_from))
+    top.hold_from = hold_from;
+}
+
+void bind_sides(Keys &keys, ContactParameters &parameters)
+{
+  const auto section  = keys.section("Sides");
+  const auto bind_one = [&](const std::string &key, const std::string &side,
+                            std::array<bool, 2> &held) {
+    std::string value = "free";
+    keys.bind(key, value, {"free", "u_x", "u_y", "both"},
+              "Displacement that is held on the " + side);
+    held = {{value == "u_x" || value == "both", value == "u_y" || value == "both"}};
+  };
+  bind_one("Left", "left", parameters.sides.left_held);
+  bind_one("Right", "right", parameters.sides.right_held);
+  keys.bind("Periodic", parameters.periodic, "The left and the right side are one");
+}
+
+void bind_friction(Keys &keys, FrictionParameters &friction)
+{
+  const auto section = keys.section("Friction");
+  double length = 3e-6, reference_velocity = 1e-3;
+  keys.bind("Law", friction.law_name, {"coulomb", "constant time", "slip rate"},
+            "Plain Coulomb; relaxing to it in a constant time delta (eq. 7); or in "
+            "L / (|V_rel| + V_ref)");
+  keys.bind("Coefficient from", friction.coefficient_by_phase, {"constant", "phases"},
+            "One coefficient, or those of the phases in the RVE file (section 4)");
+  keys.bind("Coefficient", friction.coefficient, Range::non_negative(),
+            "Coulomb friction coefficient mu [-]");
+  keys.bind("Regularization time", friction.law.time, Range::non_negative(),
+            "delta of eq. (7); 0 is plain Coulomb [s]");
+  keys.bind("Length", length, Range::positive(), "L of the slip-rate law [m]");
+  keys.bind("Reference velocity", reference_velocity, Range::positive(),
+            "V_ref of the slip-rate law [m/s]");
+  keys.bind(
+    "Node rule", friction.node_rule, {"stiffness", "mean", "largest", "smallest"},
+    "Coefficient of a node between cells of two phases: their mean weighted with the "
+    "stiffness D22, as the pressure is shared, the plain mean, or one of the two");
+  if (friction.law_name == "coulomb")
+    friction.law.time = 0.;
+  if (friction.law_name == "slip rate")
+    {
+      friction.slip_length        = length;
+      friction.reference_velocity = reference_velocity;
+      friction.law.node_law =
+        std::make_shared<SlipRateRegularization>(length, reference_velocity);
+    }
+}
+
+void bind_probes(Keys &keys,
+                 const std::vector<std::string> &names,
+                 std::vector<ProbeParameters> &probes)
+{
+  for (const std::string &name : names)
+    {
+      const auto section = keys.section(name);
+      ProbeParameters probe;
+      std::vector<double> position;
+      probe.name = name;
+      keys.bind_list("Position", position, Range::any(),
+                     "x and y from the lower left corner; has to be given [m]", 0, 2);
+      keys.bind("Nearest node", probe.nearest_node, "Move the probe to the nearest node");
+      if (keys.are_read() && position.empty())
+        throw UserError(keys.path("Position") +
+                        " is missing; give x and y of the probe from the lower left "
+                        "corner in m, in a subsection " +
+                        name);
+      probe.position = pair(keys.path("Position"), position);
+      probes.push_back(probe);
+    }
+}
+
+void bind(Keys &keys, ObservationParameters &o)
+{
+  {
+    const auto section = keys.section("Observation");
+    std::vector<std::string> probes;
+    keys.bind("History interval", o.history_interval, 1, most_steps_or_cells,
+              "Steps between samples of the histories in dynamics.h5; statistics and "
+              "spectrum have samples of their own [-]");
+    keys.bind("Energy interval", o.energy_interval, 0, most_steps_or_cells,
+              "Steps between energy balances; 1: exact to round-off, 0: none [-]");
+    keys.bind("Blocks", o.blocks, 1, 100000,
+              "Time blocks in which stick, slip and separation of each contact node are "
+              "counted [-]");
+    keys.bind_or_auto("Steady from", o.steady_from, Range::non_negative(),
+                      "Start of the steady part; auto: that of the limit cycle, or "
+                      "half of the run without one [s]");
+    keys.bind_or_auto("Reference x", o.reference_x, Range::any(),
+                      "Position of the reference contact node M; auto: the middle [m]");
+    keys.bind("Stop at limit cycle", o.stop_at_limit_cycle,
+              "Ends the run when the second half of it was a limit cycle");
+    keys.bind("Limit cycle tolerance", o.limit_cycle_tolerance, Range::positive(),
+              "Largest relative difference among the windows of a limit cycle [-]");
+    keys.bind("Limit cycle periods", o.limit_cycle_periods, 1, 1000,
+              "Periods that a window has at least [-]");
+    keys.bind("Limit cycle windows", o.limit_cycle_windows, 2, 1000,
+              "Equal windows, together the second half of the run, that have to agree "
+              "[-]");
+    keys.bind_names("Probes", probes, "probe", "Names of probes, each with a subsection");
+    keys.bind("Probe interval", o.probe_interval, 1, most_steps_or_cells,
+              "Steps between samples of the probes [-]");
+    bind_probes(keys, probes, o.probes);
+  }
+  const auto section = keys.section("Snapshots");
+  keys.bind("From", o.snapshots_from, Range::non_negative(), "First snapshot [s]");
+  keys.bind_or_auto("To", o.snapshots_to, Range::non_negative(),
+                    "Last snapshot; auto: the end [s]");
+  keys.bind("Interval", o.snapshots_interval, Range::non_negative(),
+            "Time between snapshots of the displacement; 0: none [s]");
+}
+
+void bind(Keys &keys, ModalParameters &modal)
+{
+  const auto section = keys.section("Modal");
+  keys.bind("Number of modes", modal.n_modes, 1, 1000, "Lowest modes wanted [-]");
+  keys.bind("Bottom", modal.bottom, {"free", "held in y", "both"},
+            "The paper's boundary conditions BC1 (free) and BC2 (held in y); the top is "
+            "that of section Top at the start of a run");
+  keys.bind("Tolerance", modal.tolerance, Range::open(0., 1.),
+            "Relative residual of the static solves within the Lanczos iteration [-]");
+}
+
+void bind(Keys &keys, StaticContactParameters &statics)
+{
+  const auto section = keys.section("Static contact");
+  keys.bind("Tolerance", statics.tolerance, Range::open(0., 1.),
+            "Of equilibrium and of the friction forces, relative to the contact force "
+            "[-]");
+  keys.bind("Iterations", statics.max_iterations, 1, 100000,
+            "Limit for contact states and friction [-]");
+}
+
+void bind(Keys &keys, FrictionHomogenizationParameters &p)
+{
+  const auto section = keys.section("Friction homogenization");
+  keys.bind_input("Heterogeneous run", p.heterogeneous_run,
+                  "Output folder of a transient run of the heterogeneous body");
+  keys.bind_input("Homogeneous run", p.homogeneous_run,
+                  "Output folder of a transient run of the homogeneous body, for T_G; "
+                  "empty: T_G of the heterogeneous one");
+  keys.bind_input("Static contact", p.static_contact,
+                  "Output folder of a static contact analysis, for the phases' "
+                  "pressures; empty: the static pressure repartition of eq. (19)");
+  keys.bind("Pressures from", p.pressures,
+            {"auto", "static contact", "surface fractions", "volume fractions",
+             "nodes in static contact", "nodes"},
+            "Pressures for mu_homo, eq. (17): of the phases in a static contact analysis "
+            "(auto: if named), or by eq. (19) with their fractions of the contact line "
+            "(auto) or the volume; or of the contact nodes, with their own coefficients");
+  keys.bind(
+    "Calibrate", p.calibrate,
+    "Take from eq. (13) only the ratio of mu_inter between two delta and start from "
+    "the homogeneous run's; false: invert it as it stands");
+}
+
+void bind(Keys &keys, CheckpointParameters &checkpoints)
+{
+  const auto section = keys.section("Checkpoints");
+  double minutes     = 5.;
+  keys.bind("Interval", minutes, Range::non_negative(),
+            "Time on the clock between checkpoints of a transient run, which --resume "
+            "continues; 0: only when the run is stopped [min]");
+  keys.bind("Keep", checkpoints.keep,
+            "Keep the state (and twice the space of the snapshots) when the run is "
+            "complete, so that --resume goes on to a later End time");
+  checkpoints.interval = 60. * minutes;
+}
+} // namespace
+
+void ContactParameters::bind(Keys &keys)
+{
+  keys.bind("Analysis", analysis,
+            {"transient", "modal", "static contact", "friction homogenization"},
+            "What is computed");
+  mesoslip::bind(keys, body);
+  mesoslip::bind(keys, time);
+  bind_flat(keys, friction);
+  mesoslip::bind(keys, top);
+  bind_sides(keys, *this);
+  bind_friction(keys, friction);
+  mesoslip::bind(keys, observation);
+  mesoslip::bind(keys, modal);
+  mesoslip::bind(keys, static_contact);
+  mesoslip::bind(keys, homogenization);
+  mesoslip::bind(keys, checkpoints);
+  const auto section = keys.section("Performance");
+  keys.bind("Wavefront", wavefront, 0, 64,
+            "Time steps in flight on grids larger than the cache; 0: automatic, 1: none. "
+            "Never changes a result [-]");
+  keys.bind("Instruction set", instruction_set,
+            {"auto", "x86-64", "x86-64-v3", "x86-64-v4", "generic"},
+            "Kernels to use; auto: the widest the processor has; generic: those of "
+            "processors other than x86-64");
+  keys.bind("Static solver", static_solver, {"multigrid", "jacobi", "assembled"},
+            "Of the modal and the static contact analysis, as Homogenization/Solver");
+}
+
+void ContactParameters::check() const
+{
   if (body.stiffness.size() == 5)
     throw UserError(
       "Body/Stiffness: 5 numbers found; give D11, D12, D22, D33 or all six");
@@ -68,182 +342,15 @@ BodyParameters parse_body(Handler &prm)
       "morphology from there; run rve_homogenization and name its rve.h5");
   if (!body.rve_file.empty())
     require_input_file("Body/RVE file: ", body.rve_file, "run rve_homogenization first");
-  return body;
-}
-
-TimeParameters parse_time(Handler &prm)
-{
-  const ParameterSection section(prm, "Time");
-  TimeParameters time;
-  time.end_time        = get_double(prm, "End time");
-  time.time_step       = get_double_or_auto(prm, "Time step");
-  time.safety          = get_double(prm, "Safety factor");
-  time.beta2           = get_double(prm, "Beta2");
-  time.beta            = get_double(prm, "Rayleigh beta");
-  time.check_time_step = get_bool(prm, "Check time step");
   if (time.time_step > time.end_time)
     throw UserError("Time/Time step: " + to_text(time.time_step) +
                     " s is longer than End time, " + to_text(time.end_time) + " s");
-  return time;
-}
-
-TopSetup parse_top(Handler &prm)
-{
-  TopSetup top;
-  top.pressure = parse_load(prm, "Top", "Pressure");
-  const ParameterSection section(prm, "Top");
-  const std::string kind = get_string(prm, "Kind");
-  top.kind               = kind == "pressure" ? TopSetup::Kind::pressure
-                           : kind == "platen" ? TopSetup::Kind::platen
-                                              : TopSetup::Kind::held;
-  top.lateral_held       = get_bool(prm, "Lateral held");
-  top.platen_mass        = get_double(prm, "Platen mass");
-  const double hold_from = get_double_or_auto(prm, "Hold from");
-  if (!std::isnan(hold_from))
-    top.hold_from = hold_from;
-  return top;
-}
-
-void parse_sides(Handler &prm, ContactParameters &parameters)
-{
-  const ParameterSection section(prm, "Sides");
-  const auto held = [&](const std::string &key) {
-    const std::string value              = get_string(prm, key);
-    const std::array<bool, 2> components = {
-      {value == "u_x" || value == "both", value == "u_y" || value == "both"}};
-    return components;
-  };
-  parameters.sides.left_held  = held("Left");
-  parameters.sides.right_held = held("Right");
-  parameters.periodic         = get_bool(prm, "Periodic");
-  if (parameters.periodic &&
-      (get_string(prm, "Left") != "free" || get_string(prm, "Right") != "free"))
+  const auto &left = sides.left_held, &right = sides.right_held;
+  if (periodic && (left[0] || left[1] || right[0] || right[1]))
     throw UserError("Sides/Periodic is true, so Left and Right have to be free");
-}
-
-FrictionParameters parse_friction(Handler &prm)
-{
-  FrictionParameters friction;
-  friction.flat_velocity = parse_load(prm, "Flat", "Velocity");
-  {
-    const ParameterSection section(prm, "Flat");
-    friction.gap = get_double(prm, "Gap");
-  }
-  const ParameterSection section(prm, "Friction");
-  friction.law_name = get_string(prm, "Law");
-  friction.law.time =
-    friction.law_name == "coulomb" ? 0. : get_double(prm, "Regularization time");
-  if (friction.law_name == "slip rate")
-    {
-      friction.slip_length        = get_double(prm, "Length");
-      friction.reference_velocity = get_double(prm, "Reference velocity");
-      friction.law.node_law       = std::make_shared<SlipRateRegularization>(
-        friction.slip_length, friction.reference_velocity);
-    }
-  friction.coefficient_by_phase = get_string(prm, "Coefficient from") == "phases";
-  friction.coefficient          = get_double(prm, "Coefficient");
-  friction.node_rule            = get_string(prm, "Node rule");
-  return friction;
-}
-
-std::vector<ProbeParameters> parse_probes(Handler &prm)
-{
-  std::vector<ProbeParameters> probes;
-  std::set<std::string> names;
-  for (const std::string &name : get_word_list(prm, "Probes"))
-    {
-      if (!names.insert(name).second)
-        throw UserError("Observation/Probes: '" + name + "' is named twice");
-      const ParameterSection section(prm, name);
-      ProbeParameters probe;
-      probe.name          = name;
-      const auto position = get_double_list(prm, "Position");
-      if (position.empty())
-        throw UserError(
-          "Observation/" + name +
-          "/Position is missing; give x and y of the probe from the lower left "
-          "corner in m, in a subsection " +
-          name);
-      probe.position     = pair("Observation/" + name + "/Position", position);
-      probe.nearest_node = get_bool(prm, "Nearest node");
-      probes.push_back(probe);
-    }
-  return probes;
-}
-
-ObservationParameters parse_observation(Handler &prm)
-{
-  ObservationParameters observation;
-  {
-    const ParameterSection section(prm, "Observation");
-    observation.history_interval      = get_integer(prm, "History interval");
-    observation.energy_interval       = get_integer(prm, "Energy interval");
-    observation.blocks                = get_integer(prm, "Blocks");
-    observation.steady_from           = get_double_or_auto(prm, "Steady from");
-    observation.reference_x           = get_double_or_auto(prm, "Reference x");
-    observation.stop_at_limit_cycle   = get_bool(prm, "Stop at limit cycle");
-    observation.limit_cycle_tolerance = get_double(prm, "Limit cycle tolerance");
-    observation.limit_cycle_periods   = get_integer(prm, "Limit cycle periods");
-    observation.limit_cycle_windows   = get_integer(prm, "Limit cycle windows");
-    observation.probe_interval        = get_integer(prm, "Probe interval");
-    observation.probes                = parse_probes(prm);
-  }
-  const ParameterSection section(prm, "Snapshots");
-  observation.snapshots_from     = get_double(prm, "From");
-  observation.snapshots_to       = get_double_or_auto(prm, "To");
-  observation.snapshots_interval = get_double(prm, "Interval");
-  return observation;
-}
-} // namespace
-
-ContactParameters ContactParameters::parse(dealii::ParameterHandler &prm)
-{
-  ContactParameters parameters;
-  const std::string analysis = get_string(prm, "Analysis");
-  parameters.analysis        = analysis == "transient" ? ContactAnalysis::transient
-                               : analysis == "modal"   ? ContactAnalysis::modal
-                               : analysis == "static contact"
-                                 ? ContactAnalysis::static_contact
-                                 : ContactAnalysis::friction_homogenization;
-  parameters.body            = parse_body(prm);
-  parameters.time            = parse_time(prm);
-  parameters.top             = parse_top(prm);
-  parse_sides(prm, parameters);
-  if (parameters.top.kind == TopSetup::Kind::platen &&
-      (parameters.sides.left_held[1] || parameters.sides.right_held[1]))
+  if (top.kind == TopSetup::Kind::platen && (left[1] || right[1]))
     throw UserError(
       "Sides: u_y is held on a side, but the platen of Top/Kind moves its corner; hold "
       "u_x only, or set Top/Kind = pressure or held");
-  parameters.friction    = parse_friction(prm);
-  parameters.observation = parse_observation(prm);
-  {
-    const ParameterSection section(prm, "Checkpoints");
-    parameters.checkpoints.interval = 60. * get_double(prm, "Interval");
-    parameters.checkpoints.keep     = get_bool(prm, "Keep");
-  }
-  {
-    const ParameterSection section(prm, "Modal");
-    parameters.modal.n_modes   = get_integer(prm, "Number of modes");
-    parameters.modal.bottom    = get_string(prm, "Bottom");
-    parameters.modal.tolerance = get_double(prm, "Tolerance");
-  }
-  {
-    const ParameterSection section(prm, "Static contact");
-    parameters.static_contact.tolerance      = get_double(prm, "Tolerance");
-    parameters.static_contact.max_iterations = get_integer(prm, "Iterations");
-  }
-  {
-    const ParameterSection section(prm, "Friction homogenization");
-    parameters.homogenization.heterogeneous_run = get_string(prm, "Heterogeneous run");
-    parameters.homogenization.homogeneous_run   = get_string(prm, "Homogeneous run");
-    parameters.homogenization.static_contact    = get_string(prm, "Static contact");
-    parameters.homogenization.pressures         = get_string(prm, "Pressures from");
-    parameters.homogenization.calibrate         = get_bool(prm, "Calibrate");
-  }
-  const ParameterSection section(prm, "Performance");
-  parameters.wavefront       = get_integer(prm, "Wavefront");
-  parameters.instruction_set = get_string(prm, "Instruction set");
-  parameters.static_solver   = static_solver_kind(get_string(prm, "Static solver"));
-  return parameters;
 }
 } // namespace mesoslip

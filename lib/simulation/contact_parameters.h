@@ -10,18 +10,16 @@
 #include "simulation/transient_checkpoint.h"
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace mesoslip
 {
-class KeyUse;
-class RawParameters;
+class Keys;
+
+/** A value that is chosen automatically. */
+constexpr double automatic = std::numeric_limits<double>::quiet_NaN();
 
 /** What contact_dynamics computes. */
 enum class ContactAnalysis
@@ -37,82 +35,84 @@ struct BodyParameters
 {
   /** Every phase with its own stiffness, else the effective one. */
   bool heterogeneous = false;
-  std::string rve_file;                        ///< empty: typed in
-  std::string stiffness_name;                  ///< dataset of /stiffness
-  std::vector<double> stiffness;               ///< 4 or 6 coefficients (Pa)
-  double density                         = 0.; ///< kg/m^3
-  std::array<double, 2> size             = {}; ///< m; 0: as the RVE
-  std::array<unsigned int, 2> cells      = {}; ///< 0: as the RVE
-  std::array<double, 2> initial_velocity = {}; ///< m/s
-  std::array<double, 2> acceleration     = {}; ///< m/s^2
+  std::string rve_file; ///< empty: the material in stiffness and density
+  std::string stiffness_name = "effective"; ///< dataset of /stiffness
+  /** 4 or 6 coefficients (Pa). */
+  std::vector<double> stiffness          = {36.54e9, 9.1e9, 47.26e9, 13.785e9};
+  double density                         = 1770.; ///< kg/m^3
+  std::array<double, 2> size             = {};    ///< m; 0: as the RVE
+  std::array<unsigned int, 2> cells      = {};    ///< 0: as the RVE
+  std::array<double, 2> initial_velocity = {};    ///< m/s
+  std::array<double, 2> acceleration     = {};    ///< m/s^2
 };
 
 /** Section Time. */
 struct TimeParameters
 {
-  double end_time      = 0.;   ///< s
-  double time_step     = 0.;   ///< s; NaN: automatic
-  double safety        = 0.;   ///< share of the critical time step
-  double beta2         = 0.;   ///< of the time scheme, 0.5 to 1
-  double beta          = 0.;   ///< s
-  bool check_time_step = true; ///< refuse steps above the critical one
+  double end_time      = 5e-4;      ///< s
+  double time_step     = automatic; ///< s
+  double safety        = 0.95;      ///< fraction of the critical time step
+  double beta2         = 0.5;       ///< of the time scheme, 0.5 to 1
+  double beta          = 4.4e-9;    ///< Rayleigh's, of the stiffness (s)
+  bool check_time_step = true;      ///< refuse steps above the critical one
 };
 
 /** Sections Flat and Friction. */
 struct FrictionParameters
 {
-  LoadHistory flat_velocity;         ///< m/s
-  double gap = 0.;                   ///< m
-  FrictionLaw law;                   ///< delta and its rule
-  std::string law_name;              ///< coulomb, constant time or slip rate
+  LoadHistory flat_velocity;                   ///< m/s
+  double gap = 0.;                             ///< between body and flat at the start (m)
+  FrictionLaw law;                             ///< delta and its rule
+  std::string law_name      = "constant time"; ///< coulomb, constant time or slip rate
   double slip_length        = 0.;    ///< L of the slip-rate law (m); 0: another law
   double reference_velocity = 0.;    ///< V_ref of the slip-rate law (m/s)
   bool coefficient_by_phase = false; ///< those of the phases in rve.h5
-  double coefficient        = 0.;    ///< of all nodes, unless by phase
-  std::string node_rule; ///< stiffness, mean, largest or smallest of the adjacent cells
+  double coefficient        = 0.25;  ///< of all nodes, unless by phase
+  /** stiffness, mean, largest or smallest of the adjacent cells. */
+  std::string node_rule = "stiffness";
 };
 
 /** A point that is watched. */
 struct ProbeParameters
 {
   std::string name;                       ///< of its subsection
-  std::array<double, 2> position = {};    ///< m
+  std::array<double, 2> position = {};    ///< from the lower left corner (m)
   bool nearest_node              = false; ///< move the position to a node
 };
 
 /** Sections Observation and Snapshots. */
 struct ObservationParameters
 {
-  unsigned int history_interval = 0;     ///< steps
-  unsigned int energy_interval  = 0;     ///< steps; 0: none
-  unsigned int blocks           = 0;     ///< of contact states over the run
-  double steady_from            = 0.;    ///< s; NaN: automatic
-  double reference_x            = 0.;    ///< m; NaN: the middle
-  bool stop_at_limit_cycle      = false; ///< end early
-  /** Relative difference of the parts. */
-  double limit_cycle_tolerance     = 0.;
-  unsigned int limit_cycle_periods = 0; ///< in a part, at least
-  unsigned int limit_cycle_windows = 0; ///< parts that are compared
-  unsigned int probe_interval      = 0; ///< steps
-  std::vector<ProbeParameters> probes;  ///< in the order of the .prm
-  double snapshots_from     = 0.;       ///< s
-  double snapshots_to       = 0.;       ///< s; NaN: the end
-  double snapshots_interval = 0.;       ///< s; 0: none
+  unsigned int history_interval = 10;        ///< steps
+  unsigned int energy_interval  = 200;       ///< steps; 0: none
+  unsigned int blocks           = 200;       ///< of contact states over the run
+  double steady_from            = automatic; ///< s
+  double reference_x            = automatic; ///< m
+  bool stop_at_limit_cycle      = false;     ///< end early
+  /** Largest relative difference of the windows of a limit cycle. */
+  double limit_cycle_tolerance     = 0.02;
+  unsigned int limit_cycle_periods = 3;  ///< in a window, at least
+  unsigned int limit_cycle_windows = 3;  ///< windows that are compared
+  unsigned int probe_interval      = 10; ///< steps
+  std::vector<ProbeParameters> probes;   ///< in the order of the .prm
+  double snapshots_from     = 0.;        ///< s
+  double snapshots_to       = automatic; ///< s
+  double snapshots_interval = 0.;        ///< s; 0: none
 };
 
 /** Section Modal. */
 struct ModalParameters
 {
-  unsigned int n_modes = 0; ///< for each bottom
-  std::string bottom;       ///< free, held in y, both
-  double tolerance = 0.;    ///< of the residual, relative
+  unsigned int n_modes = 4;      ///< for each bottom
+  std::string bottom   = "both"; ///< free, held in y, both
+  double tolerance     = 1e-10;  ///< of the residual, relative
 };
 
 /** Section Static contact. */
 struct StaticContactParameters
 {
-  double tolerance            = 0.; ///< of the residual forces, relative
-  unsigned int max_iterations = 0;  ///< over contact states and friction
+  double tolerance            = 1e-8; ///< of the residual forces, relative
+  unsigned int max_iterations = 200;  ///< over contact states and friction
 };
 
 /** Section Friction homogenization. */
@@ -145,18 +145,18 @@ struct ContactParameters
   FrictionHomogenizationParameters homogenization; ///< section Friction homogenization
   unsigned int wavefront = 0;                      ///< time steps in flight; 0: automatic
   /** Of the row kernels; auto: the best there is. */
-  std::string instruction_set;
+  std::string instruction_set = "auto";
   /** For static contact and modes. */
   StaticSolverKind static_solver = StaticSolverKind::multigrid;
 
-  /** All sections; @p raw names the probes, which have subsections. */
-  static void declare(dealii::ParameterHandler &prm, const RawParameters &raw);
+  /** Binds the keys of all sections. @throws UserError naming the key. */
+  void bind(Keys &keys);
 
   /** @throws UserError for keys that others leave without effect. */
-  static void check_keys(const KeyUse &use);
+  static void check_keys(const Keys &keys);
 
   /** @throws UserError naming the key. */
-  static ContactParameters parse(dealii::ParameterHandler &prm);
+  void check() const;
 };
 } // namespace mesoslip
 

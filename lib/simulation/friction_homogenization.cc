@@ -1,5 +1,6 @@
 #include "simulation/friction_homogenization.h"
 
+#include "io/collective.h"
 #include "io/errors.h"
 #include "io/parameters.h"
 #include "io/run_context.h"
@@ -254,23 +255,31 @@ chosen_estimate(const std::vector<FrictionEstimate> &estimates,
   return *chosen;
 }
 
-void run_friction_homogenization(const ContactParameters &parameters, RunContext &context)
+FrictionHomogenization::FrictionHomogenization(const ContactParameters &p)
+  : parameters(p.homogenization)
 {
-  const FrictionHomogenizationInput input =
-    read_friction_homogenization(parameters.homogenization, parameters.body.rve_file);
-  const std::vector<FrictionEstimate> estimates = friction_estimates(input);
+  on_root(MPI_COMM_WORLD, [&]() {
+    input     = read_friction_homogenization(parameters, p.body.rve_file);
+    estimates = friction_estimates(input);
+  });
+}
+
+void FrictionHomogenization::run(RunContext &context)
+{
+  on_root(context.communicator(), [&]() { run_on_root(context); });
+}
+
+void FrictionHomogenization::run_on_root(RunContext &context) const
+{
   for (const std::string &warning : input.warnings)
     context.warn(warning);
   log_estimates(input, estimates, context);
   if (const std::string of_nodes = node_warning(input); !of_nodes.empty())
     context.warn(of_nodes);
-  if (context.root())
-    write_table(estimates, context.file("friction_homogenization.csv"));
+  write_table(estimates, context.file("friction_homogenization.csv"));
 
-  const FrictionEstimate &chosen =
-    chosen_estimate(estimates, parameters.homogenization, input);
-  const double delta =
-    or_nan(parameters.homogenization.calibrate ? chosen.calibrated : chosen.delta);
+  const FrictionEstimate &chosen = chosen_estimate(estimates, parameters, input);
+  const double delta = or_nan(parameters.calibrate ? chosen.calibrated : chosen.delta);
   const std::string warning = duration_warning(input, chosen);
   if (!warning.empty())
     context.warn(warning);
@@ -278,7 +287,6 @@ void run_friction_homogenization(const ContactParameters &parameters, RunContext
   context.log(
     "subsection Friction\n  set Coefficient         = " + to_text(chosen.mu_homo) +
     "\n  set Regularization time = " + to_text(delta) + "\nend");
-  if (context.root())
-    write_summary(input, estimates, chosen.mu_homo, delta, warning, context.summary());
+  write_summary(input, estimates, chosen.mu_homo, delta, warning, context.summary());
 }
 } // namespace mesoslip

@@ -2,6 +2,7 @@
 #define mesoslip_simulation_friction_homogenization_h
 
 #include "contact/homogenized_friction.h"
+#include "io/program.h"
 #include "observation/run_conditions.h"
 #include "simulation/contact_parameters.h"
 
@@ -11,8 +12,6 @@
 
 namespace mesoslip
 {
-class RunContext;
-
 /** A transient run as far as eq. (13) is concerned. */
 struct FrictionRun
 {
@@ -96,8 +95,21 @@ chosen_estimate(const std::vector<FrictionEstimate> &estimates,
                 const FrictionHomogenizationInput &input);
 
 /** Analysis "friction homogenization": friction_homogenization.csv, lines for a .prm. */
-void run_friction_homogenization(const ContactParameters &parameters,
-                                 RunContext &context);
+class FrictionHomogenization : public Analysis
+{
+public:
+  /** Rank 0 reads the folders. @throws UserError */
+  explicit FrictionHomogenization(const ContactParameters &p);
+
+  void run(RunContext &context) override;
+
+private:
+  void run_on_root(RunContext &context) const;
+
+  const FrictionHomogenizationParameters parameters;
+  FrictionHomogenizationInput input;       ///< on rank 0
+  std::vector<FrictionEstimate> estimates; ///< on rank 0
+};
 } // namespace mesoslip
 
 #endif

@@ -4,7 +4,6 @@
 #include "io/parameters.h"
 #include "io/run_context.h"
 #include "io/table.h"
-#include "material/stiffness.h"
 #include "simulation/body_file.h"
 #include "simulation/static_support.h"
 
@@ -18,28 +17,6 @@ namespace mesoslip
 {
 namespace
 {
-// Figure 8 of the paper.
-constexpr double paper_free = 40000., paper_held = 41580.;
-
-bool close(const VoigtMatrix<2> &D, const VoigtMatrix<2> &reference)
-{
-  return ((D - reference).cwiseAbs().array() <= 0.05 * reference.cwiseAbs().array() + 1e6)
-    .all();
-}
-
-VoigtMatrix<2> mean_stiffness(const Scene &scene)
-{
-  if (scene.phase_id.empty())
-    return scene.phases[0].stiffness;
-  std::vector<double> share(scene.phases.size(), 0.);
-  for (const std::uint8_t id : scene.phase_id)
-    share[id] += 1. / static_cast<double>(scene.phase_id.size());
-  VoigtMatrix<2> mean = VoigtMatrix<2>::Zero();
-  for (std::size_t p = 0; p < share.size(); ++p)
-    mean += share[p] * scene.phases[p].stiffness;
-  return mean;
-}
-
 std::string kilohertz(const double frequency)
 {
   char text[32];
@@ -78,7 +55,7 @@ std::string top_text(const TopSetup &top)
     }
 }
 
-void log_modes(const ModalCase &c, const bool paper, RunContext &context)
+void log_modes(const ModalCase &c, RunContext &context)
 {
   const VibrationModes &all = c.modes;
   context.log(
@@ -89,20 +66,7 @@ void log_modes(const ModalCase &c, const bool paper, RunContext &context)
        ? "; " + std::to_string(all.n_rigid_motions) + " rigid motions at 0 Hz not listed"
        : ""));
   for (std::size_t k = 0; k < all.modes.size(); ++k)
-    {
-      std::string line =
-        "  mode " + std::to_string(k + 1) + kilohertz(all.modes[k].frequency);
-      if (k == 0 && paper)
-        {
-          const double reference = c.bottom == "free" ? paper_free : paper_held;
-          char difference[48];
-          std::snprintf(difference, sizeof difference, "   (paper %.2f kHz, %+.2f %%)",
-                        1e-3 * reference,
-                        100. * (all.modes[k].frequency / reference - 1.));
-          line += difference;
-        }
-      context.log(line);
-    }
+    context.log("  mode " + std::to_string(k + 1) + kilohertz(all.modes[k].frequency));
 }
 
 void write_table(const std::vector<ModalCase> &cases, const RunContext &context)
@@ -202,9 +166,9 @@ VibrationModesOptions modal_options(const ContactParameters &parameters)
   return options;
 }
 
-void check_modal(const ContactParameters &parameters, const Scene &scene)
+ModalAnalysis::ModalAnalysis(const ContactParameters &p)
+  : BodyAnalysis(p)
 {
-  const UniformMaterial material = scene.make_material(parameters.periodic);
   for (const std::string &bottom : bottoms(parameters))
     try
       {
@@ -218,35 +182,10 @@ void check_modal(const ContactParameters &parameters, const Scene &scene)
       }
 }
 
-bool is_paper_body(const ContactParameters &parameters, const Scene &scene)
+std::vector<ModalCase> ModalAnalysis::compute_modes(RunContext &context) const
 {
-  const auto is = [](const double value, const double reference, const double tolerance) {
-    return std::fabs(value - reference) <= tolerance * reference;
-  };
-  if (!is(scene.grid.extent(0), 56e-3, 1e-6) || !is(scene.grid.extent(1), 16e-3, 1e-6) ||
-      parameters.top.kind == TopSetup::Kind::pressure || parameters.periodic ||
-      parameters.top.platen_mass != 0.)
-    return false;
-  for (const auto &side : {parameters.sides.left_held, parameters.sides.right_held})
-    if (side[0] || side[1])
-      return false;
-  for (const Phase<2> &phase : scene.phases)
-    if (!is(phase.density, 1770., 1e-3))
-      return false;
-  if (scene.phase_id.empty())
-    return close(mean_stiffness(scene),
-                 stiffness_from_coefficients<2>({36.54e9, 9.1e9, 47.26e9, 13.785e9}));
-  return close(mean_stiffness(scene), 0.9 * isotropic_stiffness<2>(30e9, 0.2) +
-                                        0.1 * isotropic_stiffness<2>(240e9, 0.2));
-}
-
-std::vector<ModalCase> compute_modes(const ContactParameters &parameters,
-                                     const Scene &scene,
-                                     RunContext &context)
-{
-  const UniformMaterial material = scene.make_material(parameters.periodic);
-  VibrationModesOptions options  = modal_options(parameters);
-  options.before_solve           = stop_or_report(context, "the static solve");
+  VibrationModesOptions options = modal_options(parameters);
+  options.before_solve          = stop_or_report(context, "the static solve");
 
   std::vector<ModalCase> cases;
   for (const std::string &bottom : bottoms(parameters))
@@ -260,18 +199,16 @@ std::vector<ModalCase> compute_modes(const ContactParameters &parameters,
   return cases;
 }
 
-void run_modal(const ContactParameters &parameters,
-               const Scene &scene,
-               RunContext &context)
+void ModalAnalysis::run(RunContext &context)
 {
-  const std::vector<ModalCase> cases = compute_modes(parameters, scene, context);
-  const bool paper                   = is_paper_body(parameters, scene);
+  log_serial_body(context);
+  const std::vector<ModalCase> cases = compute_modes(context);
   context.log("Top: " + top_text(top_at_start(parameters)) + ", as in a transient run" +
               (std::isfinite(parameters.top.hold_from) && parameters.top.hold_from > 0.
                  ? " before Top/Hold from"
                  : ""));
   for (const ModalCase &c : cases)
-    log_modes(c, paper, context);
+    log_modes(c, context);
   if (!context.root())
     return;
   const auto scope = context.timer().scope("Output");

@@ -2,16 +2,13 @@
 #define mesoslip_simulation_modal_h
 
 #include "dynamics/vibration_modes.h"
-#include "simulation/contact_parameters.h"
-#include "simulation/scene.h"
+#include "simulation/body_analysis.h"
 
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
-class RunContext;
-
 /** One of the paper's boundary conditions and the modes under it. */
 struct ModalCase
 {
@@ -30,25 +27,19 @@ DofMask modal_constraints(const ContactParameters &parameters,
 /** Number of modes, tolerance, solver, and the platen if the run has one at its start. */
 VibrationModesOptions modal_options(const ContactParameters &parameters);
 
-/** @throws UserError if there are not as many modes as Modal/Number of modes. */
-void check_modal(const ContactParameters &parameters, const Scene &scene);
-
-/** Modes under the boundary conditions that section Modal asks for. */
-std::vector<ModalCase> compute_modes(const ContactParameters &parameters,
-                                     const Scene &scene,
-                                     RunContext &context);
-
-/**
- * Whether the body is that of the paper's figure 8: 56 x 16 mm, a top that is held or
- * under a platen without mass, sides free, the stiffness of eq. (10) (homogeneous) or the
- * phases of table 1 (heterogeneous), to 5 %.
- */
-bool is_paper_body(const ContactParameters &parameters, const Scene &scene);
-
 /** Analysis "modal": frequencies and shapes in modes.csv, modal.h5 and modal.xdmf. */
-void run_modal(const ContactParameters &parameters,
-               const Scene &scene,
-               RunContext &context);
+class ModalAnalysis : public BodyAnalysis
+{
+public:
+  /** @throws UserError if there are not as many modes as Modal/Number of modes. */
+  explicit ModalAnalysis(const ContactParameters &parameters);
+
+  void run(RunContext &context) override;
+
+private:
+  /** Modes under the boundary conditions that section Modal asks for. */
+  std::vector<ModalCase> compute_modes(RunContext &context) const;
+};
 } // namespace mesoslip
 
 #endif

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace mesoslip
 {
@@ -262,6 +263,23 @@ void add_others(std::vector<std::string> &sentences, const ContactParameters &pa
                         " and Body/Initial velocity and Acceleration are 0: nothing "
                         "presses the body on the flat");
 }
+bool flat_moves(const ContactParameters &parameters)
+{
+  constexpr unsigned int looks = 100;
+  for (unsigned int k = 0; k <= looks; ++k)
+    if (parameters.friction.flat_velocity(parameters.time.end_time * k / looks) != 0.)
+      return true;
+  return false;
+}
+
+bool slides_undamped(const ContactParameters &parameters)
+{
+  const FrictionParameters &friction = parameters.friction;
+  return friction.law.time == 0. && !friction.law.node_law &&
+         parameters.time.beta == 0. && parameters.time.beta2 == 0.5 &&
+         (friction.coefficient_by_phase || friction.coefficient > 0.) &&
+         flat_moves(parameters);
+}
 } // namespace
 
 std::vector<std::string> implausible_body(const ContactParameters &parameters,
@@ -298,6 +316,17 @@ std::vector<std::string> implausible_static_load(const ContactParameters &parame
   return implausible(ranges);
 }
 
+std::string crossing_text(const ContactParameters &parameters,
+                          const UniformMaterial &material)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << "a wave takes " << 1e3 * crossing_time(material)
+       << " ms from the flat to the top, the run " << 1e3 * parameters.time.end_time
+       << " ms";
+  return text.str();
+}
+
 std::vector<std::string> implausible_run(const ContactParameters &parameters,
                                          const UniformMaterial &material)
 {
@@ -309,6 +338,21 @@ std::vector<std::string> implausible_run(const ContactParameters &parameters,
   add_observation(ranges, parameters, largest_number_of_steps(parameters, material));
   std::vector<std::string> sentences = implausible(ranges);
   add_others(sentences, parameters);
+  if (!(parameters.time.end_time >= 2. * crossing_time(material)))
+    sentences.push_back(
+      crossing_text(parameters, material) +
+      ": it ends before the wave is back; are Body/Size and Time/End time in "
+      "m and s, and the stiffness in Pa?");
+  const std::string damping =
+    damping_warning(parameters, material, "the critical time step");
+  if (!damping.empty())
+    sentences.push_back(damping);
+  if (slides_undamped(parameters))
+    sentences.emplace_back(
+      "the run has neither regularization (Friction/Law = coulomb or Regularization time "
+      "= 0) nor damping (Time/Rayleigh beta = 0): while nodes slide, waves of three to "
+      "four cells grow that the body does not have, the faster the finer the grid is, so "
+      "that no grid is fine enough; set one of them, the paper has 1.5e-6 and 4.4e-9 s");
   return sentences;
 }
 } // namespace mesoslip

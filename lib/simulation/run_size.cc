@@ -82,7 +82,7 @@ double n_snapshots(const ContactParameters &parameters, const double n_steps)
                   n_steps);
 }
 
-Need field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid)
+ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid)
 {
   // Displacement and increment; the static solvers as measured with the multigrid.
   const bool stepping = analysis == ContactAnalysis::transient;
@@ -125,9 +125,9 @@ std::string damping_warning(const ContactParameters &parameters,
   return text.str();
 }
 
-Need history_memory(const ContactParameters &parameters,
-                    const UniformMaterial &material,
-                    const double n_steps)
+ResourceNeed history_memory(const ContactParameters &parameters,
+                            const UniformMaterial &material,
+                            const double n_steps)
 {
   return {history_bytes(parameters, n_steps) +
             series_bytes(parameters, material, n_steps),
@@ -136,9 +136,9 @@ Need history_memory(const ContactParameters &parameters,
             steps_text(parameters, material, n_steps)};
 }
 
-Need dynamics_file_size(const ContactParameters &parameters,
-                        const UniformMaterial &material,
-                        const double n_steps)
+ResourceNeed dynamics_file_size(const ContactParameters &parameters,
+                                const UniformMaterial &material,
+                                const double n_steps)
 {
   const double snapshots = n_snapshots(parameters, n_steps);
   const double field     = 2. * sizeof(double) * n_nodes(material.grid());
@@ -146,7 +146,7 @@ Need dynamics_file_size(const ContactParameters &parameters,
   const double fields    = 2. * snapshots * field;
   const double histories = history_bytes(parameters, n_steps);
   // Displacement, increment and histories, in the old one and in the new.
-  Need need                = history_memory(parameters, material, n_steps);
+  ResourceNeed need        = history_memory(parameters, material, n_steps);
   const double checkpoints = 2. * (2. * field + need.bytes);
   if (fields > histories)
     need.remedy = to_text(snapshots) +

@@ -14,7 +14,7 @@ namespace mesoslip
 double n_snapshots(const ContactParameters &parameters, const double n_steps);
 
 /** Memory of the fields, to be checked before they are created.*/
-Need field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid);
+ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid);
 
 /**
  * Steps of a transient run, estimated from above: with the bound of a single cell for the
@@ -37,15 +37,15 @@ std::string damping_warning(const ContactParameters &parameters,
                             const std::string &shortened);
 
 /** Memory of the histories, which are kept until the end of a transient run. */
-Need history_memory(const ContactParameters &parameters,
-                    const UniformMaterial &material,
-                    const double n_steps);
+ResourceNeed history_memory(const ContactParameters &parameters,
+                            const UniformMaterial &material,
+                            const double n_steps);
 
 /** Disk space of dynamics.h5 and the checkpoints of a transient run, when it is largest.
  */
-Need dynamics_file_size(const ContactParameters &parameters,
-                        const UniformMaterial &material,
-                        const double n_steps);
+ResourceNeed dynamics_file_size(const ContactParameters &parameters,
+                                const UniformMaterial &material,
+                                const double n_steps);
 } // namespace mesoslip
 
 #endif

@@ -4,6 +4,7 @@
 #include "io/errors.h"
 #include "io/parameters.h"
 #include "material/stiffness.h"
+#include "simulation/run_size.h"
 
 #include <algorithm>
 #include <cmath>
@@ -163,14 +164,6 @@ std::vector<double> Scene::surface_fractions() const
   return fractions;
 }
 
-UniformGrid<2> body_grid(const ContactParameters &parameters)
-{
-  const BodyParameters &body = parameters.body;
-  if (body.rve_file.empty())
-    return make_grid(body, nullptr);
-  return make_grid(body, &RveFile::open(body.rve_file).grid());
-}
-
 Scene make_scene(const ContactParameters &parameters)
 {
   const BodyParameters &body = parameters.body;
@@ -178,6 +171,7 @@ Scene make_scene(const ContactParameters &parameters)
   if (body.rve_file.empty())
     {
       scene.grid = make_grid(body, nullptr);
+      require_memory(field_memory(parameters.analysis, scene.grid));
       Phase<2> phase;
       phase.name      = "typed in";
       phase.stiffness = typed_stiffness(body.stiffness);
@@ -191,6 +185,7 @@ Scene make_scene(const ContactParameters &parameters)
       if (!rve.change_note().empty())
         scene.warnings.push_back(rve.change_note());
       scene.grid = make_grid(body, &rve.grid());
+      require_memory(field_memory(parameters.analysis, scene.grid));
       for (const Phase<2> &phase : rve.phases())
         if (!(phase.density > 0.))
           throw UserError(body.rve_file + ": phase '" + phase.name +

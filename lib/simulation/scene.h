@@ -3,6 +3,7 @@
 
 #include "elasticity/uniform_material.h"
 #include "grid/uniform_grid.h"
+#include "io/serialize_members.h"
 #include "material/phase.h"
 #include "simulation/contact_parameters.h"
 
@@ -12,6 +13,13 @@
 
 namespace mesoslip
 {
+/** Saves or restores a phase (Boost.Serialization). */
+template <class Archive>
+void serialize(Archive &archive, Phase<2> &phase, const unsigned int)
+{
+  serialize_members<4>(archive, phase);
+}
+
 /** The body that slides: geometry, materials and friction coefficients. */
 struct Scene
 {
@@ -35,14 +43,21 @@ struct Scene
   /** The grid with its material classes. */
   UniformMaterial make_material(const bool periodic) const;
 
+  /** Saves or restores the body (Boost.Serialization). */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<6>(archive, *this);
+  }
+
   /** Share of the bottom's length that lies in each phase. */
   std::vector<double> surface_fractions() const;
 };
 
-/** The body's grid, without what it is made of. @throws UserError naming key or file. */
-UniformGrid<2> body_grid(const ContactParameters &parameters);
-
-/** Builds the body from parameters and RVE file. @throws UserError naming key or file. */
+/**
+ * Builds the body from parameters and RVE file, if there is the memory for its fields.
+ * @throws UserError naming key or file
+ */
 Scene make_scene(const ContactParameters &parameters);
 
 /**

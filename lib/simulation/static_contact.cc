@@ -201,10 +201,9 @@ std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
 
 StaticContactResult compute_static_contact(const ContactParameters &parameters,
                                            const Scene &scene,
+                                           const UniformMaterial &material,
                                            const StaticContactOptions &options)
 {
-  check_static_contact(parameters, scene);
-  const UniformMaterial material = scene.make_material(parameters.periodic);
   StaticContactResult result;
   result.solution =
     solve_static_contact(material, make_problem(parameters, scene, material), options);

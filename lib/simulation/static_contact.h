@@ -3,16 +3,13 @@
 
 #include "contact/homogenized_friction.h"
 #include "contact/static_contact_solver.h"
-#include "simulation/contact_parameters.h"
-#include "simulation/scene.h"
+#include "simulation/body_analysis.h"
 
 #include <optional>
 #include <vector>
 
 namespace mesoslip
 {
-class RunContext;
-
 /** Equilibrium of the body pressed on the flat, and what follows from it. */
 struct StaticContactResult
 {
@@ -39,10 +36,10 @@ struct StaticContactResult
 /** @throws UserError if supports and loads allow no equilibrium. */
 void check_static_contact(const ContactParameters &parameters, const Scene &scene);
 
-/** Solves for equilibrium. @throws UserError if there is none by the choice of supports.
- */
+/** Solves for equilibrium. */
 StaticContactResult compute_static_contact(const ContactParameters &parameters,
                                            const Scene &scene,
+                                           const UniformMaterial &material,
                                            const StaticContactOptions &options);
 
 /**
@@ -53,9 +50,18 @@ std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
                                          const std::vector<double> &fractions);
 
 /** Analysis "static contact": static_contact.csv, dynamics.h5 with one snapshot. */
-void run_static_contact(const ContactParameters &parameters,
-                        const Scene &scene,
-                        RunContext &context);
+class StaticContactAnalysis : public BodyAnalysis
+{
+public:
+  /** @throws UserError if supports and loads allow no equilibrium. */
+  explicit StaticContactAnalysis(const ContactParameters &p)
+    : BodyAnalysis(p)
+  {
+    check_static_contact(parameters, scene);
+  }
+
+  void run(RunContext &context) override;
+};
 } // namespace mesoslip
 
 #endif

@@ -211,14 +211,13 @@ std::string advice(const ContactParameters &parameters, const Scene &scene)
 /** @throws NumericalFailure if a cell is inside out; the largest strain into the summary.
  */
 void judge_strain(const ContactParameters &parameters,
-                  const Scene &scene,
+                  const UniformMaterial &material,
                   const StaticContactResult &result,
                   RunContext &context)
 {
-  const NodalField<double> &u    = result.solution.displacement;
-  const UniformMaterial material = scene.make_material(parameters.periodic);
+  const NodalField<double> &u = result.solution.displacement;
   const Deformation found =
-    largest_deformation(scene.grid, NodeRows::all(u.n_rows()), u, MPI_COMM_SELF);
+    largest_deformation(material.grid(), NodeRows::all(u.n_rows()), u, MPI_COMM_SELF);
   const std::string inverted = inverted_cell_text(found, parameters, material);
   if (!inverted.empty())
     throw NumericalFailure("static contact: " + inverted);
@@ -229,10 +228,9 @@ void judge_strain(const ContactParameters &parameters,
 }
 } // namespace
 
-void run_static_contact(const ContactParameters &parameters,
-                        const Scene &scene,
-                        RunContext &context)
+void StaticContactAnalysis::run(RunContext &context)
 {
+  log_serial_body(context);
   StaticContactOptions options;
   options.solver           = parameters.static_solver;
   options.tolerance        = parameters.static_contact.tolerance;
@@ -242,10 +240,11 @@ void run_static_contact(const ContactParameters &parameters,
   StaticContactResult result;
   {
     const auto scope = context.timer().scope("Equilibrium");
-    with_advice(advice(parameters, scene),
-                [&]() { result = compute_static_contact(parameters, scene, options); });
+    with_advice(advice(parameters, scene), [&]() {
+      result = compute_static_contact(parameters, scene, material, options);
+    });
   }
-  judge_strain(parameters, scene, result, context);
+  judge_strain(parameters, material, result, context);
   const HomogenizedCoefficients mu = homogenized(parameters, scene, result);
   log_result(parameters, scene, result, mu, context);
   if (!context.root())

@@ -6,15 +6,14 @@
 #include "dynamics/top_row.h"
 #include "observation/probe_recorder.h"
 #include "observation/steady_record.h"
-#include "simulation/contact_parameters.h"
-#include "simulation/scene.h"
+#include "simulation/body_analysis.h"
 #include "simulation/time_step_choice.h"
 
 #include <memory>
 
 namespace mesoslip
 {
-class RunContext;
+class Keys;
 
 /** Everything a finished run has observed; complete on rank 0. */
 struct TransientObservations
@@ -42,15 +41,37 @@ struct TransientObservations
 /**
  * Explicit dynamics of the body on the moving flat: runs, observes, and leaves
  * dynamics.h5, tables and the summary in the output folder. With RunContext::resume() it
- * continues from the checkpoint there, if @p identity (lines "key = value") is that of
- * the run so far.
- * @throws Interrupted after a checkpoint and what was observed so far have been written
- * @throws NumericalFailure when the run blows up; the last checkpoint stays
+ * continues from the checkpoint there, if all keys that decide the result are the same.
  */
-void run_transient(const ContactParameters &parameters,
-                   const Scene &scene,
-                   const std::string &identity,
-                   RunContext &context);
+class TransientAnalysis : public BodyAnalysis
+{
+public:
+  /** @p keys identify the run. @throws UserError */
+  TransientAnalysis(const ContactParameters &parameters, const Keys &keys);
+
+  ResourceNeed need() const override
+  {
+    return disk;
+  }
+
+  void describe(std::ostream &out) const override;
+
+  bool resumable() const override
+  {
+    return true;
+  }
+
+  /**
+   * @throws Interrupted after a checkpoint and what was observed so far have been written
+   * @throws NumericalFailure when the run blows up; the last checkpoint stays
+   */
+  void run(RunContext &context) override;
+
+private:
+  const std::string identity; ///< lines "key = value"
+  double n_steps = 0.;        ///< estimated from above
+  ResourceNeed disk;
+};
 } // namespace mesoslip
 
 #endif

@@ -5,7 +5,7 @@
 #include "io/errors.h"
 #include "io/exchange.h"
 #include "io/parameters.h"
-#include "io/raw_parameters.h"
+#include "io/keys.h"
 #include "io/run_context.h"
 
 #include <filesystem>

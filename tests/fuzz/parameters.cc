@@ -2,13 +2,9 @@
 #include "fuzzing.h"
 
 #include "homogenization/rve_parameters.h"
-#include "io/key_use.h"
-#include "io/parameters.h"
-#include "io/raw_parameters.h"
+#include "io/keys.h"
 #include "localization/localization_parameters.h"
 #include "simulation/contact_parameters.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <sstream>
 
@@ -18,40 +14,42 @@ using namespace mesoslip_tests;
 namespace
 {
 template <typename Parameters>
-void apply(const RawParameters &raw, dealii::ParameterHandler &prm)
+void apply(Keys &keys)
 {
-  Parameters::declare(prm, raw);
-  raw.apply(prm);
-  Parameters::check_keys(KeyUse(prm, raw));
+  Parameters().bind(keys);
+  keys.apply();
+  Parameters::check_keys(keys);
 }
 
 /** What was accepted is accepted again, and the same, when printed. */
 template <typename Parameters>
-void check_printed(const dealii::ParameterHandler &prm)
+void check_printed(const Keys &keys)
 {
   std::ostringstream printed;
-  print_parameters(prm, printed);
-  dealii::ParameterHandler again;
+  print_parameters(keys, printed);
   try
     {
-      apply<Parameters>(RawParameters::parse(printed.str(), "printed.prm"), again);
+      Keys again(RawParameters::parse(printed.str(), "printed.prm"));
+      apply<Parameters>(again);
+      if (canonical_parameters(again) != canonical_parameters(keys))
+        std::abort();
     }
   catch (const UserError &)
     {
       std::abort();
     }
-  if (canonical_parameters(again) != canonical_parameters(prm))
-    std::abort();
 }
 
 template <typename Parameters>
 void read_as(const RawParameters &raw, const bool print)
 {
-  dealii::ParameterHandler prm;
-  apply<Parameters>(raw, prm);
+  Keys keys(raw);
+  apply<Parameters>(keys);
   if (print)
-    check_printed<Parameters>(prm);
-  Parameters::parse(prm);
+    check_printed<Parameters>(keys);
+  Parameters parameters;
+  parameters.bind(keys);
+  parameters.check();
 }
 } // namespace
 

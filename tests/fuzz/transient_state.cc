@@ -3,14 +3,12 @@
 #include "fuzzing.h"
 
 #include "io/checkpoint.h"
-#include "io/parameters.h"
-#include "io/raw_parameters.h"
+#include "io/keys.h"
 #include "io/run_context.h"
 #include "simulation/transient_run.h"
 #include "simulation/transient_summary.h"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/parameter_handler.h>
 
 using namespace mesoslip;
 using namespace mesoslip_tests;
@@ -42,10 +40,13 @@ end
                                            "fuzz.prm");
   raw.override_with("Time/End time=" + end_time);
   raw.override_with(std::string("Checkpoints/Keep=") + (keep ? "true" : "false"));
-  dealii::ParameterHandler prm;
-  ContactParameters::declare(prm, raw);
-  raw.apply(prm);
-  return ContactParameters::parse(prm);
+  Keys keys(raw);
+  ContactParameters().bind(keys);
+  keys.apply();
+  ContactParameters parameters;
+  parameters.bind(keys);
+  parameters.check();
+  return parameters;
 }
 
 /** What a run needs and no checkpoint changes; the critical time step takes longer than a

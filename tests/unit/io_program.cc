@@ -1,10 +1,8 @@
 #include "io/errors.h"
-#include "io/parameters.h"
+#include "io/keys.h"
 #include "io/program.h"
-#include "io/raw_parameters.h"
 #include "io/run_context.h"
 
-#include <deal.II/base/exceptions.h>
 #include <deal.II/lac/solver_control.h>
 
 #include <chrono>
@@ -21,55 +19,71 @@ namespace
 {
 using namespace mesoslip;
 
-void declare(dealii::ParameterHandler &prm, const RawParameters &raw)
+class Nothing : public Analysis
 {
-  declare_integer(prm, "Dimension", 2, 2, 3, "Space dimension [-]");
-  declare_selection(prm, "Behaviour", "succeed",
-                    {"succeed", "nan", "fail", "logic", "wait", "one rank", "solver"},
-                    "What the run does");
+public:
+  void describe(std::ostream &out) const override
   {
-    const ParameterSection section(prm, "Time step");
-    declare_double(prm, "Fraction", 1. / 3., Range::left_open(0., 1.),
-                   "Of the limit [-]");
-    declare_double_or_auto(prm, "Size", "auto", Range::positive(), "Time step [s]");
-    declare_bool(prm, "Adaptive", false, "Whether to adapt");
+    out << "memory 1 MB\n";
   }
-  const auto names = raw.get_list("Phases/Names", {"matrix"});
+
+  bool resumable() const override
   {
-    const ParameterSection section(prm, "Phases");
-    declare_word_list(prm, "Names", {"matrix"}, {}, "Names of the phases");
+    return true;
   }
-  for (const std::string &name : names)
+
+  void run(RunContext &context) override;
+
+  void bind(Keys &keys)
+  {
+    bool adaptive   = false;
+    double fraction = 1. / 3., size = std::nan("");
+    keys.bind("Dimension", dimension, 2, 3, "Space dimension [-]");
+    keys.bind("Behaviour", behaviour,
+              {"succeed", "nan", "fail", "logic", "wait", "one rank", "solver"},
+              "What the run does");
     {
-      const ParameterSection section(prm, "Phases/" + name);
-      declare_double(prm, "Density", 1200., Range::positive(), "Density [kg/m^3]");
+      const auto section = keys.section("Time step");
+      keys.bind("Fraction", fraction, Range::left_open(0., 1.), "Of the limit [-]");
+      keys.bind_or_auto("Size", size, Range::positive(), "Time step [s]");
+      keys.bind("Adaptive", adaptive, "Whether to adapt");
     }
-  const ParameterSection section(prm, "Input");
-  declare_input_file(prm, "Image file", "", "Picture of the phases");
-  declare_double_list(prm, "Levels", {0., 0.1}, Range::any(), "Levels [m]", 1, 3);
-}
+    {
+      const auto section             = keys.section("Phases");
+      std::vector<std::string> names = {"matrix"};
+      keys.bind_names("Names", names, "phase", "Names of the phases");
+      for (const std::string &name : names)
+        {
+          const auto phase = keys.section(name);
+          double density   = 1200.;
+          keys.bind("Density", density, Range::positive(), "Density [kg/m^3]");
+        }
+    }
+    const auto section         = keys.section("Input");
+    std::vector<double> levels = {0., 0.1};
+    keys.bind_input("Image file", file, "Picture of the phases");
+    keys.bind_list("Levels", levels, Range::any(), "Levels [m]", 1, 3);
+  }
 
-Need check(dealii::ParameterHandler &prm)
-{
-  const ParameterSection section(prm, "Input");
-  if (!get_string(prm, "Image file").empty())
-    get_input_file(prm, "Image file", "draw one first");
-  return {};
-}
+  std::string file;
 
-void run(dealii::ParameterHandler &prm, RunContext &context)
+private:
+  int dimension         = 2;
+  std::string behaviour = "succeed";
+};
+
+void Nothing::run(RunContext &context)
 {
   if (context.resume())
     context.begin();
-  const auto scope            = context.timer().scope("Work");
-  const std::string behaviour = get_string(prm, "Behaviour");
-  context.summary()["dim"]    = get_integer(prm, "Dimension");
+  const auto scope         = context.timer().scope("Work");
+  context.summary()["dim"] = dimension;
   if (behaviour == "nan")
     context.summary()["speed"]["mean"] = std::nan("");
   if (behaviour == "fail")
     throw NumericalFailure("the velocity is not finite", 12, 1.5e-6, "node (3, 4)");
   if (behaviour == "logic")
-    get_double(prm, "Undeclared");
+    Keys().value("Undeclared");
   if (behaviour == "solver")
     throw dealii::SolverControl::NoConvergence(7, 0.5);
   if (behaviour == "one rank" && context.rank() == context.n_ranks() - 1)
@@ -85,21 +99,22 @@ void run(dealii::ParameterHandler &prm, RunContext &context)
         throw Interrupted("stopped after step " + std::to_string(step));
     }
 }
+std::unique_ptr<Analysis> build(Keys &keys)
+{
+  auto nothing = std::make_unique<Nothing>();
+  nothing->bind(keys);
+  if (!nothing->file.empty())
+    require_input_file("Input/Image file: ", nothing->file, "draw one first");
+  return nothing;
+}
 } // namespace
 
 int main(int argc, char **argv)
 {
-  // Assertions of deal.II, where they are compiled in, are seen as exceptions.
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Program program;
-  program.name        = "io_program";
-  program.description = "Tests what all programs share.";
-  program.declare     = declare;
-  program.check       = check;
-  program.estimate    = [](dealii::ParameterHandler &, std::ostream &report) {
-    report << "memory 1 MB\n";
-  };
-  program.run       = run;
-  program.resumable = [](dealii::ParameterHandler &) { return true; };
-  return mesoslip::run_program(argc, argv, program);
+  return run_program(argc, argv,
+                     {"io_program",
+                      "Tests what all programs share.",
+                      [](Keys &keys) { Nothing().bind(keys); },
+                      {},
+                      build});
 }

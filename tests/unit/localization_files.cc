@@ -167,8 +167,7 @@ TEST(Localize, WrongFilesAreNamed)
   expect_contains(error(), "mesoslip-rve");
   parameters.rve_file = c.folder / "rve.h5";
 
-  parameters.run_probes     = {"Z"};
-  parameters.all_run_probes = false;
+  parameters.run_probes = {"Z"};
   expect_contains(error(), "Probes/Of the run names 'Z'");
   parameters.run_probes     = {};
   parameters.further_probes = {{"far", {{1., 0.}}}};

@@ -1,9 +1,7 @@
 #include "localization/localization_parameters.h"
-#include "io/raw_parameters.h"
+#include "io/keys.h"
 #include "io_testing.h"
 #include "localization_testing.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 #include <fstream>
@@ -18,11 +16,13 @@ LocalizationParameters parse(const TemporaryFolder &folder, const std::string &m
   const std::string text = "subsection Input\n set RVE file = rve.h5\n"
                            " set Homogeneous run = run\nend\n" +
                            more;
-  const RawParameters raw = RawParameters::parse(text, folder / "a.prm");
-  dealii::ParameterHandler prm;
-  LocalizationParameters::declare(prm, raw);
-  raw.apply(prm);
-  return LocalizationParameters::parse(prm);
+  Keys keys(RawParameters::parse(text, folder / "a.prm"));
+  LocalizationParameters().bind(keys);
+  keys.apply();
+  LocalizationParameters parameters;
+  parameters.bind(keys);
+  parameters.check();
+  return parameters;
 }
 
 std::string error(const TemporaryFolder &folder, const std::string &more)
@@ -42,7 +42,7 @@ TEST(LocalizationParameters, DefaultsAndFolders)
   const auto p = parse(folder, "");
   EXPECT_EQ(p.homogeneous_run, folder / "run/dynamics.h5");
   EXPECT_TRUE(p.direct_run.empty());
-  EXPECT_TRUE(p.local_strain && !p.mean_strain && p.all_run_probes);
+  EXPECT_TRUE(p.local_strain && !p.mean_strain && p.all_run_probes());
   EXPECT_TRUE(p.fields.von_mises && p.fields.mean && p.fields.deviation);
   EXPECT_TRUE(std::isnan(p.from) && std::isnan(p.to));
   EXPECT_EQ(p.surface_depth, 0.4e-3);
@@ -63,7 +63,7 @@ TEST(LocalizationParameters, KeysAndMistakes)
   EXPECT_TRUE(p.local_strain && p.mean_strain);
   EXPECT_TRUE(!p.fields.von_mises && p.fields.mean && !p.fields.deviation);
   EXPECT_EQ(p.out_of_plane_ratio, (std::vector<double>{0.2, 0.}));
-  EXPECT_TRUE(!p.all_run_probes && p.run_probes.empty());
+  EXPECT_TRUE(!p.all_run_probes() && p.run_probes.empty());
   ASSERT_EQ(p.further_probes.size(), 1u);
   EXPECT_EQ(p.further_probes[0].position[1], 2e-3);
 

@@ -14,9 +14,9 @@ TEST(Localize, RunsUnderOtherLoadsAreNotCompared)
     write_run(c.folder / "direct.h5", grid, {0.}, {c.state(grid)}, {}, "0123456789abcdef",
               c.rve.phase, conditions);
   };
-  auto parameters           = c.request();
-  parameters.direct_run     = c.folder / "direct.h5";
-  parameters.all_run_probes = false;
+  auto parameters       = c.request();
+  parameters.direct_run = c.folder / "direct.h5";
+  parameters.run_probes = {};
   LocalizationMonitor monitor;
   std::string warnings, log;
   monitor.warn = [&](const std::string &text) { warnings += text + "\n"; };

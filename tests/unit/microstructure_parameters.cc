@@ -37,12 +37,11 @@ TEST(MicrostructureParameters, DefaultsAreThePaper)
 
 TEST(MicrostructureParameters, PrintedParametersReadBack)
 {
-  dealii::ParameterHandler prm;
-  const RawParameters raw = RawParameters::parse(table_1, "run.prm");
-  MicrostructureParameters::declare(prm, raw);
-  raw.apply(prm);
+  Keys keys(RawParameters::parse(table_1, "run.prm"));
+  MicrostructureParameters().bind(keys);
+  keys.apply();
   std::ostringstream text;
-  print_parameters(prm, text);
+  print_parameters(keys, text);
   const auto again = checked({}, text.str());
   EXPECT_EQ(morphology_digest(make_microstructure(again).map), 11980823772313234077u);
 }

@@ -3,11 +3,8 @@
 
 #include "io_testing.h"
 
-#include "io/key_use.h"
-#include "io/raw_parameters.h"
+#include "io/keys.h"
 #include "microstructure/microstructure_parameters.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <string>
 #include <vector>
@@ -39,12 +36,12 @@ inline MicrostructureParameters checked(const Settings &settings,
   RawParameters raw = RawParameters::parse(text, "run.prm");
   for (const std::string &setting : settings)
     raw.override_with(setting);
-  dealii::ParameterHandler prm;
-  MicrostructureParameters::declare(prm, raw);
-  raw.apply(prm);
-  MicrostructureParameters::check_keys(KeyUse(prm, raw));
+  Keys keys(raw);
+  MicrostructureParameters().bind(keys);
+  keys.apply();
+  MicrostructureParameters::check_keys(keys);
   MicrostructureParameters parameters;
-  parameters.parse(prm);
+  parameters.bind(keys);
   parameters.check();
   return parameters;
 }

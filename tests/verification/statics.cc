@@ -73,7 +73,9 @@ struct Case
 
   StaticContactResult run() const
   {
-    return compute_static_contact(parameters, scene, options);
+    check_static_contact(parameters, scene);
+    return compute_static_contact(parameters, scene,
+                                  scene.make_material(parameters.periodic), options);
   }
 
   double moment_of_normal_forces(const StaticContactResult &result) const

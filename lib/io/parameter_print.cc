@@ -1,10 +1,4 @@
-#include "io/declarations.h"
-#include "io/errors.h"
-#include "io/parameters.h"
-#include "io/patterns.h"
-#include "io/raw_parameters.h"
-
-#include <deal.II/base/parameter_handler.h>
+#include "io/keys.h"
 
 #include <algorithm>
 #include <map>
@@ -14,40 +8,6 @@
 
 namespace mesoslip
 {
-void RawParameters::apply(dealii::ParameterHandler &prm) const
-{
-  const Declarations declared(prm);
-  for (std::size_t i = 0; i < sections.size(); ++i)
-    if (!declared.has_section(sections[i]))
-      throw UserError(file_name + ":" + std::to_string(section_lines[i]) + ": " +
-                      declared.unknown_section(sections[i]));
-
-  for (const Entry &entry : all_entries)
-    {
-      const Declared *key = declared.find(entry.path);
-      if (key == nullptr)
-        throw UserError(origin(entry) + ": " + declared.unknown_key(entry.path));
-      std::string value = entry.value;
-      if (key->allowed == input_file_description)
-        value = resolve_input_path(value, entry.line == 0 ? "." : folder());
-      try
-        {
-          if (key->section.empty())
-            prm.set(key->key, value);
-          else
-            {
-              const ParameterSection inside(prm, key->section);
-              prm.set(key->key, value);
-            }
-        }
-      catch (const dealii::ExceptionBase &)
-        {
-          throw UserError(origin(entry) + ": " + entry.path + " is '" + value +
-                          "' but must be " + pattern_in_words(key->allowed));
-        }
-    }
-}
-
 namespace
 {
 /** Prints @p text as comment lines of at most 90 columns. */
@@ -101,42 +61,40 @@ void change_section(std::ostream &out,
 }
 } // namespace
 
-void print_parameters(const dealii::ParameterHandler &prm, std::ostream &out)
+void print_parameters(const Keys &keys, std::ostream &out)
 {
   std::vector<std::string> open;
-  for (const Declared &key : declared_keys(prm))
+  for (const Key &key : keys.all())
     {
       const std::vector<std::string> section = path_parts(key.section);
       change_section(out, open, section);
       open                     = section;
       const std::string indent = std::string(2 * open.size(), ' ');
-      std::string text =
-        key.meaning + (key.meaning.empty() ? "" : "; ") + pattern_in_words(key.allowed);
+      std::string text = key.meaning + (key.meaning.empty() ? "" : "; ") + key.allowed;
       if (key.value != key.default_value)
         text +=
           "; default: " + (key.default_value.empty() ? "nothing" : key.default_value);
       print_comment(out, indent, text);
-      out << indent << "set " << key.key << " =" << (key.value.empty() ? "" : " ")
+      out << indent << "set " << key.name << " =" << (key.value.empty() ? "" : " ")
           << with_escaped_hashes(key.value) << '\n';
     }
   change_section(out, open, {});
 }
 
-std::string canonical_parameters(const dealii::ParameterHandler &prm,
-                                 const std::vector<std::string> &skip)
+std::string canonical_parameters(const Keys &keys, const std::vector<std::string> &skip)
 {
   std::string text;
-  const auto skipped = [&](const Declared &key) {
+  const auto skipped = [&](const Key &key) {
     return std::any_of(skip.begin(), skip.end(), [&](const std::string &s) {
       return s.back() == '/' ? key.path().rfind(s, 0) == 0 : key.path() == s;
     });
   };
-  for (const Declared &key : declared_keys(prm))
+  for (const Key &key : keys.all())
     if (!skipped(key))
       {
         // The content of a file counts, not where it lies; add it with
         // Digest::add_file().
-        const bool file = key.allowed == input_file_description && !key.value.empty();
+        const bool file = key.is_input && !key.value.empty();
         text += key.path() + " = " + (file ? "<file>" : key.value) + "\n";
       }
   return text;

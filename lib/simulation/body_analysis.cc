@@ -1,0 +1,133 @@
+#include "simulation/body_analysis.h"
+
+#include "grid/size_text.h"
+#include "io/collective.h"
+#include "io/errors.h"
+#include "io/exchange.h"
+#include "io/parameters.h"
+#include "io/run_context.h"
+#include "material/plausibility.h"
+#include "simulation/plausible_input.h"
+#include "simulation/time_step_choice.h"
+
+#include <cmath>
+#include <ostream>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+Scene make_scene_on_root(const ContactParameters &parameters)
+{
+  Scene scene;
+  on_root(MPI_COMM_WORLD, [&]() { scene = make_scene(parameters); });
+  broadcast_object(MPI_COMM_WORLD, scene);
+  return scene;
+}
+
+std::string material_text(const ContactParameters &parameters, const Scene &scene)
+{
+  const BodyParameters &body = parameters.body;
+  std::ostringstream text;
+  text.precision(4);
+  if (body.heterogeneous)
+    {
+      std::vector<std::string> names;
+      for (const Phase<2> &phase : scene.phases)
+        names.push_back(phase.name);
+      text << "heterogeneous, the phases " << to_text(names);
+    }
+  else
+    {
+      const VoigtMatrix<2> &D = scene.phases[0].stiffness;
+      text << "homogeneous, D11, D12, D22, D33 = " << 1e-9 * D(0, 0) << ", "
+           << 1e-9 * D(0, 1) << ", " << 1e-9 * D(1, 1) << ", " << 1e-9 * D(2, 2)
+           << " GPa, " << scene.phases[0].density << " kg/m^3";
+    }
+  text << (body.rve_file.empty()
+             ? std::string(", from Body/Stiffness and Density (no RVE file)")
+             : " of " + body.rve_file);
+  return text.str();
+}
+
+void check_probes(const ContactParameters &parameters, const UniformGrid<2> &grid)
+{
+  for (const ProbeParameters &probe : parameters.observation.probes)
+    for (unsigned int d = 0; d < 2; ++d)
+      if (!(probe.position[d] >= 0. &&
+            probe.position[d] <= grid.extent(d) * (1. + 1e-12)))
+        throw UserError("Observation/" + probe.name + "/Position: (" +
+                        to_text(probe.position[0]) + ", " + to_text(probe.position[1]) +
+                        ") m lies outside the body, which reaches from (0, 0) to (" +
+                        to_text(grid.extent(0)) + ", " + to_text(grid.extent(1)) + ") m");
+  const double x = parameters.observation.reference_x;
+  if (!std::isnan(x) && !(x >= 0. && x <= grid.extent(0)))
+    throw UserError("Observation/Reference x: " + to_text(x) +
+                    " m lies outside the body, 0 to " + to_text(grid.extent(0)) + " m");
+}
+
+} // namespace
+
+BodyAnalysis::BodyAnalysis(const ContactParameters &p)
+  : parameters(p)
+  , scene(make_scene_on_root(p))
+  , material(scene.make_material(p.periodic))
+{
+  check_probes(parameters, scene.grid);
+  require_frequency(material);
+}
+
+std::vector<std::string> BodyAnalysis::body_lines() const
+{
+  std::vector<std::string> lines = {"Body: " + size_text(scene.grid),
+                                    "Material: " + material_text(parameters, scene)};
+  if (!parameters.friction.coefficient_by_phase)
+    return lines;
+  std::string coefficients;
+  for (const Phase<2> &phase : scene.phases)
+    coefficients += (coefficients.empty() ? "" : ", ") + phase.name + " " +
+                    to_text(phase.friction_coefficient);
+  lines.push_back("Friction coefficients of the phases: " + coefficients);
+  return lines;
+}
+
+std::vector<std::string> BodyAnalysis::body_warnings() const
+{
+  std::vector<std::string> warnings = scene.warnings;
+  for (const std::string &warning : implausible_body(parameters, scene))
+    warnings.push_back(warning);
+  const std::string stiffness = stiffness_warning(scene.phases);
+  if (!stiffness.empty())
+    warnings.push_back(stiffness);
+  if (parameters.analysis == ContactAnalysis::static_contact)
+    for (const std::string &warning : implausible_static_load(parameters, material))
+      warnings.push_back(warning);
+  return warnings;
+}
+
+void BodyAnalysis::describe(std::ostream &out) const
+{
+  for (const std::string &line : body_lines())
+    out << line << '\n';
+  out << 2 * scene.grid.n_nodes() << " degrees of freedom\n";
+  for (const std::string &warning : body_warnings())
+    out << "Warning: " << warning << '\n';
+}
+
+void BodyAnalysis::log_body(RunContext &context) const
+{
+  for (const std::string &line : body_lines())
+    context.log(line);
+  for (const std::string &warning : body_warnings())
+    context.warn(warning);
+}
+
+void BodyAnalysis::log_serial_body(RunContext &context) const
+{
+  if (context.n_ranks() > 1)
+    context.log(
+      "This analysis runs on one process, all others repeat it; start it without mpirun");
+  log_body(context);
+}
+} // namespace mesoslip
