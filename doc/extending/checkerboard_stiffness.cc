@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <elasticity/grid_body.h>
 #include <homogenization/response.h>
 #include <material/stiffness.h>
 
@@ -27,11 +28,11 @@ int main(int argc, char **argv)
       {isotropic_stiffness<2>(G * (3. * l + 2. * G) / (l + G), l / (2. * (l + G))), 1.});
 
   const UniformMaterial material(grid, phases, map.id);
+  const GridBody<2> body(material);
   for (const LoadCaseSolutions &solutions :
-       solve_load_cases(material, {BoundaryCondition::PBC}, StaticSolverKind::multigrid,
-                        1e-10, MPI_COMM_SELF))
+       solve_load_cases(body, {BoundaryCondition::PBC}, 1e-10, MPI_COMM_SELF))
     {
-      const VoigtMatrix<2> D = homogenize(material, solutions, false).stiffness;
+      const VoigtMatrix<2> D = homogenize(body, solutions, false).stiffness;
       // In the plane k = lambda + G and 1/(k + G) averages.
       const double exact = 2. / (1. / (lambda[0] + 2. * G) + 1. / (lambda[1] + 2. * G));
       std::printf("D11 = %.6f GPa, exact %.6f; D33 = %.6f GPa, exact %.6f\n",

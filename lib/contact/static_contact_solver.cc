@@ -14,7 +14,7 @@ namespace
 class ActiveSetIteration
 {
 public:
-  ActiveSetIteration(const UniformMaterial &material,
+  ActiveSetIteration(const ElasticBody<2> &body,
                      StaticContactProblem &&given,
                      const StaticContactOptions &options);
 
@@ -33,13 +33,13 @@ private:
   void require_contact() const;
   [[noreturn]] void fail(const std::string &what) const;
 
-  const UniformMaterial &material;
+  const ElasticBody<2> &body;
   StaticContactProblem problem;
   const StaticContactOptions &options;
-  const UniformGridOperator stiffness;
   std::unique_ptr<StaticSolver> solver;
-  const unsigned int n_nodes; ///< distinct ones of the bottom
-  const double scale;         ///< Pa: compares displacements with forces
+  const std::vector<NodeIndex> &nodes; ///< of the bottom, the duplicate at the end
+  const unsigned int n_nodes;          ///< distinct ones of the bottom
+  const double scale;                  ///< Pa: compares displacements with forces
 
   DofMask held;
   NodalField<double> force, Ku, residual, correction;
@@ -49,28 +49,28 @@ private:
   StaticContactSolution solution;
 };
 
-double stiffest(const UniformMaterial &material)
+double stiffest(const ElasticBody<2> &body)
 {
   double D = 0.;
-  for (const ElasticClass &c : material.classes())
-    D = std::max(D, c.stiffness(1, 1));
+  for (const ElasticPhase<2> &phase : body.phases())
+    D = std::max(D, phase.stiffness(1, 1));
   return D;
 }
 
-ActiveSetIteration::ActiveSetIteration(const UniformMaterial &material,
+ActiveSetIteration::ActiveSetIteration(const ElasticBody<2> &body,
                                        StaticContactProblem &&given,
                                        const StaticContactOptions &options)
-  : material(material)
+  : body(body)
   , problem(std::move(given))
   , options(options)
-  , stiffness(material)
-  , solver(make_static_solver(options.solver, material))
-  , n_nodes(material.n_columns() - (material.periodicity().x ? 1 : 0))
-  , scale(stiffest(material))
+  , solver(body.make_solver())
+  , nodes(body.surface(ElasticBody<2>::bottom).nodes)
+  , n_nodes(nodes.size() - (body.periodicity().x ? 1 : 0))
+  , scale(stiffest(body))
   , force(problem.force)
-  , Ku(material.n_columns(), material.n_rows())
-  , residual(material.n_columns(), material.n_rows())
-  , correction(material.n_columns(), material.n_rows())
+  , Ku(body.zero_field())
+  , residual(Ku)
+  , correction(Ku)
   , friction(Eigen::VectorXd::Zero(n_nodes))
   , normal(Eigen::VectorXd::Zero(n_nodes))
   , tangential(Eigen::VectorXd::Zero(n_nodes))
@@ -83,7 +83,7 @@ ActiveSetIteration::ActiveSetIteration(const UniformMaterial &material,
 void ActiveSetIteration::choose_first_states()
 {
   for (unsigned int i = 0; i < n_nodes; ++i)
-    if (problem.held.is_held(1, i, 0))
+    if (problem.held.is_held(1, nodes[i]))
       solution.state[i] = ContactState::held;
     else if (problem.sliding == 0 && problem.friction_coefficient[i] > 0.)
       solution.state[i] = ContactState::stick;
@@ -95,14 +95,14 @@ void ActiveSetIteration::hold_contact()
   NodalField<double> &u = problem.displacement;
   const auto put        = [&](const unsigned int c, const unsigned int i) {
     // Held by a side: that value counts.
-    if (held.is_held(c, i, 0))
+    if (held.is_held(c, nodes[i]))
       return;
-    held.hold(c, i, 0);
-    u.row(c, 0)[i] = 0.;
-    if (i == 0 && material.periodicity().x)
+    held.hold(c, nodes[i]);
+    u(c, nodes[i]) = 0.;
+    if (i == 0 && body.periodicity().x)
       {
-        held.hold(c, n_nodes, 0);
-        u.row(c, 0)[n_nodes] = 0.;
+        held.hold(c, nodes[n_nodes]);
+        u(c, nodes[n_nodes]) = 0.;
       }
   };
   for (unsigned int i = 0; i < n_nodes; ++i)
@@ -119,9 +119,8 @@ void ActiveSetIteration::hold_contact()
 void ActiveSetIteration::set_forces()
 {
   for (unsigned int i = 0; i < n_nodes; ++i)
-    force.row(0, 0)[i] = problem.force.row(0, 0)[i] + friction[i];
-  if (material.periodicity().x)
-    force.row(0, 0)[n_nodes] = force.row(0, 0)[0];
+    force(0, nodes[i]) = problem.force(0, nodes[i]) + friction[i];
+  body.copy_duplicates(force);
 }
 
 // Of the free degrees of freedom, relative to all nodal forces; Ku is up to date after
@@ -130,8 +129,8 @@ double ActiveSetIteration::residual_norm(NodalField<double> &r) const
 {
   double free = 0., all = 0.;
   for (unsigned int c = 0; c < 2; ++c)
-    for (unsigned int j = 0; j < material.n_rows(); ++j)
-      for (unsigned int i = 0; i < material.n_columns(); ++i)
+    for (unsigned int j = 0; j < body.n_rows(); ++j)
+      for (unsigned int i = 0; i < body.n_columns(); ++i)
         {
           const double internal = Ku.row(c, j)[i];
           double &x             = r.row(c, j)[i];
@@ -149,7 +148,7 @@ void ActiveSetIteration::solve(const double tolerance)
   NodalField<double> &u = problem.displacement;
   for (unsigned int k = 0; k < 4; ++k)
     {
-      stiffness.vmult(Ku, u);
+      body.vmult(Ku, u);
       solution.residual = residual_norm(residual);
       if (solution.residual <= tolerance)
         return;
@@ -162,7 +161,7 @@ void ActiveSetIteration::solve(const double tolerance)
       for (std::size_t n = 0; n < u.size(); ++n)
         u.begin()[n] += correction.begin()[n];
     }
-  stiffness.vmult(Ku, u);
+  body.vmult(Ku, u);
   solution.residual = residual_norm(residual);
 }
 
@@ -172,9 +171,9 @@ void ActiveSetIteration::evaluate_reactions()
     {
       const ContactState state = solution.state[i];
       const bool touches = state == ContactState::stick || state == ContactState::slip;
-      normal[i]          = touches ? Ku.row(1, 0)[i] - problem.force.row(1, 0)[i] : 0.;
+      normal[i]          = touches ? Ku(1, nodes[i]) - problem.force(1, nodes[i]) : 0.;
       tangential[i]      = state == ContactState::stick
-                             ? Ku.row(0, 0)[i] - problem.force.row(0, 0)[i]
+                             ? Ku(0, nodes[i]) - problem.force(0, nodes[i])
                              : (state == ContactState::slip ? friction[i] : 0.);
     }
 }
@@ -186,8 +185,8 @@ ContactState ActiveSetIteration::next_state(const unsigned int i)
     return state;
   // Nodes that hardly touch must not change to and fro with the round-off.
   const double negligible = options.tolerance * std::fabs(normal.sum()) / n_nodes;
-  const double ux         = problem.displacement.row(0, 0)[i],
-               uy         = problem.displacement.row(1, 0)[i];
+  const double ux         = problem.displacement(0, nodes[i]),
+               uy         = problem.displacement(1, nodes[i]);
   if (state == ContactState::separated)
     {
       if (uy >= -negligible / scale)
@@ -302,7 +301,7 @@ StaticContactSolution ActiveSetIteration::run()
   solution.friction_change = change;
   solution.normal_force.assign(normal.data(), normal.data() + n_nodes);
   solution.tangential_force.assign(tangential.data(), tangential.data() + n_nodes);
-  if (material.periodicity().x)
+  if (body.periodicity().x)
     {
       solution.normal_force.push_back(normal[0]);
       solution.tangential_force.push_back(tangential[0]);
@@ -327,10 +326,10 @@ std::string to_string(const ContactState state)
     }
 }
 
-StaticContactSolution solve_static_contact(const UniformMaterial &material,
+StaticContactSolution solve_static_contact(const ElasticBody<2> &body,
                                            StaticContactProblem problem,
                                            const StaticContactOptions &options)
 {
-  return ActiveSetIteration(material, std::move(problem), options).run();
+  return ActiveSetIteration(body, std::move(problem), options).run();
 }
 } // namespace mesoslip

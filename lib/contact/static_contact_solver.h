@@ -1,11 +1,7 @@
 #ifndef mesoslip_contact_static_contact_solver_h
 #define mesoslip_contact_static_contact_solver_h
 
-#include "elasticity/dof_mask.h"
-#include "elasticity/static_solver.h"
-#include "elasticity/uniform_grid_operator.h"
-#include "elasticity/uniform_material.h"
-#include "grid/nodal_field.h"
+#include "elasticity/elastic_body.h"
 
 #include <functional>
 #include <memory>
@@ -26,7 +22,7 @@ enum class ContactState : unsigned char
 /** "separated", "stick", "slip", "held". */
 std::string to_string(const ContactState state);
 
-/** A body at rest whose bottom row is pressed on a rigid flat at u_y = 0. */
+/** A body at rest whose bottom is pressed on a rigid flat at u_y = 0. */
 struct StaticContactProblem
 {
   /** What sides and top hold; nothing of the contact. */
@@ -38,7 +34,7 @@ struct StaticContactProblem
   /** External forces (N/m). */
   NodalField<double> force;
 
-  /** Coulomb coefficient of each bottom node. */
+  /** Coulomb coefficient of each bottom node, in the order of ElasticBody::surface(). */
   std::vector<double> friction_coefficient;
 
   /**
@@ -51,8 +47,6 @@ struct StaticContactProblem
 /** How it is solved. */
 struct StaticContactOptions
 {
-  StaticSolverKind solver = StaticSolverKind::multigrid; ///< of the linear systems
-
   /** Of the residual forces, and of the friction forces, as a share of the contact force.
    */
   double tolerance = 1e-8;
@@ -86,7 +80,7 @@ struct StaticContactSolution
  *
  * @throws NotConverged, also when the body lifts off or tips over
  */
-StaticContactSolution solve_static_contact(const UniformMaterial &material,
+StaticContactSolution solve_static_contact(const ElasticBody<2> &body,
                                            StaticContactProblem problem,
                                            const StaticContactOptions &options);
 } // namespace mesoslip

@@ -1,37 +1,42 @@
 #include "dynamics/free_dofs.h"
 
-#include <algorithm>
-#include <numeric>
-
 namespace mesoslip
 {
-FreeDofs::FreeDofs(const UniformMaterial &material,
+FreeDofs::FreeDofs(const ElasticBody<2> &body,
                    const DofMask &held,
                    const std::optional<double> &platen_mass)
-  : periodic(material.periodicity())
-  , n_columns(material.n_columns())
-  , n_rows(material.n_rows())
+  : body(body)
   , with_platen(platen_mass.has_value())
 {
-  const NodalField<double> layout(n_columns, n_rows);
-  const auto add = [&](const Place &place, const double mass) {
-    offsets.push_back(layout.row(place.component, place.j) - layout.begin() + place.i);
-    masses.push_back(mass);
-    places.push_back(place);
+  DofMask duplicate(body.n_columns(), body.n_rows());
+  for (const auto &pair : body.duplicate_nodes())
+    duplicate.hold(0, pair[0]);
+  const std::vector<double> mass = body.lumped_mass();
+  const auto mass_of             = [&](const NodeIndex &node) {
+    return mass[static_cast<std::size_t>(node.j) * body.n_columns() + node.i];
   };
-  std::vector<double> row(n_columns);
-  for (unsigned int j = 0; j + periodic.y < n_rows; ++j)
-    {
-      material.mass_row(j, row.data());
-      for (unsigned int c = 0; c < 2; ++c)
-        for (unsigned int i = 0; i + periodic.x < n_columns; ++i)
-          if (!held.is_held(c, i, j))
-            add({c, i, j}, row[i]);
-    }
-  // The last row is that of the top.
-  if (with_platen)
-    add({1, 0, n_rows - 1},
-        std::accumulate(row.begin(), row.end() - periodic.x, *platen_mass));
+  for (unsigned int j = 0; j < body.n_rows(); ++j)
+    for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int i = 0; i < body.n_columns(); ++i)
+        if (!duplicate.is_held(0, i, j) && !held.is_held(c, i, j))
+          add(c, {i, j}, mass_of({i, j}));
+  if (!with_platen)
+    return;
+  double moved = *platen_mass;
+  for (const NodeIndex &node : body.surface(ElasticBody<2>::top).nodes)
+    if (!duplicate.is_held(0, node))
+      {
+        platen_nodes.push_back(node);
+        moved += mass_of(node);
+      }
+  add(1, platen_nodes.front(), moved);
+}
+
+void FreeDofs::add(const unsigned int c, const NodeIndex &node, const double mass)
+{
+  components.push_back(c);
+  nodes.push_back(node);
+  masses.push_back(mass);
 }
 
 double FreeDofs::mass_product(const Vector &x, const Vector &y) const
@@ -46,29 +51,25 @@ void FreeDofs::scatter(NodalField<double> &field, const Vector &values) const
 {
   field.set_zero();
   for (std::size_t k = 0; k < size(); ++k)
-    field.begin()[offsets[k]] = values[k];
-  if (with_platen)
-    std::fill_n(field.row(1, n_rows - 1), n_columns, values[platen()]);
-  for (unsigned int c = 0; c < 2; ++c)
-    {
-      for (unsigned int j = 0; periodic.x && j < n_rows; ++j)
-        field.row(c, j)[n_columns - 1] = field.row(c, j)[0];
-      if (periodic.y)
-        std::copy_n(field.row(c, 0), n_columns, field.row(c, n_rows - 1));
-    }
+    field(components[k], nodes[k]) = values[k];
+  for (const NodeIndex &node : platen_nodes)
+    field(1, node) = values[platen()];
+  body.copy_duplicates(field);
 }
 
 void FreeDofs::gather(Vector &values, const NodalField<double> &field) const
 {
   for (std::size_t k = 0; k < size(); ++k)
-    values[k] = field.begin()[offsets[k]];
+    values[k] = field(components[k], nodes[k]);
 }
 
 void FreeDofs::gather_forces(Vector &values, const NodalField<double> &field) const
 {
   gather(values, field);
-  const double *top = field.row(1, n_rows - 1);
-  if (with_platen)
-    values[platen()] = std::accumulate(top, top + n_columns - periodic.x, 0.);
+  if (!with_platen)
+    return;
+  values[platen()] = 0.;
+  for (const NodeIndex &node : platen_nodes)
+    values[platen()] += field(1, node);
 }
 } // namespace mesoslip

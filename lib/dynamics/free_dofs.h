@@ -2,7 +2,7 @@
 #define mesoslip_dynamics_free_dofs_h
 
 #include "elasticity/dof_mask.h"
-#include "elasticity/uniform_material.h"
+#include "elasticity/elastic_body.h"
 #include "grid/nodal_field.h"
 
 #include <deal.II/lac/vector.h>
@@ -15,8 +15,8 @@ namespace mesoslip
 {
 /**
  * The degrees of freedom that can vibrate, numbered, with their lumped masses: the free
- * ones of a uniform grid, without the duplicates of periodic sides, and, with a platen,
- * the one u_y of the top row as the last.
+ * ones of a body, without the duplicates of periodic sides, and, with a platen, the one
+ * u_y of the top as the last.
  */
 class FreeDofs
 {
@@ -24,20 +24,12 @@ public:
   using Vector = dealii::Vector<double>; ///< one entry per degree of freedom
 
   /**
-   * @p held holds u_y of the top row when there is a platen of mass @p platen_mass
-   * (kg/m), which moves that row as one.
+   * @p held holds u_y of the top when there is a platen of mass @p platen_mass
+   * (kg/m), which moves the top as one. @p body must outlive this object.
    */
-  FreeDofs(const UniformMaterial &material,
+  FreeDofs(const ElasticBody<2> &body,
            const DofMask &held,
            const std::optional<double> &platen_mass);
-
-  /** A component of a node; of the first node of the top row for the platen. */
-  struct Place
-  {
-    unsigned int component; ///< 0: x, 1: y
-    unsigned int i;         ///< column of nodes
-    unsigned int j;         ///< row of nodes
-  };
 
   /** What platen() is without one. */
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -60,10 +52,10 @@ public:
     return masses[k];
   }
 
-  /** Where degree of freedom @p k is. */
-  const Place &place(const std::size_t k) const
+  /** Direction of degree of freedom @p k, 0: x, 1: y. */
+  unsigned int component(const std::size_t k) const
   {
-    return places[k];
+    return components[k];
   }
 
   /** x.M y. */
@@ -75,16 +67,18 @@ public:
   /** Displacements of @p field. */
   void gather(Vector &values, const NodalField<double> &field) const;
 
-  /** Nodal forces of @p field (N/m); the platen carries the sum of its row. */
+  /** Nodal forces of @p field (N/m); the platen carries the sum of the top. */
   void gather_forces(Vector &values, const NodalField<double> &field) const;
 
 private:
-  const Periodicity periodic;
-  const unsigned int n_columns, n_rows;
+  void add(const unsigned int c, const NodeIndex &node, const double mass);
+
+  const ElasticBody<2> &body;
   const bool with_platen;
-  std::vector<std::size_t> offsets;
+  std::vector<NodeIndex> platen_nodes; ///< without duplicates
+  std::vector<NodeIndex> nodes; ///< of the degrees of freedom; first one of the top
+  std::vector<unsigned int> components;
   std::vector<double> masses;
-  std::vector<Place> places;
 };
 } // namespace mesoslip
 

@@ -1,8 +1,6 @@
 #include "dynamics/vibration_modes.h"
 
 #include "dynamics/free_dofs.h"
-#include "elasticity/uniform_grid_operator.h"
-
 #include <deal.II/lac/arpack_solver.h>
 
 #include <Eigen/Dense>
@@ -30,49 +28,20 @@ struct MassMatrix
   }
 };
 
-/** u = a - r y, v = b + r x with lengths from the middle in widths of the body. */
-std::array<double, 3> rigid_motion(const UniformGrid<2> &grid, const FreeDofs::Place &p)
-{
-  const double width = grid.extent(0);
-  const double x     = p.i * grid.spacing[0] / width - 0.5;
-  const double y     = (p.j * grid.spacing[1] - 0.5 * grid.extent(1)) / width;
-  return p.component == 0 ? std::array<double, 3>{{1., 0., -y}}
-                          : std::array<double, 3>{{0., 1., x}};
-}
-
 /** The rigid motions that nothing holds, orthonormal with respect to the mass. */
-std::vector<Vector> free_rigid_motions(const UniformMaterial &material,
-                                       const DofMask &held,
-                                       const FreeDofs &dofs)
+std::vector<Vector>
+orthonormal_motions(const ElasticBody<2> &body, DofMask held, const FreeDofs &dofs)
 {
-  const bool platen    = dofs.platen() != FreeDofs::none;
-  Eigen::Matrix3d hold = Eigen::Matrix3d::Zero();
-  // Neither can a platen turn.
-  if (material.periodicity().x || material.periodicity().y || platen)
-    hold(2, 2) = 1.;
-  for (unsigned int c = 0; c < 2; ++c)
-    for (unsigned int j = 0; j < held.n_rows(); ++j)
-      for (unsigned int i = 0; i < held.n_columns(); ++i)
-        if (held.is_held(c, i, j) && !(platen && c == 1 && j + 1 == held.n_rows()))
-          {
-            const auto m = rigid_motion(material.grid(), {c, i, j});
-            const Eigen::Vector3d motion(m[0], m[1], m[2]);
-            hold += motion * motion.transpose();
-          }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(hold);
-
+  const bool platen = dofs.platen() != FreeDofs::none;
+  if (platen)
+    for (const NodeIndex &node : body.surface(ElasticBody<2>::top).nodes)
+      held.release(1, node.i, node.j);
   std::vector<Vector> motions;
-  for (int k = 0; k < 3; ++k)
+  // Neither can a platen turn.
+  for (const NodalField<double> &field : free_rigid_motions(body, held, !platen))
     {
-      if (eigen.eigenvalues()[k] > 1e-10 * std::max(1., eigen.eigenvalues()[2]))
-        continue;
-      const Eigen::Vector3d a = eigen.eigenvectors().col(k);
       Vector motion(dofs.size());
-      for (std::size_t d = 0; d < dofs.size(); ++d)
-        {
-          const auto m = rigid_motion(material.grid(), dofs.place(d));
-          motion[d]    = a[0] * m[0] + a[1] * m[1] + a[2] * m[2];
-        }
+      dofs.gather(motion, field);
       for (const Vector &other : motions)
         motion.add(-dofs.mass_product(other, motion), other);
       motion /= std::sqrt(dofs.mass_product(motion, motion));
@@ -90,7 +59,7 @@ std::vector<Vector> free_rigid_motions(const UniformMaterial &material,
 class InverseStiffness
 {
 public:
-  InverseStiffness(const UniformGridOperator &stiffness,
+  InverseStiffness(const ElasticBody<2> &body,
                    const DofMask &held,
                    const FreeDofs &dofs,
                    const MassMatrix &mass,
@@ -98,14 +67,14 @@ public:
     : dofs(dofs)
     , mass(mass)
     , options(options)
-    , rigid(free_rigid_motions(stiffness.material(), held, dofs))
-    , solver(make_static_solver(options.solver, stiffness.material()))
-    , force(stiffness.material().n_columns(), stiffness.material().n_rows())
+    , rigid(orthonormal_motions(body, held, dofs))
+    , solver(body.make_solver())
+    , force(body.zero_field())
     , u(force)
   {
     solver->set_held(held);
     if (dofs.platen() != FreeDofs::none && !platen_moves_freely())
-      push_platen(stiffness);
+      push_platen(body);
   }
 
   void vmult(Vector &dst, const Vector &src) const
@@ -156,7 +125,7 @@ private:
     });
   }
 
-  void push_platen(const UniformGridOperator &stiffness)
+  void push_platen(const ElasticBody<2> &body)
   {
     Vector unit(dofs.size()), Kz(dofs.size());
     unit[dofs.platen()] = 1.;
@@ -164,7 +133,7 @@ private:
     solve();
     response.reinit(dofs.size());
     dofs.gather(response, u);
-    stiffness.vmult(force, u);
+    body.vmult(force, u);
     dofs.gather_forces(Kz, force);
     platen_stiffness = response * Kz;
   }
@@ -183,16 +152,15 @@ private:
 VibrationMode finish_mode(const Vector &eigenvector,
                           const FreeDofs &dofs,
                           const MassMatrix &mass,
-                          const UniformGridOperator &stiffness,
+                          const ElasticBody<2> &body,
                           const double platen_mass)
 {
-  const UniformMaterial &material = stiffness.material();
   VibrationMode mode;
-  mode.shape = NodalField<double>(material.n_columns(), material.n_rows());
-  NodalField<double> field(material.n_columns(), material.n_rows());
+  mode.shape               = body.zero_field();
+  NodalField<double> field = mode.shape;
   Vector Ku(dofs.size()), Mu(dofs.size());
   dofs.scatter(mode.shape, eigenvector);
-  stiffness.vmult(field, mode.shape);
+  body.vmult(field, mode.shape);
   dofs.gather_forces(Ku, field);
   mass.vmult(Mu, eigenvector);
   const double uMu = eigenvector * Mu, omega2 = eigenvector * Ku / uMu;
@@ -200,9 +168,9 @@ VibrationMode finish_mode(const Vector &eigenvector,
 
   std::array<double, 2> momentum = {};
   for (std::size_t k = 0; k < dofs.size(); ++k)
-    momentum[dofs.place(k).component] += Mu[k];
+    momentum[dofs.component(k)] += Mu[k];
   const std::array<double, 2> moved = {
-    {material.total_mass(), material.total_mass() + platen_mass}};
+    {body.total_mass(), body.total_mass() + platen_mass}};
   for (unsigned int c = 0; c < 2; ++c)
     mode.effective_mass[c] = momentum[c] * momentum[c] / (uMu * moved[c]);
 
@@ -211,8 +179,8 @@ VibrationMode finish_mode(const Vector &eigenvector,
   mode.residual = Ku.l2_norm() / norm;
 
   double largest = 0., sign = 1.;
-  for (unsigned int j = 0; j < material.n_rows(); ++j)
-    for (unsigned int i = 0; i < material.n_columns(); ++i)
+  for (unsigned int j = 0; j < body.n_rows(); ++j)
+    for (unsigned int i = 0; i < body.n_columns(); ++i)
       {
         const double x = mode.shape.row(0, j)[i], y = mode.shape.row(1, j)[i];
         // Mirror images are equal up to round-off; the first of them decides.
@@ -255,11 +223,11 @@ std::vector<Vector> lowest_eigenvectors(const MassMatrix &mass,
 }
 } // namespace
 
-void check_number_of_modes(const UniformMaterial &material,
+void check_number_of_modes(const ElasticBody<2> &body,
                            const DofMask &held,
                            const VibrationModesOptions &options)
 {
-  const std::size_t n = FreeDofs(material, held, options.platen_mass).size();
+  const std::size_t n = FreeDofs(body, held, options.platen_mass).size();
   if (n < 2 * options.n_modes + 10)
     throw std::invalid_argument(std::to_string(options.n_modes) + " modes of only " +
                                 std::to_string(n) +
@@ -267,20 +235,19 @@ void check_number_of_modes(const UniformMaterial &material,
                                 "can be computed");
 }
 
-VibrationModes vibration_modes(const UniformMaterial &material,
+VibrationModes vibration_modes(const ElasticBody<2> &body,
                                const DofMask &held,
                                const VibrationModesOptions &options)
 {
-  check_number_of_modes(material, held, options);
-  const FreeDofs dofs(material, held, options.platen_mass);
+  check_number_of_modes(body, held, options);
+  const FreeDofs dofs(body, held, options.platen_mass);
   const MassMatrix mass{dofs};
-  const UniformGridOperator stiffness(material);
-  const InverseStiffness inverse(stiffness, held, dofs, mass, options);
+  const InverseStiffness inverse(body, held, dofs, mass, options);
 
   VibrationModes result;
   for (const Vector &x : lowest_eigenvectors(mass, inverse, dofs.size(), options.n_modes))
     result.modes.push_back(
-      finish_mode(x, dofs, mass, stiffness, options.platen_mass.value_or(0.)));
+      finish_mode(x, dofs, mass, body, options.platen_mass.value_or(0.)));
   std::sort(result.modes.begin(), result.modes.end(),
             [](const VibrationMode &a, const VibrationMode &b) {
               return a.frequency < b.frequency;

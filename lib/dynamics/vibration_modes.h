@@ -1,10 +1,7 @@
 #ifndef mesoslip_dynamics_vibration_modes_h
 #define mesoslip_dynamics_vibration_modes_h
 
-#include "elasticity/dof_mask.h"
-#include "elasticity/static_solver.h"
-#include "elasticity/uniform_material.h"
-#include "grid/nodal_field.h"
+#include "elasticity/elastic_body.h"
 
 #include <array>
 #include <functional>
@@ -19,12 +16,10 @@ struct VibrationModesOptions
   unsigned int n_modes = 4; ///< wanted
 
   /**
-   * Mass (kg/m) of a rigid platen on the top row, which has one common u_y; without a
-   * value there is none. Held are then u_y of that row and whatever else is.
+   * Mass (kg/m) of a rigid platen on the top, which has one common u_y; without a value
+   * there is none. Held are then u_y of the top and whatever else is.
    */
   std::optional<double> platen_mass;
-
-  StaticSolverKind solver = StaticSolverKind::multigrid; ///< of the systems with K
 
   /** Relative residual of each static solve; eigenvalues are accurate to about this. */
   double tolerance = 1e-10;
@@ -68,16 +63,16 @@ struct VibrationModes
 };
 
 /** @throws std::invalid_argument if there are not as many modes as @p options wants. */
-void check_number_of_modes(const UniformMaterial &material,
+void check_number_of_modes(const ElasticBody<2> &body,
                            const DofMask &held,
                            const VibrationModesOptions &options);
 
 /**
- * Solves K u = omega^2 M u (lumped mass) on a uniform grid by shift-and-invert Lanczos
+ * Solves K u = omega^2 M u (lumped mass) by shift-and-invert Lanczos
  * around zero (ARPACK); rigid motions are projected out, so a free body needs no shift.
  * @throws std::invalid_argument if there are not that many modes; NotConverged
  */
-VibrationModes vibration_modes(const UniformMaterial &material,
+VibrationModes vibration_modes(const ElasticBody<2> &body,
                                const DofMask &held,
                                const VibrationModesOptions &options);
 } // namespace mesoslip

@@ -1,6 +1,8 @@
 #ifndef mesoslip_elasticity_dof_mask_h
 #define mesoslip_elasticity_dof_mask_h
 
+#include "grid/nodal_field.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -43,6 +45,18 @@ public:
   void hold(const unsigned int c, const unsigned int i, const unsigned int j)
   {
     bits[index(i, j)] |= static_cast<std::uint8_t>(1U << c);
+  }
+
+  /** Component @p c of @p node. */
+  void hold(const unsigned int c, const NodeIndex &node)
+  {
+    hold(c, node.i, node.j);
+  }
+
+  /** Whether component @p c of @p node is held. */
+  bool is_held(const unsigned int c, const NodeIndex &node) const
+  {
+    return is_held(c, node.i, node.j);
   }
 
   /** Component @p c of node (@p i, @p j) may move again. */

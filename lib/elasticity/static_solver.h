@@ -2,7 +2,6 @@
 #define mesoslip_elasticity_static_solver_h
 
 #include "elasticity/dof_mask.h"
-#include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
 
 #include <memory>
@@ -17,10 +16,10 @@ enum class StaticSolverKind
 {
   multigrid, ///< conjugate gradients with a multigrid cycle
   jacobi,    ///< conjugate gradients with the diagonal; needs no set-up
-  assembled  ///< Trilinos matrix and ML: an independent path
+  ml         ///< deal.II mesh, Trilinos matrix and ML; on several ranks
 };
 
-/** @throws std::invalid_argument unless @p name is multigrid, jacobi or assembled. */
+/** @throws std::invalid_argument unless @p name is multigrid, jacobi or ml. */
 StaticSolverKind static_solver_kind(const std::string &name);
 
 /** What a solve took. */
@@ -64,9 +63,10 @@ private:
 };
 
 /**
- * Static equilibrium K u = f on a uniform grid with held degrees of freedom; without
- * enough of them the solution is fixed by being orthogonal to the rigid motions that are
- * left, and f has to be in equilibrium. Periodic materials give periodic solutions.
+ * Static equilibrium K u = f of a body with constrained (held) degrees of freedom;
+ * without enough of them the solution is fixed by being orthogonal to the rigid motions
+ * that are left, and what f has of these is ignored. Periodic bodies give periodic
+ * solutions.
  */
 class StaticSolver
 {
@@ -86,10 +86,6 @@ public:
                              const NodalField<double> &force,
                              const double tolerance) = 0;
 };
-
-/** @p material has to outlive the solver. */
-std::unique_ptr<StaticSolver> make_static_solver(const StaticSolverKind kind,
-                                                 const UniformMaterial &material);
 } // namespace mesoslip
 
 #endif

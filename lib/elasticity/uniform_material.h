@@ -9,15 +9,19 @@
 
 namespace mesoslip
 {
-/** What the operator and the mass need to know about a material class. */
-struct ElasticClass
+/** What operator and mass need to know about a phase. */
+template <int dim>
+struct ElasticPhase
 {
-  /** Pa; the plane stiffness (plane strain or plane stress). */
-  VoigtMatrix<2> stiffness = VoigtMatrix<2>::Zero();
+  /** Pa; in 2D the plane stiffness (plane strain or plane stress). */
+  VoigtMatrix<dim> stiffness = VoigtMatrix<dim>::Zero();
 
   /** kg/m^3 */
   double density = 0.;
 };
+
+/** The phases of a UniformMaterial. */
+using ElasticClass = ElasticPhase<2>;
 
 /**
  * Opposite sides that are one and the same. Fields keep the duplicate last column (row);

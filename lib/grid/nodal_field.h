@@ -10,6 +10,13 @@
 
 namespace mesoslip
 {
+/** The place of a node in a field. */
+struct NodeIndex
+{
+  unsigned int i = 0; ///< column
+  unsigned int j = 0; ///< row
+};
+
 /**
  * A two-component nodal field stored as a structure of arrays for the row kernels:
  * every row starts on a cache line and is followed by at least one full vector of
@@ -48,7 +55,7 @@ public:
     return columns;
   }
 
-  /** Of nodes. */
+  /** Number of node rows. */
   unsigned int n_rows() const
   {
     return rows;
@@ -70,6 +77,18 @@ public:
   const Number *row(const unsigned int c, const unsigned int j) const
   {
     return data.get() + (c * rows + j) * row_stride;
+  }
+
+  /** Component @p c of one node. */
+  Number &operator()(const unsigned int c, const NodeIndex &node)
+  {
+    return row(c, node.j)[node.i];
+  }
+
+  /** As above, read only. */
+  const Number &operator()(const unsigned int c, const NodeIndex &node) const
+  {
+    return row(c, node.j)[node.i];
   }
 
   /** All values, padding included: for vector updates that treat every entry alike. */

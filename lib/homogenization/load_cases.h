@@ -1,8 +1,7 @@
 #ifndef mesoslip_homogenization_load_cases_h
 #define mesoslip_homogenization_load_cases_h
 
-#include "elasticity/static_solver.h"
-#include "elasticity/uniform_material.h"
+#include "elasticity/elastic_body.h"
 #include "grid/nodal_field.h"
 #include "io/timer.h"
 #include "material/voigt.h"
@@ -48,28 +47,25 @@ using LoadCaseProgress = std::function<void(const unsigned int, const unsigned i
 
 /**
  * Solves the three load cases of each condition. The cases are dealt out to the ranks of
- * @p communicator and collected on rank 0; the other ranks return reports only.
+ * @p communicator and collected on rank 0; the other ranks return reports only. On a
+ * distributed body the ranks solve each case together and all return everything.
  * @p timer, if any, gets a section for each condition.
  * @throws NotConverged
  */
 std::vector<LoadCaseSolutions>
-solve_load_cases(const UniformMaterial &material,
+solve_load_cases(const ElasticBody<2> &body,
                  const std::vector<BoundaryCondition> &conditions,
-                 const StaticSolverKind kind,
                  const double tolerance,
                  const MPI_Comm communicator,
                  const LoadCaseProgress &progress = LoadCaseProgress(),
                  Timer *timer                     = nullptr);
 
 /** u = E.x for a strain (engineering shear), x from the lower left corner. */
-NodalField<double> affine_displacement(const UniformGrid<2> &grid,
+NodalField<double> affine_displacement(const ElasticBody<2> &body,
                                        const VoigtVector<2> &strain);
 
-/** The same for the unit strain number @p k. */
-NodalField<double> affine_displacement(const UniformGrid<2> &grid, const unsigned int k);
-
 /** Nodal forces (N/m) of the traction S.n for the unit stress number @p k. */
-NodalField<double> uniform_traction(const UniformGrid<2> &grid, const unsigned int k);
+NodalField<double> uniform_traction(const ElasticBody<2> &body, const unsigned int k);
 } // namespace mesoslip
 
 #endif

@@ -1,7 +1,5 @@
 #include "homogenization/response.h"
 
-#include "elasticity/uniform_grid_operator.h"
-
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -16,64 +14,57 @@ struct PhaseSums
 {
   VoigtMatrix<2> strain = VoigtMatrix<2>::Zero();
   VoigtMatrix<2> stress = VoigtMatrix<2>::Zero();
-  std::size_t cells     = 0;
+  double cells          = 0.; ///< volume in mean cell volumes
 };
 
-std::vector<PhaseSums> sum_over_phases(const UniformMaterial &material,
+std::vector<PhaseSums> sum_over_phases(const ElasticBody<2> &body,
                                        const LoadCaseSolutions &solutions,
                                        std::vector<double> *concentration)
 {
-  const UniformGrid<2> &grid = material.grid();
-  const UniformGridOperator op(material);
-  const std::size_t nx = grid.cells[0], ny = grid.cells[1];
   const bool stresses = solutions.condition == BoundaryCondition::SUBC;
-  std::vector<PhaseSums> sums(material.classes().size());
-  std::vector<double> exx(3 * nx), eyy(3 * nx), gxy(3 * nx);
-  if (concentration != nullptr)
-    concentration->resize(9 * grid.n_cells());
-
-  for (unsigned int j = 0; j < ny; ++j)
+  std::vector<PhaseSums> sums(body.phases().size());
+  std::array<ElasticBody<2>::Cells, 3> cells;
+  for (std::size_t group = 0; group < body.n_cell_groups(); ++group)
     {
       for (unsigned int k = 0; k < 3; ++k)
-        op.strain(solutions.displacement[k], j, &exx[k * nx], &eyy[k * nx], &gxy[k * nx]);
-      std::vector<PhaseSums> row(sums.size());
-      for (unsigned int i = 0; i < nx; ++i)
+        body.evaluate(solutions.displacement[k], group, cells[k]);
+      std::vector<PhaseSums> part(sums.size());
+      for (std::size_t i = 0; i < cells[0].phase.size(); ++i)
         {
-          const unsigned int phase = material.class_of(i, j);
+          const unsigned int phase = cells[0].phase[i];
           VoigtMatrix<2> local;
           for (unsigned int k = 0; k < 3; ++k)
-            local.col(k) << exx[k * nx + i], eyy[k * nx + i], gxy[k * nx + i];
-          row[phase].strain += local;
-          ++row[phase].cells;
+            local.col(k) = cells[k].strain[i];
+          part[phase].strain += local * cells[0].volume[i];
+          part[phase].cells += cells[0].volume[i];
           if (concentration != nullptr)
             {
               if (stresses)
-                local = material.classes()[phase].stiffness * local;
-              std::copy_n(local.data(), 9, concentration->data() + 9 * (j * nx + i));
+                local = body.phases()[phase].stiffness * local;
+              concentration->insert(concentration->end(), local.data(), local.data() + 9);
             }
         }
       for (std::size_t p = 0; p < sums.size(); ++p)
         {
-          sums[p].strain += row[p].strain;
-          sums[p].cells += row[p].cells;
+          sums[p].strain += part[p].strain;
+          sums[p].cells += part[p].cells;
         }
     }
   for (std::size_t p = 0; p < sums.size(); ++p)
-    sums[p].stress = material.classes()[p].stiffness * sums[p].strain;
+    sums[p].stress = body.phases()[p].stiffness * sums[p].strain;
   return sums;
 }
 
 // u_k.K u_l / V
-VoigtMatrix<2> energy_products(const UniformMaterial &material,
+VoigtMatrix<2> energy_products(const ElasticBody<2> &body,
                                const LoadCaseSolutions &solutions)
 {
-  const UniformGridOperator op(material);
   VoigtMatrix<2> products;
-  const auto &u = solutions.displacement;
-  NodalField<double> Ku(u[0].n_columns(), u[0].n_rows());
+  const auto &u         = solutions.displacement;
+  NodalField<double> Ku = body.zero_field();
   for (unsigned int l = 0; l < 3; ++l)
     {
-      op.vmult(Ku, u[l]);
+      body.vmult(Ku, u[l]);
       for (unsigned int k = 0; k < 3; ++k)
         {
           double sum = 0.;
@@ -88,10 +79,11 @@ VoigtMatrix<2> energy_products(const UniformMaterial &material,
           products(k, l) = sum;
         }
     }
-  return products / (material.grid().extent(0) * material.grid().extent(1));
+  return products / body.volume();
 }
+
 // Means of the tensors over two phases against what the stiffness says they are.
-std::optional<double> two_phase_residual(const UniformMaterial &material,
+std::optional<double> two_phase_residual(const ElasticBody<2> &body,
                                          const HomogenizedResponse &response,
                                          const std::vector<PhaseSums> &sums)
 {
@@ -105,15 +97,14 @@ std::optional<double> two_phase_residual(const UniformMaterial &material,
   const auto tensor   = [stresses](const VoigtMatrix<2> &C) {
     return stresses ? VoigtMatrix<2>(C.inverse()) : C;
   };
-  const VoigtMatrix<2> C_m = tensor(material.classes()[present[0]].stiffness),
-                       C_i = tensor(material.classes()[present[1]].stiffness),
+  const VoigtMatrix<2> C_m = tensor(body.phases()[present[0]].stiffness),
+                       C_i = tensor(body.phases()[present[1]].stiffness),
                        D   = tensor(response.stiffness);
   // The difference has to be invertible, with digits to spare.
   const VoigtMatrix<2> inverse = (C_i - C_m).inverse();
   if (!(inverse.norm() * C_m.norm() < 1e6))
     return {};
-  const double f =
-    static_cast<double>(sums[present[1]].cells) / material.grid().n_cells();
+  const double f                = sums[present[1]].cells / body.n_cells();
   const VoigtMatrix<2> expected = inverse * (D - C_m) / f;
   return (response.phase_means[present[1]] - expected).norm() / expected.norm();
 }
@@ -154,22 +145,24 @@ double scaled_difference(const VoigtMatrix<2> &a, const VoigtMatrix<2> &b)
   return largest;
 }
 
-HomogenizedResponse homogenize(const UniformMaterial &material,
+HomogenizedResponse homogenize(const ElasticBody<2> &body,
                                const LoadCaseSolutions &solutions,
                                const bool keep_concentration)
 {
   const bool stresses = solutions.condition == BoundaryCondition::SUBC;
   HomogenizedResponse response;
-  response.condition                = solutions.condition;
-  response.reports                  = solutions.reports;
+  response.condition = solutions.condition;
+  response.reports   = solutions.reports;
+  if (keep_concentration)
+    response.concentration.reserve(9 * body.n_cells());
   const std::vector<PhaseSums> sums = sum_over_phases(
-    material, solutions, keep_concentration ? &response.concentration : nullptr);
+    body, solutions, keep_concentration ? &response.concentration : nullptr);
 
   VoigtMatrix<2> strain = VoigtMatrix<2>::Zero(), stress = VoigtMatrix<2>::Zero();
   for (const PhaseSums &phase : sums)
     {
-      strain += phase.strain / material.grid().n_cells();
-      stress += phase.stress / material.grid().n_cells();
+      strain += phase.strain / body.n_cells();
+      stress += phase.stress / body.n_cells();
       const VoigtMatrix<2> &mean = stresses ? phase.stress : phase.strain;
       response.phase_means.push_back(phase.cells > 0
                                        ? VoigtMatrix<2>(mean / phase.cells)
@@ -177,9 +170,8 @@ HomogenizedResponse homogenize(const UniformMaterial &material,
     }
   response.mean_residual =
     ((stresses ? stress : strain) - VoigtMatrix<2>(VoigtMatrix<2>::Identity())).norm();
-  set_stiffness(response, stresses ? strain : stress,
-                energy_products(material, solutions));
-  response.two_phase_residual = two_phase_residual(material, response, sums);
+  set_stiffness(response, stresses ? strain : stress, energy_products(body, solutions));
+  response.two_phase_residual = two_phase_residual(body, response, sums);
   return response;
 }
 } // namespace mesoslip

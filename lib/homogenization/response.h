@@ -68,10 +68,10 @@ struct HomogenizedResponse
 double scaled_difference(const VoigtMatrix<2> &a, const VoigtMatrix<2> &b);
 
 /**
- * Evaluates the solutions on the rank that holds them. Fields are kept only if
- * @p keep_concentration.
+ * Evaluates the solutions on the rank that holds them; collective on a distributed body.
+ * Fields are kept only if @p keep_concentration.
  */
-HomogenizedResponse homogenize(const UniformMaterial &material,
+HomogenizedResponse homogenize(const ElasticBody<2> &body,
                                const LoadCaseSolutions &solutions,
                                const bool keep_concentration);
 } // namespace mesoslip

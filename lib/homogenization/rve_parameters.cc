@@ -19,9 +19,11 @@ void RveParameters::bind(Keys &keys)
     keys.bind_list(
       "Boundary conditions", names, {"KUBC", "SUBC", "PBC"},
       "Uniform strain, uniform stress or periodic fluctuations; any of them");
-    keys.bind("Solver", solver, {"multigrid", "jacobi", "assembled"},
-              "Conjugate gradients with multigrid or with the diagonal, or Trilinos' "
-              "matrix and ML as an independent path");
+    keys.bind(
+      "Solver", solver, {"multigrid", "jacobi", "ml"},
+      "Preconditioner of conjugate gradients: geometric multigrid or the diagonal on the "
+      "grid; or Trilinos' algebraic multigrid ML on a mesh of deal.II with the same "
+      "cells, which the ranks divide among themselves");
     keys.bind("Tolerance", tolerance, Range::open(0., 1.),
               "Relative residual at which a load case is solved [-]");
     keys.bind("Effective", effective, {"mean", "KUBC", "SUBC", "PBC"},

@@ -17,7 +17,7 @@ struct RveParameters
 {
   MicrostructureParameters microstructure;   ///< sections Grid, Phases, Microstructure
   std::vector<BoundaryCondition> conditions; ///< in the order of the .prm
-  StaticSolverKind solver = StaticSolverKind::multigrid; ///< multigrid or assembled
+  StaticSolverKind solver = StaticSolverKind::multigrid; ///< of the load cases
   double tolerance        = 1e-8;                        ///< relative residual of a solve
 
   /** mean (of KUBC and SUBC), KUBC, SUBC or PBC: what /stiffness/effective is. */

@@ -67,13 +67,15 @@ EnsembleMember compute_member(const RveParameters &parameters,
   member.seed      = parameters.microstructure.placement.seed;
   member.warnings  = microstructure.warnings;
   member.fractions = area_fractions(microstructure.map, microstructure.phases.size());
-  auto solutions   = solve_load_cases(material, parameters.conditions, parameters.solver,
-                                      parameters.tolerance, communicator, progress, &timer);
+  const auto body  = make_body(material, parameters.solver, communicator);
+  auto solutions   = solve_load_cases(*body, parameters.conditions, parameters.tolerance,
+                                      communicator, progress, &timer);
   const auto scope = timer.scope("Responses");
   for (LoadCaseSolutions &solution : solutions)
     {
-      if (rank == 0)
-        member.responses.push_back(homogenize(material, solution, keep_concentration));
+      if (rank == 0 || body->is_distributed())
+        member.responses.push_back(
+          homogenize(*body, solution, rank == 0 && keep_concentration));
       solution.displacement = {};
     }
   return member;

@@ -125,9 +125,10 @@ void BodyAnalysis::log_body(RunContext &context) const
 
 void BodyAnalysis::log_serial_body(RunContext &context) const
 {
-  if (context.n_ranks() > 1)
+  if (context.n_ranks() > 1 && parameters.static_solver != StaticSolverKind::ml)
     context.log(
-      "This analysis runs on one process, all others repeat it; start it without mpirun");
+      "This analysis runs on one process, all others repeat it; start it without mpirun "
+      "or set Performance/Static solver = ml");
   log_body(context);
 }
 } // namespace mesoslip

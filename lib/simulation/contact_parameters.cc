@@ -327,7 +327,7 @@ void ContactParameters::bind(Keys &keys)
             {"auto", "x86-64", "x86-64-v3", "x86-64-v4", "generic"},
             "Kernels to use; auto: the widest the processor has; generic: those of "
             "processors other than x86-64");
-  keys.bind("Static solver", static_solver, {"multigrid", "jacobi", "assembled"},
+  keys.bind("Static solver", static_solver, {"multigrid", "jacobi", "ml"},
             "Of the modal and the static contact analysis, as Homogenization/Solver");
 }
 

@@ -1,5 +1,6 @@
 #include "simulation/modal.h"
 
+#include "elasticity/grid_body.h"
 #include "io/errors.h"
 #include "io/parameters.h"
 #include "io/run_context.h"
@@ -160,7 +161,6 @@ VibrationModesOptions modal_options(const ContactParameters &parameters)
   VibrationModesOptions options;
   options.n_modes   = parameters.modal.n_modes;
   options.tolerance = parameters.modal.tolerance;
-  options.solver    = parameters.static_solver;
   if (top_at_start(parameters).kind == TopSetup::Kind::platen)
     options.platen_mass = parameters.top.platen_mass;
   return options;
@@ -169,10 +169,11 @@ VibrationModesOptions modal_options(const ContactParameters &parameters)
 ModalAnalysis::ModalAnalysis(const ContactParameters &p)
   : BodyAnalysis(p)
 {
+  const GridBody<2> body(material);
   for (const std::string &bottom : bottoms(parameters))
     try
       {
-        check_number_of_modes(material,
+        check_number_of_modes(body,
                               modal_constraints(parameters, material, bottom == "held"),
                               modal_options(parameters));
       }
@@ -184,6 +185,7 @@ ModalAnalysis::ModalAnalysis(const ContactParameters &p)
 
 std::vector<ModalCase> ModalAnalysis::compute_modes(RunContext &context) const
 {
+  const auto body = make_body(material, parameters.static_solver, context.communicator());
   VibrationModesOptions options = modal_options(parameters);
   options.before_solve          = stop_or_report(context, "the static solve");
 
@@ -193,7 +195,7 @@ std::vector<ModalCase> ModalAnalysis::compute_modes(RunContext &context) const
       const auto scope = context.timer().scope(("Bottom " + bottom).c_str());
       const auto held  = modal_constraints(parameters, material, bottom == "held");
       with_advice("loosen Modal/Tolerance or ask for fewer modes", [&]() {
-        cases.push_back({bottom, vibration_modes(material, held, options)});
+        cases.push_back({bottom, vibration_modes(*body, held, options)});
       });
     }
   return cases;

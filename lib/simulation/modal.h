@@ -24,7 +24,7 @@ DofMask modal_constraints(const ContactParameters &parameters,
                           const UniformMaterial &material,
                           const bool bottom_held);
 
-/** Number of modes, tolerance, solver, and the platen if the run has one at its start. */
+/** Number of modes, tolerance, and the platen if the run has one at its start. */
 VibrationModesOptions modal_options(const ContactParameters &parameters);
 
 /** Analysis "modal": frequencies and shapes in modes.csv, modal.h5 and modal.xdmf. */

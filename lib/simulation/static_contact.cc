@@ -202,11 +202,13 @@ std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
 StaticContactResult compute_static_contact(const ContactParameters &parameters,
                                            const Scene &scene,
                                            const UniformMaterial &material,
-                                           const StaticContactOptions &options)
+                                           const StaticContactOptions &options,
+                                           const MPI_Comm communicator)
 {
   StaticContactResult result;
+  const auto body = make_body(material, parameters.static_solver, communicator);
   result.solution =
-    solve_static_contact(material, make_problem(parameters, scene, material), options);
+    solve_static_contact(*body, make_problem(parameters, scene, material), options);
 
   const double pressure = parameters.top.pressure.amplitude();
   if (parameters.top.kind == TopSetup::Kind::platen)

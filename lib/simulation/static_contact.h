@@ -36,11 +36,13 @@ struct StaticContactResult
 /** @throws UserError if supports and loads allow no equilibrium. */
 void check_static_contact(const ContactParameters &parameters, const Scene &scene);
 
-/** Solves for equilibrium. */
+/** Solves for equilibrium, with the ranks of @p communicator together if the solver is
+ * ML. */
 StaticContactResult compute_static_contact(const ContactParameters &parameters,
                                            const Scene &scene,
                                            const UniformMaterial &material,
-                                           const StaticContactOptions &options);
+                                           const StaticContactOptions &options,
+                                           const MPI_Comm communicator = MPI_COMM_SELF);
 
 /**
  * The phases that take part in the contact with @p fractions of it: areas, Young's moduli

@@ -232,7 +232,6 @@ void StaticContactAnalysis::run(RunContext &context)
 {
   log_serial_body(context);
   StaticContactOptions options;
-  options.solver           = parameters.static_solver;
   options.tolerance        = parameters.static_contact.tolerance;
   options.max_iterations   = parameters.static_contact.max_iterations;
   options.before_iteration = stop_or_report(context, "iteration");
@@ -241,7 +240,8 @@ void StaticContactAnalysis::run(RunContext &context)
   {
     const auto scope = context.timer().scope("Equilibrium");
     with_advice(advice(parameters, scene), [&]() {
-      result = compute_static_contact(parameters, scene, material, options);
+      result = compute_static_contact(parameters, scene, material, options,
+                                      context.communicator());
     });
   }
   judge_strain(parameters, material, result, context);

@@ -8,14 +8,11 @@
  *
  * Million cell updates per second of wall-clock time: median [lowest, highest].
  */
-#include "elasticity/assembled_operator.h"
 #include "elasticity/explicit_stepper.h"
+#include "elasticity/grid_body.h"
+#include "elasticity/mesh/mesh_discretization.h"
 #include "elasticity/mpi_halo.h"
 #include "elasticity/row_partition.h"
-
-#include <deal.II/distributed/shared_tria.h>
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -125,22 +122,15 @@ double fused(const std::array<unsigned int, 2> cells,
 /** The loop of a general code on the same grid. */
 double baseline(const std::array<unsigned int, 2> cells, const unsigned int repetitions)
 {
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-  dealii::parallel::shared::Triangulation<2> triangulation(
-    MPI_COMM_WORLD, dealii::Triangulation<2>::none, false,
-    dealii::parallel::shared::Triangulation<2>::partition_metis);
-  dealii::GridGenerator::subdivided_hyper_rectangle(
-    triangulation, {cells[0], cells[1]}, dealii::Point<2>(),
-    dealii::Point<2>(cells[0] * spacing, cells[1] * spacing));
   const UniformMaterial material = make_material(cells, 1);
-  const AssembledOperator<2> K(triangulation, {material.classes()[0].stiffness},
-                               {material.classes()[0].density});
-  Vector u, w, z, f, factor;
-  for (Vector *v : {&u, &w, &z, &f, &factor})
-    K.initialize_vector(*v);
+  const GridBody<2> layout(material);
+  const MeshDiscretization<2> mesh(mesh_of_grid(material), layout, MPI_COMM_WORLD);
+  MeshDiscretization<2>::Vector u(mesh.lumped_mass());
+  u = 0.;
+  MeshDiscretization<2>::Vector w(u), z(u), f(u), factor(u);
   for (const auto i : factor.locally_owned_elements())
     {
-      factor[i] = -1. / K.lumped_mass()[i];
+      factor[i] = -1. / mesh.lumped_mass()[i];
       u[i]      = 1e-9 * std::sin(0.1 * i);
     }
   factor.compress(dealii::VectorOperation::insert);
@@ -151,7 +141,7 @@ double baseline(const std::array<unsigned int, 2> cells, const unsigned int repe
       {
         z = u;
         z.add(beta, w);
-        K.vmult(f, z);
+        mesh.stiffness().vmult(f, z);
         f.scale(factor);
         w.add(dt, f);
         u.add(dt, w);

@@ -20,7 +20,7 @@ def base_settings(refinement):
 def run(bench):
     study = bench.study("stiffness")
     refinements = [1, 2, 4] if bench.quick else [1, 2, 4, 8, 16]
-    solvers = ["multigrid", "jacobi"] if bench.quick else ["multigrid", "jacobi", "assembled"]
+    solvers = ["multigrid", "jacobi"] if bench.quick else ["multigrid", "jacobi", "ml"]
     tolerances = [10.0 ** -k for k in (range(1, 7, 2) if bench.quick else range(1, 10))]
     add_grids(study, refinements)
     add_tolerances(study, solvers, tolerances)

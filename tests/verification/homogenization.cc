@@ -1,4 +1,5 @@
 #include "../measured.h"
+#include "elasticity/mesh/mesh_body.h"
 #include "homogenization_testing.h"
 #include "material/bounds.h"
 #include "material/mandel.h"
@@ -185,8 +186,8 @@ TEST(Homogenization, UnitsChangeNothing)
     }
 }
 
-// Trilinos' matrix and ML share nothing with the fast path but the material.
-TEST(Homogenization, EqualsAssembledPath)
+// A mesh of deal.II and ML share nothing with the fast path but the material.
+TEST(Homogenization, EqualsMeshOfTheSameCells)
 {
   Volume volume =
     make_volume(21, 14,
@@ -194,11 +195,34 @@ TEST(Homogenization, EqualsAssembledPath)
                  stiffness_from_coefficients<2>({80e9, 12e9, 9e9, 35e9, -4e9, 20e9})},
                 1e-4, 0.7e-4);
   make_random(volume);
-  const auto fast      = respond(volume);
-  const auto assembled = respond(volume, 1e-10, StaticSolverKind::assembled);
+  const auto fast = respond(volume);
+  const auto mesh = respond(volume, 1e-10, StaticSolverKind::ml, MPI_COMM_WORLD);
   for (unsigned int k = 0; k < 3; ++k)
-    EXPECT_LT(distance(fast[k].stiffness, assembled[k].stiffness), 1e-8)
-      << "seed " << seed;
+    EXPECT_LT(distance(fast[k].stiffness, mesh[k].stiffness), 1e-8) << "seed " << seed;
+}
+
+// On both meshes the stiffness is an upper bound, and linear triangles are the stiffer.
+TEST(Homogenization, TrianglesConvergeToQuadrilaterals)
+{
+  std::array<double, 2> distances;
+  for (unsigned int m = 0; m < 2; ++m)
+    {
+      const unsigned int n = 12 << m;
+      Volume volume        = make_volume(n, n, matrix_and_fibre(), 12e-4 / n, 12e-4 / n);
+      for (unsigned int k = 0; k < n * n; ++k)
+        volume.id[k] = k % n / (n / 3) == 1 && k / n / (n / 3) == 1;
+      const UniformMaterial material = volume.material();
+      const MeshBody<2> triangles(cut_into_triangles(mesh_of_grid(material)),
+                                  MPI_COMM_WORLD);
+      const auto solution =
+        solve_load_cases(triangles, {BoundaryCondition::KUBC}, 1e-10, MPI_COMM_WORLD);
+      const VoigtMatrix<2> Q1 = respond(volume)[0].stiffness,
+                           P1 = homogenize(triangles, solution[0], false).stiffness;
+      EXPECT_GT(P1(0, 0), Q1(0, 0));
+      distances[m] = distance(P1, Q1);
+    }
+  EXPECT_LT(distances[0], 0.02);
+  EXPECT_LT(distances[1], 0.6 * distances[0]);
 }
 
 // Q1 is too stiff; finer grids of the same morphology are less so.
@@ -258,11 +282,11 @@ TEST(Homogenization, PaperPin)
       Volume volume                  = make_volume(560, 160, matrix_and_fibre());
       volume.id                      = place_random_fibres(grid, placement).map.id;
       const UniformMaterial material = volume.material();
-      const auto solutions =
-        solve_load_cases(material, {BoundaryCondition::KUBC, BoundaryCondition::SUBC},
-                         StaticSolverKind::multigrid, 1e-6, MPI_COMM_SELF);
+      const GridBody<2> body(material);
+      const auto solutions = solve_load_cases(
+        body, {BoundaryCondition::KUBC, BoundaryCondition::SUBC}, 1e-6, MPI_COMM_SELF);
       for (unsigned int k = 0; k < 2; ++k)
-        mean[k] += homogenize(material, solutions[k], false).stiffness / 4.;
+        mean[k] += homogenize(body, solutions[k], false).stiffness / 4.;
     }
   for (const auto &entry : {std::pair<int, int>{0, 0}, {0, 1}, {1, 1}, {2, 2}})
     {

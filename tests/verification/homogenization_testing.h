@@ -1,6 +1,7 @@
 #ifndef mesoslip_tests_verification_homogenization_testing_h
 #define mesoslip_tests_verification_homogenization_testing_h
 
+#include "elasticity/grid_body.h"
 #include "homogenization/ensemble.h"
 #include "homogenization/response.h"
 #include "material/stiffness.h"
@@ -85,10 +86,11 @@ respond(const Volume &volume,
   std::vector<HomogenizedResponse> responses;
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
+  const auto body = make_body(material, solver, communicator);
   for (const LoadCaseSolutions &solutions :
-       solve_load_cases(material, all_conditions, solver, tolerance, communicator))
-    if (rank == 0)
-      responses.push_back(homogenize(material, solutions, false));
+       solve_load_cases(*body, all_conditions, tolerance, communicator))
+    if (rank == 0 || body->is_distributed())
+      responses.push_back(homogenize(*body, solutions, false));
   return responses;
 }
 

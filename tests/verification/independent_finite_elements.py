@@ -158,7 +158,7 @@ def main():
     print("seed", SEED)
     phases = np.random.default_rng(SEED).choice(3, size=(NY, NX), p=[0.5, 0.3, 0.2])
     expected = {"KUBC": kubc(phases), "SUBC": subc(phases), "PBC": periodic(phases)}
-    for solver in ("multigrid", "jacobi", "assembled"):
+    for solver in ("multigrid", "jacobi", "ml"):
         found = program(sys.argv[1], phases, solver)
         for name, D in expected.items():
             error = np.abs(np.array(found[name]) - D).max() / np.abs(D).max()

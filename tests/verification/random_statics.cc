@@ -183,9 +183,9 @@ private:
                       const VoigtMatrix<2> &D)
   {
     const UniformMaterial material = c.volume.material();
-    const auto solutions =
-      solve_load_cases(material, {condition}, solver, tolerance, MPI_COMM_SELF);
-    const HomogenizedResponse response = homogenize(material, solutions[0], false);
+    const GridBody<2> body(material, solver);
+    const auto solutions = solve_load_cases(body, {condition}, tolerance, MPI_COMM_SELF);
+    const HomogenizedResponse response = homogenize(body, solutions[0], false);
     const std::string warning          = check_response(response, tolerance);
     const double error                 = scaled_difference(response.stiffness, D);
     EXPECT_LT(error, warning.empty() ? 1e-5 : 100. * response.hill_mandel_residual);
@@ -273,9 +273,9 @@ struct Errors
   Errors(const Volume &volume, const BoundaryCondition condition, const double tolerance)
   {
     const UniformMaterial material = volume.material();
-    const auto solutions           = solve_load_cases(
-                material, {condition}, StaticSolverKind::multigrid, tolerance, MPI_COMM_SELF);
-    const HomogenizedResponse r = homogenize(material, solutions[0], false);
+    const GridBody<2> body(material);
+    const auto solutions = solve_load_cases(body, {condition}, tolerance, MPI_COMM_SELF);
+    const HomogenizedResponse r = homogenize(body, solutions[0], false);
     const VoigtMatrix<2> D = independent_statics::Solver(volume, condition).stiffness();
     energy                 = scaled_difference(r.stiffness, D);
     mean                   = scaled_difference(r.stiffness_from_mean, D);

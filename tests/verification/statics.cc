@@ -129,8 +129,8 @@ TEST(StaticContact, UniformCompression)
   for (const auto kind : {StaticSolverKind::multigrid, StaticSolverKind::jacobi})
     {
       Case c({{7e-3, 2e-3}}, {{35, 10}}, TopSetup::Kind::pressure);
-      c.options.solver  = kind;
-      const auto result = c.run();
+      c.parameters.static_solver = kind;
+      const auto result          = c.run();
       for (const double p : result.node_pressure)
         EXPECT_NEAR(p / P, 1., 1e-8);
       for (const double p : result.cell_pressure)

@@ -2,6 +2,7 @@
 
 #include "../measured.h"
 #include "dynamics/vibration_modes.h"
+#include "elasticity/grid_body.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "material/stiffness.h"
 #include "simulation/modal.h"
@@ -49,7 +50,7 @@ VibrationModes modes(const UniformMaterial &material,
   VibrationModesOptions options;
   options.n_modes     = n_modes;
   options.platen_mass = platen_mass;
-  return vibration_modes(material, held, options);
+  return vibration_modes(GridBody<2>(material), held, options);
 }
 
 /** The zero of @p f between @p a and @p b, where it changes its sign. */
@@ -272,8 +273,8 @@ TEST(Modes, OfThePaperPin)
   parameters.modal.tolerance    = 1e-10;
   VibrationModesOptions options = modal_options(parameters);
   options.n_modes               = 3;
-  const auto platen =
-    vibration_modes(material, modal_constraints(parameters, material, true), options);
+  const auto platen             = vibration_modes(
+                GridBody<2>(material), modal_constraints(parameters, material, true), options);
   EXPECT_NEAR(platen.modes[0].frequency / held, 1., 1e-6);
   EXPECT_NEAR(platen.modes[1].frequency / 54842., 1., 2e-3);
   EXPECT_NEAR(platen.modes[2].frequency / 81018., 1., 2e-3);
@@ -282,7 +283,7 @@ TEST(Modes, OfThePaperPin)
   options                  = modal_options(parameters);
   options.n_modes          = 3;
   EXPECT_FALSE(options.platen_mass) << "held from the start";
-  const auto fixed =
-    vibration_modes(material, modal_constraints(parameters, material, true), options);
+  const auto fixed = vibration_modes(
+    GridBody<2>(material), modal_constraints(parameters, material, true), options);
   EXPECT_NEAR(fixed.modes[1].frequency / 55817., 1., 2e-3);
 }

@@ -2,6 +2,7 @@
 #define mesoslip_elasticity_multigrid_multigrid_solver_h
 
 #include "elasticity/static_solver.h"
+#include "elasticity/uniform_material.h"
 
 #include <memory>
 
