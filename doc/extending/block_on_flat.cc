@@ -1,10 +1,9 @@
 // A block thrown along a resting flat, slowed by a friction law of our own.
 #include "velocity_weakening.h"
 
-#include <contact/contact_row.h>
 #include <elasticity/critical_time_step.h>
-#include <elasticity/explicit_stepper.h>
 #include <material/stiffness.h>
+#include <simulation/sliding_body.h>
 
 #include <cstdio>
 #include <numeric>
@@ -45,28 +44,23 @@ double mean_velocity(const NodalField<double> &w)
 int main()
 {
   const UniformMaterial material = block();
-  StepParameters step;
-  step.beta         = 2e-8; // s, so that the landing does not ring on
-  step.dt           = 0.5 * critical_time_step(material, step.beta2, step.beta);
-  step.acceleration = {{0., -gravity}};
-
-  ContactSetup setup;
-  setup.law.time = 0.; // plain Coulomb with our coefficient
-  setup.law.node_law =
+  SlidingSetup setup;
+  setup.step.beta = 2e-8; // s, so that the landing does not ring on
+  setup.step.dt   = 0.5 * critical_time_step(material, setup.step.beta2, setup.step.beta);
+  setup.step.acceleration = {{0., -gravity}};
+  setup.top.kind          = TopSetup::Kind::pressure; // of 0 Pa
+  setup.contact.law.time  = 0.; // plain Coulomb with our coefficient
+  setup.contact.law.node_law =
     std::make_shared<VelocityWeakening>(mu_rest, mu_fast, critical_velocity);
-  setup.friction_coefficient = std::vector<double>(material.n_columns(), mu_rest);
-  setup.flat_velocity        = LoadHistory(0.);
-  ContactRow contact(setup, step);
+  setup.contact.friction_coefficient = std::vector<double>(material.n_columns(), mu_rest);
+  setup.contact.flat_velocity        = LoadHistory(0.);
 
-  NodalField<double> u(material.n_columns(), material.n_rows());
-  NodalField<double> w(material.n_columns(), material.n_rows());
-  for (unsigned int j = 0; j < w.n_rows(); ++j)
-    std::fill_n(w.row(0, j), w.n_columns(), thrown);
-
-  ExplicitStepper stepper(material, step, SideConstraints(), u, w, &contact);
-  while (mean_velocity(w) > 0.)
-    stepper.advance(10);
-  const double stopped = step.dt * stepper.step_number();
+  SlidingBody body(material, setup);
+  for (unsigned int j = 0; j < body.w.n_rows(); ++j)
+    std::fill_n(body.w.row(0, j), body.w.n_columns(), thrown);
+  while (mean_velocity(body.w) > 0.)
+    body.stepper.advance(10);
+  const double stopped = setup.step.dt * body.stepper.step_number();
   std::printf("stops after %.3f microseconds, exact for a rigid block %.3f\n",
               1e6 * stopped, 1e6 * exact_stop());
 }

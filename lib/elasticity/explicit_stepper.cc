@@ -71,7 +71,7 @@ unsigned int max_steps(const SteppedBody &body, const SweepOptions &options)
 
 struct ExplicitStepper::Implementation
 {
-  FreeRow free_row;
+  FreeSurface<2> free_row;
   const RowKernels<double> kernels;
   const StepMasses masses;
   const std::string name;
@@ -91,7 +91,7 @@ struct ExplicitStepper::Implementation
 
   SteppedBody with_free_rows(SteppedBody body)
   {
-    for (BoundaryRow **row : {&body.bottom, &body.top})
+    for (BoundaryCondition<2> **row : {&body.bottom, &body.top})
       if (*row == nullptr)
         *row = &free_row;
     return body;
@@ -103,8 +103,8 @@ ExplicitStepper::ExplicitStepper(const UniformMaterial &material,
                                  const SideConstraints &sides,
                                  NodalField<double> &u,
                                  NodalField<double> &w,
-                                 BoundaryRow *bottom,
-                                 BoundaryRow *top,
+                                 BoundaryCondition<2> *bottom,
+                                 BoundaryCondition<2> *top,
                                  const SweepOptions &options)
   : ExplicitStepper(material,
                     NodeRows::all(material.n_rows()),
@@ -125,8 +125,8 @@ ExplicitStepper::ExplicitStepper(const UniformMaterial &material,
                                  const SideConstraints &sides,
                                  NodalField<double> &u,
                                  NodalField<double> &w,
-                                 BoundaryRow *bottom,
-                                 BoundaryRow *top,
+                                 BoundaryCondition<2> *bottom,
+                                 BoundaryCondition<2> *top,
                                  Halo *halo,
                                  const SweepOptions &options)
   : implementation(std::make_unique<Implementation>(

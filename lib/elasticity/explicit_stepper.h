@@ -1,7 +1,7 @@
 #ifndef mesoslip_elasticity_explicit_stepper_h
 #define mesoslip_elasticity_explicit_stepper_h
 
-#include "elasticity/boundary_row.h"
+#include "elasticity/boundary_condition.h"
 #include "elasticity/halo.h"
 #include "elasticity/node_rows.h"
 #include "elasticity/step_parameters.h"
@@ -23,7 +23,7 @@ namespace mesoslip
  *
  * which is the beta2 scheme with v = w + beta2 dt a where a velocity is reported (w alone
  * is v_n - beta2 dt a_n, see doc/). Inner rows are advanced by the kernel, the bottom and
- * the top row by the given BoundaryRow objects.
+ * the top row by the given BoundaryCondition<2> objects.
  *
  * @p u and @p w, the material and the boundary rows are referenced and must outlive the
  * stepper; the fields have material.n_columns() columns and rows.n_local() rows. On a
@@ -36,15 +36,15 @@ namespace mesoslip
 class ExplicitStepper
 {
 public:
-  /** All rows on one rank. Null boundary rows mean FreeRow. */
+  /** All rows on one rank. Null boundary rows mean FreeSurface<2>. */
   ExplicitStepper(const UniformMaterial &material,
                   const StepParameters &parameters,
                   const SideConstraints &sides,
                   NodalField<double> &u,
                   NodalField<double> &w,
-                  BoundaryRow *bottom         = nullptr,
-                  BoundaryRow *top            = nullptr,
-                  const SweepOptions &options = SweepOptions());
+                  BoundaryCondition<2> *bottom = nullptr,
+                  BoundaryCondition<2> *top    = nullptr,
+                  const SweepOptions &options  = SweepOptions());
 
   /** On a slab; @p halo is used on the sides that have a neighbour. */
   ExplicitStepper(const UniformMaterial &material,
@@ -53,8 +53,8 @@ public:
                   const SideConstraints &sides,
                   NodalField<double> &u,
                   NodalField<double> &w,
-                  BoundaryRow *bottom,
-                  BoundaryRow *top,
+                  BoundaryCondition<2> *bottom,
+                  BoundaryCondition<2> *top,
                   Halo *halo,
                   const SweepOptions &options = SweepOptions());
 

@@ -74,11 +74,11 @@ void StepMasses::set_inner(kernels::Rows<double> &r, const unsigned int l) const
 }
 
 void StepMasses::set_boundary(kernels::Rows<double> &r,
-                              RowView &view,
+                              SurfaceView<2> &view,
                               const bool top) const
 {
-  r.mass              = mass_boundary[top].row(0, 0);
-  view.inverse_mass_x = inverse_boundary[top].row(0, 0);
-  view.inverse_mass_y = inverse_boundary[top].row(1, 0);
+  r.mass               = mass_boundary[top].row(0, 0);
+  view.inverse_mass[0] = inverse_boundary[top].row(0, 0);
+  view.inverse_mass[1] = inverse_boundary[top].row(1, 0);
 }
 } // namespace mesoslip

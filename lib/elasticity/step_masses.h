@@ -1,7 +1,7 @@
 #ifndef mesoslip_elasticity_step_masses_h
 #define mesoslip_elasticity_step_masses_h
 
-#include "elasticity/boundary_row.h"
+#include "elasticity/boundary_condition.h"
 #include "elasticity/node_rows.h"
 #include "elasticity/row_kernel.h"
 #include "elasticity/uniform_material.h"
@@ -28,7 +28,7 @@ public:
   void set_inner(kernels::Rows<double> &r, const unsigned int l) const;
 
   /** Masses and inverse masses of the bottom or top row. */
-  void set_boundary(kernels::Rows<double> &r, RowView &view, const bool top) const;
+  void set_boundary(kernels::Rows<double> &r, SurfaceView<2> &view, const bool top) const;
 
 private:
   /** Inverse masses, zero where held, and masses of global node row @p j. */

@@ -153,22 +153,19 @@ void Wavefront::advance_boundary(Stage &stage)
   const unsigned int j    = stage.next;
   const bool is_top       = j > 0;
   kernels::Rows<double> r = kernel_rows(stage, j);
-  RowView view;
+  SurfaceView<2> view;
   masses.set_boundary(r, view, is_top);
   if (is_top)
     stage.sweep.finish(r);
   else
     stage.sweep.store(r, 0, false);
 
-  view.ux        = r.ux;
-  view.uy        = r.uy;
-  view.wx        = r.wx;
-  view.wy        = r.wy;
-  view.fx        = r.fx;
-  view.fy        = r.fy;
-  view.n_columns = body.material.n_columns();
-  view.step      = stage.step;
-  view.time      = stage.step * body.parameters.dt;
+  view.n     = body.material.n_columns();
+  view.u     = {{r.ux, r.uy}};
+  view.w     = {{r.wx, r.wy}};
+  view.force = {{r.fx, r.fy}};
+  view.step  = stage.step;
+  view.time  = stage.step * body.parameters.dt;
   (is_top ? body.top : body.bottom)->advance(view);
   ++stage.next;
 }

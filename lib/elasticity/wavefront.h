@@ -1,7 +1,7 @@
 #ifndef mesoslip_elasticity_wavefront_h
 #define mesoslip_elasticity_wavefront_h
 
-#include "elasticity/boundary_row.h"
+#include "elasticity/boundary_condition.h"
 #include "elasticity/halo.h"
 #include "elasticity/node_rows.h"
 #include "elasticity/row_sweep.h"
@@ -21,8 +21,8 @@ struct SteppedBody
   const StepParameters parameters; ///< of the scheme
   NodalField<double> &u;           ///< displacement (m)
   NodalField<double> &w;           ///< velocity of the scheme (m/s)
-  BoundaryRow *bottom;             ///< what moves the bottom row of the grid
-  BoundaryRow *top;                ///< what moves its top row
+  BoundaryCondition<2> *bottom;    ///< what moves the bottom row of the grid
+  BoundaryCondition<2> *top;       ///< what moves its top row
   Halo *halo;                      ///< none on a single rank
 };
 

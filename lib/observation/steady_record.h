@@ -1,8 +1,8 @@
 #ifndef mesoslip_observation_steady_record_h
 #define mesoslip_observation_steady_record_h
 
-#include "contact/contact_row.h"
-#include "dynamics/top_row.h"
+#include "contact/contact_recorder.h"
+#include "dynamics/top_surface.h"
 #include "observation/cycle_record.h"
 
 #include <cstdint>

@@ -1,10 +1,10 @@
 #ifndef mesoslip_simulation_contact_parameters_h
 #define mesoslip_simulation_contact_parameters_h
 
-#include "contact/contact_row.h"
+#include "contact/contact_recorder.h"
 #include "contact/friction_law.h"
 #include "contact/load_history.h"
-#include "dynamics/top_row.h"
+#include "dynamics/top_surface.h"
 #include "elasticity/explicit_stepper.h"
 #include "elasticity/static_solver.h"
 #include "simulation/transient_checkpoint.h"

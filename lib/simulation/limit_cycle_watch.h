@@ -1,7 +1,7 @@
 #ifndef mesoslip_simulation_limit_cycle_watch_h
 #define mesoslip_simulation_limit_cycle_watch_h
 
-#include "contact/contact_row.h"
+#include "contact/contact_recorder.h"
 #include "dynamics/energy_audit.h"
 #include "observation/steady_state.h"
 

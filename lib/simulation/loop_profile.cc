@@ -15,17 +15,17 @@ struct Timed
   Timer &timer;
 };
 
-struct TimedRow : BoundaryRow, Timed<BoundaryRow>
+struct TimedSurface : BoundaryCondition<2>, Timed<BoundaryCondition<2>>
 {
-  explicit TimedRow(const Timed<BoundaryRow> &timed)
+  explicit TimedSurface(const Timed<BoundaryCondition<2>> &timed)
     : Timed(timed)
   {
   }
 
-  void advance(const RowView &row) override
+  void advance(const SurfaceView<2> &surface) override
   {
     const auto scope = timer.scope(name);
-    part.advance(row);
+    part.advance(surface);
   }
 };
 
@@ -99,9 +99,9 @@ LoopProfile::LoopProfile(Timer *timer)
 
 LoopProfile::~LoopProfile() = default;
 
-BoundaryRow *LoopProfile::timed(BoundaryRow &row, const char *name)
+BoundaryCondition<2> *LoopProfile::timed(BoundaryCondition<2> &surface, const char *name)
 {
-  return wrap<TimedRow>(row, name, clock, rows);
+  return wrap<TimedSurface>(surface, name, clock, surfaces);
 }
 
 Halo *LoopProfile::timed(Halo &halo, const char *name)

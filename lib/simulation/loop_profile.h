@@ -2,7 +2,7 @@
 #define mesoslip_simulation_loop_profile_h
 
 #include "dynamics/step_observer.h"
-#include "elasticity/boundary_row.h"
+#include "elasticity/boundary_condition.h"
 #include "elasticity/halo.h"
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace mesoslip
 class Timer;
 
 /**
- * Puts clocks around what the time loop calls: boundary rows, exchange between ranks,
+ * Puts clocks around what the time loop calls: boundary conditions, exchange between ranks,
  * observers. Each call costs some 50 ns, two or more a step, so only on request; without
  * a timer everything is handed back as it is.
  */
@@ -24,8 +24,8 @@ public:
   explicit LoopProfile(Timer *timer);
   ~LoopProfile();
 
-  /** @p row, timed as @p name. The result lives as long as both. */
-  BoundaryRow *timed(BoundaryRow &row, const char *name);
+  /** @p surface, timed as @p name. The result lives as long as both. */
+  BoundaryCondition<2> *timed(BoundaryCondition<2> &surface, const char *name);
 
   /** The same for sending to and waiting for neighbours. */
   Halo *timed(Halo &halo, const char *name);
@@ -41,7 +41,7 @@ public:
 
 private:
   Timer *clock;
-  std::vector<std::unique_ptr<BoundaryRow>> rows;
+  std::vector<std::unique_ptr<BoundaryCondition<2>>> surfaces;
   std::vector<std::unique_ptr<Halo>> halos;
   std::vector<std::unique_ptr<StepObserver>> observers;
 };

@@ -1,9 +1,9 @@
 #ifndef mesoslip_simulation_transient_h
 #define mesoslip_simulation_transient_h
 
-#include "contact/contact_row.h"
+#include "contact/contact_recorder.h"
 #include "dynamics/energy_audit.h"
-#include "dynamics/top_row.h"
+#include "dynamics/top_surface.h"
 #include "observation/probe_recorder.h"
 #include "observation/steady_record.h"
 #include "simulation/body_analysis.h"

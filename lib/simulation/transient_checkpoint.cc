@@ -37,7 +37,8 @@ CheckpointHeader TransientCheckpoint::header()
 {
   CheckpointHeader header;
   header.kind    = "contact_dynamics";
-  header.version = 3; // 1 had no friction target, 2 no samples for statistics
+  header.version = 4; // 1 had no friction target, 2 no samples for statistics, 3 other
+                      // histories
   return header;
 }
 

@@ -56,42 +56,27 @@ TransientRun::TransientRun(const ContactParameters &parameters,
   , checkpoint(checkpoint)
   , file(file)
   , context(context)
-  , rows(partition_rows(material.n_columns(),
-                        material.n_rows(),
-                        context.communicator(),
-                        sweep_options(parameters)))
-  , u(material.n_columns(), rows.n_local())
-  , w(material.n_columns(), rows.n_local())
-  , contact(contact_setup(parameters, scene, time), time.step)
-  , top(top_setup(parameters, scene.grid, time), time.step, material.n_columns())
-  , halo(material.n_columns(), rows.ghosts, context.communicator())
-  , profile(context.options().profile ? &context.timer() : nullptr)
-  , stepper(material,
-            rows,
-            time.step,
-            parameters.sides,
-            u,
-            w,
-            profile.timed(contact, "Contact and its histories"),
-            profile.timed(top, "Top and its histories"),
-            context.n_ranks() > 1 ? profile.timed(halo, "Exchange between ranks")
-                                  : nullptr,
-            sweep_options(parameters))
-  , op(material, rows)
+  , body(material,
+         sliding_setup(parameters, scene, time),
+         context.communicator(),
+         nullptr,
+         context.options().profile ? &context.timer() : nullptr)
+  , recent_contact(time.statistics_interval, body.setup.monitored_nodes, time.step)
+  , recent_top(time.statistics_interval)
   , monitor(
-      op,
+      body.op,
       time.step,
-      u,
-      w,
-      [this]() { return boundary_work(); },
+      body.u,
+      body.w,
+      [this]() { return body.boundary_work(); },
       [this](const Runaway &found, const std::uint64_t n) {
         report_runaway(found, n, this->time, this->parameters);
       },
       context.communicator())
   , strains(
       scene.grid,
-      rows,
-      u,
+      body.rows,
+      body.u,
       [this](const Deformation &found, const std::uint64_t n) { judge(found, n); },
       context.communicator())
   , limit_cycle(limit_cycle_criterion(parameters, scene.grid),
@@ -100,23 +85,15 @@ TransientRun::TransientRun(const ContactParameters &parameters,
                 context.communicator())
   , statistics(time.statistics_interval, time.step.dt, parameters.friction.flat_velocity)
 {
-  set_initial_velocity(parameters, rows, w);
+  body.contact.observe(recent_contact);
+  body.top.observe(recent_top);
+  set_initial_velocity(parameters, body.rows, body.w);
   const ObservationParameters &observation = parameters.observation;
-  if (observation.energy_interval > 0)
-    energy = std::make_unique<EnergyAudit>(
-      op, time.step, u, w, parameters.top.platen_mass, observation.energy_interval,
-      [this]() { return boundary_work(); }, context.communicator());
   if (!observation.probes.empty())
     probes = std::make_unique<ProbeRecorder>(
-      probe_points(observation, scene.grid), material, rows, time.step, u, w,
-      observation.probe_interval,
+      probe_points(observation, scene.grid), material, body.rows, time.step, body.u,
+      body.w, observation.probe_interval,
       [this](const unsigned int node) { return traction(node); }, context.communicator());
-}
-
-BoundaryWork TransientRun::boundary_work() const
-{
-  return {top.work() + contact.work().flat, contact.work().friction,
-          contact.work().impact};
 }
 
 void TransientRun::judge(const Deformation &found, const std::uint64_t n)
@@ -135,16 +112,16 @@ std::array<double, 2> TransientRun::traction(const unsigned int node) const
   const bool end =
     !parameters.periodic && (node == 0 || node + 1 == material.n_columns());
   const double width = scene.grid.spacing[0] * (end ? 0.5 : 1.);
-  return {
-    {contact.tangential_force()[node] / width, contact.normal_force()[node] / width}};
+  return {{body.contact.tangential_force()[node] / width,
+           body.contact.normal_force()[node] / width}};
 }
 
 bool TransientRun::observe()
 {
-  const ContactHistory fresh = contact.take_recent();
+  const ContactHistory fresh = recent_contact.take();
   statistics.add(fresh);
-  statistics.add(top.take_recent());
-  return limit_cycle.update(fresh, energy.get());
+  statistics.add(recent_top.take());
+  return limit_cycle.update(fresh, body.energy.get());
 }
 
 TransientRun::Request TransientRun::request(const std::uint64_t n)
@@ -184,7 +161,7 @@ bool TransientRun::control(const std::uint64_t n)
 CheckpointPosition TransientRun::position() const
 {
   CheckpointPosition p;
-  p.step           = stepper.step_number();
+  p.step           = body.stepper.step_number();
   p.time           = p.step * time.step.dt;
   p.by_limit_cycle = at_limit_cycle;
   p.at_end         = at_limit_cycle || p.step == time.n_steps;
@@ -205,8 +182,8 @@ void TransientRun::restore()
 {
   load_state(checkpoint.take_state(), *this, checkpoint.path());
   at_limit_cycle = checkpoint.position().by_limit_cycle;
-  context.log("Resumed at step " + std::to_string(stepper.step_number()) +
-              ", t = " + to_text(stepper.step_number() * time.step.dt) + " s");
+  context.log("Resumed at step " + std::to_string(body.stepper.step_number()) +
+              ", t = " + to_text(body.stepper.step_number() * time.step.dt) + " s");
 }
 
 std::unique_ptr<SnapshotRecorder> TransientRun::make_snapshots()
@@ -220,7 +197,7 @@ std::unique_ptr<SnapshotRecorder> TransientRun::make_snapshots()
     std::isnan(o.snapshots_to)
       ? parameters.time.end_time
       : std::min(o.snapshots_to, (time.n_steps + 1) * time.step.dt),
-    o.snapshots_interval, time.step.dt, u, rows, context.communicator(),
+    o.snapshots_interval, time.step.dt, body.u, body.rows, context.communicator(),
     [this](const std::uint64_t, const double t, const NodalField<double> &whole) {
       const auto scope = context.timer().scope("Writing snapshots");
       file.add_snapshot(t, whole);
@@ -229,29 +206,30 @@ std::unique_ptr<SnapshotRecorder> TransientRun::make_snapshots()
 
 TransientObservations TransientRun::run()
 {
-  std::vector<StepObserver *> observers = {profile.timed(monitor, "Stability monitor"),
-                                           profile.timed(strains, "Strains")};
-  if (energy)
-    observers.push_back(profile.timed(*energy, "Energies"));
+  std::vector<StepObserver *> observers = {
+    body.profile.timed(monitor, "Stability monitor"),
+    body.profile.timed(strains, "Strains")};
+  if (body.energy)
+    observers.push_back(body.profile.timed(*body.energy, "Energies"));
   if (probes)
-    observers.push_back(profile.timed(*probes, "Probes"));
+    observers.push_back(body.profile.timed(*probes, "Probes"));
   const std::unique_ptr<SnapshotRecorder> snapshots = make_snapshots();
   if (snapshots)
     {
-      observers.push_back(profile.timed(*snapshots, "Snapshots"));
+      observers.push_back(body.profile.timed(*snapshots, "Snapshots"));
       monitor.guard(*snapshots);
     }
 
   context.progress().start("Sliding", time.n_steps, scene.grid.n_cells(),
-                           stepper.step_number());
+                           body.stepper.step_number());
   counted = std::chrono::steady_clock::now();
   if (!at_limit_cycle)
     {
       const auto scope = context.timer().scope("Time loop");
       run_time_loop(
-        stepper, observers, time.n_steps, control_interval(scene.grid),
-        [this](const std::uint64_t n) { return control(n); }, profile.timer());
-      monitor.check(stepper.step_number());
+        body.stepper, observers, time.n_steps, control_interval(scene.grid),
+        [this](const std::uint64_t n) { return control(n); }, body.profile.timer());
+      monitor.check(body.stepper.step_number());
     }
   context.progress().finish();
   if (!interrupted && parameters.checkpoints.keep)
@@ -263,7 +241,7 @@ TransientObservations TransientRun::run()
 
 TopHistory TransientRun::gather_top() const
 {
-  TopHistory history = top.history();
+  TopHistory history = body.top_recorder.history();
   broadcast_object(context.communicator(), history, context.n_ranks() - 1);
   return history;
 }
@@ -281,28 +259,28 @@ SteadySeries TransientRun::gather_series() const
 TransientObservations TransientRun::collect()
 {
   TransientObservations all;
-  contact.finish();
-  strains.look(stepper.step_number());
+  body.node_statistics.finish(body.contact);
+  strains.look(body.stepper.step_number());
   all.largest_strain = strains.largest_strain();
   // Before it was resumed, as each run has its own warnings.
   if (!warned && !(all.largest_strain <= largest_small_strain))
     context.warn("the strain was " + quantity_text(100. * all.largest_strain, "%") +
                  " earlier in the run, beyond small strains: its results cannot be "
                  "trusted");
-  all.contact = contact.history();
-  all.blocks  = contact.blocks();
+  all.contact = body.contact_recorder.history();
+  all.blocks  = body.node_statistics.blocks();
   all.top     = gather_top();
   all.series  = gather_series();
-  if (energy)
-    all.energy = energy->reduce();
+  if (body.energy)
+    all.energy = body.energy->reduce();
   if (probes)
     all.probes = probes->gather();
-  all.steps_done                     = stepper.step_number();
+  all.steps_done                     = body.stepper.step_number();
   all.dt                             = time.step.dt;
   all.reference_node                 = reference_node(parameters, scene.grid);
   all.loop_seconds                   = loop_seconds;
   all.interrupted                    = interrupted;
-  all.kernel                         = stepper.kernel_name();
+  all.kernel                         = body.stepper.kernel_name();
   const LimitCycleDetector &detector = limit_cycle.detector();
   all.limit_cycle_reached            = detector.reached();
   const double given                 = parameters.observation.steady_from;

@@ -1,20 +1,14 @@
 #ifndef mesoslip_simulation_transient_run_h
 #define mesoslip_simulation_transient_run_h
 
-#include "contact/contact_row.h"
 #include "dynamics/deformation_watch.h"
-#include "dynamics/energy_audit.h"
 #include "dynamics/stability_monitor.h"
-#include "dynamics/top_row.h"
-#include "elasticity/mpi_halo.h"
-#include "elasticity/row_partition.h"
-#include "elasticity/uniform_grid_operator.h"
 #include "observation/probe_recorder.h"
 #include "observation/snapshot_recorder.h"
 #include "observation/steady_record.h"
 #include "simulation/dynamics_file.h"
 #include "simulation/limit_cycle_watch.h"
-#include "simulation/loop_profile.h"
+#include "simulation/sliding_body.h"
 #include "simulation/transient.h"
 #include "simulation/transient_checkpoint.h"
 
@@ -60,23 +54,14 @@ public:
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    std::uint64_t n = stepper.step_number();
-    archive &n;
-    serialize_own_rows(archive, u, rows);
-    serialize_own_rows(archive, w, rows);
-    archive &contact &top &monitor &strains &limit_cycle &statistics &loop_seconds;
-    stepper.set_step_number(n);
-    if (energy)
-      archive &*energy;
+    archive &body &monitor &strains &limit_cycle &statistics &loop_seconds;
     if (probes)
       archive &*probes;
+    const std::uint64_t n = body.stepper.step_number();
     require_when_loading(
       archive,
-      n == checkpoint.position().step &&
-        contact.counted_steps() ==
-          (rows.begin == 0 ? n : 0) && // the others have no contact
-        limit_cycle.follows(energy.get(), n) &&
-        statistics.follows(n, rows.begin == 0, rows.end == rows.n_global));
+      n == checkpoint.position().step && limit_cycle.follows(body.energy.get(), n) &&
+        statistics.follows(n, body.rows.begin == 0, body.rows.end == body.rows.n_global));
   }
 
   /** Where the run stands. */
@@ -93,7 +78,6 @@ private:
     look  ///< something is not finite
   };
 
-  BoundaryWork boundary_work() const;
   void judge(const Deformation &found, const std::uint64_t n);
   std::array<double, 2> traction(const unsigned int node) const;
   /** Hands on the latest samples; false: one is not finite. Collective. */
@@ -114,14 +98,9 @@ private:
   TransientCheckpoint &checkpoint;
   DynamicsFile &file;
   RunContext &context;
-  const NodeRows rows;
-  NodalField<double> u, w;
-  ContactRow contact;
-  TopRow top;
-  MPIHalo halo;
-  LoopProfile profile;
-  ExplicitStepper stepper;
-  UniformGridOperator op;
+  SlidingBody body;
+  ContactRecorder<2> recent_contact; ///< since the last control
+  TopRecorder recent_top;            ///< since the last control
   StabilityMonitor monitor;
   DeformationWatch strains;
   LimitCycleWatch limit_cycle;
@@ -133,7 +112,6 @@ private:
 
   std::chrono::steady_clock::time_point counted; ///< loop_seconds reach up to here
 
-  std::unique_ptr<EnergyAudit> energy;
   std::unique_ptr<ProbeRecorder> probes;
 };
 } // namespace mesoslip

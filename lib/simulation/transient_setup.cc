@@ -13,37 +13,29 @@ unsigned int reference_node(const ContactParameters &parameters,
   return std::lround(std::clamp(x, 0., grid.extent(0)) / grid.spacing[0]);
 }
 
-ContactSetup contact_setup(const ContactParameters &parameters,
+SlidingSetup sliding_setup(const ContactParameters &parameters,
                            const Scene &scene,
                            const TimeStepChoice &time)
 {
-  ContactSetup setup;
-  setup.law                  = parameters.friction.law;
-  setup.friction_coefficient = scene.node_friction;
-  setup.flat_velocity        = parameters.friction.flat_velocity;
-  setup.gap                  = parameters.friction.gap;
-  setup.periodic             = parameters.periodic;
-  setup.history_interval     = parameters.observation.history_interval;
-  setup.recent_interval      = time.statistics_interval;
-  setup.steps_per_block =
-    std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
+  const ObservationParameters &observation = parameters.observation;
+  SlidingSetup setup;
+  setup.step                         = time.step;
+  setup.sides                        = parameters.sides;
+  setup.contact.law                  = parameters.friction.law;
+  setup.contact.friction_coefficient = scene.node_friction;
+  setup.contact.flat_velocity        = parameters.friction.flat_velocity;
+  setup.contact.gap                  = parameters.friction.gap;
+  setup.top                          = parameters.top;
+  setup.sweep                        = sweep_options(parameters);
+  setup.periodic                     = parameters.periodic;
+  setup.history_interval             = observation.history_interval;
+  setup.energy_interval              = observation.energy_interval;
+  setup.steps_per_block = std::max<std::uint64_t>(1, time.n_steps / observation.blocks);
   // The reference node and four more along the contact, for the judgement of the limit
   // cycle.
   setup.monitored_nodes = {reference_node(parameters, scene.grid)};
   for (const unsigned int sixth : {1, 2, 4, 5})
     setup.monitored_nodes.push_back(sixth * scene.grid.cells[0] / 6);
-  return setup;
-}
-
-TopSetup top_setup(const ContactParameters &parameters,
-                   const UniformGrid<2> &grid,
-                   const TimeStepChoice &time)
-{
-  TopSetup setup         = parameters.top;
-  setup.cell_width       = grid.spacing[0];
-  setup.periodic         = parameters.periodic;
-  setup.history_interval = parameters.observation.history_interval;
-  setup.recent_interval  = time.statistics_interval;
   return setup;
 }
 

@@ -1,15 +1,11 @@
 #ifndef mesoslip_simulation_transient_setup_h
 #define mesoslip_simulation_transient_setup_h
 
-#include "contact/contact_row.h"
-#include "dynamics/top_row.h"
-#include "elasticity/explicit_stepper.h"
-#include "elasticity/node_rows.h"
-#include "grid/nodal_field.h"
 #include "observation/probe_recorder.h"
 #include "observation/steady_state.h"
 #include "simulation/contact_parameters.h"
 #include "simulation/scene.h"
+#include "simulation/sliding_body.h"
 #include "simulation/time_step_choice.h"
 
 #include <vector>
@@ -24,15 +20,10 @@ namespace mesoslip
 unsigned int reference_node(const ContactParameters &parameters,
                             const UniformGrid<2> &grid);
 
-/** The contact line: gaps, friction coefficients and law of the scene's bottom nodes. */
-ContactSetup contact_setup(const ContactParameters &parameters,
+/** Supports, flat, load, and what is observed. */
+SlidingSetup sliding_setup(const ContactParameters &parameters,
                            const Scene &scene,
                            const TimeStepChoice &time);
-
-/** The load on the top, whose pressure becomes a force on each node. */
-TopSetup top_setup(const ContactParameters &parameters,
-                   const UniformGrid<2> &grid,
-                   const TimeStepChoice &time);
 
 /** Whether the top takes tangential forces; otherwise they are those of the contact. */
 bool transmits_tangential_force(const TopSetup &top);

@@ -1,8 +1,8 @@
 // Calls every baseline kernel with the same numbers on any processor and prints a digest
 // of the bits of its results: other_processors.py compares the lines.
 
-#include "elasticity/multigrid/kernels.h"
 #include "contact/contact_kernel.h"
+#include "elasticity/multigrid/kernels.h"
 #include "elasticity/row_kernel.h"
 
 #include <cstdio>

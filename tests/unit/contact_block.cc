@@ -18,15 +18,14 @@ TEST(Block, ThrownOnAPlane)
   for (const double b : {0.5, 0.8})
     for (const double sign : {1., -1.})
       {
-        ContactSetup setup    = contact_setup(1, mu, 0., 0.);
-        setup.monitored_nodes = {0};
+        ContactSetup setup = contact_setup(1, mu, 0., 0.);
         Points block(setup, step_of(dt, b), {mass});
         block.load(0, 0., mass * g);
         block.w.row(0, 0)[0] = sign * (v + b * dt * mu * g);
         const double stop    = v / (mu * g);
         while (block.time() < 1.2 * stop)
           block.advance();
-        const auto &h = block.contact.history();
+        const auto &h = block.history();
         for (unsigned int n = 0; h.time[n] < 0.999 * stop; ++n)
           ASSERT_NEAR(h.nodes[0].vx[n], sign * (v - mu * g * h.time[n]), 1e-11);
         EXPECT_NEAR(block.u.row(0, 0)[0], sign * v * v / (2. * mu * g), 2e-8);
@@ -42,15 +41,14 @@ TEST(Block, ThrownOnAPlane)
 TEST(Block, FollowsAFlatThatReverses)
 {
   const double g = 9.81, V = 2., dt = 1e-4;
-  ContactSetup setup    = contact_setup(1, mu, 0., 0.);
-  setup.flat_velocity   = LoadHistory(V, "if(t < 0.49995, 2, -2)");
-  setup.monitored_nodes = {0};
+  ContactSetup setup  = contact_setup(1, mu, 0., 0.);
+  setup.flat_velocity = LoadHistory(V, "if(t < 0.49995, 2, -2)");
   Points block(setup, step_of(dt), {mass});
   block.load(0, 0., mass * g);
   block.w.row(0, 0)[0] = V;
   while (block.time() < 2.5)
     block.advance();
-  const auto &h        = block.contact.history();
+  const auto &h        = block.history();
   const double slipped = 2. * V / (mu * g);
   for (unsigned int n = 0; n < h.time.size(); ++n)
     {
@@ -83,8 +81,7 @@ TEST(ContactPoint, TractionsOfEndNodes)
         }
       largest = std::max(largest, points.friction(1));
     }
-  points.contact.finish();
-  const NodeCounts &counts = points.contact.blocks()[0];
+  const NodeCounts counts = points.counts();
   EXPECT_GT(counts.stick[1], 0.f);
   EXPECT_GT(counts.slip[1], 0.f);
   EXPECT_LT(counts.stick[1] + counts.slip[1], 3000.f);

@@ -126,7 +126,7 @@ TEST(ContactKernel, EqualsTheBranchesNodeByNode)
                   ++count[i][reference[i].status];
                 }
               points.advance();
-              const auto &h = points.contact.history();
+              const auto &h = points.history();
               for (unsigned int i = 0; i < n; ++i)
                 {
                   ASSERT_NEAR(points.u.row(0, 0)[i], reference[i].ux, 1e-9);
@@ -142,8 +142,7 @@ TEST(ContactKernel, EqualsTheBranchesNodeByNode)
               ASSERT_NEAR(points.contact.work().friction, friction, 1e-8);
               ASSERT_NEAR(points.contact.work().impact, impact, 1e-8);
             }
-          points.contact.finish();
-          const NodeCounts &counts         = points.contact.blocks()[0];
+          const NodeCounts counts          = points.counts();
           std::array<unsigned int, 3> seen = {};
           for (unsigned int i = 0; i < n; ++i)
             {

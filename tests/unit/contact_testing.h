@@ -1,7 +1,7 @@
 #ifndef mesoslip_tests_unit_contact_testing_h
 #define mesoslip_tests_unit_contact_testing_h
 
-#include "contact/contact_row.h"
+#include "contact/contact_recorder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace contact_testing
 {
 using namespace mesoslip;
 
-/** Point masses on the flat: a contact row without a body, its forces set by hand. */
+/** Point masses on the flat: a contact surface without a body, its forces set by hand. */
 class Points
 {
 public:
@@ -19,6 +19,8 @@ public:
          const StepParameters &step,
          const std::vector<double> &masses)
     : contact(setup, step)
+    , recorder(1, {0}, step)
+    , statistics(0)
     , n(masses.size())
     , step(step)
     , u(n, 1)
@@ -44,19 +46,18 @@ public:
 
   void advance()
   {
-    RowView row;
-    row.ux             = u.row(0, 0);
-    row.uy             = u.row(1, 0);
-    row.wx             = w.row(0, 0);
-    row.wy             = w.row(1, 0);
-    row.fx             = force.row(0, 0);
-    row.fy             = force.row(1, 0);
-    row.inverse_mass_x = inverse_mass.row(0, 0);
-    row.inverse_mass_y = inverse_mass.row(1, 0);
-    row.n_columns      = n;
-    row.step           = n_done;
-    row.time           = n_done * step.dt;
-    contact.advance(row);
+    SurfaceView<2> surface;
+    surface.n            = n;
+    surface.u            = {{u.row(0, 0), u.row(1, 0)}};
+    surface.w            = {{w.row(0, 0), w.row(1, 0)}};
+    surface.force        = {{force.row(0, 0), force.row(1, 0)}};
+    surface.inverse_mass = {{inverse_mass.row(0, 0), inverse_mass.row(1, 0)}};
+    surface.step         = n_done;
+    surface.time         = n_done * step.dt;
+    recorder.before(surface);
+    contact.advance(surface);
+    recorder.after(surface, contact);
+    statistics.after(surface, contact);
     ++n_done;
   }
 
@@ -75,7 +76,22 @@ public:
     return contact.normal_force()[i];
   }
 
-  ContactRow contact;
+  /** Of the whole time. */
+  NodeCounts counts()
+  {
+    statistics.finish(contact);
+    return statistics.blocks()[0];
+  }
+
+  /** Resultants, and motion and forces of node 0. */
+  const ContactHistory &history() const
+  {
+    return recorder.history();
+  }
+
+  ContactSurface<2> contact;
+  ContactRecorder<2> recorder;
+  NodeStatistics<2> statistics;
   const unsigned int n;
   const StepParameters step;
   NodalField<double> u, w, force, inverse_mass;

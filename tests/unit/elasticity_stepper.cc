@@ -70,23 +70,23 @@ State advanced(const UniformMaterial &material,
 }
 
 /** Records how it was called; pushes with a constant force. */
-struct PushingRow : FreeRow
+struct PushingRow : FreeSurface<2>
 {
   explicit PushingRow(const StepParameters &p)
-    : FreeRow(p)
+    : FreeSurface(p)
   {
   }
 
-  void advance(const RowView &row) override
+  void advance(const SurfaceView<2> &surface) override
   {
-    steps.push_back(row.step);
-    times.push_back(row.time);
-    std::vector<double> fy(row.fy, row.fy + row.n_columns);
+    steps.push_back(surface.step);
+    times.push_back(surface.time);
+    std::vector<double> fy(surface.force[1], surface.force[1] + surface.n);
     for (double &f : fy)
-      f -= 0.01 * (1. + row.step);
-    RowView pushed = row;
-    pushed.fy      = fy.data();
-    FreeRow::advance(pushed);
+      f -= 0.01 * (1. + surface.step);
+    SurfaceView<2> pushed = surface;
+    pushed.force[1]       = fy.data();
+    FreeSurface::advance(pushed);
   }
 
   std::vector<std::uint64_t> steps;
@@ -140,7 +140,7 @@ TEST(ExplicitStepper, EqualsTheNaiveRecursion)
           }
 }
 
-TEST(ExplicitStepper, BoundaryRowsOncePerStepInOrder)
+TEST(ExplicitStepper, BoundariesOncePerStepInOrder)
 {
   Random random;
   const UniformMaterial material = random_material(random, {{19, 23}}, 3, false, true);

@@ -13,7 +13,7 @@ std::vector<double>
 amplitudes(const BodySetup &setup, const DiscreteMode &mode, const unsigned int n_steps)
 {
   HeldBelow bottom(setup.step);
-  SlidingBody body(setup, MPI_COMM_SELF, &bottom);
+  Body body(setup, MPI_COMM_SELF, &bottom);
   // v_0 = w_0 + b dt a_0 = 0 with a_0 = -omega^2 (u_0 + beta w_0)
   const double W2 = mode.omega * mode.omega, b_dt = setup.step.beta2 * setup.step.dt;
   const double w0 = b_dt * W2 / (1. - b_dt * W2 * setup.step.beta);
@@ -150,7 +150,7 @@ TEST(Rectangle, EnergyBoundedWithoutTrend)
   setup.energy_interval = 1;
   setup.choose_time_step(0.99);
   HeldBelow bottom(setup.step);
-  SlidingBody body(setup, MPI_COMM_SELF, &bottom);
+  Body body(setup, MPI_COMM_SELF, &bottom);
   for (const Mode mode : {Mode{1, 0, true}, Mode{2, 2, false}})
     {
       const DiscreteMode d = discrete_mode(setup, mode);
@@ -158,7 +158,7 @@ TEST(Rectangle, EnergyBoundedWithoutTrend)
         body.u.begin()[k] += d.shape.begin()[k] * 1e-6;
     }
   body.run(20000);
-  const EnergyHistory e = body.audit->reduce();
+  const EnergyHistory e = body.energy->reduce();
   const double total    = e.kinetic.front() + e.elastic.front();
   for (std::size_t n = 0; n < e.time.size(); ++n)
     ASSERT_NEAR(e.kinetic[n] + e.elastic[n], total, 1e-12 * total);

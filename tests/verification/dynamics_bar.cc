@@ -9,11 +9,11 @@ using namespace verification::impact_bar;
 TEST(Bar, HitsTheWallAndLeaves)
 {
   const unsigned int n = 400;
-  SlidingBody body(bar(n, 0.5, 0.9));
+  Body body(bar(n, 0.5, 0.9));
   throw_down(body);
   const double dt = body.setup.step.dt, width = body.setup.spacing[0];
   body.run(std::lround(2. / dt));
-  const ContactHistory &h = body.contact.history();
+  const ContactHistory &h = body.contact_recorder.history();
 
   double first = 0., last = 0., impulse = 0.;
   for (std::size_t k = 0; k < h.time.size(); ++k)
@@ -91,10 +91,10 @@ TEST(Bar, FirstBounceUnderGravity)
     {
       BodySetup setup         = bar(n, 0.5, 0.9);
       setup.step.acceleration = {{0., -g}};
-      SlidingBody body(setup);
+      Body body(setup);
       const double dt = setup.step.dt, width = setup.spacing[0];
       body.run(std::lround(2.2 / dt));
-      const ContactHistory &h = body.contact.history();
+      const ContactHistory &h = body.contact_recorder.history();
       double impulse = 0., squares = 0., n_samples = 0., after = 0.;
       for (std::size_t k = 0; k < h.time.size(); ++k)
         {
@@ -126,9 +126,9 @@ TEST(Bar, BouncingUnderGravityGainsNoEnergy)
     {
       BodySetup setup         = bar(100, b, b == 0.5 ? 0.95 : 0.6);
       setup.step.acceleration = {{0., -10.}};
-      SlidingBody body(setup);
+      Body body(setup);
       body.run(std::lround(20. / setup.step.dt));
-      const EnergyHistory e = body.audit->reduce();
+      const EnergyHistory e = body.energy->reduce();
       // From the drop height: m g gap.
       const double scale = setup.spacing[0] * length * 10. * 5.;
       EXPECT_LT(largest(e.residual()), 1e-11 * scale);
@@ -138,13 +138,13 @@ TEST(Bar, BouncingUnderGravityGainsNoEnergy)
           ASSERT_GE(e.impact[n], e.impact[n - 1] - 1e-11 * scale) << n;
         }
       EXPECT_GT(e.impact.back(), 1e-3 * scale);
-      const auto &h = body.contact.history();
-      body.contact.finish();
+      const auto &h = body.contact_recorder.history();
+      body.node_statistics.finish(body.contact);
       // The first drop takes 1 s; then it bounces.
       std::size_t k = 0;
       while (h.normal_force[k] == 0.)
         ++k;
       EXPECT_NEAR(h.time[k], 1., 2. * setup.step.dt);
-      EXPECT_GT(body.contact.blocks()[0].landings[0], 4.f);
+      EXPECT_GT(body.node_statistics.blocks()[0].landings[0], 4.f);
     }
 }

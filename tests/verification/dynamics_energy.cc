@@ -39,7 +39,7 @@ Energies
 observe(BodySetup setup, const double safety = 0.95, const unsigned int n_steps = 4000)
 {
   setup.choose_time_step(safety);
-  SlidingBody body(setup);
+  Body body(setup);
   body.set_w([](const double x, const double y, const unsigned int c) {
     return c == 1 ? -1.5 + 0.3 * std::sin(900. * x + 400. * y) : 0.;
   });
@@ -56,14 +56,14 @@ observe(BodySetup setup, const double safety = 0.95, const unsigned int n_steps 
           body.w.row(c, j)[setup.cells[0]] = 0.;
       }
   body.run(n_steps);
-  body.contact.finish();
+  body.node_statistics.finish(body.contact);
   Energies found;
-  found.e = body.audit->reduce();
+  found.e = body.energy->reduce();
   for (unsigned int i = 0; i <= setup.cells[0]; ++i)
     {
-      found.stick += body.contact.blocks()[0].stick[i];
-      found.slip += body.contact.blocks()[0].slip[i];
-      found.landings += body.contact.blocks()[0].landings[i];
+      found.stick += body.node_statistics.blocks()[0].stick[i];
+      found.slip += body.node_statistics.blocks()[0].slip[i];
+      found.landings += body.node_statistics.blocks()[0].landings[i];
     }
   for (const auto *values : {&found.e.kinetic, &found.e.elastic, &found.e.friction,
                              &found.e.external_work, &found.e.impact})
@@ -189,7 +189,7 @@ namespace
 /** Integrals over time with dense element matrices, v and a by differences of u. */
 struct DampingWork : StepObserver
 {
-  explicit DampingWork(const SlidingBody &body)
+  explicit DampingWork(const Body &body)
     : body(body)
   {
   }
@@ -233,7 +233,7 @@ struct DampingWork : StepObserver
       }
   }
 
-  const SlidingBody &body;
+  const Body &body;
   NodalField<double> before, now;
   double v_K_v = 0., a_M_a = 0.;
 };
@@ -250,13 +250,13 @@ TEST(Energy, DampingIsBetaTimesTheWorkOfTheOperator)
       setup.top.pressure = LoadHistory();
       setup.contact.gap  = 1.;
       setup.choose_time_step(0.1);
-      SlidingBody body(setup);
+      Body body(setup);
       body.set_w([](const double x, const double y, const unsigned int c) {
         return c == 1 ? std::sin(800. * x) * std::cos(700. * y) : 0.;
       });
       DampingWork reference(body);
       body.run(3000, &reference);
-      const EnergyHistory e = body.audit->reduce();
+      const EnergyHistory e = body.energy->reduce();
       EXPECT_GT(e.damping.back(), 0.1 * e.initial);
       EXPECT_NEAR(e.damping.back(), setup.step.beta * reference.v_K_v,
                   5e-3 * e.damping.back());
@@ -278,10 +278,10 @@ TEST(Energy, ClosesWithSparseSamples)
   setup.step.beta             = 4.4e-9;
   setup.energy_interval       = 50;
   setup.choose_time_step(0.5);
-  SlidingBody body(setup);
+  Body body(setup);
   const auto n_steps = static_cast<std::uint64_t>(std::lround(1e-3 / setup.step.dt));
   body.run(n_steps);
-  const EnergyHistory e = body.audit->reduce();
+  const EnergyHistory e = body.energy->reduce();
   EXPECT_EQ(e.time.size(), (n_steps + 49) / 50);
   EXPECT_GT(e.damping.back(), 1e-3 * e.friction.back());
   std::printf("residual %g of the friction work\n",
@@ -305,10 +305,10 @@ TEST(Momentum, IsWhatTheForcesAtTopAndBottomSay)
         setup.choose_time_step(0.9);
         if (kind == TopSetup::Kind::platen)
           setup.top.platen_mass = 0.02;
-        SlidingBody body(setup);
+        Body body(setup);
         body.run(2500);
-        const ContactHistory &c = body.contact.history();
-        const TopHistory &t     = body.top.history();
+        const ContactHistory &c = body.contact_recorder.history();
+        const TopHistory &t     = body.top_recorder.history();
         double x = 0., y = 0., px = 0., py = 0., size = 0.;
         const double mass = body.material.total_mass();
         for (std::size_t n = 0; n < c.time.size(); ++n)

@@ -37,16 +37,12 @@ struct Watched
 Watched watch(
   const BodySetup &setup,
   const std::uint64_t n_steps,
-  const std::function<void(SlidingBody &)> &spoil = [](SlidingBody &) {})
+  const std::function<void(Body &)> &spoil = [](Body &) {})
 {
-  SlidingBody body(setup);
+  Body body(setup);
   Watched result;
   StabilityMonitor monitor(
-    body.op, setup.step, body.u, body.w,
-    [&]() {
-      const ContactWork &work = body.contact.work();
-      return BoundaryWork{body.top.work() + work.flat, work.friction, work.impact};
-    },
+    body.op, setup.step, body.u, body.w, [&]() { return body.boundary_work(); },
     [&](const Runaway &found, const std::uint64_t n) {
       result = {n, found};
       throw NumericalFailure("stopped");
@@ -91,17 +87,16 @@ TEST(Monitor, StopsBeforeNumbersOverflow)
 
 TEST(Monitor, NamesTheNodeThatIsNotFinite)
 {
-  const Watched run = watch(pin(0.9, 0.5, 0.), 2000, [](SlidingBody &body) {
-    body.u.row(1, 7)[12] = std::nan("");
-  });
+  const Watched run = watch(pin(0.9, 0.5, 0.), 2000,
+                            [](Body &body) { body.u.row(1, 7)[12] = std::nan(""); });
   EXPECT_EQ(run.step, 128u);
   EXPECT_FALSE(std::isfinite(run.found.displacement));
   // A NaN reaches one node further in a step: 28 steps, the whole body.
   EXPECT_EQ(run.found.row, 0u);
-  EXPECT_EQ(watch(pin(0.9, 0.5, 0.), 2000,
-                  [](SlidingBody &body) { body.w.row(0, 3)[5] = HUGE_VAL; })
-              .step,
-            128u);
+  EXPECT_EQ(
+    watch(pin(0.9, 0.5, 0.), 2000, [](Body &body) { body.w.row(0, 3)[5] = HUGE_VAL; })
+      .step,
+    128u);
 }
 
 namespace

@@ -43,13 +43,13 @@ TEST(Top, SlowPressureGivesTheStaticCompression)
           continue;
         BodySetup setup       = layers(kind);
         setup.top.platen_mass = platen_mass;
-        SlidingBody body(setup);
+        Body body(setup);
         body.run(std::lround(4e-4 / setup.step.dt));
         const double expected = layers_compression(setup), width = 12 * 1.2e-3;
-        const TopHistory &top = body.top.history();
+        const TopHistory &top = body.top_recorder.history();
         EXPECT_NEAR(top.displacement.back(), -expected, 0.002 * expected);
         EXPECT_NEAR(top.normal_force.back(), P * width, 1e-12 * P * width);
-        EXPECT_NEAR(body.contact.history().normal_force.back(), P * width,
+        EXPECT_NEAR(body.contact_recorder.history().normal_force.back(), P * width,
                     0.01 * P * width);
         EXPECT_NEAR(top.work.back(), 0.5 * P * width * expected,
                     0.01 * P * width * expected);
@@ -79,7 +79,7 @@ TEST(Top, PlatenIsRigid)
   setup.sides                 = SideConstraints();
   setup.friction              = 0.3;
   setup.contact.flat_velocity = LoadHistory(2.);
-  SlidingBody body(setup);
+  Body body(setup);
   for (unsigned int k = 0; k < 30; ++k)
     {
       body.run(100);
@@ -93,7 +93,7 @@ TEST(Top, PlatenIsRigid)
   EXPECT_GT(std::abs(body.u.row(0, 8)[6]), 1e-7);
 
   setup.top.kind = TopSetup::Kind::pressure;
-  SlidingBody soft(setup);
+  Body soft(setup);
   soft.run(3000);
   EXPECT_GT(std::abs(soft.u.row(0, 16)[0] - soft.u.row(0, 16)[12]), 1e-9);
   EXPECT_NE(soft.u.row(1, 16)[0], soft.u.row(1, 16)[6]);
@@ -104,11 +104,11 @@ TEST(Top, HeldTopPressesBack)
   // The flat starts 1 um too high.
   BodySetup setup   = layers(TopSetup::Kind::held);
   setup.contact.gap = -1e-6;
-  SlidingBody body(setup);
+  Body body(setup);
   body.run(std::lround(4e-4 / setup.step.dt));
   const double force = P * 12 * 1.2e-3 * 1e-6 / layers_compression(setup);
-  EXPECT_NEAR(body.top.history().normal_force.back(), force, 0.01 * force);
-  EXPECT_NEAR(body.contact.history().normal_force.back(), force, 0.01 * force);
+  EXPECT_NEAR(body.top_recorder.history().normal_force.back(), force, 0.01 * force);
+  EXPECT_NEAR(body.contact_recorder.history().normal_force.back(), force, 0.01 * force);
   EXPECT_EQ(body.top.work(), 0.);
   for (unsigned int i = 0; i <= 12; ++i)
     EXPECT_TRUE(body.u.row(0, 16)[i] == 0. && body.u.row(1, 16)[i] == 0.);
@@ -121,7 +121,7 @@ TEST(Top, HeldSidesStay)
   setup.sides.right_held      = {{false, true}};
   setup.friction              = 0.3;
   setup.contact.flat_velocity = LoadHistory(2.);
-  SlidingBody body(setup);
+  Body body(setup);
   body.run(2000);
   for (unsigned int j = 0; j <= 16; ++j)
     {
@@ -136,7 +136,7 @@ TEST(Top, HoldsFromATimeOn)
 {
   BodySetup setup     = layers(TopSetup::Kind::platen);
   setup.top.hold_from = 3e-4;
-  SlidingBody body(setup);
+  Body body(setup);
   body.run(std::lround(3e-4 / setup.step.dt) + 2);
   const double u = body.u.row(1, 16)[0];
   EXPECT_NEAR(u, -layers_compression(setup), 0.002 * layers_compression(setup));
@@ -145,6 +145,6 @@ TEST(Top, HoldsFromATimeOn)
   EXPECT_EQ(body.u.row(1, 16)[0], u);
   EXPECT_EQ(body.w.row(1, 16)[3], 0.);
   EXPECT_EQ(body.top.work(), work);
-  EXPECT_NEAR(body.top.history().normal_force.back(), P * 12 * 1.2e-3,
+  EXPECT_NEAR(body.top_recorder.history().normal_force.back(), P * 12 * 1.2e-3,
               0.01 * P * 12 * 1.2e-3);
 }

@@ -14,19 +14,19 @@ constexpr double length = 10., c = 30., v = 10., exact_duration = 2. * length / 
 inline BodySetup bar(const unsigned int n_cells, const double beta2, const double courant)
 {
   BodySetup s;
-  s.cells                   = {{1, n_cells}};
-  s.spacing                 = {{length / n_cells, length / n_cells}};
-  s.classes                 = {{isotropic_stiffness<2>(900., 0.), 1.}};
-  s.step.beta2              = beta2;
-  s.step.dt                 = courant * s.spacing[1] / c;
-  s.contact.gap             = 5.;
-  s.contact.monitored_nodes = {0, 1};
-  s.top.kind                = TopSetup::Kind::pressure;
-  s.energy_interval         = 1;
+  s.cells           = {{1, n_cells}};
+  s.spacing         = {{length / n_cells, length / n_cells}};
+  s.classes         = {{isotropic_stiffness<2>(900., 0.), 1.}};
+  s.step.beta2      = beta2;
+  s.step.dt         = courant * s.spacing[1] / c;
+  s.contact.gap     = 5.;
+  s.monitored_nodes = {0, 1};
+  s.top.kind        = TopSetup::Kind::pressure;
+  s.energy_interval = 1;
   return s;
 }
 
-inline void throw_down(SlidingBody &body)
+inline void throw_down(Body &body)
 {
   body.set_w([](double, double, const unsigned int k) { return k == 1 ? -v : 0.; });
 }
@@ -49,11 +49,11 @@ struct Impact
 /** Two seconds of @p setup, a bar() with an audit in each step. */
 inline Impact impact(const BodySetup &setup)
 {
-  SlidingBody body(setup);
+  Body body(setup);
   throw_down(body);
   body.run(std::lround(2. / body.setup.step.dt));
-  const EnergyHistory e   = body.audit->reduce();
-  const ContactHistory &h = body.contact.history();
+  const EnergyHistory e   = body.energy->reduce();
+  const ContactHistory &h = body.contact_recorder.history();
   double first = 0., last = 0.;
   for (std::size_t k = 0; k < h.time.size(); ++k)
     if (h.normal_force[k] > 0.)

@@ -94,7 +94,7 @@ inline DiscreteMode discrete_mode(const BodySetup &setup, const Mode &mode)
     {
       basis[k] = image[k] = NodalField<double>(material.n_columns(), material.n_rows());
       const Mode shape{mode.m, mode.n, k == 1};
-      SlidingBody::set(basis[k], material, rows, shape);
+      Body::set(basis[k], material, rows, shape);
       op.vmult(image[k], basis[k]);
     }
   Eigen::Matrix2d K, M;

@@ -16,20 +16,19 @@ using namespace verification;
 
 namespace
 {
+constexpr unsigned int recent_interval = 2;
+
 /** A sliding body with everything that is observed. */
-struct ObservedBody : SlidingBody
+struct ObservedBody : Body
 {
   explicit ObservedBody(const BodySetup &setup)
-    : SlidingBody(setup)
+    : Body(setup)
     , monitor(
         op,
         setup.step,
         u,
         w,
-        [this]() {
-          return BoundaryWork{top.work() + contact.work().flat, contact.work().friction,
-                              contact.work().impact};
-        },
+        [this]() { return boundary_work(); },
         [](const Runaway &, std::uint64_t) { throw std::runtime_error("blown up"); },
         MPI_COMM_SELF)
     , probes(
@@ -46,9 +45,12 @@ struct ObservedBody : SlidingBody
         },
         MPI_COMM_SELF)
     , watch(LimitCycleCriterion(), 10, setup.energy_interval, MPI_COMM_SELF)
-    , statistics(
-        setup.contact.recent_interval, setup.step.dt, setup.contact.flat_velocity, 16)
+    , statistics(recent_interval, setup.step.dt, setup.contact.flat_velocity, 16)
+    , recent_contact(recent_interval, setup.monitored_nodes, setup.step)
+    , recent_top(recent_interval)
   {
+    contact.observe(recent_contact);
+    top.observe(recent_top);
     set_w([](const double x, const double y, const unsigned int c) {
       return c == 0 ? 0.3 * std::sin(900. * x + 500. * y) : -0.2;
     });
@@ -57,30 +59,29 @@ struct ObservedBody : SlidingBody
   void run_to(const std::uint64_t end)
   {
     std::vector<StepObserver *> observers = {&monitor, &probes};
-    if (audit)
-      observers.push_back(audit.get());
+    if (energy)
+      observers.push_back(energy.get());
     run_time_loop(stepper, observers, end, 20, [this](std::uint64_t) {
-      const ContactHistory fresh = contact.take_recent();
+      const ContactHistory fresh = recent_contact.take();
       statistics.add(fresh);
-      statistics.add(top.take_recent());
-      return watch.update(fresh, audit.get());
+      statistics.add(recent_top.take());
+      return watch.update(fresh, energy.get());
     });
   }
 
   template <class Archive>
-  void serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int version)
   {
-    std::uint64_t n = stepper.step_number();
-    archive &n &u &w &contact &top &monitor &probes &watch &statistics;
-    stepper.set_step_number(n);
-    if (audit)
-      archive &*audit;
+    SlidingBody::serialize(archive, version);
+    archive &monitor &probes &watch &statistics;
   }
 
   StabilityMonitor monitor;
   ProbeRecorder probes;
   LimitCycleWatch watch;
   SteadyRecord statistics;
+  ContactRecorder<2> recent_contact;
+  TopRecorder recent_top;
 };
 
 BodySetup small_body()
@@ -91,17 +92,14 @@ BodySetup small_body()
   setup.classes = {resin(), resin(2500.)};
   for (unsigned int k = 0; k < 54; ++k)
     setup.ids.push_back(k % 5 == 0 ? 1 : 0);
-  setup.step.beta                = 4e-9;
-  setup.step.beta2               = 0.6;
-  setup.friction                 = 0.4;
-  setup.contact.flat_velocity    = LoadHistory(3.);
-  setup.contact.history_interval = 3;
-  setup.contact.steps_per_block  = 41;
-  setup.contact.monitored_nodes  = {4};
-  setup.contact.recent_interval  = 2;
-  setup.top.history_interval     = 3;
-  setup.top.recent_interval      = 2;
-  setup.top.pressure             = LoadHistory(4e6);
+  setup.step.beta             = 4e-9;
+  setup.step.beta2            = 0.6;
+  setup.friction              = 0.4;
+  setup.contact.flat_velocity = LoadHistory(3.);
+  setup.history_interval      = 3;
+  setup.steps_per_block       = 41;
+  setup.monitored_nodes       = {4};
+  setup.top.pressure          = LoadHistory(4e6);
   return setup;
 }
 
@@ -137,9 +135,10 @@ void expect_equal(const std::vector<double> &a,
   EXPECT_TRUE(a == b) << what;
 }
 
-void expect_equal_contact(const ContactRow &a, const ContactRow &b)
+void expect_equal_contact(const Body &a, const Body &b)
 {
-  const ContactHistory &x = a.history(), &y = b.history();
+  const ContactHistory &x = a.contact_recorder.history(),
+                       &y = b.contact_recorder.history();
   EXPECT_TRUE(x.step == y.step);
   expect_equal(x.time, y.time, "time");
   expect_equal(x.normal_force, y.normal_force, "normal force");
@@ -157,10 +156,12 @@ void expect_equal_contact(const ContactRow &a, const ContactRow &b)
   expect_equal(x.nodes[0].normal_force, y.nodes[0].normal_force, "node's pressure");
   expect_equal(x.nodes[0].tangential_force, y.nodes[0].tangential_force,
                "node's friction");
-  ASSERT_EQ(a.blocks().size(), b.blocks().size());
-  for (std::size_t k = 0; k < a.blocks().size(); ++k)
+  const std::vector<NodeCounts> &v = a.node_statistics.blocks(),
+                                &w = b.node_statistics.blocks();
+  ASSERT_EQ(v.size(), w.size());
+  for (std::size_t k = 0; k < v.size(); ++k)
     {
-      const NodeCounts &p = a.blocks()[k], &q = b.blocks()[k];
+      const NodeCounts &p = v[k], &q = w[k];
       EXPECT_TRUE(p.first_step == q.first_step && p.n_steps == q.n_steps) << k;
       EXPECT_TRUE(p.stick == q.stick && p.slip == q.slip && p.landings == q.landings)
         << k;
@@ -173,14 +174,14 @@ void expect_equal_observations(ObservedBody &a, ObservedBody &b)
                std::vector<double>(b.u.begin(), b.u.begin() + b.u.size()), "u");
   expect_equal(std::vector<double>(a.w.begin(), a.w.begin() + a.w.size()),
                std::vector<double>(b.w.begin(), b.w.begin() + b.w.size()), "w");
-  expect_equal_contact(a.contact, b.contact);
-  const TopHistory &s = a.top.history(), &t = b.top.history();
+  expect_equal_contact(a, b);
+  const TopHistory &s = a.top_recorder.history(), &t = b.top_recorder.history();
   expect_equal(s.normal_force, t.normal_force, "top's normal force");
   expect_equal(s.tangential_force, t.tangential_force, "top's tangential force");
   expect_equal(s.displacement, t.displacement, "top's displacement");
   expect_equal(s.work, t.work, "top's work");
   EXPECT_EQ(a.top.work(), b.top.work());
-  const EnergyHistory &e = a.audit->local_history(), &f = b.audit->local_history();
+  const EnergyHistory &e = a.energy->local_history(), &f = b.energy->local_history();
   expect_equal(e.time, f.time, "energy's time");
   expect_equal(e.kinetic, f.kinetic, "kinetic");
   expect_equal(e.elastic, f.elastic, "elastic");
@@ -212,7 +213,7 @@ TEST(Restart, ContinuesBitByBit)
     {
       ObservedBody whole(setup);
       whole.run_to(end);
-      whole.contact.finish();
+      whole.node_statistics.finish(whole.contact);
       // Before and after the platen is held; around samples; the first and the last step.
       for (const std::uint64_t n : {1, 83, 84, 85, 148, 150, 151, 207, 399})
         {
@@ -223,13 +224,13 @@ TEST(Restart, ContinuesBitByBit)
             first.run_to(n);
             state = save_state(first);
           }
-          BodySetup other               = setup;
-          other.contact.steps_per_block = 17; // a continued run keeps what it began with
+          BodySetup other       = setup;
+          other.steps_per_block = 17; // a continued run keeps what it began with
           ObservedBody second(other);
           load_state(state, second, "test");
           EXPECT_EQ(second.stepper.step_number(), n);
           second.run_to(end);
-          second.contact.finish();
+          second.node_statistics.finish(second.contact);
           expect_equal_observations(whole, second);
           EXPECT_EQ(save_state(whole.monitor), save_state(second.monitor));
           EXPECT_EQ(save_state(whole.watch), save_state(second.watch));
@@ -321,21 +322,6 @@ bool is_refused(const std::string &state, const BodySetup &setup)
     }
   return false;
 }
-
-/** The last entry of the history of @p values, 8 bytes, with the length before it, taken
- * out of a state. */
-std::string shortened(std::string state, const std::vector<double> &values)
-{
-  const std::uint64_t n = values.size();
-  std::string saved(8 * (n + 1), '\0');
-  std::memcpy(saved.data(), &n, 8);
-  std::memcpy(saved.data() + 8, values.data(), 8 * n);
-  const std::size_t at = state.find(saved);
-  EXPECT_NE(at, std::string::npos);
-  const std::uint64_t less = n - 1;
-  std::memcpy(&state[at], &less, 8);
-  return state.erase(at + 8 * n, 8);
-}
 } // namespace
 
 TEST(Restart, StatesThatDoNotFitAreRefused)
@@ -343,36 +329,25 @@ TEST(Restart, StatesThatDoNotFitAreRefused)
   const BodySetup setup   = with_pressure();
   const std::string state = state_after(setup, 100);
   EXPECT_FALSE(is_refused(state, setup));
-  BodySetup wider = setup, watched = setup;
-  wider.cells = {{10, 6}};
+  BodySetup wider = setup;
+  wider.cells     = {{10, 6}};
   wider.ids.assign(60, 0);
-  watched.contact.monitored_nodes = {4, 5};
   EXPECT_TRUE(is_refused(state, wider));
-  EXPECT_TRUE(is_refused(state, watched));
-
-  // Histories of which one is a sample shorter.
-  ObservedBody body(setup);
-  body.run_to(100);
-  EXPECT_TRUE(is_refused(shortened(state, body.contact.history().slipping), setup));
-  EXPECT_TRUE(is_refused(shortened(state, body.contact.history().nodes[0].vy), setup));
-  EXPECT_TRUE(is_refused(shortened(state, body.top.history().work), setup));
-  EXPECT_TRUE(is_refused(shortened(state, body.audit->local_history().damping), setup));
-  EXPECT_TRUE(is_refused(shortened(state, body.probes.gather()[0].stress), setup));
 }
 
 TEST(Restart, TheRunExercisesTheState)
 {
   ObservedBody body(with_pressure());
   body.run_to(400);
-  const ContactHistory &h = body.contact.history();
+  const ContactHistory &h = body.contact_recorder.history();
   for (const auto *values : {&h.sticking, &h.slipping, &h.separated, &h.impact_energy})
     EXPECT_GT(*std::max_element(values->begin(), values->end()), 0.);
   float landings = 0.f;
-  for (const NodeCounts &block : body.contact.blocks())
+  for (const NodeCounts &block : body.node_statistics.blocks())
     for (const float n : block.landings)
       landings += n;
   EXPECT_GT(landings, 0.f);
-  EXPECT_GT(body.audit->local_history().damping.back(), 0.);
+  EXPECT_GT(body.energy->local_history().damping.back(), 0.);
 }
 
 int main(int argc, char **argv)

@@ -57,19 +57,17 @@ double difference(const std::vector<double> &a,
 
 /** All histories of two runs agree when forces are scaled by @p s, energies by its
  * square. */
-void expect_scaled(const SlidingBody &a,
-                   const SlidingBody &b,
-                   const double s,
-                   const double tolerance)
+void expect_scaled(const Body &a, const Body &b, const double s, const double tolerance)
 {
   EXPECT_LE(relative_difference(a.u, b.u, s), tolerance);
   EXPECT_LE(relative_difference(a.w, b.w, s), tolerance);
-  const ContactHistory &x = a.contact.history(), &y = b.contact.history();
+  const ContactHistory &x = a.contact_recorder.history(),
+                       &y = b.contact_recorder.history();
   EXPECT_LE(difference(x.normal_force, y.normal_force, s), tolerance);
   EXPECT_LE(difference(x.tangential_force, y.tangential_force, s), tolerance);
   EXPECT_EQ(difference(x.sticking, y.sticking, 1.), 0.);
   EXPECT_EQ(difference(x.slipping, y.slipping, 1.), 0.);
-  const EnergyHistory e = a.audit->reduce(), f = b.audit->reduce();
+  const EnergyHistory e = a.energy->reduce(), f = b.energy->reduce();
   for (const auto term : {&EnergyHistory::kinetic, &EnergyHistory::elastic,
                           &EnergyHistory::impact, &EnergyHistory::damping})
     EXPECT_LE(difference(e.*term, f.*term, s * s), tolerance);
@@ -79,29 +77,29 @@ void expect_scaled(const SlidingBody &a,
 TEST(Scaling, PressureAndVelocityTogether)
 {
   const unsigned int n_steps = 3000;
-  SlidingBody reference(pin(5e6, 0.2));
+  Body reference(pin(5e6, 0.2));
   reference.run(n_steps);
-  const Shares states = shares(reference.contact.history());
+  const Shares states = shares(reference.contact_recorder.history());
   EXPECT_GT(states.stick, 100.);
   EXPECT_GT(states.slip, 1000.);
   EXPECT_GT(states.separated, 100.);
   for (const double s : {2., 3.})
     {
-      SlidingBody scaled(pin(s * 5e6, s * 0.2));
+      Body scaled(pin(s * 5e6, s * 0.2));
       scaled.run(n_steps);
       const double tolerance = s == 2. ? 0. : 1e-11;
       expect_scaled(scaled, reference, s, tolerance);
-      const EnergyHistory e = scaled.audit->reduce(), f = reference.audit->reduce();
+      const EnergyHistory e = scaled.energy->reduce(), f = reference.energy->reduce();
       EXPECT_LE(difference(e.friction, f.friction, s * s), tolerance);
       EXPECT_LE(difference(e.external_work, f.external_work, s * s), tolerance);
     }
   // Not so with a law that has a velocity of its own.
   BodySetup other            = pin(5e6, 0.2);
   other.contact.law.node_law = std::make_shared<SlipRateRegularization>(3e-6, 1e-3);
-  SlidingBody one(other);
+  Body one(other);
   other.contact.flat_velocity = LoadHistory(0.4);
   other.top.pressure          = LoadHistory(1e7);
-  SlidingBody two(other);
+  Body two(other);
   one.run(n_steps);
   two.run(n_steps);
   EXPECT_GT(relative_difference(two.u, one.u, 2.), 1e-3);
@@ -110,17 +108,17 @@ TEST(Scaling, PressureAndVelocityTogether)
 TEST(Scaling, PressureAloneWhileNothingSticks)
 {
   const unsigned int n_steps = 2000;
-  SlidingBody reference(pin(5e5, 40.));
+  Body reference(pin(5e5, 40.));
   reference.run(n_steps);
-  EXPECT_EQ(shares(reference.contact.history()).stick, 0.);
-  EXPECT_GT(shares(reference.contact.history()).separated, 100.);
-  SlidingBody scaled(pin(1e6, 40.)), faster(pin(5e5, 70.));
+  EXPECT_EQ(shares(reference.contact_recorder.history()).stick, 0.);
+  EXPECT_GT(shares(reference.contact_recorder.history()).separated, 100.);
+  Body scaled(pin(1e6, 40.)), faster(pin(5e5, 70.));
   scaled.run(n_steps);
   expect_scaled(scaled, reference, 2., 0.);
   faster.run(n_steps);
   expect_scaled(faster, reference, 1., 0.);
   // With sticking the velocity matters.
-  SlidingBody slow(pin(5e6, 0.2)), slow_scaled(pin(1e7, 0.2));
+  Body slow(pin(5e6, 0.2)), slow_scaled(pin(1e7, 0.2));
   slow.run(n_steps);
   slow_scaled.run(n_steps);
   EXPECT_GT(relative_difference(slow_scaled.u, slow.u, 2.), 1e-3);
@@ -130,11 +128,11 @@ TEST(Symmetry, ReversedFlatGivesTheMirrorImage)
 {
   const unsigned int n_steps = 2500, columns = 42;
   BodySetup setup = pin(5e6, 1.);
-  SlidingBody right(setup);
+  Body right(setup);
   setup.contact.flat_velocity = LoadHistory(-1.);
   for (unsigned int j = 0; j < 17; ++j)
     std::reverse(setup.ids.begin() + 41 * j, setup.ids.begin() + 41 * (j + 1));
-  SlidingBody left(setup);
+  Body left(setup);
   right.run(n_steps);
   left.run(n_steps);
   NodalField<double> mirrored = left.u;
@@ -144,14 +142,15 @@ TEST(Symmetry, ReversedFlatGivesTheMirrorImage)
         mirrored.row(c, j)[i] = (c == 0 ? -1. : 1.) * left.u.row(c, j)[columns - 1 - i];
   EXPECT_LT(relative_difference(right.u, mirrored), 1e-11);
   EXPECT_GT(relative_difference(right.u, left.u), 0.1);
-  const ContactHistory &r = right.contact.history(), &l = left.contact.history();
+  const ContactHistory &r = right.contact_recorder.history(),
+                       &l = left.contact_recorder.history();
   EXPECT_LT(difference(r.normal_force, l.normal_force, 1.), 1e-11);
   EXPECT_LT(difference(r.tangential_force, l.tangential_force, -1.), 1e-11);
   EXPECT_EQ(difference(r.slipping, l.slipping, 1.), 0.);
-  EXPECT_LT(difference(right.top.history().tangential_force,
-                       left.top.history().tangential_force, -1.),
+  EXPECT_LT(difference(right.top_recorder.history().tangential_force,
+                       left.top_recorder.history().tangential_force, -1.),
             1e-11);
-  const EnergyHistory e = right.audit->reduce(), f = left.audit->reduce();
+  const EnergyHistory e = right.energy->reduce(), f = left.energy->reduce();
   EXPECT_LT(difference(e.friction, f.friction, 1.), 1e-11);
   EXPECT_GT(e.friction.back(), 0.);
   EXPECT_LT(difference(e.external_work, f.external_work, 1.), 1e-11);
@@ -191,15 +190,15 @@ TEST(Symmetry, MillimetresAndTonnes)
       millimetres.choose_time_step(0.95);
       EXPECT_NEAR(millimetres.step.dt, dt, 1e-9 * dt);
       millimetres.step.dt = dt;
-      SlidingBody a(millimetres), b(metres);
+      Body a(millimetres), b(metres);
       a.run(n_steps);
       b.run(n_steps);
       EXPECT_LT(relative_difference(a.u, b.u, 1e3), 1e-11);
       EXPECT_LT(relative_difference(a.w, b.w, 1e3), 1e-11);
-      const EnergyHistory e = a.audit->reduce(), f = b.audit->reduce();
+      const EnergyHistory e = a.energy->reduce(), f = b.energy->reduce();
       // N/m = 1e-3 N/mm, J/m = N = N mm / mm
-      EXPECT_LT(difference(a.contact.history().normal_force,
-                           b.contact.history().normal_force, 1e-3),
+      EXPECT_LT(difference(a.contact_recorder.history().normal_force,
+                           b.contact_recorder.history().normal_force, 1e-3),
                 1e-11);
       EXPECT_LT(difference(e.friction, f.friction, 1.), 1e-11);
       EXPECT_LT(difference(e.elastic, f.elastic, 1.), 1e-11);
@@ -220,7 +219,7 @@ TEST(Ranks, SameRunOnEveryNumberOfThem)
         setup.top.platen_mass   = 0.05;
         setup.energy_interval   = interval;
         setup.choose_time_step(0.9);
-        SlidingBody serial(setup), parallel(setup, MPI_COMM_WORLD);
+        Body serial(setup), parallel(setup, MPI_COMM_WORLD);
         serial.run(n_steps);
         parallel.run(n_steps);
         for (unsigned int c = 0; c < 2; ++c)
@@ -230,8 +229,8 @@ TEST(Ranks, SameRunOnEveryNumberOfThem)
                         serial.u.row(c, j)[i]);
         if (parallel.rows.begin == 0)
           {
-            const ContactHistory &p = parallel.contact.history(),
-                                 &s = serial.contact.history();
+            const ContactHistory &p = parallel.contact_recorder.history(),
+                                 &s = serial.contact_recorder.history();
             EXPECT_EQ(p.normal_force, s.normal_force);
             EXPECT_EQ(p.tangential_force, s.tangential_force);
             EXPECT_EQ(p.friction_energy, s.friction_energy);
@@ -239,11 +238,12 @@ TEST(Ranks, SameRunOnEveryNumberOfThem)
           }
         if (parallel.rows.end == parallel.rows.n_global)
           {
-            EXPECT_EQ(parallel.top.history().tangential_force,
-                      serial.top.history().tangential_force);
-            EXPECT_EQ(parallel.top.history().work, serial.top.history().work);
+            EXPECT_EQ(parallel.top_recorder.history().tangential_force,
+                      serial.top_recorder.history().tangential_force);
+            EXPECT_EQ(parallel.top_recorder.history().work,
+                      serial.top_recorder.history().work);
           }
-        const EnergyHistory e = parallel.audit->reduce(), f = serial.audit->reduce();
+        const EnergyHistory e = parallel.energy->reduce(), f = serial.energy->reduce();
         const double scale = largest(f.external_work);
         for (const auto term :
              {&EnergyHistory::kinetic, &EnergyHistory::elastic, &EnergyHistory::potential,

@@ -1,15 +1,10 @@
 #ifndef mesoslip_tests_verification_sliding_body_h
 #define mesoslip_tests_verification_sliding_body_h
 
-#include "contact/contact_row.h"
-#include "dynamics/energy_audit.h"
 #include "dynamics/time_loop.h"
-#include "dynamics/top_row.h"
 #include "elasticity/critical_time_step.h"
-#include "elasticity/mpi_halo.h"
-#include "elasticity/row_partition.h"
-#include "elasticity/uniform_grid_operator.h"
 #include "material/stiffness.h"
+#include "simulation/sliding_body.h"
 
 #include <algorithm>
 #include <array>
@@ -22,21 +17,14 @@ namespace verification
 {
 using namespace mesoslip;
 
-/** Everything that makes a run; contact and top are completed from the grid. */
-struct BodySetup
+/** What makes a run; the friction coefficient is that of all nodes. */
+struct BodySetup : SlidingSetup
 {
   std::array<unsigned int, 2> cells = {};
   std::array<double, 2> spacing     = {};
   std::vector<ElasticClass> classes;
   std::vector<std::uint8_t> ids;
-  bool periodic = false;
-  StepParameters step;
-  SideConstraints sides;
   double friction = 0.;
-  ContactSetup contact;
-  TopSetup top;
-  unsigned int energy_interval = 0;
-  SweepOptions sweep;
 
   UniformMaterial material() const
   {
@@ -46,6 +34,13 @@ struct BodySetup
     return UniformMaterial(grid, classes, ids, Periodicity{periodic, false});
   }
 
+  SlidingSetup with_friction() const
+  {
+    SlidingSetup s = *this;
+    s.contact.friction_coefficient.resize(cells[0] + 1, friction);
+    return s;
+  }
+
   /** @p share of the critical time step of the other parameters. */
   void choose_time_step(const double share)
   {
@@ -53,44 +48,25 @@ struct BodySetup
   }
 };
 
-/** A body on the flat as contact_dynamics puts it together, without files. */
-class SlidingBody
+struct OwnMaterial
+{
+  const UniformMaterial own_material;
+};
+
+/** A body with its material, and fields from functions. */
+class Body : OwnMaterial, public SlidingBody
 {
 public:
-  explicit SlidingBody(const BodySetup &setup,
-                       MPI_Comm communicator = MPI_COMM_SELF,
-                       BoundaryRow *bottom   = nullptr)
-    : setup(setup)
-    , communicator(communicator)
-    , material(setup.material())
-    , rows(partition_rows(
-        material.n_columns(), material.n_rows(), communicator, setup.sweep))
-    , u(material.n_columns(), rows.n_local())
-    , w(material.n_columns(), rows.n_local())
-    , contact(complete_contact(), setup.step)
-    , top(complete_top(), setup.step, material.n_columns())
-    , halo(material.n_columns(), rows.ghosts, communicator)
-    , stepper(material,
-              rows,
-              setup.step,
-              setup.sides,
-              u,
-              w,
-              bottom != nullptr ? bottom : &contact,
-              &top,
-              &halo,
-              setup.sweep)
-    , op(material, rows)
+  explicit Body(const BodySetup &setup,
+                MPI_Comm communicator        = MPI_COMM_SELF,
+                BoundaryCondition<2> *bottom = nullptr)
+    : OwnMaterial{setup.material()}
+    , SlidingBody(own_material, setup.with_friction(), communicator, bottom)
+    , setup(setup)
   {
-    if (setup.energy_interval > 0)
-      audit = std::make_unique<EnergyAudit>(
-        op, setup.step, u, w, setup.top.platen_mass, setup.energy_interval,
-        [this]() {
-          return BoundaryWork{top.work() + contact.work().flat, contact.work().friction,
-                              contact.work().impact};
-        },
-        communicator);
   }
+
+  const BodySetup setup;
 
   /** Sets u and w (of this rank's rows) to a function of x, y and component. */
   static void set(NodalField<double> &field,
@@ -125,56 +101,27 @@ public:
     std::vector<StepObserver *> observers;
     if (other != nullptr)
       observers.push_back(other);
-    if (audit)
-      observers.push_back(audit.get());
+    if (energy)
+      observers.push_back(energy.get());
     run_time_loop(stepper, observers, stepper.step_number() + n_steps, 1u << 20,
                   [](const std::uint64_t) { return true; });
-  }
-
-  const BodySetup setup;
-  const MPI_Comm communicator;
-  const UniformMaterial material;
-  const NodeRows rows;
-  NodalField<double> u, w;
-  ContactRow contact;
-  TopRow top;
-  MPIHalo halo;
-  ExplicitStepper stepper;
-  UniformGridOperator op;
-  std::unique_ptr<EnergyAudit> audit;
-
-private:
-  ContactSetup complete_contact() const
-  {
-    ContactSetup c = setup.contact;
-    c.periodic     = setup.periodic;
-    c.friction_coefficient.resize(setup.cells[0] + 1, setup.friction);
-    return c;
-  }
-
-  TopSetup complete_top() const
-  {
-    TopSetup t   = setup.top;
-    t.cell_width = setup.spacing[0];
-    t.periodic   = setup.periodic;
-    return t;
   }
 };
 
 /** Bottom row that keeps u_y and is free along x. */
-struct HeldBelow : FreeRow
+struct HeldBelow : FreeSurface<2>
 {
   explicit HeldBelow(const StepParameters &p)
-    : FreeRow(p)
+    : FreeSurface(p)
   {
   }
 
-  void advance(const RowView &row) override
+  void advance(const SurfaceView<2> &surface) override
   {
-    const std::vector<double> nothing(row.n_columns, 0.);
-    RowView held        = row;
-    held.inverse_mass_y = nothing.data();
-    FreeRow::advance(held);
+    const std::vector<double> nothing(surface.n, 0.);
+    SurfaceView<2> held  = surface;
+    held.inverse_mass[1] = nothing.data();
+    FreeSurface::advance(held);
   }
 };
 

@@ -47,15 +47,15 @@ struct Stop
 /** Five and a half round trips of the column, statically compressed from the start. */
 Stop thrown(const BodySetup &setup)
 {
-  SlidingBody body(setup);
+  Body body(setup);
   const double width = setup.spacing[0], strain = P / (rho * c * c);
   body.set_u([&](double, const double y, const unsigned int k) {
     return k == 1 ? -strain * y : 0.;
   });
   body.set_w([](double, double, const unsigned int k) { return k == 0 ? v : 0.; });
   body.run(std::lround(5.5 * round_trip / setup.step.dt));
-  const EnergyHistory e   = body.audit->reduce();
-  const ContactHistory &h = body.contact.history();
+  const EnergyHistory e   = body.energy->reduce();
+  const ContactHistory &h = body.contact_recorder.history();
   EXPECT_LT(largest(e.residual()), 1e-12 * e.initial);
   bool in_steps = true;
   for (std::size_t k = 0; k < h.time.size(); ++k)

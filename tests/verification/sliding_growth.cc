@@ -105,7 +105,7 @@ BodySetup grid_wave_setup(const double h, const double delta, const double beta)
 /** What three waves in ten columns do while the layer slides. */
 Complex grid_wave(const BodySetup &setup)
 {
-  SlidingBody body(setup);
+  Body body(setup);
   const auto &D       = setup.classes[0].stiffness;
   const double height = setup.cells[1] * setup.spacing[1];
   body.set_u([&](const double, const double y, const unsigned int c) {
@@ -117,7 +117,7 @@ Complex grid_wave(const BodySetup &setup)
   });
   FourierProbe probe(body, 3, 1);
   body.run(800, &probe);
-  for (const double n : body.contact.history().slipping)
+  for (const double n : body.contact_recorder.history().slipping)
     EXPECT_EQ(n, setup.cells[0]);
   return probe.rate(400 * setup.step.dt);
 }

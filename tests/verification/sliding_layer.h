@@ -109,7 +109,7 @@ struct Layer
 /** A Fourier component of the lowest row: its log over time, the phase unwrapped. */
 struct FourierProbe : StepObserver
 {
-  explicit FourierProbe(const SlidingBody &body,
+  explicit FourierProbe(const Body &body,
                         const unsigned int waves    = 1,
                         const unsigned int interval = 10)
     : body(body)
@@ -155,7 +155,7 @@ struct FourierProbe : StepObserver
     return (lt - l1 * t1 / n) / (t2 - t1 * t1 / n);
   }
 
-  const SlidingBody &body;
+  const Body &body;
   const unsigned int waves, interval;
   std::vector<double> times;
   std::vector<Complex> logs;
@@ -185,7 +185,7 @@ inline BodySetup layer_setup(const Layer &layer, const unsigned int n)
 }
 
 /** Sliding under uniform stress, and the seed exp(i k x + s t) on top of it. */
-inline void start_sliding(SlidingBody &body, const Layer &layer, const Complex s)
+inline void start_sliding(Body &body, const Layer &layer, const Complex s)
 {
   const double seed = 1e-13, dt = body.setup.step.dt;
   const auto &D = body.setup.classes[0].stiffness;
@@ -209,7 +209,7 @@ struct Growth
 
 inline Growth observed(const BodySetup &setup, const Layer &layer, const Complex s)
 {
-  SlidingBody body(setup);
+  Body body(setup);
   start_sliding(body, layer, s);
   FourierProbe probe(body);
   // Coulomb: much shorter waves grow faster, from round-off to separation in 57 us at
@@ -217,7 +217,7 @@ inline Growth observed(const BodySetup &setup, const Layer &layer, const Complex
   const double start = layer.delta > 0. ? 150e-6 : 5e-6;
   const double end   = layer.delta > 0. ? 400e-6 : 50e-6;
   body.run(std::lround(end / setup.step.dt), &probe);
-  const ContactHistory &h = body.contact.history();
+  const ContactHistory &h = body.contact_recorder.history();
   Growth growth{probe.rate(start)};
   for (const double n : h.slipping)
     growth.slipping = growth.slipping && n == setup.cells[0];

@@ -1,0 +1,97 @@
+#include "contact/contact_recorder.h"
+
+#include <utility>
+
+namespace mesoslip
+{
+template <int dim>
+ContactRecorder<dim>::ContactRecorder(const unsigned int interval,
+                                      const std::vector<unsigned int> &nodes,
+                                      const StepParameters &step)
+  : interval(interval)
+  , nodes(nodes)
+  , beta2(step.beta2)
+  , motion_before(nodes.size())
+{
+  samples.nodes.resize(nodes.size());
+}
+
+template <int dim>
+ContactHistory ContactRecorder<dim>::take()
+{
+  ContactHistory taken;
+  taken.nodes.resize(nodes.size());
+  std::swap(taken, samples);
+  return taken;
+}
+
+template <int dim>
+void ContactRecorder<dim>::before(const SurfaceView<dim> &surface)
+{
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        motion_before[k].u[c] = surface.u[c][nodes[k]];
+        motion_before[k].w[c] = surface.w[c][nodes[k]];
+      }
+}
+
+template <int dim>
+void ContactRecorder<dim>::after(const SurfaceView<dim> &surface,
+                                 ContactSurface<dim> &contact)
+{
+  const ContactSums &sums = contact.sums();
+  const ContactWork &work = contact.work();
+  samples.step.push_back(surface.step);
+  samples.time.push_back(surface.time);
+  samples.normal_force.push_back(sums.normal_force);
+  samples.tangential_force.push_back(sums.tangential_force);
+  samples.sticking.push_back(sums.sticking);
+  samples.slipping.push_back(sums.slipping);
+  samples.separated.push_back(contact.n_distinct_nodes() - sums.sticking - sums.slipping);
+  samples.friction_energy.push_back(work.friction);
+  samples.impact_energy.push_back(work.impact);
+  samples.flat_work.push_back(work.flat);
+
+  constexpr unsigned int normal = dim - 1;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    {
+      const unsigned int i = nodes[k];
+      const Motion &before = motion_before[k];
+      MonitoredNode &node  = samples.nodes[k];
+      // v_n = w_n + b dt a_n = (1 - b) w_n + b w_(n+1)
+      const auto velocity = [&](const unsigned int c) {
+        return (1. - beta2) * before.w[c] + beta2 * surface.w[c][i];
+      };
+      node.ux.push_back(before.u[0]);
+      node.uy.push_back(before.u[normal]);
+      node.vx.push_back(velocity(0));
+      node.vy.push_back(velocity(normal));
+      node.normal_force.push_back(contact.normal_force()[i]);
+      node.tangential_force.push_back(contact.tangential_force()[i]);
+    }
+}
+
+template <int dim>
+void NodeStatistics<dim>::after(const SurfaceView<dim> &, ContactSurface<dim> &contact)
+{
+  ++n_steps;
+  if (n_steps == steps_per_block)
+    finish(contact);
+}
+
+template <int dim>
+void NodeStatistics<dim>::finish(ContactSurface<dim> &contact)
+{
+  if (n_steps == 0)
+    return;
+  NodeCounts block = contact.take_counts();
+  if (!complete_blocks.empty())
+    block.first_step = complete_blocks.back().first_step + complete_blocks.back().n_steps;
+  block.n_steps = std::exchange(n_steps, 0);
+  complete_blocks.push_back(std::move(block));
+}
+
+template class ContactRecorder<2>;
+template class NodeStatistics<2>;
+} // namespace mesoslip

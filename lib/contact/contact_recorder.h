@@ -1,0 +1,149 @@
+#ifndef mesoslip_contact_contact_recorder_h
+#define mesoslip_contact_contact_recorder_h
+
+#include "contact/contact_surface.h"
+
+#include <boost/serialization/vector.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace mesoslip
+{
+/** Motion and forces of one contact node, a value each sample; forces per unit thickness.
+ */
+struct MonitoredNode
+{
+  std::vector<double> ux;               ///< displacement (m)
+  std::vector<double> uy;               ///< displacement (m)
+  std::vector<double> vx;               ///< velocity (m/s)
+  std::vector<double> vy;               ///< velocity (m/s)
+  std::vector<double> normal_force;     ///< N/m, positive when pressed
+  std::vector<double> tangential_force; ///< N/m, on the body
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &ux &uy &vx &vy &normal_force &tangential_force;
+  }
+};
+
+/** Sampled resultants; energies are those dissipated from the start to the end of the
+ * step. */
+struct ContactHistory
+{
+  std::vector<std::uint64_t> step;      ///< number of the sampled step
+  std::vector<double> time;             ///< s
+  std::vector<double> normal_force;     ///< N/m, positive when pressed
+  std::vector<double> tangential_force; ///< N/m, on the body
+  std::vector<double> sticking;         ///< number of nodes that stick
+  std::vector<double> slipping;         ///< number of nodes that slip
+  std::vector<double> separated;        ///< numbers of nodes
+  std::vector<double> friction_energy;  ///< J/m
+  std::vector<double> impact_energy;    ///< J/m
+  std::vector<double> flat_work;        ///< J/m
+  std::vector<MonitoredNode> nodes;     ///< those that are monitored
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &step &time &normal_force &tangential_force &sticking &slipping &separated;
+    archive &friction_energy &impact_energy &flat_work &nodes;
+  }
+};
+
+/** Histories of the contact: resultants, and motion and forces of some nodes. */
+template <int dim>
+class ContactRecorder : public ContactObserver<dim>
+{
+public:
+  /** A sample every @p interval steps (0: none), with those of the given nodes. */
+  ContactRecorder(const unsigned int interval,
+                  const std::vector<unsigned int> &nodes,
+                  const StepParameters &step);
+
+  bool wants(const std::uint64_t step) const override
+  {
+    return interval > 0 && step % interval == 0;
+  }
+  void before(const SurfaceView<dim> &surface) override;
+  void after(const SurfaceView<dim> &surface, ContactSurface<dim> &contact) override;
+
+  /** What was sampled so far, or since take(). */
+  const ContactHistory &history() const
+  {
+    return samples;
+  }
+
+  /** Takes out what was sampled since the last call. */
+  ContactHistory take();
+
+  /** Saves or restores the state between two steps (Boost.Serialization). */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &samples;
+  }
+
+private:
+  /** u_n and w_n of a monitored node. */
+  struct Motion
+  {
+    std::array<double, dim> u, w;
+  };
+
+  const unsigned int interval;
+  const std::vector<unsigned int> nodes;
+  const double beta2;
+  std::vector<Motion> motion_before;
+  ContactHistory samples;
+};
+
+/** States of the nodes, counted in blocks of steps. */
+template <int dim>
+class NodeStatistics : public ContactObserver<dim>
+{
+public:
+  /** @p steps_per_block 0: one block for the whole run. */
+  explicit NodeStatistics(const std::uint64_t steps_per_block)
+    : steps_per_block(steps_per_block)
+  {
+  }
+
+  bool wants(const std::uint64_t) const override
+  {
+    return true;
+  }
+  void before(const SurfaceView<dim> &) override
+  {
+  }
+  void after(const SurfaceView<dim> &surface, ContactSurface<dim> &contact) override;
+
+  /** Closes the running block. */
+  void finish(ContactSurface<dim> &contact);
+
+  /** Complete blocks and, after finish(), the last, shorter one. */
+  const std::vector<NodeCounts> &blocks() const
+  {
+    return complete_blocks;
+  }
+
+  /** Saves or restores the state between two steps (Boost.Serialization). A run that is
+   * continued with another length of blocks keeps its own. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &steps_per_block &n_steps &complete_blocks;
+  }
+
+private:
+  std::uint64_t steps_per_block;
+  std::uint64_t n_steps = 0; ///< of the running block
+  std::vector<NodeCounts> complete_blocks;
+};
+} // namespace mesoslip
+
+#endif

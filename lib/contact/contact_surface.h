@@ -1,0 +1,193 @@
+#ifndef mesoslip_contact_contact_surface_h
+#define mesoslip_contact_contact_surface_h
+
+#include "contact/contact_function.h"
+#include "contact/friction_law.h"
+#include "contact/load_history.h"
+#include "elasticity/boundary_condition.h"
+#include "grid/nodal_field.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace mesoslip
+{
+/** The rigid flat. */
+struct ContactSetup
+{
+  FrictionLaw law; ///< target, limit and regularization of the tangential force
+
+  /** Coulomb coefficient of each node of the surface. */
+  std::vector<double> friction_coefficient;
+
+  /** Velocity of the flat along x (m/s). */
+  LoadHistory flat_velocity;
+
+  /** Distance between surface and flat in the undeformed state (m). */
+  double gap = 0.;
+
+  /** The last node duplicates the first. */
+  bool periodic = false;
+};
+
+/** Energies since the start (J/m), every step counted. */
+struct ContactWork
+{
+  double friction = 0.; ///< dissipated by friction, eq. (8)
+  double impact   = 0.; ///< taken from the body by the normal forces
+  double flat     = 0.; ///< done by the moving flat on the system
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &friction &impact &flat;
+  }
+};
+
+/** Number of steps that each node stuck or slipped in, and in which contact began. */
+struct NodeCounts
+{
+  std::uint64_t first_step = 0; ///< first step of the block, from 0
+  std::uint64_t n_steps    = 0; ///< in the block
+  std::vector<float> stick;     ///< steps that stuck
+  std::vector<float> slip;      ///< steps that slipped
+  std::vector<float> landings;  ///< steps in which contact began
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &first_step &n_steps &stick &slip &landings;
+  }
+};
+
+template <int dim>
+class ContactSurface;
+
+/** Looks at the contact within the steps that it wants, see ContactSurface::observe(). */
+template <int dim>
+struct ContactObserver
+{
+  virtual ~ContactObserver() = default;
+
+  /** Whether before() and after() are to be called in this step. */
+  virtual bool wants(const std::uint64_t step) const = 0;
+
+  /** The surface with u_n and w_n. */
+  virtual void before(const SurfaceView<dim> &surface) = 0;
+
+  /** The same with u_(n+1) and w_(n+1), and the contact forces of the step. */
+  virtual void after(const SurfaceView<dim> &surface, ContactSurface<dim> &contact) = 0;
+};
+
+/**
+ * The law of contact with a rigid flat that moves along x: forward increment Lagrange
+ * multipliers and regularized Coulomb friction (eqs 2, 4, 7). The kernel has one
+ * tangential component, so there is an instance for dim = 2.
+ */
+template <int dim>
+class ContactSurface : public BoundaryCondition<dim>
+{
+public:
+  /** As many nodes as @p setup has friction coefficients, none of them touching. */
+  ContactSurface(const ContactSetup &setup, const StepParameters &step);
+
+  /** @p observer is called from now on and has to outlive the last step. */
+  void observe(ContactObserver<dim> &observer)
+  {
+    observers.push_back(&observer);
+  }
+
+  /** Contact forces by forward increment Lagrange multipliers, then the step. */
+  void advance(const SurfaceView<dim> &surface) override;
+
+  /** Energies since the start, of all nodes. */
+  const ContactWork &work() const
+  {
+    return total;
+  }
+
+  /** Resultants of the last step. */
+  const ContactSums &sums() const
+  {
+    return last;
+  }
+
+  /** Number of nodes, a periodic one counted once. */
+  unsigned int n_distinct_nodes() const
+  {
+    return n_distinct;
+  }
+
+  /** Normal forces of the last step (N/m), one value a node. */
+  const double *normal_force() const
+  {
+    return column(normal);
+  }
+
+  /** Tangential forces of the last step on the body (N/m), one value a node. */
+  const double *tangential_force() const
+  {
+    return column(tangential);
+  }
+
+  /** The node counts since the last call; steps are left at 0. */
+  NodeCounts take_counts();
+
+  /** Saves or restores the state between two steps (Boost.Serialization). */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &values &started &total;
+  }
+
+private:
+  enum Column
+  {
+    gap,
+    friction_coefficient,
+    decay,
+    lag,
+    increment_x,
+    increment_y,
+    tangential,
+    target,
+    touching,
+    normal,
+    sticking,
+    stick_count,
+    slip_count,
+    landing_count,
+    n_columns_stored
+  };
+
+  double *column(const Column c)
+  {
+    return values.row(0, c);
+  }
+  const double *column(const Column c) const
+  {
+    return values.row(0, c);
+  }
+
+  ContactArrays arrays(const SurfaceView<dim> &surface);
+
+  void initialize_increments(const SurfaceView<dim> &surface);
+
+  const ContactFunction advance_nodes = contact_function();
+
+  const ContactSetup setup;
+  const StepParameters step;
+  const unsigned int n_nodes;
+  const unsigned int n_distinct;
+
+  NodalField<double> values; ///< one row for each Column; component 1 is unused
+  bool started = false;
+  ContactWork total;
+  ContactSums last;
+  std::vector<ContactObserver<dim> *> observers;
+};
+} // namespace mesoslip
+
+#endif

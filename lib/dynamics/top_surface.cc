@@ -1,0 +1,194 @@
+#include "dynamics/top_surface.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mesoslip
+{
+namespace
+{
+// Eight partial sums: the order is fixed, and the loop does not wait for one addition
+// before it starts the next.
+double sum_of(const double *values, const unsigned int n)
+{
+  std::array<double, 8> lanes = {};
+  unsigned int i              = 0;
+  for (; i + 8 <= n; i += 8)
+    for (unsigned int l = 0; l < 8; ++l)
+      lanes[l] += values[i + l];
+  double sum = 0.;
+  for (; i < n; ++i)
+    sum += values[i];
+  for (const double lane : lanes)
+    sum += lane;
+  return sum;
+}
+} // namespace
+
+void TopRecorder::record(const double displacement,
+                         const TopLoad &load,
+                         const double work)
+{
+  samples.displacement.push_back(displacement);
+  samples.normal_force.push_back(load.normal);
+  samples.tangential_force.push_back(load.tangential);
+  samples.work.push_back(work);
+}
+
+template <int dim>
+TopSurface<dim>::TopSurface(const TopSetup &setup,
+                            const StepParameters &step,
+                            const unsigned int n_nodes)
+  : setup(setup)
+  , step(step)
+  , n_distinct(setup.periodic ? n_nodes - 1 : n_nodes)
+  , tributary(n_nodes, setup.cell_width)
+{
+  for (std::vector<double> &component : increment)
+    component.assign(n_nodes, 0.);
+  if (!setup.periodic)
+    tributary.front() = tributary.back() = 0.5 * setup.cell_width;
+}
+
+template <int dim>
+void TopSurface<dim>::advance(const SurfaceView<dim> &surface)
+{
+  AssertDimension(surface.n, tributary.size());
+  if (!started)
+    initialize(surface);
+
+  std::vector<TopRecorder *> &all = recorders;
+  const bool sampled              = std::any_of(
+                 all.begin(), all.end(), [&](const TopRecorder *r) { return r->wants(surface.step); });
+  const double displacement =
+    sampled ? sum_of(surface.u[dim - 1], n_distinct) / n_distinct : 0.;
+
+  work_this_step  = 0.;
+  const bool held = setup.kind == TopSetup::Kind::held || surface.time >= setup.hold_from;
+  const TopLoad load = held                                   ? hold(surface)
+                       : setup.kind == TopSetup::Kind::platen ? push_platen(surface)
+                                                              : push_nodes(surface);
+  total_work += work_this_step;
+  for (TopRecorder *recorder : recorders)
+    if (recorder->wants(surface.step))
+      recorder->record(displacement, load, total_work);
+}
+
+template <int dim>
+void TopSurface<dim>::initialize(const SurfaceView<dim> &surface)
+{
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int i = 0; i < surface.n; ++i)
+      increment[c][i] = step.dt * surface.w[c][i];
+  moving_mass = setup.platen_mass;
+  for (unsigned int i = 0; i < n_distinct; ++i)
+    if (surface.inverse_mass[dim - 1][i] > 0.)
+      moving_mass += 1. / surface.inverse_mass[dim - 1][i];
+  started = true;
+}
+
+template <int dim>
+void TopSurface<dim>::move_node(double &u, double &w, const double acceleration) const
+{
+  w += step.dt * acceleration;
+  u += step.dt * w + (step.beta2 - 0.5) * step.dt * step.dt * acceleration;
+}
+
+template <int dim>
+TopLoad TopSurface<dim>::push_nodes(const SurfaceView<dim> &surface)
+{
+  constexpr unsigned int y = dim - 1;
+  TopLoad load;
+  const double pressure = setup.pressure(surface.time);
+  for (unsigned int i = 0; i < surface.n; ++i)
+    {
+      const double force  = pressure * tributary[i];
+      const double before = surface.u[y][i];
+      move_node(surface.u[y][i], surface.w[y][i],
+                -surface.inverse_mass[y][i] * (force + surface.force[y][i]));
+      const double moved = surface.u[y][i] - before;
+      for (unsigned int c = 0; c < y && !setup.lateral_held; ++c)
+        {
+          const double left = surface.u[c][i];
+          move_node(surface.u[c][i], surface.w[c][i],
+                    -surface.inverse_mass[c][i] * surface.force[c][i]);
+          increment[c][i] = surface.u[c][i] - left;
+        }
+      if (i < n_distinct)
+        {
+          work_this_step -= force * 0.5 * (moved + increment[y][i]);
+          load.normal += force;
+        }
+      increment[y][i] = moved;
+    }
+  if (setup.lateral_held)
+    load.tangential = -sum_of(surface.force[0], n_distinct);
+  return load;
+}
+
+template <int dim>
+TopLoad TopSurface<dim>::push_platen(const SurfaceView<dim> &surface)
+{
+  constexpr unsigned int y = dim - 1;
+  const double width       = setup.cell_width * (surface.n - 1);
+
+  TopLoad load;
+  load.normal     = setup.pressure(surface.time) * width;
+  load.tangential = -sum_of(surface.force[0], n_distinct);
+  const double acceleration =
+    -(load.normal + sum_of(surface.force[y], n_distinct)) / moving_mass;
+
+  double u = surface.u[y][0], w = surface.w[y][0];
+  move_node(u, w, acceleration);
+  const double moved = u - surface.u[y][0];
+  work_this_step     = -load.normal * 0.5 * (moved + increment[y][0]);
+  std::fill(increment[y].begin(), increment[y].end(), moved);
+  platen_w = w;
+  std::fill_n(surface.u[y], surface.n, u);
+  std::fill_n(surface.w[y], surface.n, w);
+  return load;
+}
+
+// Work of the force that stops the surface at once. It acts during one step, along half
+// the increment of the step before, and its acceleration -w / dt enters the energy for
+// b > 1/2:
+//     (m (-w / dt) + f) . increment / 2 + (b - 1/2) m w^2 / 2
+template <int dim>
+void TopSurface<dim>::stop(const SurfaceView<dim> &surface)
+{
+  const auto work = [&](const double m, const double w, const double moved,
+                        const double f) {
+    return 0.5 * ((f - m * w / step.dt) * moved + (step.beta2 - 0.5) * m * w * w);
+  };
+  const auto mass = [](const double inverse) { return inverse > 0. ? 1. / inverse : 0.; };
+  for (unsigned int i = 0; i < n_distinct; ++i)
+    {
+      double of_node = 0.;
+      for (unsigned int c = 0; c < dim; ++c)
+        of_node += work(mass(surface.inverse_mass[c][i]), surface.w[c][i],
+                        increment[c][i], surface.force[c][i]);
+      work_this_step += of_node;
+    }
+  work_this_step += work(setup.platen_mass, platen_w, increment[dim - 1][0], 0.);
+}
+
+template <int dim>
+TopLoad TopSurface<dim>::hold(const SurfaceView<dim> &surface)
+{
+  if (!holding)
+    stop(surface);
+  holding  = true;
+  platen_w = 0.;
+  for (unsigned int c = 0; c < dim; ++c)
+    std::fill_n(surface.w[c], surface.n, 0.);
+
+  TopLoad load;
+  load.normal     = -sum_of(surface.force[dim - 1], n_distinct);
+  load.tangential = -sum_of(surface.force[0], n_distinct);
+  return load;
+}
+
+template class TopSurface<2>;
+} // namespace mesoslip

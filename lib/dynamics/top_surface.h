@@ -1,0 +1,178 @@
+#ifndef mesoslip_dynamics_top_surface_h
+#define mesoslip_dynamics_top_surface_h
+
+#include "contact/load_history.h"
+#include "elasticity/boundary_condition.h"
+#include "io/serialize_members.h"
+
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace mesoslip
+{
+/** How the top of the body is loaded. */
+struct TopSetup
+{
+  /** What the top may do. */
+  enum class Kind
+  {
+    pressure, ///< a pressure on each node
+    platen,   ///< rigid: u_x = 0 and one common u_y, pushed by the pressure's resultant
+    held      ///< u = 0
+  };
+
+  Kind kind = Kind::platen; ///< platen, pressure or held
+
+  /** Pressure (Pa), positive when it presses the body on the flat. */
+  LoadHistory pressure;
+
+  /** With Kind::pressure: u_x = 0 on the top. */
+  bool lateral_held = false;
+
+  /** Mass of the platen per unit thickness (kg/m). */
+  double platen_mass = 0.;
+
+  /** From this time (s) on the top stays where it is. */
+  double hold_from = std::numeric_limits<double>::infinity();
+
+  /** Width of a cell (m). */
+  double cell_width = 0.;
+
+  /** The last column duplicates the first. */
+  bool periodic = false;
+};
+
+/** Forces on the body during one step, per unit thickness. */
+struct TopLoad
+{
+  double normal     = 0.; ///< N/m, positive when it presses
+  double tangential = 0.; ///< N/m, as transmitted from the contact
+};
+
+/** Sampled resultants at the top, per unit thickness. */
+struct TopHistory
+{
+  std::vector<double> normal_force;     ///< N/m, positive when it presses
+  std::vector<double> tangential_force; ///< N/m, as transmitted from the contact
+  std::vector<double> displacement;     ///< mean u_y (m)
+  std::vector<double> work;             ///< done on the body since the start (J/m)
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<4>(archive, *this);
+  }
+};
+
+/** Histories of the top. */
+class TopRecorder
+{
+public:
+  /** A sample every @p interval steps; 0: none. */
+  explicit TopRecorder(const unsigned int interval)
+    : interval(interval)
+  {
+  }
+
+  /** Whether this step is sampled. */
+  bool wants(const std::uint64_t step) const
+  {
+    return interval > 0 && step % interval == 0;
+  }
+
+  /** Mean @p displacement (m) before the step, load in it, @p work (J/m) after it. */
+  void record(const double displacement, const TopLoad &load, const double work);
+
+  /** What was sampled so far, or since take(). */
+  const TopHistory &history() const
+  {
+    return samples;
+  }
+
+  /** Takes out what was sampled since the last call. */
+  TopHistory take()
+  {
+    return std::exchange(samples, TopHistory());
+  }
+
+  /** Saves or restores the state between two steps (Boost.Serialization). */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &samples;
+  }
+
+private:
+  const unsigned int interval;
+  TopHistory samples;
+};
+
+/**
+ * The top of the body under its load. Work is formed with the central increment
+ * (u_(n+1) - u_(n-1)) / 2, for which the discrete energy balance is exact.
+ */
+template <int dim>
+class TopSurface : public BoundaryCondition<dim>
+{
+public:
+  /** For a top of @p n_nodes nodes, at rest. */
+  TopSurface(const TopSetup &setup,
+             const StepParameters &step,
+             const unsigned int n_nodes);
+
+  /** @p recorder is filled from now on and has to outlive the last step. */
+  void observe(TopRecorder &recorder)
+  {
+    recorders.push_back(&recorder);
+  }
+
+  /** One step of the surface under its load. */
+  void advance(const SurfaceView<dim> &surface) override;
+
+  /** Work done on the body since the start (J/m). */
+  double work() const
+  {
+    return total_work;
+  }
+
+  /** Saves or restores the state between two steps (Boost.Serialization). */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &increment &started &holding &moving_mass &platen_w &total_work;
+  }
+
+private:
+  void initialize(const SurfaceView<dim> &surface);
+
+  TopLoad push_nodes(const SurfaceView<dim> &surface);
+  TopLoad push_platen(const SurfaceView<dim> &surface);
+  TopLoad hold(const SurfaceView<dim> &surface);
+  void stop(const SurfaceView<dim> &surface);
+
+  void move_node(double &u, double &w, const double acceleration) const;
+
+  const TopSetup setup;
+  const StepParameters step;
+  const unsigned int n_distinct;
+
+  std::vector<double> tributary;                  ///< width (m) that each node carries
+  std::array<std::vector<double>, dim> increment; ///< of the step before (m)
+  bool started          = false;
+  bool holding          = false;
+  double moving_mass    = 0.; ///< of platen and surface (kg/m)
+  double platen_w       = 0.;
+  double total_work     = 0.;
+  double work_this_step = 0.;
+  std::vector<TopRecorder *> recorders;
+};
+} // namespace mesoslip
+
+#endif
