@@ -154,8 +154,8 @@ std::vector<std::string> result_warnings(const std::vector<EnsembleMember> &memb
             (members.size() > 1 ? " (seed " + std::to_string(member.seed) + ")" : ""));
       }
   const VoigtMatrix<2> kubc = mean_of(members, "KUBC"), subc = mean_of(members, "SUBC");
-  RveParameters full         = parameters;
-  full.effective_full      = true;
+  RveParameters full  = parameters;
+  full.effective_full = true;
   if (!parameters.effective_full)
     sentences.push_back(dropped_entries(effective_stiffness(members, full)));
   if (parameters.effective == "mean" && kubc(0, 0) > 0. && subc(0, 0) > 0.)

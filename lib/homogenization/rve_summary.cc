@@ -1,4 +1,5 @@
 #include "homogenization/rve_output.h"
+#include "io/json.h"
 #include "io/parameters.h"
 #include "io/run_context.h"
 #include "material/bounds.h"
@@ -6,7 +7,6 @@
 
 #include <cmath>
 #include <iomanip>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace mesoslip
@@ -169,8 +169,7 @@ void write_rve_summary(const RveParameters &parameters,
       out["hill_mandel_residual"][name] = response.hill_mandel_residual;
       out["symmetry_residual"][name]    = response.symmetry_residual;
       out["mean_concentration_residual"][name] = response.mean_residual;
-      out["two_phase_residual"][name] =
-        response.two_phase_residual ? json(*response.two_phase_residual) : json(nullptr);
+      out["two_phase_residual"][name]          = response.two_phase_residual;
       for (const SolverReport &report : response.reports)
         out["iterations"][name].push_back(report.iterations);
     }

@@ -74,7 +74,7 @@ auto list_of(const std::size_t min, const std::size_t max, const ItemReader &rea
   };
 }
 
-bool read_text(const std::string &text, std::string &value)
+bool take_text(const std::string &text, std::string &value)
 {
   value = text;
   return true;
@@ -181,7 +181,7 @@ void Keys::bind(const std::string &key, bool &value, const std::string &meaning)
 
 void Keys::bind(const std::string &key, std::string &value, const std::string &meaning)
 {
-  bind_value<std::string>(key, value, value, "any text", read_text, meaning);
+  bind_value<std::string>(key, value, value, "any text", take_text, meaning);
 }
 
 void Keys::bind_choice(const std::string &key,
@@ -192,7 +192,7 @@ void Keys::bind_choice(const std::string &key,
   bind_value<std::string>(
     key, value, value, "one of " + to_text(choices),
     [choices](const std::string &text, std::string &choice) {
-      return read_text(text, choice) && contains(choices, text);
+      return take_text(text, choice) && contains(choices, text);
     },
     meaning);
 }
@@ -234,7 +234,7 @@ void Keys::bind_list(const std::string &key,
                      const std::string &meaning)
 {
   const auto read = [choices](const std::string &text, std::string &word) {
-    return read_text(text, word) && !text.empty() &&
+    return take_text(text, word) && !text.empty() &&
            (choices.empty() || contains(choices, text));
   };
   bind_value<std::vector<std::string>>(
@@ -264,7 +264,7 @@ void Keys::bind_input(const std::string &key,
                       const std::string &meaning)
 {
   bind_value<std::string>(key, path, path, "the name of a file to read, or nothing",
-                          read_text, meaning);
+                          take_text, meaning);
   if (!reading)
     keys.back().is_input = true;
 }

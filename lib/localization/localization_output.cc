@@ -3,12 +3,12 @@
 #include "homogenization/rve_file.h"
 #include "io/digest.h"
 #include "io/hdf5_file.h"
+#include "io/json.h"
 #include "io/parameters.h"
 #include "io/table.h"
 #include "io/xdmf.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace mesoslip
 {
@@ -154,11 +154,6 @@ json differences_json(const LocalizationResult &result)
                     {"direct", d.second},
                     {"of_load", d.of_load}});
   return list;
-}
-
-json number_or_null(const double value)
-{
-  return std::isfinite(value) ? json(value) : json(nullptr);
 }
 
 json probe_json(const ProbeResult &probe)

@@ -8,9 +8,10 @@
 #include "io/run_context.h"
 #include "material/plausibility.h"
 #include "simulation/plausible_input.h"
-#include "simulation/time_step_choice.h"
+#include "simulation/run_plan.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
 
@@ -94,8 +95,26 @@ std::vector<std::string> BodyAnalysis::body_lines() const
 
 std::vector<std::string> BodyAnalysis::body_warnings() const
 {
+  const bool typed = parameters.body.rve_file.empty();
+  const std::string size =
+    typed ? "Body/Size" : "the size in " + parameters.body.rve_file;
+  std::vector<PlausibleRange> ranges = {
+    plausible_length(size + " along x", scene.grid.extent(0)),
+    plausible_length(size + " along y", scene.grid.extent(1))};
+  for (const Phase<2> &phase : scene.phases)
+    ranges.push_back(plausible_density(
+      typed ? "Body/Density" : "the density of phase '" + phase.name + "'",
+      phase.density));
+  if (!parameters.friction.coefficient_by_phase)
+    ranges.push_back(
+      plausible_friction("Friction/Coefficient", parameters.friction.coefficient));
+  else
+    for (const Phase<2> &phase : scene.phases)
+      ranges.push_back(
+        plausible_friction("the friction coefficient of phase '" + phase.name + "'",
+                           phase.friction_coefficient));
   std::vector<std::string> warnings = scene.warnings;
-  for (const std::string &warning : implausible_body(parameters, scene))
+  for (const std::string &warning : implausible(ranges))
     warnings.push_back(warning);
   const std::string stiffness = stiffness_warning(scene.phases);
   if (!stiffness.empty())
@@ -121,6 +140,16 @@ void BodyAnalysis::log_body(RunContext &context) const
     context.log(line);
   for (const std::string &warning : body_warnings())
     context.warn(warning);
+}
+
+void BodyAnalysis::summarize_body(const std::string &analysis, RunContext &context) const
+{
+  nlohmann::json &json = context.summary();
+  json["dim"]          = 2;
+  json["cells"]        = scene.grid.n_cells();
+  json["dofs"]         = 2 * scene.grid.n_nodes();
+  json["analysis"]     = analysis;
+  json["material"]     = parameters.body.heterogeneous ? "heterogeneous" : "homogeneous";
 }
 
 void BodyAnalysis::log_serial_body(RunContext &context) const

@@ -30,6 +30,9 @@ protected:
   /** As log_body(); tells that the ranks of a run repeat the same computation. */
   void log_serial_body(RunContext &context) const;
 
+  /** Puts analysis, material and size of the body into summary.json. */
+  void summarize_body(const std::string &analysis, RunContext &context) const;
+
   const ContactParameters parameters;
   const Scene scene;
   const UniformMaterial material;

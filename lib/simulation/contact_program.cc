@@ -22,7 +22,7 @@ std::unique_ptr<Analysis> build(Keys &keys)
     case ContactAnalysis::static_contact:
       return std::make_unique<StaticContactAnalysis>(parameters);
     case ContactAnalysis::friction_homogenization:
-      return std::make_unique<FrictionHomogenization>(parameters);
+      return std::make_unique<FrictionHomogenizationAnalysis>(parameters);
     default:
       return std::make_unique<TransientAnalysis>(parameters, keys);
     }

@@ -2,13 +2,12 @@
 
 #include "io/collective.h"
 #include "io/errors.h"
+#include "io/json.h"
 #include "io/parameters.h"
 #include "io/run_context.h"
 #include "io/table.h"
 
 #include <cmath>
-#include <limits>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace mesoslip
@@ -37,27 +36,15 @@ std::optional<double> calibrated_delta(const FrictionHomogenizationInput &input,
                    duration);
 }
 
-nlohmann::json json_or_null(const std::optional<double> &value)
-{
-  return value ? nlohmann::json(*value) : nlohmann::json();
-}
-
-double or_nan(const std::optional<double> &value)
-{
-  return value ? *value : std::numeric_limits<double>::quiet_NaN();
-}
-
-nlohmann::json to_json(const FrictionRun &run)
+nlohmann::json run_json(const FrictionRun &run)
 {
   nlohmann::json json = {
     {"folder", run.folder},
     {"global_interface_friction_coefficient", run.mu_inter},
-    {"mean_contact_duration", json_or_null(run.contact_duration)},
-    {"mean_contact_duration_warning", run.duration_warning.empty()
-                                        ? nlohmann::json()
-                                        : nlohmann::json(run.duration_warning)},
-    {"regularization_time", json_or_null(run.regularization_time)},
-    {"friction_coefficient", json_or_null(run.friction_coefficient)}};
+    {"mean_contact_duration", run.contact_duration},
+    {"mean_contact_duration_warning", text_or_null(run.duration_warning)},
+    {"regularization_time", run.regularization_time},
+    {"friction_coefficient", run.friction_coefficient}};
   if (run.contact_duration && run.regularization_time && run.friction_coefficient)
     json["eq_13"] = mean_friction_coefficient(
       *run.friction_coefficient, *run.regularization_time, *run.contact_duration);
@@ -71,20 +58,17 @@ void write_summary(const FrictionHomogenizationInput &input,
                    const std::string &warning,
                    nlohmann::json &json)
 {
-  json["analysis"]      = "friction homogenization";
-  json["mu_homo"]       = mu_homo;
-  json["delta"]         = delta;
-  json["delta_warning"] = warning.empty() ? nlohmann::json() : nlohmann::json(warning);
-  json["heterogeneous_run"] = to_json(input.heterogeneous);
+  json["analysis"]          = "friction homogenization";
+  json["mu_homo"]           = mu_homo;
+  json["delta"]             = delta;
+  json["delta_warning"]     = text_or_null(warning);
+  json["heterogeneous_run"] = run_json(input.heterogeneous);
   json["homogeneous_run"] =
-    input.homogeneous ? to_json(*input.homogeneous) : nlohmann::json();
-  const double total_volume = [&]() {
-    double sum = 0.;
-    for (const ContactPhase &phase : input.volume)
-      sum += phase.area;
-    return sum;
-  }();
-  json["volume_fractions_sum"]          = total_volume;
+    input.homogeneous ? run_json(*input.homogeneous) : nlohmann::json();
+  double volume = 0.;
+  for (const ContactPhase &phase : input.volume)
+    volume += phase.area;
+  json["volume_fractions_sum"]          = volume;
   const std::vector<double> repartition = static_pressure_repartition(1., input.surface);
   for (std::size_t p = 0; p < input.surface.size(); ++p)
     json["contact_phases"].push_back(
@@ -101,8 +85,8 @@ void write_summary(const FrictionHomogenizationInput &input,
                                  {"duration_of", e.duration},
                                  {"mu_homo", e.mu_homo},
                                  {"mean_contact_duration", e.contact_duration},
-                                 {"delta", json_or_null(e.delta)},
-                                 {"delta_calibrated", json_or_null(e.calibrated)}});
+                                 {"delta", e.delta},
+                                 {"delta_calibrated", e.calibrated}});
 }
 
 void write_table(const std::vector<FrictionEstimate> &estimates, const std::string &path)
@@ -255,7 +239,7 @@ chosen_estimate(const std::vector<FrictionEstimate> &estimates,
   return *chosen;
 }
 
-FrictionHomogenization::FrictionHomogenization(const ContactParameters &p)
+FrictionHomogenizationAnalysis::FrictionHomogenizationAnalysis(const ContactParameters &p)
   : parameters(p.homogenization)
 {
   on_root(MPI_COMM_WORLD, [&]() {
@@ -264,12 +248,12 @@ FrictionHomogenization::FrictionHomogenization(const ContactParameters &p)
   });
 }
 
-void FrictionHomogenization::run(RunContext &context)
+void FrictionHomogenizationAnalysis::run(RunContext &context)
 {
   on_root(context.communicator(), [&]() { run_on_root(context); });
 }
 
-void FrictionHomogenization::run_on_root(RunContext &context) const
+void FrictionHomogenizationAnalysis::run_on_root(RunContext &context) const
 {
   for (const std::string &warning : input.warnings)
     context.warn(warning);
@@ -279,7 +263,7 @@ void FrictionHomogenization::run_on_root(RunContext &context) const
   write_table(estimates, context.file("friction_homogenization.csv"));
 
   const FrictionEstimate &chosen = chosen_estimate(estimates, parameters, input);
-  const double delta = or_nan(parameters.calibrate ? chosen.calibrated : chosen.delta);
+  const double delta        = *(parameters.calibrate ? chosen.calibrated : chosen.delta);
   const std::string warning = duration_warning(input, chosen);
   if (!warning.empty())
     context.warn(warning);

@@ -95,11 +95,11 @@ chosen_estimate(const std::vector<FrictionEstimate> &estimates,
                 const FrictionHomogenizationInput &input);
 
 /** Analysis "friction homogenization": friction_homogenization.csv, lines for a .prm. */
-class FrictionHomogenization : public Analysis
+class FrictionHomogenizationAnalysis : public Analysis
 {
 public:
   /** Rank 0 reads the folders. @throws UserError */
-  explicit FrictionHomogenization(const ContactParameters &p);
+  explicit FrictionHomogenizationAnalysis(const ContactParameters &p);
 
   void run(RunContext &context) override;
 

@@ -122,17 +122,8 @@ void write_file(const std::vector<ModalCase> &cases,
   write_body_xdmf(context.file("modal.xdmf"), scene, "modal.h5", series, numbers);
 }
 
-void write_summary(const std::vector<ModalCase> &cases,
-                   const ContactParameters &parameters,
-                   const Scene &scene,
-                   RunContext &context)
+void write_summary(const std::vector<ModalCase> &cases, nlohmann::json &json)
 {
-  nlohmann::json &json = context.summary();
-  json["dim"]          = 2;
-  json["cells"]        = scene.grid.n_cells();
-  json["dofs"]         = 2 * scene.grid.n_nodes();
-  json["analysis"]     = "modal";
-  json["material"]     = parameters.body.heterogeneous ? "heterogeneous" : "homogeneous";
   for (const ModalCase &c : cases)
     {
       nlohmann::json frequencies = nlohmann::json::array();
@@ -216,6 +207,7 @@ void ModalAnalysis::run(RunContext &context)
   const auto scope = context.timer().scope("Output");
   write_table(cases, context);
   write_file(cases, scene, context);
-  write_summary(cases, parameters, scene, context);
+  summarize_body("modal", context);
+  write_summary(cases, context.summary());
 }
 } // namespace mesoslip

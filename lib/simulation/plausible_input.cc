@@ -2,8 +2,7 @@
 
 #include "elasticity/critical_time_step.h"
 #include "material/plausibility.h"
-#include "simulation/load_estimates.h"
-#include "simulation/run_size.h"
+#include "simulation/run_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +32,18 @@ std::string run_text(const ContactParameters &parameters)
   return "the whole run (" + quantity_text(parameters.time.end_time, "s") + ")";
 }
 
+PlausibleRange at_most(const std::string &key,
+                       const double value,
+                       const std::string &unit,
+                       const double highest,
+                       const std::string &if_high)
+{
+  PlausibleRange range{key, value, unit};
+  range.highest = highest;
+  range.if_high = if_high;
+  return range;
+}
+
 /** A duration that has to act within the run. */
 PlausibleRange within_run(const std::string &key,
                           const double value,
@@ -40,11 +51,9 @@ PlausibleRange within_run(const std::string &key,
                           const ContactParameters &parameters,
                           const std::string &consequence)
 {
-  PlausibleRange range{key, value, "s"};
-  range.highest = longest;
-  range.if_high =
-    "longer than " + run_text(parameters) + ", so that " + consequence + "; is it in s?";
-  return range;
+  return at_most(key, value, "s", longest,
+                 "longer than " + run_text(parameters) + ", so that " + consequence +
+                   "; is it in s?");
 }
 
 std::string load_name(const LoadHistory &load,
@@ -110,24 +119,20 @@ void add_top(Ranges &ranges,
     ranges.push_back(within_run("Top/Hold from", top.hold_from, parameters.time.end_time,
                                 parameters, "the top is never held"));
   const double mass = material.total_mass();
-  PlausibleRange platen{"Top/Platen mass", top.platen_mass, "kg/m"};
-  platen.highest = 1e4 * mass;
-  platen.if_high = "more than 10000 times the body's " + quantity_text(mass, "kg/m") +
-                   "; is it in kg per m of thickness?";
-  ranges.push_back(platen);
+  ranges.push_back(at_most("Top/Platen mass", top.platen_mass, "kg/m", 1e4 * mass,
+                           "more than 10000 times the body's " +
+                             quantity_text(mass, "kg/m") +
+                             "; is it in kg per m of thickness?"));
 }
 
 /** Against the speed of waves. */
 PlausibleRange
 plausible_speed(const std::string &key, const double speed, const double wave_speed)
 {
-  PlausibleRange range{key, speed, "m/s"};
-  range.highest = fastest * wave_speed;
-  range.if_high = percent(speed / wave_speed) + " of the speed of waves in the body, " +
-                  quantity_text(wave_speed, "m/s") +
-                  "; is it in mm/s? Velocities are in "
-                  "m/s";
-  return range;
+  return at_most(key, speed, "m/s", fastest * wave_speed,
+                 percent(speed / wave_speed) + " of the speed of waves in the body, " +
+                   quantity_text(wave_speed, "m/s") +
+                   "; is it in mm/s? Velocities are in m/s");
 }
 
 void add_velocities(Ranges &ranges,
@@ -186,12 +191,12 @@ void add_contact(Ranges &ranges,
   else
     ranges.push_back(within_run("Friction/Regularization time", friction.law.time,
                                 longest, parameters, "friction hardly comes to act"));
-  PlausibleRange gap{"Flat/Gap", friction.gap, "m"};
-  gap.highest = reach(parameters, material);
-  gap.if_high = "but pressure, initial velocity and acceleration move the body by " +
-                quantity_text(gap.highest, "m") +
-                " at most before Time/End time: it never touches the flat; is it in m?";
-  ranges.push_back(gap);
+  const double furthest = reach(parameters, material);
+  ranges.push_back(
+    at_most("Flat/Gap", friction.gap, "m", furthest,
+            "but pressure, initial velocity and acceleration move the body by " +
+              quantity_text(furthest, "m") +
+              " at most before Time/End time: it never touches the flat; is it in m?"));
 }
 
 void add_times(Ranges &ranges,
@@ -199,12 +204,11 @@ void add_times(Ranges &ranges,
                const UniformMaterial &material)
 {
   const TimeParameters &time = parameters.time;
-  PlausibleRange end{"Time/End time", time.end_time, "s"};
-  end.highest = most_crossings * crossing_time(material);
-  end.if_high = "in which a wave crosses the body " +
-                quantity_text(time.end_time / crossing_time(material), "times") +
-                "; is it in s?";
-  ranges.push_back(end);
+  const double crossing      = crossing_time(material);
+  ranges.push_back(at_most("Time/End time", time.end_time, "s", most_crossings * crossing,
+                           "in which a wave crosses the body " +
+                             quantity_text(time.end_time / crossing, "times") +
+                             "; is it in s?"));
   if (std::isnan(time.time_step))
     return;
   const double critical =
@@ -222,11 +226,10 @@ void add_observation(Ranges &ranges,
 {
   const ObservationParameters &o = parameters.observation;
   const auto interval            = [&](const std::string &key, const unsigned int steps) {
-    PlausibleRange range{"Observation/" + key, double(steps), "steps"};
-    range.highest = std::max(200., n_steps); // the default where nothing is asked for
-    range.if_high =
-      "more than " + run_text(parameters) + " has, " + quantity_text(n_steps, "steps");
-    ranges.push_back(range);
+    // 200 is the default where nothing is asked for.
+    ranges.push_back(at_most(
+                 "Observation/" + key, double(steps), "steps", std::max(200., n_steps),
+                 "more than " + run_text(parameters) + " has, " + quantity_text(n_steps, "steps")));
   };
   interval("History interval", o.history_interval);
   interval("Energy interval", o.energy_interval);
@@ -237,11 +240,10 @@ void add_observation(Ranges &ranges,
   const double end = parameters.time.end_time;
   ranges.push_back(within_run("Snapshots/Interval", o.snapshots_interval, end, parameters,
                               "there is one snapshot only"));
-  PlausibleRange last{"Snapshots/To", o.snapshots_to, "s"};
-  last.highest = 2. * end;
-  last.if_high = "long after the end of " + run_text(parameters) + "; is it in s?";
   if (!std::isnan(o.snapshots_to))
-    ranges.push_back(last);
+    ranges.push_back(
+      at_most("Snapshots/To", o.snapshots_to, "s", 2. * end,
+              "long after the end of " + run_text(parameters) + "; is it in s?"));
 }
 
 /** What is no range: values that are not finite, and a body that nothing moves. */
@@ -281,29 +283,6 @@ bool slides_undamped(const ContactParameters &parameters)
          flat_moves(parameters);
 }
 } // namespace
-
-std::vector<std::string> implausible_body(const ContactParameters &parameters,
-                                          const Scene &scene)
-{
-  const bool typed = parameters.body.rve_file.empty();
-  const std::string size =
-    typed ? "Body/Size" : "the size in " + parameters.body.rve_file;
-  Ranges ranges = {plausible_length(size + " along x", scene.grid.extent(0)),
-                   plausible_length(size + " along y", scene.grid.extent(1))};
-  for (const Phase<2> &phase : scene.phases)
-    ranges.push_back(plausible_density(
-      typed ? "Body/Density" : "the density of phase '" + phase.name + "'",
-      phase.density));
-  if (!parameters.friction.coefficient_by_phase)
-    ranges.push_back(
-      plausible_friction("Friction/Coefficient", parameters.friction.coefficient));
-  else
-    for (const Phase<2> &phase : scene.phases)
-      ranges.push_back(
-        plausible_friction("the friction coefficient of phase '" + phase.name + "'",
-                           phase.friction_coefficient));
-  return implausible(ranges);
-}
 
 std::vector<std::string> implausible_static_load(const ContactParameters &parameters,
                                                  const UniformMaterial &material)

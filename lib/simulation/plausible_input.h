@@ -3,18 +3,13 @@
 
 #include "elasticity/uniform_material.h"
 #include "simulation/contact_parameters.h"
-#include "simulation/scene.h"
 
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
-/** Sentences on size, densities and friction coefficients that look like another unit. */
-std::vector<std::string> implausible_body(const ContactParameters &parameters,
-                                          const Scene &scene);
-
-/** The same on the pressure of a static contact analysis. */
+/** Sentences on a pressure of a static contact analysis that looks like another unit. */
 std::vector<std::string> implausible_static_load(const ContactParameters &parameters,
                                                  const UniformMaterial &material);
 

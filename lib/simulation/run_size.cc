@@ -1,10 +1,7 @@
-#include "simulation/run_size.h"
-
-#include "elasticity/critical_time_step.h"
 #include "io/errors.h"
 #include "io/parameters.h"
 #include "observation/steady_record.h"
-#include "simulation/time_step_choice.h"
+#include "simulation/run_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,42 +84,6 @@ ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &
   // Displacement and increment; the static solvers as measured with the multigrid.
   const bool stepping = analysis == ContactAnalysis::transient;
   return {(stepping ? 33. : 330.) * n_nodes(grid), "reduce Body/Cells"};
-}
-
-double largest_number_of_steps(const ContactParameters &parameters,
-                               const UniformMaterial &material)
-{
-  const TimeParameters &t = parameters.time;
-  const double dt =
-    std::isnan(t.time_step)
-      ? t.safety * critical_time_step(element_frequency_bound(material), t.beta2, t.beta)
-      : t.time_step;
-  return std::ceil(t.end_time / dt);
-}
-
-double crossing_time(const UniformMaterial &material)
-{
-  double fastest = 0.; // squared
-  for (const ElasticClass &c : material.classes())
-    fastest = std::max(fastest, c.stiffness(1, 1) / c.density);
-  return material.grid().extent(1) / std::sqrt(fastest);
-}
-
-std::string damping_warning(const ContactParameters &parameters,
-                            const UniformMaterial &material,
-                            const std::string &shortened)
-{
-  const TimeParameters &t = parameters.time;
-  const double omega      = element_frequency_bound(material);
-  const double shortening =
-    critical_time_step(omega, t.beta2, 0.) / critical_time_step(omega, t.beta2, t.beta);
-  if (shortening <= 10.)
-    return "";
-  std::ostringstream text;
-  text.precision(3);
-  text << "Time/Rayleigh beta = " << t.beta << " s makes " << shortened << " "
-       << shortening << " times shorter than without damping; is it in s?";
-  return text.str();
 }
 
 ResourceNeed history_memory(const ContactParameters &parameters,

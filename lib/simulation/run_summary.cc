@@ -4,7 +4,6 @@
 #include "io/files.h"
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 namespace mesoslip
 {
@@ -24,15 +23,10 @@ RunSummary::RunSummary(const std::string &key, const std::string &folder)
     throw UserError(
       key + ": " + path +
       " holds no summary.json, so the run has not finished; run contact_dynamics");
-  json = std::make_unique<const nlohmann::json>(
-    nlohmann::json::parse(read_file(name), nullptr, false));
-  if (!json->is_object())
+  json = nlohmann::json::parse(read_file(name), nullptr, false);
+  if (!json.is_object())
     throw UserError(key + ": " + name + " is no JSON object; run contact_dynamics again");
 }
-
-RunSummary::~RunSummary() = default;
-
-RunSummary::RunSummary(RunSummary &&) noexcept = default;
 
 std::string RunSummary::file(const std::string &name) const
 {
@@ -41,8 +35,8 @@ std::string RunSummary::file(const std::string &name) const
 
 std::string RunSummary::text(const std::string &name) const
 {
-  return json->contains(name) && (*json)[name].is_string()
-           ? (*json)[name].get<std::string>()
+  return json.contains(name) && json.at(name).is_string()
+           ? json.at(name).get<std::string>()
            : "";
 }
 
@@ -58,8 +52,8 @@ void RunSummary::require_analysis(const std::string &analysis) const
 
 std::optional<double> RunSummary::find_number(const std::string &name) const
 {
-  if (json->contains(name) && (*json)[name].is_number())
-    return (*json)[name].get<double>();
+  if (json.contains(name) && json.at(name).is_number())
+    return json.at(name).get<double>();
   return std::nullopt;
 }
 
@@ -75,11 +69,11 @@ double RunSummary::number(const std::string &name, const std::string &missing) c
 std::map<std::string, double> RunSummary::numbers(const std::string &name,
                                                   const std::string &missing) const
 {
-  if (!json->contains(name) || !(*json)[name].is_object())
+  if (!json.contains(name) || !json.at(name).is_object())
     throw UserError(key + ": " + file("summary.json") + " has no " + name + ": " +
                     missing);
   std::map<std::string, double> values;
-  for (const auto &[item, value] : (*json)[name].items())
+  for (const auto &[item, value] : json.at(name).items())
     if (value.is_number())
       values[item] = value.get<double>();
   return values;

@@ -2,8 +2,7 @@
 #define mesoslip_simulation_run_summary_h
 
 #include <map>
-#include <memory>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -16,10 +15,6 @@ class RunSummary
 public:
   /** @p key: "Friction homogenization/Heterogeneous run". @throws UserError */
   RunSummary(const std::string &key, const std::string &folder);
-  ~RunSummary();
-
-  /** Moves the parsed file. */
-  RunSummary(RunSummary &&) noexcept;
 
   /** @throws UserError unless the run was a contact_dynamics @p analysis. */
   void require_analysis(const std::string &analysis) const;
@@ -49,7 +44,7 @@ public:
 private:
   const std::string key;
   std::string path;
-  std::unique_ptr<const nlohmann::json> json;
+  nlohmann::json json;
 };
 } // namespace mesoslip
 

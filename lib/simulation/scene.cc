@@ -4,7 +4,7 @@
 #include "io/errors.h"
 #include "io/parameters.h"
 #include "material/stiffness.h"
-#include "simulation/run_size.h"
+#include "simulation/run_plan.h"
 
 #include <algorithm>
 #include <cmath>

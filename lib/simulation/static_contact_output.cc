@@ -1,10 +1,11 @@
 #include "dynamics/deformation.h"
 #include "io/errors.h"
+#include "io/json.h"
 #include "io/parameters.h"
 #include "io/run_context.h"
 #include "io/table.h"
 #include "simulation/body_file.h"
-#include "simulation/deformation_report.h"
+#include "simulation/failure_report.h"
 #include "simulation/stated_conditions.h"
 #include "simulation/static_contact.h"
 #include "simulation/static_support.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace mesoslip
@@ -150,8 +150,7 @@ nlohmann::json by_phase(const Scene &scene,
 {
   nlohmann::json json = nlohmann::json::object();
   for (std::size_t p = 0; p < scene.phases.size(); ++p)
-    json[scene.phases[p].name] =
-      values[p] ? nlohmann::json(*values[p]) : nlohmann::json();
+    json[scene.phases[p].name] = values[p];
   return json;
 }
 
@@ -161,16 +160,11 @@ void write_summary(const ContactParameters &parameters,
                    const HomogenizedCoefficients &mu,
                    RunContext &context)
 {
-  const StaticContactSolution &s = result.solution;
-  nlohmann::json &json           = context.summary();
-  json["dim"]                    = 2;
-  json["cells"]                  = scene.grid.n_cells();
-  json["dofs"]                   = 2 * scene.grid.n_nodes();
-  json["analysis"]               = "static contact";
-  json["material"]      = parameters.body.heterogeneous ? "heterogeneous" : "homogeneous";
-  json["rve_digest"]    = scene.rve_digest;
-  json["pressure"]      = parameters.top.pressure.amplitude();
-  json["flat_velocity"] = parameters.friction.flat_velocity.amplitude();
+  const StaticContactSolution &s   = result.solution;
+  nlohmann::json &json             = context.summary();
+  json["rve_digest"]               = scene.rve_digest;
+  json["pressure"]                 = parameters.top.pressure.amplitude();
+  json["flat_velocity"]            = parameters.friction.flat_velocity.amplitude();
   json["friction_coefficient"]     = parameters.friction.coefficient_by_phase
                                        ? nlohmann::json()
                                        : nlohmann::json(parameters.friction.coefficient);
@@ -252,6 +246,7 @@ void StaticContactAnalysis::run(RunContext &context)
   const auto scope = context.timer().scope("Output");
   write_table(scene, result, context);
   write_file(parameters, scene, result, context);
+  summarize_body("static contact", context);
   write_summary(parameters, scene, result, mu, context);
 }
 } // namespace mesoslip

@@ -11,7 +11,7 @@
 #include "material/plausibility.h"
 #include "simulation/dynamics_file.h"
 #include "simulation/plausible_input.h"
-#include "simulation/run_size.h"
+#include "simulation/run_plan.h"
 #include "simulation/transient_run.h"
 #include "simulation/transient_setup.h"
 #include "simulation/transient_summary.h"
@@ -100,7 +100,7 @@ TransientAnalysis::TransientAnalysis(const ContactParameters &p, const Keys &key
 {
   check_ranks(scene.grid);
   check_time_step(parameters, material);
-  n_steps = largest_number_of_steps(parameters, material);
+  const double n_steps = largest_number_of_steps(parameters, material);
   if (!(n_steps <= most_steps))
     throw UserError("Time/End time: " + to_text(parameters.time.end_time) + " s are " +
                     quantity_text(n_steps, "") +
@@ -170,6 +170,7 @@ void TransientAnalysis::run(RunContext &context)
       on_root(context.communicator(), [&]() {
         const TransientSummary summary = summarize_transient(parameters, scene, observed);
         file.write(observed, summary);
+        summarize_body("transient", context);
         write_summary(parameters, scene, time, observed, summary, context);
       });
     }

@@ -7,7 +7,7 @@
 #include "observation/probe_recorder.h"
 #include "observation/steady_record.h"
 #include "simulation/body_analysis.h"
-#include "simulation/time_step_choice.h"
+#include "simulation/run_plan.h"
 
 #include <memory>
 
@@ -69,7 +69,6 @@ public:
 
 private:
   const std::string identity; ///< lines "key = value"
-  double n_steps = 0.;        ///< estimated from above
   ResourceNeed disk;
 };
 } // namespace mesoslip

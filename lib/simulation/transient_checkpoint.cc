@@ -4,8 +4,8 @@
 #include "io/checkpoint.h"
 #include "io/errors.h"
 #include "io/exchange.h"
-#include "io/parameters.h"
 #include "io/keys.h"
+#include "io/parameters.h"
 #include "io/run_context.h"
 
 #include <filesystem>

@@ -6,8 +6,7 @@
 #include "io/parameters.h"
 #include "io/run_context.h"
 #include "material/plausibility.h"
-#include "simulation/deformation_report.h"
-#include "simulation/runaway_report.h"
+#include "simulation/failure_report.h"
 #include "simulation/transient_setup.h"
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 #include "observation/probe_recorder.h"
 #include "observation/steady_state.h"
 #include "simulation/contact_parameters.h"
+#include "simulation/run_plan.h"
 #include "simulation/scene.h"
 #include "simulation/sliding_body.h"
-#include "simulation/time_step_choice.h"
 
 #include <vector>
 

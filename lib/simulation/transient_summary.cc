@@ -1,12 +1,12 @@
 #include "simulation/transient_summary.h"
 
 #include "io/errors.h"
+#include "io/json.h"
 #include "io/run_context.h"
 #include "material/plausibility.h"
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
 
@@ -14,16 +14,10 @@ namespace mesoslip
 {
 namespace
 {
-nlohmann::json value_or_null(const std::optional<Estimate> &estimate)
+std::optional<double> value_of(const std::optional<Estimate> &estimate,
+                               double Estimate::*const part = &Estimate::value)
 {
-  return estimate ? nlohmann::json(estimate->value) : nlohmann::json();
-}
-
-/** Begin or end of the window that the means are of. */
-nlohmann::json window_json(const TransientSummary &summary, double Estimate::*const limit)
-{
-  const auto &mean = summary.mu_inter ? summary.mu_inter : summary.mean_apparent_friction;
-  return mean ? nlohmann::json((*mean).*limit) : nlohmann::json();
+  return estimate ? std::optional<double>((*estimate).*part) : std::nullopt;
 }
 
 nlohmann::json shares_json(const ContactShares &shares)
@@ -84,31 +78,24 @@ void log_energy_balance(const TransientObservations &observed,
     context.log(text.str());
 }
 
-nlohmann::json text_or_null(const std::string &text)
-{
-  return text.empty() ? nlohmann::json() : nlohmann::json(text);
-}
-
 /** mu_inter, what it is over, and when. */
 void add_friction(const TransientSummary &summary,
                   const TransientRemarks &remarks,
                   nlohmann::json &json)
 {
-  const auto &mu    = summary.mu_inter;
-  const auto number = [&](const double value) {
-    return mu ? nlohmann::json(value) : nlohmann::json();
-  };
-  json["global_interface_friction_coefficient"] = value_or_null(mu);
+  const auto &mu   = summary.mu_inter;
+  const auto &mean = mu ? mu : summary.mean_apparent_friction;
+  json["global_interface_friction_coefficient"] = value_of(mu);
   json["global_interface_friction_coefficient_95"] =
-    mu && mu->batches > 1 ? nlohmann::json(mu->half_width) : nlohmann::json();
-  json["global_interface_friction_load"] = number(summary.load.power);
+    mu && mu->batches > 1 ? value_of(mu, &Estimate::half_width) : std::nullopt;
+  json["global_interface_friction_load"] =
+    mu ? nlohmann::json(summary.load.power) : nlohmann::json();
   json["global_interface_friction_load_meaning"] =
     text_or_null(mu ? summary.load.meaning : "");
-  json["global_interface_friction_warning"] = text_or_null(remarks.friction);
-  json["mean_apparent_friction_coefficient"] =
-    value_or_null(summary.mean_apparent_friction);
-  json["window_begin"] = window_json(summary, &Estimate::begin);
-  json["window_end"]   = window_json(summary, &Estimate::end);
+  json["global_interface_friction_warning"]  = text_or_null(remarks.friction);
+  json["mean_apparent_friction_coefficient"] = value_of(summary.mean_apparent_friction);
+  json["window_begin"]                       = value_of(mean, &Estimate::begin);
+  json["window_end"]                         = value_of(mean, &Estimate::end);
 }
 } // namespace
 
@@ -127,14 +114,9 @@ void write_summary(const ContactParameters &parameters,
                              : 0.;
   nlohmann::json &json   = context.summary();
 
-  json["dim"]       = 2;
-  json["cells"]     = scene.grid.n_cells();
-  json["dofs"]      = 2 * scene.grid.n_nodes();
-  json["analysis"]  = "transient";
-  json["material"]  = parameters.body.heterogeneous ? "heterogeneous" : "homogeneous";
-  json["kernel"]    = observed.kernel;
-  json["steps"]     = observed.steps_done;
-  json["time_step"] = time.step.dt;
+  json["kernel"]                  = observed.kernel;
+  json["steps"]                   = observed.steps_done;
+  json["time_step"]               = time.step.dt;
   json["critical_time_step"]      = time.critical;
   json["beta2"]                   = time.step.beta2;
   json["rayleigh_beta"]           = time.step.beta;
@@ -163,14 +145,13 @@ void write_summary(const ContactParameters &parameters,
   if (!summary.contact.node_shares.empty())
     json["reference_node"] =
       shares_json(summary.contact.node_shares[summary.reference_node]);
-  json["main_frequency"]  = summary.frequencies
-                              ? nlohmann::json(summary.frequencies->main.frequency)
-                              : nlohmann::json();
-  json["regime"]          = summary.regime;
-  json["friction_energy"] = summary.friction_energy;
-  json["largest_strain"]  = observed.largest_strain;
-  json["energy_balance_residual"] =
-    summary.energy_residual ? nlohmann::json(*summary.energy_residual) : nlohmann::json();
+  json["main_frequency"]          = summary.frequencies
+                                      ? nlohmann::json(summary.frequencies->main.frequency)
+                                      : nlohmann::json();
+  json["regime"]                  = summary.regime;
+  json["friction_energy"]         = summary.friction_energy;
+  json["largest_strain"]          = observed.largest_strain;
+  json["energy_balance_residual"] = summary.energy_residual;
   json["energy_balance_scale"] =
     summary.energy_residual ? nlohmann::json(summary.residual_scale) : nlohmann::json();
   json["steady_from"]         = observed.steady_from;

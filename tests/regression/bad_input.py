@@ -155,30 +155,30 @@ UNUSED = [(program, text, [word for option in options for word in ("--set", opti
     ("stress_localization", LOCAL, ["Localization/Fields=mean stress", "Localization/Out-of-plane ratio=0"], ["Out-of-plane ratio", "mean von Mises"]))]
 
 
-def check(program, text, options, words):
-    return [problem for validate in ([], ["--validate"])
-            for problem in check_once(program, text, options + validate, words)]
-
-
-def check_once(program, text, options, words):
+def start(program, text, options=(), files=()):
+    """Runs a program on a case.prm in a folder of its own; `left` is what it left there."""
     with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
-            file.write(text)
+        for name, content in (("case.prm", text), *files):
+            with open(os.path.join(folder, name), "w", encoding="utf-8", newline="") as file:
+                file.write(content)
         before = set(os.listdir(folder))
-        done = subprocess.run([os.path.join(PROGRAMS, program), "case.prm", *options], cwd=folder, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        name = f"{program} {' '.join(options) or repr(text[-40:])}"
-        problems = []
-        if done.returncode != 2:
-            problems.append(f"{name}: exit status {done.returncode}, {done.stderr.strip()[:200]}")
-        lines = [line for line in done.stderr.strip().splitlines() if line]
-        if len(lines) != 1 or not lines[0].startswith(program + ": "):
-            problems.append(f"{name}: {len(lines)} lines on stderr: {done.stderr[:300]}")
-        problems += [f"{name}: '{word}' is missing in: {done.stderr.strip()}"
-                     for word in words if word.lower() not in done.stderr.lower()]
-        if set(os.listdir(folder)) != before:
-            problems.append(f"{name}: left {set(os.listdir(folder)) - before}")
-        return problems
+        done = subprocess.run([os.path.join(PROGRAMS, program), "case.prm", *options], cwd=folder, text=True, capture_output=True)
+        done.left = set(os.listdir(folder)) - before
+        return done
+
+
+def check(program, text, options, words):
+    done = start(program, text, options)
+    name = f"{program} {' '.join(options) or repr(text[-40:])}"
+    problems = []
+    if done.returncode != 2:
+        problems.append(f"{name}: exit status {done.returncode}, {done.stderr.strip()[:200]}")
+    lines = [line for line in done.stderr.strip().splitlines() if line]
+    if len(lines) != 1 or not lines[0].startswith(program + ": "):
+        problems.append(f"{name}: {len(lines)} lines on stderr: {done.stderr[:300]}")
+    problems += [f"{name}: '{word}' is missing in: {done.stderr.strip()}"
+                 for word in words if word.lower() not in done.stderr.lower()]
+    return problems + [f"{name}: left {done.left}"] * bool(done.left)
 
 
 def check_morphology_against_body():
@@ -197,11 +197,10 @@ def check_morphology_against_body():
                 (["Body/Material=heterogeneous", "Body/Cells=30, 10"], ["Body/Cells", "30 x 10", "20 x 10", "multiple"]),
                 (["Body/Stiffness from=PBC"], ["/stiffness/PBC", "missing", "boundary conditions"])):
             options = [word for option in ["Body/RVE file=rve/rve.h5", *options] for word in ("--set", option)]
-            for validate in ([], ["--validate"]):
-                done = run("contact_dynamics", "contact.prm", *options, *validate)
-                if done.returncode != 2 or len(done.stderr.strip().splitlines()) != 1:
-                    problems.append(f"{options}: exit status {done.returncode}, {done.stderr[:300]}")
-                problems += [f"'{word}' is missing in: {done.stderr}" for word in words if word not in done.stderr]
+            done = run("contact_dynamics", "contact.prm", *options)
+            if done.returncode != 2 or len(done.stderr.strip().splitlines()) != 1:
+                problems.append(f"{options}: exit status {done.returncode}, {done.stderr[:300]}")
+            problems += [f"'{word}' is missing in: {done.stderr}" for word in words if word not in done.stderr]
         if sorted(os.walk(folder)) != before:
             problems.append(f"files were created: {sorted(os.walk(folder))}")
         return problems
@@ -217,12 +216,7 @@ def check_sizes():
              ["of 1.6 x 1.6 mm, 32 x 16 mm", "0.008 ms from the flat to the top, the run 1 ms", "of memory"], ["ends before"]),
             ("contact_dynamics", "Body", CONTACT, "32, 16",
              ["of 1.6 x 1.6 m, 32 x 16 m\n", "8 ms from the flat", "it ends before", "Body/Size"], [])):
-        with tempfile.TemporaryDirectory() as folder:
-            with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
-                file.write(text)
-            done = subprocess.run([os.path.join(PROGRAMS, program), "case.prm", "--validate", "--set", f"{key}/Size={size}",
-                                   *(stiffness if key == "Body" else [])], cwd=folder, text=True, stdout=subprocess.PIPE,
-                                  stderr=subprocess.PIPE)
+        done = start(program, text, ["--validate", "--set", f"{key}/Size={size}", *(stiffness if key == "Body" else [])])
         wrong = [w for w in words if w not in done.stdout] + [w for w in no_words if w in done.stdout]
         if done.returncode or wrong:
             problems.append(f"{program} {size}: {wrong} in {done.stdout}{done.stderr}")
@@ -238,13 +232,9 @@ def check_nothing_asked():
                                    ("contact_dynamics", CONTACT, ["--set", "Flat/Ramp=smooth", "--set", "Flat/Ramp time=1e-6"]),
                                    ("contact_dynamics", CONTACT, ["--set", "Flat/Expression=2*cos(2*pi*1e6*t)"]),
                                    ("contact_dynamics", CONTACT, ["--set", "Top/Kind=held", "--set", "Top/Pressure=0"])):
-        with tempfile.TemporaryDirectory() as folder:
-            with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
-                file.write(text)
-            done = subprocess.run([os.path.join(PROGRAMS, program), "case.prm", "--validate", *options], cwd=folder, text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-            if done.returncode or "arning" in done.stdout + done.stderr:
-                problems.append(f"{program} {options}: {done.stdout}{done.stderr}")
+        done = start(program, text, ["--validate", *options])
+        if done.returncode or "arning" in done.stdout + done.stderr:
+            problems.append(f"{program} {options}: {done.stdout}{done.stderr}")
     return problems
 
 
@@ -267,16 +257,11 @@ def check_slips():
             *(("contact_dynamics", CONTACT, ["--set", setting], words) for setting, words in SLIPS),
             *(("rve_homogenization", RVE, ["--set", setting], words) for setting, words in RVE_SLIPS),
             ("rve_homogenization", HOMOGENEOUS, ["--set", "Grid/Size=20, 0.001"], ["Grid/Size along x is 20 m", "mm"])):
-        with tempfile.TemporaryDirectory() as folder:
-            for name, content in (("case.prm", text), ("dark.txt", "\ufeff" + "0 0\n")):
-                with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
-                    file.write(content)
-            for validate in ([], ["--validate"]):
-                done = subprocess.run([os.path.join(PROGRAMS, program), "case.prm", *options, *validate], cwd=folder, text=True,
-                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-                said = done.stdout if validate else done.stderr
-                problems += [f"{program} {options} {validate}: exit status {done.returncode}, {done.stderr}"] * (done.returncode != 0)
-                problems += [f"{program} {options} {validate}: '{word}' is missing in: {said}" for word in words if word not in said]
+        for validate in ([], ["--validate"]):
+            done = start(program, text, [*options, *validate], [("dark.txt", "\ufeff" + "0 0\n")])
+            said = done.stdout if validate else done.stderr
+            problems += [f"{program} {options} {validate}: exit status {done.returncode}, {done.stderr}"] * (done.returncode != 0)
+            problems += [f"{program} {options} {validate}: '{word}' is missing in: {said}" for word in words if word not in said]
     return problems
 
 
@@ -286,12 +271,7 @@ def check_damped_sliding():
     for options in ([], ["Friction/Law=coulomb"], ["Time/Rayleigh beta=0"], ["Time/Rayleigh beta=0", "Friction/Law=slip rate"],
                     ["Time/Rayleigh beta=0", "Friction/Law=coulomb", "Flat/Velocity=0"],
                     ["Time/Rayleigh beta=0", "Friction/Law=coulomb", "Friction/Coefficient=0"]):
-        with tempfile.TemporaryDirectory() as folder:
-            with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
-                file.write(CONTACT)
-            done = subprocess.run([os.path.join(PROGRAMS, "contact_dynamics"), "case.prm", "--validate",
-                                   *(word for option in options for word in ("--set", option))], cwd=folder, text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        done = start("contact_dynamics", CONTACT, ["--validate", *(word for option in options for word in ("--set", option))])
         if done.returncode or "neither regularization" in done.stdout:
             problems.append(f"contact_dynamics {options}: {done.stdout}{done.stderr}")
     return problems
@@ -300,27 +280,16 @@ def check_damped_sliding():
 def check_all_keys():
     """A file with all keys, as every run leaves it, is accepted, though some of them have no effect."""
     problems = []
-    with tempfile.TemporaryDirectory() as folder:
-        for program, text in (("rve_homogenization", RVE), ("contact_dynamics", CONTACT), ("contact_dynamics", MODAL)):
-            with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
-                file.write(text)
-            run = lambda *words: subprocess.run([os.path.join(PROGRAMS, program), *words], cwd=folder, text=True,
-                                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-            with open(os.path.join(folder, "all.prm"), "w", encoding="utf-8") as file:
-                file.write(run("case.prm", "--print-parameters").stdout)
-            done = run("all.prm", "--validate")
-            problems += [f"{program}, all keys: {done.stderr}"] * (done.returncode != 0)
+    for program, text in (("rve_homogenization", RVE), ("contact_dynamics", CONTACT), ("contact_dynamics", MODAL)):
+        done = start(program, start(program, text, ["--print-parameters"]).stdout, ["--validate"])
+        problems += [f"{program}, all keys: {done.stderr}"] * (done.returncode != 0)
     return problems
 
 
 def check_line_ends():
     """Carriage returns alone end a line, too: not everything is the comment that the file begins with."""
-    with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8", newline="") as file:
-            file.write("# a pin" + CONTACT.replace("\n", "\r"))
-        done = subprocess.run([os.path.join(PROGRAMS, "contact_dynamics"), "case.prm", "--validate"], cwd=folder, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        return [] if "20 x 10 cells" in done.stdout else [f"carriage returns: {done.stdout}{done.stderr}"]
+    done = start("contact_dynamics", "# a pin" + CONTACT.replace("\n", "\r"), ["--validate"])
+    return [] if "20 x 10 cells" in done.stdout else [f"carriage returns: {done.stdout}{done.stderr}"]
 
 
 def main():

@@ -139,12 +139,6 @@ TEST(Parameters, DifferencesAreNamed)
     "more");
 }
 
-TEST(Parameters, ThirdIsAThird)
-{
-  Keys keys;
-  EXPECT_EQ(read(keys).fraction, 1. / 3.);
-}
-
 TEST(Parameters, LineEndsOfAnySystem)
 {
   for (const std::string end : {"\n", "\r\n", "\r"})

@@ -160,7 +160,7 @@ TEST(CommandLineTest, FailuresHaveTheirStatus)
                   "stopped: the velocity is not finite");
   result = run(folder, "a.prm --quiet --set Behaviour=logic");
   EXPECT_EQ(result.status, 1);
-  expect_contains(result.err, "reads the parameter 'Undeclared' without declaring it");
+  expect_contains(result.err, "asks for the parameter 'Undeclared' without declaring it");
   result = run(folder, "a.prm --quiet --set Behaviour=solver");
   EXPECT_EQ(result.status, 3);
   expect_contains(result.err,

@@ -1,9 +1,7 @@
-#include "simulation/time_step_choice.h"
-
 #include "elasticity/critical_time_step.h"
 #include "io/errors.h"
 #include "io/parameters.h"
-#include "simulation/run_size.h"
+#include "simulation/run_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,5 +79,69 @@ void check_time_step(const ContactParameters &parameters, const UniformMaterial 
       t.time_step >
         critical_time_step(element_frequency_bound(material), t.beta2, t.beta))
     choose_time_step(parameters, material);
+}
+
+double LoadRange::largest_size() const
+{
+  return std::max(std::fabs(smallest), std::fabs(largest));
+}
+
+LoadRange load_range(const LoadHistory &load, const double end)
+{
+  constexpr unsigned int n = 1000;
+  LoadRange range;
+  range.smallest = range.largest = load(0.);
+  for (unsigned int k = 0; k <= n; ++k)
+    {
+      const double value = load(end * k / n);
+      range.finite       = range.finite && std::isfinite(value);
+      range.smallest     = std::min(range.smallest, value);
+      range.largest      = std::max(range.largest, value);
+    }
+  return range;
+}
+
+BodyScales::BodyScales(const UniformMaterial &material)
+{
+  for (const ElasticClass &c : material.classes())
+    {
+      stiffness  = std::max(stiffness, c.stiffness(1, 1));
+      wave_speed = std::max(wave_speed, std::sqrt(c.stiffness(1, 1) / c.density));
+    }
+  density =
+    material.total_mass() / (material.grid().extent(0) * material.grid().extent(1));
+}
+
+double crossing_time(const UniformMaterial &material)
+{
+  return material.grid().extent(1) / BodyScales(material).wave_speed;
+}
+
+double largest_number_of_steps(const ContactParameters &parameters,
+                               const UniformMaterial &material)
+{
+  const TimeParameters &t = parameters.time;
+  const double dt =
+    std::isnan(t.time_step)
+      ? t.safety * critical_time_step(element_frequency_bound(material), t.beta2, t.beta)
+      : t.time_step;
+  return std::ceil(t.end_time / dt);
+}
+
+std::string damping_warning(const ContactParameters &parameters,
+                            const UniformMaterial &material,
+                            const std::string &shortened)
+{
+  const TimeParameters &t = parameters.time;
+  const double omega      = element_frequency_bound(material);
+  const double shortening =
+    critical_time_step(omega, t.beta2, 0.) / critical_time_step(omega, t.beta2, t.beta);
+  if (shortening <= 10.)
+    return "";
+  std::ostringstream text;
+  text.precision(3);
+  text << "Time/Rayleigh beta = " << t.beta << " s makes " << shortened << " "
+       << shortening << " times shorter than without damping; is it in s?";
+  return text.str();
 }
 } // namespace mesoslip

@@ -1,3 +1,4 @@
+#include "io/errors.h"
 #include "io/keys.h"
 #include "simulation/contact_parameters.h"
 
@@ -86,5 +87,28 @@ void ContactParameters::check_keys(const Keys &keys)
   check_loads(keys);
   check_friction(keys);
   check_observation(keys);
+}
+
+void ContactParameters::check() const
+{
+  if (body.stiffness.size() == 5)
+    throw UserError(
+      "Body/Stiffness: 5 numbers found; give D11, D12, D22, D33 or all six");
+  if (body.heterogeneous && body.rve_file.empty())
+    throw UserError(
+      "Body/RVE file is empty, but a heterogeneous body takes its phases and "
+      "morphology from there; run rve_homogenization and name its rve.h5");
+  if (!body.rve_file.empty())
+    require_input_file("Body/RVE file: ", body.rve_file, "run rve_homogenization first");
+  if (time.time_step > time.end_time)
+    throw UserError("Time/Time step: " + to_text(time.time_step) +
+                    " s is longer than End time, " + to_text(time.end_time) + " s");
+  const auto &left = sides.left_held, &right = sides.right_held;
+  if (periodic && (left[0] || left[1] || right[0] || right[1]))
+    throw UserError("Sides/Periodic is true, so Left and Right have to be free");
+  if (top.kind == TopSetup::Kind::platen && (left[1] || right[1]))
+    throw UserError(
+      "Sides: u_y is held on a side, but the platen of Top/Kind moves its corner; hold "
+      "u_x only, or set Top/Kind = pressure or held");
 }
 } // namespace mesoslip

@@ -1,0 +1,38 @@
+#ifndef mesoslip_io_json_h
+#define mesoslip_io_json_h
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+namespace nlohmann
+{
+/** A value that may be absent: null in JSON. */
+template <typename T>
+struct adl_serializer<std::optional<T>>
+{
+  /** Called by `json = value`. */
+  static void to_json(json &target, const std::optional<T> &value)
+  {
+    target = value ? json(*value) : json();
+  }
+};
+} // namespace nlohmann
+
+namespace mesoslip
+{
+/** null for an empty text. */
+inline nlohmann::json text_or_null(const std::string &text)
+{
+  return text.empty() ? nlohmann::json() : nlohmann::json(text);
+}
+
+/** null for what is not finite. */
+inline nlohmann::json number_or_null(const double value)
+{
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+} // namespace mesoslip
+
+#endif
