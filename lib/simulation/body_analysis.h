@@ -33,9 +33,9 @@ protected:
   /** Puts analysis, material and size of the body into summary.json. */
   void summarize_body(const std::string &analysis, RunContext &context) const;
 
-  const ContactParameters parameters;
-  const Scene scene;
-  const UniformMaterial material;
+  const ContactParameters parameters; ///< all of them, checked
+  const Scene scene;                  ///< the body, the same on all ranks
+  const UniformMaterial material;     ///< stiffness and density of its cells
 
 private:
   std::vector<std::string> body_lines() const;
