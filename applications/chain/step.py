@@ -9,7 +9,7 @@ import subprocess
 from chain.inputs import ChainError, input_files, output_named, values
 
 PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
-STAMP, RANKS, EARLIER = ".up_to_date", ".ranks", "earlier_results.txt"
+STAMP, RANKS = ".up_to_date", ".ranks"
 RESULTS = (".h5", ".csv", ".xdmf")
 LONG_RUN = 3e9  # cells times steps, some seconds: worth the start of several ranks
 ROWS_A_RANK = 40
@@ -26,12 +26,7 @@ def digest_of(path):
 
 def results_in(folder):
     """What the last run wrote for those after it: {name: [bytes, time in ns, SHA-256]}."""
-    try:
-        with open(os.path.join(folder, EARLIER), encoding="utf-8") as file:
-            earlier = file.read().splitlines()
-    except OSError:
-        earlier = []
-    names = [n for n in sorted(os.listdir(folder)) if n == "summary.json" or n.endswith(RESULTS) and n not in earlier]
+    names = [n for n in sorted(os.listdir(folder)) if n == "summary.json" or n.endswith(RESULTS)]
     paths = {name: os.path.join(folder, name) for name in names}
     return {name: [os.path.getsize(path), os.stat(path).st_mtime_ns, digest_of(path)] for name, path in paths.items()}
 

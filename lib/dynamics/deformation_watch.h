@@ -4,7 +4,6 @@
 #include "dynamics/deformation.h"
 #include "dynamics/stability_monitor.h"
 #include "dynamics/step_observer.h"
-#include "io/state_checks.h"
 
 #include <cmath>
 #include <functional>
@@ -54,7 +53,6 @@ public:
   void serialize(Archive &archive, const unsigned int)
   {
     archive &largest;
-    require_when_loading(archive, largest >= 0.);
   }
 
 private:

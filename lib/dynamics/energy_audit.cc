@@ -46,12 +46,6 @@ double dot_difference(const NodalField<double> &a,
 }
 } // namespace
 
-bool EnergyHistory::is_complete() const
-{
-  return equally_long(time, kinetic, elastic, potential, external_work, friction, impact,
-                      damping, scheme);
-}
-
 std::vector<double> EnergyHistory::residual() const
 {
   std::vector<double> r(time.size());

@@ -7,7 +7,6 @@
 #include "elasticity/uniform_grid_operator.h"
 #include "grid/nodal_field.h"
 #include "io/serialize_members.h"
-#include "io/state_checks.h"
 
 
 #include <functional>
@@ -47,9 +46,6 @@ struct EnergyHistory
   {
     serialize_members<10>(archive, *this);
   }
-
-  /** Whether all terms have as many samples. */
-  bool is_complete() const;
 
   /** What is left of the balance at each sample; zero in exact arithmetic. */
   std::vector<double> residual() const;
@@ -104,7 +100,6 @@ public:
     serialize_own_rows(archive, interval == 1 ? u_now : u_before, op.rows());
     serialize_own_rows(archive, interval == 1 ? w_now : w_before, op.rows());
     archive &last_scheme &last_damping &sum_scheme &sum_damping &samples;
-    require_when_loading(archive, samples.is_complete());
   }
 
 private:

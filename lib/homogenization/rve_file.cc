@@ -35,10 +35,11 @@ void require_stiffness(const Hdf5File &file,
 
 std::vector<Phase<2>> read_phases(const Hdf5File &file)
 {
-  const std::vector<std::string> names = file.read_strings("/phase/name", origin_hint);
-  const std::size_t n                  = names.size();
-  const auto D       = file.read<double>("/phase/stiffness", {n, 3, 3}, origin_hint);
-  const auto density = file.read<double>("/phase/density", {n}, origin_hint);
+  const std::vector<std::string> names =
+    file.read<std::string>("/phase/name", {}, origin_hint);
+  const std::size_t n = names.size();
+  const auto D        = file.read<double>("/phase/stiffness", {n, 3, 3}, origin_hint);
+  const auto density  = file.read<double>("/phase/density", {n}, origin_hint);
   const auto friction =
     file.read<double>("/phase/friction_coefficient", {n}, origin_hint);
   if (n == 0)

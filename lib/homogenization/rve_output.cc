@@ -34,7 +34,7 @@ void write_phases(Hdf5File &file, const Microstructure &microstructure)
   file.write("/phase/stiffness", {n, 3, 3}, stiffness);
   file.write("/phase/density", {n}, density);
   file.write("/phase/friction_coefficient", {n}, friction);
-  file.write_strings("/phase/name", names);
+  file.write("/phase/name", {n}, names);
   file.write_unit("/phase/id", "-");
   file.write_unit("/phase/stiffness", "Pa");
   file.write_unit("/phase/density", "kg/m^3");
@@ -72,7 +72,7 @@ void write_rve_file(const RveParameters &parameters,
   const UniformGrid<2> &grid = results.microstructure.map.grid;
   Hdf5File file              = Hdf5File::create(context.file("rve.h5"));
   file.write_header("mesoslip-rve", rve_format_version, 2, digest);
-  file.write_strings("/summary", {context.summary().dump()});
+  file.write<std::string>("/summary", {1}, {context.summary().dump()});
   file.write_unit("/summary", "-");
   write_grid(file, grid);
   write_phases(file, results.microstructure);
@@ -120,8 +120,8 @@ void write_rve_file(const RveParameters &parameters,
 bool restore_rve_summary(RunContext &context)
 {
   const Hdf5File file = Hdf5File::open(context.file("rve.h5"));
-  const auto texts =
-    file.exists("/summary") ? file.read_strings("/summary") : std::vector<std::string>();
+  const auto texts    = file.exists("/summary") ? file.read<std::string>("/summary")
+                                                : std::vector<std::string>();
   if (texts.size() != 1)
     return false;
   auto stored = nlohmann::json::parse(texts[0], nullptr, false);

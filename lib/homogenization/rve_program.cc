@@ -227,12 +227,14 @@ void RveHomogenization::run(RunContext &context)
   if (reuse)
     {
       context.log("rve.h5 is up to date: nothing that determines it has changed");
-      context.results_are_reused();
       if (context.root() && restore_rve_summary(context))
         log_stiffness(context);
       return;
     }
 
+  context.remove_results({"rve.h5", "rve.xdmf", "stiffness.csv",
+                          "engineering_constants.csv", "phase_means.csv", "ensemble.csv",
+                          "rectangles.csv"});
   for (const std::string &slip : slips(parameters.microstructure))
     context.warn(slip);
   RveResults results;

@@ -2,14 +2,14 @@
 #define mesoslip_io_archive_h
 
 #include "io/errors.h"
-#include "io/state_archive.h"
 
+#include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
+#include <boost/iostreams/device/array.hpp>
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/stream.hpp>
 
-#include <new>
-#include <stdexcept>
+#include <exception>
 #include <string>
 
 namespace mesoslip
@@ -31,30 +31,23 @@ std::string save_state(const T &object)
 }
 
 /**
- * Restores @p object. A serialize() may throw std::length_error when what it has loaded
- * does not fit together.
- * @throws UserError "<source>: ..." if @p bytes are no such state.
+ * Restores @p object from the bytes that save_state() gave; whoever stores them in a file
+ * stores a checksum with them. More may follow them.
+ * @throws UserError "<source>: ..." if they are no such state.
  */
 template <typename T>
 void load_state(const std::string &bytes, T &object, const std::string &source)
 {
-  const std::string damaged = source + " is damaged: the state in it cannot be read";
   try
     {
-      StateBuffer buffer(bytes);
-      StateArchive(buffer) >> object;
+      boost::iostreams::stream<boost::iostreams::array_source> in(bytes.data(),
+                                                                  bytes.size());
+      boost::archive::binary_iarchive(in) >> object;
     }
-  catch (const boost::archive::archive_exception &)
+  catch (const std::exception &error)
     {
-      throw UserError(damaged);
-    }
-  catch (const std::length_error &)
-    {
-      throw UserError(damaged);
-    }
-  catch (const std::bad_alloc &)
-    {
-      throw UserError(damaged + ", or there is not enough memory for it");
+      throw UserError(source + " is damaged: the state in it cannot be read (" +
+                      error.what() + ")");
     }
 }
 } // namespace mesoslip

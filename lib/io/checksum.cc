@@ -4,6 +4,8 @@
 #include "io/files.h"
 
 #include <cerrno>
+#include <cinttypes>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <vector>
@@ -18,23 +20,19 @@ namespace
 {
 constexpr char method[] = "xxh3-128";
 
+/** The 32 digits of its canonical form. */
 std::string hex(const XXH128_hash_t &hash)
 {
-  XXH128_canonical_t canonical;
-  XXH128_canonicalFromHash(&canonical, hash);
-  static constexpr char digits[] = "0123456789abcdef";
-  std::string text;
-  for (const unsigned char byte : canonical.digest)
-    {
-      text += digits[byte >> 4];
-      text += digits[byte & 0xf];
-    }
+  char text[33];
+  std::snprintf(text, sizeof(text), "%016" PRIx64 "%016" PRIx64, hash.high64, hash.low64);
   return text;
 }
 
-/** Of all that is left to be read. */
-std::string checksum_of_rest(std::ifstream &in, const std::string &path)
+/** Of all bytes after the line. */
+std::string checksum_of_rest(const std::string &path)
 {
+  std::ifstream in(path, std::ios::binary);
+  in.seekg(signature_bytes);
   // A piece stays in the cache between the two who look at it.
   std::vector<char> piece(1 << 18);
   XXH3_state_t state;
@@ -52,31 +50,36 @@ std::string checksum_of_rest(std::ifstream &in, const std::string &path)
 }
 } // namespace
 
-void sign_file(const std::string &path, const std::string &format)
+void write_first_line(const std::string &path, const std::string &line)
 {
-  std::ifstream in(path, std::ios::binary);
-  in.seekg(signature_bytes);
-  const std::string line =
-    format + " " + method + " " + checksum_of_rest(in, path) + "\n";
-  in.close();
   errno = 0;
   std::fstream out(path, std::ios::binary | std::ios::in | std::ios::out);
-  out.write(line.data(), static_cast<std::streamsize>(line.size()));
+  out << line << '\n';
   out.close();
-  if (!out || line.size() > signature_bytes)
+  if (!out || line.size() >= signature_bytes)
     throw UserError(path + ": cannot be written (" + system_message() + ")");
 }
 
-Signature check_signature(const std::string &path)
+std::string first_line(const std::string &path)
 {
   std::ifstream in(path, std::ios::binary);
   std::string head(signature_bytes, '\0');
   in.read(head.data(), signature_bytes);
-  std::istringstream line(head.substr(0, head.find('\n')));
+  const std::size_t end = head.find('\n');
+  return in && end != std::string::npos ? head.substr(0, end) : "";
+}
+
+void sign_file(const std::string &path, const std::string &format)
+{
+  write_first_line(path, format + " " + method + " " + checksum_of_rest(path));
+}
+
+Signature check_signature(const std::string &path)
+{
+  std::istringstream line(first_line(path));
   std::string format, name, checksum;
-  if (!in || head.find('\n') == std::string::npos ||
-      !(line >> format >> name >> checksum) || name != method)
+  if (!(line >> format >> name >> checksum) || name != method)
     return Signature::missing;
-  return checksum_of_rest(in, path) == checksum ? Signature::valid : Signature::broken;
+  return checksum_of_rest(path) == checksum ? Signature::valid : Signature::broken;
 }
 } // namespace mesoslip

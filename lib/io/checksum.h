@@ -25,6 +25,12 @@ enum class Signature
  */
 void sign_file(const std::string &path, const std::string &format);
 
+/** Puts @p line in the place of the checksum for the time being. @throws UserError. */
+void write_first_line(const std::string &path, const std::string &line);
+
+/** What write_first_line() or sign_file() wrote last; empty if none did. */
+std::string first_line(const std::string &path);
+
 /** Compares a file with its line. @throws UserError if it cannot be read. */
 Signature check_signature(const std::string &path);
 } // namespace mesoslip

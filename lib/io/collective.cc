@@ -3,6 +3,7 @@
 #include "io/errors.h"
 
 #include <algorithm>
+#include <deal.II/base/mpi.h>
 
 namespace mesoslip
 {
@@ -36,17 +37,7 @@ std::string receive(const MPI_Comm communicator, const int rank)
 
 void broadcast(const MPI_Comm communicator, std::string &text, const int owner)
 {
-  int n_ranks = 1;
-  MPI_Comm_size(communicator, &n_ranks);
-  if (n_ranks == 1)
-    return;
-  unsigned long long length = text.size();
-  MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, owner, communicator);
-  text.resize(length);
-  for (std::size_t at = 0; at < text.size(); at += longest_message)
-    MPI_Bcast(text.data() + at,
-              static_cast<int>(std::min(longest_message, text.size() - at)), MPI_CHAR,
-              owner, communicator);
+  text = dealii::Utilities::MPI::broadcast(communicator, text, owner);
 }
 
 void bring_to_root(const MPI_Comm communicator, std::string &text, const int owner)

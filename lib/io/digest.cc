@@ -2,6 +2,8 @@
 
 #include "io/files.h"
 
+#include <cinttypes>
+#include <cstdio>
 #include <cstring>
 
 namespace mesoslip
@@ -16,16 +18,19 @@ void Digest::add_bytes(const void *data, const std::size_t n)
     }
 }
 
+void Digest::add_number(std::uint64_t number)
+{
+  for (int i = 0; i < 8; ++i, number >>= 8)
+    {
+      const unsigned char byte = number & 0xff; // in this order on all machines
+      add_bytes(&byte, 1);
+    }
+}
+
 Digest &Digest::add(const std::string_view text)
 {
   add_bytes(text.data(), text.size());
-  // The length separates this text from the next.
-  std::uint64_t length = text.size();
-  for (int i = 0; i < 8; ++i, length >>= 8)
-    {
-      const unsigned char byte = length & 0xff;
-      add_bytes(&byte, 1);
-    }
+  add_number(text.size()); // separates this text from the next
   return *this;
 }
 
@@ -33,11 +38,7 @@ Digest &Digest::add(const double number)
 {
   std::uint64_t bits;
   std::memcpy(&bits, &number, sizeof(bits));
-  for (int i = 0; i < 8; ++i, bits >>= 8)
-    {
-      const unsigned char byte = bits & 0xff;
-      add_bytes(&byte, 1);
-    }
+  add_number(bits);
   return *this;
 }
 
@@ -48,10 +49,8 @@ Digest &Digest::add_file(const std::string &path)
 
 std::string Digest::hex() const
 {
-  static constexpr char digits[] = "0123456789abcdef";
-  std::string text(16, '0');
-  for (int i = 0; i < 16; ++i)
-    text[15 - i] = digits[(state >> (4 * i)) & 0xf];
+  char text[17];
+  std::snprintf(text, sizeof(text), "%016" PRIx64, state);
   return text;
 }
 } // namespace mesoslip

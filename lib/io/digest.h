@@ -28,6 +28,7 @@ public:
 
 private:
   void add_bytes(const void *data, const std::size_t n);
+  void add_number(std::uint64_t number);
 
   std::uint64_t state = 0xcbf29ce484222325u;
 };

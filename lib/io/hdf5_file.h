@@ -4,9 +4,9 @@
 #include "io/checksum.h"
 
 #include <cstdint>
-#include <map>
+#include <functional>
 #include <string>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace mesoslip
@@ -31,22 +31,61 @@ struct Hdf5Header
 };
 
 /**
+ * An identifier of the HDF5 library (its hid_t), which is closed at the end of its life;
+ * negative if there is none.
+ */
+class Hdf5Handle
+{
+public:
+  /** Owns @p identifier from now on. */
+  explicit Hdf5Handle(const std::int64_t identifier = -1)
+    : id(identifier)
+  {
+  }
+  /** Takes over the identifier of @p other. */
+  Hdf5Handle(Hdf5Handle &&other) noexcept
+    : id(std::exchange(other.id, -1))
+  {
+  }
+  ~Hdf5Handle()
+  {
+    close();
+  }
+
+  /** Closes what the identifier stands for; false if that fails. */
+  bool close();
+
+  /** For the functions of the library. */
+  operator std::int64_t() const
+  {
+    return id;
+  }
+  /** Whether it stands for anything. */
+  bool valid() const
+  {
+    return id >= 0;
+  }
+
+private:
+  std::int64_t id;
+};
+
+/**
  * One HDF5 file. A file being written has the name `<path>.part` until close() (or the
  * destructor, unless an exception is under way) gives it its name, so that a file of the
  * right name is complete. Only rank 0 opens files.
  *
- * Number types: double, float, int, unsigned int, std::int64_t, std::uint64_t,
- * std::uint8_t; lists of strings have functions of their own. Reading converts between
- * number types, except floating point to integer; numbers that are not finite are errors.
+ * Types of values: double, float, int, unsigned int, std::int64_t, std::uint64_t,
+ * std::uint8_t and std::string. Reading converts between number types, except floating
+ * point to integer; numbers that are not finite and texts that are not UTF-8 are errors.
+ * Texts are written with a fixed length and read with a fixed or a variable one.
  * Names are absolute paths ("/grid"); missing groups are created.
- *
- * Nothing outside the file is read: links by name (soft, external), external storage and
- * virtual datasets are errors.
  *
  * Every failure is a UserError that names file and dataset. The @p hint of a reading
  * function is added when the object is missing: "was rve_homogenization run with KUBC?".
  * The first bytes of a file are a checksum of the others (checksum.h), which open()
- * compares. Numbers that are not finite are not written: NumericalFailure.
+ * compares: see change_note(). Numbers that are not finite are not written:
+ * NumericalFailure.
  * After a failure in writing (the disk is full) the file remains `<path>.part`, and a
  * completed file of that name is untouched; see writing_has_failed().
  */
@@ -60,8 +99,10 @@ public:
   static Hdf5File open(const std::string &path, const std::string &hint = "");
 
   /**
-   * Continues a file: `<path>.part`, as an interruption leaves it, or a completed one.
-   * truncate_rows() drops what was appended after a checkpoint.
+   * Opens a file for more to be written: `<path>.part` as flush() or an interruption has
+   * left it, or a completed one, which becomes `<path>.part` again.
+   * @throws UserError also if the process that wrote it was killed during flush() or
+   * close().
    */
   static Hdf5File resume(const std::string &path, const std::string &hint = "");
 
@@ -72,18 +113,20 @@ public:
   static bool writing_has_failed();
 
   /** Moves the open file. */
-  Hdf5File(Hdf5File &&other) noexcept;
-
-  /** Moves the open file. */
-  Hdf5File &operator=(Hdf5File &&other) noexcept;
-  Hdf5File(const Hdf5File &) = delete;
+  Hdf5File(Hdf5File &&other) = default;
   ~Hdf5File();
 
   /** Writes what is buffered, closes, and gives a written file its final name. */
   void close();
 
-  /** Writes what is buffered to the disk, so that a checkpoint may rely on it. */
+  /**
+   * Writes what is buffered, so that a process that dies after it, and writes only
+   * write_row() before it does, leaves a file that resume() takes.
+   */
   void flush();
+
+  /** Waits until what was written is on the disk. */
+  void sync();
 
   /** The final name. */
   const std::string &path() const
@@ -98,17 +141,20 @@ public:
   std::vector<std::string> list(const std::string &group,
                                 const std::string &hint = "") const;
 
-  /** Extents of a dataset; rows still buffered count. */
+  /** Extents of a dataset. */
   Shape shape(const std::string &name, const std::string &hint = "") const;
 
   /** Does nothing if it exists. */
   void create_group(const std::string &name);
 
+  /** Removes a group or dataset, if it exists. */
+  void remove(const std::string &name);
+
   /**
    * @name Attributes of a group or dataset
    * @{
    */
-  /** T: std::string, a number, or std::vector of numbers or strings. */
+  /** T: a type of values or a std::vector of it. */
   template <typename T>
   void
   write_attribute(const std::string &object, const std::string &name, const T &value);
@@ -130,25 +176,28 @@ public:
   /** @} */
 
   /**
-   * @name Whole datasets; writing replaces one of the same name
+   * @name Datasets
    * @{
    */
-  /** @p data has as many numbers as @p shape says. @p compression: 0 (off) to 9. */
+  /** Writes @p data, as many values as the shape says; replaces one of the same name. */
   template <typename T>
-  void write(const std::string &name,
-             const Shape &shape,
-             const std::vector<T> &data,
-             const unsigned int compression = 0);
+  void write(const std::string &name, const Shape &shape, const T *data);
 
-  /** @p data holds as many numbers as the shape says. */
+  /** The same for a vector. */
   template <typename T>
-  void write(const std::string &name,
-             const Shape &shape,
-             const T *data,
-             const unsigned int compression = 0);
+  void write(const std::string &name, const Shape &shape, const std::vector<T> &data);
 
-  /** A list of texts, [n]. */
-  void write_strings(const std::string &name, const std::vector<std::string> &strings);
+  /**
+   * Creates a dataset of numbers of type double to be filled with write_row(), or gives
+   * one that exists another number of rows; its first axis counts the rows. All its
+   * space is reserved at once, so that writing a row changes nothing else in the file.
+   */
+  void reserve_rows(const std::string &name, const Shape &shape);
+
+  /** Writes row number @p row of a dataset made by reserve_rows(). */
+  void write_row(const std::string &name,
+                 const std::size_t row,
+                 const std::vector<double> &values);
 
   /**
    * All values, row-major. A dataset of another shape than @p expected (if not empty;
@@ -159,46 +208,12 @@ public:
                       const Shape &expected   = {},
                       const std::string &hint = "") const;
 
-  /** The list that write_strings() wrote. */
-  std::vector<std::string> read_strings(const std::string &name,
-                                        const std::string &hint = "") const;
-
   /** Part of a dataset: @p count values from @p offset along each axis. */
   template <typename T>
   std::vector<T> read_block(const std::string &name,
                             const Shape &offset,
                             const Shape &count,
                             const std::string &hint = "") const;
-  /** @} */
-
-  /**
-   * @name Datasets that grow along the first axis
-   * @{
-   */
-  /**
-   * Creates an empty dataset [0][row_shape...], or continues one of the same shape in a
-   * resumed file. Short rows are buffered and written some thousand at a time.
-   * @p compression: 0 (off) to 9.
-   */
-  template <typename T>
-  void create_extendable(const std::string &name,
-                         const Shape &row_shape,
-                         const unsigned int compression = 0);
-
-  /** Appends @p n_rows rows; T is the type it was created with. */
-  template <typename T>
-  void append(const std::string &name, const T *data, const std::size_t n_rows = 1);
-
-  /** Appends one number to a dataset [steps]. */
-  template <typename T,
-            typename = typename std::enable_if<std::is_arithmetic<T>::value>::type>
-  void append(const std::string &name, const T value)
-  {
-    append(name, &value, 1);
-  }
-
-  /** Keeps the first @p n_rows rows only. */
-  void truncate_rows(const std::string &name, const std::size_t n_rows);
   /** @} */
 
   /**
@@ -226,86 +241,32 @@ public:
                           const std::string &hint = "") const;
 
 private:
-  /** HDF5's hid_t, so that its header stays out of ours. */
-  using Id = std::int64_t;
-
-  /** An extendable dataset with rows that wait to be written. */
-  struct Extendable
-  {
-    Id dataset              = -1;
-    Id type                 = -1;
-    std::size_t row_bytes   = 0;
-    std::size_t buffer_rows = 1;
-    /** On the disk. */
-    std::size_t rows = 0;
-    Shape row_shape;
-    std::vector<char> buffer;
-
-    std::size_t buffered_rows() const
-    {
-      return buffer.size() / row_bytes;
-    }
-  };
-
-  explicit Hdf5File(const std::string &path);
-  static Hdf5File
-  open_as(const std::string &path, const std::string &disk_name, const bool write);
+  Hdf5File(const std::string &path, const std::int64_t file, const bool write);
 
   [[noreturn]] void fail(const std::string &what, const std::string &hint = "") const;
   [[noreturn]] void fail_writing(const std::string &what);
-  void require_writable() const;
-  bool is_member(const std::string &name) const;
-  bool link_exists(const std::string &name) const;
-  Id open_object(const std::string &name, const std::string &hint) const;
-  Id open_dataset(const std::string &name, const std::string &hint) const;
-  Id open_attribute(const std::string &object,
-                    const std::string &name,
-                    const std::string &hint) const;
-  void check_storage(const std::string &name, const Id dataset) const;
-  Shape shape_of(const std::string &name, const Id dataset) const;
-  void check_type(const std::string &name, const Id dataset, const Id type) const;
-  void check_size(const std::string &name, const Id dataset, const Shape &extents) const;
+  Hdf5Handle open_object(const std::string &name, const std::string &hint) const;
+  Hdf5Handle open_dataset(const std::string &name, const std::string &hint) const;
+  Shape shape_of(const Hdf5Handle &object, const std::string &text) const;
   template <typename T>
-  void check_finite(const std::string &name, const std::vector<T> &data) const;
-
-  void remove(const std::string &name);
-  void write_raw(const std::string &name,
-                 const Shape &shape,
-                 const Id type,
-                 const void *data,
-                 const unsigned int compression);
-  void write_string_attribute(const std::string &object,
-                              const std::string &name,
-                              const std::vector<std::string> &values,
-                              const bool scalar);
-  void write_raw_attribute(const std::string &object,
-                           const std::string &name,
-                           const Id type,
-                           const void *values,
-                           const std::size_t n,
-                           const bool scalar);
-  Extendable &extendable(const std::string &name, const Id type);
-  Extendable &open_extendable(const std::string &name, const Id type);
-  void append_raw(const std::string &name,
-                  const Id type,
-                  const void *data,
-                  const std::size_t n_rows);
-  void write_rows(const std::string &name,
-                  Extendable &target,
-                  const void *data,
-                  const std::size_t n_rows);
-  void write_buffer(const std::string &name, Extendable &target);
-  void release() noexcept;
+  std::vector<T> read_values(const Hdf5Handle &object,
+                             const std::string &text,
+                             const Shape &shape,
+                             const Hdf5Handle *selection = nullptr) const;
+  /** Writes values of a type of the library; false if that fails. */
+  using RawWriter = std::function<bool(const std::int64_t type, const void *values)>;
+  template <typename T>
+  void write_values(const std::string &text,
+                    const std::size_t n,
+                    const T *values,
+                    const RawWriter &write);
 
   std::string file_path;
-  Id file       = -1;
+  Hdf5Handle file;
   bool writable = false;
   /** Of a file that was opened for reading. */
-  Signature signature = Signature::valid;
-  /** Writing failed: the file is closed without getting its name. */
-  bool broken            = false;
+  Signature signature    = Signature::valid;
   int pending_exceptions = 0;
-  std::map<std::string, Extendable> extendables;
 };
 } // namespace mesoslip
 

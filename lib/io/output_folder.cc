@@ -1,6 +1,5 @@
 #include "io/output_folder.h"
 
-#include "io/earlier_results.h"
 #include "io/errors.h"
 #include "io/files.h"
 #include "io/keys.h"
@@ -20,8 +19,16 @@ namespace
 namespace fs = std::filesystem;
 
 /** What every run replaces when it starts. */
-constexpr std::array<const char *, 5> papers = {
-  {"summary.json", "log.txt", "parameters.prm", "original.prm", "earlier_results.txt"}};
+constexpr std::array<const char *, 4> papers = {
+  {"summary.json", "log.txt", "parameters.prm", "original.prm"}};
+
+bool is_result(const fs::directory_entry &entry)
+{
+  std::error_code ignored;
+  const std::string kind = entry.path().extension().string();
+  return entry.is_regular_file(ignored) &&
+         (kind == ".h5" || kind == ".csv" || kind == ".xdmf");
+}
 
 bool is_replaced(const fs::directory_entry &entry)
 {

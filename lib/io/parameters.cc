@@ -1,5 +1,4 @@
 #include "io/parameters.h"
-#include "io/earlier_results.h"
 #include "io/errors.h"
 #include "io/files.h"
 #include "io/text.h"
@@ -148,13 +147,5 @@ void require_readable_file(const std::string &what,
   errno = 0;
   if (!std::ifstream(path, std::ios::binary))
     throw UserError(what + path + " cannot be read (" + system_message() + ")" + after);
-}
-
-void require_input_file(const std::string &what,
-                        const std::string &path,
-                        const std::string &hint)
-{
-  require_readable_file(what, path, hint);
-  require_of_latest_run(what, path);
 }
 } // namespace mesoslip

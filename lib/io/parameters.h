@@ -51,14 +51,6 @@ void require_readable_file(const std::string &what,
                            const std::string &path,
                            const std::string &hint = "");
 
-/**
- * The same for an input of a run, which must not be left from an earlier run either
- * (earlier_results.h).
- */
-void require_input_file(const std::string &what,
-                        const std::string &path,
-                        const std::string &hint = "");
-
 /** The shortest decimal text that reads back as the same double. */
 std::string to_text(const double value);
 

@@ -112,9 +112,19 @@ void RunContext::begin()
   on_root(comm, [&]() {
     std::error_code ignored;
     fs::remove(file("summary.json"), ignored);
-    earlier = EarlierResults(output_folder());
     write_file(file("original.prm"), original_parameters);
     write_file(file("parameters.prm"), effective_parameters);
+  });
+}
+
+void RunContext::remove_results(const std::vector<std::string> &names)
+{
+  on_root(comm, [&]() {
+    std::error_code ignored;
+    for (const std::string &name : names)
+      for (const std::string &path : {file(name), file(name + ".part")})
+        if (fs::is_regular_file(path, ignored))
+          fs::remove(path);
   });
 }
 
@@ -182,21 +192,10 @@ void RunContext::write_summary()
     require_finite(*run_summary, "");
     write_file(file("summary.json"), run_summary->dump(2) + "\n");
   });
-  results_are_written();
   on_root(comm, [&]() {
     if (!log_file)
       throw UserError(file("log.txt") + ": cannot be written (is the disk full?), so the "
                                         "log is not complete; the results are");
   });
-}
-
-void RunContext::results_are_written()
-{
-  on_root(comm, [&]() { earlier.replaced(); });
-}
-
-void RunContext::results_are_reused()
-{
-  on_root(comm, [&]() { earlier.adopted(); });
 }
 } // namespace mesoslip

@@ -1,7 +1,6 @@
 #ifndef mesoslip_io_run_context_h
 #define mesoslip_io_run_context_h
 
-#include "io/earlier_results.h"
 #include "io/lock.h"
 #include "io/progress.h"
 #include "io/timer.h"
@@ -13,6 +12,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 namespace mesoslip
 {
@@ -84,12 +84,17 @@ public:
   }
 
   /**
-   * From here on the folder is that of this run: removes an old summary.json, lists old
-   * results (EarlierResults), writes original.prm and parameters.prm. A run that is
-   * resumed calls it once it is clear that it can go on; one that never does leaves the
-   * folder as it was.
+   * From here on the folder is that of this run: removes an old summary.json, writes
+   * original.prm and parameters.prm. A run that is resumed calls it once it is clear that
+   * it can go on; one that never does leaves the folder as it was.
    */
   void begin();
+
+  /**
+   * Removes the files @p names, which this run is going to write anew, from the output
+   * folder, and what an interruption has left of them (`NAME.part`). Collective.
+   */
+  void remove_results(const std::vector<std::string> &names);
 
   /** Whether begin() was called. */
   bool has_begun() const
@@ -156,19 +161,12 @@ public:
   /** Writes summary.json; run_program() calls it after a successful run. */
   void write_summary();
 
-  /** See EarlierResults::replaced(); write_summary() calls it. Collective. */
-  void results_are_written();
-
-  /** The results found in the folder are those of this run. Collective. */
-  void results_are_reused();
-
 private:
   RunOptions run_options;
   MPI_Comm comm;
   int my_rank = 0;
   int size    = 1;
   std::unique_ptr<FolderLock> lock;
-  EarlierResults earlier;
   std::ofstream log_file;
   std::unique_ptr<Progress> progress_display;
   Timer run_timer;

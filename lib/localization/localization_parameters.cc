@@ -81,7 +81,7 @@ void check_input(std::string &path,
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     path = (std::filesystem::path(path) / name).string();
-  require_input_file("'Input/" + key + "': ", path, hint);
+  require_readable_file("'Input/" + key + "': ", path, hint);
 }
 } // namespace
 

@@ -82,6 +82,8 @@ public:
   {
     if (context.n_ranks() > 1)
       context.log("one process works, the others wait: reading is what takes the time");
+    context.remove_results(
+      {"localization.h5", "localization.xdmf", "probes.csv", "field_errors.csv"});
     on_root(context.communicator(), [&]() { run_on_root(context); });
     if (context.root())
       log_key_numbers(context);

@@ -103,9 +103,9 @@ Microstructure read_microstructure(const MicrostructureParameters &p)
 {
   const UniformGrid<2> grid = p.grid.grid();
   const auto n_phases       = static_cast<unsigned int>(p.phases.phases.size());
-  require_input_file("Microstructure/File: ", p.file,
-                     p.type == Type::image ? "it has to name an image"
-                                           : "it has to name a list of rectangles");
+  require_readable_file("Microstructure/File: ", p.file,
+                        p.type == Type::image ? "it has to name an image"
+                                              : "it has to name a list of rectangles");
   if (p.type == Type::image)
     return read_image_map(p);
   Microstructure result;

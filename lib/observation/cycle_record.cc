@@ -31,16 +31,6 @@ void CycleRecord::add(const std::vector<double> &values)
     close_bin();
 }
 
-bool CycleRecord::is_consistent() const
-{
-  return n_bins_ < capacity_ && pending_ < stride_ && pending_mean_.size() == width_ &&
-         equally_long(pending_mean_, pending_square_) &&
-         (width_ == 0
-            ? n_bins_ == 0 && means_.empty()
-            : means_.size() / width_ == n_bins_ && means_.size() % width_ == 0) &&
-         equally_long(means_, variances_);
-}
-
 void CycleRecord::close_bin()
 {
   for (std::size_t c = 0; c < width_; ++c)

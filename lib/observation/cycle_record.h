@@ -1,7 +1,6 @@
 #ifndef mesoslip_observation_cycle_record_h
 #define mesoslip_observation_cycle_record_h
 
-#include "io/state_checks.h"
 
 #include <boost/serialization/vector.hpp>
 
@@ -37,18 +36,6 @@ public:
     return stride_;
   }
 
-  /** Samples added so far. */
-  std::uint64_t n_samples() const
-  {
-    return static_cast<std::uint64_t>(n_bins_) * stride_ + pending_;
-  }
-
-  /** Values of a sample; 0 before the first. */
-  std::size_t width() const
-  {
-    return width_;
-  }
-
   /** Mean of @p column over the bins [first, last). */
   double mean(std::size_t column, std::size_t first, std::size_t last) const;
 
@@ -64,13 +51,9 @@ public:
   {
     archive &width_ &n_bins_ &stride_ &means_ &variances_ &pending_ &pending_mean_
       &pending_square_;
-    require_when_loading(archive, is_consistent());
   }
 
 private:
-  /** Whether means and variances are there for all bins. */
-  bool is_consistent() const;
-
   void close_bin();
   void merge_pairs();
 

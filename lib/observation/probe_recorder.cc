@@ -98,17 +98,6 @@ VoigtVector<2> ProbeRecorder::strain(const Place &place) const
   return VoigtVector<2>(gradient[0][0], gradient[1][1], gradient[0][1] + gradient[1][0]);
 }
 
-bool ProbeRecorder::is_consistent() const
-{
-  return histories.size() == places.size() &&
-         std::all_of(histories.begin(), histories.end(), [](const ProbeHistory &h) {
-           const std::size_t n = h.time.size();
-           return h.displacement.size() == 2 * n && h.velocity.size() == 2 * n &&
-                  h.strain.size() == 3 * n && h.stress.size() == 3 * n &&
-                  h.traction.size() == (h.on_contact ? 2 * n : 0);
-         });
-}
-
 void ProbeRecorder::before_step(const std::uint64_t n)
 {
   if (n % interval != 0 || places.empty())

@@ -7,7 +7,6 @@
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
 #include "io/serialize_members.h"
-#include "io/state_checks.h"
 
 #include <array>
 #include <functional>
@@ -92,13 +91,9 @@ public:
   void serialize(Archive &archive, const unsigned int)
   {
     archive &histories;
-    require_when_loading(archive, is_consistent());
   }
 
 private:
-  /** Whether there is a history of each place, each with all its samples. */
-  bool is_consistent() const;
-
   /** Where a point lies: cell, and position in it from 0 to 1. */
   struct Place
   {

@@ -40,12 +40,20 @@ std::uint64_t SnapshotRecorder::next_step(const std::uint64_t n) const
   return next == steps.end() ? std::numeric_limits<std::uint64_t>::max() : *next;
 }
 
-void SnapshotRecorder::before_step(const std::uint64_t n)
+void SnapshotRecorder::before_step(const std::uint64_t)
 {
   const NodalField<double> whole = gather_rows(u, rows, communicator);
   int rank                       = 0;
   MPI_Comm_rank(communicator, &rank);
   if (rank == 0)
-    writer(n, n * dt, whole);
+    writer(whole);
+}
+
+std::vector<double> SnapshotRecorder::times() const
+{
+  std::vector<double> all;
+  for (const std::uint64_t step : steps)
+    all.push_back(step * dt);
+  return all;
 }
 } // namespace mesoslip

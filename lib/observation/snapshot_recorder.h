@@ -16,9 +16,8 @@ namespace mesoslip
 class SnapshotRecorder : public StepObserver
 {
 public:
-  /** Receives the step, its time (s) and the gathered field; called on rank 0 only. */
-  using Writer =
-    std::function<void(const std::uint64_t, const double, const NodalField<double> &)>;
+  /** Receives the gathered field; called on rank 0 only, once for each of times(). */
+  using Writer = std::function<void(const NodalField<double> &)>;
 
   /** Steps nearest to from, from + interval, ... up to to (s); every step if interval <
    * dt. */
@@ -37,11 +36,8 @@ public:
   {
   }
 
-  /** Handed over so far. */
-  std::size_t n_snapshots() const
-  {
-    return steps.size();
-  }
+  /** Of all snapshots of the run, those to come as well (s). */
+  std::vector<double> times() const;
 
 private:
   std::vector<std::uint64_t> steps;

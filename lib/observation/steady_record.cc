@@ -100,18 +100,6 @@ std::vector<double> SteadyRecord::top_friction() const
   return top.size() > 0 ? top.column(0, 0) : std::vector<double>();
 }
 
-bool SteadyRecord::follows(const std::uint64_t n,
-                           const bool has_contact,
-                           const bool has_top) const
-{
-  const auto fits = [&](const CycleRecord &record, const bool there,
-                        const std::size_t width) {
-    const std::uint64_t expected = there ? (n + interval - 1) / interval : 0;
-    return record.n_samples() == expected && (expected == 0 || record.width() == width);
-  };
-  return fits(contact, has_contact, n_columns) && fits(top, has_top, 1);
-}
-
 double SteadyRecord::numbers(const double n_samples)
 {
   return 2. * (n_columns + 1) *

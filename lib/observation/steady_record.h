@@ -57,10 +57,6 @@ public:
   /** Apparent friction at the top, as long as the series. */
   std::vector<double> top_friction() const;
 
-  /** Whether a restored record is that of the first @p n steps, with or without contact
-   * and top. */
-  bool follows(const std::uint64_t n, const bool has_contact, const bool has_top) const;
-
   /** Numbers that @p n_samples samples take in memory, means and variances. */
   static double numbers(const double n_samples);
 

@@ -38,7 +38,7 @@ void write_material(Hdf5File &file, const Scene &scene)
     }
   file.write("/material/stiffness", {n, 3, 3}, stiffness);
   file.write("/material/density", {n}, density);
-  file.write_strings("/material/name", names);
+  file.write("/material/name", {n}, names);
   file.write_unit("/material/stiffness", "Pa");
   file.write_unit("/material/density", "kg/m^3");
   file.write_unit("/material/name", "-");
@@ -77,19 +77,16 @@ std::vector<double> interleaved(const NodalField<double> &u)
   return values;
 }
 
-void create_snapshots(Hdf5File &file, const UniformGrid<2> &grid)
+Shape snapshot_shape(const UniformGrid<2> &grid, const std::size_t n)
 {
-  file.create_extendable<double>("/snapshots/time", {});
-  file.create_extendable<double>("/snapshots/displacement",
-                                 {grid.cells[1] + 1, grid.cells[0] + 1, 2});
-  file.write_unit("/snapshots/time", "s");
-  file.write_unit("/snapshots/displacement", "m");
+  return {n, grid.cells[1] + 1, grid.cells[0] + 1, 2};
 }
 
-void append_snapshot(Hdf5File &file, const double time, const NodalField<double> &u)
+void complete_snapshots(Hdf5File &file, const std::vector<double> &times)
 {
-  file.append("/snapshots/time", time);
-  file.append<double>("/snapshots/displacement", interleaved(u).data(), 1);
+  file.write("/snapshots/time", {times.size()}, times);
+  file.write_unit("/snapshots/time", "s");
+  file.write_unit("/snapshots/displacement", "m");
 }
 
 void write_body_xdmf(const std::string &path,

@@ -18,11 +18,12 @@ create_body_file(const std::string &path, const std::string &format, const Scene
 /** Values [ny + 1][nx + 1][2] of a nodal field. */
 std::vector<double> interleaved(const NodalField<double> &u);
 
-/** Empty /snapshots/time [0] and /snapshots/displacement [0][ny + 1][nx + 1][2]. */
-void create_snapshots(Hdf5File &file, const UniformGrid<2> &grid);
+/** Of @p n displacement fields in a file: [n][ny + 1][nx + 1][2]. */
+Shape snapshot_shape(const UniformGrid<2> &grid, const std::size_t n);
 
-/** Appends the displacement @p u (m) at time @p time (s). */
-void append_snapshot(Hdf5File &file, const double time, const NodalField<double> &u);
+/** Completes /snapshots beside its displacement: /snapshots/time (s) [n] and the units.
+ */
+void complete_snapshots(Hdf5File &file, const std::vector<double> &times);
 
 /**
  * Shows vector series [k][ny + 1][nx + 1][2] of the file @p h5 beside the XDMF file @p

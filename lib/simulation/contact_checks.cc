@@ -99,7 +99,8 @@ void ContactParameters::check() const
       "Body/RVE file is empty, but a heterogeneous body takes its phases and "
       "morphology from there; run rve_homogenization and name its rve.h5");
   if (!body.rve_file.empty())
-    require_input_file("Body/RVE file: ", body.rve_file, "run rve_homogenization first");
+    require_readable_file("Body/RVE file: ", body.rve_file,
+                          "run rve_homogenization first");
   if (time.time_step > time.end_time)
     throw UserError("Time/Time step: " + to_text(time.time_step) +
                     " s is longer than End time, " + to_text(time.end_time) + " s");

@@ -296,9 +296,10 @@ void bind(Keys &keys, CheckpointParameters &checkpoints)
   keys.bind("Interval", minutes, Range::non_negative(),
             "Time on the clock between checkpoints of a transient run, which --resume "
             "continues; 0: only when the run is stopped [min]");
-  keys.bind("Keep", checkpoints.keep,
-            "Keep the state (and twice the space of the snapshots) when the run is "
-            "complete, so that --resume goes on to a later End time");
+  keys.bind(
+    "Keep", checkpoints.keep,
+    "Keep the state when the run is complete, so that --resume goes on to a later "
+    "End time");
   checkpoints.interval = 60. * minutes;
 }
 } // namespace

@@ -1,8 +1,7 @@
 #include "simulation/dynamics_file.h"
 
-#include "io/collective.h"
+#include "io/errors.h"
 #include "io/hdf5_file.h"
-#include "io/record_file.h"
 #include "io/run_context.h"
 #include "io/table.h"
 #include "simulation/body_file.h"
@@ -10,12 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace mesoslip
 {
 namespace
 {
+constexpr char snapshots_name[] = "/snapshots/displacement";
+
 std::vector<double> node_positions(const UniformGrid<2> &grid)
 {
   std::vector<double> x(grid.cells[0] + 1);
@@ -33,61 +33,66 @@ unsigned int reference_phase(const Scene &scene, const unsigned int node)
 
 DynamicsFile::DynamicsFile(RunContext &context,
                            const ContactParameters &parameters,
-                           const Scene &scene,
-                           const std::uint64_t n_snapshots)
+                           const Scene &scene)
   : context(context)
   , parameters(parameters)
   , scene(scene)
 {
-  const std::string path   = context.file("snapshots.part");
-  const std::size_t length = 1 + 2 * scene.grid.n_nodes();
-  on_root(context.communicator(), [&]() {
-    if (n_snapshots > 0)
-      snapshots = std::make_unique<RecordFile>(path, length, n_snapshots);
-    else
-      std::filesystem::remove(path); // of an earlier run
-    if (n_snapshots == 0 && parameters.observation.snapshots_interval > 0.)
-      snapshots = std::make_unique<RecordFile>(path, length);
-  });
 }
 
 DynamicsFile::~DynamicsFile() = default;
 
-void DynamicsFile::add_snapshot(const double time, const NodalField<double> &u)
+void DynamicsFile::begin_snapshots(const std::vector<double> &times,
+                                   const std::uint64_t n_done)
 {
-  std::vector<double> record = interleaved(u);
-  record.insert(record.begin(), time);
-  snapshots->append(record);
+  const std::string path = context.file("dynamics.h5");
+  snapshot_times         = times;
+  n_snapshots            = n_done;
+  if (n_done == 0)
+    create();
+  else
+    {
+      const std::string remedy = "start again without --resume";
+      file = std::make_unique<Hdf5File>(Hdf5File::resume(path, remedy));
+      if (file->shape(snapshots_name, remedy)[0] < n_done)
+        throw UserError(path + " has fewer than the " + std::to_string(n_done) +
+                        " snapshots it had at the checkpoint; " + remedy);
+      // What was observed when the run was stopped.
+      for (const std::string &name : file->list("/"))
+        if (name != "grid" && name != "material" && name != "snapshots")
+          file->remove("/" + name);
+    }
+  file->reserve_rows(snapshots_name, snapshot_shape(scene.grid, times.size()));
+  file->flush();
+}
+
+void DynamicsFile::create()
+{
+  file = std::make_unique<Hdf5File>(
+    create_body_file(context.file("dynamics.h5"), "mesoslip-dynamics", scene));
+}
+
+void DynamicsFile::add_snapshot(const NodalField<double> &u)
+{
+  file->write_row(snapshots_name, n_snapshots, interleaved(u));
+  ++n_snapshots;
 }
 
 std::uint64_t DynamicsFile::save_snapshots()
 {
-  if (!snapshots)
-    return 0;
-  snapshots->sync();
-  return snapshots->n_records();
-}
-
-void DynamicsFile::remove_snapshots()
-{
-  if (snapshots)
-    std::filesystem::remove(context.file("snapshots.part"));
+  if (file)
+    file->sync();
+  return n_snapshots;
 }
 
 void DynamicsFile::write_snapshots()
 {
-  create_snapshots(*file, scene.grid);
-  std::vector<double> times;
-  for (std::size_t k = 0; k < snapshots->n_records(); ++k)
-    {
-      const std::vector<double> record = snapshots->read(k);
-      file->append("/snapshots/time", record[0]);
-      file->append("/snapshots/displacement", record.data() + 1);
-      times.push_back(record[0]);
-    }
-  if (!times.empty())
+  snapshot_times.resize(n_snapshots);
+  file->reserve_rows(snapshots_name, snapshot_shape(scene.grid, n_snapshots));
+  complete_snapshots(*file, snapshot_times);
+  if (n_snapshots > 0)
     write_body_xdmf(context.file("dynamics.xdmf"), scene, "dynamics.h5",
-                    {{"displacement", "/snapshots/displacement"}}, times);
+                    {{"displacement", snapshots_name}}, snapshot_times);
 }
 
 void DynamicsFile::write_column(const std::string &name,
@@ -297,11 +302,11 @@ void DynamicsFile::write_conditions(const TransientObservations &observed)
 void DynamicsFile::write(const TransientObservations &observed,
                          const TransientSummary &summary)
 {
-  file = std::make_unique<Hdf5File>(
-    create_body_file(context.file("dynamics.h5"), "mesoslip-dynamics", scene));
-  write_conditions(observed);
-  if (snapshots)
+  if (file)
     write_snapshots();
+  else
+    create();
+  write_conditions(observed);
   write_history(observed, summary);
   if (!observed.energy.time.empty())
     write_energy(observed.energy);
@@ -309,5 +314,6 @@ void DynamicsFile::write(const TransientObservations &observed,
   write_contact(observed, summary);
   write_evaluation(summary);
   file->close();
+  file.reset();
 }
 } // namespace mesoslip

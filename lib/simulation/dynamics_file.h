@@ -14,26 +14,30 @@
 namespace mesoslip
 {
 class Hdf5File;
-class RecordFile;
 class RunContext;
 
 /**
  * dynamics.h5 of a run with its companions dynamics.xdmf (snapshots), history.csv and
- * energy.csv. Snapshots wait in snapshots.part, which survives whatever ends the run;
- * everything is written at the end. Does nothing on ranks other than 0.
+ * energy.csv. Snapshots are written to dynamics.h5.part as the run goes on, everything
+ * else at its end. For rank 0 only.
  */
 class DynamicsFile
 {
 public:
-  /** @p snapshots of them are there already, of the run that is continued. */
+  /** References are kept. */
   DynamicsFile(RunContext &context,
                const ContactParameters &parameters,
-               const Scene &scene,
-               const std::uint64_t snapshots);
+               const Scene &scene);
   ~DynamicsFile();
 
-  /** Appends the displacement (m) at time @p time (s). */
-  void add_snapshot(const double time, const NodalField<double> &u);
+  /**
+   * Makes place for snapshots at @p times (s), of which the first @p n_done are in the
+   * file already, of the run that is continued. @throws UserError if they are not.
+   */
+  void begin_snapshots(const std::vector<double> &times, const std::uint64_t n_done);
+
+  /** Writes the displacement @p u (m) at the next of the times. */
+  void add_snapshot(const NodalField<double> &u);
 
   /** Waits until the snapshots are on the disk; returns their number. */
   std::uint64_t save_snapshots();
@@ -41,10 +45,8 @@ public:
   /** Writes dynamics.h5 and its companions, replacing older ones. */
   void write(const TransientObservations &observed, const TransientSummary &summary);
 
-  /** Removes snapshots.part. */
-  void remove_snapshots();
-
 private:
+  void create();
   void write_conditions(const TransientObservations &observed);
   void write_history(const TransientObservations &observed,
                      const TransientSummary &summary);
@@ -62,7 +64,8 @@ private:
   const ContactParameters &parameters;
   const Scene &scene;
   std::unique_ptr<Hdf5File> file;
-  std::unique_ptr<RecordFile> snapshots;
+  std::vector<double> snapshot_times; ///< of all that are to be written (s)
+  std::size_t n_snapshots = 0;        ///< written so far
 };
 } // namespace mesoslip
 

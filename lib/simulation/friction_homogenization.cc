@@ -250,6 +250,7 @@ FrictionHomogenizationAnalysis::FrictionHomogenizationAnalysis(const ContactPara
 
 void FrictionHomogenizationAnalysis::run(RunContext &context)
 {
+  context.remove_results({"friction_homogenization.csv"});
   on_root(context.communicator(), [&]() { run_on_root(context); });
 }
 

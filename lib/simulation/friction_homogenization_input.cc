@@ -73,7 +73,7 @@ Morphology read_morphology(const RunSummary &summary)
 {
   const Hdf5File file       = open_dynamics(summary.file("dynamics.h5"));
   const UniformGrid<2> grid = read_grid(file, hint);
-  const auto names          = file.read_strings("/material/name", hint);
+  const auto names          = file.read<std::string>("/material/name", {}, hint);
   const std::size_t n       = names.size();
   const auto D              = file.read<double>("/material/stiffness", {n, 3, 3}, hint);
   const auto id =

@@ -40,15 +40,6 @@ void LimitCycleWatch::gather_energies(const EnergyHistory &local)
   sum(local.elastic, elastic_energy);
 }
 
-bool LimitCycleWatch::follows(const EnergyAudit *energy, const std::uint64_t n) const
-{
-  const std::size_t known =
-    energy != nullptr ? energy->local_history().time.size() : std::size_t(0);
-  return next_step <= n && kinetic_energy.size() <= known &&
-         equally_long(kinetic_energy, elastic_energy) &&
-         (energy == nullptr || known == (n + energy_interval - 1) / energy_interval);
-}
-
 void LimitCycleWatch::take(const ContactHistory &contact,
                            const std::size_t k,
                            CycleSample &sample) const

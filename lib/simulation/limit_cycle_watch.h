@@ -30,12 +30,6 @@ public:
    */
   bool update(const ContactHistory &contact, const EnergyAudit *energy);
 
-  /**
-   * Whether a restored state can go on with energies and samples that end before step @p
-   * n; @p energy may be null.
-   */
-  bool follows(const EnergyAudit *energy, const std::uint64_t n) const;
-
   /** With all that update() has passed on. */
   const LimitCycleDetector &detector() const
   {

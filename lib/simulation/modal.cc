@@ -195,6 +195,7 @@ std::vector<ModalCase> ModalAnalysis::compute_modes(RunContext &context) const
 void ModalAnalysis::run(RunContext &context)
 {
   log_serial_body(context);
+  context.remove_results({"modal.h5", "modal.xdmf", "modal-phases.xdmf", "modes.csv"});
   const std::vector<ModalCase> cases = compute_modes(context);
   context.log("Top: " + top_text(top_at_start(parameters)) + ", as in a transient run" +
               (std::isfinite(parameters.top.hold_from) && parameters.top.hold_from > 0.

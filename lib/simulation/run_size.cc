@@ -103,8 +103,7 @@ ResourceNeed dynamics_file_size(const ContactParameters &parameters,
 {
   const double snapshots = n_snapshots(parameters, n_steps);
   const double field     = 2. * sizeof(double) * n_nodes(material.grid());
-  // In snapshots.part until the run is complete, as well.
-  const double fields    = 2. * snapshots * field;
+  const double fields    = snapshots * field;
   const double histories = history_bytes(parameters, n_steps);
   // Displacement, increment and histories, in the old one and in the new.
   ResourceNeed need        = history_memory(parameters, material, n_steps);

@@ -117,8 +117,9 @@ void write_file(const ContactParameters &parameters,
   Hdf5File file =
     create_body_file(context.file("dynamics.h5"), "mesoslip-dynamics", scene);
   write_run_conditions(file, stated_conditions(parameters));
-  create_snapshots(file, scene.grid);
-  append_snapshot(file, 0., result.solution.displacement);
+  file.write("/snapshots/displacement", snapshot_shape(scene.grid, 1),
+             interleaved(result.solution.displacement));
+  complete_snapshots(file, {0.});
   std::vector<double> x;
   std::vector<std::uint8_t> state;
   for (std::size_t i = 0; i < result.solution.state.size(); ++i)
@@ -225,6 +226,8 @@ void judge_strain(const ContactParameters &parameters,
 void StaticContactAnalysis::run(RunContext &context)
 {
   log_serial_body(context);
+  context.remove_results(
+    {"dynamics.h5", "dynamics.xdmf", "dynamics-phases.xdmf", "static_contact.csv"});
   StaticContactOptions options;
   options.tolerance        = parameters.static_contact.tolerance;
   options.max_iterations   = parameters.static_contact.max_iterations;

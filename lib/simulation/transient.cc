@@ -5,7 +5,6 @@
 #include "io/errors.h"
 #include "io/hdf5_file.h"
 #include "io/keys.h"
-#include "io/record_file.h"
 #include "io/run_context.h"
 #include "io/version.h"
 #include "material/plausibility.h"
@@ -141,24 +140,22 @@ void TransientAnalysis::run(RunContext &context)
   const auto found = context.resume() ? checkpoint.find(time.n_steps)
                                       : TransientCheckpoint::Found::nothing;
   if (found == TransientCheckpoint::Found::complete)
-    {
-      // Its end may have been cut short just before.
-      if (context.root() && !parameters.checkpoints.keep)
-        std::filesystem::remove(context.file("snapshots.part"));
-      return context.log("The run in " + context.output_folder() +
-                         " is complete: there is nothing to resume");
-    }
+    return context.log("The run in " + context.output_folder() +
+                       " is complete: there is nothing to resume");
   if (context.resume())
     context.begin();
   const bool resumed = found == TransientCheckpoint::Found::state;
   if (!resumed)
-    checkpoint.discard();
+    {
+      checkpoint.discard();
+      context.remove_results({"dynamics.h5", "dynamics.xdmf", "dynamics-phases.xdmf",
+                              "history.csv", "energy.csv"});
+    }
   context.log(time.text());
   for (const std::string &warning : implausible_run(parameters, material))
     context.warn(warning);
 
-  DynamicsFile file(context, parameters, scene,
-                    resumed ? checkpoint.position().snapshots : 0);
+  DynamicsFile file(context, parameters, scene);
   TransientRun run(parameters, scene, time, material, checkpoint, file, context);
   if (resumed)
     run.restore();
@@ -179,7 +176,6 @@ void TransientAnalysis::run(RunContext &context)
       keep_state(run, context);
       throw;
     }
-  context.results_are_written();
   if (observed.interrupted)
     throw Interrupted("stopped on request after step " +
                       std::to_string(observed.steps_done) +
@@ -188,7 +184,5 @@ void TransientAnalysis::run(RunContext &context)
   // The state is dropped only when nothing is left to be done.
   context.write_summary();
   checkpoint.complete(run.position());
-  if (!parameters.checkpoints.keep)
-    file.remove_snapshots();
 }
 } // namespace mesoslip

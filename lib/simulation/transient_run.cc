@@ -197,9 +197,9 @@ std::unique_ptr<SnapshotRecorder> TransientRun::make_snapshots()
       ? parameters.time.end_time
       : std::min(o.snapshots_to, (time.n_steps + 1) * time.step.dt),
     o.snapshots_interval, time.step.dt, body.u, body.rows, context.communicator(),
-    [this](const std::uint64_t, const double t, const NodalField<double> &whole) {
+    [this](const NodalField<double> &whole) {
       const auto scope = context.timer().scope("Writing snapshots");
-      file.add_snapshot(t, whole);
+      file.add_snapshot(whole);
     });
 }
 
@@ -215,6 +215,9 @@ TransientObservations TransientRun::run()
   const std::unique_ptr<SnapshotRecorder> snapshots = make_snapshots();
   if (snapshots)
     {
+      on_root(context.communicator(), [&]() {
+        file.begin_snapshots(snapshots->times(), checkpoint.position().snapshots);
+      });
       observers.push_back(body.profile.timed(*snapshots, "Snapshots"));
       monitor.guard(*snapshots);
     }

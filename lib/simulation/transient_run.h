@@ -57,11 +57,6 @@ public:
     archive &body &monitor &strains &limit_cycle &statistics &loop_seconds;
     if (probes)
       archive &*probes;
-    const std::uint64_t n = body.stepper.step_number();
-    require_when_loading(
-      archive,
-      n == checkpoint.position().step && limit_cycle.follows(body.energy.get(), n) &&
-        statistics.follows(n, body.rows.begin == 0, body.rows.end == body.rows.n_global));
   }
 
   /** Where the run stands. */

@@ -5,12 +5,10 @@ if(MESOSLIP_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   set(has_libfuzzer TRUE)
 endif()
 
-add_library(fuzz_edits STATIC ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/byte_edits.cc
-            ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/hdf5_contents.cc ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/hdf5_edits.cc
-            ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/valid_files.cc)
+add_library(fuzz_edits STATIC ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/byte_edits.cc)
 deal_ii_setup_target(fuzz_edits)
 mesoslip_warnings(fuzz_edits)
-target_link_libraries(fuzz_edits mesoslip_observation mesoslip_homogenization mesoslip_io)
+target_link_libraries(fuzz_edits mesoslip_io)
 
 if(NOT has_libfuzzer)
   add_library(fuzz_replay STATIC ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/replay.cc)
@@ -38,7 +36,6 @@ function(mesoslip_fuzzer target)
     add_test(NAME fuzz/${target} COMMAND ${program} ${folder}/corpus/${target} ${ARG_MUTATIONS}
              ${CMAKE_CURRENT_BINARY_DIR}/fuzz_${target}.last)
   endif()
-  # HDF5 does not free what it has read of a damaged file.
   set_tests_properties(fuzz/${target} PROPERTIES LABELS regression TIMEOUT 120 ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
   add_dependencies(fuzzers ${program})
 endfunction()
@@ -46,10 +43,6 @@ endfunction()
 add_custom_target(fuzzers)
 mesoslip_fuzzer(table MUTATIONS 5000 LIBS mesoslip_microstructure)
 mesoslip_fuzzer(image MUTATIONS 5000 LIBS mesoslip_microstructure)
-mesoslip_fuzzer(checkpoint MUTATIONS 5000 LIBS mesoslip_io)
-mesoslip_fuzzer(transient_state MUTATIONS 2000 LIBS mesoslip_simulation)
 mesoslip_fuzzer(expression MUTATIONS 5000 LIBS mesoslip_contact)
 mesoslip_fuzzer(summary MUTATIONS 5000 LIBS mesoslip_simulation)
 mesoslip_fuzzer(parameters MUTATIONS 500 LIBS mesoslip_simulation mesoslip_localization)
-mesoslip_fuzzer(rve_file MUTATIONS 4000 LIBS mesoslip_simulation mesoslip_localization)
-mesoslip_fuzzer(dynamics_file MUTATIONS 4000 LIBS mesoslip_simulation mesoslip_localization)

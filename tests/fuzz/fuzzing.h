@@ -7,10 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <unistd.h>
-#include <vector>
 
 namespace mesoslip_tests
 {
@@ -65,26 +63,6 @@ void accepted_or_refused(const Reader &reader)
       if (sentence.empty() || sentence.size() > 100000)
         std::abort();
     }
-}
-/** Number of the reader among @p n that takes the input, from 1; 0: all. */
-inline std::size_t
-chosen_reader(const std::size_t n, const std::uint8_t *data, const std::size_t size)
-{
-  return size == 0 ? 0 : data[0] / 4 % (n + 1);
-}
-
-/**
- * A target with several readers: one of them takes the input, or all, as its first byte
- * says; opening the files of each takes most of the time.
- */
-inline void read_with(const std::vector<std::function<void()>> &readers,
-                      const std::uint8_t *data,
-                      const std::size_t size)
-{
-  const std::size_t chosen = chosen_reader(readers.size(), data, size);
-  for (std::size_t k = 0; k < readers.size(); ++k)
-    if (chosen == 0 || chosen == k + 1)
-      accepted_or_refused(readers[k]);
 }
 } // namespace mesoslip_tests
 

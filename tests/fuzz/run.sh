@@ -8,11 +8,9 @@ target=${program##*/fuzz_}
 here=$(dirname "$(readlink -f "$0")")
 inputs=$(dirname "$program")/fuzz-inputs/$target findings=$(dirname "$program")/findings
 mkdir -p "$inputs" "$findings"
-# HDF5 asks for as much memory as a damaged file says, and refuses before it touches it: here it does not get it (our own
-# requests would end in std::bad_alloc, a finding), and frees nothing of what it had; MPI keeps some to the end.
+# Memory that an input asks for beyond reason is not given (our own requests would end in std::bad_alloc, a finding); MPI
+# keeps some to the end.
 export ASAN_OPTIONS=allocator_may_return_null=1:max_allocation_size_mb=1024:detect_leaks=0
-# A crash within HDF5 is a finding here, not a sentence (CrashGuard).
-ASAN_OPTIONS+=:handle_segv=2:handle_sigbus=2:handle_sigfpe=2:handle_abort=2
 # Half of the time went into stacks of allocations and the frequency of each branch. Findings have stacks when run by themselves.
 ASAN_OPTIONS+=:malloc_context_size=0:max_malloc_fill_size=0:quarantine_size_mb=4
 exec nice "$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -malloc_limit_mb=2048 -max_len=4096 \

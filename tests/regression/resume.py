@@ -161,8 +161,10 @@ def differences(one, two):
                       if key not in TIMES and x.get(key) != y.get(key)]
         else:
             with open(a, "rb") as f, open(b, "rb") as g:
-                if f.read() != g.read():
-                    wrong.append(f"{name} differs" + (f" in {values_that_differ(a, b)}" if name.endswith(".h5") else ""))
+                # How a file of HDF5 is laid out depends on when it was written to.
+                different = values_that_differ(a, b) if name.endswith(".h5") else f.read() != g.read()
+                if different:
+                    wrong.append(f"{name} differs: {different}")
     return wrong
 
 
@@ -237,6 +239,8 @@ def kill_again_and_again(scene, material, lane, kills, seed, ranks=1):
             resumed += scene.log(output).count("Resumed at step")
             shutil.rmtree(scene.path(output))
             finished += 1
+        elif "killed while it wrote the file" in text:  # in the last millisecond, which is rare
+            shutil.rmtree(scene.path(output))
         else:
             assert child.returncode == -9 or (ranks > 1 and "signal 9" in text), f"{output}: {child.returncode}, {text}"
     assert resumed > 0, f"{output}: never resumed"
@@ -281,9 +285,10 @@ def refusals(scene):
         scene.expect(2, [CHECKPOINT, word], "r", resume)
     with open(scene.path("r", CHECKPOINT), "wb") as file:
         file.write(good)
-    os.rename(scene.path("r", "snapshots.part"), scene.path("elsewhere"))
-    scene.expect(2, ["snapshots.part"], "r", resume)
-    os.rename(scene.path("elsewhere"), scene.path("r", "snapshots.part"))
+    part = scene.path("r", "dynamics.h5.part")
+    os.rename(part, scene.path("elsewhere"))
+    scene.expect(2, ["there is no file", "dynamics.h5", "start again without --resume"], "r", resume)
+    os.rename(scene.path("elsewhere"), part)
     after = sorted(os.listdir(scene.path("r")))
     assert after == before, f"a refusal changed the folder: {set(after) ^ set(before)}"
 
@@ -295,10 +300,7 @@ def refusals(scene):
     scene.expect(0, [], "r", resume)
     assert "is complete: there is nothing to resume" in scene.log("r")
     assert times == {name: identity(scene.path("r", name)) for name in times}, "a complete run was touched"
-    with open(scene.path("r", "snapshots.part"), "wb"):  # as a kill leaves it between the last two steps of a run
-        pass
-    scene.run("r", resume)
-    assert not os.path.exists(scene.path("r", "snapshots.part")), "snapshots.part of a complete run is left"
+    assert not os.path.exists(part), "dynamics.h5.part of a complete run is left"
     scene.expect(2, ["Beta2 is 0.6 instead of 0.5"], "r", resume + ["--set", "Time/Beta2=0.6"])
     scene.expect(2, ["was complete at", "Checkpoints/Keep"], "r", resume + ["--set", "Time/End time=1.2e-3"])
 

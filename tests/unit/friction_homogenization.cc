@@ -66,7 +66,7 @@ protected:
     std::vector<double> friction   = {0.12, 0.3};
     names.resize(n_phases);
     friction.resize(n_phases);
-    file.write_strings("/phase/name", names);
+    file.write("/phase/name", {names.size()}, names);
     file.write("/phase/stiffness", {n_phases, 3, 3}, std::vector<double>(D.begin(), end));
     file.write("/phase/density", {n_phases}, std::vector<double>(n_phases, 1770.));
     file.write("/phase/friction_coefficient", {n_phases}, friction);
@@ -80,7 +80,7 @@ protected:
     write_run_conditions(file, under_het);
     write_grid(file, grid);
     file.write("/material/stiffness", {2, 3, 3}, stiffness());
-    file.write_strings("/material/name", {"matrix", "fibre"});
+    file.write<std::string>("/material/name", {2}, {"matrix", "fibre"});
     file.write_attribute("/material", "rve_digest", std::string("abc"));
     file.write("/material/phase_id", {4, 10}, id);
     // Node rule "mean"; fibres in the cells 2 and 7.

@@ -88,7 +88,7 @@ TEST(Parameters, ReadsWhatIsSet)
   EXPECT_TRUE(values.big);
   EXPECT_EQ(values.file, "/some/where/a/b.png");
   expect_contains(
-    user_error([&]() { require_input_file("A: ", values.file, "draw it"); }),
+    user_error([&]() { require_readable_file("A: ", values.file, "draw it"); }),
     "A: there is no file /some/where/a/b.png; draw it");
   EXPECT_THROW(keys.value("Undeclared"), std::logic_error);
 }

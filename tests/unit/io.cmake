@@ -10,8 +10,6 @@ target_sources(unit_io PRIVATE
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_files.cc
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_hdf5.cc
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_hdf5_contents.cc
-  ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_hdf5_structure.cc
-  ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_hostile_hdf5.cc
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_images.cc)
 target_compile_definitions(unit_io PRIVATE
   IO_PROGRAM="$<TARGET_FILE:io_program>" MPIEXEC="${MPIEXEC_EXECUTABLE}")

@@ -5,7 +5,6 @@
 #include "io/checkpoint.h"
 #include "io/files.h"
 #include "io/lock.h"
-#include "io/record_file.h"
 #include "io/table.h"
 #include "io/xdmf.h"
 
@@ -167,35 +166,6 @@ TEST(Checkpoints, ComeBackOrSayWhyNot)
   expect_contains(spoilt(flipped), "its checksum does not fit");
 }
 
-TEST(Records, GoOnFromAnyOfThem)
-{
-  const TemporaryFolder folder;
-  const std::string path = folder / "r.part";
-  {
-    RecordFile file(path, 3);
-    for (int k = 0; k < 5; ++k)
-      file.append({1. * k, 0.1, -0.});
-    file.sync();
-    EXPECT_EQ(file.n_records(), 5u);
-    EXPECT_THROW(file.append({1.}), std::logic_error);
-  }
-  {
-    // A record that was not completed is no record.
-    std::ofstream(path, std::ios::app | std::ios::binary) << "half";
-    RecordFile file(path, 3, 2);
-    EXPECT_EQ(file.n_records(), 2u);
-    file.append({7., 8., 9.});
-    EXPECT_EQ(file.read(1), (std::vector<double>{1., 0.1, -0.}));
-    EXPECT_EQ(file.read(2), (std::vector<double>{7., 8., 9.}));
-    expect_contains(user_error([&]() { file.read(3); }), "r.part: cannot be read");
-  }
-  EXPECT_EQ(std::filesystem::file_size(path), 3 * 3 * sizeof(double));
-  expect_contains(user_error([&]() { RecordFile(path, 3, 4); }),
-                  "fewer than the 4 records");
-  expect_contains(user_error([&]() { RecordFile(folder / "none", 3, 1); }),
-                  "cannot be opened");
-}
-
 TEST(Archives, SayWhenTheyAreDamaged)
 {
   std::vector<double> values(100, 0.1), back;
@@ -204,29 +174,8 @@ TEST(Archives, SayWhenTheyAreDamaged)
   EXPECT_EQ(back, values);
   for (const std::string &bytes :
        {std::string(), state.substr(0, 30), state.substr(0, 200)})
-    EXPECT_EQ(user_error([&]() { load_state(bytes, back, "file"); }),
-              "file is damaged: the state in it cannot be read");
-}
-
-TEST(Archives, AskForNoMoreThanTheyHold)
-{
-  const auto refused = [](const auto &value, const std::size_t at_from_end) {
-    std::string state         = save_state(value);
-    const std::uint64_t large = std::uint64_t(1) << 32;
-    std::memcpy(&state[state.size() - at_from_end], &large, sizeof(large));
-    auto back = value;
-    expect_contains(user_error([&]() { load_state(state, back, "file"); }), "is damaged");
-    EXPECT_EQ(back, value); // nothing was allocated for it
-  };
-  refused(std::vector<double>{1., 2.}, 8 + 16);
-  refused(std::string("abc"), 8 + 3);
-
-  std::string state = save_state(true);
-  bool back         = false;
-  load_state(state, back, "file");
-  EXPECT_TRUE(back);
-  state.back() = 2;
-  expect_contains(user_error([&]() { load_state(state, back, "file"); }), "is damaged");
+    expect_contains(user_error([&]() { load_state(bytes, back, "file"); }),
+                    "file is damaged: the state in it cannot be read");
 }
 
 TEST(Lock, IsHeldByRunningProcessesOnly)

@@ -104,7 +104,7 @@ std::unique_ptr<Analysis> build(Keys &keys)
   auto nothing = std::make_unique<Nothing>();
   nothing->bind(keys);
   if (!nothing->file.empty())
-    require_input_file("Input/Image file: ", nothing->file, "draw one first");
+    require_readable_file("Input/Image file: ", nothing->file, "draw one first");
   return nothing;
 }
 } // namespace

@@ -99,7 +99,7 @@ struct TestRve
     file.write_header("mesoslip-rve", 1, 2, "0123456789abcdef");
     write_grid(file, grid);
     file.write("/phase/id", {grid.cells[1], grid.cells[0]}, phase);
-    file.write_strings("/phase/name", {"matrix", "fibre"});
+    file.write<std::string>("/phase/name", {2}, {"matrix", "fibre"});
     std::vector<double> D;
     for (const VoigtMatrix<2> &C : stiffness)
       D.insert(D.end(), C.data(), C.data() + 9);

@@ -4,14 +4,12 @@ import builtins
 import collections
 import json
 import os
-import warnings
 
 import h5py
 import numpy as np
 
 from .array import Array
 
-EARLIER = "earlier_results.txt"
 NAMES = ("dynamics.h5", "localization.h5", "rve.h5", "modal.h5")
 FORMATS = ("mesoslip-rve", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal")
 VERSION = 1
@@ -36,13 +34,8 @@ class Grid(collections.namedtuple("Grid", "cells spacing origin")):
 def open(path):
     """Opens a result file, or the one in the folder of a run; close it, or use `with`.
 
-    Raises FileNotFoundError, or FormatError naming what is wrong. Warns when the file is of an earlier run than the
-    parameters beside it."""
-    path = _find(os.fspath(path))
-    if _is_of_earlier_run(path):
-        warnings.warn(f"{path} is older than the run whose parameters and log are beside it, which has not ended, has "
-                      f"failed or has no such result; {EARLIER} there lists such files", stacklevel=2)
-    return ResultFile(path)
+    Raises FileNotFoundError, or FormatError naming what is wrong."""
+    return ResultFile(_find(os.fspath(path)))
 
 
 class ResultFile:
@@ -162,12 +155,3 @@ def _find(path):
         if os.path.exists(os.path.join(path, name)):
             return os.path.join(path, name)
     raise FileNotFoundError(f"the folder {path} holds none of {', '.join(NAMES)}")
-
-
-def _is_of_earlier_run(path):
-    folder, name = os.path.split(path)
-    try:
-        with builtins.open(os.path.join(folder, EARLIER), encoding="utf-8") as file:
-            return name in file.read().splitlines()
-    except OSError:
-        return False

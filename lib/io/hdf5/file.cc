@@ -1,21 +1,52 @@
-#include "io/hdf5_file.h"
-
 #include "io/checksum.h"
 #include "io/errors.h"
+#include "io/files.h"
 #include "io/hdf5/internal.h"
-#include "io/hdf5/structure.h"
 #include "io/parameters.h"
 #include "io/text.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fstream>
+#include <unistd.h>
 
 namespace mesoslip
 {
-using hdf5::Handle;
+namespace
+{
+/** The first line of a file whose parts do not fit together for the moment. */
+constexpr char unfinished[] = "unfinished";
+constexpr char flushed[]    = "flushed";
+
+/** From then on nothing is closed any more: the library (1.10) crashes when it closes a
+ * file that it cannot write to, also in its own exit handlers. */
+std::atomic<bool> writing_failed{false};
+
+/** For opening a file, all of which is closed with it; silences the library, as our
+ *  messages replace its own. */
+Hdf5Handle access_properties()
+{
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS));
+  H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
+  return access;
+}
+
+hid_t open_file(const std::string &path, const unsigned int mode)
+{
+  const Hdf5Handle access = access_properties();
+  if (H5Fis_hdf5(path.c_str()) == 0)
+    throw UserError(path + " is not an HDF5 file");
+  const hid_t file = H5Fopen(path.c_str(), mode, access);
+  if (file < 0)
+    throw UserError(path +
+                    " cannot be opened: it is truncated, damaged, foreign, or being "
+                    "written by another program");
+  return file;
+}
+} // namespace
 
 std::string to_text(const Shape &shape)
 {
@@ -27,73 +58,23 @@ std::string to_text(const Shape &shape)
   return text;
 }
 
-namespace hdf5
+bool Hdf5Handle::close()
 {
-namespace
-{
-std::atomic<bool> abandoned_files{false};
+  const std::int64_t owned = std::exchange(id, -1);
+  return owned < 0 || writing_failed || H5Idec_ref(owned) >= 0;
 }
 
-void abandon()
-{
-  abandoned_files = true;
-}
-
-bool abandoned()
-{
-  return abandoned_files;
-}
-} // namespace hdf5
-
-namespace
-{
-/** Our messages replace the library's. */
-void silence_library()
-{
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
-} // namespace
-
-Hdf5File::Hdf5File(const std::string &path)
+Hdf5File::Hdf5File(const std::string &path, const std::int64_t file, const bool write)
   : file_path(path)
+  , file(file)
+  , writable(write)
   , pending_exceptions(std::uncaught_exceptions())
 {
-  silence_library();
-}
-
-Hdf5File::Hdf5File(Hdf5File &&other) noexcept
-  : file_path(std::move(other.file_path))
-  , file(other.file)
-  , writable(other.writable)
-  , signature(other.signature)
-  , broken(other.broken)
-  , pending_exceptions(other.pending_exceptions)
-  , extendables(std::move(other.extendables))
-{
-  other.file = -1;
-  other.extendables.clear();
-}
-
-Hdf5File &Hdf5File::operator=(Hdf5File &&other) noexcept
-{
-  if (this == &other)
-    return *this;
-  release();
-  file_path          = std::move(other.file_path);
-  file               = other.file;
-  writable           = other.writable;
-  signature          = other.signature;
-  broken             = other.broken;
-  pending_exceptions = other.pending_exceptions;
-  extendables        = std::move(other.extendables);
-  other.file         = -1;
-  other.extendables.clear();
-  return *this;
 }
 
 Hdf5File::~Hdf5File()
 {
-  if (file >= 0 && writable && !broken &&
+  if (file.valid() && writable && !writing_failed &&
       std::uncaught_exceptions() == pending_exceptions)
     try
       {
@@ -103,52 +84,25 @@ Hdf5File::~Hdf5File()
       {
         // Left as <path>.part; whoever needs to know calls close().
       }
-  release();
 }
 
 Hdf5File Hdf5File::create(const std::string &path)
 {
-  Hdf5File result(path);
-  const std::string part = path + ".part";
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
-  const Handle creation(H5Pcreate(H5P_FILE_CREATE));
+  const Hdf5Handle access = access_properties(), creation(H5Pcreate(H5P_FILE_CREATE));
   H5Pset_userblock(creation, signature_bytes);
-  result.file     = H5Fcreate(part.c_str(), H5F_ACC_TRUNC, creation, access);
-  result.writable = true;
-  if (result.file < 0)
+  const std::string part = path + ".part";
+  const hid_t file       = H5Fcreate(part.c_str(), H5F_ACC_TRUNC, creation, access);
+  if (file < 0)
     throw UserError(part +
                     ": cannot be created; does its folder exist, may it be written to, "
                     "and does no other program use the file?");
-  return result;
-}
-
-Hdf5File
-Hdf5File::open_as(const std::string &path, const std::string &disk_name, const bool write)
-{
-  const hdf5::CrashGuard guard(disk_name);
-  Hdf5File result(path);
-  if (H5Fis_hdf5(disk_name.c_str()) == 0)
-    throw UserError(disk_name + " is not an HDF5 file");
-  const std::string problem = write ? "" : hdf5::structure_problem(disk_name);
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
-  if (problem.empty())
-    result.file =
-      H5Fopen(disk_name.c_str(), write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access);
-  result.writable = write;
-  if (result.file < 0)
-    throw UserError(disk_name +
-                    " cannot be opened: it is truncated, damaged, foreign, or being "
-                    "written by another program" +
-                    (problem.empty() ? "" : " (" + problem + ")"));
-  return result;
+  return Hdf5File(path, file, true);
 }
 
 Hdf5File Hdf5File::open(const std::string &path, const std::string &hint)
 {
   require_readable_file("", path, hint);
-  Hdf5File file  = open_as(path, path, false);
+  Hdf5File file(path, open_file(path, H5F_ACC_RDONLY), false);
   file.signature = check_signature(path);
   return file;
 }
@@ -161,52 +115,54 @@ Hdf5File Hdf5File::resume(const std::string &path, const std::string &hint)
       require_readable_file("", path, hint);
       std::filesystem::rename(path, part);
     }
-  return open_as(path, part, true);
+  if (first_line(part) == unfinished)
+    throw UserError(part +
+                    ": its program was killed while it wrote the file, which "
+                    "cannot be gone on with; " +
+                    hint);
+  return Hdf5File(path, open_file(part, H5F_ACC_RDWR), true);
 }
 
-void Hdf5File::release() noexcept
+bool Hdf5File::writing_has_failed()
 {
-  if (!hdf5::abandoned())
-    {
-      for (auto &[name, target] : extendables)
-        H5Dclose(target.dataset);
-      if (file >= 0)
-        H5Fclose(file);
-    }
-  extendables.clear();
-  file = -1;
+  return writing_failed;
 }
 
 void Hdf5File::flush()
 {
-  require_writable();
-  for (auto &[name, target] : extendables)
-    write_buffer(name, target);
+  write_first_line(file_path + ".part", unfinished);
   if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0)
+    fail_writing("cannot be written");
+  write_first_line(file_path + ".part", flushed);
+}
+
+void Hdf5File::sync()
+{
+  void *descriptor = nullptr;
+  if (H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor) < 0 ||
+      fsync(*static_cast<const int *>(descriptor)) != 0)
     fail_writing("cannot be written");
 }
 
 void Hdf5File::close()
 {
-  if (file < 0)
+  if (!file.valid())
     return;
-  if (writable)
-    flush();
-  const std::string format = writable && has_attribute("/", "format")
+  if (!writable)
+    {
+      file.close();
+      return;
+    }
+  const std::string part   = file_path + ".part";
+  const std::string format = has_attribute("/", "format")
                                ? read_attribute<std::string>("/", "format")
                                : "mesoslip";
-  for (auto &[name, target] : extendables)
-    H5Dclose(target.dataset);
-  extendables.clear();
-  const bool closed = H5Fclose(file) >= 0;
-  file              = -1;
-  if (!writable)
-    return;
-  if (!closed)
-    fail_writing("cannot be completed");
-  sign_file(file_path + ".part", format);
+  write_first_line(part, unfinished);
+  if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0 || !file.close())
+    fail_writing("cannot be written");
+  sign_file(part, format);
   std::error_code code;
-  std::filesystem::rename(file_path + ".part", file_path, code);
+  std::filesystem::rename(part, file_path, code);
   if (code)
     fail("cannot be given its name (" + code.message() + ")");
 }
@@ -218,104 +174,49 @@ void Hdf5File::fail(const std::string &what, const std::string &hint) const
 
 void Hdf5File::fail_writing(const std::string &what)
 {
-  broken = true;
-  hdf5::abandon();
+  writing_failed = true;
   fail(what + " (is the disk full?)");
-}
-
-bool Hdf5File::writing_has_failed()
-{
-  return hdf5::abandoned();
-}
-
-void Hdf5File::require_writable() const
-{
-  if (file < 0 || !writable)
-    throw std::logic_error(file_path + " is not open for writing");
-}
-
-bool Hdf5File::is_member(const std::string &name) const
-{
-  if (H5Lexists(file, name.c_str(), H5P_DEFAULT) <= 0)
-    return false;
-  H5L_info_t link;
-  if (H5Lget_info(file, name.c_str(), &link, H5P_DEFAULT) < 0)
-    fail(name + " cannot be found: the file is damaged");
-  if (link.type != H5L_TYPE_HARD)
-    fail(name + " is a link by name, which may lead to another file and is not followed; "
-                "copy what it stands for into this file");
-  return true;
-}
-
-bool Hdf5File::link_exists(const std::string &name) const
-{
-  // Every group on the way has to exist before the library may be asked for the next.
-  for (std::size_t slash = name.find('/', 1); slash != std::string::npos;
-       slash             = name.find('/', slash + 1))
-    if (!is_member(name.substr(0, slash)))
-      return false;
-  return is_member(name);
 }
 
 bool Hdf5File::exists(const std::string &name) const
 {
-  const hdf5::CrashGuard guard(file_path);
-  return name == "/" ||
-         (link_exists(name) && H5Oexists_by_name(file, name.c_str(), H5P_DEFAULT) > 0);
+  if (name == "/")
+    return true;
+  // Every group on the way has to exist before the library may be asked for the next.
+  for (std::size_t slash = 0; slash != std::string::npos;)
+    {
+      slash = name.find('/', slash + 1);
+      if (H5Lexists(file, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0)
+        return false;
+    }
+  return true;
 }
 
 std::vector<std::string> Hdf5File::list(const std::string &group,
                                         const std::string &hint) const
 {
-  const hdf5::CrashGuard guard(file_path);
-  const Handle object(open_object(group, hint));
-  if (H5Iget_type(object) != H5I_GROUP)
-    fail(group + " is not a group", hint);
-  const auto add = [](hid_t, const char *name, const H5L_info_t *,
+  const Hdf5Handle object = open_object(group, hint);
+  const auto add          = [](hid_t, const char *name, const H5L_info_t *,
                       void *names) -> herr_t {
     static_cast<std::vector<std::string> *>(names)->push_back(name);
     return 0;
   };
   std::vector<std::string> names;
   if (H5Literate(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names) < 0)
-    fail("the group " + group + " cannot be read", hint);
-  for (const std::string &name : names)
-    if (!is_utf8(name))
-      fail("the name of a member of " + group + " is not UTF-8", hint);
+    fail(group + " is not a group, or is damaged", hint);
+  if (!std::all_of(names.begin(), names.end(), is_utf8))
+    fail("the name of a member of " + group + " is not UTF-8", hint);
   return names;
 }
 
-void Hdf5File::create_group(const std::string &name)
-{
-  require_writable();
-  if (exists(name))
-    return;
-  const Handle links(H5Pcreate(H5P_LINK_CREATE));
-  H5Pset_create_intermediate_group(links, 1);
-  const Handle group(H5Gcreate2(file, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT));
-  if (!group.valid())
-    fail_writing("the group " + name + " cannot be created");
-}
-
-void Hdf5File::remove(const std::string &name)
-{
-  const auto open = extendables.find(name);
-  if (open != extendables.end())
-    {
-      H5Dclose(open->second.dataset);
-      extendables.erase(open);
-    }
-  if (link_exists(name) && H5Ldelete(file, name.c_str(), H5P_DEFAULT) < 0)
-    fail_writing("the dataset " + name + " cannot be replaced");
-}
-
-Hdf5File::Id Hdf5File::open_object(const std::string &name, const std::string &hint) const
+Hdf5Handle Hdf5File::open_object(const std::string &name, const std::string &hint) const
 {
   if (!exists(name))
     fail(name + " is missing", hint);
-  Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT));
+  Hdf5Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT));
   if (!object.valid())
-    fail(name + " cannot be opened: the file is damaged", hint);
-  return object.release();
+    fail(name + " cannot be opened: the file is damaged, or it is a link to what is gone",
+         hint);
+  return object;
 }
 } // namespace mesoslip

@@ -50,7 +50,7 @@ std::string Hdf5File::change_note(const std::string &program) const
       return "";
     case Signature::broken:
       return file_path + " has changed since " + program +
-             " wrote it; its numbers are used as they are";
+             " wrote it, by an edit or by damage; its numbers are used as they are";
     case Signature::missing:
       break;
     }

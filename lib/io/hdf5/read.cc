@@ -1,0 +1,214 @@
+#include "io/hdf5/internal.h"
+#include "io/text.h"
+
+namespace mesoslip
+{
+using hdf5::attribute_text, hdf5::dataset_text;
+
+namespace
+{
+/** Dataset or attribute: all its values or, of a dataset, what is selected. */
+struct Source
+{
+  Source(const hid_t object, const Shape &shape, const Hdf5Handle *selection)
+    : object(object)
+    , is_attribute(H5Iget_type(object) == H5I_ATTR)
+    , type(is_attribute ? H5Aget_type(object) : H5Dget_type(object))
+    , memory(hdf5::make_space(shape))
+    , n(hdf5::product(shape))
+    , file_space(selection == nullptr ? H5S_ALL : static_cast<hid_t>(*selection))
+  {
+  }
+
+  // The space in memory is of the same rank as the selection: otherwise HDF5 maps every
+  // number by itself.
+  bool read(const hid_t memory_type, void *values) const
+  {
+    return (is_attribute ? H5Aread(object, memory_type, values)
+                         : H5Dread(object, memory_type, memory, file_space, H5P_DEFAULT,
+                                   values)) >= 0;
+  }
+
+  /** Numbers. */
+  template <typename T>
+  bool read(std::vector<T> &values) const
+  {
+    values.resize(n);
+    return read(hdf5::native_type<T>(), values.data());
+  }
+
+  /** Texts of fixed or variable length. */
+  bool read(std::vector<std::string> &texts) const
+  {
+    if (H5Tis_variable_str(type) > 0)
+      {
+        std::vector<char *> found(n, nullptr);
+        const bool done = read(type, found.data());
+        for (const char *text : found)
+          texts.emplace_back(text == nullptr ? "" : text);
+        H5Dvlen_reclaim(type, memory, H5P_DEFAULT, found.data());
+        return done;
+      }
+    const std::size_t length = H5Tget_size(type);
+    std::string all(length * n, '\0');
+    const bool done = read(type, all.data());
+    for (std::size_t i = 0; i < n; ++i)
+      texts.emplace_back(all.substr(i * length, length).c_str()); // up to the first zero
+    return done;
+  }
+
+  const hid_t object;
+  const bool is_attribute;
+  const Hdf5Handle type, memory;
+  const std::size_t n;
+  const hid_t file_space;
+};
+
+bool same_shape(const Shape &shape, const Shape &expected)
+{
+  return std::equal(
+    shape.begin(), shape.end(), expected.begin(), expected.end(),
+    [](const std::size_t a, const std::size_t b) { return a == b || b == any_extent; });
+}
+} // namespace
+
+Hdf5Handle Hdf5File::open_dataset(const std::string &name, const std::string &hint) const
+{
+  if (!exists(name))
+    fail(dataset_text(name) + " is missing", hint);
+  Hdf5Handle object = open_object(name, hint);
+  if (H5Iget_type(object) != H5I_DATASET)
+    fail(name + " is not a dataset", hint);
+  return object;
+}
+
+Shape Hdf5File::shape_of(const Hdf5Handle &object, const std::string &text) const
+{
+  const Hdf5Handle space(H5Iget_type(object) == H5I_ATTR ? H5Aget_space(object)
+                                                         : H5Dget_space(object));
+  std::vector<hsize_t> extents(H5S_MAX_RANK);
+  const int rank = H5Sget_simple_extent_dims(space, extents.data(), nullptr);
+  if (rank < 0 || H5Sget_simple_extent_type(space) == H5S_NULL)
+    fail(text + " holds nothing or is damaged");
+  return Shape(extents.begin(), extents.begin() + rank);
+}
+
+Shape Hdf5File::shape(const std::string &name, const std::string &hint) const
+{
+  return shape_of(open_dataset(name, hint), dataset_text(name));
+}
+
+template <typename T>
+std::vector<T> Hdf5File::read_values(const Hdf5Handle &object,
+                                     const std::string &text,
+                                     const Shape &shape,
+                                     const Hdf5Handle *selection) const
+{
+  constexpr bool texts = std::is_same_v<T, std::string>;
+  const Source source(object, shape, selection);
+  const auto kind = H5Tget_class(source.type);
+  if (texts && kind != H5T_STRING)
+    fail(text + " is not a text or a list of texts");
+  if (!texts && kind != H5T_INTEGER && kind != H5T_FLOAT)
+    fail(text + " does not hold numbers");
+  if (std::is_integral_v<T> && kind == H5T_FLOAT)
+    fail(text + " does not hold whole numbers");
+  std::vector<T> values;
+  if (source.n == 0)
+    return values;
+  if (!source.read(values))
+    fail(text + " cannot be read: the file is truncated or damaged");
+  if constexpr (texts)
+    {
+      if (!std::all_of(values.begin(), values.end(), is_utf8))
+        fail(text + " holds a text that is not UTF-8");
+    }
+  else if (const std::string found = hdf5::not_finite(values.data(), source.n);
+           !found.empty())
+    fail(text + " holds " + found);
+  return values;
+}
+
+template <typename T>
+std::vector<T> Hdf5File::read(const std::string &name,
+                              const Shape &expected,
+                              const std::string &hint) const
+{
+  const Hdf5Handle dataset = open_dataset(name, hint);
+  const Shape extents      = shape_of(dataset, dataset_text(name));
+  if (!expected.empty() && !same_shape(extents, expected))
+    fail(dataset_text(name) + " has the shape " + to_text(extents) + " instead of " +
+           to_text(expected),
+         hint);
+  return read_values<T>(dataset, dataset_text(name), extents);
+}
+
+template <typename T>
+std::vector<T> Hdf5File::read_block(const std::string &name,
+                                    const Shape &offset,
+                                    const Shape &count,
+                                    const std::string &hint) const
+{
+  const Hdf5Handle dataset = open_dataset(name, hint);
+  const Shape extents      = shape_of(dataset, dataset_text(name));
+  bool inside = offset.size() == extents.size() && count.size() == extents.size();
+  for (std::size_t axis = 0; inside && axis < extents.size(); ++axis)
+    inside = offset[axis] <= extents[axis] && count[axis] <= extents[axis] - offset[axis];
+  if (!inside)
+    fail(dataset_text(name) + " has the shape " + to_text(extents) +
+           ", which does not hold " + to_text(count) + " values from position " +
+           to_text(offset),
+         hint);
+  const Hdf5Handle selection = hdf5::select_block(dataset, offset, count);
+  return read_values<T>(dataset, dataset_text(name), count, &selection);
+}
+
+bool Hdf5File::has_attribute(const std::string &object, const std::string &name) const
+{
+  return exists(object) &&
+         H5Aexists_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+template <typename T>
+T Hdf5File::read_attribute(const std::string &object,
+                           const std::string &name,
+                           const std::string &hint) const
+{
+  const std::string text = attribute_text(object, name);
+  const Hdf5Handle owner = open_object(object, hint);
+  if (H5Aexists(owner, name.c_str()) <= 0)
+    fail(text + " is missing", hint);
+  const Hdf5Handle attribute(H5Aopen(owner, name.c_str(), H5P_DEFAULT));
+  if (!attribute.valid())
+    fail(text + " cannot be opened: the file is damaged", hint);
+  const auto values = read_values<typename hdf5::ValueOf<T>::Type>(
+    attribute, text, shape_of(attribute, text));
+  if constexpr (hdf5::ValueOf<T>::is_vector)
+    return values;
+  else
+    {
+      if (values.size() != 1)
+        fail(text + " has " + std::to_string(values.size()) + " values instead of one");
+      return values.front();
+    }
+}
+
+#define MESOSLIP_INSTANTIATE(T)                                                    \
+  template std::vector<T> Hdf5File::read<T>(const std::string &, const Shape &,    \
+                                            const std::string &) const;            \
+  template std::vector<T> Hdf5File::read_block<T>(                                 \
+    const std::string &, const Shape &, const Shape &, const std::string &) const; \
+  template T Hdf5File::read_attribute<T>(const std::string &, const std::string &, \
+                                         const std::string &) const;               \
+  template std::vector<T> Hdf5File::read_attribute<std::vector<T>>(                \
+    const std::string &, const std::string &, const std::string &) const;
+MESOSLIP_INSTANTIATE(double)
+MESOSLIP_INSTANTIATE(float)
+MESOSLIP_INSTANTIATE(int)
+MESOSLIP_INSTANTIATE(unsigned int)
+MESOSLIP_INSTANTIATE(std::int64_t)
+MESOSLIP_INSTANTIATE(std::uint64_t)
+MESOSLIP_INSTANTIATE(std::uint8_t)
+MESOSLIP_INSTANTIATE(std::string)
+#undef MESOSLIP_INSTANTIATE
+} // namespace mesoslip

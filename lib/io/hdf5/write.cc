@@ -1,0 +1,215 @@
+#include "io/errors.h"
+#include "io/hdf5/internal.h"
+
+#include <deal.II/base/exceptions.h>
+
+namespace mesoslip
+{
+using hdf5::attribute_text, hdf5::dataset_text;
+
+namespace
+{
+/** Texts as they are stored: UTF-8 of the length of the longest, filled up with zeros. */
+struct FixedTexts
+{
+  FixedTexts(const std::string *texts, const std::size_t n)
+    : type(H5Tcopy(H5T_C_S1))
+  {
+    std::size_t longest = 1;
+    for (std::size_t i = 0; i < n; ++i)
+      longest = std::max(longest, texts[i].size());
+    H5Tset_size(type, longest);
+    H5Tset_cset(type, H5T_CSET_UTF8);
+    H5Tset_strpad(type, H5T_STR_NULLPAD);
+    for (std::size_t i = 0; i < n; ++i)
+      characters += texts[i] + std::string(longest - texts[i].size(), '\0');
+  }
+
+  Hdf5Handle type;
+  std::string characters;
+};
+
+/** For links with the groups on the way. */
+Hdf5Handle link_properties()
+{
+  Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE));
+  H5Pset_create_intermediate_group(links, 1);
+  return links;
+}
+
+/** For datasets; without times, so that equal results are equal files. */
+Hdf5Handle creation_properties()
+{
+  Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE));
+  H5Pset_obj_track_times(properties, false);
+  return properties;
+}
+} // namespace
+
+void Hdf5File::create_group(const std::string &name)
+{
+  if (exists(name))
+    return;
+  const Hdf5Handle links = link_properties();
+  const Hdf5Handle group(H5Gcreate2(file, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT));
+  if (!group.valid())
+    fail_writing("the group " + name + " cannot be created");
+}
+
+void Hdf5File::remove(const std::string &name)
+{
+  if (exists(name) && H5Ldelete(file, name.c_str(), H5P_DEFAULT) < 0)
+    fail_writing(name + " cannot be replaced");
+}
+
+template <typename T>
+void Hdf5File::write_values(const std::string &text,
+                            const std::size_t n,
+                            const T *values,
+                            const RawWriter &write)
+{
+  Assert(writable && file.valid(), dealii::ExcMessage("the file is not being written"));
+  bool done = false;
+  if constexpr (std::is_same_v<T, std::string>)
+    {
+      const FixedTexts texts(values, n);
+      done = write(texts.type, texts.characters.data());
+    }
+  else
+    {
+      const std::string found = hdf5::not_finite(values, n);
+      if (!found.empty())
+        throw NumericalFailure(
+          file_path + ": " + text + " would hold " + found +
+          "; look for an input that is far too large, and at its unit");
+      done = write(hdf5::native_type<T>(), values);
+    }
+  if (!done)
+    fail_writing(text + " cannot be written");
+}
+
+template <typename T>
+void Hdf5File::write(const std::string &name, const Shape &shape, const T *data)
+{
+  const std::size_t n = hdf5::product(shape);
+  const auto write    = [&](const hid_t type, const void *values) {
+    remove(name);
+    const Hdf5Handle space = hdf5::make_space(shape), links = link_properties(),
+                     properties = creation_properties();
+    Hdf5Handle dataset(
+         H5Dcreate2(file, name.c_str(), type, space, links, properties, H5P_DEFAULT));
+    return dataset.valid() &&
+           (n == 0 ||
+            H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0) &&
+           dataset.close();
+  };
+  write_values(dataset_text(name), n, data, write);
+}
+
+template <typename T>
+void Hdf5File::write(const std::string &name,
+                     const Shape &shape,
+                     const std::vector<T> &data)
+{
+  AssertThrow(data.size() == hdf5::product(shape),
+              dealii::ExcDimensionMismatch(data.size(), hdf5::product(shape)));
+  write(name, shape, data.data());
+}
+
+template <typename T>
+void Hdf5File::write_attribute(const std::string &object,
+                               const std::string &name,
+                               const T &value)
+{
+  constexpr bool is_vector = hdf5::ValueOf<T>::is_vector;
+  const typename hdf5::ValueOf<T>::Type *values;
+  Shape shape;
+  if constexpr (is_vector)
+    {
+      values = value.data();
+      shape  = {value.size()};
+    }
+  else
+    values = &value;
+  const std::size_t n = hdf5::product(shape);
+  const auto write    = [&](const hid_t type, const void *data) {
+    create_group(object);
+    const Hdf5Handle owner = open_object(object, ""), space = hdf5::make_space(shape);
+    if (H5Aexists(owner, name.c_str()) > 0)
+      H5Adelete(owner, name.c_str());
+    Hdf5Handle attribute(
+         H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT));
+    return attribute.valid() && (n == 0 || H5Awrite(attribute, type, data) >= 0) &&
+           attribute.close();
+  };
+  write_values(attribute_text(object, name), n, values, write);
+}
+
+void Hdf5File::reserve_rows(const std::string &name, const Shape &shape)
+{
+  if (exists(name))
+    {
+      if (H5Dset_extent(open_dataset(name, ""), hdf5::dims(shape).data()) < 0)
+        fail_writing(dataset_text(name) + " cannot be lengthened or shortened");
+      return;
+    }
+  Shape chunk = shape;
+  chunk[0]    = 1;
+  // The library takes chunks below 4 GB.
+  while (hdf5::product(chunk) > (std::size_t(1) << 28))
+    chunk[1] = (chunk[1] + 1) / 2;
+  std::vector<hsize_t> limits = hdf5::dims(shape);
+  limits[0]                   = H5S_UNLIMITED;
+  const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()),
+                                          hdf5::dims(shape).data(), limits.data()));
+  const Hdf5Handle links = link_properties(), properties = creation_properties();
+  H5Pset_chunk(properties, static_cast<int>(chunk.size()), hdf5::dims(chunk).data());
+  H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
+  H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
+  Hdf5Handle dataset(H5Dcreate2(file, name.c_str(), H5T_NATIVE_DOUBLE, space, links,
+                                properties, H5P_DEFAULT));
+  if (!dataset.valid() || !dataset.close())
+    fail_writing(dataset_text(name) + " cannot be created");
+}
+
+void Hdf5File::write_row(const std::string &name,
+                         const std::size_t row,
+                         const std::vector<double> &values)
+{
+  // Straight to the disk, past the buffer for chunks.
+  const Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS));
+  H5Pset_chunk_cache(access, 0, 0, 0.);
+  const auto write = [&](const hid_t type, const void *data) {
+    Hdf5Handle dataset(H5Dopen2(file, name.c_str(), access));
+    Shape count = shape_of(dataset, dataset_text(name)), offset(count.size(), 0);
+    AssertThrow(row < count[0], dealii::ExcIndexRange(row, 0, count[0]));
+    count[0]  = 1;
+    offset[0] = row;
+    AssertThrow(values.size() == hdf5::product(count),
+                dealii::ExcDimensionMismatch(values.size(), hdf5::product(count)));
+    const Hdf5Handle memory = hdf5::make_space(count),
+                     space  = hdf5::select_block(dataset, offset, count);
+    return H5Dwrite(dataset, type, memory, space, H5P_DEFAULT, data) >= 0 &&
+           dataset.close();
+  };
+  write_values(dataset_text(name), values.size(), values.data(), write);
+}
+
+#define MESOSLIP_INSTANTIATE(T)                                                        \
+  template void Hdf5File::write<T>(const std::string &, const Shape &,                 \
+                                   const std::vector<T> &);                            \
+  template void Hdf5File::write<T>(const std::string &, const Shape &, const T *);     \
+  template void Hdf5File::write_attribute<T>(const std::string &, const std::string &, \
+                                             const T &);                               \
+  template void Hdf5File::write_attribute<std::vector<T>>(                             \
+    const std::string &, const std::string &, const std::vector<T> &);
+MESOSLIP_INSTANTIATE(double)
+MESOSLIP_INSTANTIATE(float)
+MESOSLIP_INSTANTIATE(int)
+MESOSLIP_INSTANTIATE(unsigned int)
+MESOSLIP_INSTANTIATE(std::int64_t)
+MESOSLIP_INSTANTIATE(std::uint64_t)
+MESOSLIP_INSTANTIATE(std::uint8_t)
+MESOSLIP_INSTANTIATE(std::string)
+#undef MESOSLIP_INSTANTIATE
+} // namespace mesoslip
