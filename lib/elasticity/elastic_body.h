@@ -96,7 +96,34 @@ public:
   void copy_duplicates(NodalField<double> &field) const;
 
   /** Length of the body's bounding box along axis @p d (m). */
-  virtual double extent(const unsigned int d) const = 0;
+  double extent(const unsigned int d) const
+  {
+    return extents[d];
+  }
+
+  /** Area (2D, m^2) or volume of the body. */
+  double volume() const
+  {
+    return total_volume;
+  }
+
+  /** Integral of the density (kg, in 2D kg/m). */
+  double total_mass() const
+  {
+    return mass;
+  }
+
+  /** Number of cells. */
+  std::size_t n_cells() const
+  {
+    return number_of_cells;
+  }
+
+  /** Whether products and solves are collective over several ranks. */
+  bool is_distributed() const
+  {
+    return distributed;
+  }
 
   /** Place of a node, from the lower corner of the bounding box (m). */
   virtual std::array<double, dim> point(const NodeIndex &node) const = 0;
@@ -104,15 +131,6 @@ public:
   /** Lumped mass (kg, in 2D kg/m) of the nodes, row after row; duplicates and their
    * originals carry the mass of both. */
   virtual std::vector<double> lumped_mass() const = 0;
-
-  /** Area (2D, m^2) or volume of the body. */
-  virtual double volume() const = 0;
-
-  /** Integral of the density (kg, in 2D kg/m). */
-  virtual double total_mass() const = 0;
-
-  /** Number of cells. */
-  virtual std::size_t n_cells() const = 0;
 
   /** Cells are evaluated in groups of consecutive ones, on a grid its rows. */
   virtual std::size_t n_cell_groups() const = 0;
@@ -139,14 +157,8 @@ public:
    * opposite sides do not match. */
   virtual std::unique_ptr<ElasticBody> make_periodic() const = 0;
 
-  /** Whether products and solves are collective over several ranks. */
-  virtual bool is_distributed() const
-  {
-    return false;
-  }
-
 protected:
-  /** Of fields with @p n_columns x @p n_rows nodes. */
+  /** Of fields with @p n_columns x @p n_rows nodes; derived classes set the rest. */
   ElasticBody(const unsigned int n_columns,
               const unsigned int n_rows,
               const std::vector<ElasticPhase<dim>> &phases,
@@ -158,8 +170,12 @@ protected:
   {
   }
 
-  std::array<SurfaceNodes<dim>, 2 * dim> sides; ///< see surface()
-
+  std::array<double, dim> extents = {};             ///< see extent()
+  double total_volume             = 0.;             ///< see volume()
+  double mass                     = 0.;             ///< see total_mass()
+  std::size_t number_of_cells     = 0;              ///< see n_cells()
+  bool distributed                = false;          ///< see is_distributed()
+  std::array<SurfaceNodes<dim>, 2 * dim> sides;     ///< see surface()
   std::vector<std::array<NodeIndex, 2>> duplicates; ///< see duplicate_nodes()
 
 private:

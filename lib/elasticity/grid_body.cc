@@ -1,7 +1,6 @@
 #include "elasticity/grid_body.h"
 
-#include "elasticity/conjugate_gradients.h"
-#include "elasticity/multigrid/multigrid_solver.h"
+#include "elasticity/grid_solver.h"
 
 namespace mesoslip
 {
@@ -20,6 +19,11 @@ GridBody<2>::GridBody(const std::shared_ptr<const UniformMaterial> &given,
   , solver(solver)
   , stiffness(material)
 {
+  const UniformGrid<2> &grid = material.grid();
+  extents                    = {{grid.extent(0), grid.extent(1)}};
+  total_volume               = extents[0] * extents[1];
+  mass                       = material.total_mass();
+  number_of_cells            = grid.n_cells();
   find_sides();
 }
 
@@ -52,11 +56,6 @@ void GridBody<2>::find_sides()
     }
 }
 
-double GridBody<2>::extent(const unsigned int d) const
-{
-  return material.grid().extent(d);
-}
-
 std::array<double, 2> GridBody<2>::point(const NodeIndex &node) const
 {
   return {{node.i * material.grid().spacing[0], node.j * material.grid().spacing[1]}};
@@ -64,25 +63,10 @@ std::array<double, 2> GridBody<2>::point(const NodeIndex &node) const
 
 std::vector<double> GridBody<2>::lumped_mass() const
 {
-  std::vector<double> mass(static_cast<std::size_t>(n_columns()) * n_rows());
+  std::vector<double> masses(static_cast<std::size_t>(n_columns()) * n_rows());
   for (unsigned int j = 0; j < n_rows(); ++j)
-    material.mass_row(j, mass.data() + static_cast<std::size_t>(j) * n_columns());
-  return mass;
-}
-
-double GridBody<2>::volume() const
-{
-  return extent(0) * extent(1);
-}
-
-double GridBody<2>::total_mass() const
-{
-  return material.total_mass();
-}
-
-std::size_t GridBody<2>::n_cells() const
-{
-  return material.grid().n_cells();
+    material.mass_row(j, masses.data() + static_cast<std::size_t>(j) * n_columns());
+  return masses;
 }
 
 std::size_t GridBody<2>::n_cell_groups() const
@@ -114,9 +98,7 @@ void GridBody<2>::vmult(NodalField<double> &Ku, const NodalField<double> &u) con
 
 std::unique_ptr<StaticSolver> GridBody<2>::make_solver() const
 {
-  if (solver == StaticSolverKind::jacobi)
-    return std::make_unique<JacobiSolver>(material);
-  return std::make_unique<MultigridSolver>(material);
+  return std::make_unique<GridSolver>(material, solver);
 }
 
 std::unique_ptr<ElasticBody<2>> GridBody<2>::make_periodic() const

@@ -10,8 +10,8 @@ template <int dim>
 class GridBody;
 
 /**
- * The body on a uniform grid: UniformGridOperator for products and MultigridSolver or
- * JacobiSolver for solves. All of it is on every rank.
+ * The body on a uniform grid: UniformGridOperator for products and GridSolver for
+ * solves. All of it is on every rank.
  */
 template <>
 class GridBody<2> : public ElasticBody<2>
@@ -25,12 +25,8 @@ public:
   GridBody(const std::shared_ptr<const UniformMaterial> &material,
            const StaticSolverKind solver);
 
-  double extent(const unsigned int d) const override;
   std::array<double, 2> point(const NodeIndex &node) const override;
   std::vector<double> lumped_mass() const override;
-  double volume() const override;
-  double total_mass() const override;
-  std::size_t n_cells() const override;
   std::size_t n_cell_groups() const override;
   void evaluate(const NodalField<double> &u,
                 const std::size_t group,

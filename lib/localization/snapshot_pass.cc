@@ -21,7 +21,7 @@ public:
   Batch(const RunFile &run, const UniformGrid<2> &target, const SnapshotWork &what)
     : source(run.grid())
     , work(what)
-    , constant(1, 3, target.cells[0])
+    , constant(3, 1, target.cells[0])
     , by_row(target.cells[1])
   {
     for (std::size_t p = 0; p < work.cells.size(); ++p)
@@ -93,14 +93,15 @@ private:
     for (std::size_t b = 0; b < n; ++b)
       {
         for (unsigned int c = 0; c < 3; ++c)
-          std::fill_n(constant(0, c), constant.n_columns(), means[b][c]);
-        work.uniform->add(j, {constant(0, 0), constant(0, 1), constant(0, 2)});
+          std::fill_n(constant.row(c, 0), constant.n_columns(), means[b][c]);
+        work.uniform->add(j,
+                          {constant.row(0, 0), constant.row(1, 0), constant.row(2, 0)});
       }
   }
 
   UniformGrid<2> source;
   const SnapshotWork &work;
-  RowArrays constant;
+  PaddedRows<double> constant;
   /** One for each snapshot. */
   std::vector<StrainInterpolation> interpolations;
   std::vector<std::array<double, 3>> means;

@@ -20,9 +20,9 @@ double integrate(const unsigned int n, const double h, const Value &value)
 
 constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
 
-Row row_of(RowArrays &arrays, const std::size_t j)
+Row row_of(PaddedRows<double> &arrays, const std::size_t j)
 {
-  return {arrays(j, 0), arrays(j, 1), arrays(j, 2)};
+  return {arrays.row(0, j), arrays.row(1, j), arrays.row(2, j)};
 }
 } // namespace
 
@@ -75,9 +75,9 @@ StrainInterpolation::StrainInterpolation(const UniformGrid<2> &source_grid,
   , target(target_grid)
   , x(source.cells[0], target.cells[0])
   , y(source.cells[1], target.cells[1])
-  , scratch(x.is_identity() ? 0 : 1, 3, source.cells[0])
-  , kept(y.width, 3, target.cells[0])
-  , result(1, 3, target.cells[0])
+  , scratch(3, x.is_identity() ? 0 : 1, source.cells[0])
+  , kept(3, y.width, target.cells[0])
+  , result(3, 1, target.cells[0])
   , kept_row(y.width, none)
 {
 }

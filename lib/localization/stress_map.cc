@@ -8,7 +8,7 @@ StressMap::StressMap(const UniformGrid<2> &grid,
                      const std::vector<double> &ratio,
                      const std::vector<double> &concentration)
   : the_grid(grid)
-  , data(grid.cells[1], 10, grid.cells[0])
+  , data(10, grid.cells[1], grid.cells[0])
 {
   const std::size_t nx = grid.cells[0];
   for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
@@ -19,8 +19,8 @@ StressMap::StressMap(const UniformGrid<2> &grid,
         product *=
           Eigen::Map<const VoigtMatrix<2>>(concentration.data() + 9 * cell).eval();
       for (unsigned int k = 0; k < 9; ++k)
-        data(j, k)[i] = product(k / 3, k % 3);
-      data(j, 9)[i] = ratio[phase[cell]];
+        data.row(k, j)[i] = product(k / 3, k % 3);
+      data.row(9, j)[i] = ratio[phase[cell]];
     }
 }
 
@@ -28,7 +28,7 @@ VoigtMatrix<2> StressMap::matrix(const unsigned int i, const unsigned int j) con
 {
   VoigtMatrix<2> result;
   for (unsigned int k = 0; k < 9; ++k)
-    result(k / 3, k % 3) = data(j, k)[i];
+    result(k / 3, k % 3) = data.row(k, j)[i];
   return result;
 }
 

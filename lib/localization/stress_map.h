@@ -1,8 +1,8 @@
 #ifndef mesoslip_localization_stress_map_h
 #define mesoslip_localization_stress_map_h
 
+#include "grid/padded_rows.h"
 #include "grid/uniform_grid.h"
-#include "localization/row_arrays.h"
 #include "material/voigt.h"
 
 #include <cstdint>
@@ -38,19 +38,19 @@ public:
   /** C_phase L of row @p j: 9 arrays at distances of stride(), row-major. */
   const double *matrix_row(const std::size_t j) const
   {
-    return data(j, 0);
+    return data.row(0, j);
   }
 
   /** sigma_zz / (sigma_xx + sigma_yy) of row @p j. */
   const double *ratio_row(const std::size_t j) const
   {
-    return data(j, 9);
+    return data.row(9, j);
   }
 
   /** Numbers from one of the nine arrays of a row to the next. */
   std::size_t stride() const
   {
-    return data.stride();
+    return data.array_stride();
   }
 
   /** C_phase L (Pa) of one cell. */
@@ -58,7 +58,7 @@ public:
 
 private:
   UniformGrid<2> the_grid;
-  RowArrays data;
+  PaddedRows<double> data;
 };
 
 /**

@@ -27,7 +27,7 @@ function(mesoslip_fuzzer target)
   mesoslip_warnings(${program})
   if(has_libfuzzer)
     # clang gives some templates of deal.II's Trilinos classes other names than GCC, which has built that library. They are of
-    # the assembled solvers, which no fuzzer calls.
+    # bodies on meshes, which no fuzzer calls.
     target_link_options(${program} PRIVATE -fsanitize=fuzzer -Wl,--unresolved-symbols=ignore-all)
     target_link_libraries(${program} fuzz_edits ${ARG_LIBS})
     add_test(NAME fuzz/${target} COMMAND ${folder}/run.sh $<TARGET_FILE:${program}> 5)

@@ -16,17 +16,19 @@ FILES = {
 @dataclasses.dataclass
 class Run:
     """In a setting `{name-1}` is the folder of the run of that name on one rank and `<files>` that of FILES. The results on
-    `ranks` are compared with those on one, bit by bit but for `tolerances` (see comparison.py)."""
+    `ranks` are compared with those on one, bit by bit but for `tolerances` (see comparison.py); with a `reference` those on
+    one and on `ranks` with that run on one, but for what tells of the solver."""
     name: str
     program: str
     text: str
     settings: dict
     ranks: tuple = ALL
     tolerances: tuple = ()
+    reference: str = ""
 
     def __post_init__(self):
         texts = [str(value) for value in self.settings.values()]
-        self.needs = {name for text in texts for name in re.findall(r"\{([^}]+)-1\}", text)}
+        self.needs = {self.reference} - {""} | {name for text in texts for name in re.findall(r"\{([^}]+)-1\}", text)}
 
 
 VOLUME = """
@@ -119,14 +121,25 @@ def localization(name, **settings):
                {"Input/RVE file": "{rve-random-1}/rve.h5", "Input/Homogeneous run": "{homogeneous-platen-1}/dynamics.h5", **settings}, FEW)
 
 
+RECTANGLES = {"Microstructure/Type": "rectangles", "Microstructure/File": "<files>/rectangles.csv", "Homogenization/Tolerance": 1e-12}
+MODAL = {"Analysis": "modal", "Modal/Number of modes": 2}
+STATIC = {"Analysis": "static contact", "Static contact/Tolerance": 1e-11}
+BY_ML = {"Performance/Static solver": "ml", "Body/RVE file": "{rve-random-1}/rve.h5"}
+
+
+def ml(name, program, text, **settings):
+    """The run `name` once more on a mesh that METIS divides: the same problem, solved in another way."""
+    return Run(name + "-ml", program, text, settings, (2, 4), ((r"", 1e-8, 1e-8),), name)
+
+
 HETEROGENEOUS = {"Body/Material": "heterogeneous", "Friction/Coefficient from": "phases"}
 # Nodes have to lift off; only the friction homogenization needs it.
 LONG = {"Time/End time": 2e-5, "Observation/Steady from": 2e-6, "Snapshots/Interval": 0}
 
 RUNS = [
     rve("rve-random", text=RANDOM),
-    rve("rve-rectangles", (2, 5), **{"Microstructure/Type": "rectangles", "Microstructure/File": "<files>/rectangles.csv",
-                             "Homogenization/Solver": "assembled"}),
+    rve("rve-rectangles", (2,), **RECTANGLES),
+    ml("rve-rectangles", "rve_homogenization", VOLUME, **RECTANGLES, **{"Homogenization/Solver": "ml"}),
     rve("rve-image", FEW, **{"Microstructure/Type": "image", "Microstructure/File": "<files>/map.txt",
                         "Homogenization/Solver": "jacobi"}),
     *(ensemble(effective) for effective in ("KUBC", "SUBC", "PBC", "mean")),
@@ -138,8 +151,10 @@ RUNS = [
                                 "Flat/Gap": 1e-9, "Body/Cells": [40, 24], "Performance/Wavefront": 3}),
     contact("long-homogeneous", NONE, **LONG),
     contact("long-heterogeneous", NONE, **LONG, **HETEROGENEOUS),
-    contact("modal", FEW, text=ALONE, **{"Analysis": "modal", "Modal/Number of modes": 2}),
-    contact("static", FEW, text=ALONE, **HETEROGENEOUS, **{"Analysis": "static contact"}),
+    contact("modal", FEW, text=ALONE, **MODAL),
+    contact("static", FEW, text=ALONE, **HETEROGENEOUS, **STATIC),
+    ml("modal", "contact_dynamics", ALONE, **BY_ML, **MODAL),
+    ml("static", "contact_dynamics", ALONE, **BY_ML, **HETEROGENEOUS, **STATIC),
     contact("friction", FEW, text=ALONE, **{"Analysis": "friction homogenization", "Friction homogenization/Calibrate": True,
                                 "Friction homogenization/Static contact": "{static-1}",
                                 "Friction homogenization/Heterogeneous run": "{long-heterogeneous-1}",

@@ -28,8 +28,14 @@ SKIPPED_LINES = r"^\w+ [\d.]+, \d+ process(es)?, |^done in |^This analysis runs 
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 
-def comparison(tolerances):
-    return Comparison(SKIPPED_FILES, SKIPPED_VALUES, SKIPPED_LINES, tolerances)
+# What tells of the solver.
+SOLVER_FILES = r"|log\.txt|.*\.prm"
+SOLVER_VALUES = r"|iterations|residual|digest|friction_change|imbalance"
+
+
+def comparison(tolerances, other_solver=False):
+    return Comparison(SKIPPED_FILES + SOLVER_FILES * other_solver, SKIPPED_VALUES + SOLVER_VALUES * other_solver, SKIPPED_LINES,
+                      tolerances)
 
 
 def run_all(folder, programs, runs):
@@ -59,10 +65,9 @@ def run_all(folder, programs, runs):
 def compare_all(runs, path):
     problems = []
     for run in runs:
-        same = comparison(run.tolerances)
-        for ranks in run.ranks:
-            problems += [f"{run.name} on {ranks} ranks: {said}"
-                         for said in same.differences(path(f"{run.name}-1"), path(f"{run.name}-{ranks}"))]
+        same, one = comparison(run.tolerances, bool(run.reference)), path(f"{run.reference or run.name}-1")
+        for ranks in (1,) * bool(run.reference) + run.ranks:
+            problems += [f"{run.name} on {ranks} ranks: {said}" for said in same.differences(one, path(f"{run.name}-{ranks}"))]
         if run.ranks:
             print(f"{run.name}: {same.n_compared} values, lists and lines on {list(run.ranks)} ranks")
         assert same.n_compared >= 50 * len(run.ranks), run.name

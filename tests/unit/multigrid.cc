@@ -1,7 +1,7 @@
 #include "elasticity/multigrid/multigrid.h"
 
+#include "elasticity/grid_solver.h"
 #include "elasticity/mesh/mesh_body.h"
-#include "elasticity/multigrid/multigrid_solver.h"
 #include "multigrid_testing.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST_P(AgainstMl, SameDisplacements)
   NodalField<double> prescribed =
     s.periodicity.x ? nodal_field(material) : affine(material, 1e-3, -2e-3, 5e-4);
 
-  MultigridSolver multigrid(material);
+  GridSolver multigrid(material);
   multigrid.set_held(mask);
   NodalField<double> u      = prescribed;
   const SolverReport report = multigrid.solve(u, f, 1e-12);
@@ -148,7 +148,7 @@ unsigned int iterations(const unsigned int nx,
 {
   const UniformMaterial material(make_grid(nx, ny, 1e-4, hy), classes(contrast),
                                  fibres(nx, ny));
-  MultigridSolver solver(material);
+  GridSolver solver(material);
   NodalField<double> u = nodal_field(material), f = nodal_field(material);
   if (held)
     {
@@ -195,14 +195,14 @@ TEST(Multigrid, IterationsHardlyGrowWithContrast)
     }
 }
 
-TEST(MultigridSolver, NewMaskIsANewProblem)
+TEST(GridSolver, NewMaskIsANewProblem)
 {
   const UniformMaterial material(make_grid(33, 20), classes(8.), noise(33, 20, 2));
   const NodalField<double> f = balanced_forces(material);
-  MultigridSolver reused(material);
+  GridSolver reused(material);
   for (const Support support : {Support::contact, Support::top, Support::none})
     {
-      MultigridSolver fresh(material);
+      GridSolver fresh(material);
       NodalField<double> u = nodal_field(material), v = u;
       reused.set_held(make_mask(material, support));
       reused.solve(u, f, 1e-12);
@@ -212,25 +212,25 @@ TEST(MultigridSolver, NewMaskIsANewProblem)
     }
 }
 
-TEST(MultigridSolver, SolutionAsFirstGuessNeedsNoIteration)
+TEST(GridSolver, SolutionAsFirstGuessNeedsNoIteration)
 {
   const UniformMaterial material(make_grid(33, 20), classes(8.), noise(33, 20, 2));
   const NodalField<double> f = balanced_forces(material);
-  MultigridSolver solver(material);
+  GridSolver solver(material);
   solver.set_held(make_mask(material, Support::top));
   NodalField<double> u = nodal_field(material);
   EXPECT_GT(solver.solve(u, f, 1e-10).iterations, 1U);
   EXPECT_EQ(solver.solve(u, f, 1e-9).iterations, 0U);
 }
 
-TEST(MultigridSolver, SaysWhenItDoesNotConverge)
+TEST(GridSolver, SaysWhenItDoesNotConverge)
 {
   const UniformMaterial material(make_grid(33, 20), classes(8.), noise(33, 20, 2));
   NodalField<double> f = balanced_forces(material), u = nodal_field(material);
-  MultigridSolver impatient(material, 2);
+  GridSolver impatient(material, StaticSolverKind::multigrid, 2);
   EXPECT_THROW(impatient.solve(u, f, 1e-8), NotConverged);
   f.row(1, 7)[5] = std::numeric_limits<double>::quiet_NaN();
-  MultigridSolver solver(material);
+  GridSolver solver(material);
   EXPECT_THROW(solver.solve(u, f, 1e-8), NotConverged);
   EXPECT_THROW(solver.set_held(DofMask(3, 3)), std::invalid_argument);
 }

@@ -1,7 +1,7 @@
 // Whether the preconditioner is positive definite, by dense matrices.
+#include "elasticity/grid_solver.h"
 #include "elasticity/multigrid/galerkin.h"
 #include "elasticity/multigrid/multigrid.h"
-#include "elasticity/multigrid/multigrid_solver.h"
 #include "material/rotation.h"
 #include "multigrid_testing.h"
 
@@ -117,7 +117,7 @@ struct Assembly
   }
 
   unsigned int nx, ny;
-  multigrid::PaddedRows<double> blocks;
+  PaddedRows<double> blocks;
   Eigen::MatrixXd K;
 };
 
@@ -148,7 +148,7 @@ Eigen::MatrixXd inverse_of_lines(const Assembly &a, const bool columns)
   Eigen::MatrixXd inverse(a.K.rows(), a.K.rows());
   for (unsigned int k = 0; k < inverse.cols(); ++k)
     {
-      multigrid::PaddedRows<double> r(2, a.ny, a.nx), x(2, a.ny, a.nx);
+      PaddedRows<double> r(2, a.ny, a.nx), x(2, a.ny, a.nx);
       set_unit(r, a, k);
       if (columns)
         smoother.columns(r, x, false);
@@ -231,7 +231,7 @@ TEST(Multigrid, IsPositiveDefiniteForAnyMaterial)
 }
 
 // Nearly incompressible, periodic: single precision takes more than 100 iterations.
-TEST(MultigridSolver, GoesOnInDoublePrecision)
+TEST(GridSolver, GoesOnInDoublePrecision)
 {
   const std::vector<ElasticClass> rubber = {{isotropic_stiffness<2>(1e6, 0.4999999), 1.},
                                             {isotropic_stiffness<2>(1e7, 0.4999999), 1.}};
@@ -239,7 +239,7 @@ TEST(MultigridSolver, GoesOnInDoublePrecision)
                                  {true, true});
   const NodalField<double> f = balanced_forces(material);
   NodalField<double> u = nodal_field(material), Ku = u;
-  MultigridSolver solver(material);
+  GridSolver solver(material);
   const SolverReport report = solver.solve(u, f, 1e-10);
   EXPECT_EQ(report.single_iterations.value_or(0), 100U);
   EXPECT_LT(report.residual, 1e-10);

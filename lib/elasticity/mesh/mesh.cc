@@ -82,7 +82,7 @@ std::vector<std::array<unsigned int, 2>> opposite_points(const Mesh<2> &mesh,
       const double distance  = std::fabs(along(upper[k]) - along(lower[k]));
       if (!(distance <= 1e-6 * std::fabs(along(lower[next]) - along(lower[k]))))
         throw std::invalid_argument(sides + " have nodes that are not opposite: " +
-                                    std::to_string(distance) + " m apart");
+                                    std::to_string(distance * 1e3) + " mm apart");
       pairs.push_back({{upper[k], lower[k]}});
     }
   return pairs;

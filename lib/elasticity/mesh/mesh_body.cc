@@ -47,8 +47,8 @@ MeshBody<dim>::MeshBody(const Mesh<dim> &given, const MPI_Comm communicator)
   , mesh(given)
   , communicator(communicator)
   , lower(mesh.points.at(0))
-  , upper(lower)
 {
+  std::array<double, dim> upper = lower;
   for (const auto &p : mesh.points)
     for (unsigned int d = 0; d < dim; ++d)
       {
@@ -61,8 +61,15 @@ MeshBody<dim>::MeshBody(const Mesh<dim> &given, const MPI_Comm communicator)
       if (!(volumes.back() > 0.))
         throw std::invalid_argument("cell " + std::to_string(k) +
                                     " has no area or its corners run clockwise");
-      sum_of_volumes += volumes.back();
+      this->total_volume += volumes.back();
+      this->mass += volumes.back() * mesh.phases[mesh.phase[k]].density;
     }
+  for (unsigned int d = 0; d < dim; ++d)
+    this->extents[d] = upper[d] - lower[d];
+  this->number_of_cells = mesh.n_cells();
+  int n_ranks           = 1;
+  MPI_Comm_size(communicator, &n_ranks);
+  this->distributed = n_ranks > 1;
   find_sides();
   discretization = std::make_unique<MeshDiscretization<dim>>(mesh, *this, communicator);
 }
@@ -104,12 +111,6 @@ void MeshBody<dim>::find_sides()
 }
 
 template <int dim>
-double MeshBody<dim>::extent(const unsigned int d) const
-{
-  return upper[d] - lower[d];
-}
-
-template <int dim>
 std::array<double, dim> MeshBody<dim>::point(const NodeIndex &node) const
 {
   std::array<double, dim> p =
@@ -131,30 +132,9 @@ std::vector<double> MeshBody<dim>::lumped_mass() const
 }
 
 template <int dim>
-double MeshBody<dim>::volume() const
-{
-  return sum_of_volumes;
-}
-
-template <int dim>
-double MeshBody<dim>::total_mass() const
-{
-  double sum = 0.;
-  for (std::size_t k = 0; k < volumes.size(); ++k)
-    sum += volumes[k] * mesh.phases[mesh.phase[k]].density;
-  return sum;
-}
-
-template <int dim>
-std::size_t MeshBody<dim>::n_cells() const
-{
-  return volumes.size();
-}
-
-template <int dim>
 std::size_t MeshBody<dim>::n_cell_groups() const
 {
-  return (n_cells() + group_size - 1) / group_size;
+  return (this->n_cells() + group_size - 1) / group_size;
 }
 
 // By the divergence theorem: displacements are linear along the edges.
@@ -164,7 +144,7 @@ void MeshBody<dim>::evaluate(const NodalField<double> &u,
                              typename ElasticBody<dim>::Cells &cells) const
 {
   const std::size_t begin = group * group_size,
-                    end   = std::min(begin + group_size, n_cells());
+                    end   = std::min(begin + group_size, this->n_cells());
   cells                   = {};
   for (std::size_t k = begin; k < end; ++k)
     {
@@ -181,7 +161,7 @@ void MeshBody<dim>::evaluate(const NodalField<double> &u,
         }
       cells.phase.push_back(mesh.phase[k]);
       cells.strain.push_back(strain);
-      cells.volume.push_back(volumes[k] * n_cells() / sum_of_volumes);
+      cells.volume.push_back(volumes[k] * this->n_cells() / this->volume());
     }
 }
 
@@ -206,14 +186,6 @@ std::unique_ptr<ElasticBody<dim>> MeshBody<dim>::make_periodic() const
   Mesh<dim> periodic   = mesh;
   periodic.periodicity = {true, true};
   return std::make_unique<MeshBody<dim>>(periodic, communicator);
-}
-
-template <int dim>
-bool MeshBody<dim>::is_distributed() const
-{
-  int n_ranks = 1;
-  MPI_Comm_size(communicator, &n_ranks);
-  return n_ranks > 1;
 }
 
 template class MeshBody<2>;

@@ -23,12 +23,8 @@ public:
 
   ~MeshBody() override;
 
-  double extent(const unsigned int d) const override;
   std::array<double, dim> point(const NodeIndex &node) const override;
   std::vector<double> lumped_mass() const override;
-  double volume() const override;
-  double total_mass() const override;
-  std::size_t n_cells() const override;
   std::size_t n_cell_groups() const override;
   void evaluate(const NodalField<double> &u,
                 const std::size_t group,
@@ -36,7 +32,6 @@ public:
   void vmult(NodalField<double> &Ku, const NodalField<double> &u) const override;
   std::unique_ptr<StaticSolver> make_solver() const override;
   std::unique_ptr<ElasticBody<dim>> make_periodic() const override;
-  bool is_distributed() const override;
 
 private:
   NodeIndex node(const std::size_t point) const;
@@ -44,9 +39,8 @@ private:
 
   const Mesh<dim> mesh;
   const MPI_Comm communicator;
-  std::array<double, dim> lower, upper; ///< corners of the bounding box (m)
-  std::vector<double> volumes;          ///< of the cells (m^2, m^3)
-  double sum_of_volumes = 0.;
+  std::array<double, dim> lower; ///< corner of the bounding box (m)
+  std::vector<double> volumes;   ///< of the cells (m^2, m^3)
   std::unique_ptr<MeshDiscretization<dim>> discretization;
 };
 } // namespace mesoslip

@@ -8,7 +8,6 @@
 #include <ml_MultiLevelPreconditioner.h>
 #include <ml_utils.h>
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -28,7 +27,6 @@ MlSolver<dim>::MlSolver(const ElasticBody<dim> &the_body,
   : body(the_body)
   , discretization(the_discretization)
 {
-  set_held(DofMask(body.n_columns(), body.n_rows()));
 }
 
 template <int dim>
@@ -67,24 +65,12 @@ void MlSolver<dim>::set_held(const DofMask &mask)
 template <int dim>
 void MlSolver<dim>::support(DofMask mask)
 {
-  const auto is_duplicate = [&](const NodeIndex &node) {
-    return std::any_of(
-      body.duplicate_nodes().begin(), body.duplicate_nodes().end(),
-      [&](const auto &pair) { return pair[0].i == node.i && pair[0].j == node.j; });
-  };
-  NodeIndex near, far;
-  for (unsigned int k = 0; is_duplicate(near); ++k)
-    near = {k % body.n_columns(), k / body.n_columns()};
-  const auto distance = [&](const NodeIndex &node) {
-    return std::fabs(body.point(node)[0] - body.point(near)[0]);
-  };
-  for (unsigned int j = 0; j < body.n_rows(); ++j)
-    for (unsigned int i = 0; i < body.n_columns(); ++i)
-      if (distance({i, j}) > distance(far))
-        far = {i, j};
-  std::size_t n_free = motions.size();
+  // Neither is a duplicate where it matters: periodic bodies do not rotate.
+  const std::vector<NodeIndex> &nodes = body.surface(ElasticBody<dim>::bottom).nodes;
+  std::size_t n_free                  = motions.size();
   for (const auto &[c, node] :
-       {std::make_pair(0U, near), std::make_pair(1U, near), std::make_pair(1U, far)})
+       {std::make_pair(0U, nodes.front()), std::make_pair(1U, nodes.front()),
+        std::make_pair(1U, nodes.back())})
     {
       DofMask trial = mask;
       trial.hold(c, node);
@@ -170,6 +156,8 @@ SolverReport MlSolver<dim>::solve(NodalField<double> &u,
                                   const NodalField<double> &force,
                                   const double tolerance)
 {
+  if (fixed.empty())
+    set_held(DofMask(body.n_columns(), body.n_rows()));
   // The scale is the residual of the prescribed values alone.
   NodalField<double> values = body.zero_field();
   for (unsigned int j = 0; j < held.n_rows(); ++j)

@@ -3,9 +3,9 @@
 
 #include "elasticity/multigrid/held_unknowns.h"
 #include "elasticity/multigrid/interpolation.h"
-#include "elasticity/multigrid/padded_rows.h"
 #include "elasticity/multigrid/stencil.h"
 #include "elasticity/uniform_material.h"
+#include "grid/padded_rows.h"
 
 #include <array>
 #include <vector>

@@ -2,9 +2,9 @@
 #define mesoslip_elasticity_multigrid_interpolation_h
 
 #include "elasticity/multigrid/axis.h"
-#include "elasticity/multigrid/padded_rows.h"
 #include "elasticity/multigrid/patch.h"
 #include "elasticity/uniform_material.h"
+#include "grid/padded_rows.h"
 
 #include <array>
 #include <functional>

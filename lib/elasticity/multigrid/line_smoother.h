@@ -2,7 +2,7 @@
 #define mesoslip_elasticity_multigrid_line_smoother_h
 
 #include "elasticity/multigrid/kernels.h"
-#include "elasticity/multigrid/padded_rows.h"
+#include "grid/padded_rows.h"
 
 #include <functional>
 

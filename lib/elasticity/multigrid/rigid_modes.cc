@@ -1,6 +1,6 @@
 #include "elasticity/multigrid/rigid_modes.h"
 
-#include <Eigen/Dense>
+#include "elasticity/rigid_motions.h"
 
 #include <cmath>
 
@@ -40,13 +40,9 @@ RigidModes::RigidModes(const UniformMaterial &material, const DofMask &held)
     n * (second_moment(n_nodes[0]) + aspect * aspect * second_moment(n_nodes[1]));
   const Eigen::Vector3d norms(n, n, moment / (size * size));
 
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(hold);
   std::vector<Eigen::Vector3d> basis;
-  for (int k = 0; k < 3; ++k)
+  for (Eigen::Vector3d mode : motions_left_by(hold))
     {
-      if (eigen.eigenvalues()[k] > 1e-10 * std::max(1., eigen.eigenvalues()[2]))
-        continue;
-      Eigen::Vector3d mode = eigen.eigenvectors().col(k);
       for (const Eigen::Vector3d &other : basis)
         mode -= other * (other.cwiseProduct(norms).dot(mode));
       const double norm = std::sqrt(mode.cwiseProduct(norms).dot(mode));

@@ -4,7 +4,7 @@
 #include "elasticity/multigrid/axis.h"
 #include "elasticity/multigrid/held_unknowns.h"
 #include "elasticity/multigrid/kernels.h"
-#include "elasticity/multigrid/padded_rows.h"
+#include "grid/padded_rows.h"
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 
 #include "elasticity/multigrid/interpolation.h"
 #include "elasticity/multigrid/kernels.h"
-#include "elasticity/multigrid/padded_rows.h"
+#include "grid/padded_rows.h"
 
 namespace mesoslip
 {

@@ -1,13 +1,11 @@
-#ifndef mesoslip_elasticity_multigrid_padded_rows_h
-#define mesoslip_elasticity_multigrid_padded_rows_h
+#ifndef mesoslip_grid_padded_rows_h
+#define mesoslip_grid_padded_rows_h
 
 #include "grid/line_memory.h"
 
 #include <cstddef>
 
 namespace mesoslip
-{
-namespace multigrid
 {
 /** Numbers in the widest vector of the row kernels. */
 template <typename Number>
@@ -75,7 +73,6 @@ public:
   template <typename Other>
   void convert_from(const PaddedRows<Other> &other);
 
-
   /** Fills column -1 and n_columns() (if @p x) and rows -1 and n_rows() (if @p y). */
   void fill_ghosts(const bool x, const bool y);
 
@@ -99,7 +96,6 @@ private:
 
 extern template class PaddedRows<float>;
 extern template class PaddedRows<double>;
-} // namespace multigrid
 } // namespace mesoslip
 
 #endif

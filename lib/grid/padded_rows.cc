@@ -1,10 +1,8 @@
-#include "elasticity/multigrid/padded_rows.h"
+#include "grid/padded_rows.h"
 
 #include <algorithm>
 
 namespace mesoslip
-{
-namespace multigrid
 {
 template <typename Number>
 PaddedRows<Number>::PaddedRows(const unsigned int n_arrays,
@@ -71,5 +69,4 @@ template void PaddedRows<float>::convert_from(const PaddedRows<float> &);
 template void PaddedRows<float>::convert_from(const PaddedRows<double> &);
 template void PaddedRows<double>::convert_from(const PaddedRows<float> &);
 template void PaddedRows<double>::convert_from(const PaddedRows<double> &);
-} // namespace multigrid
 } // namespace mesoslip

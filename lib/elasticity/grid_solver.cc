@@ -1,7 +1,7 @@
-#include "elasticity/multigrid/multigrid_solver.h"
+#include "elasticity/grid_solver.h"
 
+#include "elasticity/grid_preconditioners.h"
 #include "elasticity/multigrid/kernels.h"
-#include "elasticity/multigrid/multigrid.h"
 
 #include <algorithm>
 #include <array>
@@ -15,24 +15,6 @@ namespace mesoslip
 {
 namespace
 {
-/** A cycle in one precision, with the fields that it takes and gives. */
-template <typename Number>
-struct Preconditioner
-{
-  Preconditioner(const UniformMaterial &material,
-                 const UniformGridOperator &stiffness,
-                 const DofMask &held)
-    : cycle(material, stiffness)
-    , b(material.n_columns(), material.n_rows())
-    , z(b)
-  {
-    cycle.set_held(held);
-  }
-
-  multigrid::Multigrid<Number> cycle;
-  NodalField<Number> b, z;
-};
-
 /** Iterations in single precision, if it lasts that long: what takes more of them is
  * likely to suffer from round-off, and needs half as many in double precision. */
 constexpr unsigned int max_single_iterations = 100;
@@ -41,7 +23,7 @@ std::string failure_text(const NotConverged::Reason reason, const SolverReport &
 {
   using Reason = NotConverged::Reason;
   std::ostringstream text;
-  text << "multigrid conjugate gradients ";
+  text << "conjugate gradients ";
   if (reason == Reason::not_finite)
     text << "met numbers that are not finite";
   else
@@ -52,17 +34,19 @@ std::string failure_text(const NotConverged::Reason reason, const SolverReport &
 }
 } // namespace
 
-struct MultigridSolver::Implementation
+struct GridSolver::Implementation
 {
   Implementation(const UniformMaterial &the_material,
-                 const unsigned int the_max_iterations)
+                 const StaticSolverKind the_kind,
+                 const std::optional<unsigned int> &limit)
     : material(the_material)
     , stiffness(the_material)
     , r(the_material.n_columns(), the_material.n_rows())
     , p(r)
     , q(r)
-    , n(multigrid::whole_vectors<float>(the_material.n_columns()))
-    , max_iterations(the_max_iterations)
+    , n(whole_vectors<float>(the_material.n_columns()))
+    , kind(the_kind)
+    , max_iterations(limit.value_or(kind == StaticSolverKind::jacobi ? 100000 : 5000))
   {
     const Periodicity periodic = material.periodicity();
     unique_columns             = material.n_columns() - periodic.x;
@@ -71,7 +55,7 @@ struct MultigridSolver::Implementation
 
   bool is_ready() const
   {
-    return single || twice;
+    return single || twice || diagonal;
   }
 
   /** Zero in held degrees of freedom and duplicates: what remains is summed once. */
@@ -138,8 +122,8 @@ struct MultigridSolver::Implementation
                      const NodalField<double> &f,
                      const double reference,
                      const double tolerance);
-  template <typename Number>
-  std::optional<NotConverged::Reason> iterate(Preconditioner<Number> &preconditioner,
+  template <typename Preconditioner>
+  std::optional<NotConverged::Reason> iterate(Preconditioner &preconditioner,
                                               NodalField<double> &u,
                                               const double scale,
                                               const double tolerance,
@@ -150,9 +134,10 @@ struct MultigridSolver::Implementation
   UniformGridOperator stiffness;
   DofMask held;
   multigrid::RigidModes modes;
-  /** Of the two there is one; none before set_held(). */
-  std::unique_ptr<Preconditioner<float>> single;
-  std::unique_ptr<Preconditioner<double>> twice;
+  /** Of the three there is one; none before set_held(). */
+  std::unique_ptr<MultigridCycle<float>> single;
+  std::unique_ptr<MultigridCycle<double>> twice;
+  std::unique_ptr<Diagonal> diagonal;
 
   /** component, column, row */
   std::vector<std::array<unsigned int, 3>> held_dofs;
@@ -161,26 +146,28 @@ struct MultigridSolver::Implementation
 
   /** Columns in whole vectors. */
   unsigned int n;
-  unsigned int max_iterations;
+  const StaticSolverKind kind;
+  const unsigned int max_iterations;
   unsigned int unique_columns = 0;
   unsigned int unique_rows    = 0;
 };
 
-MultigridSolver::MultigridSolver(const UniformMaterial &material,
-                                 const unsigned int max_iterations)
-  : implementation(std::make_unique<Implementation>(material, max_iterations))
+GridSolver::GridSolver(const UniformMaterial &material,
+                       const StaticSolverKind kind,
+                       const std::optional<unsigned int> &max_iterations)
+  : implementation(std::make_unique<Implementation>(material, kind, max_iterations))
 {
 }
 
-MultigridSolver::~MultigridSolver() = default;
+GridSolver::~GridSolver() = default;
 
-unsigned int MultigridSolver::n_levels() const
+unsigned int GridSolver::n_levels() const
 {
   const Implementation &s = *implementation;
   return s.single ? s.single->cycle.n_levels() : s.twice->cycle.n_levels();
 }
 
-void MultigridSolver::set_held(const DofMask &mask)
+void GridSolver::set_held(const DofMask &mask)
 {
   Implementation &s = *implementation;
   if (mask.n_columns() != s.material.n_columns() || mask.n_rows() != s.material.n_rows())
@@ -197,15 +184,17 @@ void MultigridSolver::set_held(const DofMask &mask)
   s.held  = mask;
   s.modes = multigrid::RigidModes(s.material, mask);
   s.twice.reset();
-  if (s.single)
+  if (s.kind == StaticSolverKind::jacobi)
+    s.diagonal = std::make_unique<Diagonal>(s.stiffness, mask);
+  else if (s.single)
     s.single->cycle.set_held(mask);
   else
-    s.single = std::make_unique<Preconditioner<float>>(s.material, s.stiffness, mask);
+    s.single = std::make_unique<MultigridCycle<float>>(s.material, s.stiffness, mask);
 }
 
 /** || f - K u_held ||: the scale of the residual, whatever the first guess. */
-double MultigridSolver::Implementation::right_hand_side_norm(const NodalField<double> &u,
-                                                             const NodalField<double> &f)
+double GridSolver::Implementation::right_hand_side_norm(const NodalField<double> &u,
+                                                        const NodalField<double> &f)
 {
   p.set_zero();
   for (const std::array<unsigned int, 3> &dof : held_dofs)
@@ -217,9 +206,9 @@ double MultigridSolver::Implementation::right_hand_side_norm(const NodalField<do
   return norm(r);
 }
 
-SolverReport MultigridSolver::solve(NodalField<double> &u,
-                                    const NodalField<double> &force,
-                                    const double tolerance)
+SolverReport GridSolver::solve(NodalField<double> &u,
+                               const NodalField<double> &force,
+                               const double tolerance)
 {
   Implementation &s = *implementation;
   if (!s.is_ready())
@@ -231,10 +220,10 @@ SolverReport MultigridSolver::solve(NodalField<double> &u,
   return report;
 }
 
-SolverReport MultigridSolver::Implementation::solve(NodalField<double> &u,
-                                                    const NodalField<double> &f,
-                                                    const double reference,
-                                                    const double tolerance)
+SolverReport GridSolver::Implementation::solve(NodalField<double> &u,
+                                               const NodalField<double> &f,
+                                               const double reference,
+                                               const double tolerance)
 {
   SolverReport report;
   if (twice)
@@ -247,16 +236,17 @@ SolverReport MultigridSolver::Implementation::solve(NodalField<double> &u,
       restrict_to_unknowns(r);
       const double scale = reference > 0. ? reference : norm(r);
       const auto failure =
-        single ? iterate(*single, u, scale, tolerance,
-                         std::min(max_single_iterations, max_iterations), report)
-               : iterate(*twice, u, scale, tolerance, max_iterations, report);
+        diagonal ? iterate(*diagonal, u, scale, tolerance, max_iterations, report)
+        : single ? iterate(*single, u, scale, tolerance,
+                           std::min(max_single_iterations, max_iterations), report)
+                 : iterate(*twice, u, scale, tolerance, max_iterations, report);
       if (!failure)
         return report;
       if (!single || *failure == NotConverged::Reason::not_finite ||
           report.iterations == max_iterations)
         throw NotConverged(failure_text(*failure, report), *failure);
       single.reset();
-      twice = std::make_unique<Preconditioner<double>>(material, stiffness, held);
+      twice = std::make_unique<MultigridCycle<double>>(material, stiffness, held);
       report.single_iterations = report.iterations;
     }
 }
@@ -266,16 +256,17 @@ SolverReport MultigridSolver::Implementation::solve(NodalField<double> &u,
  * preconditioner is symmetric up to its precision only, until the number @p last of
  * iterations in all. Returns why it ended before the tolerance was met.
  */
-template <typename Number>
+template <typename Preconditioner>
 std::optional<NotConverged::Reason>
-MultigridSolver::Implementation::iterate(Preconditioner<Number> &preconditioner,
-                                         NodalField<double> &u,
-                                         const double scale,
-                                         const double tolerance,
-                                         const unsigned int last,
-                                         SolverReport &report)
+GridSolver::Implementation::iterate(Preconditioner &preconditioner,
+                                    NodalField<double> &u,
+                                    const double scale,
+                                    const double tolerance,
+                                    const unsigned int last,
+                                    SolverReport &report)
 {
   using Reason                                  = NotConverged::Reason;
+  using Number                                  = typename Preconditioner::Number;
   const multigrid::GridKernels<Number> &kernels = multigrid::grid_kernels<Number>();
   NodalField<Number> &z                         = preconditioner.z;
   double residual_norm = norm(r), alpha = 0., rz = 0.;
@@ -290,7 +281,7 @@ MultigridSolver::Implementation::iterate(Preconditioner<Number> &preconditioner,
       for_each_row([&](const unsigned int c, const unsigned int j) {
         kernels.scaled(n, 1. / residual_norm, r.row(c, j), preconditioner.b.row(c, j));
       });
-      preconditioner.cycle.vmult(z, preconditioner.b);
+      preconditioner.apply();
       double dots[2] = {0., 0.};
       for_each_row([&](const unsigned int c, const unsigned int j) {
         double row[2];
@@ -305,6 +296,7 @@ MultigridSolver::Implementation::iterate(Preconditioner<Number> &preconditioner,
       for (unsigned int c = 0; c < 2; ++c)
         for (unsigned int j = 0; j < material.n_rows(); ++j)
           kernels.direction(n, residual_norm, beta, z.row(c, j), p.row(c, j));
+      copy_duplicates(p);
       stiffness.vmult(q, p);
       restrict_to_unknowns(q);
       double pq = 0.;
