@@ -119,13 +119,11 @@ void RunContext::begin()
 
 void RunContext::remove_results(const std::vector<std::string> &names)
 {
-  on_root(comm, [&]() {
-    std::error_code ignored;
-    for (const std::string &name : names)
-      for (const std::string &path : {file(name), file(name + ".part")})
-        if (fs::is_regular_file(path, ignored))
-          fs::remove(path);
-  });
+  std::error_code ignored;
+  for (const std::string &name : names)
+    for (const std::string &path : {file(name), file(name + ".part")})
+      if (root() && fs::is_regular_file(path, ignored))
+        fs::remove(path, ignored);
 }
 
 std::string RunContext::file(const std::string &name) const

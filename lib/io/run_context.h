@@ -92,7 +92,7 @@ public:
 
   /**
    * Removes the files @p names, which this run is going to write anew, from the output
-   * folder, and what an interruption has left of them (`NAME.part`). Collective.
+   * folder, and what an interruption has left of them (`NAME.part`). Rank 0 does.
    */
   void remove_results(const std::vector<std::string> &names);
 

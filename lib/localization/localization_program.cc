@@ -22,6 +22,10 @@ LocalizationMonitor make_monitor(RunContext &context)
   monitor.log   = [&context](const std::string &line) { context.log(line); };
   monitor.timer = &context.timer();
   monitor.warn  = [&context](const std::string &line) { context.warn(line); };
+  monitor.begin = [&context]() {
+    context.remove_results(
+      {"localization.h5", "localization.xdmf", "probes.csv", "field_errors.csv"});
+  };
   monitor.start = [&context](const std::string &activity, const std::size_t steps) {
     context.progress().finish();
     context.progress().start(activity, steps);
@@ -82,8 +86,6 @@ public:
   {
     if (context.n_ranks() > 1)
       context.log("one process works, the others wait: reading is what takes the time");
-    context.remove_results(
-      {"localization.h5", "localization.xdmf", "probes.csv", "field_errors.csv"});
     on_root(context.communicator(), [&]() { run_on_root(context); });
     if (context.root())
       log_key_numbers(context);

@@ -311,6 +311,8 @@ LocalizationResult localize(const LocalizationParameters &parameters,
   auto scope = optional_scope(monitor.timer, "Input");
   Localizer localizer(parameters, monitor);
   scope.reset();
+  if (monitor.begin)
+    monitor.begin();
   return localizer.run();
 }
 

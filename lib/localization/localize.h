@@ -77,6 +77,8 @@ struct LocalizationMonitor
 
   /** One line, marked as a warning. */
   std::function<void(const std::string &)> warn;
+  /** The inputs were checked: the run begins. */
+  std::function<void()> begin;
   /** Begin of an activity with so many steps. */
   std::function<void(const std::string &, const std::size_t)> start;
   /** Steps done; may throw to stop. */
