@@ -1,6 +1,6 @@
 #include "io/errors.h"
 
-#include "io/parameters.h"
+#include "io/text.h"
 
 namespace mesoslip
 {

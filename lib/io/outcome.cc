@@ -1,6 +1,6 @@
 #include "io/outcome.h"
 
-#include "io/parameters.h"
+#include "io/text.h"
 
 #include <deal.II/base/exceptions.h>
 

@@ -84,44 +84,6 @@ std::string Range::text() const
   return "";
 }
 
-std::string to_text(const double value)
-{
-  char text[32];
-  const auto result = std::to_chars(text, text + sizeof(text), value);
-  return std::string(text, result.ptr);
-}
-
-std::string to_text(const std::vector<double> &values)
-{
-  std::vector<std::string> words;
-  for (const double value : values)
-    words.push_back(to_text(value));
-  return to_text(words);
-}
-
-std::string to_text(const std::vector<std::string> &words)
-{
-  std::string text;
-  for (const std::string &word : words)
-    text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
-std::vector<std::string> split_list(const std::string &text)
-{
-  std::vector<std::string> items;
-  if (trimmed(text).empty())
-    return items;
-  std::string::size_type begin = 0;
-  while (begin <= text.size())
-    {
-      const auto end = std::min(text.find(',', begin), text.size());
-      items.push_back(trimmed(text.substr(begin, end - begin)));
-      begin = end + 1;
-    }
-  return items;
-}
-
 std::string resolve_input_path(const std::string &path, const std::string &folder)
 {
   namespace fs = std::filesystem;

@@ -1,6 +1,8 @@
 #ifndef mesoslip_io_parameters_h
 #define mesoslip_io_parameters_h
 
+#include "io/text.h"
+
 #include <limits>
 #include <string>
 #include <vector>
@@ -51,17 +53,6 @@ void require_readable_file(const std::string &what,
                            const std::string &path,
                            const std::string &hint = "");
 
-/** The shortest decimal text that reads back as the same double. */
-std::string to_text(const double value);
-
-/** "a, b, c". */
-std::string to_text(const std::vector<double> &values);
-
-/** As above for words. */
-std::string to_text(const std::vector<std::string> &words);
-
-/** Items of a comma separated list, without surrounding blanks; none for "". */
-std::vector<std::string> split_list(const std::string &text);
 } // namespace mesoslip
 
 #endif

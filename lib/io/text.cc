@@ -114,4 +114,42 @@ std::string nearest_word(const std::string &word,
     }
   return nearest;
 }
+
+std::string to_text(const double value)
+{
+  char text[32];
+  const auto result = std::to_chars(text, text + sizeof(text), value);
+  return std::string(text, result.ptr);
+}
+
+std::string to_text(const std::vector<double> &values)
+{
+  std::vector<std::string> words;
+  for (const double value : values)
+    words.push_back(to_text(value));
+  return to_text(words);
+}
+
+std::string to_text(const std::vector<std::string> &words)
+{
+  std::string text;
+  for (const std::string &word : words)
+    text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::vector<std::string> split_list(const std::string &text)
+{
+  std::vector<std::string> items;
+  if (trimmed(text).empty())
+    return items;
+  std::string::size_type begin = 0;
+  while (begin <= text.size())
+    {
+      const auto end = std::min(text.find(',', begin), text.size());
+      items.push_back(trimmed(text.substr(begin, end - begin)));
+      begin = end + 1;
+    }
+  return items;
+}
 } // namespace mesoslip

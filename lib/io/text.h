@@ -29,6 +29,18 @@ std::string trimmed(const std::string &text);
  */
 std::string nearest_word(const std::string &word,
                          const std::vector<std::string> &candidates);
+
+/** The shortest decimal text that reads back as the same double. */
+std::string to_text(const double value);
+
+/** "a, b, c". */
+std::string to_text(const std::vector<double> &values);
+
+/** As above for words. */
+std::string to_text(const std::vector<std::string> &words);
+
+/** Items of a comma separated list, without surrounding blanks; none for "". */
+std::vector<std::string> split_list(const std::string &text);
 } // namespace mesoslip
 
 #endif
