@@ -42,7 +42,7 @@ endif()
 # deal.II available to it; everything that depends on it must say DEALII, too.
 function(mesoslip_library topic)
   cmake_parse_arguments(ARG "DEALII" "" "DEPENDS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${topic}/*.cc)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${topic}/*.cc)
   set(target mesoslip_${topic})
   if(NOT sources) # a topic still to come
     add_library(${target} INTERFACE)

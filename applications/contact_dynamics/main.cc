@@ -1,4 +1,4 @@
-#include "simulation/contact_program.h"
+#include "sliding/contact_program.h"
 
 int main(int argc, char **argv)
 {

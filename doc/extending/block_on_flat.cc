@@ -1,9 +1,9 @@
 // A block thrown along a resting flat, slowed by a friction law of our own.
 #include "velocity_weakening.h"
 
-#include <elasticity/critical_time_step.h>
+#include <dynamics/critical_time_step.h>
 #include <material/stiffness.h>
-#include <simulation/sliding_body.h>
+#include <sliding/sliding_body.h>
 
 #include <cstdio>
 #include <numeric>

@@ -3,7 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <elasticity/grid_body.h>
+#include <body/grid_body.h>
 #include <homogenization/response.h>
 #include <material/stiffness.h>
 

@@ -2,7 +2,7 @@
 #define mesoslip_contact_contact_function_h
 
 #include "contact/contact_kernel.h"
-#include "elasticity/instruction_set.h"
+#include "grid/instruction_set.h"
 
 namespace mesoslip
 {

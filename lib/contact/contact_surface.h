@@ -3,9 +3,9 @@
 
 #include "contact/contact_function.h"
 #include "contact/friction_law.h"
-#include "contact/load_history.h"
-#include "elasticity/boundary_condition.h"
+#include "dynamics/boundary_condition.h"
 #include "grid/nodal_field.h"
+#include "parameters/load_history.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 #ifndef mesoslip_contact_static_contact_solver_h
 #define mesoslip_contact_static_contact_solver_h
 
-#include "elasticity/elastic_body.h"
+#include "body/elastic_body.h"
 
 #include <functional>
 #include <memory>

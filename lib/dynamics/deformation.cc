@@ -1,6 +1,6 @@
 #include "dynamics/deformation.h"
 
-#include "io/exchange.h"
+#include "base/exchange.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #ifndef mesoslip_dynamics_deformation_h
 #define mesoslip_dynamics_deformation_h
 
-#include "elasticity/node_rows.h"
 #include "grid/nodal_field.h"
+#include "grid/node_rows.h"
 #include "grid/uniform_grid.h"
 
 #include <limits>

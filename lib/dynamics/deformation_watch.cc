@@ -1,6 +1,6 @@
 #include "dynamics/deformation_watch.h"
 
-#include "elasticity/row_partition.h"
+#include "grid/row_partition.h"
 
 #include <algorithm>
 

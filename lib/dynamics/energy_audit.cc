@@ -1,6 +1,6 @@
 #include "dynamics/energy_audit.h"
 
-#include "elasticity/row_partition.h"
+#include "grid/row_partition.h"
 
 #include <algorithm>
 

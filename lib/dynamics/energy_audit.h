@@ -1,12 +1,12 @@
 #ifndef mesoslip_dynamics_energy_audit_h
 #define mesoslip_dynamics_energy_audit_h
 
+#include "base/serialize_members.h"
+#include "dynamics/explicit_stepper.h"
 #include "dynamics/step_observer.h"
-#include "elasticity/explicit_stepper.h"
-#include "elasticity/row_partition.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "grid/nodal_field.h"
-#include "io/serialize_members.h"
+#include "grid/row_partition.h"
 
 
 #include <functional>

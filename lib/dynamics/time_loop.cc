@@ -1,6 +1,6 @@
 #include "dynamics/time_loop.h"
 
-#include "io/timer.h"
+#include "base/timer.h"
 
 #include <algorithm>
 

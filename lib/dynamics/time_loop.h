@@ -1,8 +1,8 @@
 #ifndef mesoslip_dynamics_time_loop_h
 #define mesoslip_dynamics_time_loop_h
 
+#include "dynamics/explicit_stepper.h"
 #include "dynamics/step_observer.h"
-#include "elasticity/explicit_stepper.h"
 
 #include <functional>
 #include <vector>

@@ -1,9 +1,9 @@
 #ifndef mesoslip_dynamics_top_surface_h
 #define mesoslip_dynamics_top_surface_h
 
-#include "contact/load_history.h"
-#include "elasticity/boundary_condition.h"
-#include "io/serialize_members.h"
+#include "base/serialize_members.h"
+#include "dynamics/boundary_condition.h"
+#include "parameters/load_history.h"
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/vector.hpp>

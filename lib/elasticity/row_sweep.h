@@ -1,9 +1,9 @@
 #ifndef mesoslip_elasticity_row_sweep_h
 #define mesoslip_elasticity_row_sweep_h
 
-#include "elasticity/instruction_set.h"
 #include "elasticity/row_kernel.h"
 #include "elasticity/uniform_material.h"
+#include "grid/instruction_set.h"
 #include "grid/nodal_field.h"
 
 #include <memory>

@@ -1,10 +1,10 @@
 #ifndef mesoslip_elasticity_uniform_grid_operator_h
 #define mesoslip_elasticity_uniform_grid_operator_h
 
-#include "elasticity/instruction_set.h"
-#include "elasticity/node_rows.h"
 #include "elasticity/uniform_material.h"
+#include "grid/instruction_set.h"
 #include "grid/nodal_field.h"
+#include "grid/node_rows.h"
 
 #include <memory>
 

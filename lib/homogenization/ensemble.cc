@@ -1,6 +1,6 @@
 #include "homogenization/ensemble.h"
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 #include <boost/math/distributions/students_t.hpp>
 

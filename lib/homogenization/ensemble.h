@@ -3,7 +3,7 @@
 
 #include "homogenization/response.h"
 #include "homogenization/rve_parameters.h"
-#include "microstructure/microstructure_parameters.h"
+#include "morphology/microstructure_parameters.h"
 
 #include <map>
 #include <string>

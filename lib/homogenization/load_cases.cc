@@ -1,6 +1,6 @@
 #include "homogenization/load_cases.h"
 
-#include "io/exchange.h"
+#include "base/exchange.h"
 
 #include <Eigen/Dense>
 

@@ -1,9 +1,9 @@
 #ifndef mesoslip_homogenization_load_cases_h
 #define mesoslip_homogenization_load_cases_h
 
-#include "elasticity/elastic_body.h"
+#include "base/timer.h"
+#include "body/elastic_body.h"
 #include "grid/nodal_field.h"
-#include "io/timer.h"
 #include "material/voigt.h"
 
 #include <array>

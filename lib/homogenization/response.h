@@ -1,8 +1,8 @@
 #ifndef mesoslip_homogenization_response_h
 #define mesoslip_homogenization_response_h
 
+#include "base/serialize_members.h"
 #include "homogenization/load_cases.h"
-#include "io/serialize_members.h"
 #include "material/voigt.h"
 
 #include <optional>

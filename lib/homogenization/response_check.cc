@@ -1,6 +1,6 @@
 #include "homogenization/response_check.h"
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 #include <Eigen/Dense>
 

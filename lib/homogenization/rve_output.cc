@@ -1,12 +1,12 @@
 #include "homogenization/rve_output.h"
 
-#include "homogenization/rve_file.h"
-#include "io/parameters.h"
-#include "io/run_context.h"
+#include "exchange/rve_file.h"
 #include "io/table.h"
 #include "io/xdmf.h"
 #include "material/engineering_constants.h"
-#include "microstructure/rectangles.h"
+#include "morphology/rectangles.h"
+#include "parameters/parameters.h"
+#include "program/run_context.h"
 
 #include <nlohmann/json.hpp>
 

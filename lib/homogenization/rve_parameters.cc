@@ -1,8 +1,8 @@
 #include "homogenization/rve_parameters.h"
 
-#include "io/errors.h"
-#include "io/keys.h"
+#include "base/errors.h"
 #include "material/stiffness.h"
+#include "parameters/keys.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,10 +1,10 @@
 #ifndef mesoslip_homogenization_rve_parameters_h
 #define mesoslip_homogenization_rve_parameters_h
 
-#include "elasticity/static_solver.h"
 #include "homogenization/load_cases.h"
 #include "material/voigt.h"
-#include "microstructure/microstructure_parameters.h"
+#include "morphology/microstructure_parameters.h"
+#include "statics/static_solver.h"
 
 #include <optional>
 #include <string>

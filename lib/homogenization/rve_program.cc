@@ -1,17 +1,17 @@
 #include "homogenization/rve_program.h"
 
+#include "base/digest.h"
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "base/version.h"
+#include "exchange/rve_file.h"
 #include "grid/size_text.h"
 #include "homogenization/response_check.h"
-#include "homogenization/rve_file.h"
 #include "homogenization/rve_output.h"
-#include "io/digest.h"
-#include "io/errors.h"
-#include "io/exchange.h"
-#include "io/keys.h"
-#include "io/run_context.h"
-#include "io/version.h"
 #include "material/plausibility.h"
-#include "microstructure/statistics.h"
+#include "morphology/statistics.h"
+#include "parameters/keys.h"
+#include "program/run_context.h"
 
 #include <filesystem>
 #include <ostream>

@@ -1,7 +1,7 @@
 #ifndef mesoslip_homogenization_rve_program_h
 #define mesoslip_homogenization_rve_program_h
 
-#include "io/program.h"
+#include "program/program.h"
 
 namespace mesoslip
 {

@@ -1,9 +1,9 @@
 #include "homogenization/rve_output.h"
 #include "io/json.h"
-#include "io/parameters.h"
-#include "io/run_context.h"
 #include "material/bounds.h"
 #include "material/engineering_constants.h"
+#include "parameters/parameters.h"
+#include "program/run_context.h"
 
 #include <cmath>
 #include <iomanip>

@@ -1,7 +1,7 @@
 #include "io/checkpoint.h"
 
-#include "io/errors.h"
-#include "io/files.h"
+#include "base/errors.h"
+#include "base/files.h"
 
 #include <boost/crc.hpp>
 

@@ -1,7 +1,7 @@
 #include "io/checksum.h"
 
-#include "io/errors.h"
-#include "io/files.h"
+#include "base/errors.h"
+#include "base/files.h"
 
 #include <cerrno>
 #include <cinttypes>

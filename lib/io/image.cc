@@ -1,9 +1,9 @@
 #include "io/image.h"
 
-#include "io/errors.h"
-#include "io/files.h"
+#include "base/errors.h"
+#include "base/files.h"
+#include "base/text.h"
 #include "io/png_reader.h"
-#include "io/text.h"
 
 #include <algorithm>
 #include <cctype>

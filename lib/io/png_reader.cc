@@ -1,6 +1,6 @@
 #include "io/png_reader.h"
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 #include <csetjmp>
 #include <cstdio>

@@ -1,9 +1,9 @@
 #include "io/table.h"
 
-#include "io/errors.h"
-#include "io/files.h"
-#include "io/parameters.h"
-#include "io/text.h"
+#include "base/errors.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "parameters/parameters.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,7 +1,7 @@
 #include "io/xdmf.h"
 
-#include "io/files.h"
-#include "io/parameters.h"
+#include "base/files.h"
+#include "parameters/parameters.h"
 
 #include <sstream>
 #include <stdexcept>

@@ -1,9 +1,9 @@
 #include "localization/localization_input.h"
 
-#include "io/errors.h"
-#include "io/parameters.h"
+#include "base/errors.h"
 #include "material/engineering_constants.h"
 #include "material/plausibility.h"
+#include "parameters/parameters.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 #ifndef mesoslip_localization_localization_input_h
 #define mesoslip_localization_localization_input_h
 
-#include "homogenization/rve_file.h"
+#include "exchange/run_file.h"
+#include "exchange/rve_file.h"
+#include "exchange/time_window.h"
+#include "localization/comparison/run_comparison.h"
 #include "localization/localization_parameters.h"
-#include "localization/run_comparison.h"
-#include "localization/run_file.h"
 #include "localization/snapshot_pass.h"
-#include "localization/time_window.h"
 
 #include <optional>
 #include <string>

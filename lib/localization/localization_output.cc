@@ -1,12 +1,12 @@
 #include "localization/localization_output.h"
 
-#include "homogenization/rve_file.h"
-#include "io/digest.h"
+#include "base/digest.h"
+#include "exchange/rve_file.h"
 #include "io/hdf5_file.h"
 #include "io/json.h"
-#include "io/parameters.h"
 #include "io/table.h"
 #include "io/xdmf.h"
+#include "parameters/parameters.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "localization/localization_parameters.h"
 
-#include "io/errors.h"
-#include "io/keys.h"
+#include "base/errors.h"
+#include "parameters/keys.h"
 
 #include <algorithm>
 #include <filesystem>

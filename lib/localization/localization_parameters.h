@@ -1,8 +1,8 @@
 #ifndef mesoslip_localization_localization_parameters_h
 #define mesoslip_localization_localization_parameters_h
 
+#include "exchange/time_window.h"
 #include "localization/stress_statistics.h"
-#include "localization/time_window.h"
 
 #include <array>
 #include <limits>

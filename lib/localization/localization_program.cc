@@ -1,12 +1,12 @@
 #include "localization/localization_program.h"
 
-#include "io/collective.h"
-#include "io/errors.h"
-#include "io/interrupt.h"
-#include "io/keys.h"
-#include "io/run_context.h"
+#include "base/collective.h"
+#include "base/errors.h"
 #include "localization/localization_output.h"
 #include "localization/localize.h"
+#include "parameters/keys.h"
+#include "program/interrupt.h"
+#include "program/run_context.h"
 
 #include <nlohmann/json.hpp>
 #include <ostream>

@@ -1,9 +1,9 @@
 #include "localization/localize.h"
 
-#include "io/errors.h"
-#include "io/parameters.h"
+#include "base/errors.h"
 #include "localization/localization_input.h"
 #include "localization/stress_map.h"
+#include "parameters/parameters.h"
 
 #include <cmath>
 #include <sstream>

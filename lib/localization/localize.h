@@ -1,13 +1,13 @@
 #ifndef mesoslip_localization_localize_h
 #define mesoslip_localization_localize_h
 
-#include "io/timer.h"
-#include "localization/field_errors.h"
+#include "base/timer.h"
+#include "exchange/time_window.h"
+#include "localization/comparison/field_errors.h"
+#include "localization/comparison/series_comparison.h"
 #include "localization/localization_parameters.h"
-#include "localization/series_comparison.h"
 #include "localization/snapshot_pass.h"
 #include "localization/stress_statistics.h"
-#include "localization/time_window.h"
 
 #include <array>
 #include <functional>

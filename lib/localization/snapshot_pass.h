@@ -1,8 +1,8 @@
 #ifndef mesoslip_localization_snapshot_pass_h
 #define mesoslip_localization_snapshot_pass_h
 
-#include "io/timer.h"
-#include "localization/run_file.h"
+#include "base/timer.h"
+#include "exchange/run_file.h"
 #include "localization/stress_statistics.h"
 
 #include <array>

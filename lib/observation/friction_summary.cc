@@ -1,6 +1,6 @@
 #include "observation/friction_summary.h"
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 #include <boost/math/distributions/students_t.hpp>
 

@@ -1,7 +1,7 @@
 #include "observation/probe_recorder.h"
 
-#include "elasticity/row_partition.h"
-#include "io/exchange.h"
+#include "base/exchange.h"
+#include "grid/row_partition.h"
 
 #include <algorithm>
 #include <cmath>

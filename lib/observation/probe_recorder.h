@@ -1,12 +1,12 @@
 #ifndef mesoslip_observation_probe_recorder_h
 #define mesoslip_observation_probe_recorder_h
 
+#include "base/serialize_members.h"
+#include "dynamics/explicit_stepper.h"
 #include "dynamics/step_observer.h"
-#include "elasticity/explicit_stepper.h"
-#include "elasticity/node_rows.h"
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
-#include "io/serialize_members.h"
+#include "grid/node_rows.h"
 
 #include <array>
 #include <functional>

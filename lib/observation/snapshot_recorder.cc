@@ -1,6 +1,6 @@
 #include "observation/snapshot_recorder.h"
 
-#include "elasticity/row_partition.h"
+#include "grid/row_partition.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #define mesoslip_observation_snapshot_recorder_h
 
 #include "dynamics/step_observer.h"
-#include "elasticity/node_rows.h"
 #include "grid/nodal_field.h"
+#include "grid/node_rows.h"
 
 #include <functional>
 #include <mpi.h>

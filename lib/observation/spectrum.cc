@@ -1,6 +1,6 @@
 #include "observation/spectrum.h"
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 #include <unsupported/Eigen/FFT>
 

@@ -1,6 +1,6 @@
 #include "observation/steady_state.h"
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,1 +1,1 @@
-mesoslip_benchmark(model_problems LIBS mesoslip_dynamics)
+mesoslip_benchmark(model_problems LIBS mesoslip_sliding)

@@ -22,7 +22,7 @@
 #include "../verification/sliding_body.h"
 #include "guarded_main.h"
 
-#include "elasticity/mpi_halo.h"
+#include "grid/mpi_halo.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,1 +1,1 @@
-mesoslip_benchmark(scaling_benchmark LIBS mesoslip_dynamics)
+mesoslip_benchmark(scaling_benchmark LIBS mesoslip_sliding)

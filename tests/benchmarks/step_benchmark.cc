@@ -8,11 +8,11 @@
  *
  * Million cell updates per second of wall-clock time: median [lowest, highest].
  */
-#include "elasticity/explicit_stepper.h"
-#include "elasticity/grid_body.h"
-#include "elasticity/mesh/mesh_discretization.h"
-#include "elasticity/mpi_halo.h"
-#include "elasticity/row_partition.h"
+#include "body/grid_body.h"
+#include "body/mesh/mesh_discretization.h"
+#include "dynamics/explicit_stepper.h"
+#include "grid/mpi_halo.h"
+#include "grid/row_partition.h"
 
 #include <algorithm>
 #include <cmath>

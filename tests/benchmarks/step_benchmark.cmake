@@ -1,1 +1,1 @@
-mesoslip_benchmark(step_benchmark LIBS mesoslip_elasticity)
+mesoslip_benchmark(step_benchmark LIBS mesoslip_sliding)

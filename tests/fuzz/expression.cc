@@ -1,7 +1,7 @@
 // Expressions of loads in the time t.
 #include "fuzzing.h"
 
-#include "contact/load_history.h"
+#include "parameters/load_history.h"
 
 #include <stdexcept>
 

@@ -1,7 +1,7 @@
 #ifndef mesoslip_tests_fuzz_fuzzing_h
 #define mesoslip_tests_fuzz_fuzzing_h
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 #include <cstdint>
 #include <cstdio>

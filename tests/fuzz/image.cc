@@ -3,7 +3,7 @@
 #include "fuzzing.h"
 
 #include "io/image.h"
-#include "microstructure/image_map.h"
+#include "morphology/image_map.h"
 
 #include <boost/crc.hpp>
 

@@ -2,9 +2,9 @@
 #include "fuzzing.h"
 
 #include "homogenization/rve_parameters.h"
-#include "io/keys.h"
 #include "localization/localization_parameters.h"
-#include "simulation/contact_parameters.h"
+#include "parameters/keys.h"
+#include "sliding/contact_parameters.h"
 
 #include <sstream>
 

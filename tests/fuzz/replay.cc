@@ -1,8 +1,8 @@
 // Runs a fuzz target without libFuzzer: replay <folder of inputs> <mutations> <last
 // input>. Every input of the folder once, then so many changed ones, the same ones each
 // time. What it was at when it ended is in the file <last input>.
+#include "base/files.h"
 #include "byte_edits.h"
-#include "io/files.h"
 
 #include <algorithm>
 #include <cstdlib>

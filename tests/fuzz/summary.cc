@@ -1,7 +1,7 @@
 // summary.json of an earlier run.
 #include "fuzzing.h"
 
-#include "simulation/run_summary.h"
+#include "sliding/analyses/run_summary.h"
 
 using namespace mesoslip;
 using namespace mesoslip_tests;

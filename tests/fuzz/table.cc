@@ -2,7 +2,7 @@
 #include "fuzzing.h"
 
 #include "io/table.h"
-#include "microstructure/rectangles.h"
+#include "morphology/rectangles.h"
 
 using namespace mesoslip;
 using namespace mesoslip_tests;

@@ -1,4 +1,5 @@
-"""A topic of lib/ includes only topics below it, and lib/CMakeLists.txt says the same. Ranks exchange whole objects."""
+"""A topic of lib/ includes only topics below it. No folder has more than 25 files, no file more than 350 lines. Ranks exchange whole
+objects."""
 
 import os
 import re
@@ -6,25 +7,19 @@ import sys
 
 TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
-# From below; io serves all and knows none.
-ALLOWED = {
-    "material": set(),
-    "grid": {"material"},
-    "io": set(),
-    "microstructure": {"material", "grid", "io"},
-    "elasticity": {"material", "grid"},
-    "homogenization": {"material", "grid", "microstructure", "elasticity", "io"},
-    "contact": {"material", "grid", "elasticity", "io"},
-    "dynamics": {"material", "grid", "elasticity", "contact", "io"},
-    "observation": {"material", "grid", "elasticity", "contact", "dynamics", "io"},
-    "localization": {"material", "grid", "elasticity", "homogenization", "contact", "dynamics", "observation", "io"},
-    "simulation": {"material", "grid", "elasticity", "homogenization", "contact", "dynamics", "observation", "io"},
-}
+# From below: a topic includes only topics that stand before it.
+ORDER = ("base", "parameters", "io", "program", "material", "grid", "morphology", "elasticity", "statics", "body", "dynamics", "contact",
+         "eigenvalues", "exchange", "homogenization", "observation", "localization", "sliding")
+# Further borders: the physics knows neither programs nor files; the last two meet in exchange alone.
+NEVER = {"grid": {"parameters", "io", "program"}, "elasticity": {"parameters", "io", "program"}, "statics": {"parameters", "io", "program"},
+         "body": {"parameters", "io", "program"}, "dynamics": {"io", "program"}, "contact": {"io", "program"}, "eigenvalues": {"io", "program"},
+         "material": {"base", "parameters", "io", "program"}, "sliding": {"localization"}}
+MOST_FILES, MOST_LINES = 25, 350  # in a folder, in a file
 
 
-# Rows of fields, and what objects are sent with: everything else goes through io/exchange.h, so that no member of an object
+# Rows of fields, and what objects are sent with: everything else goes through base/exchange.h, so that no member of an object
 # is left behind.
-SEND = {"io/collective.cc", "io/outcome.cc", "elasticity/row_partition.cc", "elasticity/message_channel.cc",
+SEND = {"base/collective.cc", "program/outcome.cc", "grid/row_partition.cc", "grid/message_channel.cc",
         "homogenization/load_cases.cc"}
 
 
@@ -38,19 +33,30 @@ def includes(path):
         return re.findall(r'^#\s*include\s+"([a-z_]+)/', file.read(), re.MULTILINE)
 
 
+def of_file(topic, path, lib):
+    """What is wrong with a file of a topic."""
+    name = os.path.relpath(path, lib)
+    forbidden = set(ORDER[ORDER.index(topic) + 1:]) | NEVER.get(topic, set())
+    problems = [f"lib/{name} includes {used}/" for used in includes(path) if used in forbidden]
+    if name not in SEND:
+        problems += [f"lib/{name} calls {call}: use base/exchange.h" for call in sends(path)]
+    with open(path, encoding="utf-8") as file:
+        n_lines = sum(1 for _ in file)
+    return problems + ([f"lib/{name} has {n_lines} lines"] if n_lines > MOST_LINES else [])
+
+
 def main():
     lib, problems = os.path.join(TOP, "lib"), []
-    topics = [name for name in os.listdir(lib) if os.path.isdir(os.path.join(lib, name))]
-    problems += [f"lib/{t}: not in the order of topics" for t in topics if t not in ALLOWED]
-    for topic in ALLOWED:
+    for topic in sorted(name for name in os.listdir(lib) if os.path.isdir(os.path.join(lib, name))):
+        if topic not in ORDER:
+            problems.append(f"lib/{topic}: not in the order of topics")
+            continue
         for folder, _, files in os.walk(os.path.join(lib, topic)):
-            for name in files:
-                if name.endswith((".h", ".cc")):
-                    path = os.path.join(folder, name)
-                    problems += [f"{os.path.relpath(path, TOP)} includes {used}/" for used in includes(path)
-                                 if used in ALLOWED and used != topic and used not in ALLOWED[topic]]
-                    if os.path.relpath(path, lib) not in SEND:
-                        problems += [f"{os.path.relpath(path, TOP)} calls {call}: use io/exchange.h" for call in sends(path)]
+            sources = [os.path.join(folder, name) for name in sorted(files) if name.endswith((".h", ".cc"))]
+            if len(sources) > MOST_FILES:
+                problems.append(f"{os.path.relpath(folder, TOP)} has {len(sources)} files")
+            for path in sources:
+                problems += of_file(topic, path, lib)
     print("\n".join(sorted(set(problems))))
     sys.exit(1 if problems else 0)
 

@@ -2,8 +2,8 @@
 // of the bits of its results: other_processors.py compares the lines.
 
 #include "contact/contact_kernel.h"
-#include "elasticity/multigrid/kernels.h"
 #include "elasticity/row_kernel.h"
+#include "statics/multigrid/kernels/kernels.h"
 
 #include <cstdio>
 #include <cstring>

@@ -1,7 +1,7 @@
 // Bodies on a mesh of deal.II against those on a grid.
 
-#include "elasticity/grid_body.h"
-#include "elasticity/mesh/mesh_body.h"
+#include "body/grid_body.h"
+#include "body/mesh/mesh_body.h"
 #include "elasticity_testing.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-#include "elasticity/explicit_stepper.h"
-#include "elasticity/mpi_halo.h"
-#include "elasticity/row_partition.h"
+#include "dynamics/explicit_stepper.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "elasticity_testing.h"
+#include "grid/mpi_halo.h"
+#include "grid/row_partition.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #ifndef mesoslip_tests_unit_elasticity_testing_h
 #define mesoslip_tests_unit_elasticity_testing_h
 
-#include "elasticity/instruction_set.h"
 #include "elasticity/uniform_material.h"
+#include "grid/instruction_set.h"
 #include "grid/nodal_field.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "elasticity/critical_time_step.h"
+#include "dynamics/critical_time_step.h"
 #include "elasticity_testing.h"
 
 #include <Eigen/Eigenvalues>

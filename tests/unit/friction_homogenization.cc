@@ -1,9 +1,9 @@
 // Contact homogenization: eqs (13) and (17) to (21) on synthetic results, and what is
 // said about results that do not fit.
 
-#include "simulation/friction_homogenization.h"
-#include "homogenization/rve_file.h"
-#include "io/files.h"
+#include "sliding/analyses/friction_homogenization.h"
+#include "base/files.h"
+#include "exchange/rve_file.h"
 #include "io_testing.h"
 #include "material/stiffness.h"
 

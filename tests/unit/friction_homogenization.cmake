@@ -1,1 +1,1 @@
-mesoslip_test(unit friction_homogenization LIBS mesoslip_simulation)
+mesoslip_test(unit friction_homogenization LIBS mesoslip_sliding)

@@ -1,6 +1,6 @@
-#include "contact/homogenized_friction.h"
+#include "homogenization/homogenized_friction.h"
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,1 +1,1 @@
-mesoslip_test(unit homogenized_friction LIBS mesoslip_contact)
+mesoslip_test(unit homogenized_friction LIBS mesoslip_homogenization)

@@ -1,12 +1,12 @@
 // Parameters, timer, progress, digest: what needs no files.
 #include "io_testing.h"
 
-#include "io/digest.h"
-#include "io/files.h"
-#include "io/keys.h"
-#include "io/progress.h"
-#include "io/text.h"
-#include "io/timer.h"
+#include "base/digest.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "base/timer.h"
+#include "parameters/keys.h"
+#include "program/progress.h"
 
 #include <chrono>
 #include <cmath>

@@ -2,9 +2,9 @@
 add_executable(io_program ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_program.cc)
 mesoslip_warnings(io_program)
 deal_ii_setup_target(io_program)
-target_link_libraries(io_program mesoslip_io)
+target_link_libraries(io_program mesoslip_program)
 
-mesoslip_test(unit io LIBS mesoslip_io)
+mesoslip_test(unit io LIBS mesoslip_program)
 target_sources(unit_io PRIVATE
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_command_line.cc
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_files.cc

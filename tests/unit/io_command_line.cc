@@ -1,7 +1,7 @@
 // What every program does with its command line, seen from the shell.
 #include "io_testing.h"
 
-#include "io/files.h"
+#include "base/files.h"
 
 #include <chrono>
 #include <csignal>

@@ -1,12 +1,12 @@
 // Tables, XDMF, checkpoints, locks.
 #include "io_testing.h"
 
-#include "io/archive.h"
+#include "base/archive.h"
+#include "base/files.h"
 #include "io/checkpoint.h"
-#include "io/files.h"
-#include "io/lock.h"
 #include "io/table.h"
 #include "io/xdmf.h"
+#include "program/lock.h"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>

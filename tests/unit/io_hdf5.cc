@@ -1,7 +1,7 @@
 // Exchange files: round trips, and what is said about foreign or damaged ones.
 #include "io_testing.h"
 
-#include "io/files.h"
+#include "base/files.h"
 #include "io/hdf5_file.h"
 
 #include <cmath>

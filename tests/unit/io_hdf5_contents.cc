@@ -2,7 +2,7 @@
 // finite; files of other libraries, and disks that fill up.
 #include "io_testing.h"
 
-#include "io/files.h"
+#include "base/files.h"
 #include "io/hdf5_file.h"
 
 #include <cmath>

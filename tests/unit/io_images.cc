@@ -1,7 +1,7 @@
 // PNG and text images.
 #include "io_testing.h"
 
-#include "io/files.h"
+#include "base/files.h"
 #include "io/image.h"
 
 #include <boost/crc.hpp>

@@ -1,7 +1,7 @@
-#include "io/errors.h"
-#include "io/keys.h"
-#include "io/program.h"
-#include "io/run_context.h"
+#include "base/errors.h"
+#include "parameters/keys.h"
+#include "program/program.h"
+#include "program/run_context.h"
 
 #include <deal.II/lac/solver_control.h>
 

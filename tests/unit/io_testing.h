@@ -1,7 +1,7 @@
 #ifndef mesoslip_tests_unit_io_testing_h
 #define mesoslip_tests_unit_io_testing_h
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 #include <gtest/gtest.h>
 

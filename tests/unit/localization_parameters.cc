@@ -1,7 +1,7 @@
 #include "localization/localization_parameters.h"
-#include "io/keys.h"
 #include "io_testing.h"
 #include "localization_testing.h"
+#include "parameters/keys.h"
 
 #include <cmath>
 #include <fstream>

@@ -1,8 +1,8 @@
 #ifndef mesoslip_tests_unit_localization_testing_h
 #define mesoslip_tests_unit_localization_testing_h
 
+#include "exchange/rve_file.h"
 #include "grid/uniform_grid.h"
-#include "homogenization/rve_file.h"
 #include "io/hdf5_file.h"
 #include "io_testing.h"
 #include "localization/localize.h"

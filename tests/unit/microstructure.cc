@@ -1,7 +1,7 @@
 // Random placement of fibres.
-#include "microstructure/random_fibres.h"
-#include "microstructure/random_numbers.h"
-#include "microstructure/statistics.h"
+#include "morphology/random_fibres.h"
+#include "morphology/random_numbers.h"
+#include "morphology/statistics.h"
 
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // Sections Grid, Phases and Microstructure of a .prm: defaults, errors, what they make.
 #include "microstructure_testing.h"
 
-#include "io/files.h"
+#include "base/files.h"
 #include "material/rotation.h"
 #include "material/stiffness.h"
-#include "microstructure/statistics.h"
+#include "morphology/statistics.h"
 
 #include <cmath>
 #include <sstream>

@@ -3,8 +3,8 @@
 
 #include "io_testing.h"
 
-#include "io/keys.h"
-#include "microstructure/microstructure_parameters.h"
+#include "morphology/microstructure_parameters.h"
+#include "parameters/keys.h"
 
 #include <string>
 #include <vector>

@@ -1,11 +1,11 @@
 // Lists of rectangles, images and statistics of morphologies.
 #include "io_testing.h"
 
-#include "io/files.h"
-#include "microstructure/image_map.h"
-#include "microstructure/random_fibres.h"
-#include "microstructure/random_numbers.h"
-#include "microstructure/statistics.h"
+#include "base/files.h"
+#include "morphology/image_map.h"
+#include "morphology/random_fibres.h"
+#include "morphology/random_numbers.h"
+#include "morphology/statistics.h"
 
 #include <algorithm>
 

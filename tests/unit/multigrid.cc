@@ -1,8 +1,8 @@
-#include "elasticity/multigrid/multigrid.h"
+#include "statics/multigrid/multigrid.h"
 
-#include "elasticity/grid_solver.h"
-#include "elasticity/mesh/mesh_body.h"
+#include "body/mesh/mesh_body.h"
 #include "multigrid_testing.h"
+#include "statics/grid_solver.h"
 
 #include <gtest/gtest.h>
 #include <mpi.h>

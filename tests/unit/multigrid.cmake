@@ -1,2 +1,2 @@
-mesoslip_test(unit multigrid LIBS mesoslip_elasticity)
+mesoslip_test(unit multigrid LIBS mesoslip_body)
 target_sources(unit_multigrid PRIVATE ${CMAKE_CURRENT_LIST_DIR}/multigrid_definiteness.cc)

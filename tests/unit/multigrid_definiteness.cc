@@ -1,9 +1,9 @@
 // Whether the preconditioner is positive definite, by dense matrices.
-#include "elasticity/grid_solver.h"
-#include "elasticity/multigrid/galerkin.h"
-#include "elasticity/multigrid/multigrid.h"
 #include "material/rotation.h"
 #include "multigrid_testing.h"
+#include "statics/grid_solver.h"
+#include "statics/multigrid/galerkin.h"
+#include "statics/multigrid/multigrid.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "observation/phase_diagram.h"
 #include "observation/spectrum.h"
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "observation/steady_state.h"
 #include "observation/steady_record.h"
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>

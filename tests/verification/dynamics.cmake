@@ -1,4 +1,4 @@
-mesoslip_test(verification dynamics LIBS mesoslip_simulation)
+mesoslip_test(verification dynamics LIBS mesoslip_sliding)
 target_sources(verification_dynamics PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/dynamics_bar.cc
   ${CMAKE_CURRENT_LIST_DIR}/dynamics_energy.cc

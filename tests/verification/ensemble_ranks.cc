@@ -1,6 +1,6 @@
 // What the ranks of an ensemble exchange.
+#include "base/exchange.h"
 #include "homogenization/ensemble.h"
-#include "io/exchange.h"
 
 #include <gtest/gtest.h>
 

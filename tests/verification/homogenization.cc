@@ -1,10 +1,10 @@
 #include "../measured.h"
-#include "elasticity/mesh/mesh_body.h"
+#include "body/mesh/mesh_body.h"
 #include "homogenization_testing.h"
 #include "material/bounds.h"
 #include "material/mandel.h"
 #include "material/rotation.h"
-#include "microstructure/microstructure_parameters.h"
+#include "morphology/microstructure_parameters.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

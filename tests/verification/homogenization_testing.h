@@ -1,7 +1,7 @@
 #ifndef mesoslip_tests_verification_homogenization_testing_h
 #define mesoslip_tests_verification_homogenization_testing_h
 
-#include "elasticity/grid_body.h"
+#include "body/grid_body.h"
 #include "homogenization/ensemble.h"
 #include "homogenization/response.h"
 #include "material/stiffness.h"

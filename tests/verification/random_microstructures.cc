@@ -1,8 +1,8 @@
 #include "homogenization_testing.h"
 #include "material/bounds.h"
 #include "material/mandel.h"
-#include "microstructure/random_fibres.h"
-#include "microstructure/statistics.h"
+#include "morphology/random_fibres.h"
+#include "morphology/statistics.h"
 
 #include <gtest/gtest.h>
 

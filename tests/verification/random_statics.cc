@@ -1,7 +1,7 @@
 #include "independent_statics.h"
 
+#include "base/errors.h"
 #include "homogenization/response_check.h"
-#include "io/errors.h"
 #include "material/rotation.h"
 
 #include <gtest/gtest.h>

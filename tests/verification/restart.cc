@@ -2,11 +2,11 @@
 // as if nothing had happened.
 #include "sliding_body.h"
 
+#include "base/archive.h"
 #include "dynamics/stability_monitor.h"
-#include "io/archive.h"
 #include "observation/probe_recorder.h"
 #include "observation/steady_record.h"
-#include "simulation/limit_cycle_watch.h"
+#include "sliding/transient/limit_cycle_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,1 +1,1 @@
-mesoslip_test(verification restart LIBS mesoslip_simulation)
+mesoslip_test(verification restart LIBS mesoslip_sliding)

@@ -1,10 +1,10 @@
 #ifndef mesoslip_tests_verification_sliding_body_h
 #define mesoslip_tests_verification_sliding_body_h
 
+#include "dynamics/critical_time_step.h"
 #include "dynamics/time_loop.h"
-#include "elasticity/critical_time_step.h"
 #include "material/stiffness.h"
-#include "simulation/sliding_body.h"
+#include "sliding/sliding_body.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // Static contact: closed forms, balances of forces and moments, complementarity.
 
+#include "base/errors.h"
 #include "elasticity/uniform_grid_operator.h"
-#include "io/errors.h"
 #include "material/stiffness.h"
-#include "simulation/static_contact.h"
+#include "sliding/analyses/static_contact.h"
 
 #include <gtest/gtest.h>
 #include <mpi.h>

@@ -1,11 +1,11 @@
 // Free vibrations: exact frequencies, rigid motions, orthogonality; the paper's pin.
 
 #include "../measured.h"
-#include "dynamics/vibration_modes.h"
-#include "elasticity/grid_body.h"
+#include "body/grid_body.h"
+#include "eigenvalues/vibration_modes.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "material/stiffness.h"
-#include "simulation/modal.h"
+#include "sliding/analyses/modal.h"
 
 #include <gtest/gtest.h>
 

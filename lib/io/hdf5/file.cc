@@ -1,9 +1,9 @@
+#include "base/errors.h"
+#include "base/files.h"
+#include "base/text.h"
 #include "io/checksum.h"
-#include "io/errors.h"
-#include "io/files.h"
 #include "io/hdf5/internal.h"
-#include "io/parameters.h"
-#include "io/text.h"
+#include "parameters/parameters.h"
 
 #include <algorithm>
 #include <atomic>

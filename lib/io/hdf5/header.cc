@@ -1,7 +1,7 @@
+#include "base/version.h"
 #include "io/checksum.h"
 #include "io/hdf5/internal.h"
 #include "io/hdf5_file.h"
-#include "io/version.h"
 
 namespace mesoslip
 {

@@ -1,5 +1,5 @@
+#include "base/text.h"
 #include "io/hdf5/internal.h"
-#include "io/text.h"
 
 namespace mesoslip
 {

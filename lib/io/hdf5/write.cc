@@ -1,4 +1,4 @@
-#include "io/errors.h"
+#include "base/errors.h"
 #include "io/hdf5/internal.h"
 
 #include <deal.II/base/exceptions.h>

@@ -1,0 +1,10 @@
+#ifndef mesoslip_base_version_h
+#define mesoslip_base_version_h
+
+namespace mesoslip
+{
+/** Version of the programs, as CMakeLists.txt has it. */
+constexpr const char *version = "0.1.0";
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,209 @@
+#ifndef mesoslip_body_elastic_body_h
+#define mesoslip_body_elastic_body_h
+
+#include "elasticity/uniform_material.h"
+#include "grid/nodal_field.h"
+#include "statics/static_solver.h"
+
+#include <mpi.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace mesoslip
+{
+/** The nodes of one side of a body. */
+template <int dim>
+struct SurfaceNodes
+{
+  /** In ascending order along the side; on a periodic body the last is the duplicate of
+   * the first. */
+  std::vector<NodeIndex> nodes;
+
+  /** Integral of the outward normal times the shape function of each node: its tributary
+   * length (2D, m) or area (3D, m^2) in the direction of the normal. */
+  std::vector<std::array<double, dim>> normal_area;
+};
+
+/**
+ * What statics, modes and load cases ask of a linear elastic body; GridBody and MeshBody
+ * answer. Fields are NodalField with n_columns() x n_rows() nodes, whatever the body: on
+ * a grid its rows and columns, on a mesh any layout. Where sides are periodic, fields
+ * keep the duplicate nodes, which operators read and write equal to their originals.
+ *
+ * Every rank holds whole fields. On a body that is distributed, products and solves are
+ * collective: all ranks call them with the same fields and get the same result, bit for
+ * bit, so that they take the same decisions.
+ */
+template <int dim>
+class ElasticBody
+{
+public:
+  static constexpr unsigned int bottom = 2 * (dim - 1); ///< the contact side
+  static constexpr unsigned int top    = 2 * dim - 1;   ///< opposite to it
+
+  virtual ~ElasticBody() = default;
+
+  /** Number of nodes in a row of a field. */
+  unsigned int n_columns() const
+  {
+    return columns;
+  }
+
+  /** Number of node rows of a field. */
+  unsigned int n_rows() const
+  {
+    return rows;
+  }
+
+  /** A field that is zero. */
+  NodalField<double> zero_field() const
+  {
+    return NodalField<double>(columns, rows);
+  }
+
+  /** Stiffness (Pa) and density (kg/m^3) of each phase. */
+  const std::vector<ElasticPhase<dim>> &phases() const
+  {
+    return the_phases;
+  }
+
+  /** Which opposite sides are one. */
+  Periodicity periodicity() const
+  {
+    return periodic;
+  }
+
+  /** Nodes of side @p id, numbered as deal.II does: 2 d at the lower, 2 d + 1 at the
+   * upper end of axis d. */
+  const SurfaceNodes<dim> &surface(const unsigned int id) const
+  {
+    return sides[id];
+  }
+
+  /** Duplicate nodes and their originals, axis after axis: a corner is the duplicate of
+   * one that is itself the duplicate of another along the next axis. */
+  const std::vector<std::array<NodeIndex, 2>> &duplicate_nodes() const
+  {
+    return duplicates;
+  }
+
+  /** Adds up what duplicate nodes and their originals have, in both. */
+  void add_duplicates(NodalField<double> &field) const;
+
+  /** Sets duplicate nodes to the value of their originals. */
+  void copy_duplicates(NodalField<double> &field) const;
+
+  /** Length of the body's bounding box along axis @p d (m). */
+  double extent(const unsigned int d) const
+  {
+    return extents[d];
+  }
+
+  /** Area (2D, m^2) or volume of the body. */
+  double volume() const
+  {
+    return total_volume;
+  }
+
+  /** Integral of the density (kg, in 2D kg/m). */
+  double total_mass() const
+  {
+    return mass;
+  }
+
+  /** Number of cells. */
+  std::size_t n_cells() const
+  {
+    return number_of_cells;
+  }
+
+  /** Whether products and solves are collective over several ranks. */
+  bool is_distributed() const
+  {
+    return distributed;
+  }
+
+  /** Place of a node, from the lower corner of the bounding box (m). */
+  virtual std::array<double, dim> point(const NodeIndex &node) const = 0;
+
+  /** Lumped mass (kg, in 2D kg/m) of the nodes, row after row; duplicates and their
+   * originals carry the mass of both. */
+  virtual std::vector<double> lumped_mass() const = 0;
+
+  /** Cells are evaluated in groups of consecutive ones, on a grid its rows. */
+  virtual std::size_t n_cell_groups() const = 0;
+
+  /** Phase, mean strain and relative volume of the cells of one group. */
+  struct Cells
+  {
+    std::vector<unsigned int> phase;      ///< index into phases()
+    std::vector<VoigtVector<dim>> strain; ///< mean over the cell, engineering shear
+    std::vector<double> volume;           ///< in mean cell volumes: 1 on a grid
+  };
+
+  /** Evaluates the displacement @p u in the cells of @p group. Not collective. */
+  virtual void
+  evaluate(const NodalField<double> &u, const std::size_t group, Cells &cells) const = 0;
+
+  /** Ku = K u without constraints (N, in 2D N/m). */
+  virtual void vmult(NodalField<double> &Ku, const NodalField<double> &u) const = 0;
+
+  /** A solver for K u = f, without constraints at first. The body must outlive it. */
+  virtual std::unique_ptr<StaticSolver> make_solver() const = 0;
+
+  /** The same body, periodic along all axes. @throws std::invalid_argument if nodes of
+   * opposite sides do not match. */
+  virtual std::unique_ptr<ElasticBody> make_periodic() const = 0;
+
+protected:
+  /** Of fields with @p n_columns x @p n_rows nodes; derived classes set the rest. */
+  ElasticBody(const unsigned int n_columns,
+              const unsigned int n_rows,
+              const std::vector<ElasticPhase<dim>> &phases,
+              const Periodicity &periodicity)
+    : columns(n_columns)
+    , rows(n_rows)
+    , the_phases(phases)
+    , periodic(periodicity)
+  {
+  }
+
+  std::array<double, dim> extents = {};             ///< see extent()
+  double total_volume             = 0.;             ///< see volume()
+  double mass                     = 0.;             ///< see total_mass()
+  std::size_t number_of_cells     = 0;              ///< see n_cells()
+  bool distributed                = false;          ///< see is_distributed()
+  std::array<SurfaceNodes<dim>, 2 * dim> sides;     ///< see surface()
+  std::vector<std::array<NodeIndex, 2>> duplicates; ///< see duplicate_nodes()
+
+private:
+  const unsigned int columns, rows;
+  const std::vector<ElasticPhase<dim>> the_phases;
+  const Periodicity periodic;
+};
+
+/** Volume (in mean cell volumes) of each phase. */
+template <int dim>
+std::vector<double> phase_volumes(const ElasticBody<dim> &body);
+
+/**
+ * The displacement fields of the rigid motions that the constraints @p held, periodic
+ * sides and, if @p can_rotate is false, something else leave; linearly independent.
+ */
+template <int dim>
+std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<dim> &body,
+                                                   const DofMask &held,
+                                                   const bool can_rotate = true);
+
+/**
+ * The body that @p solver works on: a GridBody, or for StaticSolverKind::ml a MeshBody
+ * with the same cells, distributed over @p communicator. @p material must outlive it.
+ */
+std::unique_ptr<ElasticBody<2>> make_body(const UniformMaterial &material,
+                                          const StaticSolverKind solver,
+                                          const MPI_Comm communicator);
+} // namespace mesoslip
+
+#endif

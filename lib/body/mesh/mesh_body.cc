@@ -1,0 +1,192 @@
+#include "body/mesh/mesh_body.h"
+
+#include "body/mesh/mesh_discretization.h"
+#include "body/mesh/ml_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace mesoslip
+{
+namespace
+{
+/** Cells that are evaluated at once. */
+constexpr std::size_t group_size = 1024;
+
+/** Corners counter-clockwise, from the order of deal.II. */
+std::vector<unsigned int> around(const Mesh<2> &mesh, const std::size_t cell)
+{
+  const unsigned int *p = &mesh.cells[cell * mesh.n_corners];
+  if (mesh.n_corners == 3)
+    return {p[0], p[1], p[2]};
+  return {p[0], p[1], p[3], p[2]};
+}
+
+double area(const Mesh<2> &mesh, const std::size_t cell)
+{
+  const std::vector<unsigned int> corner = around(mesh, cell);
+  const std::array<double, 2> &o         = mesh.points[corner[0]];
+  double twice                           = 0.;
+  for (std::size_t v = 1; v + 1 < corner.size(); ++v)
+    {
+      const auto &a = mesh.points[corner[v]], &b = mesh.points[corner[v + 1]];
+      twice += (a[0] - o[0]) * (b[1] - o[1]) - (b[0] - o[0]) * (a[1] - o[1]);
+    }
+  return 0.5 * twice;
+}
+} // namespace
+
+template <int dim>
+MeshBody<dim>::MeshBody(const Mesh<dim> &given, const MPI_Comm communicator)
+  : ElasticBody<dim>(given.n_columns > 0 ? given.n_columns : given.points.size(),
+                     given.n_columns > 0 ? given.points.size() / given.n_columns : 1,
+                     given.phases,
+                     given.periodicity)
+  , mesh(given)
+  , communicator(communicator)
+  , lower(mesh.points.at(0))
+{
+  std::array<double, dim> upper = lower;
+  for (const auto &p : mesh.points)
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        lower[d] = std::min(lower[d], p[d]);
+        upper[d] = std::max(upper[d], p[d]);
+      }
+  for (std::size_t k = 0; k < mesh.n_cells(); ++k)
+    {
+      volumes.push_back(area(mesh, k));
+      if (!(volumes.back() > 0.))
+        throw std::invalid_argument("cell " + std::to_string(k) +
+                                    " has no area or its corners run clockwise");
+      this->total_volume += volumes.back();
+      this->mass += volumes.back() * mesh.phases[mesh.phase[k]].density;
+    }
+  for (unsigned int d = 0; d < dim; ++d)
+    this->extents[d] = upper[d] - lower[d];
+  this->number_of_cells = mesh.n_cells();
+  int n_ranks           = 1;
+  MPI_Comm_size(communicator, &n_ranks);
+  this->distributed = n_ranks > 1;
+  find_sides();
+  discretization = std::make_unique<MeshDiscretization<dim>>(mesh, *this, communicator);
+}
+
+template <int dim>
+MeshBody<dim>::~MeshBody() = default;
+
+template <int dim>
+NodeIndex MeshBody<dim>::node(const std::size_t point) const
+{
+  return {static_cast<unsigned int>(point % this->n_columns()),
+          static_cast<unsigned int>(point / this->n_columns())};
+}
+
+template <int dim>
+void MeshBody<dim>::find_sides()
+{
+  for (unsigned int id = 0; id < 2 * dim; ++id)
+    {
+      const std::vector<unsigned int> points = points_of_side(mesh, id);
+      const unsigned int axis = id / 2, n = points.size();
+      const auto along = [&](const unsigned int k) {
+        return mesh.points[points[std::min(k, n - 1)]][1 - axis];
+      };
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          // Half the way to the neighbours on both sides.
+          const double length          = 0.5 * (along(k + 1) - along(k > 0 ? k - 1 : 0));
+          std::array<double, dim> area = {};
+          area[axis]                   = id % 2 == 0 ? -length : length;
+          this->sides[id].nodes.push_back(node(points[k]));
+          this->sides[id].normal_area.push_back(area);
+        }
+      const bool periodic = axis == 0 ? mesh.periodicity.x : mesh.periodicity.y;
+      if (periodic && id % 2 == 1)
+        for (const auto &[duplicate, original] : opposite_points(mesh, axis))
+          this->duplicates.push_back({{node(duplicate), node(original)}});
+    }
+}
+
+template <int dim>
+std::array<double, dim> MeshBody<dim>::point(const NodeIndex &node) const
+{
+  std::array<double, dim> p =
+    mesh.points[static_cast<std::size_t>(node.j) * this->n_columns() + node.i];
+  for (unsigned int d = 0; d < dim; ++d)
+    p[d] -= lower[d];
+  return p;
+}
+
+template <int dim>
+std::vector<double> MeshBody<dim>::lumped_mass() const
+{
+  NodalField<double> mass = this->zero_field();
+  discretization->to_field(mass, discretization->lumped_mass());
+  std::vector<double> result;
+  for (unsigned int j = 0; j < this->n_rows(); ++j)
+    result.insert(result.end(), mass.row(0, j), mass.row(0, j) + this->n_columns());
+  return result;
+}
+
+template <int dim>
+std::size_t MeshBody<dim>::n_cell_groups() const
+{
+  return (this->n_cells() + group_size - 1) / group_size;
+}
+
+// By the divergence theorem: displacements are linear along the edges.
+template <int dim>
+void MeshBody<dim>::evaluate(const NodalField<double> &u,
+                             const std::size_t group,
+                             typename ElasticBody<dim>::Cells &cells) const
+{
+  const std::size_t begin = group * group_size,
+                    end   = std::min(begin + group_size, this->n_cells());
+  cells                   = {};
+  for (std::size_t k = begin; k < end; ++k)
+    {
+      const std::vector<unsigned int> corner = around(mesh, k);
+      VoigtVector<dim> strain                = VoigtVector<dim>::Zero();
+      for (std::size_t v = 0; v < corner.size(); ++v)
+        {
+          const unsigned int a = corner[v], b = corner[(v + 1) % corner.size()];
+          const double nx = mesh.points[b][1] - mesh.points[a][1],
+                       ny = mesh.points[a][0] - mesh.points[b][0],
+                       ux = 0.5 * (u(0, node(a)) + u(0, node(b))),
+                       uy = 0.5 * (u(1, node(a)) + u(1, node(b)));
+          strain += VoigtVector<2>(nx * ux, ny * uy, ny * ux + nx * uy) / volumes[k];
+        }
+      cells.phase.push_back(mesh.phase[k]);
+      cells.strain.push_back(strain);
+      cells.volume.push_back(volumes[k] * this->n_cells() / this->volume());
+    }
+}
+
+template <int dim>
+void MeshBody<dim>::vmult(NodalField<double> &Ku, const NodalField<double> &u) const
+{
+  const auto x = discretization->to_vector(u);
+  auto y       = x;
+  discretization->stiffness().vmult(y, x);
+  discretization->to_field(Ku, y);
+}
+
+template <int dim>
+std::unique_ptr<StaticSolver> MeshBody<dim>::make_solver() const
+{
+  return std::make_unique<MlSolver<dim>>(*this, *discretization);
+}
+
+template <int dim>
+std::unique_ptr<ElasticBody<dim>> MeshBody<dim>::make_periodic() const
+{
+  Mesh<dim> periodic   = mesh;
+  periodic.periodicity = {true, true};
+  return std::make_unique<MeshBody<dim>>(periodic, communicator);
+}
+
+template class MeshBody<2>;
+} // namespace mesoslip

@@ -1,0 +1,222 @@
+#include "body/mesh/ml_solver.h"
+
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <Teuchos_ParameterList.hpp>
+#include <ml_MultiLevelPreconditioner.h>
+#include <ml_utils.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+constexpr unsigned int max_iterations = 2000;
+
+// With which ML starts on one process. It estimates eigenvalues from random vectors.
+constexpr int seed = 1073741823;
+} // namespace
+
+template <int dim>
+MlSolver<dim>::MlSolver(const ElasticBody<dim> &the_body,
+                        const MeshDiscretization<dim> &the_discretization)
+  : body(the_body)
+  , discretization(the_discretization)
+{
+}
+
+template <int dim>
+void MlSolver<dim>::set_held(const DofMask &mask)
+{
+  held = mask;
+  fixed.assign(discretization.n_dofs(), false);
+  // Axis after axis, so that the original of an original is held as well.
+  for (const auto &[duplicate, original] : body.duplicate_nodes())
+    for (unsigned int c = 0; c < dim; ++c)
+      if (held.is_held(c, duplicate))
+        held.hold(c, original);
+  for (unsigned int j = 0; j < held.n_rows(); ++j)
+    for (unsigned int i = 0; i < held.n_columns(); ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        fixed[discretization.dof(c, {i, j})] = held.is_held(c, i, j);
+  for (const auto &pair : body.duplicate_nodes())
+    for (unsigned int c = 0; c < dim; ++c)
+      fixed[discretization.dof(c, pair[0])] = true;
+
+  motions.clear();
+  for (const NodalField<double> &field : free_rigid_motions(body, held))
+    {
+      Vector motion = discretization.to_vector(field);
+      remove_motions(motion);
+      motion /= motion.l2_norm();
+      motions.push_back(motion);
+    }
+  if (!motions.empty())
+    support(held);
+  copy_without_fixed();
+  set_up_preconditioner();
+}
+
+// Supports that are just enough carry nothing, as forces are in equilibrium.
+template <int dim>
+void MlSolver<dim>::support(DofMask mask)
+{
+  // Neither is a duplicate where it matters: periodic bodies do not rotate.
+  const std::vector<NodeIndex> &nodes = body.surface(ElasticBody<dim>::bottom).nodes;
+  std::size_t n_free                  = motions.size();
+  for (const auto &[c, node] :
+       {std::make_pair(0U, nodes.front()), std::make_pair(1U, nodes.front()),
+        std::make_pair(1U, nodes.back())})
+    {
+      DofMask trial = mask;
+      trial.hold(c, node);
+      const std::size_t n = free_rigid_motions(body, trial).size();
+      if (n == n_free)
+        continue;
+      n_free                             = n;
+      mask                               = trial;
+      fixed[discretization.dof(c, node)] = true;
+    }
+}
+
+// Dropping rows and columns keeps the matrix symmetric, which ML relies on. (deal.II's
+// iterators clear a buffer as long as the matrix is wide for each row they visit.)
+template <int dim>
+void MlSolver<dim>::copy_without_fixed()
+{
+  constrained.copy_from(discretization.stiffness());
+  const Epetra_CrsMatrix &epetra = constrained.trilinos_matrix();
+  for (int i = 0; i < epetra.NumMyRows(); ++i)
+    {
+      int n = 0, *columns = nullptr;
+      double *values = nullptr;
+      epetra.ExtractMyRowView(i, n, values, columns);
+      const auto row = epetra.GRID64(i);
+      for (int k = 0; k < n; ++k)
+        {
+          const auto column = epetra.GCID64(columns[k]);
+          if (column != row && (fixed[row] || fixed[column]))
+            values[k] = 0.;
+        }
+    }
+}
+
+template <int dim>
+void MlSolver<dim>::set_up_preconditioner()
+{
+  // ML takes the motions one after the other, zero where entries are fixed.
+  null_space.clear();
+  const auto rigid = free_rigid_motions(body, DofMask(body.n_columns(), body.n_rows()));
+  for (const NodalField<double> &field : rigid)
+    {
+      Vector motion = discretization.to_vector(field);
+      clear_fixed(motion);
+      null_space.insert(null_space.end(), motion.begin(), motion.end());
+    }
+  Teuchos::ParameterList parameters;
+  ML_Epetra::SetDefaults("SA", parameters);
+  parameters.set("ML output", 0);
+  parameters.set("PDE equations", dim);
+  parameters.set("smoother: type", "Chebyshev");
+  parameters.set("smoother: sweeps", 2);
+  parameters.set("coarse: type", "Amesos-KLU");
+  parameters.set("aggregation: threshold", 1e-4);
+  parameters.set("null space: type", "pre-computed");
+  parameters.set("null space: dimension", static_cast<int>(rigid.size()));
+  parameters.set("null space: vectors", null_space.data());
+  parameters.set("null space: add default vectors", false);
+  // Otherwise results depended, within the tolerance, on what was solved before.
+  ML_set_random_seed(seed);
+  preconditioner.initialize(constrained, parameters);
+}
+
+template <int dim>
+void MlSolver<dim>::clear_fixed(Vector &x) const
+{
+  const auto range = x.local_range();
+  for (Index k = range.first; k < range.second; ++k)
+    if (fixed[k])
+      x(k) = 0.;
+  x.compress(dealii::VectorOperation::insert);
+}
+
+template <int dim>
+void MlSolver<dim>::remove_motions(Vector &x) const
+{
+  for (const Vector &motion : motions)
+    x.add(-(motion * x), motion);
+}
+
+template <int dim>
+SolverReport MlSolver<dim>::solve(NodalField<double> &u,
+                                  const NodalField<double> &force,
+                                  const double tolerance)
+{
+  if (fixed.empty())
+    set_held(DofMask(body.n_columns(), body.n_rows()));
+  // The scale is the residual of the prescribed values alone.
+  NodalField<double> values = body.zero_field();
+  for (unsigned int j = 0; j < held.n_rows(); ++j)
+    for (unsigned int i = 0; i < held.n_columns(); ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        if (held.is_held(c, i, j))
+          values.row(c, j)[i] = u.row(c, j)[i];
+  const Vector prescribed = discretization.to_vector(values);
+  Vector f                = discretization.to_vector(force), r(f);
+  remove_motions(f);
+  const auto residual = [&](const Vector &x) {
+    discretization.stiffness().vmult(r, x);
+    r.sadd(-1., 1., f);
+    clear_fixed(r);
+    return r.l2_norm();
+  };
+  const double reference = residual(prescribed);
+  if (!std::isfinite(reference))
+    throw NotConverged("conjugate gradients with ML met numbers that are not finite",
+                       NotConverged::Reason::not_finite);
+  // A first guess would move the supports of a floating body.
+  Vector x = motions.empty() ? discretization.to_vector(u) : prescribed;
+  SolverReport report;
+  report.residual = reference > 0. ? residual(x) / reference : 0.;
+  if (report.residual > tolerance)
+    report = solve_free(x, r, reference, tolerance);
+  remove_motions(x);
+  discretization.to_field(u, x);
+  return report;
+}
+
+template <int dim>
+SolverReport MlSolver<dim>::solve_free(Vector &x,
+                                       Vector &residual,
+                                       const double reference,
+                                       const double tolerance)
+{
+  Vector correction(x);
+  correction = 0.;
+  dealii::SolverControl control(max_iterations, tolerance * reference);
+  dealii::SolverCG<Vector> conjugate_gradients(control);
+  try
+    {
+      conjugate_gradients.solve(constrained, correction, residual, preconditioner);
+    }
+  catch (const dealii::SolverControl::NoConvergence &e)
+    {
+      std::ostringstream text;
+      text << "conjugate gradients with ML stopped after " << e.last_step
+           << " iterations at a relative residual of " << e.last_residual / reference
+           << ", wanted " << tolerance;
+      throw NotConverged(text.str());
+    }
+  x += correction;
+  SolverReport report;
+  report.iterations = control.last_step();
+  report.residual   = control.last_value() / reference;
+  return report;
+}
+
+template class MlSolver<2>;
+} // namespace mesoslip

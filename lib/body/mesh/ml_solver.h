@@ -1,0 +1,55 @@
+#ifndef mesoslip_body_mesh_ml_solver_h
+#define mesoslip_body_mesh_ml_solver_h
+
+#include "body/mesh/mesh_discretization.h"
+
+#include <deal.II/lac/trilinos_precondition.h>
+
+namespace mesoslip
+{
+/**
+ * Conjugate gradients of deal.II with Trilinos' algebraic multigrid ML, which is told the
+ * rigid motions. Distributed over the ranks of the discretization; all calls are
+ * collective.
+ */
+template <int dim>
+class MlSolver : public StaticSolver
+{
+public:
+  /** Body and discretization must outlive the solver. */
+  MlSolver(const ElasticBody<dim> &body, const MeshDiscretization<dim> &discretization);
+
+  void set_held(const DofMask &mask) override;
+
+  SolverReport solve(NodalField<double> &u,
+                     const NodalField<double> &force,
+                     const double tolerance) override;
+
+private:
+  using Vector = typename MeshDiscretization<dim>::Vector;
+  using Index  = typename MeshDiscretization<dim>::Index;
+
+  void support(DofMask mask);
+  void copy_without_fixed();
+  void set_up_preconditioner();
+  void clear_fixed(Vector &x) const;
+  void remove_motions(Vector &x) const;
+  SolverReport
+  solve_free(Vector &x, Vector &residual, const double reference, const double tolerance);
+
+  const ElasticBody<dim> &body;
+  const MeshDiscretization<dim> &discretization;
+  DofMask held;
+  std::vector<Vector> motions; ///< free rigid motions, orthonormal
+
+  /** Per degree of freedom, on all ranks: held, duplicate or needed as support. */
+  std::vector<bool> fixed;
+
+  /** Rows and columns of fixed degrees of freedom have only their diagonal. */
+  typename MeshDiscretization<dim>::Matrix constrained;
+  std::vector<double> null_space;
+  dealii::TrilinosWrappers::PreconditionAMG preconditioner;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,79 @@
+#ifndef mesoslip_dynamics_boundary_condition_h
+#define mesoslip_dynamics_boundary_condition_h
+
+#include "dynamics/step_parameters.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace mesoslip
+{
+/**
+ * The nodes of one boundary surface at the moment when their forces of step n are
+ * complete: an array of n values for each component, the last one along the normal. On a
+ * grid the arrays are rows of the fields, without a copy; on a periodic one the last node
+ * duplicates the first and has to be given the same values.
+ */
+template <int dim>
+struct SurfaceView
+{
+  std::size_t n = 0; ///< number of nodes
+
+  /** u_n (m) and w_n (m/s), to be advanced in place. */
+  std::array<double *, dim> u = {};
+  std::array<double *, dim> w = {}; ///< velocity of the scheme (m/s)
+
+  /** K (u_n + beta w_n) minus body forces (N/m): the acceleration is
+   *  inverse_mass * (boundary force - force). */
+  std::array<const double *, dim> force = {};
+
+  /** One over the lumped mass (m/kg), zero where a component is constrained: such a
+   *  component keeps its w. */
+  std::array<const double *, dim> inverse_mass = {};
+
+  /** n, counted from the first step of the stepper (or from set_step_number()). */
+  std::uint64_t step = 0;
+
+  /** n dt (s), the time of u_n. */
+  double time = 0.;
+};
+
+/**
+ * What happens on a boundary surface: turns forces into motion,
+ *
+ *     a = inverse_mass (boundary force - force)
+ *     w += dt a,   u += dt w + (beta2 - 1/2) dt^2 a      (w: the new one)
+ *
+ * Called once each step, in order of time. Within advance() the bottom may be several
+ * steps ahead of the top, so the two must not talk to each other during advance(), and
+ * neither may look at other nodes of the body.
+ */
+template <int dim>
+struct BoundaryCondition
+{
+  virtual ~BoundaryCondition() = default;
+
+  /** One step of the surface, on the rank that owns it. */
+  virtual void advance(const SurfaceView<dim> &surface) = 0;
+};
+
+/** No boundary force: the surface moves freely (constrained as inverse_mass says). */
+template <int dim>
+class FreeSurface : public BoundaryCondition<dim>
+{
+public:
+  /** Time step and beta2 are taken from @p parameters. */
+  explicit FreeSurface(const StepParameters &parameters);
+
+  /** w_(n+1) from the internal forces alone. */
+  void advance(const SurfaceView<dim> &surface) override;
+
+private:
+  double dt;
+  double c_new;
+  double c_old;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,192 @@
+#include "dynamics/critical_time_step.h"
+
+#include "elasticity/uniform_grid_operator.h"
+#include "grid/nodal_field.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace mesoslip
+{
+double critical_time_step(const double omega, const double beta2, const double beta)
+{
+  if (!(omega > 0.) || !(beta2 > 0.) || !(beta >= 0.))
+    throw std::invalid_argument(
+      "the critical time step needs positive omega and beta2 and beta not negative");
+  const double xi = beta * omega / 2.;
+  // (sqrt(xi^2 + 2b) - xi) / b without cancellation.
+  return 2. / (std::sqrt(xi * xi + 2. * beta2) + xi) / omega;
+}
+
+namespace
+{
+using CellMatrix = Eigen::Matrix<double, 8, 8>;
+
+/** Stiffness of one cell from its constant-strain part and its hourglass part. */
+CellMatrix cell_stiffness(const VoigtMatrix<2> &D, const double hx, const double hy)
+{
+  Eigen::Matrix<double, 3, 8> B = Eigen::Matrix<double, 3, 8>::Zero();
+  Eigen::Matrix<double, 2, 8> G = Eigen::Matrix<double, 2, 8>::Zero();
+  for (Eigen::Index n = 0; n < 4; ++n)
+    {
+      const double x = n % 2 ? 1. : -1., y = n / 2 ? 1. : -1.;
+      B(0, 2 * n) = B(2, 2 * n + 1) = x / (2. * hx);
+      B(1, 2 * n + 1) = B(2, 2 * n) = y / (2. * hy);
+      G(0, 2 * n) = G(1, 2 * n + 1) = x * y;
+    }
+  const double xx = hx * hx, yy = hy * hy;
+  Eigen::Matrix2d H;
+  H << D(0, 0) / xx + D(2, 2) / yy, D(0, 2) / xx + D(1, 2) / yy,
+    D(0, 2) / xx + D(1, 2) / yy, D(1, 1) / yy + D(2, 2) / xx;
+  return hx * hy * (B.transpose() * D * B + G.transpose() * H * G / 12.);
+}
+
+/** Largest eigenpair of the leading Lanczos matrix: value and last component. */
+std::pair<double, double> largest_ritz_pair(const std::vector<double> &diagonal,
+                                            const std::vector<double> &off)
+{
+  const Eigen::Map<const Eigen::VectorXd> d(diagonal.data(), diagonal.size());
+  const Eigen::Map<const Eigen::VectorXd> e(off.data(), diagonal.size() - 1);
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(d, e);
+  const auto last = d.size() - 1;
+  return {solver.eigenvalues()[last], solver.eigenvectors()(last, last)};
+}
+} // namespace
+
+double element_frequency_bound(const UniformMaterial &material)
+{
+  const double hx = material.grid().spacing[0], hy = material.grid().spacing[1];
+  std::vector<bool> used(material.classes().size(), false);
+  if (material.is_homogeneous())
+    used[material.homogeneous_class()] = true;
+  else
+    for (unsigned int j = 0; j < material.grid().cells[1]; ++j)
+      for (unsigned int i = 0; i < material.grid().cells[0]; ++i)
+        used[material.class_of(i, j)] = true;
+  double largest = 0.;
+  for (unsigned int c = 0; c < used.size(); ++c)
+    if (used[c])
+      {
+        const ElasticClass &m = material.classes()[c];
+        const Eigen::SelfAdjointEigenSolver<CellMatrix> solver(
+          cell_stiffness(m.stiffness, hx, hy), Eigen::EigenvaluesOnly);
+        largest = std::max(largest, solver.eigenvalues()[7] / (m.density * hx * hy / 4.));
+      }
+  return std::sqrt(largest);
+}
+
+FrequencyEstimate largest_frequency(
+  const std::function<void(std::vector<double> &, const std::vector<double> &)> &apply,
+  const std::size_t n,
+  const double bound,
+  const double tolerance,
+  const unsigned int max_iterations)
+{
+  // Lanczos without reorthogonalization: the extreme Ritz values do not suffer.
+  std::vector<double> v(n), old(n, 0.), y(n), diagonal, off;
+  std::mt19937 generator(20080101);
+  std::uniform_real_distribution<double> random(-1., 1.);
+  for (double &x : v)
+    x = random(generator);
+  const auto norm = [n](const std::vector<double> &x) {
+    double sum = 0.;
+    for (std::size_t i = 0; i < n; ++i)
+      sum += x[i] * x[i];
+    return std::sqrt(sum);
+  };
+  const double start = norm(v);
+  for (double &x : v)
+    x /= start;
+
+  FrequencyEstimate estimate;
+  estimate.upper = bound;
+  double before  = 0.;
+  for (unsigned int k = 1; k <= max_iterations; ++k)
+    {
+      apply(y, v);
+      estimate.iterations = k;
+      double alpha        = 0.;
+      for (std::size_t i = 0; i < n; ++i)
+        alpha += y[i] * v[i];
+      for (std::size_t i = 0; i < n; ++i)
+        y[i] -= alpha * v[i] + before * old[i];
+      const double next = norm(y);
+      diagonal.push_back(alpha);
+      const bool exhausted = !(next > 1e-12 * std::abs(diagonal[0])) || k >= n;
+      if (k % 5 == 0 || k == max_iterations || exhausted)
+        {
+          const auto pair       = largest_ritz_pair(diagonal, off);
+          const double residual = exhausted ? 0. : next * std::abs(pair.second);
+          estimate.lower        = std::sqrt(std::max(pair.first, 0.));
+          estimate.upper =
+            std::min(bound, std::sqrt(std::max(pair.first, 0.) + residual));
+          // The residual says that an eigenvalue is near, not that it is the largest: a
+          // random start makes it so once the Ritz value has had time to climb.
+          if (exhausted ||
+              (k >= 30 && estimate.upper <= (1. + tolerance) * estimate.lower))
+            break;
+        }
+      off.push_back(next);
+      before = next;
+      old.swap(v);
+      for (std::size_t i = 0; i < n; ++i)
+        v[i] = y[i] / next;
+    }
+  return estimate;
+}
+
+FrequencyEstimate largest_frequency(const UniformMaterial &material,
+                                    const double tolerance,
+                                    const unsigned int max_iterations)
+{
+  // The free grid: periodic sides are the same as constraints on it.
+  std::vector<std::uint8_t> ids;
+  const UniformGrid<2> &grid        = material.grid();
+  std::vector<ElasticClass> classes = material.classes();
+  if (material.is_homogeneous())
+    classes = {classes[material.homogeneous_class()]};
+  else
+    for (unsigned int j = 0; j < grid.cells[1]; ++j)
+      for (unsigned int i = 0; i < grid.cells[0]; ++i)
+        ids.push_back(material.class_of(i, j));
+  const UniformMaterial free(grid, classes, ids);
+  const UniformGridOperator stiffness(free);
+  const unsigned int columns = free.n_columns(), n_rows = free.n_rows();
+
+  NodalField<double> x(columns, n_rows), f(columns, n_rows), scale(columns, n_rows);
+  for (unsigned int j = 0; j < n_rows; ++j)
+    for (const unsigned int c : {0u, 1u})
+      {
+        double *s = scale.row(c, j);
+        free.mass_row(j, s);
+        for (unsigned int i = 0; i < columns; ++i)
+          s[i] = 1. / std::sqrt(s[i]);
+      }
+  const auto apply = [&](std::vector<double> &y, const std::vector<double> &v) {
+    std::size_t k = 0;
+    for (unsigned int j = 0; j < n_rows; ++j)
+      for (const unsigned int c : {0u, 1u})
+        for (unsigned int i = 0; i < columns; ++i)
+          x.row(c, j)[i] = scale.row(c, j)[i] * v[k++];
+    stiffness.vmult(f, x);
+    k = 0;
+    for (unsigned int j = 0; j < n_rows; ++j)
+      for (const unsigned int c : {0u, 1u})
+        for (unsigned int i = 0; i < columns; ++i)
+          y[k++] = scale.row(c, j)[i] * f.row(c, j)[i];
+  };
+  return largest_frequency(apply, 2 * std::size_t(columns) * n_rows,
+                           element_frequency_bound(free), tolerance, max_iterations);
+}
+
+double
+critical_time_step(const UniformMaterial &material, const double beta2, const double beta)
+{
+  return critical_time_step(largest_frequency(material).upper, beta2, beta);
+}
+} // namespace mesoslip

@@ -1,0 +1,172 @@
+#include "dynamics/wavefront.h"
+
+#include <algorithm>
+
+namespace mesoslip
+{
+Wavefront::Stage::Stage(const UniformMaterial &material,
+                        const RowKernels<double> &kernels)
+  : sweep(material, kernels)
+  , forces(material.n_columns(), 1)
+{
+}
+
+Wavefront::Wavefront(const SteppedBody &body,
+                     const RowKernels<double> &kernels,
+                     const StepMasses &masses,
+                     const unsigned int max_steps)
+  : body(body)
+  , kernels(kernels)
+  , masses(masses)
+  , at_once(kernels.functions.rows_at_once)
+{
+  for (unsigned int i = 0; i < max_steps; ++i)
+    stages.emplace_back(body.material, kernels);
+}
+
+RowBlock Wavefront::block(const unsigned int j, const unsigned int n) const
+{
+  const unsigned int l = body.rows.local(j);
+  return {body.u.row(0, l), body.u.row(1, l), body.w.row(0, l),
+          body.w.row(1, l), body.u.stride(),  n};
+}
+
+/** Pointers of the kernel for node row @p j and those above. */
+kernels::Rows<double> Wavefront::kernel_rows(Stage &stage, const unsigned int j) const
+{
+  const RowBlock state = block(j, 1);
+  kernels::Rows<double> r;
+  r.ux     = state.ux;
+  r.uy     = state.uy;
+  r.wx     = state.wx;
+  r.wy     = state.wy;
+  r.stride = state.stride;
+  r.fx     = stage.forces.row(0, 0);
+  r.fy     = stage.forces.row(1, 0);
+  masses.set_inner(r, body.rows.local(j));
+  return r;
+}
+
+void Wavefront::send(const unsigned int n_steps)
+{
+  const NodeRows &rows = body.rows;
+  if (rows.has_lower_ghost())
+    body.halo->send(Halo::lower, block(rows.begin, n_steps));
+  if (rows.has_upper_ghost())
+    body.halo->send(Halo::upper, block(rows.end - n_steps, n_steps));
+}
+
+void Wavefront::run(const std::uint64_t first,
+                    const unsigned int n_steps,
+                    const unsigned int n_next)
+{
+  const NodeRows &rows = body.rows;
+  const bool below = rows.has_lower_ghost(), above = rows.has_upper_ghost();
+  for (unsigned int s = 0; s < n_steps; ++s)
+    start(stages[s], first + s, n_steps - 1 - s);
+  if (below)
+    body.halo->receive(Halo::lower, block(rows.begin - n_steps, n_steps));
+  missing_above = above ? n_steps : 0;
+
+  const unsigned int stride = (n_steps == 1 ? 5 : 1) * at_once;
+  const Stage &last         = stages[n_steps - 1];
+  bool lower_waits          = below && n_next > 0;
+  while (last.next < last.end)
+    {
+      for (unsigned int s = 0; s < n_steps; ++s)
+        advance(stages[s], s == 0 ? first_limit(stride) : limit_behind(stages[s - 1]));
+      if (lower_waits && last.next >= rows.begin + n_next)
+        {
+          body.halo->send(Halo::lower, block(rows.begin, n_next));
+          lower_waits = false;
+        }
+      if (below || above)
+        body.halo->progress();
+    }
+  if (above && n_next > 0)
+    body.halo->send(Halo::upper, block(rows.end - n_next, n_next));
+}
+
+/** Where there is a neighbour, @p n_more ghost rows are advanced with the own ones. */
+void Wavefront::start(Stage &stage, const std::uint64_t step, const unsigned int n_more)
+{
+  const NodeRows &rows = body.rows;
+  stage.step           = step;
+  stage.begin          = rows.has_lower_ghost() ? rows.begin - n_more : 0;
+  stage.end            = rows.has_upper_ghost() ? rows.end + n_more : rows.n_global;
+  stage.next           = stage.begin;
+  stage.sweep.reset();
+}
+
+/** The first stage goes ahead by @p stride rows; the bottom row is none of the kernel's.
+ */
+unsigned int Wavefront::first_limit(const unsigned int stride) const
+{
+  const unsigned int next = stages[0].next;
+  return next + stride + (next == 0 ? 1 : 0);
+}
+
+/** A row needs the row above it to have finished the step before. */
+unsigned int Wavefront::limit_behind(const Stage &before) const
+{
+  return before.next == before.end ? before.end : std::max(before.next, 1u) - 1;
+}
+
+/** Advance rows below @p limit, several at a time where there are as many. A stage soon
+ *  lags one row behind the one before it: the fewer rows between the first and the last,
+ *  the more steps fit the cache. */
+void Wavefront::advance(Stage &stage, const unsigned int limit)
+{
+  const unsigned int top_row = body.rows.n_global - 1;
+  const unsigned int end     = std::min(limit, stage.end);
+  const unsigned int inner   = std::min(end, top_row);
+  if (end <= stage.next)
+    return;
+  if (stage.next == stage.begin && stage.begin > 0)
+    {
+      // The forces of the cells below the first row.
+      const unsigned int below = stage.begin - 1;
+      stage.sweep.store(kernel_rows(stage, below), below, false);
+    }
+  if (stage.next == 0)
+    advance_boundary(stage);
+  while (stage.next < inner)
+    advance_rows(stage, stage.next + at_once <= inner ? at_once : 1);
+  if (stage.next == top_row && end > top_row)
+    advance_boundary(stage);
+}
+
+void Wavefront::advance_rows(Stage &stage, const unsigned int n)
+{
+  if (missing_above > 0 && stage.next + n >= body.rows.end)
+    {
+      body.halo->receive(Halo::upper, block(body.rows.end, missing_above));
+      missing_above = 0;
+    }
+  stage.sweep.step(kernel_rows(stage, stage.next), stage.next, n > 1);
+  stage.next += n;
+}
+
+/** Forces of the bottom or top row, handed to whoever moves it. */
+void Wavefront::advance_boundary(Stage &stage)
+{
+  const unsigned int j    = stage.next;
+  const bool is_top       = j > 0;
+  kernels::Rows<double> r = kernel_rows(stage, j);
+  SurfaceView<2> view;
+  masses.set_boundary(r, view, is_top);
+  if (is_top)
+    stage.sweep.finish(r);
+  else
+    stage.sweep.store(r, 0, false);
+
+  view.n     = body.material.n_columns();
+  view.u     = {{r.ux, r.uy}};
+  view.w     = {{r.wx, r.wy}};
+  view.force = {{r.fx, r.fy}};
+  view.step  = stage.step;
+  view.time  = stage.step * body.parameters.dt;
+  (is_top ? body.top : body.bottom)->advance(view);
+  ++stage.next;
+}
+} // namespace mesoslip

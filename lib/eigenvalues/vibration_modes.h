@@ -1,0 +1,80 @@
+#ifndef mesoslip_eigenvalues_vibration_modes_h
+#define mesoslip_eigenvalues_vibration_modes_h
+
+#include "body/elastic_body.h"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace mesoslip
+{
+/** What is wanted of the modes of vibration, and how they are computed. */
+struct VibrationModesOptions
+{
+  unsigned int n_modes = 4; ///< wanted
+
+  /**
+   * Mass (kg/m) of a rigid platen on the top, which has one common u_y; without a value
+   * there is none. Held are then u_y of the top and whatever else is.
+   */
+  std::optional<double> platen_mass;
+
+  /** Relative residual of each static solve; eigenvalues are accurate to about this. */
+  double tolerance = 1e-10;
+
+  /** Called before each static solve with their number so far; may throw to stop. */
+  std::function<void(unsigned int)> before_solve;
+};
+
+/** A free vibration u(x, t) = shape(x) cos(2 pi f t). */
+struct VibrationMode
+{
+  double frequency = 0.; ///< Hz
+
+  /** The largest displacement vector has length one and its larger component is positive.
+   */
+  NodalField<double> shape;
+
+  double modal_mass = 0.; ///< shape.M shape (kg/m), with the platen's
+
+  /**
+   * Share of the mass that takes part in a rigid acceleration along x and y: of the
+   * body's, and along y of the platen's as well.
+   */
+  std::array<double, 2> effective_mass = {};
+
+  /** |K u - omega^2 M u| / |K u| at the free degrees of freedom. */
+  double residual = 0.;
+};
+
+/** The lowest modes in ascending order, and what they took. */
+struct VibrationModes
+{
+  std::vector<VibrationMode> modes; ///< lowest first
+
+  /** Rigid motions that nothing holds; they vibrate at 0 Hz and are not among the modes.
+   */
+  unsigned int n_rigid_motions = 0;
+
+  unsigned int n_solves          = 0; ///< with K
+  unsigned int solver_iterations = 0; ///< of all solves
+};
+
+/** @throws std::invalid_argument if there are not as many modes as @p options wants. */
+void check_number_of_modes(const ElasticBody<2> &body,
+                           const DofMask &held,
+                           const VibrationModesOptions &options);
+
+/**
+ * Solves K u = omega^2 M u (lumped mass) by shift-and-invert Lanczos
+ * around zero (ARPACK); rigid motions are projected out, so a free body needs no shift.
+ * @throws std::invalid_argument if there are not that many modes; NotConverged
+ */
+VibrationModes vibration_modes(const ElasticBody<2> &body,
+                               const DofMask &held,
+                               const VibrationModesOptions &options);
+} // namespace mesoslip
+
+#endif

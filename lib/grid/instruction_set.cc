@@ -1,0 +1,87 @@
+#include "grid/instruction_set.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace mesoslip
+{
+std::string to_string(const InstructionSet isa)
+{
+  switch (isa)
+    {
+    case InstructionSet::baseline:
+#ifdef __x86_64__
+      return "x86-64";
+#else
+      return "generic";
+#endif
+    case InstructionSet::x86_64_v3:
+      return "x86-64-v3";
+    case InstructionSet::x86_64_v4:
+      return "x86-64-v4";
+    default:
+      return "auto";
+    }
+}
+
+std::vector<InstructionSet> available_instruction_sets()
+{
+  std::vector<InstructionSet> sets = {InstructionSet::baseline};
+#ifdef __x86_64__
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+      __builtin_cpu_supports("bmi2"))
+    sets.push_back(InstructionSet::x86_64_v3);
+  if (sets.size() == 2 && __builtin_cpu_supports("avx512f") &&
+      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512vl"))
+    sets.push_back(InstructionSet::x86_64_v4);
+#endif
+  return sets;
+}
+
+InstructionSet instruction_set(const std::string &name)
+{
+  std::string names;
+  for (const InstructionSet isa : {InstructionSet::automatic, InstructionSet::baseline,
+                                   InstructionSet::x86_64_v3, InstructionSet::x86_64_v4})
+    {
+      if (to_string(isa) == name)
+        return isa;
+      names += (names.empty() ? "" : ", ") + to_string(isa);
+    }
+  throw std::runtime_error("there is no instruction set '" + name + "'; use one of " +
+                           names);
+}
+
+namespace
+{
+InstructionSet from_environment(const std::vector<InstructionSet> &available)
+{
+  const char *name = std::getenv("MESOSLIP_ISA");
+  if (name == nullptr || *name == '\0')
+    return available.back();
+  try
+    {
+      const InstructionSet isa = instruction_set(name);
+      return isa == InstructionSet::automatic ? available.back() : isa;
+    }
+  catch (const std::runtime_error &e)
+    {
+      throw std::runtime_error(std::string("MESOSLIP_ISA: ") + e.what());
+    }
+}
+} // namespace
+
+InstructionSet resolve(const InstructionSet requested)
+{
+  const std::vector<InstructionSet> available = available_instruction_sets();
+  const InstructionSet isa =
+    requested == InstructionSet::automatic ? from_environment(available) : requested;
+  if (std::find(available.begin(), available.end(), isa) == available.end())
+    throw std::runtime_error("this processor cannot run the instruction set " +
+                             to_string(isa));
+  return isa;
+}
+} // namespace mesoslip

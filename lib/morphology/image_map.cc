@@ -1,0 +1,228 @@
+#include "morphology/image_map.h"
+
+#include "base/errors.h"
+#include "grid/size_text.h"
+#include "parameters/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace mesoslip
+{
+namespace
+{
+/** Which pixels lie in a cell, or which cells in a pixel. */
+struct Ratio
+{
+  std::array<unsigned int, 2> pixels = {{1, 1}}; ///< of a cell
+  std::array<unsigned int, 2> cells  = {{1, 1}}; ///< of a pixel
+};
+
+Ratio ratio_of(const UniformGrid<2> &grid, const Image &image, const std::string &source)
+{
+  const std::array<unsigned int, 2> n_pixels = {{image.width, image.height}};
+  const std::string numbers =
+    source + ": the image has " + numbers_text(image.width, image.height) +
+    " pixels and the grid " + numbers_text(grid.cells[0], grid.cells[1]) + " cells; ";
+  const std::string advice = "set Grid/Cells = " + std::to_string(image.width) + ", " +
+                             std::to_string(image.height);
+  Ratio ratio;
+  for (unsigned int d = 0; d < 2; ++d)
+    if (n_pixels[d] == 0 ||
+        (grid.cells[d] % n_pixels[d] != 0 && n_pixels[d] % grid.cells[d] != 0))
+      throw UserError(numbers +
+                      "along each side one must be a whole multiple of the "
+                      "other; " +
+                      advice);
+    else if (grid.cells[d] >= n_pixels[d])
+      ratio.cells[d] = grid.cells[d] / n_pixels[d];
+    else
+      ratio.pixels[d] = n_pixels[d] / grid.cells[d];
+  for (unsigned int d = 0; d < 2; ++d)
+    if (ratio.cells[d] > 1 && ratio.pixels[1 - d] > 1)
+      throw UserError(numbers +
+                      "one side would be refined and the other coarsened; are "
+                      "the two numbers swapped? " +
+                      advice);
+  return ratio;
+}
+
+/** Rows of digits without blanks are one column of numbers. */
+void require_no_rows_of_digits(const UniformGrid<2> &grid,
+                               const Image &image,
+                               const std::string &source)
+{
+  if (image.digits > 1 && grid.cells[0] % image.digits == 0)
+    throw UserError(source + ": every row is one number of " +
+                    std::to_string(image.digits) + " digits, and the grid has " +
+                    std::to_string(grid.cells[0]) +
+                    " cells along x; if every digit is a pixel, put blanks between "
+                    "them, or else give the phases numbers of one digit");
+}
+
+void require_square_pixels(const UniformGrid<2> &grid,
+                           const Image &image,
+                           const std::string &source)
+{
+  const double width        = grid.extent(0) / image.width,
+               height       = grid.extent(1) / image.height;
+  constexpr double rounding = 0.01; // sizes of three digits
+  if (!(std::abs(width - height) <= rounding * std::max(width, height)))
+    throw UserError(source + ": its " + numbers_text(image.width, image.height) +
+                    " pixels would be " + to_text(width) + " m wide and " +
+                    to_text(height) +
+                    " m high in the body; do Grid/Cells and Grid/Size belong to this "
+                    "image, x before y? If its pixels are not square, set "
+                    "Microstructure/Oblong pixels = true");
+}
+
+std::string value_text(const Image &image, const long value)
+{
+  if (!image.coloured)
+    return std::to_string(value);
+  char colour[16];
+  std::snprintf(colour, sizeof colour, "#%06lx", static_cast<unsigned long>(value));
+  return std::string(colour) + " (" + std::to_string(value) + ")";
+}
+
+/** Value of each phase. */
+std::vector<long> values_of_phases(const Image &image,
+                                   const ImageReading &reading,
+                                   const std::string &source)
+{
+  const std::vector<int> found = image.distinct_values();
+  const auto has               = [&](const int value) {
+    return std::count(reading.values.begin(), reading.values.end(), value) > 0;
+  };
+  if (!reading.values.empty())
+    {
+      for (const int value : found)
+        if (!has(value))
+          throw UserError(source + ": the image has the value " +
+                          value_text(image, value) +
+                          ", which belongs to no phase; add it to the image values");
+      return reading.values;
+    }
+  const std::string numbers = source + ": the image has " + std::to_string(found.size()) +
+                              (found.size() == 1 ? " value" : " different values") +
+                              " and there are " + std::to_string(reading.n_phases) +
+                              " phases; ";
+  if (found.size() > reading.n_phases)
+    throw UserError(numbers + "name more phases, or use an image without smoothed "
+                              "edges, segmented if it is a photograph");
+  if (found.size() < reading.n_phases)
+    throw UserError(numbers +
+                    "say with Microstructure/Image values which value is which "
+                    "phase (the image has " +
+                    value_text(image, found.front()) +
+                    (found.size() > 1 ? " to " + value_text(image, found.back()) : "") +
+                    "), or name fewer phases");
+  return {found.begin(), found.end()};
+}
+
+/** Phase of each cell from the phases of its pixels, see map_from_image(). */
+class Majority
+{
+public:
+  Majority(const std::size_t n_phases, const unsigned int n_pixels_per_cell)
+    : pixels_per_cell(n_pixels_per_cell)
+    , missing(n_phases, 0)
+    , counts(n_phases, 0)
+  {
+  }
+
+  void add(const std::uint8_t phase)
+  {
+    ++counts[phase];
+  }
+
+  /** Of the pixels added since the last call. */
+  std::uint8_t take()
+  {
+    const unsigned int most = *std::max_element(counts.begin(), counts.end());
+    std::size_t chosen      = counts.size();
+    for (std::size_t p = 0; p < counts.size(); ++p)
+      {
+        missing[p] += counts[p];
+        if (counts[p] == most &&
+            (chosen == counts.size() || missing[p] > missing[chosen]))
+          chosen = p;
+        counts[p] = 0;
+      }
+    missing[chosen] -= pixels_per_cell;
+    return static_cast<std::uint8_t>(chosen);
+  }
+
+private:
+  const long pixels_per_cell;
+  std::vector<long> missing;        ///< pixels by which the cells so far fall short
+  std::vector<unsigned int> counts; ///< of the pixels of this cell
+};
+
+/** @p phase is that of each pixel, @p width the number of pixels along x. */
+std::vector<std::uint8_t> phases_of_cells(const UniformGrid<2> &grid,
+                                          const Ratio &ratio,
+                                          const std::vector<std::uint8_t> &phase,
+                                          const std::size_t width,
+                                          const std::size_t n_phases)
+{
+  const unsigned int pixels_per_cell = ratio.pixels[0] * ratio.pixels[1];
+  Majority majority(n_phases, pixels_per_cell);
+  std::vector<std::uint8_t> id;
+  id.reserve(grid.n_cells());
+  for (unsigned int j = 0; j < grid.cells[1]; ++j)
+    for (unsigned int i = 0; i < grid.cells[0]; ++i)
+      {
+        const std::size_t x = std::size_t{i / ratio.cells[0]} * ratio.pixels[0],
+                          y = std::size_t{j / ratio.cells[1]} * ratio.pixels[1];
+        for (std::size_t row = y; row < y + ratio.pixels[1]; ++row)
+          for (std::size_t column = x; column < x + ratio.pixels[0]; ++column)
+            majority.add(phase[row * width + column]);
+        id.push_back(majority.take());
+      }
+  return id;
+}
+} // namespace
+
+ImageMap map_from_image(const UniformGrid<2> &grid,
+                        const Image &image,
+                        const ImageReading &reading,
+                        const std::string &source)
+{
+  require_no_rows_of_digits(grid, image, source);
+  const Ratio ratio = ratio_of(grid, image, source);
+  if (!reading.oblong_pixels)
+    require_square_pixels(grid, image, source);
+  const std::vector<long> values = values_of_phases(image, reading, source);
+
+  ImageMap result;
+  result.map.grid = grid;
+  result.pixels   = {{image.width, image.height}};
+  std::map<long, std::uint8_t> phase_of;
+  for (std::size_t p = 0; p < values.size(); ++p)
+    {
+      phase_of[values[p]] = static_cast<std::uint8_t>(p);
+      result.phases.push_back({value_text(image, values[p]), 0, 0.});
+    }
+  std::vector<std::uint8_t> phase(image.values.size());
+  for (std::size_t i = 0; i < phase.size(); ++i)
+    {
+      phase[i] = phase_of.at(image.values[i]);
+      ++result.phases[phase[i]].n_pixels;
+    }
+  for (ImagePhase &p : result.phases)
+    p.fraction = static_cast<double>(p.n_pixels) / static_cast<double>(phase.size());
+
+  result.map.id = phases_of_cells(grid, ratio, phase, image.width, values.size());
+  return result;
+}
+
+ImageMap read_phase_map(const UniformGrid<2> &grid,
+                        const std::string &file,
+                        const ImageReading &reading)
+{
+  return map_from_image(grid, read_image(file), reading, file);
+}
+} // namespace mesoslip

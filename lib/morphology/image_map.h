@@ -1,0 +1,65 @@
+#ifndef mesoslip_morphology_image_map_h
+#define mesoslip_morphology_image_map_h
+
+#include "grid/phase_map.h"
+#include "io/image.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** How an image is to be read. */
+struct ImageReading
+{
+  /** `values[p]` is the image value of phase p; empty: those that occur, ascending. */
+  std::vector<long> values;
+  unsigned int n_phases = 0;     ///< of `Phases/Names`
+  bool oblong_pixels    = false; ///< pixels need not be squares in the body
+};
+
+/** What one phase is in an image. */
+struct ImagePhase
+{
+  std::string value;         ///< for messages: "200", or of colours "#ff0000 (16711680)"
+  std::size_t n_pixels = 0;  ///< of this value
+  double fraction      = 0.; ///< of all pixels
+};
+
+/** A morphology that was drawn as an image. */
+struct ImageMap
+{
+  PhaseMap<2> map;                ///< phase of each cell
+  std::vector<ImagePhase> phases; ///< by phase
+  /** Numbers of pixels along x and y. */
+  std::array<unsigned int, 2> pixels = {};
+};
+
+/**
+ * The morphology drawn in an image; the top row of the picture is the top of the box.
+ *
+ * Along each direction the pixels are the cells, or one number is a whole multiple of the
+ * other, in both directions alike: a pixel becomes a block of cells, or a cell takes the
+ * phase that most of its pixels have. Where several phases have as many, it takes the one
+ * that lies furthest below its share of the pixels, counted cell by cell along the rows
+ * from the bottom up to this cell (then the first of them): so ties change no fraction by
+ * more than a cell.
+ *
+ * Throws UserError, beginning with @p source, when sizes do not fit, when pixels are
+ * oblong by more than 1 % and should not be, and when it is not clear which value is
+ * which phase: a value belongs to no phase or, without `values`, there are not as many
+ * values as phases.
+ */
+ImageMap map_from_image(const UniformGrid<2> &grid,
+                        const Image &image,
+                        const ImageReading &reading,
+                        const std::string &source);
+
+/** map_from_image() of a file: PNG or plain text, see read_image(). */
+ImageMap read_phase_map(const UniformGrid<2> &grid,
+                        const std::string &file,
+                        const ImageReading &reading);
+} // namespace mesoslip
+
+#endif

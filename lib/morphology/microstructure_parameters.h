@@ -1,0 +1,109 @@
+#ifndef mesoslip_morphology_microstructure_parameters_h
+#define mesoslip_morphology_microstructure_parameters_h
+
+#include "grid/phase_map.h"
+#include "material/phase.h"
+#include "morphology/grid_parameters.h"
+#include "morphology/phase_parameters.h"
+#include "morphology/random_fibres.h"
+#include "morphology/rectangles.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+class Keys;
+
+/** Where the rules of random fibres stand in a .prm. */
+inline const std::string random_fibres_section = "Microstructure/Random fibres";
+
+/** Whether two lengths have a ratio that is a whole number of at least one. */
+inline bool is_multiple(const double length, const double unit)
+{
+  const double ratio = length / unit;
+  return ratio > 0.5 && std::abs(ratio - std::round(ratio)) <= 1e-6 * ratio;
+}
+
+/**
+ * Sections `Grid`, `Phases` and `Microstructure`: everything that determines which cell
+ * is made of what.
+ */
+struct MicrostructureParameters
+{
+  /** Where the morphology comes from. */
+  enum class Type
+  {
+    homogeneous,
+    random_fibres,
+    rectangles,
+    image
+  };
+
+  GridParameters grid;    ///< section Grid
+  PhaseParameters phases; ///< section Phases
+
+  Type type = Type::random_fibres; ///< key Type
+
+  /** Rectangles (CSV) or image (PNG, plain text). */
+  std::string file;
+
+  /** Image value of each phase; empty: distinct values in ascending order. */
+  std::vector<long> image_values;
+
+  /** Pixels of the image need not be squares in the body. */
+  bool oblong_pixels = false;
+
+  FibrePlacement placement; ///< rules of random fibres
+
+  /** Name of the phase the fibres are made of; empty: the second one. */
+  std::string fibre_phase;
+
+  /** Edge (m) of the square cells on which fibres are placed; 0: the cells of the grid.
+   */
+  double placement_spacing = 0.;
+
+  /** Binds the keys of all three sections. */
+  void bind(Keys &keys);
+
+  /** Throws UserError for keys of all three sections that others leave without effect. */
+  static void check_keys(const Keys &keys);
+
+  /**
+   * Throws UserError: every section's own checks and those across sections. Files
+   * are read, random fibres are not placed.
+   */
+  void check() const;
+
+  /** The grid that fibres are placed on: the grid itself or a coarser one. */
+  UniformGrid<2> placement_grid() const;
+
+  /** Index of the phase of the fibres; throws UserError when there is none. */
+  unsigned int fibre_phase_index() const;
+};
+
+/** A morphology with the materials it is made of. */
+struct Microstructure
+{
+  PhaseMap<2> map;              ///< phase of each cell
+  std::vector<Phase<2>> phases; ///< by index
+
+  /** Placed or read rectangles in the order of drawing; empty for the other types. */
+  std::vector<Rectangle> rectangles;
+
+  /** Lines for the log: where it comes from; value, cells and material of each phase. */
+  std::vector<std::string> description;
+
+  /** Sentences for the log: target not reached, sizes rounded to the grid. */
+  std::vector<std::string> warnings;
+};
+
+/**
+ * Places, draws or reads the morphology. @p parameters have passed check(). All ranks get
+ * the same. Throws UserError when a file does not fit.
+ */
+Microstructure make_microstructure(const MicrostructureParameters &parameters);
+} // namespace mesoslip
+
+#endif

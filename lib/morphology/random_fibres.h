@@ -1,0 +1,89 @@
+#ifndef mesoslip_morphology_random_fibres_h
+#define mesoslip_morphology_random_fibres_h
+
+#include "morphology/rectangles.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace mesoslip
+{
+/** What the target area fraction of placed fibres counts. */
+enum class FractionRule
+{
+  /** Area of the cells that end up in a fibre: fibres are added until it is reached. */
+  actual,
+  /** Sum of the fibres' areas (as far as inside the box), overlaps counted twice. */
+  nominal
+};
+
+/** Rules of random placement; lengths in metres. The defaults are the paper's pin. */
+struct FibrePlacement
+{
+  std::uint64_t seed         = 1;      ///< the same seed gives the same morphology
+  double width               = 0.1e-3; ///< m
+  double min_height          = 1.2e-3; ///< m
+  double max_height          = 3.6e-3; ///< m
+  double area_fraction       = 0.1;    ///< target, 0 to 1
+  FractionRule fraction_rule = FractionRule::actual; ///< what counts for the target
+
+  /** Fibres may share cells. */
+  bool allow_overlap = false;
+
+  /** Without overlaps: free distance between the cells of two fibres, in x or in y. */
+  double minimum_gap = 0.;
+
+  /** Fibres may stick out of the box and are cut; otherwise they lie inside. */
+  bool cut_by_border = false;
+
+  /**
+   * Edges lie on cell edges: width and heights are rounded to whole cells (at least
+   * one), positions are whole numbers of cells. Otherwise positions and heights are
+   * continuous and a cell belongs to a fibre when its centre does.
+   */
+  bool align_to_grid = true;
+
+  /** Rule actual: shorten the last fibre so that the target is met as closely as
+   * possible; otherwise the last whole fibre stays when that is closer to the target. */
+  bool trim_last = true;
+
+  std::uint8_t phase = 1; ///< index of the fibres' phase
+};
+
+/** Morphology made by place_random_fibres(). */
+struct FibreMorphology
+{
+  PhaseMap<2> map; ///< 0: matrix; fibres as FibrePlacement::phase says
+
+  /** In the order of placement. Cut fibres are listed whole, trimmed ones trimmed. */
+  std::vector<Rectangle> fibres;
+
+  /** Area of fibre cells over area of the box. */
+  double actual_fraction = 0.;
+
+  /** Sum of the fibres' areas inside the box over area of the box. */
+  double nominal_fraction = 0.;
+
+  /** False when no further fibre fitted in before the target was reached. */
+  bool target_reached = false;
+
+  /** The fraction that the rule counts. */
+  double reached_fraction(const FractionRule rule) const
+  {
+    return rule == FractionRule::actual ? actual_fraction : nominal_fraction;
+  }
+};
+
+/**
+ * Random sequential placement of vertical fibres. Heights are uniform in their range,
+ * positions uniform over all places the rules allow. Where a place is taken another is
+ * drawn; after many vain draws the places left inside the box are enumerated on the
+ * grid, and heights that fit in nowhere are no longer drawn. Ends when the target is
+ * reached or nothing fits in. The same seed gives the same morphology on every machine
+ * (mersenne twister and our own mapping to numbers).
+ */
+FibreMorphology place_random_fibres(const UniformGrid<2> &grid,
+                                    const FibrePlacement &placement);
+} // namespace mesoslip
+
+#endif

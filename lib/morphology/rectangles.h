@@ -1,0 +1,52 @@
+#ifndef mesoslip_morphology_rectangles_h
+#define mesoslip_morphology_rectangles_h
+
+#include "morphology/cell_box.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** An axis-parallel rectangle of one phase, lengths in metres. */
+struct Rectangle
+{
+  double x_left;          ///< m
+  double y_bottom;        ///< m
+  double width;           ///< m
+  double height;          ///< m
+  std::uint8_t phase = 1; ///< index
+};
+
+/**
+ * The cells that belong to a rectangle: those whose centre lies inside
+ * [x_left, x_left + width) x [y_bottom, y_bottom + height). Edges count as displaced by
+ * -1e-6 of a cell, so that an edge which is a cell centre up to round-off is treated
+ * the same way everywhere. Clipped at the box; empty when no centre is inside.
+ */
+CellBox covered_cells(const UniformGrid<2> &grid, const Rectangle &rectangle);
+
+/**
+ * Draws rectangles on a background of phase 0; where they overlap the later one wins.
+ * Rectangles that leave the box are cut. Throws UserError, naming the number of the
+ * rectangle and @p source, when one lies wholly outside or covers no cell centre.
+ */
+PhaseMap<2> draw_rectangles(const UniformGrid<2> &grid,
+                            const std::vector<Rectangle> &rectangles,
+                            const std::string &source = "list of rectangles");
+
+/**
+ * Reads `x_left_mm,y_bottom_mm,width_mm,height_mm[,phase]`, lengths in millimetres;
+ * phase 1 where the column is missing. Empty lines and lines starting with # are skipped.
+ * With a @p grid, rectangles that lie wholly outside it or cover no cell centre are
+ * errors, too. Throws UserError with file and line.
+ */
+std::vector<Rectangle> read_rectangles(const std::string &file,
+                                       const UniformGrid<2> *grid = nullptr);
+
+/** Writes what read_rectangles() reads, to the picometre. Throws UserError. */
+void write_rectangles(const std::string &file, const std::vector<Rectangle> &rectangles);
+} // namespace mesoslip
+
+#endif

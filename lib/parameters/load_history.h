@@ -1,0 +1,97 @@
+#ifndef mesoslip_parameters_load_history_h
+#define mesoslip_parameters_load_history_h
+
+#include <memory>
+#include <string>
+
+namespace mesoslip
+{
+/** How a load grows from zero to its amplitude. */
+enum class Ramp
+{
+  step,
+  linear,
+  smooth
+};
+
+/** @throws std::invalid_argument unless @p name is step, linear or smooth. */
+Ramp ramp_from_string(const std::string &name);
+
+/**
+ * A load (pressure, velocity of the flat) as a function of time: an amplitude times a
+ * ramp, or an expression in `t` (seconds) as deal.II's FunctionParser reads it.
+ */
+class LoadHistory
+{
+public:
+  /** amplitude * s(t / ramp_time), s = 1 (step), t/T (linear), (1 - cos(pi t/T))/2
+   * (smooth). */
+  LoadHistory(const double amplitude = 0.,
+              const Ramp ramp        = Ramp::step,
+              const double ramp_time = 0.);
+
+  /**
+   * The value of an expression such as `2*cos(2*pi*1000*t)`; amplitude() stays
+   * @p amplitude, the scale that energies are made dimensionless with.
+   * @throws std::invalid_argument when the expression cannot be parsed, has a comma
+   * where no argument ends, which is taken for a decimal one, sets a variable or has
+   * random numbers.
+   */
+  LoadHistory(const double amplitude, const std::string &expression);
+
+  ~LoadHistory();
+
+  /** Copies expression and amplitude. */
+  LoadHistory(const LoadHistory &);
+
+  /** Moves the parsed expression. */
+  LoadHistory(LoadHistory &&) noexcept;
+
+  /** Copies expression and amplitude. */
+  LoadHistory &operator=(const LoadHistory &);
+
+  /** Moves the parsed expression. */
+  LoadHistory &operator=(LoadHistory &&) noexcept;
+
+  /** Value at @p time (s), in the unit of the amplitude. */
+  double operator()(const double time) const;
+
+  /** Whether the value is known to stay the same from @p time (s) on; an expression's is
+   * not. */
+  bool is_constant_from(const double time) const
+  {
+    return !expression && (ramp == Ramp::step || time >= ramp_time);
+  }
+
+  /** "step", "linear", "smooth", or the expression. */
+  std::string shape() const;
+
+  /** Of the ramp (s); 0 for a step and an expression. */
+  double duration() const
+  {
+    return ramp == Ramp::step ? 0. : ramp_time;
+  }
+
+  /** Factor before the expression. */
+  double amplitude() const
+  {
+    return scale;
+  }
+
+  /** Whether it is given as an expression, which amplitude() says nothing about. */
+  bool is_expression() const
+  {
+    return expression != nullptr;
+  }
+
+private:
+  struct Expression;
+
+  double scale     = 0.;
+  Ramp ramp        = Ramp::step;
+  double ramp_time = 0.;
+  std::shared_ptr<const Expression> expression;
+};
+} // namespace mesoslip
+
+#endif

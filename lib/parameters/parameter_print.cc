@@ -1,0 +1,151 @@
+#include "parameters/keys.h"
+
+#include <algorithm>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <utility>
+
+namespace mesoslip
+{
+namespace
+{
+/** Prints @p text as comment lines of at most 90 columns. */
+void print_comment(std::ostream &out, const std::string &indent, const std::string &text)
+{
+  std::istringstream words(text);
+  std::string line = indent + "#", word;
+  while (words >> word)
+    {
+      if (line.size() + 1 + word.size() > 90 && line.size() > indent.size() + 1)
+        {
+          out << line << '\n';
+          line = indent + "#";
+        }
+      line += " " + word;
+    }
+  out << line << '\n';
+}
+
+std::vector<std::string> path_parts(const std::string &path)
+{
+  std::vector<std::string> parts;
+  std::istringstream in(path);
+  std::string part;
+  while (std::getline(in, part, '/'))
+    parts.push_back(part);
+  return parts;
+}
+
+/** So that no comment begins in it. */
+std::string with_escaped_hashes(const std::string &value)
+{
+  std::string text;
+  for (const char c : value)
+    text += c == '#' ? std::string("\\#") : std::string(1, c);
+  return text;
+}
+
+/** Closes and opens subsections on the way from @p from to @p to. */
+void change_section(std::ostream &out,
+                    const std::vector<std::string> &from,
+                    const std::vector<std::string> &to)
+{
+  std::size_t common = 0;
+  while (common < from.size() && common < to.size() && from[common] == to[common])
+    ++common;
+  for (std::size_t depth = from.size(); depth > common; --depth)
+    out << std::string(2 * (depth - 1), ' ') << "end\n";
+  for (std::size_t depth = common; depth < to.size(); ++depth)
+    out << '\n' << std::string(2 * depth, ' ') << "subsection " << to[depth] << '\n';
+}
+} // namespace
+
+void print_parameters(const Keys &keys, std::ostream &out)
+{
+  std::vector<std::string> open;
+  for (const Key &key : keys.all())
+    {
+      const std::vector<std::string> section = path_parts(key.section);
+      change_section(out, open, section);
+      open                     = section;
+      const std::string indent = std::string(2 * open.size(), ' ');
+      std::string text = key.meaning + (key.meaning.empty() ? "" : "; ") + key.allowed;
+      if (key.value != key.default_value)
+        text +=
+          "; default: " + (key.default_value.empty() ? "nothing" : key.default_value);
+      print_comment(out, indent, text);
+      out << indent << "set " << key.name << " =" << (key.value.empty() ? "" : " ")
+          << with_escaped_hashes(key.value) << '\n';
+    }
+  change_section(out, open, {});
+}
+
+std::string canonical_parameters(const Keys &keys, const std::vector<std::string> &skip)
+{
+  std::string text;
+  const auto skipped = [&](const Key &key) {
+    return std::any_of(skip.begin(), skip.end(), [&](const std::string &s) {
+      return s.back() == '/' ? key.path().rfind(s, 0) == 0 : key.path() == s;
+    });
+  };
+  for (const Key &key : keys.all())
+    if (!skipped(key))
+      {
+        // The content of a file counts, not where it lies; add it with
+        // Digest::add_file().
+        const bool file = key.is_input && !key.value.empty();
+        text += key.path() + " = " + (file ? "<file>" : key.value) + "\n";
+      }
+  return text;
+}
+
+namespace
+{
+/** Key and value of each line, in their order. */
+std::vector<std::pair<std::string, std::string>> key_values(const std::string &text)
+{
+  std::vector<std::pair<std::string, std::string>> pairs;
+  std::istringstream in(text);
+  std::string line;
+  while (std::getline(in, line))
+    {
+      const auto equal = line.find(" = ");
+      pairs.emplace_back(line.substr(0, equal),
+                         equal == std::string::npos ? "" : line.substr(equal + 3));
+    }
+  return pairs;
+}
+} // namespace
+
+std::string parameter_differences(const std::string &now, const std::string &before)
+{
+  constexpr std::size_t shown = 5;
+  std::vector<std::string> found;
+  const auto new_pairs = key_values(now), old_pairs = key_values(before);
+  std::map<std::string, std::string> rest(old_pairs.begin(), old_pairs.end());
+  const auto quoted = [](const std::string &value) {
+    return value.empty() ? "empty" : value;
+  };
+  for (const auto &[key, value] : new_pairs)
+    {
+      const auto old = rest.find(key);
+      if (old == rest.end())
+        found.push_back(key + " is new (" + quoted(value) + ")");
+      else if (old->second != value)
+        found.push_back(key + " is " + quoted(value) + " instead of " +
+                        quoted(old->second));
+      if (old != rest.end())
+        rest.erase(old);
+    }
+  for (const auto &[key, value] : rest)
+    found.push_back(key + " is gone (" + quoted(value) + ")");
+
+  std::string text;
+  for (std::size_t i = 0; i < std::min(found.size(), shown); ++i)
+    text += (i > 0 ? ", " : "") + found[i];
+  if (found.size() > shown)
+    text += " and " + std::to_string(found.size() - shown) + " more";
+  return text;
+}
+} // namespace mesoslip

@@ -1,0 +1,94 @@
+#ifndef mesoslip_parameters_raw_parameters_h
+#define mesoslip_parameters_raw_parameters_h
+
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * The `set` lines of a .prm file and the --set options, before anything is known
+ * about which keys exist; Keys takes it over.
+ */
+class RawParameters
+{
+public:
+  /** One assignment and where it came from. */
+  struct Entry
+  {
+    /** "Section/Sub section/Key". */
+    std::string path;
+    std::string value; ///< text as typed
+    /** 0 for a --set option. */
+    unsigned int line = 0;
+  };
+
+  /** Nothing set: what --print-parameters without a file sees. */
+  RawParameters() = default;
+
+  /**
+   * Parses the text of a .prm. @throws UserError "<file>:<line>: ..." for anything that
+   * is not `set`, `subsection`, `end`, a comment or blank, for unbalanced subsections
+   * and for a key that is set twice.
+   */
+  static RawParameters parse(const std::string &text, const std::string &file);
+
+  /** Applies 'Section/Key=value'. @throws UserError when there is no '='. */
+  void override_with(const std::string &assignment);
+
+  /** Text of a key, or @p fallback. Upper and lower case matter. */
+  std::string get(const std::string &path, const std::string &fallback) const;
+
+  /**
+   * Comma separated items of a key (or @p fallback), each once, where every item is the
+   * name of a subsection. @p kind, such as "phase", is what they are. @throws UserError
+   * for a name that no line of a .prm can say.
+   */
+  std::vector<std::string> section_names(const std::string &path,
+                                         const std::vector<std::string> &fallback,
+                                         const std::string &kind) const;
+
+  /** Whether the .prm or --set names the key. */
+  bool has(const std::string &path) const;
+
+  /** A subsection of the .prm. */
+  struct Subsection
+  {
+    std::string path;      ///< "Section/Sub section"
+    unsigned int line = 0; ///< where it is entered first, from 1
+  };
+
+  /** All subsections of the .prm, in the order of their lines. */
+  const std::vector<Subsection> &subsections() const
+  {
+    return sections;
+  }
+
+  /** In the order of the file, those of --set behind. */
+  const std::vector<Entry> &entries() const
+  {
+    return all_entries;
+  }
+
+  /** The folder of the .prm: where its relative paths start. */
+  std::string folder() const;
+
+  /** "file.prm:12" or "--set 'Section/Key=value'". */
+  std::string origin(const Entry &entry) const;
+
+  /** "file.prm:12". */
+  std::string origin(const Subsection &section) const
+  {
+    return file_name + ":" + std::to_string(section.line);
+  }
+
+private:
+  const Entry *find(const std::string &path) const;
+
+  std::string file_name;
+  std::vector<Entry> all_entries;
+  std::vector<Subsection> sections;
+};
+} // namespace mesoslip
+
+#endif

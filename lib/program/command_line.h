@@ -1,0 +1,33 @@
+#ifndef mesoslip_program_command_line_h
+#define mesoslip_program_command_line_h
+
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** The words after the program's name, understood. */
+struct CommandLine
+{
+  bool help             = false; ///< --help
+  bool version          = false; ///< --version
+  bool print_parameters = false; ///< --print-parameters
+  bool validate         = false; ///< --validate: check, but do not run
+  bool resume           = false; ///< --resume: go on from the checkpoint
+  bool quiet            = false; ///< --quiet
+  bool profile          = false; ///< --profile: print the timings
+  std::string output;            ///< folder after --output; empty: that of the .prm
+  std::string prm_file;          ///< path as typed
+  std::vector<std::string> assignments; ///< 'Section/Key=value' after each --set
+
+  /** @throws UserError for unknown options, several files, or none where one is needed.
+   */
+  static CommandLine parse(int argc, char **argv);
+
+  /** What --help prints. */
+  static std::string help_text(const std::string &program,
+                               const std::string &description);
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,223 @@
+#include "program/program.h"
+
+#include "base/collective.h"
+#include "base/errors.h"
+#include "base/files.h"
+#include "base/mpi_start.h"
+#include "base/version.h"
+#include "io/hdf5_file.h"
+#include "parameters/keys.h"
+#include "program/command_line.h"
+#include "program/interrupt.h"
+#include "program/outcome.h"
+#include "program/output_folder.h"
+#include "program/run_context.h"
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+constexpr char output_key[] = "Output folder";
+
+/** The .prm as text and as entries, the same on all ranks. */
+struct ParameterFile
+{
+  std::string text;
+  RawParameters raw;
+};
+
+ParameterFile read_parameter_file(const CommandLine &line, const MPI_Comm communicator)
+{
+  ParameterFile file;
+  if (!line.prm_file.empty())
+    {
+      on_root(communicator, [&]() {
+        file.text = read_file(line.prm_file);
+        if (file.text.find_first_not_of(" \t\r\n") == std::string::npos)
+          throw UserError(line.prm_file +
+                          " is empty; --print-parameters shows what it may contain");
+      });
+      broadcast(communicator, file.text);
+      file.raw = RawParameters::parse(file.text, line.prm_file);
+    }
+  for (const std::string &assignment : line.assignments)
+    file.raw.override_with(assignment);
+  if (!line.prm_file.empty() && file.raw.entries().empty())
+    throw UserError(line.prm_file +
+                    " sets no key: there is no line 'set Key = value' in it; "
+                    "--print-parameters shows the keys");
+  return file;
+}
+
+std::string choose_output_folder(const CommandLine &line, const Keys &keys)
+{
+  if (!line.output.empty())
+    return line.output;
+  const std::string &folder = keys.value(output_key);
+  if (!folder.empty())
+    return folder;
+  return "output/" + std::filesystem::path(line.prm_file).stem().string();
+}
+
+/** What was asked for only to be printed has to arrive. */
+void require_printed()
+{
+  if (!std::cout.flush())
+    throw UserError("the standard output cannot be written; is the disk full?");
+}
+
+void validate(const Analysis &analysis,
+              const CommandLine &line,
+              const std::string &folder)
+{
+  std::ostringstream report;
+  analysis.describe(report);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0 || line.quiet)
+    return;
+  std::cout << line.prm_file << ": the parameters are valid; the results would go to "
+            << folder << '\n'
+            << report.str();
+  require_printed();
+}
+
+void run(Analysis &analysis,
+         const Program &program,
+         const Keys &keys,
+         const CommandLine &line,
+         const std::string &original,
+         const MPI_Comm communicator)
+{
+  RunOptions options;
+  options.program       = program.name;
+  options.prm_file      = line.prm_file;
+  options.output_folder = choose_output_folder(line, keys);
+  options.resume        = line.resume && analysis.resumable();
+  options.quiet         = line.quiet;
+  options.profile       = line.profile;
+
+  std::ostringstream effective;
+  effective << "# " << program.name << ' ' << version << ": all parameters of this run\n";
+  print_parameters(keys, effective);
+
+  RunContext context(options, communicator, original, effective.str());
+  install_interrupt_handlers();
+  if (line.resume && !options.resume)
+    context.log("--resume: a run of this kind keeps no checkpoints, it starts from the "
+                "beginning");
+  try
+    {
+      analysis.run(context);
+      if (!context.has_begun())
+        return;
+      context.progress().finish();
+      context.write_summary();
+      context.log("done in " + duration_text(context.timer().total()));
+    }
+  catch (const std::exception &)
+    {
+      context.progress().finish();
+      context.log_to_file("stopped: " + describe_current_exception().message);
+      throw;
+    }
+  if (options.profile && context.root())
+    context.timer().print(std::cout);
+}
+
+void do_what_is_asked(const CommandLine &line,
+                      const Program &program,
+                      const MPI_Comm communicator)
+{
+  const bool root = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  if (line.help || line.version)
+    {
+      if (root)
+        std::cout << (line.help
+                        ? CommandLine::help_text(program.name, program.description)
+                        : program.name + " (mesoslip) " + version + "\n");
+      return require_printed();
+    }
+  const ParameterFile file = read_parameter_file(line, communicator);
+  Keys keys(file.raw);
+  std::string output;
+  keys.bind(output_key, output,
+            "Folder for the results, relative to the current folder; empty: "
+            "output/<name of the .prm>");
+  program.declare(keys);
+  keys.apply();
+  if (program.check_keys)
+    program.check_keys(keys);
+  if (line.print_parameters)
+    {
+      if (root)
+        {
+          std::cout << "# " << program.name << ' ' << version << '\n';
+          print_parameters(keys, std::cout);
+        }
+      return require_printed();
+    }
+  const std::string folder = choose_output_folder(line, keys);
+  on_root(communicator, [&]() {
+    check_output_folder(folder, kind_of_run(program.name, keys), input_paths(keys));
+  });
+  const std::unique_ptr<Analysis> analysis = program.build(keys);
+  if (!line.resume) // a run to be resumed has had its place on the disk
+    on_root(communicator, [&]() { require_disk(folder, analysis->need()); });
+  if (line.validate)
+    validate(*analysis, line, folder);
+  else
+    run(*analysis, program, keys, line, file.text, communicator);
+}
+} // namespace
+
+void Analysis::describe(std::ostream &) const
+{
+}
+
+int run_program(int argc, char **argv, const Program &program)
+{
+  // A limit of the file size ("ulimit -f") is an error in writing like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try
+    {
+      prepare_mpi_of_one_process();
+      // Its destructor gives up when it sees an exception: none passes this line.
+      dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+      dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+      // Of its own, so that concluding meets no message of ranks still at work.
+      MPI_Comm concluding =
+        dealii::Utilities::MPI::duplicate_communicator(MPI_COMM_WORLD);
+      Outcome outcome;
+      try
+        {
+          do_what_is_asked(CommandLine::parse(argc, argv), program, MPI_COMM_WORLD);
+        }
+      catch (...)
+        {
+          outcome = describe_current_exception();
+        }
+      const int status = conclude(concluding, program.name, outcome);
+      dealii::Utilities::MPI::free_communicator(concluding);
+      if (Hdf5File::writing_has_failed())
+        {
+          std::cout << std::flush;
+          std::_Exit(status);
+        }
+      return status;
+    }
+  catch (...)
+    {
+      const Outcome outcome = describe_current_exception();
+      std::cerr << program.name << ": " << outcome.message << std::endl;
+      return static_cast<int>(outcome.status);
+    }
+}
+} // namespace mesoslip

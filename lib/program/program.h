@@ -1,0 +1,80 @@
+#ifndef mesoslip_program_program_h
+#define mesoslip_program_program_h
+
+#include "program/resources.h"
+
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <string>
+
+namespace mesoslip
+{
+class Keys;
+class RunContext;
+
+/**
+ * A computation whose parameters and input files have been read and checked. All
+ * functions are called on every rank.
+ */
+class Analysis
+{
+public:
+  virtual ~Analysis() = default;
+
+  /** What the results take on the disk, to be compared with the free space. */
+  virtual ResourceNeed need() const
+  {
+    return {};
+  }
+
+  /**
+   * Prints memory, steps and the like for --validate. Only what rank 0 writes to @p out
+   * is shown.
+   */
+  virtual void describe(std::ostream &out) const;
+
+  /**
+   * Whether it writes checkpoints, so that run() has to heed RunContext::resume(). Others
+   * start from the beginning with --resume as well.
+   */
+  virtual bool resumable() const
+  {
+    return false;
+  }
+
+  /** The work itself. */
+  virtual void run(RunContext &context) = 0;
+};
+
+/** What distinguishes one application from another. */
+struct Program
+{
+  std::string name;        ///< as typed in the shell
+  std::string description; ///< one line for --help
+
+  /** Binds all keys, to declare them. "Output folder" is declared already. */
+  std::function<void(Keys &keys)> declare;
+
+  /**
+   * Refuses keys that others leave without effect; called before anything is printed.
+   * @throws UserError
+   */
+  std::function<void(const Keys &keys)> check_keys;
+
+  /**
+   * Reads the keys and the input files, and checks both, cheaply; always called, before
+   * anything is created. @throws UserError
+   */
+  std::function<std::unique_ptr<Analysis>(Keys &keys)> build;
+};
+
+/**
+ * The main function of an application: options, parameters, output folder, log,
+ * timings, summary.json, exit status (ExitStatus). Errors are printed once, to stderr, as
+ * `<program>: <sentence>`; nothing escapes.
+ */
+int run_program(int argc, char **argv, const Program &program);
+} // namespace mesoslip
+
+#endif

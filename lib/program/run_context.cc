@@ -1,0 +1,199 @@
+#include "program/run_context.h"
+
+#include "base/collective.h"
+#include "base/errors.h"
+#include "base/files.h"
+#include "base/version.h"
+#include "program/interrupt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace mesoslip
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/** Creates the folder with its parents. */
+void make_folder(const std::string &folder)
+{
+  std::error_code code;
+  if (fs::exists(folder, code) && !fs::is_directory(folder, code))
+    throw UserError(folder +
+                    " exists and is not a folder; give another one with --output");
+  fs::create_directories(folder, code);
+  if (code)
+    throw UserError("the output folder " + folder + " cannot be created (" +
+                    code.message() + ")");
+}
+
+std::string date_and_time()
+{
+  const std::time_t now = std::time(nullptr);
+  char text[32];
+  std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M:%S", std::localtime(&now));
+  return text;
+}
+
+/** Throws for the first number that is not finite; JSON would turn it into null. */
+void require_finite(const nlohmann::json &node, const std::string &path)
+{
+  if (node.is_number_float() && !std::isfinite(node.get<double>()))
+    throw NumericalFailure("summary.json: '" + path + "' is not a finite number");
+  if (node.is_object())
+    for (const auto &[key, child] : node.items())
+      require_finite(child, path.empty() ? key : path + "/" + key);
+  if (node.is_array())
+    for (std::size_t i = 0; i < node.size(); ++i)
+      require_finite(node[i], path + "[" + std::to_string(i) + "]");
+}
+} // namespace
+
+std::size_t peak_memory_bytes()
+{
+  struct rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+RunContext::RunContext(const RunOptions &options,
+                       const MPI_Comm communicator,
+                       const std::string &original,
+                       const std::string &effective)
+  : run_options(options)
+  , comm(communicator)
+  , run_summary(std::make_unique<nlohmann::json>())
+  , original_parameters(original)
+  , effective_parameters(effective)
+  , next_look(std::chrono::steady_clock::now())
+{
+  MPI_Comm_rank(comm, &my_rank);
+  MPI_Comm_size(comm, &size);
+  const bool quiet = run_options.quiet || !root();
+  progress_display = std::make_unique<Progress>(std::cout, Progress::choose_mode(quiet));
+  on_root(comm, [&]() {
+    if (run_options.resume && !fs::is_directory(output_folder()))
+      throw UserError("there is nothing to resume: the output folder " + output_folder() +
+                      " does not exist");
+    make_folder(output_folder());
+    lock = std::make_unique<FolderLock>(output_folder());
+    std::error_code ignored;
+    fs::remove(file("terminate"), ignored);
+    log_file.open(file("log.txt"), run_options.resume ? std::ios::app : std::ios::trunc);
+    if (!log_file)
+      throw UserError(file("log.txt") + ": cannot be written (" + system_message() + ")");
+  });
+
+  *run_summary = {{"program", run_options.program},
+                  {"version", version},
+                  {"dim", nullptr},
+                  {"cells", nullptr},
+                  {"dofs", nullptr},
+                  {"ranks", size},
+                  {"warnings", nlohmann::json::array()}};
+  log(run_options.program + " " + version + ", " + std::to_string(size) +
+      (size == 1 ? " process, " : " processes, ") + date_and_time() + ", " +
+      run_options.prm_file + " -> " + output_folder());
+  if (!run_options.resume)
+    begin();
+}
+
+RunContext::~RunContext() = default;
+
+void RunContext::begin()
+{
+  begun = true;
+  on_root(comm, [&]() {
+    std::error_code ignored;
+    fs::remove(file("summary.json"), ignored);
+    write_file(file("original.prm"), original_parameters);
+    write_file(file("parameters.prm"), effective_parameters);
+  });
+}
+
+void RunContext::remove_results(const std::vector<std::string> &names)
+{
+  std::error_code ignored;
+  for (const std::string &name : names)
+    for (const std::string &path : {file(name), file(name + ".part")})
+      if (root() && fs::is_regular_file(path, ignored))
+        fs::remove(path, ignored);
+}
+
+std::string RunContext::file(const std::string &name) const
+{
+  return output_folder() + "/" + name;
+}
+
+void RunContext::log(const std::string &line)
+{
+  if (!root())
+    return;
+  log_file << line << std::endl;
+  if (run_options.quiet)
+    return;
+  progress_display->clear();
+  std::cout << line << std::endl;
+}
+
+void RunContext::log_to_file(const std::string &line)
+{
+  if (root())
+    log_file << line << std::endl;
+}
+
+void RunContext::warn(const std::string &line)
+{
+  if (!root())
+    return;
+  nlohmann::json &warnings = (*run_summary)["warnings"];
+  if (std::find(warnings.begin(), warnings.end(), line) == warnings.end())
+    warnings.push_back(line);
+  log_file << "warning: " << line << std::endl;
+  progress_display->clear();
+  std::cerr << run_options.program << ": warning: " << line << std::endl;
+}
+
+bool RunContext::stop_requested_here()
+{
+  if (interrupt_received())
+    return true;
+  const auto now = std::chrono::steady_clock::now();
+  if (!root() || now < next_look)
+    return false;
+  next_look = now + std::chrono::milliseconds(250);
+  return terminate_file_exists(output_folder());
+}
+
+bool RunContext::stop_requested()
+{
+  int stop = stop_requested_here() ? 1 : 0;
+  if (size > 1)
+    MPI_Allreduce(MPI_IN_PLACE, &stop, 1, MPI_INT, MPI_MAX, comm);
+  return stop != 0;
+}
+
+void RunContext::write_summary()
+{
+  unsigned long long memory = peak_memory_bytes();
+  if (size > 1)
+    MPI_Allreduce(MPI_IN_PLACE, &memory, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, comm);
+  (*run_summary)["seconds"]           = run_timer.json();
+  (*run_summary)["peak_memory_bytes"] = memory;
+  on_root(comm, [&]() {
+    require_finite(*run_summary, "");
+    write_file(file("summary.json"), run_summary->dump(2) + "\n");
+  });
+  on_root(comm, [&]() {
+    if (!log_file)
+      throw UserError(file("log.txt") + ": cannot be written (is the disk full?), so the "
+                                        "log is not complete; the results are");
+  });
+}
+} // namespace mesoslip

@@ -1,0 +1,183 @@
+#ifndef mesoslip_program_run_context_h
+#define mesoslip_program_run_context_h
+
+#include "base/timer.h"
+#include "program/lock.h"
+#include "program/progress.h"
+
+#include <mpi.h>
+
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** The command line, as far as it concerns a run. */
+struct RunOptions
+{
+  std::string program;       ///< name, for messages
+  std::string prm_file;      ///< path
+  std::string output_folder; ///< path
+  bool resume  = false;      ///< go on from the checkpoint
+  bool quiet   = false;      ///< nothing on the console but warnings and errors
+  bool profile = false;      ///< print the timings at the end
+};
+
+/**
+ * What a run has around it: its output folder, log, progress, timings and summary.
+ * Members are called by all ranks unless said otherwise; only rank 0 writes.
+ *
+ * Include <nlohmann/json.hpp> to fill the summary.
+ */
+class RunContext
+{
+public:
+  /**
+   * Creates and locks the output folder, opens its log, removes `terminate` and, unless
+   * the run is to be resumed, calls begin(). @p original is the text of the .prm,
+   * @p effective what print_parameters() gave. @throws UserError.
+   */
+  RunContext(const RunOptions &options,
+             const MPI_Comm communicator,
+             const std::string &original,
+             const std::string &effective);
+  ~RunContext();
+  RunContext(const RunContext &)            = delete;
+  RunContext &operator=(const RunContext &) = delete;
+
+  /** Of all ranks of the run. */
+  MPI_Comm communicator() const
+  {
+    return comm;
+  }
+
+  /** Of this process, from 0. */
+  int rank() const
+  {
+    return my_rank;
+  }
+
+  /** Number of processes. */
+  int n_ranks() const
+  {
+    return size;
+  }
+  /** Whether this is rank 0, the one that writes files with HDF5. */
+  bool root() const
+  {
+    return my_rank == 0;
+  }
+
+  /** The command line. */
+  const RunOptions &options() const
+  {
+    return run_options;
+  }
+  /** Whether to continue from the checkpoint in the output folder. */
+  bool resume() const
+  {
+    return run_options.resume;
+  }
+
+  /**
+   * From here on the folder is that of this run: removes an old summary.json, writes
+   * original.prm and parameters.prm. A run that is resumed calls it once it is clear that
+   * it can go on; one that never does leaves the folder as it was.
+   */
+  void begin();
+
+  /**
+   * Removes the files @p names, which this run is going to write anew, from the output
+   * folder, and what an interruption has left of them (`NAME.part`). Rank 0 does.
+   */
+  void remove_results(const std::vector<std::string> &names);
+
+  /** Whether begin() was called. */
+  bool has_begun() const
+  {
+    return begun;
+  }
+
+  /** Path of the output folder, as asked for. */
+  const std::string &output_folder() const
+  {
+    return run_options.output_folder;
+  }
+  /** Path of a file in the output folder. */
+  std::string file(const std::string &name) const;
+
+  /** One line to the console (unless --quiet) and log.txt. */
+  void log(const std::string &line);
+
+  /** One line to log.txt only. */
+  void log_to_file(const std::string &line);
+
+  /**
+   * Writes one sentence to stderr (also with --quiet) and to log.txt, marked as a
+   * warning, and appends it to the list `warnings` of summary.json unless it is there
+   * already. Only rank 0 writes.
+   */
+  void warn(const std::string &line);
+
+  /** The progress display; start() it with the total. */
+  Progress &progress()
+  {
+    return *progress_display;
+  }
+
+  /** Nested timings: `auto scope = context.timer().scope("Operator");`. */
+  Timer &timer()
+  {
+    return run_timer;
+  }
+
+  /**
+   * Becomes summary.json. Prefilled: program, version, dim, cells, dofs (null until
+   * set), ranks, warnings; seconds and peak_memory_bytes are filled in when it is
+   * written.
+   */
+  nlohmann::json &summary()
+  {
+    return *run_summary;
+  }
+
+  /**
+   * Whether to save the state and stop: SIGINT, SIGTERM or a file `terminate` in the
+   * output folder (looked for four times a second, by rank 0). Of this rank only: the
+   * ranks have to agree on it, as stop_requested() does.
+   */
+  bool stop_requested_here();
+
+  /**
+   * The same on all ranks, once one is asked to stop. Collective; cheap on one rank, an
+   * all-reduce on several: call it every few steps.
+   */
+  bool stop_requested();
+
+  /** Writes summary.json; run_program() calls it after a successful run. */
+  void write_summary();
+
+private:
+  RunOptions run_options;
+  MPI_Comm comm;
+  int my_rank = 0;
+  int size    = 1;
+  std::unique_ptr<FolderLock> lock;
+  std::ofstream log_file;
+  std::unique_ptr<Progress> progress_display;
+  Timer run_timer;
+  std::unique_ptr<nlohmann::json> run_summary;
+  const std::string original_parameters, effective_parameters;
+  bool begun = false;
+  std::chrono::steady_clock::time_point next_look;
+};
+
+/** Largest resident memory of this process so far, in bytes. */
+std::size_t peak_memory_bytes();
+} // namespace mesoslip
+
+#endif

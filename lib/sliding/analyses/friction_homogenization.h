@@ -1,0 +1,115 @@
+#ifndef mesoslip_sliding_analyses_friction_homogenization_h
+#define mesoslip_sliding_analyses_friction_homogenization_h
+
+#include "exchange/run_conditions.h"
+#include "homogenization/homogenized_friction.h"
+#include "program/program.h"
+#include "sliding/contact_parameters.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** A transient run as far as eq. (13) is concerned. */
+struct FrictionRun
+{
+  std::string folder;       ///< with its summary.json and dynamics.h5
+  RunConditions conditions; ///< of dynamics.h5
+  std::string change_note;  ///< what to say of dynamics.h5, if it has changed
+  double mu_inter = 0.;     ///< global interface friction coefficient, eq. (9)
+  std::optional<double> contact_duration; ///< T_G (s); unknown without complete landings
+  std::string duration_warning; ///< why T_G should not be used; empty when it may be
+  std::optional<double> regularization_time;  ///< delta (s)
+  std::optional<double> friction_coefficient; ///< local mu; none if it varies by phase
+};
+
+/** What the contact homogenization starts from. */
+struct FrictionHomogenizationInput
+{
+  FrictionRun heterogeneous;              ///< run to be matched
+  std::optional<FrictionRun> homogeneous; ///< its own T_G and mu_inter, if it was run
+
+  /** Phases on the contact line, with surface and with volume fractions as areas. */
+  std::vector<std::string> phase_names;
+  std::vector<ContactPhase> surface; ///< areas are shares of the contact line
+  std::vector<ContactPhase> volume;  ///< areas are volume fractions
+
+  /** Pressures (Pa) of those phases in a static contact analysis; empty without one. */
+  std::vector<double> static_pressures;
+
+  /**
+   * Eq. (17) over the contact nodes of the run with their own coefficients, which differ
+   * from the phases' where phases meet: with eq. (19), and with the static contact
+   * analysis if there is one on the same nodes.
+   */
+  double mu_of_nodes = 0.;
+  std::vector<std::string> warnings;        ///< sentences on the files read
+  std::optional<double> static_mu_of_nodes; ///< with pressures of the static contact
+};
+
+/** One way to the coefficient and the regularization time of the homogeneous model. */
+struct FrictionEstimate
+{
+  std::string pressures;            ///< a choice of the key Pressures from
+  std::string duration;             ///< whose T_G: "heterogeneous", "homogeneous"
+  double mu_homo          = 0.;     ///< eq. (17) with those pressures
+  double contact_duration = 0.;     ///< T_G (s)
+  std::optional<double> delta;      ///< s, eq. (13); none unless mu_inter < mu_homo
+  std::optional<double> calibrated; ///< s, eq. (13) scaled to the homogeneous run
+};
+
+/**
+ * Reads the folders of section Friction homogenization; friction coefficients by phase
+ * come from @p rve_file. @throws UserError naming key, file and what is missing
+ */
+FrictionHomogenizationInput
+read_friction_homogenization(const FrictionHomogenizationParameters &parameters,
+                             const std::string &rve_file);
+
+/**
+ * All estimates that the input allows: mu_homo by eqs (17) to (21), delta by inverting
+ * eq. (13) for the heterogeneous run's mu_inter. The calibrated delta asks eq. (13) only
+ * for the ratio of mu_inter between two deltas: it has to turn the homogeneous run's
+ * mu_inter, taken at that run's delta, into the heterogeneous one's.
+ * @throws UserError when no T_G is known
+ */
+std::vector<FrictionEstimate>
+friction_estimates(const FrictionHomogenizationInput &input);
+
+/**
+ * A warning if the run itself slides with another coefficient than its phases suggest; ""
+ * otherwise.
+ */
+std::string node_warning(const FrictionHomogenizationInput &input);
+
+/** A warning if the T_G that @p chosen uses rests on few nodes; "" otherwise. */
+std::string duration_warning(const FrictionHomogenizationInput &input,
+                             const FrictionEstimate &chosen);
+
+/** The estimate that section Friction homogenization asks for. @throws UserError */
+const FrictionEstimate &
+chosen_estimate(const std::vector<FrictionEstimate> &estimates,
+                const FrictionHomogenizationParameters &parameters,
+                const FrictionHomogenizationInput &input);
+
+/** Analysis "friction homogenization": friction_homogenization.csv, lines for a .prm. */
+class FrictionHomogenizationAnalysis : public Analysis
+{
+public:
+  /** Rank 0 reads the folders. @throws UserError */
+  explicit FrictionHomogenizationAnalysis(const ContactParameters &p);
+
+  void run(RunContext &context) override;
+
+private:
+  void run_on_root(RunContext &context) const;
+
+  const FrictionHomogenizationParameters parameters;
+  FrictionHomogenizationInput input;       ///< on rank 0
+  std::vector<FrictionEstimate> estimates; ///< on rank 0
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,214 @@
+#include "sliding/analyses/modal.h"
+
+#include "base/errors.h"
+#include "body/grid_body.h"
+#include "io/table.h"
+#include "parameters/parameters.h"
+#include "program/run_context.h"
+#include "sliding/analyses/static_support.h"
+#include "sliding/body_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace mesoslip
+{
+namespace
+{
+std::string kilohertz(const double frequency)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%10.3f kHz", 1e-3 * frequency);
+  return text;
+}
+
+std::vector<std::string> bottoms(const ContactParameters &parameters)
+{
+  const std::string &wanted = parameters.modal.bottom;
+  if (wanted == "both")
+    return {"free", "held"};
+  return {wanted == "free" ? "free" : "held"};
+}
+
+/** The top of the transient run as long as it is loaded. */
+TopSetup top_at_start(const ContactParameters &parameters)
+{
+  TopSetup top = parameters.top;
+  if (!(top.hold_from > 0.))
+    top.kind = TopSetup::Kind::held;
+  return top;
+}
+
+std::string top_text(const TopSetup &top)
+{
+  switch (top.kind)
+    {
+    case TopSetup::Kind::platen:
+      return "rigid platen of " + to_text(top.platen_mass) +
+             " kg/m: u_x = 0 and one common u_y";
+    case TopSetup::Kind::held:
+      return "held: u = 0";
+    default:
+      return top.lateral_held ? "u_x = 0, free in y" : "free";
+    }
+}
+
+void log_modes(const ModalCase &c, RunContext &context)
+{
+  const VibrationModes &all = c.modes;
+  context.log(
+    std::string("Bottom ") + (c.bottom == "free" ? "free (BC1)" : "held in y (BC2)") +
+    ": " + std::to_string(all.n_solves) + " static solves, " +
+    std::to_string(all.solver_iterations) + " iterations" +
+    (all.n_rigid_motions > 0
+       ? "; " + std::to_string(all.n_rigid_motions) + " rigid motions at 0 Hz not listed"
+       : ""));
+  for (std::size_t k = 0; k < all.modes.size(); ++k)
+    context.log("  mode " + std::to_string(k + 1) + kilohertz(all.modes[k].frequency));
+}
+
+void write_table(const std::vector<ModalCase> &cases, const RunContext &context)
+{
+  TableWriter table(context.file("modes.csv"),
+                    {"bottom", "mode [-]", "frequency [Hz]", "modal_mass [kg/m]",
+                     "effective_mass_x [-]", "effective_mass_y [-]", "residual [-]"});
+  for (const ModalCase &c : cases)
+    for (std::size_t k = 0; k < c.modes.modes.size(); ++k)
+      {
+        const VibrationMode &mode = c.modes.modes[k];
+        table.add_row(std::vector<std::string>{
+          c.bottom, std::to_string(k + 1), to_text(mode.frequency),
+          to_text(mode.modal_mass), to_text(mode.effective_mass[0]),
+          to_text(mode.effective_mass[1]), to_text(mode.residual)});
+      }
+  table.flush();
+}
+
+void write_file(const std::vector<ModalCase> &cases,
+                const Scene &scene,
+                const RunContext &context)
+{
+  Hdf5File file = create_body_file(context.file("modal.h5"), "mesoslip-modal", scene);
+  std::vector<std::pair<std::string, std::string>> series;
+  for (const ModalCase &c : cases)
+    {
+      const std::size_t n = c.modes.modes.size();
+      std::vector<double> frequency, mass, shapes;
+      for (const VibrationMode &mode : c.modes.modes)
+        {
+          frequency.push_back(mode.frequency);
+          mass.push_back(mode.modal_mass);
+          const std::vector<double> shape = interleaved(mode.shape);
+          shapes.insert(shapes.end(), shape.begin(), shape.end());
+        }
+      const std::string group = "/modes/" + c.bottom;
+      file.write(group + "/frequency", {n}, frequency);
+      file.write(group + "/modal_mass", {n}, mass);
+      file.write(group + "/shape",
+                 {n, scene.grid.cells[1] + 1u, scene.grid.cells[0] + 1u, 2}, shapes);
+      file.write_unit(group + "/frequency", "Hz");
+      file.write_unit(group + "/modal_mass", "kg/m");
+      file.write_unit(group + "/shape", "-");
+      series.emplace_back("bottom_" + c.bottom, group + "/shape");
+    }
+  file.close();
+  // The time of a frame is the number of its mode.
+  std::vector<double> numbers;
+  for (std::size_t k = 0; k < cases[0].modes.modes.size(); ++k)
+    numbers.push_back(k + 1.);
+  write_body_xdmf(context.file("modal.xdmf"), scene, "modal.h5", series, numbers);
+}
+
+void write_summary(const std::vector<ModalCase> &cases, nlohmann::json &json)
+{
+  for (const ModalCase &c : cases)
+    {
+      nlohmann::json frequencies = nlohmann::json::array();
+      for (const VibrationMode &mode : c.modes.modes)
+        frequencies.push_back(mode.frequency);
+      json["frequencies"][c.bottom]   = frequencies;
+      json["rigid_motions"][c.bottom] = c.modes.n_rigid_motions;
+      json["iterations"][c.bottom]    = c.modes.solver_iterations;
+    }
+}
+} // namespace
+
+DofMask modal_constraints(const ContactParameters &parameters,
+                          const UniformMaterial &material,
+                          const bool bottom_held)
+{
+  DofMask held = held_sides(material, parameters.sides);
+  hold_top(held, top_at_start(parameters));
+  if (bottom_held)
+    held.hold_row(1, 0);
+  return held;
+}
+
+VibrationModesOptions modal_options(const ContactParameters &parameters)
+{
+  VibrationModesOptions options;
+  options.n_modes   = parameters.modal.n_modes;
+  options.tolerance = parameters.modal.tolerance;
+  if (top_at_start(parameters).kind == TopSetup::Kind::platen)
+    options.platen_mass = parameters.top.platen_mass;
+  return options;
+}
+
+ModalAnalysis::ModalAnalysis(const ContactParameters &p)
+  : BodyAnalysis(p)
+{
+  const GridBody<2> body(material);
+  for (const std::string &bottom : bottoms(parameters))
+    try
+      {
+        check_number_of_modes(body,
+                              modal_constraints(parameters, material, bottom == "held"),
+                              modal_options(parameters));
+      }
+    catch (const std::invalid_argument &e)
+      {
+        throw UserError(std::string("Modal/Number of modes: ") + e.what());
+      }
+}
+
+std::vector<ModalCase> ModalAnalysis::compute_modes(RunContext &context) const
+{
+  const auto body = make_body(material, parameters.static_solver, context.communicator());
+  VibrationModesOptions options = modal_options(parameters);
+  options.before_solve          = stop_or_report(context, "the static solve");
+
+  std::vector<ModalCase> cases;
+  for (const std::string &bottom : bottoms(parameters))
+    {
+      const auto scope = context.timer().scope(("Bottom " + bottom).c_str());
+      const auto held  = modal_constraints(parameters, material, bottom == "held");
+      with_advice("loosen Modal/Tolerance or ask for fewer modes", [&]() {
+        cases.push_back({bottom, vibration_modes(*body, held, options)});
+      });
+    }
+  return cases;
+}
+
+void ModalAnalysis::run(RunContext &context)
+{
+  log_serial_body(context);
+  context.remove_results({"modal.h5", "modal.xdmf", "modal-phases.xdmf", "modes.csv"});
+  const std::vector<ModalCase> cases = compute_modes(context);
+  context.log("Top: " + top_text(top_at_start(parameters)) + ", as in a transient run" +
+              (std::isfinite(parameters.top.hold_from) && parameters.top.hold_from > 0.
+                 ? " before Top/Hold from"
+                 : ""));
+  for (const ModalCase &c : cases)
+    log_modes(c, context);
+  if (!context.root())
+    return;
+  const auto scope = context.timer().scope("Output");
+  write_table(cases, context);
+  write_file(cases, scene, context);
+  summarize_body("modal", context);
+  write_summary(cases, context.summary());
+}
+} // namespace mesoslip

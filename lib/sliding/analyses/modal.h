@@ -1,0 +1,45 @@
+#ifndef mesoslip_sliding_analyses_modal_h
+#define mesoslip_sliding_analyses_modal_h
+
+#include "eigenvalues/vibration_modes.h"
+#include "sliding/body_analysis.h"
+
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** One of the paper's boundary conditions and the modes under it. */
+struct ModalCase
+{
+  std::string bottom;   ///< "free" (BC1) or "held" (BC2: u_y = 0)
+  VibrationModes modes; ///< lowest first
+};
+
+/**
+ * The degrees of freedom that sides, top and bottom hold; a platen's u_y is among them,
+ * and modal_options() lets it move.
+ */
+DofMask modal_constraints(const ContactParameters &parameters,
+                          const UniformMaterial &material,
+                          const bool bottom_held);
+
+/** Number of modes, tolerance, and the platen if the run has one at its start. */
+VibrationModesOptions modal_options(const ContactParameters &parameters);
+
+/** Analysis "modal": frequencies and shapes in modes.csv, modal.h5 and modal.xdmf. */
+class ModalAnalysis : public BodyAnalysis
+{
+public:
+  /** @throws UserError if there are not as many modes as Modal/Number of modes. */
+  explicit ModalAnalysis(const ContactParameters &parameters);
+
+  void run(RunContext &context) override;
+
+private:
+  /** Modes under the boundary conditions that section Modal asks for. */
+  std::vector<ModalCase> compute_modes(RunContext &context) const;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,233 @@
+#include "sliding/analyses/static_contact.h"
+
+#include "base/errors.h"
+#include "elasticity/uniform_grid_operator.h"
+#include "material/engineering_constants.h"
+#include "parameters/parameters.h"
+#include "sliding/analyses/static_support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace mesoslip
+{
+namespace
+{
+/** Width of the contact that each bottom node stands for (m). */
+std::vector<double> tributary_widths(const UniformGrid<2> &grid, const bool periodic)
+{
+  std::vector<double> width(grid.cells[0] + 1, grid.spacing[0]);
+  if (!periodic)
+    width.front() = width.back() = 0.5 * grid.spacing[0];
+  return width;
+}
+
+int sliding_direction(const ContactParameters &parameters)
+{
+  const double v = parameters.friction.flat_velocity.amplitude();
+  return v > 0. ? 1 : (v < 0. ? -1 : 0);
+}
+
+StaticContactProblem make_problem(const ContactParameters &parameters,
+                                  const Scene &scene,
+                                  const UniformMaterial &material)
+{
+  const unsigned int nx = material.n_columns(), top = material.n_rows() - 1;
+  const double pressure = parameters.top.pressure.amplitude();
+  StaticContactProblem problem;
+  problem.held = held_sides(material, parameters.sides);
+  hold_top(problem.held, parameters.top);
+  problem.displacement         = NodalField<double>(nx, top + 1);
+  problem.force                = NodalField<double>(nx, top + 1);
+  problem.friction_coefficient = scene.node_friction;
+  problem.sliding              = sliding_direction(parameters);
+
+  // Uniform compression as a first guess; under a platen its size does not matter, as the
+  // solution is proportional to the displacement of the top.
+  const double strain = pressure / scene.phases[0].stiffness(1, 1);
+  for (unsigned int j = 0; j <= top; ++j)
+    for (unsigned int i = 0; i < nx; ++i)
+      if (!problem.held.is_held(1, i, j) || j == top)
+        problem.displacement.row(1, j)[i] = -strain * j * scene.grid.spacing[1];
+  if (parameters.top.kind == TopSetup::Kind::platen)
+    return problem;
+
+  const std::vector<double> width = tributary_widths(scene.grid, parameters.periodic);
+  std::vector<double> mass(nx);
+  for (unsigned int j = 0; j <= top; ++j)
+    {
+      material.mass_row(j, mass.data());
+      for (unsigned int i = 0; i < nx; ++i)
+        for (unsigned int c = 0; c < 2; ++c)
+          problem.force.row(c, j)[i] = mass[i] * parameters.body.acceleration[c];
+    }
+  for (unsigned int i = 0; i < nx; ++i)
+    problem.force.row(1, top)[i] -= pressure * width[i];
+  return problem;
+}
+
+double sum_of_nodes(const std::vector<double> &values, const bool periodic)
+{
+  return std::accumulate(values.begin(), values.end() - (periodic ? 1 : 0), 0.);
+}
+
+void scale(StaticContactSolution &solution, const double factor)
+{
+  NodalField<double> &u = solution.displacement;
+  for (std::size_t k = 0; k < u.size(); ++k)
+    u.begin()[k] *= factor;
+  for (auto *forces : {&solution.normal_force, &solution.tangential_force})
+    for (double &f : *forces)
+      f *= factor;
+}
+
+std::vector<double> bottom_cell_pressures(const Scene &scene,
+                                          const UniformMaterial &material,
+                                          const NodalField<double> &u)
+{
+  const unsigned int nx = scene.grid.cells[0];
+  std::vector<double> exx(nx), eyy(nx), gxy(nx), pressure(nx);
+  const UniformGridOperator stiffness(material);
+  stiffness.strain(u, 0, exx.data(), eyy.data(), gxy.data());
+  for (unsigned int i = 0; i < nx; ++i)
+    {
+      const auto &D =
+        scene.phases[scene.phase_id.empty() ? 0 : scene.phase_id[i]].stiffness;
+      pressure[i] = -(D(1, 0) * exx[i] + D(1, 1) * eyy[i] + D(1, 2) * gxy[i]);
+    }
+  return pressure;
+}
+
+void evaluate_phases(const Scene &scene,
+                     const double pressure,
+                     StaticContactResult &result)
+{
+  const unsigned int nx = scene.grid.cells[0];
+  std::vector<double> sum(scene.phases.size(), 0.);
+  for (unsigned int i = 0; i < nx; ++i)
+    sum[scene.phase_id.empty() ? 0 : scene.phase_id[i]] += result.cell_pressure[i] / nx;
+  result.surface_fraction               = scene.surface_fractions();
+  const std::vector<double> repartition = static_pressure_repartition(
+    pressure, contact_phases(scene.phases, result.surface_fraction));
+
+  auto next = repartition.begin();
+  for (std::size_t p = 0; p < scene.phases.size(); ++p)
+    {
+      const double f = result.surface_fraction[p];
+      result.phase_pressure.push_back(f > 0. ? std::optional<double>(sum[p] / f)
+                                             : std::nullopt);
+      result.repartition.push_back(f > 0. ? std::optional<double>(*next++)
+                                          : std::nullopt);
+    }
+  const double total        = std::accumulate(sum.begin(), sum.end(), 0.);
+  const double force        = result.normal_force / scene.grid.extent(0);
+  result.pressure_imbalance = std::fabs(total - force) / std::fabs(force);
+}
+// The pressure's resultant acts in the middle, the reaction at most half the width from
+// there, and their moment has to hold that of the friction between the flat and the top.
+void require_no_tipping(const ContactParameters &parameters, const Scene &scene)
+{
+  const auto &left = parameters.sides.left_held, &right = parameters.sides.right_held;
+  if (parameters.top.kind != TopSetup::Kind::pressure || !parameters.top.lateral_held ||
+      parameters.periodic || left[0] || left[1] || right[0] || right[1] ||
+      sliding_direction(parameters) == 0 ||
+      parameters.body.acceleration != std::array<double, 2>{})
+    return;
+  const double least =
+    *std::min_element(scene.node_friction.begin(), scene.node_friction.end());
+  const double height = scene.grid.extent(1), half = 0.5 * scene.grid.extent(0);
+  if (least * height > half)
+    throw UserError("Friction/Coefficient: the friction of the sliding flat tips the "
+                    "body, as a coefficient of " +
+                    to_text(least) + " times the height of " + to_text(height) +
+                    " m is more than half the width, " + to_text(half) +
+                    " m: there is no equilibrium; reduce it, or set Top/Kind = platen");
+}
+} // namespace
+
+void check_static_contact(const ContactParameters &parameters, const Scene &scene)
+{
+  const TopSetup &top = parameters.top;
+  if (top.kind == TopSetup::Kind::held)
+    throw UserError(
+      "Top/Kind is held, so nothing presses the body on the flat; use platen or "
+      "pressure for a static contact analysis");
+  if (!(top.pressure.amplitude() > 0.))
+    throw UserError("Top/Pressure is " + to_text(top.pressure.amplitude()) +
+                    " Pa; a static contact analysis needs a positive one");
+  if (parameters.friction.gap != 0.)
+    throw UserError(
+      "Flat/Gap is " + to_text(parameters.friction.gap) +
+      " m; a static contact analysis starts from a body that touches the flat, "
+      "set it to 0");
+  const auto &left = parameters.sides.left_held, &right = parameters.sides.right_held;
+  const bool platen = top.kind == TopSetup::Kind::platen;
+  if (platen && (left[1] || right[1]))
+    throw UserError(
+      "Sides/Left or Right hold u_y, which contradicts the motion of the platen; "
+      "hold u_x only or use Top/Kind = pressure");
+  if (platen &&
+      (parameters.body.acceleration[0] != 0. || parameters.body.acceleration[1] != 0.))
+    throw UserError(
+      "Body/Acceleration is not zero, which a static contact analysis under a "
+      "platen does not take; use Top/Kind = pressure");
+  const bool rough = std::any_of(scene.node_friction.begin(), scene.node_friction.end(),
+                                 [](const double mu) { return mu > 0.; });
+  if (!platen && !top.lateral_held && !left[0] && !right[0] && rough &&
+      sliding_direction(parameters) != 0)
+    throw UserError(
+      "Nothing holds the body against the friction of the sliding flat: set "
+      "Top/Lateral held, hold a side in u_x, use a platen, Friction/Coefficient = 0 "
+      "or Flat/Velocity = 0");
+  require_no_tipping(parameters, scene);
+}
+
+std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
+                                         const std::vector<double> &fractions)
+{
+  std::vector<ContactPhase> result;
+  for (std::size_t p = 0; p < phases.size(); ++p)
+    if (fractions[p] > 0.)
+      {
+        ContactPhase phase;
+        phase.area           = fractions[p];
+        phase.youngs_modulus = closest_isotropic<2>(phases[p].stiffness).young_modulus;
+        phase.friction_coefficient = phases[p].friction_coefficient;
+        result.push_back(phase);
+      }
+  return result;
+}
+
+StaticContactResult compute_static_contact(const ContactParameters &parameters,
+                                           const Scene &scene,
+                                           const UniformMaterial &material,
+                                           const StaticContactOptions &options,
+                                           const MPI_Comm communicator)
+{
+  StaticContactResult result;
+  const auto body = make_body(material, parameters.static_solver, communicator);
+  result.solution =
+    solve_static_contact(*body, make_problem(parameters, scene, material), options);
+
+  const double pressure = parameters.top.pressure.amplitude();
+  if (parameters.top.kind == TopSetup::Kind::platen)
+    scale(result.solution,
+          pressure * scene.grid.extent(0) /
+            sum_of_nodes(result.solution.normal_force, parameters.periodic));
+
+  result.normal_force = sum_of_nodes(result.solution.normal_force, parameters.periodic);
+  result.tangential_force =
+    sum_of_nodes(result.solution.tangential_force, parameters.periodic);
+  const std::vector<double> width = tributary_widths(scene.grid, parameters.periodic);
+  for (std::size_t i = 0; i < width.size(); ++i)
+    {
+      result.node_pressure.push_back(result.solution.normal_force[i] / width[i]);
+      result.node_shear.push_back(result.solution.tangential_force[i] / width[i]);
+    }
+  result.cell_pressure =
+    bottom_cell_pressures(scene, material, result.solution.displacement);
+  evaluate_phases(scene, pressure, result);
+  return result;
+}
+} // namespace mesoslip

@@ -1,0 +1,69 @@
+#ifndef mesoslip_sliding_analyses_static_contact_h
+#define mesoslip_sliding_analyses_static_contact_h
+
+#include "contact/static_contact_solver.h"
+#include "homogenization/homogenized_friction.h"
+#include "sliding/body_analysis.h"
+
+#include <optional>
+#include <vector>
+
+namespace mesoslip
+{
+/** Equilibrium of the body pressed on the flat, and what follows from it. */
+struct StaticContactResult
+{
+  StaticContactSolution solution; ///< under the pressure of section Top
+
+  double normal_force     = 0.; ///< on the flat (N/m)
+  double tangential_force = 0.; ///< of the flat on the body (N/m)
+
+  std::vector<double> node_pressure; ///< Pa, one value a bottom node
+  std::vector<double> node_shear;    ///< Pa
+  std::vector<double> cell_pressure; ///< mean of -sigma_yy in the bottom cells (Pa)
+
+  /** Share of the bottom and mean of cell_pressure by phase; none for an absent phase. */
+  std::vector<double> surface_fraction;
+  std::vector<std::optional<double>> phase_pressure; ///< Pa
+
+  /** The same by the static pressure repartition, eq. (19). */
+  std::vector<std::optional<double>> repartition;
+
+  /** Relative difference between the cells' pressures and the normal force. */
+  double pressure_imbalance = 0.;
+};
+
+/** @throws UserError if supports and loads allow no equilibrium. */
+void check_static_contact(const ContactParameters &parameters, const Scene &scene);
+
+/** Solves for equilibrium, with the ranks of @p communicator together if the solver is
+ * ML. */
+StaticContactResult compute_static_contact(const ContactParameters &parameters,
+                                           const Scene &scene,
+                                           const UniformMaterial &material,
+                                           const StaticContactOptions &options,
+                                           const MPI_Comm communicator = MPI_COMM_SELF);
+
+/**
+ * The phases that take part in the contact with @p fractions of it: areas, Young's moduli
+ * of the closest isotropic solids, friction coefficients. Absent phases are left out.
+ */
+std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
+                                         const std::vector<double> &fractions);
+
+/** Analysis "static contact": static_contact.csv, dynamics.h5 with one snapshot. */
+class StaticContactAnalysis : public BodyAnalysis
+{
+public:
+  /** @throws UserError if supports and loads allow no equilibrium. */
+  explicit StaticContactAnalysis(const ContactParameters &p)
+    : BodyAnalysis(p)
+  {
+    check_static_contact(parameters, scene);
+  }
+
+  void run(RunContext &context) override;
+};
+} // namespace mesoslip
+
+#endif

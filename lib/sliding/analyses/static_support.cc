@@ -1,0 +1,52 @@
+#include "sliding/analyses/static_support.h"
+
+#include "base/errors.h"
+#include "program/run_context.h"
+#include "statics/static_solver.h"
+
+namespace mesoslip
+{
+DofMask held_sides(const UniformMaterial &material, const SideConstraints &sides)
+{
+  DofMask held(material.n_columns(), material.n_rows());
+  for (unsigned int c = 0; c < 2; ++c)
+    {
+      if (sides.left_held[c])
+        held.hold_column(c, 0);
+      if (sides.right_held[c])
+        held.hold_column(c, material.n_columns() - 1);
+    }
+  return held;
+}
+
+void hold_top(DofMask &held, const TopSetup &top)
+{
+  const bool rigid = top.kind != TopSetup::Kind::pressure;
+  if (rigid || top.lateral_held)
+    held.hold_row(0, held.n_rows() - 1);
+  if (rigid)
+    held.hold_row(1, held.n_rows() - 1);
+}
+
+std::function<void(unsigned int)> stop_or_report(RunContext &context,
+                                                 const std::string &activity)
+{
+  return [&context, activity](const unsigned int n) {
+    if (context.stop_requested())
+      throw Interrupted("stopped on request in " + activity + " " +
+                        std::to_string(n + 1) + "; there is no result yet");
+  };
+}
+
+void with_advice(const std::string &advice, const std::function<void()> &action)
+{
+  try
+    {
+      action();
+    }
+  catch (const NotConverged &e)
+    {
+      throw NumericalFailure(std::string(e.what()) + "; " + advice);
+    }
+}
+} // namespace mesoslip

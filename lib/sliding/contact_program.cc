@@ -1,0 +1,39 @@
+#include "sliding/contact_program.h"
+
+#include "parameters/keys.h"
+#include "sliding/analyses/friction_homogenization.h"
+#include "sliding/analyses/modal.h"
+#include "sliding/analyses/static_contact.h"
+#include "sliding/transient/transient.h"
+
+namespace mesoslip
+{
+namespace
+{
+std::unique_ptr<Analysis> build(Keys &keys)
+{
+  ContactParameters parameters;
+  parameters.bind(keys);
+  parameters.check();
+  switch (parameters.analysis)
+    {
+    case ContactAnalysis::modal:
+      return std::make_unique<ModalAnalysis>(parameters);
+    case ContactAnalysis::static_contact:
+      return std::make_unique<StaticContactAnalysis>(parameters);
+    case ContactAnalysis::friction_homogenization:
+      return std::make_unique<FrictionHomogenizationAnalysis>(parameters);
+    default:
+      return std::make_unique<TransientAnalysis>(parameters, keys);
+    }
+}
+} // namespace
+
+Program contact_dynamics_program()
+{
+  return {"contact_dynamics",
+          "Explicit dynamics of an elastic body that rubs on a moving rigid flat.",
+          [](Keys &keys) { ContactParameters().bind(keys); },
+          ContactParameters::check_keys, build};
+}
+} // namespace mesoslip

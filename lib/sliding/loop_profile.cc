@@ -1,0 +1,116 @@
+#include "sliding/loop_profile.h"
+
+#include "base/timer.h"
+
+namespace mesoslip
+{
+namespace
+{
+/** Something of the loop, its name and the clock. */
+template <class Part>
+struct Timed
+{
+  Part &part;
+  const char *name;
+  Timer &timer;
+};
+
+struct TimedSurface : BoundaryCondition<2>, Timed<BoundaryCondition<2>>
+{
+  explicit TimedSurface(const Timed<BoundaryCondition<2>> &timed)
+    : Timed(timed)
+  {
+  }
+
+  void advance(const SurfaceView<2> &surface) override
+  {
+    const auto scope = timer.scope(name);
+    part.advance(surface);
+  }
+};
+
+struct TimedHalo : Halo, Timed<Halo>
+{
+  explicit TimedHalo(const Timed<Halo> &timed)
+    : Timed(timed)
+  {
+  }
+
+  void send(const Side side, const RowBlock &own) override
+  {
+    const auto scope = timer.scope(name);
+    part.send(side, own);
+  }
+
+  void receive(const Side side, const RowBlock &ghosts) override
+  {
+    const auto scope = timer.scope(name);
+    part.receive(side, ghosts);
+  }
+
+  /** Every few rows: too often for a clock. */
+  void progress() override
+  {
+    part.progress();
+  }
+};
+
+struct TimedObserver : StepObserver, Timed<StepObserver>
+{
+  explicit TimedObserver(const Timed<StepObserver> &timed)
+    : Timed(timed)
+  {
+  }
+
+  std::uint64_t next_step(const std::uint64_t n) const override
+  {
+    return part.next_step(n);
+  }
+
+  void before_step(const std::uint64_t n) override
+  {
+    const auto scope = timer.scope(name);
+    part.before_step(n);
+  }
+
+  void after_step(const std::uint64_t n) override
+  {
+    const auto scope = timer.scope(name);
+    part.after_step(n);
+  }
+};
+
+/** @p part itself or, with a @p timer, a TimedPart around it, kept in @p kept. */
+template <class TimedPart, class Part>
+Part *
+wrap(Part &part, const char *name, Timer *timer, std::vector<std::unique_ptr<Part>> &kept)
+{
+  if (timer == nullptr)
+    return &part;
+  kept.push_back(std::make_unique<TimedPart>(Timed<Part>{part, name, *timer}));
+  return kept.back().get();
+}
+} // namespace
+
+LoopProfile::LoopProfile(Timer *timer)
+  : clock(timer)
+{
+}
+
+LoopProfile::~LoopProfile() = default;
+
+BoundaryCondition<2> *LoopProfile::timed(BoundaryCondition<2> &surface, const char *name)
+{
+  return wrap<TimedSurface>(surface, name, clock, surfaces);
+}
+
+Halo *LoopProfile::timed(Halo &halo, const char *name)
+{
+  return wrap<TimedHalo>(halo, name, clock, halos);
+}
+
+StepObserver *LoopProfile::timed(StepObserver &observer, const char *name)
+{
+  return wrap<TimedObserver>(observer, name, clock, observers);
+}
+} // namespace mesoslip

@@ -1,0 +1,50 @@
+#ifndef mesoslip_sliding_loop_profile_h
+#define mesoslip_sliding_loop_profile_h
+
+#include "dynamics/boundary_condition.h"
+#include "dynamics/step_observer.h"
+#include "grid/halo.h"
+
+#include <memory>
+#include <vector>
+
+namespace mesoslip
+{
+class Timer;
+
+/**
+ * Puts clocks around what the time loop calls: boundary conditions, exchange between ranks,
+ * observers. Each call costs some 50 ns, two or more a step, so only on request; without
+ * a timer everything is handed back as it is.
+ */
+class LoopProfile
+{
+public:
+  /** @p timer may be null; otherwise it has to outlive the profile. */
+  explicit LoopProfile(Timer *timer);
+  ~LoopProfile();
+
+  /** @p surface, timed as @p name. The result lives as long as both. */
+  BoundaryCondition<2> *timed(BoundaryCondition<2> &surface, const char *name);
+
+  /** The same for sending to and waiting for neighbours. */
+  Halo *timed(Halo &halo, const char *name);
+
+  /** The same for an observer. */
+  StepObserver *timed(StepObserver &observer, const char *name);
+
+  /** Null if nothing is timed. */
+  Timer *timer() const
+  {
+    return clock;
+  }
+
+private:
+  Timer *clock;
+  std::vector<std::unique_ptr<BoundaryCondition<2>>> surfaces;
+  std::vector<std::unique_ptr<Halo>> halos;
+  std::vector<std::unique_ptr<StepObserver>> observers;
+};
+} // namespace mesoslip
+
+#endif

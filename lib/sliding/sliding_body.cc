@@ -1,0 +1,66 @@
+#include "sliding/sliding_body.h"
+
+#include <deal.II/base/exceptions.h>
+
+namespace mesoslip
+{
+namespace
+{
+SlidingSetup completed(SlidingSetup setup, const UniformMaterial &material)
+{
+  setup.contact.periodic = setup.top.periodic = setup.periodic;
+  setup.top.cell_width                        = material.grid().spacing[0];
+  AssertDimension(setup.contact.friction_coefficient.size(), material.n_columns());
+  return setup;
+}
+} // namespace
+
+SlidingBody::SlidingBody(const UniformMaterial &material,
+                         const SlidingSetup &given,
+                         const MPI_Comm communicator,
+                         BoundaryCondition<2> *bottom,
+                         Timer *timer)
+  : material(material)
+  , setup(completed(given, material))
+  , communicator(communicator)
+  , rows(
+      partition_rows(material.n_columns(), material.n_rows(), communicator, setup.sweep))
+  , u(material.n_columns(), rows.n_local())
+  , w(material.n_columns(), rows.n_local())
+  , contact(setup.contact, setup.step)
+  , top(setup.top, setup.step, material.n_columns())
+  , contact_recorder(setup.history_interval, setup.monitored_nodes, setup.step)
+  , node_statistics(setup.steps_per_block)
+  , top_recorder(setup.history_interval)
+  , halo(material.n_columns(), rows.ghosts, communicator)
+  , profile(timer)
+  , stepper(material,
+            rows,
+            setup.step,
+            setup.sides,
+            u,
+            w,
+            bottom != nullptr ? bottom
+                              : profile.timed(contact, "Contact and its histories"),
+            profile.timed(top, "Top and its histories"),
+            rows.end - rows.begin < rows.n_global
+              ? profile.timed(halo, "Exchange between ranks")
+              : nullptr,
+            setup.sweep)
+  , op(material, rows)
+{
+  contact.observe(node_statistics);
+  contact.observe(contact_recorder);
+  top.observe(top_recorder);
+  if (setup.energy_interval > 0)
+    energy = std::make_unique<EnergyAudit>(
+      op, setup.step, u, w, setup.top.platen_mass, setup.energy_interval,
+      [this]() { return boundary_work(); }, communicator);
+}
+
+BoundaryWork SlidingBody::boundary_work() const
+{
+  return {top.work() + contact.work().flat, contact.work().friction,
+          contact.work().impact};
+}
+} // namespace mesoslip

@@ -1,0 +1,96 @@
+#ifndef mesoslip_sliding_sliding_body_h
+#define mesoslip_sliding_sliding_body_h
+
+#include "contact/contact_recorder.h"
+#include "contact/contact_surface.h"
+#include "dynamics/energy_audit.h"
+#include "dynamics/explicit_stepper.h"
+#include "dynamics/top_surface.h"
+#include "elasticity/uniform_grid_operator.h"
+#include "grid/mpi_halo.h"
+#include "grid/row_partition.h"
+#include "sliding/loop_profile.h"
+
+#include <memory>
+#include <vector>
+
+namespace mesoslip
+{
+/** What a body on the flat is made of besides its material. */
+struct SlidingSetup
+{
+  StepParameters step;   ///< time step, beta2, damping, body acceleration
+  SideConstraints sides; ///< components constrained on the left and right side
+  ContactSetup contact;  ///< the flat
+  TopSetup top;          ///< the load
+  SweepOptions sweep;    ///< instruction set, temporal blocking
+  bool periodic = false; ///< in x
+
+  /** Histories of contact and top have a sample every so many steps; 0: none. */
+  unsigned int history_interval = 1;
+
+  /** Contact nodes whose motion and tractions are kept with the histories. */
+  std::vector<unsigned int> monitored_nodes;
+
+  /** Steps in a block of the node statistics; 0: one block for the whole run. */
+  std::uint64_t steps_per_block = 0;
+
+  /** The energy balance has a sample every so many steps; 0: none. */
+  unsigned int energy_interval = 0;
+};
+
+/**
+ * A body on the moving flat, with load, histories and energies: everything of a run but
+ * files, signals and checkpoints. Each rank holds a slab of rows; the contact is on rank
+ * 0, the top on the last one.
+ */
+class SlidingBody
+{
+public:
+  /**
+   * At rest at u = 0. @p material must outlive the body. @p bottom takes the place of the
+   * contact; a @p timer gets the times of the parts of a step.
+   */
+  SlidingBody(const UniformMaterial &material,
+              const SlidingSetup &setup,
+              const MPI_Comm communicator  = MPI_COMM_SELF,
+              BoundaryCondition<2> *bottom = nullptr,
+              Timer *timer                 = nullptr);
+
+  /** Work done on and dissipated at bottom and top since the start, of this rank. */
+  BoundaryWork boundary_work() const;
+
+  /** State between two steps (Boost.Serialization): own rows and boundaries. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    std::uint64_t n = stepper.step_number();
+    archive &n;
+    serialize_own_rows(archive, u, rows);
+    serialize_own_rows(archive, w, rows);
+    archive &contact &contact_recorder &node_statistics &top &top_recorder;
+    stepper.set_step_number(n);
+    if (energy)
+      archive &*energy;
+  }
+
+  const UniformMaterial &material; ///< of all cells
+  const SlidingSetup setup;        ///< completed: widths, periodicity
+  const MPI_Comm communicator;     ///< of the ranks that share the body
+  const NodeRows rows;             ///< of this rank
+  NodalField<double> u;            ///< displacement (m), own and ghost rows
+  NodalField<double> w;            ///< velocity of the scheme (m/s)
+  ContactSurface<2> contact;       ///< the bottom
+  TopSurface<2> top;               ///< the top
+  ContactRecorder<2> contact_recorder;
+  NodeStatistics<2> node_statistics;
+  TopRecorder top_recorder;
+  MPIHalo halo;        ///< exchange with the ranks above and below
+  LoopProfile profile; ///< clocks around the parts of a step
+  ExplicitStepper stepper;
+  UniformGridOperator op;              ///< K of this rank's cells
+  std::unique_ptr<EnergyAudit> energy; ///< null without an energy interval
+};
+} // namespace mesoslip
+
+#endif

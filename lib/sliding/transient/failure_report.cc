@@ -1,0 +1,177 @@
+#include "sliding/transient/failure_report.h"
+
+#include "base/errors.h"
+#include "material/plausibility.h"
+#include "parameters/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+std::string cell_text(const CellExtreme &cell, const UniformGrid<2> &grid)
+{
+  return "cell (" + std::to_string(cell.column) + ", " + std::to_string(cell.row) +
+         ") around x = " +
+         quantity_text(1e3 * (cell.column + 0.5) * grid.spacing[0], "mm") +
+         ", y = " + quantity_text(1e3 * (cell.row + 0.5) * grid.spacing[1], "mm");
+}
+
+/** A load, and the strain that it alone causes in a body of that stiffness. */
+struct LoadEstimate
+{
+  const char *key;  ///< that gives it
+  double value;     ///< its largest size, in its unit
+  const char *unit; ///< Pa, m/s or m/s^2
+  double strain;    ///< P / D22, v / c, or rho a H / D22 [-]
+};
+
+/** The load that alone strains the body most. */
+std::string likely_cause(const ContactParameters &parameters,
+                         const UniformMaterial &material)
+{
+  const auto size_of = [](const std::array<double, 2> &v) {
+    return std::hypot(v[0], v[1]);
+  };
+  const BodyScales body(material);
+  const bool pressed = parameters.top.kind != TopSetup::Kind::held;
+  const double pressure =
+    load_range(parameters.top.pressure, parameters.time.end_time).largest_size();
+  const double velocity      = size_of(parameters.body.initial_velocity);
+  const double acceleration  = size_of(parameters.body.acceleration);
+  const LoadEstimate loads[] = {
+    {"Top/Pressure", pressure, "Pa", pressed ? pressure / body.stiffness : 0.},
+    {"Body/Initial velocity", velocity, "m/s", velocity / body.wave_speed},
+    {"Body/Acceleration", acceleration, "m/s^2",
+     body.density * acceleration * material.grid().extent(1) / body.stiffness}};
+  const LoadEstimate &worst = *std::max_element(
+    std::begin(loads), std::end(loads),
+    [](const LoadEstimate &a, const LoadEstimate &b) { return a.strain < b.strain; });
+  if (!(worst.strain > 0.1 * largest_small_strain))
+    return "a body that is thrown or turns freely, as its loads alone strain it little; "
+           "hold it, or shorten the run";
+  return std::string(worst.key) + " = " + quantity_text(worst.value, worst.unit) +
+         ", which alone strains the body by about " +
+         quantity_text(100. * worst.strain, "%") + "; reduce it, or check its unit";
+}
+
+/** The first step up to @p n at which @p load is not a number; n + 1: there is none. */
+std::uint64_t
+first_not_finite(const LoadHistory &load, const double dt, const std::uint64_t n)
+{
+  std::uint64_t step = 0;
+  while (step <= n && std::isfinite(load(step * dt)))
+    ++step;
+  return step;
+}
+
+/** Ends the run if @p load, given as an expression, stopped being a number. */
+void require_finite(const LoadHistory &load,
+                    const std::string &key,
+                    const double dt,
+                    const std::uint64_t n)
+{
+  const std::uint64_t step = first_not_finite(load, dt, n);
+  if (step > n)
+    return;
+  throw NumericalFailure(
+    key + " is " + (std::isnan(load(step * dt)) ? "not a number" : "infinite"), step,
+    step * dt, "which spoiled the run; write an expression that is finite at all times");
+}
+
+std::string likely_instability(const Runaway &found, const TimeStepChoice &time)
+{
+  std::ostringstream text;
+  text.precision(4);
+  const double share = 100. * time.step.dt / time.critical;
+  if (share > 100.)
+    text << "the time step is " << share
+         << " % of the critical one; use Time/Time step = auto or a smaller one";
+  else if (!std::isfinite(found.energy))
+    text << "loads that overflow (Top/Pressure, Flat/Velocity, Body/Initial velocity, "
+            "Acceleration), as the time step is "
+         << share << " % of the critical one";
+  else
+    text << "the time step is " << share
+         << " % of the critical one, too close to it; reduce Time/Safety factor or Time "
+            "step";
+  return text.str();
+}
+} // namespace
+
+std::string large_strain_warning(const Deformation &found,
+                                 const ContactParameters &parameters,
+                                 const UniformMaterial &material,
+                                 const std::string &when)
+{
+  const bool strained = !(found.strain.value <= largest_small_strain);
+  if (!strained && found.rotation.value <= largest_small_strain)
+    return "";
+  const std::string limit = quantity_text(100. * largest_small_strain, "%");
+  return (strained ? "the strain is " + quantity_text(100. * found.strain.value, "%")
+                   : "the rotation is " + quantity_text(found.rotation.value, "rad")) +
+         when + " in " +
+         cell_text(strained ? found.strain : found.rotation, material.grid()) +
+         ", where the theory is that of small strains and rotations, up to " + limit +
+         " or so: results from there on cannot be trusted; likely cause: " +
+         likely_cause(parameters, material);
+}
+
+std::string inverted_cell_text(const Deformation &found,
+                               const ContactParameters &parameters,
+                               const UniformMaterial &material)
+{
+  if (found.jacobian.value > 0.)
+    return "";
+  return cell_text(found.jacobian, material.grid()) +
+         " is turned inside out (strains up to " +
+         quantity_text(100. * found.strain.value, "%") +
+         "); likely cause: " + likely_cause(parameters, material);
+}
+
+void report_runaway(const Runaway &found,
+                    const std::uint64_t n,
+                    const TimeStepChoice &time,
+                    const ContactParameters &parameters)
+{
+  require_finite(parameters.friction.flat_velocity, "Flat/Expression", time.step.dt, n);
+  require_finite(parameters.top.pressure, "Top/Expression", time.step.dt, n);
+  std::ostringstream what, place;
+  what.precision(3);
+  what << "the run blew up: its energy is ";
+  if (std::isnan(found.energy))
+    what << "not a number,";
+  else
+    what << found.energy << " J/m";
+  what << " where at most " << found.put_in
+       << " J/m were put in; likely cause: " << likely_instability(found, time)
+       << "; found";
+  place.precision(3);
+  place << "node (" << found.column << ", " << found.row << ") with u_"
+        << "xy"[found.component] << " = " << found.displacement << " m and a velocity of "
+        << found.velocity << " m/s";
+  throw NumericalFailure(what.str(), n, n * time.step.dt, place.str());
+}
+
+void require_upright_cells(const Deformation &found,
+                           const std::uint64_t n,
+                           const TimeStepChoice &time,
+                           const ContactParameters &parameters,
+                           const UniformMaterial &material)
+{
+  const std::string text = inverted_cell_text(found, parameters, material);
+  if (text.empty())
+    return;
+  // Of an unstable run the time step is the cause, whatever the loads are.
+  Runaway runaway;
+  if (time.step.dt > time.critical)
+    throw NumericalFailure(
+      "the run blew up: " + text.substr(0, text.find("; likely cause")) +
+        "; likely cause: " + likely_instability(runaway, time) + "; found",
+      n, n * time.step.dt, "");
+  throw NumericalFailure(text + "; found", n, n * time.step.dt, "");
+}
+} // namespace mesoslip

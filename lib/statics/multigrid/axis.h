@@ -1,0 +1,107 @@
+#ifndef mesoslip_statics_multigrid_axis_h
+#define mesoslip_statics_multigrid_axis_h
+
+#include <vector>
+
+namespace mesoslip
+{
+namespace multigrid
+{
+/**
+ * One direction of a grid of the hierarchy: cells + 1 ascending positions, in units of
+ * the width of a cell of the finest grid. On a periodic axis the last node is the first
+ * one again.
+ */
+struct Axis
+{
+  bool periodic = false;        ///< the last node is the first one
+  std::vector<double> position; ///< of the nodes, one more than cells
+
+  /** At least one. */
+  unsigned int n_cells() const
+  {
+    return static_cast<unsigned int>(position.size()) - 1;
+  }
+
+  /** Different nodes. */
+  unsigned int n_nodes() const
+  {
+    return periodic ? n_cells() : n_cells() + 1;
+  }
+
+  /** Of a cell, in the unit of the positions. */
+  double width(const unsigned int cell) const
+  {
+    return position[cell + 1] - position[cell];
+  }
+
+  /** Cells of equal width @p spacing. */
+  static Axis
+  uniform(const unsigned int n_cells, const double spacing, const bool periodic);
+};
+
+/**
+ * How the coarse grid lies on the fine one along one direction: every coarse node is a
+ * fine node. Halved, a coarse cell is two fine cells and has a middle node; an odd number
+ * of cells leaves the last but one coarse cell a single fine cell wide. (At the border,
+ * rotations of its coarse nodes would have no effect on the finest grid.)
+ */
+class AxisCoarsening
+{
+public:
+  AxisCoarsening() = default;
+
+  /** Coarse cells of two fine ones if @p halve, else the same grid. */
+  AxisCoarsening(const Axis &fine, const bool halve);
+
+  /** False: the grids are equal along this direction. */
+  bool halved() const
+  {
+    return is_halved;
+  }
+
+  /** Along this direction. */
+  unsigned int n_coarse_cells() const
+  {
+    return coarse_cells;
+  }
+
+  /** Number of coarse cells from the first on that lie regularly: start(k) = 2 k, with a
+   *  middle node. All of them if the number of fine cells is even. */
+  unsigned int n_regular() const
+  {
+    return regular_cells;
+  }
+
+  /** The fine node at coarse node @p k (0 to n_coarse_cells()). */
+  unsigned int start(const unsigned int k) const
+  {
+    return !is_halved ? k : (k <= regular_cells ? 2 * k : 2 * k - 1);
+  }
+
+  /** The coarse cell that fine cell @p i belongs to. */
+  unsigned int coarse_cell(const unsigned int i) const
+  {
+    if (!is_halved)
+      return i;
+    return i < 2 * regular_cells ? i / 2 : regular_cells + (i > 2 * regular_cells);
+  }
+
+  /** Whether coarse cell @p k has a middle node. */
+  bool has_middle(const unsigned int k) const
+  {
+    return start(k + 1) - start(k) == 2;
+  }
+
+  /** Positions of the coarse nodes. */
+  Axis coarse(const Axis &fine) const;
+
+private:
+  bool is_halved             = false;
+  unsigned int coarse_cells  = 0;
+  unsigned int regular_cells = 0;
+};
+} // namespace multigrid
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,209 @@
+#include "statics/multigrid/interpolation.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace mesoslip
+{
+namespace multigrid
+{
+namespace
+{
+/** Conductances may come out slightly negative; weights are made of positive ones. */
+float strength(const float conductance)
+{
+  return std::max(conductance, 0.F);
+}
+
+/** Distances of the middle nodes of coarse cells from their ends; 0 where none. */
+std::vector<std::array<double, 2>> middle_distances(const Axis &fine,
+                                                    const AxisCoarsening &coarsening)
+{
+  std::vector<std::array<double, 2>> distances(coarsening.n_coarse_cells());
+  for (unsigned int k = 0; k < distances.size(); ++k)
+    if (coarsening.has_middle(k))
+      distances[k] = {
+        {fine.width(coarsening.start(k)), fine.width(coarsening.start(k) + 1)}};
+  return distances;
+}
+
+float share(const float first, const float second)
+{
+  const float sum = first + second;
+  return sum > 0.F ? first / sum : 0.5F;
+}
+} // namespace
+
+Interpolation::Interpolation(const Axis &fine_x,
+                             const Axis &fine_y,
+                             const bool halve_x,
+                             const bool halve_y,
+                             const Conductor &conductor)
+  : x(fine_x, halve_x)
+  , y(fine_y, halve_y)
+  , coarse_x(x.coarse(fine_x))
+  , coarse_y(y.coarse(fine_y))
+  , x_distance(middle_distances(fine_x, x))
+  , y_distance(middle_distances(fine_y, y))
+{
+  const unsigned int m = x.n_coarse_cells(), n = y.n_coarse_cells();
+  left    = PaddedRows<float>(1, n + 1, m);
+  lower   = PaddedRows<float>(1, n, m + 1);
+  corners = PaddedRows<float>(4, n, m);
+
+  PaddedRows<float> below(Conductor::n_pairs, 1, fine_x.n_cells());
+  PaddedRows<float> above(Conductor::n_pairs, 1, fine_x.n_cells());
+  if (halve_x)
+    for (unsigned int J = 0; J <= n; ++J)
+      {
+        const int j = static_cast<int>(y.start(fine_y.periodic && J == n ? 0 : J));
+        conductor.get_row(j - 1, below);
+        conductor.get_row(j, above);
+        set_left_weights(static_cast<int>(J), below, above);
+      }
+  for (unsigned int J = 0; J < n; ++J)
+    if (y.has_middle(J))
+      {
+        conductor.get_row(static_cast<int>(y.start(J)), below);
+        conductor.get_row(static_cast<int>(y.start(J)) + 1, above);
+        set_lower_weights(static_cast<int>(J), below, above);
+        if (halve_x)
+          set_corner_weights(static_cast<int>(J), below, above);
+      }
+}
+
+void Interpolation::set_left_weights(const int J,
+                                     const PaddedRows<float> &below,
+                                     const PaddedRows<float> &above)
+{
+  const float *b23 = below.row(Conductor::p23, 0), *b03 = below.row(Conductor::p03, 0),
+              *b12 = below.row(Conductor::p12, 0);
+  const float *a01 = above.row(Conductor::p01, 0), *a03 = above.row(Conductor::p03, 0),
+              *a12 = above.row(Conductor::p12, 0);
+  float *weight    = left.row(0, J);
+  for (unsigned int I = 0; I < x.n_coarse_cells(); ++I)
+    if (x.has_middle(I))
+      {
+        const unsigned int i = x.start(I) + 1;
+        weight[I]            = share(
+                     strength(b23[i - 1] + a01[i - 1]) + strength(b03[i - 1]) + strength(a12[i - 1]),
+                     strength(b23[i] + a01[i]) + strength(b12[i]) + strength(a03[i]));
+      }
+}
+
+void Interpolation::set_lower_weights(const int J,
+                                      const PaddedRows<float> &below,
+                                      const PaddedRows<float> &above)
+{
+  const float *b02 = below.row(Conductor::p02, 0), *b13 = below.row(Conductor::p13, 0),
+              *b03 = below.row(Conductor::p03, 0), *b12 = below.row(Conductor::p12, 0);
+  const float *a02 = above.row(Conductor::p02, 0), *a13 = above.row(Conductor::p13, 0),
+              *a03 = above.row(Conductor::p03, 0), *a12 = above.row(Conductor::p12, 0);
+  float *weight = lower.row(0, J);
+  for (unsigned int I = 0; I <= x.n_coarse_cells(); ++I)
+    {
+      const int i = static_cast<int>(x.start(I));
+      weight[I] =
+        share(strength(b02[i] + b13[i - 1]) + strength(b03[i - 1]) + strength(b12[i]),
+              strength(a02[i] + a13[i - 1]) + strength(a03[i]) + strength(a12[i - 1]));
+    }
+}
+
+void Interpolation::set_corner_weights(const int J,
+                                       const PaddedRows<float> &below,
+                                       const PaddedRows<float> &above)
+{
+  const float *b02 = below.row(Conductor::p02, 0), *b13 = below.row(Conductor::p13, 0),
+              *b03 = below.row(Conductor::p03, 0), *b12 = below.row(Conductor::p12, 0),
+              *b23 = below.row(Conductor::p23, 0);
+  const float *a02 = above.row(Conductor::p02, 0), *a13 = above.row(Conductor::p13, 0),
+              *a03 = above.row(Conductor::p03, 0), *a12 = above.row(Conductor::p12, 0),
+              *a01  = above.row(Conductor::p01, 0);
+  const float *down = left.row(0, J), *up = left.row(0, J + 1);
+  const float *side = lower.row(0, J);
+  for (unsigned int I = 0; I < x.n_coarse_cells(); ++I)
+    if (x.has_middle(I))
+      {
+        const unsigned int i = x.start(I) + 1;
+        const float south    = strength(b02[i] + b13[i - 1]),
+                    north    = strength(a02[i] + a13[i - 1]),
+                    west     = strength(b23[i - 1] + a01[i - 1]),
+                    east     = strength(b23[i] + a01[i]);
+        const float w[4]     = {
+              strength(b03[i - 1]) + south * down[I] + west * side[I],
+              strength(b12[i]) + south * (1.F - down[I]) + east * side[I + 1],
+              strength(a12[i - 1]) + north * up[I] + west * (1.F - side[I]),
+              strength(a03[i]) + north * (1.F - up[I]) + east * (1.F - side[I + 1])};
+        const float sum = w[0] + w[1] + w[2] + w[3];
+        for (unsigned int c = 0; c < 4; ++c)
+          corners.row(c, J)[I] = sum > 0.F ? w[c] / sum : 0.25F;
+      }
+}
+
+template <typename Number>
+void Interpolation::fill_patch(const unsigned int I0,
+                               const unsigned int J,
+                               Patch<Number> &patch) const
+{
+  std::memset(patch.weight, 0, sizeof(patch.weight));
+  std::memset(patch.x, 0, sizeof(patch.x));
+  std::fill_n(patch.width, Patch<Number>::n, Number(1));
+  const bool middle    = y.has_middle(J);
+  patch.n_rows         = middle ? 2 : 1;
+  patch.height         = static_cast<Number>(coarse_y.width(J));
+  patch.y[0]           = 0;
+  patch.y[1]           = middle ? static_cast<Number>(y_distance[J][0]) : patch.height;
+  patch.y[2]           = patch.height;
+  const unsigned int n = std::min(Patch<Number>::n, x.n_coarse_cells() - I0);
+  for (unsigned int l = 0; l < n; ++l)
+    fill_lane(l, I0 + l, J, patch);
+}
+
+template <typename Number>
+void Interpolation::fill_lane(const unsigned int l,
+                              const unsigned int I,
+                              const unsigned int J,
+                              Patch<Number> &patch) const
+{
+  auto &w       = patch.weight;
+  const bool mx = x.has_middle(I), my = y.has_middle(J);
+  const unsigned int r = mx ? 2 : 1, t = my ? 2 : 1;
+  const int row  = static_cast<int>(J);
+  patch.width[l] = static_cast<Number>(coarse_x.width(I));
+  patch.x[r][l]  = patch.width[l];
+  w[0][0][0][l] = w[0][r][1][l] = w[t][0][2][l] = w[t][r][3][l] = 1;
+  if (mx)
+    {
+      patch.x[1][l]     = static_cast<Number>(x_distance[I][0]);
+      const Number down = left.row(0, row)[I], up = left.row(0, row + 1)[I];
+      w[0][1][0][l] = down;
+      w[0][1][1][l] = 1 - down;
+      w[t][1][2][l] = up;
+      w[t][1][3][l] = 1 - up;
+    }
+  if (my)
+    for (unsigned int s = 0; s < 2; ++s)
+      {
+        const Number side     = lower.row(0, row)[I + s];
+        w[1][s * r][s][l]     = side;
+        w[1][s * r][s + 2][l] = 1 - side;
+      }
+  if (mx && my)
+    {
+      // Weights sum to one to the last digit, or rigid motions would not pass.
+      Number rest = 1;
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          w[1][1][c][l] = corners.row(c, row)[I];
+          rest -= w[1][1][c][l];
+        }
+      w[1][1][3][l] = rest;
+    }
+}
+
+template void
+Interpolation::fill_patch(const unsigned int, const unsigned int, Patch<float> &) const;
+template void
+Interpolation::fill_patch(const unsigned int, const unsigned int, Patch<double> &) const;
+} // namespace multigrid
+} // namespace mesoslip

@@ -1,0 +1,146 @@
+#ifndef mesoslip_statics_multigrid_multigrid_h
+#define mesoslip_statics_multigrid_multigrid_h
+
+#include "elasticity/dof_mask.h"
+#include "elasticity/uniform_grid_operator.h"
+#include "elasticity/uniform_material.h"
+#include "grid/nodal_field.h"
+#include "statics/multigrid/held_unknowns.h"
+#include "statics/multigrid/interpolation.h"
+#include "statics/multigrid/line_smoother.h"
+#include "statics/multigrid/rigid_modes.h"
+#include "statics/multigrid/stencil.h"
+#include "statics/multigrid/transfer.h"
+
+#include <memory>
+#include <vector>
+
+namespace mesoslip
+{
+namespace multigrid
+{
+/**
+ * A preconditioner for the stiffness of a uniform grid: one multigrid cycle, symmetric
+ * and positive definite (on the complement of rigid motions).
+ *
+ * Finest grid matrix-free; coarse grids of rigid nodes (displacement and rotation) with
+ * Galerkin operators; weights of interpolation that follow the stiffness; columns, then
+ * rows as smoothers, backwards after the coarse grid; dense inverse at the bottom. Its
+ * convergence depends little on size, cell shape and contrast (stiff fibres one cell
+ * wide, soft inclusions).
+ *
+ * Symmetric and positive definite: LineSmoother has K <= 2 T, so each smoothing step
+ * converges by itself; the coarse operators are P^T K P; so by induction from the dense
+ * inverse at the bottom the error of every visit is a positive semidefinite operator, of
+ * one or of two sweeps, and no eigenvalue of M^-1 K exceeds 1.
+ *
+ * Grids 0 and 1 work in the precision Number. Single precision takes two thirds of the
+ * time; it is enough unless the smallest energies of the body (a slender strip that
+ * bends, soft cells between stiff ones) are below 1e-7 of the largest: then round-off
+ * makes M^-1 indefinite. The coarser grids, a sixteenth of the unknowns, always work in
+ * double: with strong contrast they are visited twice, and the residual of the second
+ * visit would drown.
+ */
+template <typename Number>
+class Multigrid
+{
+public:
+  /** Both arguments must outlive this object, which still lacks set_held(). */
+  Multigrid(const UniformMaterial &material, const UniformGridOperator &stiffness);
+
+  /** Builds the operators for these held degrees of freedom; weights are kept. */
+  void set_held(const DofMask &mask);
+
+  /**
+   * x = M^-1 b. Held unknowns of @p b must be zero, those of @p x become so. Duplicate
+   * columns and rows of @p b are ignored, those of @p x are set.
+   */
+  void vmult(NodalField<Number> &x, const NodalField<Number> &b);
+
+  /** The finest included. */
+  unsigned int n_levels() const
+  {
+    return static_cast<unsigned int>(interpolations.size()) + 1;
+  }
+
+  /** Null space of the finest grid's matrix. */
+  const RigidModes &rigid_modes() const
+  {
+    return modes;
+  }
+
+private:
+  /** A coarse grid. */
+  template <typename T>
+  struct Level
+  {
+    Level() = default;
+    Level(const Axis &x, const Axis &y)
+      : x(3, y.n_nodes(), x.n_nodes())
+      , b(3, y.n_nodes(), x.n_nodes())
+      , r(3, y.n_nodes(), x.n_nodes())
+    {
+    }
+
+    Stencil<T> stencil;
+    LineSmoother<3, T> smoother;
+    Transfer<T> to_coarse;
+    PaddedRows<T> x, b, r;
+  };
+
+  void build_interpolations();
+  void build_levels();
+  template <typename T>
+  void build_smoother(Level<T> &level, const Axis &x, const Axis &y);
+  void build_finest_smoother();
+  void build_bottom();
+
+  void finest_residual(const NodalField<Number> &x, const NodalField<Number> &b);
+  void copy_duplicates(NodalField<Number> &x) const;
+  void visit_first();
+  void visit(const unsigned int l);
+  template <typename T, typename Correct>
+  void sweep(Level<T> &level, const bool from_zero, const Correct &correct);
+  template <typename Field>
+  void solve_bottom(Field &x,
+                    const Field &b,
+                    const Axis &axis_x,
+                    const Axis &axis_y,
+                    const unsigned int n_components);
+
+  unsigned int bottom() const
+  {
+    return static_cast<unsigned int>(interpolations.size());
+  }
+
+  const UniformMaterial &material;
+  const UniformGridOperator &stiffness;
+  Axis finest_x, finest_y;
+  bool strong_contrast = false;
+
+  /** Between grids l and l + 1. */
+  std::vector<Interpolation> interpolations;
+  /** Of grid l. */
+  std::vector<HeldUnknowns> held;
+  RigidModes modes;
+
+  LineSmoother<2, Number> finest_smoother;
+  Transfer<Number> from_finest;
+  NodalField<Number> finest_r;
+
+  /** Grid 1. */
+  Level<Number> first;
+  /** Right-hand side and solution of grid 2 on their way from and to grid 1. */
+  PaddedRows<Number> interface;
+  /** rest[l - 2] is grid l. */
+  std::vector<Level<double>> rest;
+
+  /** Inverse on the coarsest grid (all unknowns of a node together). */
+  PaddedRows<double> bottom_inverse;
+  PaddedRows<double> bottom_vectors;
+};
+
+} // namespace multigrid
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,91 @@
+#ifndef mesoslip_statics_static_solver_h
+#define mesoslip_statics_static_solver_h
+
+#include "elasticity/dof_mask.h"
+#include "grid/nodal_field.h"
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace mesoslip
+{
+/** How K u = f is solved. */
+enum class StaticSolverKind
+{
+  multigrid, ///< conjugate gradients with a multigrid cycle
+  jacobi,    ///< conjugate gradients with the diagonal; needs no set-up
+  ml         ///< deal.II mesh, Trilinos matrix and ML; on several ranks
+};
+
+/** @throws std::invalid_argument unless @p name is multigrid, jacobi or ml. */
+StaticSolverKind static_solver_kind(const std::string &name);
+
+/** What a solve took. */
+struct SolverReport
+{
+  unsigned int iterations = 0;  ///< of the iterative solver
+  double residual         = 0.; ///< relative to the right-hand side
+
+  /** Where multigrid went on in double precision: those in single precision before. */
+  std::optional<unsigned int> single_iterations = std::nullopt;
+};
+
+/** A solve that failed, for a reason that advice may depend on. */
+class NotConverged : public std::runtime_error
+{
+public:
+  /** Why it ended. */
+  enum class Reason
+  {
+    iterations, ///< as many as are allowed
+    broke_down, ///< the preconditioner is indefinite, by round-off
+    not_finite  ///< forces or displacements overflow or are no numbers
+  };
+
+  /** @p text says what happened, without advice. */
+  explicit NotConverged(const std::string &text,
+                        const Reason the_reason = Reason::iterations)
+    : std::runtime_error(text)
+    , why(the_reason)
+  {
+  }
+
+  /** Why it ended. */
+  Reason reason() const
+  {
+    return why;
+  }
+
+private:
+  Reason why;
+};
+
+/**
+ * Static equilibrium K u = f of a body with constrained (held) degrees of freedom;
+ * without enough of them the solution is fixed by being orthogonal to the rigid motions
+ * that are left, and what f has of these is ignored. Periodic bodies give periodic
+ * solutions.
+ */
+class StaticSolver
+{
+public:
+  virtual ~StaticSolver() = default;
+
+  /** Which degrees of freedom are held from now on; the costly part of the set-up. */
+  virtual void set_held(const DofMask &mask) = 0;
+
+  /**
+   * Solves for the free entries of @p u; the held ones are prescribed values on entry.
+   * @p force (N/m) is ignored there. Stops at |r| <= tolerance |r_0|, r_0 being the
+   * residual of the prescribed values alone.
+   * @throws NotConverged
+   */
+  virtual SolverReport solve(NodalField<double> &u,
+                             const NodalField<double> &force,
+                             const double tolerance) = 0;
+};
+} // namespace mesoslip
+
+#endif

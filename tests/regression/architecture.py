@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+"""Draws the topics of lib/ with their files, and which topic includes which, from the #include lines: doc/architecture.svg. Arrows that
+follow from others are left out; a topic stands above all that it includes.
+
+    architecture.py [--check]      --check: exit status 1 if the drawing is not that of the sources
+"""
+
+import html
+import os
+import re
+import sys
+
+TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+PATH = os.path.join(TOP, "doc", "architecture.svg")
+COLUMN, LINE, GAP = 150, 13, 60
+
+
+def topics():
+    """Names of the files of each topic without suffix, and the topics it includes."""
+    lib, files, uses = os.path.join(TOP, "lib"), {}, {}
+    for topic in sorted(name for name in os.listdir(lib) if os.path.isdir(os.path.join(lib, name))):
+        for folder, _, names in os.walk(os.path.join(lib, topic)):
+            for name in names:
+                stem, suffix = os.path.splitext(name)
+                if suffix in (".h", ".cc"):
+                    files.setdefault(topic, set()).add(os.path.join(os.path.relpath(folder, os.path.join(lib, topic)), stem).removeprefix("./"))
+                    with open(os.path.join(folder, name), encoding="utf-8") as file:
+                        uses.setdefault(topic, set()).update(re.findall(r'^#\s*include\s+"([a-z_]+)/', file.read(), re.MULTILINE))
+    return files, {topic: {used for used in uses[topic] if used in files and used != topic} for topic in files}
+
+
+def below(topic, uses):
+    """All topics that it needs."""
+    found = set(uses[topic])
+    for used in uses[topic]:
+        found |= below(used, uses)
+    return found
+
+
+def floors(files, uses):
+    """The topics of each floor, the lowest first."""
+    level = {}
+
+    def level_of(topic):
+        if topic not in level:
+            level[topic] = 1 + max((level_of(used) for used in uses[topic]), default=-1)
+        return level[topic]
+
+    for topic in files:
+        level_of(topic)
+    return [sorted(topic for topic in files if level[topic] == k) for k in range(max(level.values()) + 1)]
+
+
+class Box:
+    def __init__(self, topic, files, x, bottom):
+        self.topic, self.files, self.x = topic, sorted(files), x
+        self.columns = 1 if len(files) < 8 else 2 if len(files) < 20 else 3
+        self.rows = -(-len(files) // self.columns)
+        self.width, self.height = self.columns * COLUMN + 10, 24 + self.rows * LINE
+        self.y = bottom - self.height
+
+    def svg(self):
+        lines = [f'<rect x="{self.x}" y="{self.y}" width="{self.width}" height="{self.height}" rx="5" fill="#f3f6fa" stroke="#4a6a8a"/>',
+                 f'<text x="{self.x + 8}" y="{self.y + 16}" class="topic">{self.topic}</text>']
+        for k, name in enumerate(self.files):
+            lines.append(f'<text x="{self.x + 8 + k // self.rows * COLUMN}" y="{self.y + 31 + k % self.rows * LINE}">{html.escape(name)}</text>')
+        return lines
+
+
+def draw():
+    files, uses = topics()
+    boxes, bottom, widest = {}, 0, 0
+    for floor in floors(files, uses):
+        x, highest = 10, 0
+        for topic in floor:
+            boxes[topic] = Box(topic, files[topic], x, bottom)
+            x += boxes[topic].width + GAP
+            highest = max(highest, boxes[topic].height)
+        widest = max(widest, x - GAP + 10)
+        bottom -= highest + GAP
+    for floor in floors(files, uses):  # in the middle
+        shift = (widest - 10 - boxes[floor[-1]].x - boxes[floor[-1]].width) // 2
+        for topic in floor:
+            boxes[topic].x += shift
+    top = bottom + GAP - 10
+    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{widest}" height="{10 - top}" viewBox="0 {top} {widest} {10 - top}">',
+             "<style>text {font: 10px sans-serif} .topic {font: bold 13px sans-serif}</style>",
+             '<defs><marker id="head" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="7" markerHeight="7" orient="auto">'
+             '<path d="M0 0 L8 4 L0 8 z" fill="#b06030"/></marker></defs>',
+             f'<rect x="0" y="{top}" width="{widest}" height="{10 - top}" fill="white"/>']
+    for topic, used in uses.items():
+        for other in sorted(other for other in used if not any(other in below(third, uses) for third in used)):
+            a, b = boxes[topic], boxes[other]
+            x1, y1, x2, y2 = a.x + a.width // 2, a.y + a.height, b.x + b.width // 2, b.y
+            lines.append(f'<path d="M{x1} {y1} C{x1} {y1 + 40} {x2} {y2 - 40} {x2} {y2}" fill="none" stroke="#b06030" marker-end="url(#head)"/>')
+    for box in boxes.values():
+        lines += box.svg()
+    return "\n".join(lines + ["</svg>", ""])
+
+
+def main():
+    drawing = draw()
+    if sys.argv[1:] == ["--check"]:
+        with open(PATH, encoding="utf-8") as file:
+            if file.read() != drawing:
+                sys.exit("doc/architecture.svg is not that of the sources: run tests/regression/architecture.py")
+    else:
+        with open(PATH, "w", encoding="utf-8") as file:
+            file.write(drawing)
+
+
+if __name__ == "__main__":
+    main()
