@@ -3,7 +3,7 @@
 
 #include "contact/contact_function.h"
 #include "contact/friction_law.h"
-#include "dynamics/boundary_condition.h"
+#include "dynamics/surface_condition.h"
 #include "grid/nodal_field.h"
 #include "parameters/load_history.h"
 
@@ -87,7 +87,7 @@ struct ContactObserver
  * tangential component, so there is an instance for dim = 2.
  */
 template <int dim>
-class ContactSurface : public BoundaryCondition<dim>
+class ContactSurface : public SurfaceCondition<dim>
 {
 public:
   /** As many nodes as @p setup has friction coefficients, none of them touching. */

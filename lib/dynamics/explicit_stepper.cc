@@ -91,7 +91,7 @@ struct ExplicitStepper::Implementation
 
   SteppedBody with_free_rows(SteppedBody body)
   {
-    for (BoundaryCondition<2> **row : {&body.bottom, &body.top})
+    for (SurfaceCondition<2> **row : {&body.bottom, &body.top})
       if (*row == nullptr)
         *row = &free_row;
     return body;
@@ -103,8 +103,8 @@ ExplicitStepper::ExplicitStepper(const UniformMaterial &material,
                                  const SideConstraints &sides,
                                  NodalField<double> &u,
                                  NodalField<double> &w,
-                                 BoundaryCondition<2> *bottom,
-                                 BoundaryCondition<2> *top,
+                                 SurfaceCondition<2> *bottom,
+                                 SurfaceCondition<2> *top,
                                  const SweepOptions &options)
   : ExplicitStepper(material,
                     NodeRows::all(material.n_rows()),
@@ -125,8 +125,8 @@ ExplicitStepper::ExplicitStepper(const UniformMaterial &material,
                                  const SideConstraints &sides,
                                  NodalField<double> &u,
                                  NodalField<double> &w,
-                                 BoundaryCondition<2> *bottom,
-                                 BoundaryCondition<2> *top,
+                                 SurfaceCondition<2> *bottom,
+                                 SurfaceCondition<2> *top,
                                  Halo *halo,
                                  const SweepOptions &options)
   : implementation(std::make_unique<Implementation>(

@@ -1,8 +1,8 @@
 #ifndef mesoslip_dynamics_explicit_stepper_h
 #define mesoslip_dynamics_explicit_stepper_h
 
-#include "dynamics/boundary_condition.h"
 #include "dynamics/step_parameters.h"
+#include "dynamics/surface_condition.h"
 #include "elasticity/uniform_material.h"
 #include "grid/halo.h"
 #include "grid/nodal_field.h"
@@ -23,7 +23,7 @@ namespace mesoslip
  *
  * which is the beta2 scheme with v = w + beta2 dt a where a velocity is reported (w alone
  * is v_n - beta2 dt a_n, see doc/). Inner rows are advanced by the kernel, the bottom and
- * the top row by the given BoundaryCondition<2> objects.
+ * the top row by the given SurfaceCondition<2> objects.
  *
  * @p u and @p w, the material and the boundary rows are referenced and must outlive the
  * stepper; the fields have material.n_columns() columns and rows.n_local() rows. On a
@@ -42,9 +42,9 @@ public:
                   const SideConstraints &sides,
                   NodalField<double> &u,
                   NodalField<double> &w,
-                  BoundaryCondition<2> *bottom = nullptr,
-                  BoundaryCondition<2> *top    = nullptr,
-                  const SweepOptions &options  = SweepOptions());
+                  SurfaceCondition<2> *bottom = nullptr,
+                  SurfaceCondition<2> *top    = nullptr,
+                  const SweepOptions &options = SweepOptions());
 
   /** On a slab; @p halo is used on the sides that have a neighbour. */
   ExplicitStepper(const UniformMaterial &material,
@@ -53,8 +53,8 @@ public:
                   const SideConstraints &sides,
                   NodalField<double> &u,
                   NodalField<double> &w,
-                  BoundaryCondition<2> *bottom,
-                  BoundaryCondition<2> *top,
+                  SurfaceCondition<2> *bottom,
+                  SurfaceCondition<2> *top,
                   Halo *halo,
                   const SweepOptions &options = SweepOptions());
 

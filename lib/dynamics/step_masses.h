@@ -1,7 +1,7 @@
 #ifndef mesoslip_dynamics_step_masses_h
 #define mesoslip_dynamics_step_masses_h
 
-#include "dynamics/boundary_condition.h"
+#include "dynamics/surface_condition.h"
 #include "elasticity/row_kernel.h"
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"

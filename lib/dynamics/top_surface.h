@@ -2,7 +2,7 @@
 #define mesoslip_dynamics_top_surface_h
 
 #include "base/serialize_members.h"
-#include "dynamics/boundary_condition.h"
+#include "dynamics/surface_condition.h"
 #include "parameters/load_history.h"
 
 #include <boost/serialization/array.hpp>
@@ -119,7 +119,7 @@ private:
  * (u_(n+1) - u_(n-1)) / 2, for which the discrete energy balance is exact.
  */
 template <int dim>
-class TopSurface : public BoundaryCondition<dim>
+class TopSurface : public SurfaceCondition<dim>
 {
 public:
   /** For a top of @p n_nodes nodes, at rest. */

@@ -1,8 +1,8 @@
 #ifndef mesoslip_dynamics_wavefront_h
 #define mesoslip_dynamics_wavefront_h
 
-#include "dynamics/boundary_condition.h"
 #include "dynamics/step_masses.h"
+#include "dynamics/surface_condition.h"
 #include "elasticity/row_sweep.h"
 #include "grid/halo.h"
 #include "grid/nodal_field.h"
@@ -21,8 +21,8 @@ struct SteppedBody
   const StepParameters parameters; ///< of the scheme
   NodalField<double> &u;           ///< displacement (m)
   NodalField<double> &w;           ///< velocity of the scheme (m/s)
-  BoundaryCondition<2> *bottom;    ///< what moves the bottom row of the grid
-  BoundaryCondition<2> *top;       ///< what moves its top row
+  SurfaceCondition<2> *bottom;     ///< what moves the bottom row of the grid
+  SurfaceCondition<2> *top;        ///< what moves its top row
   Halo *halo;                      ///< none on a single rank
 };
 

@@ -15,9 +15,9 @@ struct Timed
   Timer &timer;
 };
 
-struct TimedSurface : BoundaryCondition<2>, Timed<BoundaryCondition<2>>
+struct TimedSurface : SurfaceCondition<2>, Timed<SurfaceCondition<2>>
 {
-  explicit TimedSurface(const Timed<BoundaryCondition<2>> &timed)
+  explicit TimedSurface(const Timed<SurfaceCondition<2>> &timed)
     : Timed(timed)
   {
   }
@@ -99,7 +99,7 @@ LoopProfile::LoopProfile(Timer *timer)
 
 LoopProfile::~LoopProfile() = default;
 
-BoundaryCondition<2> *LoopProfile::timed(BoundaryCondition<2> &surface, const char *name)
+SurfaceCondition<2> *LoopProfile::timed(SurfaceCondition<2> &surface, const char *name)
 {
   return wrap<TimedSurface>(surface, name, clock, surfaces);
 }

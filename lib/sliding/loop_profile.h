@@ -1,8 +1,8 @@
 #ifndef mesoslip_sliding_loop_profile_h
 #define mesoslip_sliding_loop_profile_h
 
-#include "dynamics/boundary_condition.h"
 #include "dynamics/step_observer.h"
+#include "dynamics/surface_condition.h"
 #include "grid/halo.h"
 
 #include <memory>
@@ -25,7 +25,7 @@ public:
   ~LoopProfile();
 
   /** @p surface, timed as @p name. The result lives as long as both. */
-  BoundaryCondition<2> *timed(BoundaryCondition<2> &surface, const char *name);
+  SurfaceCondition<2> *timed(SurfaceCondition<2> &surface, const char *name);
 
   /** The same for sending to and waiting for neighbours. */
   Halo *timed(Halo &halo, const char *name);
@@ -41,7 +41,7 @@ public:
 
 private:
   Timer *clock;
-  std::vector<std::unique_ptr<BoundaryCondition<2>>> surfaces;
+  std::vector<std::unique_ptr<SurfaceCondition<2>>> surfaces;
   std::vector<std::unique_ptr<Halo>> halos;
   std::vector<std::unique_ptr<StepObserver>> observers;
 };

@@ -18,7 +18,7 @@ SlidingSetup completed(SlidingSetup setup, const UniformMaterial &material)
 SlidingBody::SlidingBody(const UniformMaterial &material,
                          const SlidingSetup &given,
                          const MPI_Comm communicator,
-                         BoundaryCondition<2> *bottom,
+                         SurfaceCondition<2> *bottom,
                          Timer *timer)
   : material(material)
   , setup(completed(given, material))

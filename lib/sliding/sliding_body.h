@@ -53,9 +53,9 @@ public:
    */
   SlidingBody(const UniformMaterial &material,
               const SlidingSetup &setup,
-              const MPI_Comm communicator  = MPI_COMM_SELF,
-              BoundaryCondition<2> *bottom = nullptr,
-              Timer *timer                 = nullptr);
+              const MPI_Comm communicator = MPI_COMM_SELF,
+              SurfaceCondition<2> *bottom = nullptr,
+              Timer *timer                = nullptr);
 
   /** Work done on and dissipated at bottom and top since the start, of this rank. */
   BoundaryWork boundary_work() const;

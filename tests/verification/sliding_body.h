@@ -58,8 +58,8 @@ class Body : OwnMaterial, public SlidingBody
 {
 public:
   explicit Body(const BodySetup &setup,
-                MPI_Comm communicator        = MPI_COMM_SELF,
-                BoundaryCondition<2> *bottom = nullptr)
+                MPI_Comm communicator       = MPI_COMM_SELF,
+                SurfaceCondition<2> *bottom = nullptr)
     : OwnMaterial{setup.material()}
     , SlidingBody(own_material, setup.with_friction(), communicator, bottom)
     , setup(setup)

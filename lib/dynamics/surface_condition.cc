@@ -1,4 +1,4 @@
-#include "dynamics/boundary_condition.h"
+#include "dynamics/surface_condition.h"
 
 namespace mesoslip
 {

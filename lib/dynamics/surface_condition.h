@@ -1,5 +1,5 @@
-#ifndef mesoslip_dynamics_boundary_condition_h
-#define mesoslip_dynamics_boundary_condition_h
+#ifndef mesoslip_dynamics_surface_condition_h
+#define mesoslip_dynamics_surface_condition_h
 
 #include "dynamics/step_parameters.h"
 
@@ -50,9 +50,9 @@ struct SurfaceView
  * neither may look at other nodes of the body.
  */
 template <int dim>
-struct BoundaryCondition
+struct SurfaceCondition
 {
-  virtual ~BoundaryCondition() = default;
+  virtual ~SurfaceCondition() = default;
 
   /** One step of the surface, on the rank that owns it. */
   virtual void advance(const SurfaceView<dim> &surface) = 0;
@@ -60,7 +60,7 @@ struct BoundaryCondition
 
 /** No boundary force: the surface moves freely (constrained as inverse_mass says). */
 template <int dim>
-class FreeSurface : public BoundaryCondition<dim>
+class FreeSurface : public SurfaceCondition<dim>
 {
 public:
   /** Time step and beta2 are taken from @p parameters. */
