@@ -19,9 +19,6 @@ enum class StaticSolverKind
   ml         ///< deal.II mesh, Trilinos matrix and ML; on several ranks
 };
 
-/** @throws std::invalid_argument unless @p name is multigrid, jacobi or ml. */
-StaticSolverKind static_solver_kind(const std::string &name);
-
 /** What a solve took. */
 struct SolverReport
 {
