@@ -5,6 +5,8 @@
 #include <material/stiffness.h>
 #include <sliding/sliding_body.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <cstdio>
 #include <numeric>
 
@@ -41,8 +43,9 @@ double mean_velocity(const NodalField<double> &w)
 }
 } // namespace
 
-int main()
+int main(int argc, char **argv)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const UniformMaterial material = block();
   SlidingSetup setup;
   setup.step.beta = 2e-8; // s, so that the landing does not ring on

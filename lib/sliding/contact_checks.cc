@@ -104,7 +104,7 @@ void ContactParameters::check() const
   if (time.time_step > time.end_time)
     throw UserError("Time/Time step: " + to_text(time.time_step) +
                     " s is longer than End time, " + to_text(time.end_time) + " s");
-  const auto &left = sides.left_held, &right = sides.right_held;
+  const std::array<bool, 2> &left = sides.left_held, &right = sides.right_held;
   if (periodic && (left[0] || left[1] || right[0] || right[1]))
     throw UserError("Sides/Periodic is true, so Left and Right have to be free");
   if (top.kind == TopSetup::Kind::platen && (left[1] || right[1]))

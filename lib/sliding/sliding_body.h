@@ -74,20 +74,20 @@ public:
       archive &*energy;
   }
 
-  const UniformMaterial &material; ///< of all cells
-  const SlidingSetup setup;        ///< completed: widths, periodicity
-  const MPI_Comm communicator;     ///< of the ranks that share the body
-  const NodeRows rows;             ///< of this rank
-  NodalField<double> u;            ///< displacement (m), own and ghost rows
-  NodalField<double> w;            ///< velocity of the scheme (m/s)
-  ContactSurface<2> contact;       ///< the bottom
-  TopSurface<2> top;               ///< the top
-  ContactRecorder<2> contact_recorder;
-  NodeStatistics<2> node_statistics;
-  TopRecorder top_recorder;
-  MPIHalo halo;        ///< exchange with the ranks above and below
-  LoopProfile profile; ///< clocks around the parts of a step
-  ExplicitStepper stepper;
+  const UniformMaterial &material;     ///< of all cells
+  const SlidingSetup setup;            ///< completed: widths, periodicity
+  const MPI_Comm communicator;         ///< of the ranks that share the body
+  const NodeRows rows;                 ///< of this rank
+  NodalField<double> u;                ///< displacement (m), own and ghost rows
+  NodalField<double> w;                ///< velocity of the scheme (m/s)
+  ContactSurface<2> contact;           ///< the bottom
+  TopSurface<2> top;                   ///< the top
+  ContactRecorder<2> contact_recorder; ///< histories of the contact
+  NodeStatistics<2> node_statistics;   ///< states of the contact nodes
+  TopRecorder top_recorder;            ///< histories of the top
+  MPIHalo halo;                        ///< exchange with the ranks above and below
+  LoopProfile profile;                 ///< clocks around the parts of a step
+  ExplicitStepper stepper;             ///< the time integration
   UniformGridOperator op;              ///< K of this rank's cells
   std::unique_ptr<EnergyAudit> energy; ///< null without an energy interval
 };

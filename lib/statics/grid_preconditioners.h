@@ -29,7 +29,8 @@ struct MultigridCycle
   }
 
   multigrid::Multigrid<Number> cycle; ///< M^-1
-  NodalField<Number> b, z;            ///< residual and what apply() makes of it
+  NodalField<Number> b;               ///< residual
+  NodalField<Number> z;               ///< what apply() makes of it
 };
 
 /** The diagonal of K, zero where entries are held. */
@@ -61,7 +62,8 @@ struct Diagonal
   }
 
   NodalField<double> inverse; ///< 1/D
-  NodalField<double> b, z;    ///< residual and what apply() makes of it
+  NodalField<double> b;       ///< residual
+  NodalField<double> z;       ///< what apply() makes of it
 };
 } // namespace mesoslip
 

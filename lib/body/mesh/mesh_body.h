@@ -17,6 +17,8 @@ template <int dim>
 class MeshBody : public ElasticBody<dim>
 {
 public:
+  using Cells = typename ElasticBody<dim>::Cells; ///< values in a group of cells
+
   /** Collective over @p communicator. @throws std::invalid_argument if a cell has no area
    * or the sides of a periodic mesh do not match. */
   explicit MeshBody(const Mesh<dim> &mesh, const MPI_Comm communicator);
@@ -28,7 +30,7 @@ public:
   std::size_t n_cell_groups() const override;
   void evaluate(const NodalField<double> &u,
                 const std::size_t group,
-                typename ElasticBody<dim>::Cells &cells) const override;
+                Cells &cells) const override;
   void vmult(NodalField<double> &Ku, const NodalField<double> &u) const override;
   std::unique_ptr<StaticSolver> make_solver() const override;
   std::unique_ptr<ElasticBody<dim>> make_periodic() const override;
