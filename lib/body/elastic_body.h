@@ -175,7 +175,7 @@ protected:
   double mass                     = 0.;             ///< see total_mass()
   std::size_t number_of_cells     = 0;              ///< see n_cells()
   bool distributed                = false;          ///< see is_distributed()
-  std::array<SurfaceNodes<dim>, 2 * dim> sides;     ///< see surface()
+  std::array<SurfaceNodes<dim>, 2UL * dim> sides;   ///< see surface()
   std::vector<std::array<NodeIndex, 2>> duplicates; ///< see duplicate_nodes()
 
 private:

@@ -21,8 +21,8 @@ public:
   explicit GridBody(const UniformMaterial &material,
                     const StaticSolverKind solver = StaticSolverKind::multigrid);
 
-  /** The body keeps @p material. */
-  GridBody(const std::shared_ptr<const UniformMaterial> &material,
+  /** The body keeps the @p given material. */
+  GridBody(const std::shared_ptr<const UniformMaterial> &given,
            const StaticSolverKind solver);
 
   std::array<double, 2> point(const NodeIndex &node) const override;

@@ -54,15 +54,17 @@ public:
   }
 
   /** Row @p j (-1 to n_rows()) of array @p k. The arrays of a row lie side by side. */
-  Number *row(const unsigned int k, const int j)
+  template <typename Index>
+  Number *row(const unsigned int k, const Index j)
   {
-    return data.get() + offset(k, j);
+    return data.get() + offset(k, static_cast<int>(j));
   }
 
   /** As above, read only. */
-  const Number *row(const unsigned int k, const int j) const
+  template <typename Index>
+  const Number *row(const unsigned int k, const Index j) const
   {
-    return data.get() + offset(k, j);
+    return data.get() + offset(k, static_cast<int>(j));
   }
 
   /** Ghosts and padding included. */

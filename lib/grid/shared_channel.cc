@@ -11,7 +11,7 @@ namespace mesoslip
 {
 namespace
 {
-constexpr std::size_t line = 64, n_slots = 2;
+constexpr std::size_t cache_line = 64, n_slots = 2;
 
 using Counter = std::atomic<std::uint64_t>;
 static_assert(Counter::is_always_lock_free, "counters are shared by processes");
@@ -29,13 +29,13 @@ public:
 
   static std::size_t bytes(const std::size_t capacity)
   {
-    return 2 * line + n_slots * padded(capacity);
+    return 2 * cache_line + n_slots * padded(capacity);
   }
 
   void initialize()
   {
     new (memory) Counter(0);
-    new (memory + line) Counter(0);
+    new (memory + cache_line) Counter(0);
   }
 
   Counter &written() const
@@ -45,19 +45,20 @@ public:
 
   Counter &read() const
   {
-    return *std::launder(reinterpret_cast<Counter *>(memory + line));
+    return *std::launder(reinterpret_cast<Counter *>(memory + cache_line));
   }
 
   /** Room of message number @p n. */
   double *slot(const std::uint64_t n) const
   {
-    return reinterpret_cast<double *>(memory + 2 * line + n % n_slots * padded(capacity));
+    return reinterpret_cast<double *>(memory + 2 * cache_line +
+                                      n % n_slots * padded(capacity));
   }
 
 private:
   static std::size_t padded(const std::size_t capacity)
   {
-    return (capacity * sizeof(double) + line - 1) / line * line;
+    return (capacity * sizeof(double) + cache_line - 1) / cache_line * cache_line;
   }
 
   char *memory;
@@ -122,8 +123,9 @@ SharedSegments::SharedSegments(MPI_Comm communicator, const std::size_t capacity
 {
   MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
   char *own = nullptr;
-  MPI_Win_allocate_shared(static_cast<MPI_Aint>(2 * Mailbox::bytes(capacity) + line), 1,
-                          MPI_INFO_NULL, node, &own, &window);
+  MPI_Win_allocate_shared(
+    static_cast<MPI_Aint>(2 * Mailbox::bytes(capacity) + cache_line), 1, MPI_INFO_NULL,
+    node, &own, &window);
   MPI_Win_lock_all(MPI_MODE_NOCHECK, window);
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
@@ -169,7 +171,7 @@ char *SharedSegments::segment(const int rank) const
   void *aligned     = start;
   std::size_t space = static_cast<std::size_t>(size);
   return static_cast<char *>(
-    std::align(line, 2 * Mailbox::bytes(capacity), aligned, space));
+    std::align(cache_line, 2 * Mailbox::bytes(capacity), aligned, space));
 }
 
 std::unique_ptr<HaloChannel> SharedSegments::channel(const int neighbour,

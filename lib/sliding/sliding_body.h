@@ -52,7 +52,7 @@ public:
    * contact; a @p timer gets the times of the parts of a step.
    */
   SlidingBody(const UniformMaterial &material,
-              const SlidingSetup &setup,
+              const SlidingSetup &given,
               const MPI_Comm communicator = MPI_COMM_SELF,
               SurfaceCondition<2> *bottom = nullptr,
               Timer *timer                = nullptr);

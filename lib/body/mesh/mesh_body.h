@@ -21,7 +21,7 @@ public:
 
   /** Collective over @p communicator. @throws std::invalid_argument if a cell has no area
    * or the sides of a periodic mesh do not match. */
-  explicit MeshBody(const Mesh<dim> &mesh, const MPI_Comm communicator);
+  explicit MeshBody(const Mesh<dim> &given, const MPI_Comm communicator);
 
   ~MeshBody() override;
 
