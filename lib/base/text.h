@@ -33,10 +33,10 @@ std::string nearest_word(const std::string &word,
 /** The shortest decimal text that reads back as the same double. */
 std::string to_text(const double value);
 
-/** "a, b, c". */
+/** Numbers separated by commas, each as above: "0.1, 2". */
 std::string to_text(const std::vector<double> &values);
 
-/** As above for words. */
+/** Words separated by commas: "a, b, c". */
 std::string to_text(const std::vector<std::string> &words);
 
 /** Items of a comma separated list, without surrounding blanks; none for "". */

@@ -141,7 +141,7 @@ public:
 
 private:
   std::uint64_t steps_per_block;
-  std::uint64_t n_steps = 0; ///< of the running block
+  std::uint64_t n_steps = 0; ///< counted in the running block
   std::vector<NodeCounts> complete_blocks;
 };
 } // namespace mesoslip

@@ -2,17 +2,22 @@
 """Draws the topics of lib/ with their files, and which topic includes which, from the #include lines: doc/architecture.svg. Arrows that
 follow from others are left out; a topic stands above all that it includes.
 
-    architecture.py [--check]      --check: exit status 1 if the drawing is not that of the sources
+    architecture.py
 """
 
 import html
 import os
 import re
-import sys
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 PATH = os.path.join(TOP, "doc", "architecture.svg")
 COLUMN, LINE, GAP = 150, 13, 60
+
+
+def includes(path):
+    """The topics that a file includes."""
+    with open(path, encoding="utf-8") as file:
+        return re.findall(r'^#\s*include\s+"([a-z_]+)/', file.read(), re.MULTILINE)
 
 
 def topics():
@@ -24,8 +29,7 @@ def topics():
                 stem, suffix = os.path.splitext(name)
                 if suffix in (".h", ".cc"):
                     files.setdefault(topic, set()).add(os.path.join(os.path.relpath(folder, os.path.join(lib, topic)), stem).removeprefix("./"))
-                    with open(os.path.join(folder, name), encoding="utf-8") as file:
-                        uses.setdefault(topic, set()).update(re.findall(r'^#\s*include\s+"([a-z_]+)/', file.read(), re.MULTILINE))
+                    uses.setdefault(topic, set()).update(includes(os.path.join(folder, name)))
     return files, {topic: {used for used in uses[topic] if used in files and used != topic} for topic in files}
 
 
@@ -98,16 +102,11 @@ def draw():
     return "\n".join(lines + ["</svg>", ""])
 
 
-def main():
-    drawing = draw()
-    if sys.argv[1:] == ["--check"]:
-        with open(PATH, encoding="utf-8") as file:
-            if file.read() != drawing:
-                sys.exit("doc/architecture.svg is not that of the sources: run tests/regression/architecture.py")
-    else:
-        with open(PATH, "w", encoding="utf-8") as file:
-            file.write(drawing)
+def is_drawn():
+    with open(PATH, encoding="utf-8") as file:
+        return file.read() == draw()
 
 
 if __name__ == "__main__":
-    main()
+    with open(PATH, "w", encoding="utf-8") as drawing:
+        drawing.write(draw())

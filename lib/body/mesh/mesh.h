@@ -25,7 +25,7 @@ struct Mesh
   /** Phase of each cell, an index into phases. */
   std::vector<std::uint8_t> phase;
 
-  std::vector<ElasticPhase<dim>> phases; ///< of which the cells are
+  std::vector<ElasticPhase<dim>> phases; ///< stiffness (Pa) and density (kg/m^3)
 
   Periodicity periodicity; ///< sides of the bounding box that are one
 

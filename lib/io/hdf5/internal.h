@@ -114,4 +114,11 @@ struct ValueOf<std::vector<T>>
 } // namespace hdf5
 } // namespace mesoslip
 
+/** DO(T) for each type that datasets and attributes may have. */
+#define MESOSLIP_HDF5_TYPES(DO) \
+  DO(double)                    \
+  DO(float)                     \
+  DO(int)                       \
+  DO(unsigned int) DO(std::int64_t) DO(std::uint64_t) DO(std::uint8_t) DO(std::string)
+
 #endif

@@ -202,13 +202,6 @@ T Hdf5File::read_attribute(const std::string &object,
                                          const std::string &) const;               \
   template std::vector<T> Hdf5File::read_attribute<std::vector<T>>(                \
     const std::string &, const std::string &, const std::string &) const;
-MESOSLIP_INSTANTIATE(double)
-MESOSLIP_INSTANTIATE(float)
-MESOSLIP_INSTANTIATE(int)
-MESOSLIP_INSTANTIATE(unsigned int)
-MESOSLIP_INSTANTIATE(std::int64_t)
-MESOSLIP_INSTANTIATE(std::uint64_t)
-MESOSLIP_INSTANTIATE(std::uint8_t)
-MESOSLIP_INSTANTIATE(std::string)
+MESOSLIP_HDF5_TYPES(MESOSLIP_INSTANTIATE)
 #undef MESOSLIP_INSTANTIATE
 } // namespace mesoslip

@@ -203,13 +203,6 @@ void Hdf5File::write_row(const std::string &name,
                                              const T &);                               \
   template void Hdf5File::write_attribute<std::vector<T>>(                             \
     const std::string &, const std::string &, const std::vector<T> &);
-MESOSLIP_INSTANTIATE(double)
-MESOSLIP_INSTANTIATE(float)
-MESOSLIP_INSTANTIATE(int)
-MESOSLIP_INSTANTIATE(unsigned int)
-MESOSLIP_INSTANTIATE(std::int64_t)
-MESOSLIP_INSTANTIATE(std::uint64_t)
-MESOSLIP_INSTANTIATE(std::uint8_t)
-MESOSLIP_INSTANTIATE(std::string)
+MESOSLIP_HDF5_TYPES(MESOSLIP_INSTANTIATE)
 #undef MESOSLIP_INSTANTIATE
 } // namespace mesoslip
