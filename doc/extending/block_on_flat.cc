@@ -20,9 +20,9 @@ constexpr double thrown = 1., gravity = 1e5;                            // m/s, 
 UniformMaterial block()
 {
   UniformGrid<2> grid;
-  grid.cells               = {{10, 5}};
-  grid.spacing             = {{1e-4, 1e-4}};
-  const ElasticClass steel = {isotropic_stiffness<2>(210e9, 0.3), 7800.};
+  grid.cells                  = {{10, 5}};
+  grid.spacing                = {{1e-4, 1e-4}};
+  const ElasticPhase<2> steel = {isotropic_stiffness<2>(210e9, 0.3), 7800.};
   return UniformMaterial(grid, {steel}, std::vector<std::uint8_t>(grid.n_cells(), 0));
 }
 

@@ -22,7 +22,7 @@ int main(int argc, char **argv)
 
   // Both phases have the shear modulus G, so the answer is known (Hill 1964).
   const double G = 10e9, lambda[2] = {5e9, 80e9};
-  std::vector<ElasticClass> phases;
+  std::vector<ElasticPhase<2>> phases;
   for (const double l : lambda)
     phases.push_back(
       {isotropic_stiffness<2>(G * (3. * l + 2. * G) / (l + G), l / (2. * (l + G))), 1.});

@@ -39,7 +39,7 @@ std::vector<double> phase_volumes(const ElasticBody<dim> &body)
 
 template <>
 std::vector<NodalField<double>>
-free_rigid_motions(const ElasticBody<2> &body, const DofMask &held, const bool can_rotate)
+free_rigid_motions(const ElasticBody<2> &body, const DofMask &mask, const bool can_rotate)
 {
   // Lengths are measured from the middle in widths of the body.
   const double width  = body.extent(0);
@@ -55,7 +55,7 @@ free_rigid_motions(const ElasticBody<2> &body, const DofMask &held, const bool c
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < body.n_rows(); ++j)
       for (unsigned int i = 0; i < body.n_columns(); ++i)
-        if (held.is_held(c, i, j))
+        if (mask.is_constrained(c, {i, j}))
           {
             const auto [x, y] = position({i, j});
             const Eigen::Vector3d m =

@@ -189,12 +189,12 @@ template <int dim>
 std::vector<double> phase_volumes(const ElasticBody<dim> &body);
 
 /**
- * The displacement fields of the rigid motions that the constraints @p held, periodic
+ * The displacement fields of the rigid motions that the constraints @p mask, periodic
  * sides and, if @p can_rotate is false, something else leave; linearly independent.
  */
 template <int dim>
 std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<dim> &body,
-                                                   const DofMask &held,
+                                                   const DofMask &mask,
                                                    const bool can_rotate = true);
 
 /**

@@ -13,7 +13,7 @@ GridBody<2>::GridBody(const UniformMaterial &material, const StaticSolverKind so
 GridBody<2>::GridBody(const std::shared_ptr<const UniformMaterial> &given,
                       const StaticSolverKind solver)
   : ElasticBody<2>(
-      given->n_columns(), given->n_rows(), given->classes(), given->periodicity())
+      given->n_columns(), given->n_rows(), given->phases(), given->periodicity())
   , owner(given)
   , material(*given)
   , solver(solver)
@@ -86,7 +86,7 @@ void GridBody<2>::evaluate(const NodalField<double> &u,
   cells.volume.assign(nx, 1.);
   for (unsigned int i = 0; i < nx; ++i)
     {
-      cells.phase[i]  = material.class_of(i, group);
+      cells.phase[i]  = material.phase_of(i, group);
       cells.strain[i] = VoigtVector<2>(exx[i], eyy[i], gxy[i]);
     }
 }
@@ -103,13 +103,7 @@ std::unique_ptr<StaticSolver> GridBody<2>::make_solver() const
 
 std::unique_ptr<ElasticBody<2>> GridBody<2>::make_periodic() const
 {
-  std::vector<std::uint8_t> ids;
-  for (unsigned int j = 0; j < material.grid().cells[1]; ++j)
-    for (unsigned int i = 0; i < material.grid().cells[0]; ++i)
-      ids.push_back(material.class_of(i, j));
   return std::make_unique<GridBody<2>>(
-    std::make_shared<UniformMaterial>(material.grid(), material.classes(), ids,
-                                      Periodicity{true, true}),
-    solver);
+    std::make_shared<UniformMaterial>(material.with({true, true})), solver);
 }
 } // namespace mesoslip

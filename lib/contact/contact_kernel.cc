@@ -11,11 +11,7 @@
 #  include <immintrin.h>
 #endif
 
-namespace mesoslip
-{
-namespace contact_kernels
-{
-namespace MESOSLIP_VARIANT
+namespace mesoslip::contact_kernels::MESOSLIP_VARIANT
 {
 #include "elasticity/simd.h"
 
@@ -46,20 +42,22 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
                                     const std::size_t i,
                                     LaneSums &s)
 {
+  using Arrays        = ContactArrays;
+  const auto at       = [&](const Arrays::Column c) { return a.column[c] + i; };
   const vdouble zero  = {};
   const vdouble one   = splat(1.);
   const double dt     = step.dt;
   const double c      = (0.5 + step.beta2) * dt * dt; // du = dt w + c a
   const double d      = (step.beta2 - 0.5) * dt * dt;
-  const vdouble mxinv = load(a.inverse_mass_x + i), myinv = load(a.inverse_mass_y + i);
-  const vdouble w_x = load(a.w_x + i), w_y = load(a.w_y + i);
-  const vdouble u_x = load(a.u_x + i), u_y = load(a.u_y + i);
+  const vdouble mxinv = load(a.inverse_mass[0] + i), myinv = load(a.inverse_mass[1] + i);
+  const vdouble w_x = load(a.w[0] + i), w_y = load(a.w[1] + i);
+  const vdouble u_x = load(a.u[0] + i), u_y = load(a.u[1] + i);
 
   // Without contact.
-  const vdouble free_x = -load(a.internal_x + i) * mxinv;
-  const vdouble free_y = -load(a.internal_y + i) * myinv;
+  const vdouble free_x = -load(a.force[0] + i) * mxinv;
+  const vdouble free_y = -load(a.force[1] + i) * myinv;
   const vdouble slide  = dt * w_x + c * free_x;
-  const vdouble gap    = load(a.gap + i) + u_y + dt * w_y + c * free_y;
+  const vdouble gap    = load(at(Arrays::gap)) + u_y + dt * w_y + c * free_y;
 
   // Contact.
   const vint64 touches = gap < zero;
@@ -67,13 +65,13 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
 
   // Friction.
   const vdouble to_stick = (step.flat_increment - slide) / at_least_smallest(c * mxinv);
-  const vdouble limit    = load(a.friction_coefficient + i) * normal;
+  const vdouble limit    = load(at(Arrays::friction_coefficient)) * normal;
   const vint64 sticks    = touches & (absolute(to_stick) <= limit);
   const vdouble target   = to_stick < zero ? -limit : limit;
-  const vdouble before   = load(a.target + i);
-  const vdouble relaxed  = target +
-                          (load(a.tangential_force + i) - before) * load(a.decay + i) -
-                          (target - before) * load(a.lag + i);
+  const vdouble before   = load(at(Arrays::target));
+  const vdouble relaxed =
+    target + (load(at(Arrays::tangential_force)) - before) * load(at(Arrays::decay)) -
+    (target - before) * load(at(Arrays::lag));
 
   // In its own direction friction never exceeds the force that makes the node stick.
   const vint64 same_direction = relaxed * to_stick > zero;
@@ -89,27 +87,27 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   const vdouble w_new_y = w_y + dt * a_y;
   const vdouble du_x    = dt * w_new_x + d * a_x;
   const vdouble du_y    = dt * w_new_y + d * a_y;
-  store(a.w_x + i, w_new_x);
-  store(a.w_y + i, w_new_y);
-  store(a.u_x + i, u_x + du_x);
-  store(a.u_y + i, u_y + du_y);
+  store(a.w[0] + i, w_new_x);
+  store(a.w[1] + i, w_new_y);
+  store(a.u[0] + i, u_x + du_x);
+  store(a.u[1] + i, u_y + du_y);
 
   // Statistics.
-  const vdouble central_x  = 0.5 * (du_x + load(a.increment_x + i));
-  const vdouble central_y  = 0.5 * (du_y + load(a.increment_y + i));
+  const vdouble central_x  = 0.5 * (du_x + load(at(Arrays::increment_x)));
+  const vdouble central_y  = 0.5 * (du_y + load(at(Arrays::increment_y)));
   const vdouble in_contact = touches ? one : zero;
   const vdouble stick      = sticks ? one : zero;
-  const vdouble landing    = in_contact * (one - load(a.touching + i));
-  store(a.increment_x + i, du_x);
-  store(a.increment_y + i, du_y);
-  store(a.stick_count + i, load(a.stick_count + i) + stick);
-  store(a.slip_count + i, load(a.slip_count + i) + (in_contact - stick));
-  store(a.landing_count + i, load(a.landing_count + i) + landing);
-  store(a.touching + i, in_contact);
-  store(a.sticking + i, stick);
-  store(a.normal_force + i, normal);
-  store(a.tangential_force + i, tangential);
-  store(a.target + i, touches ? target : zero);
+  const vdouble landing    = in_contact * (one - load(at(Arrays::touching)));
+  store(at(Arrays::increment_x), du_x);
+  store(at(Arrays::increment_y), du_y);
+  store(at(Arrays::stick_count), load(at(Arrays::stick_count)) + stick);
+  store(at(Arrays::slip_count), load(at(Arrays::slip_count)) + (in_contact - stick));
+  store(at(Arrays::landing_count), load(at(Arrays::landing_count)) + landing);
+  store(at(Arrays::touching), in_contact);
+  store(at(Arrays::sticking), stick);
+  store(at(Arrays::normal_force), normal);
+  store(at(Arrays::tangential_force), tangential);
+  store(at(Arrays::target), touches ? target : zero);
   s.normal += normal;
   s.tangential += tangential;
   s.sticking += stick;
@@ -142,6 +140,4 @@ void advance(const ContactArrays &arrays, const ContactStep &step, ContactSums &
   sums.friction_energy  = sum(&LaneSums::friction_energy);
   sums.impact_energy    = sum(&LaneSums::impact_energy);
 }
-} // namespace MESOSLIP_VARIANT
-} // namespace contact_kernels
-} // namespace mesoslip
+} // namespace mesoslip::contact_kernels::MESOSLIP_VARIANT

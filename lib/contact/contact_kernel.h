@@ -13,48 +13,40 @@ constexpr std::size_t contact_lanes = 8;
 /**
  * Pointers to everything the contact kernels read and write, one value a node, 64-byte
  * aligned and padded to a multiple of contact_lanes. Padding has gap = infinity and no
- * inverse mass.
+ * inverse mass. Components are along the contact (0) and normal to it (1).
  */
 struct ContactArrays
 {
-  std::size_t n; ///< padded number of nodes
+  /** What is kept for each node. */
+  enum Column : unsigned int
+  {
+    // Constant in time, the last two unless the regularization depends on the slip rate.
+    gap,                  ///< initial distance to the flat (m)
+    friction_coefficient, ///< Coulomb's, at least 0
+    decay,                ///< weight of the friction memory, see Relaxation
+    lag,                  ///< weight of the target's change, see Relaxation
+    // Displacement increments: of the step before, and predicted (m).
+    increment_x, ///< along the contact
+    increment_y, ///< normal to it
+    // State in the step before, 0 when separated; results of this step.
+    tangential_force, ///< friction on the body (N/m)
+    target,           ///< Coulomb's force on the body (N/m)
+    touching,         ///< 1 or 0
+    normal_force,     ///< N/m, pressing on the node from below, not negative
+    sticking,         ///< 1: touches without sliding
+    // Counters of the running block of steps.
+    stick_count,   ///< steps stuck
+    slip_count,    ///< steps slipped
+    landing_count, ///< steps in which contact began
+    n_columns
+  };
 
-  // The row of the body: internal minus body forces (N/m), inverse masses (m/kg), state.
-  const double *internal_x;     ///< along the contact
-  const double *internal_y;     ///< normal to it
-  const double *inverse_mass_x; ///< 0 where held
-  const double *inverse_mass_y; ///< 0 where held
-  double *u_x;                  ///< displacement (m), in and out
-  double *u_y;                  ///< displacement (m), in and out
-  double *w_x;                  ///< velocity of the scheme (m/s), in and out
-  double *w_y;                  ///< velocity of the scheme (m/s), in and out
-
-  // Constant in time.
-  const double *gap;                  ///< initial distance to the flat (m)
-  const double *friction_coefficient; ///< Coulomb, at least 0
-
-  // Constant in time unless the regularization depends on the slip rate; see Relaxation.
-  const double *decay; ///< weight of the friction memory
-  const double *lag;   ///< weight of the target's change
-
-  // Displacement increments: of the step before, and predicted (m).
-  double *increment_x; ///< along the contact
-  double *increment_y; ///< normal to it
-
-  // State: friction and its target in the step before, 0 when separated; whether the node
-  // touched then.
-  double *tangential_force; ///< on the body (N/m)
-  double *target;           ///< Coulomb's force, on the body (N/m)
-  double *touching;         ///< 1 or 0
-
-  // Results: N/m, pressing on the node from below; 1 or 0.
-  double *normal_force; ///< N/m, not negative
-  double *sticking;     ///< 1: touches without sliding
-
-  // Counters of the running block of steps.
-  double *stick_count;   ///< steps stuck
-  double *slip_count;    ///< steps slipped
-  double *landing_count; ///< steps in which contact began
+  std::size_t n;                 ///< padded number of nodes
+  const double *force[2];        ///< internal minus body forces (N/m)
+  const double *inverse_mass[2]; ///< m/kg, 0 where constrained
+  double *u[2];                  ///< displacement (m), in and out
+  double *w[2];                  ///< velocity of the scheme (m/s), in and out
+  double *column[n_columns];     ///< see Column
 };
 
 /** The time step's constants as the kernels use them. */
@@ -88,7 +80,7 @@ using ContactFunction = void (*)(const ContactArrays &arrays,
                                  const ContactStep &step,
                                  ContactSums &sums);
 
-/** One for each instruction set, see contact_function.h. */
+/** One for each instruction set, see contact_function(). */
 namespace contact_kernels
 {
 #define MESOSLIP_DECLARE_ADVANCE(name)                                     \

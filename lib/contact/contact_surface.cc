@@ -7,53 +7,47 @@
 
 namespace mesoslip
 {
+ContactFunction contact_function(const InstructionSet isa)
+{
+  using namespace contact_kernels;
+  const ContactFunction functions[] = MESOSLIP_VARIANTS(advance);
+  return variant(functions, isa);
+}
+
 template <int dim>
 ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParameters &step)
   : setup(setup)
   , step(step)
   , n_nodes(setup.friction_coefficient.size())
   , n_distinct(setup.periodic ? n_nodes - 1 : n_nodes)
-  , values(n_nodes, n_columns_stored)
+  , values(n_nodes, 1, Column::n_columns)
 {
-  const double infinity = std::numeric_limits<double>::infinity();
-  std::fill_n(column(gap), values.stride(), infinity);
-  std::fill_n(column(gap), n_distinct, setup.gap);
+  const unsigned int n_padded = whole_vectors<double>(n_nodes);
+  std::fill_n(column(Column::gap), n_padded, std::numeric_limits<double>::infinity());
+  std::fill_n(column(Column::gap), n_distinct, setup.gap);
   std::copy(setup.friction_coefficient.begin(), setup.friction_coefficient.end(),
-            column(friction_coefficient));
+            column(Column::friction_coefficient));
   const Relaxation relaxation(step.dt, setup.law.time);
-  std::fill_n(column(decay), values.stride(), relaxation.decay);
-  std::fill_n(column(lag), values.stride(), relaxation.lag);
+  std::fill_n(column(Column::decay), n_padded, relaxation.decay);
+  std::fill_n(column(Column::lag), n_padded, relaxation.lag);
 }
 
 template <int dim>
 ContactArrays ContactSurface<dim>::arrays(const SurfaceView<dim> &surface)
 {
-  constexpr unsigned int x = 0, y = dim - 1;
+  static_assert(contact_lanes == lanes<double>, "fields are padded to whole vectors");
   ContactArrays a;
-  a.n = (n_nodes + contact_lanes - 1) / contact_lanes * contact_lanes;
-
-  a.internal_x           = surface.force[x];
-  a.internal_y           = surface.force[y];
-  a.inverse_mass_x       = surface.inverse_mass[x];
-  a.inverse_mass_y       = surface.inverse_mass[y];
-  a.u_x                  = surface.u[x];
-  a.u_y                  = surface.u[y];
-  a.w_x                  = surface.w[x];
-  a.w_y                  = surface.w[y];
-  a.gap                  = column(gap);
-  a.friction_coefficient = column(friction_coefficient);
-  a.decay                = column(decay);
-  a.lag                  = column(lag);
-  a.increment_x          = column(increment_x);
-  a.increment_y          = column(increment_y);
-  a.tangential_force     = column(tangential);
-  a.target               = column(target);
-  a.touching             = column(touching);
-  a.normal_force         = column(normal);
-  a.sticking             = column(sticking);
-  a.stick_count          = column(stick_count);
-  a.slip_count           = column(slip_count);
-  a.landing_count        = column(landing_count);
+  a.n = whole_vectors<double>(n_nodes);
+  for (const unsigned int c : {0U, 1U})
+    {
+      const unsigned int component = c == 0 ? 0 : dim - 1;
+      a.force[c]                   = surface.force[component];
+      a.inverse_mass[c]            = surface.inverse_mass[component];
+      a.u[c]                       = surface.u[component];
+      a.w[c]                       = surface.w[component];
+    }
+  for (unsigned int k = 0; k < Column::n_columns; ++k)
+    a.column[k] = values.row(k, 0);
   return a;
 }
 
@@ -67,7 +61,7 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
   if (setup.law.node_law)
     setup.law.node_law->update(
       {n_nodes, surface.w[0], flat_velocity}, step.dt,
-      {column(friction_coefficient), column(decay), column(lag)});
+      {column(Column::friction_coefficient), column(Column::decay), column(Column::lag)});
 
   for (ContactObserver<dim> *observer : observers)
     if (observer->wants(surface.step))
@@ -96,8 +90,8 @@ void ContactSurface<dim>::initialize_increments(const SurfaceView<dim> &surface)
 {
   for (unsigned int i = 0; i < n_nodes; ++i)
     {
-      column(increment_x)[i] = step.dt * surface.w[0][i];
-      column(increment_y)[i] = step.dt * surface.w[dim - 1][i];
+      column(Column::increment_x)[i] = step.dt * surface.w[0][i];
+      column(Column::increment_y)[i] = step.dt * surface.w[dim - 1][i];
     }
   started = true;
 }
@@ -107,13 +101,13 @@ NodeCounts ContactSurface<dim>::take_counts()
 {
   const auto take = [&](const Column c) {
     const std::vector<float> counts(column(c), column(c) + n_nodes);
-    std::fill_n(column(c), values.stride(), 0.);
+    std::fill_n(column(c), n_nodes, 0.);
     return counts;
   };
   NodeCounts counts;
-  counts.stick    = take(stick_count);
-  counts.slip     = take(slip_count);
-  counts.landings = take(landing_count);
+  counts.stick    = take(Column::stick_count);
+  counts.slip     = take(Column::slip_count);
+  counts.landings = take(Column::landing_count);
   return counts;
 }
 

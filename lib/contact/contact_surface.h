@@ -1,9 +1,10 @@
 #ifndef mesoslip_contact_contact_surface_h
 #define mesoslip_contact_contact_surface_h
 
-#include "contact/contact_function.h"
+#include "contact/contact_kernel.h"
 #include "contact/friction_law.h"
 #include "dynamics/surface_condition.h"
+#include "grid/instruction_set.h"
 #include "grid/nodal_field.h"
 #include "parameters/load_history.h"
 
@@ -12,6 +13,10 @@
 
 namespace mesoslip
 {
+/** The step of the contact row compiled for an instruction set; all give the same bits.
+ *  Throws std::runtime_error if the processor lacks it. */
+ContactFunction contact_function(const InstructionSet isa = InstructionSet::automatic);
+
 /** The rigid flat. */
 struct ContactSetup
 {
@@ -123,13 +128,13 @@ public:
   /** Normal forces of the last step (N/m), one value a node. */
   const double *normal_force() const
   {
-    return column(normal);
+    return column(Column::normal_force);
   }
 
   /** Tangential forces of the last step on the body (N/m), one value a node. */
   const double *tangential_force() const
   {
-    return column(tangential);
+    return column(Column::tangential_force);
   }
 
   /** The node counts since the last call; steps are left at 0. */
@@ -143,34 +148,16 @@ public:
   }
 
 private:
-  enum Column
-  {
-    gap,
-    friction_coefficient,
-    decay,
-    lag,
-    increment_x,
-    increment_y,
-    tangential,
-    target,
-    touching,
-    normal,
-    sticking,
-    stick_count,
-    slip_count,
-    landing_count,
-    n_columns_stored
-  };
+  using Column = ContactArrays::Column;
 
   double *column(const Column c)
   {
-    return values.row(0, c);
+    return values.row(c, 0);
   }
   const double *column(const Column c) const
   {
-    return values.row(0, c);
+    return values.row(c, 0);
   }
-
   ContactArrays arrays(const SurfaceView<dim> &surface);
 
   void initialize_increments(const SurfaceView<dim> &surface);
@@ -182,7 +169,7 @@ private:
   const unsigned int n_nodes;
   const unsigned int n_distinct;
 
-  NodalField<double> values; ///< one row for each Column; component 1 is unused
+  NodalField<double> values; ///< one row, a component for each Column
   bool started = false;
   ContactWork total;
   ContactSums last;

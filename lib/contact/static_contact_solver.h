@@ -25,10 +25,10 @@ std::string to_string(const ContactState state);
 /** A body at rest whose bottom is pressed on a rigid flat at u_y = 0. */
 struct StaticContactProblem
 {
-  /** What sides and top hold; nothing of the contact. */
-  DofMask held;
+  /** What sides and top constrain; nothing of the contact. */
+  DofMask constrained;
 
-  /** Values of the held degrees of freedom (m) and the first guess of all others. */
+  /** Values of the constrained degrees of freedom (m) and the first guess of all others. */
   NodalField<double> displacement;
 
   /** External forces (N/m). */

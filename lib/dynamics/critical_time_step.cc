@@ -61,22 +61,15 @@ std::pair<double, double> largest_ritz_pair(const std::vector<double> &diagonal,
 double element_frequency_bound(const UniformMaterial &material)
 {
   const double hx = material.grid().spacing[0], hy = material.grid().spacing[1];
-  std::vector<bool> used(material.classes().size(), false);
-  if (material.is_homogeneous())
-    used[material.homogeneous_class()] = true;
-  else
-    for (unsigned int j = 0; j < material.grid().cells[1]; ++j)
-      for (unsigned int i = 0; i < material.grid().cells[0]; ++i)
-        used[material.class_of(i, j)] = true;
   double largest = 0.;
-  for (unsigned int c = 0; c < used.size(); ++c)
-    if (used[c])
-      {
-        const ElasticClass &m = material.classes()[c];
-        const Eigen::SelfAdjointEigenSolver<CellMatrix> solver(
-          cell_stiffness(m.stiffness, hx, hy), Eigen::EigenvaluesOnly);
-        largest = std::max(largest, solver.eigenvalues()[7] / (m.density * hx * hy / 4.));
-      }
+  for (const unsigned int k : material.phases_that_occur())
+    {
+      const ElasticPhase<2> &phase = material.phases()[k];
+      const Eigen::SelfAdjointEigenSolver<CellMatrix> solver(
+        cell_stiffness(phase.stiffness, hx, hy), Eigen::EigenvaluesOnly);
+      largest =
+        std::max(largest, solver.eigenvalues()[7] / (phase.density * hx * hy / 4.));
+    }
   return std::sqrt(largest);
 }
 
@@ -145,16 +138,7 @@ FrequencyEstimate largest_frequency(const UniformMaterial &material,
                                     const unsigned int max_iterations)
 {
   // The free grid: periodic sides are the same as constraints on it.
-  std::vector<std::uint8_t> ids;
-  const UniformGrid<2> &grid        = material.grid();
-  std::vector<ElasticClass> classes = material.classes();
-  if (material.is_homogeneous())
-    classes = {classes[material.homogeneous_class()]};
-  else
-    for (unsigned int j = 0; j < grid.cells[1]; ++j)
-      for (unsigned int i = 0; i < grid.cells[0]; ++i)
-        ids.push_back(material.class_of(i, j));
-  const UniformMaterial free(grid, classes, ids);
+  const UniformMaterial free = material.with({});
   const UniformGridOperator stiffness(free);
   const unsigned int columns = free.n_columns(), n_rows = free.n_rows();
 
@@ -167,18 +151,22 @@ FrequencyEstimate largest_frequency(const UniformMaterial &material,
         for (unsigned int i = 0; i < columns; ++i)
           s[i] = 1. / std::sqrt(s[i]);
       }
-  const auto apply = [&](std::vector<double> &y, const std::vector<double> &v) {
+  // Calls function(k, place in a field) for each unknown.
+  const auto for_each = [&](const auto &function) {
     std::size_t k = 0;
     for (unsigned int j = 0; j < n_rows; ++j)
       for (const unsigned int c : {0u, 1u})
-        for (unsigned int i = 0; i < columns; ++i)
-          x.row(c, j)[i] = scale.row(c, j)[i] * v[k++];
+        for (unsigned int i = 0; i < columns; ++i, ++k)
+          function(k, c, NodeIndex{i, j});
+  };
+  const auto apply = [&](std::vector<double> &y, const std::vector<double> &v) {
+    for_each([&](const std::size_t k, const unsigned int c, const NodeIndex &node) {
+      x(c, node) = scale(c, node) * v[k];
+    });
     stiffness.vmult(f, x);
-    k = 0;
-    for (unsigned int j = 0; j < n_rows; ++j)
-      for (const unsigned int c : {0u, 1u})
-        for (unsigned int i = 0; i < columns; ++i)
-          y[k++] = scale.row(c, j)[i] * f.row(c, j)[i];
+    for_each([&](const std::size_t k, const unsigned int c, const NodeIndex &node) {
+      y[k] = scale(c, node) * f(c, node);
+    });
   };
   return largest_frequency(apply, 2 * std::size_t(columns) * n_rows,
                            element_frequency_bound(free), tolerance, max_iterations);

@@ -1,7 +1,6 @@
 #ifndef mesoslip_dynamics_critical_time_step_h
 #define mesoslip_dynamics_critical_time_step_h
 
-#include "dynamics/explicit_stepper.h"
 #include "elasticity/uniform_material.h"
 
 #include <functional>
@@ -31,7 +30,7 @@ struct FrequencyEstimate
 };
 
 /**
- * Largest frequency of a single cell with its own quarter masses, over all classes: an
+ * Largest frequency of a single cell with its own quarter masses, over all phases: an
  * upper bound for every mesh made of them and every constraint.
  */
 double element_frequency_bound(const UniformMaterial &material);

@@ -14,14 +14,7 @@ namespace
 /** Values of the cells of one row: squares, as no root is needed to compare them. */
 struct RowValues
 {
-  explicit RowValues(const std::size_t n)
-    : strain(n)
-    , rotation(n)
-    , jacobian(n)
-  {
-  }
-
-  std::vector<double> strain, rotation, jacobian;
+  std::vector<double> strain, rotation, minus_jacobian;
 };
 
 // Without branches, so that the compiler makes vector instructions of it.
@@ -34,8 +27,8 @@ void evaluate_row(const double *ux,
                   RowValues &values)
 {
   double *strain = values.strain.data(), *rotation = values.rotation.data(),
-         *jacobian    = values.jacobian.data();
-  const std::size_t n = values.strain.size();
+         *minus_jacobian = values.minus_jacobian.data();
+  const std::size_t n    = values.strain.size();
   for (std::size_t i = 0; i < n; ++i)
     {
       const double xx0 = (ux[i + 1] - ux[i]) * inverse_hx,
@@ -58,7 +51,7 @@ void evaluate_row(const double *ux,
       const double low  = j00 < j01 ? j00 : j01;
       const double high = j10 < j11 ? j10 : j11;
       // Comparisons pass over a NaN, the sum does not.
-      jacobian[i] = (low < high ? low : high) + 0. * strain[i];
+      minus_jacobian[i] = -((low < high ? low : high) + 0. * strain[i]);
     }
 }
 
@@ -67,19 +60,6 @@ void take_larger(CellExtreme &best, const CellExtreme &other)
   // The first NaN is larger than all numbers and no smaller than another NaN.
   if (!(other.value <= best.value) && !std::isnan(best.value))
     best = other;
-}
-
-void take_smaller(CellExtreme &best, const CellExtreme &other)
-{
-  if (!(other.value >= best.value) && !std::isnan(best.value))
-    best = other;
-}
-
-void take(Deformation &all, const Deformation &other)
-{
-  take_larger(all.strain, other.strain);
-  take_larger(all.rotation, other.rotation);
-  take_smaller(all.jacobian, other.jacobian);
 }
 
 double root(const double square)
@@ -93,8 +73,11 @@ Deformation largest_deformation(const UniformGrid<2> &grid,
                                 const NodalField<double> &u,
                                 const MPI_Comm communicator)
 {
-  RowValues values(grid.cells[0]);
-  Deformation found; // squares
+  const std::vector<double> row(grid.cells[0]);
+  RowValues values = {row, row, row};
+  Deformation found; // squares, and the Jacobian with the opposite sign
+  found.jacobian.value = -found.jacobian.value;
+  Deformation all      = found;
   for (unsigned int j = rows.begin; j < std::min(rows.end, grid.cells[1]); ++j)
     {
       const unsigned int lower = rows.local(j), upper = lower + 1;
@@ -104,22 +87,24 @@ Deformation largest_deformation(const UniformGrid<2> &grid,
         {
           take_larger(found.strain, {values.strain[i], i, j});
           take_larger(found.rotation, {values.rotation[i], i, j});
-          take_smaller(found.jacobian, {values.jacobian[i], i, j});
+          take_larger(found.jacobian, {values.minus_jacobian[i], i, j});
         }
     }
   int n_ranks = 1;
   MPI_Comm_size(communicator, &n_ranks);
-  Deformation all;
   for (int rank = 0; rank < n_ranks; ++rank)
     {
       Deformation one = found;
       broadcast_object(communicator, one, rank);
-      take(all, one);
+      take_larger(all.strain, one.strain);
+      take_larger(all.rotation, one.rotation);
+      take_larger(all.jacobian, one.jacobian);
     }
   all.strain.value   = root(all.strain.value);
   all.rotation.value = root(all.rotation.value);
-  if (std::isnan(all.jacobian.value))
-    all.jacobian.value = -std::numeric_limits<double>::infinity();
+  all.jacobian.value = std::isnan(all.jacobian.value)
+                         ? -std::numeric_limits<double>::infinity()
+                         : -all.jacobian.value;
   return all;
 }
 } // namespace mesoslip

@@ -1,11 +1,10 @@
 #ifndef mesoslip_dynamics_deformation_watch_h
 #define mesoslip_dynamics_deformation_watch_h
 
-#include "dynamics/deformation.h"
 #include "dynamics/stability_monitor.h"
 #include "dynamics/step_observer.h"
 
-#include <cmath>
+#include <algorithm>
 #include <functional>
 
 namespace mesoslip
@@ -17,13 +16,14 @@ namespace mesoslip
 class DeformationWatch : public StepObserver
 {
 public:
-  /** @p u is referenced. @p found is called on all ranks with what each look finds and
-   *  the number of the step; it may throw. */
-  DeformationWatch(const UniformGrid<2> &grid,
-                   const NodeRows &rows,
-                   NodalField<double> &u,
-                   const std::function<void(const Deformation &, std::uint64_t)> &found,
-                   const MPI_Comm communicator);
+  /** @p stepper is referenced. @p found is called on all ranks with what each look finds
+   *  and the number of the step; it may throw. */
+  DeformationWatch(const Stepper<2> &stepper,
+                   const std::function<void(const Deformation &, std::uint64_t)> &found)
+    : stepper(stepper)
+    , found(found)
+  {
+  }
 
   std::uint64_t next_step(const std::uint64_t n) const override
   {
@@ -35,12 +35,13 @@ public:
     look(n);
   }
 
-  void after_step(const std::uint64_t) override
-  {
-  }
-
   /** Looks at u_n. Collective. */
-  void look(const std::uint64_t n);
+  void look(const std::uint64_t n)
+  {
+    const Deformation deformation = stepper.deformation();
+    largest                       = std::max(largest, deformation.strain.value);
+    found(deformation, n);
+  }
 
   /** Largest norm of the strain of all looks so far [-]. */
   double largest_strain() const
@@ -56,11 +57,8 @@ public:
   }
 
 private:
-  const UniformGrid<2> grid;
-  const NodeRows rows;
-  NodalField<double> &u;
+  const Stepper<2> &stepper;
   const std::function<void(const Deformation &, std::uint64_t)> found;
-  const MPI_Comm communicator;
   double largest = 0.;
 };
 } // namespace mesoslip

@@ -1,7 +1,5 @@
 #include "dynamics/energy_audit.h"
 
-#include "grid/row_partition.h"
-
 #include <algorithm>
 
 namespace mesoslip
@@ -23,27 +21,6 @@ double sum_of(const unsigned int n, const Term &term)
   return ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) +
          ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]));
 }
-
-// a.(b - c) over the first n_distinct nodes of the owned rows.
-double dot_difference(const NodalField<double> &a,
-                      const NodalField<double> &b,
-                      const NodalField<double> *c,
-                      const NodeRows &rows,
-                      const unsigned int n_distinct)
-{
-  double sum = 0.;
-  for (unsigned int component = 0; component < 2; ++component)
-    for (unsigned int j = rows.local(rows.begin); j < rows.local(rows.end); ++j)
-      {
-        const double *x = a.row(component, j), *y = b.row(component, j);
-        const double *z = c != nullptr ? c->row(component, j) : nullptr;
-        sum += z != nullptr
-                 ? sum_of(n_distinct,
-                          [&](const unsigned int i) { return x[i] * (y[i] - z[i]); })
-                 : sum_of(n_distinct, [&](const unsigned int i) { return x[i] * y[i]; });
-      }
-  return sum;
-}
 } // namespace
 
 std::vector<double> EnergyHistory::residual() const
@@ -55,22 +32,17 @@ std::vector<double> EnergyHistory::residual() const
   return r;
 }
 
-EnergyAudit::EnergyAudit(const UniformGridOperator &op,
-                         const StepParameters &step,
-                         NodalField<double> &u,
-                         NodalField<double> &w,
+EnergyAudit::EnergyAudit(Stepper<2> &stepper,
                          const double platen_mass,
                          const std::uint64_t interval,
-                         const std::function<BoundaryWork()> &boundary_work,
-                         const MPI_Comm communicator)
-  : op(op)
-  , step(step)
-  , u(u)
-  , w(w)
-  , platen_mass(op.rows().end == op.rows().n_global ? platen_mass : 0.)
+                         const std::function<BoundaryWork()> &boundary_work)
+  : stepper(stepper)
+  , step(stepper.parameters)
+  , u(stepper.u)
+  , w(stepper.w)
+  , platen_mass(platen_mass)
   , interval(interval)
   , boundary_work(boundary_work)
-  , communicator(communicator)
   , damped(step.beta > 0.)
   , dissipative(step.beta2 != 0.5)
   , heavy(step.acceleration != std::array<double, 2>{})
@@ -81,11 +53,11 @@ EnergyAudit::EnergyAudit(const UniformGridOperator &op,
   , stiff_u(u_before)
   , stiff_w(damped ? stiff_u : NodalField<double>())
 {
-  const unsigned int n = u.n_columns();
-  mass.resize(static_cast<std::size_t>(n) * (op.rows().end - op.rows().begin));
-  for (unsigned int j = op.rows().begin; j < op.rows().end; ++j)
-    op.material().mass_row(j, mass.data() +
-                                static_cast<std::size_t>(n) * (j - op.rows().begin));
+  const NodeRows &rows = stepper.rows;
+  const std::size_t n  = u.n_columns();
+  mass.resize(n * (rows.end - rows.begin));
+  for (unsigned int j = rows.begin; j < rows.end; ++j)
+    stepper.mass_row(j, mass.data() + n * (j - rows.begin));
 }
 
 std::uint64_t EnergyAudit::next_step(const std::uint64_t n) const
@@ -172,9 +144,9 @@ void EnergyAudit::after_step(const std::uint64_t n)
 
 EnergyAudit::Sums EnergyAudit::nodal_sums() const
 {
-  const NodeRows &rows          = op.rows();
+  const NodeRows &rows          = stepper.rows;
   const unsigned int n          = u.n_columns();
-  const unsigned int n_distinct = op.material().periodicity().x ? n - 1 : n;
+  const unsigned int n_distinct = stepper.n_distinct;
   const double c                = (step.beta2 - 0.5) * step.dt * step.dt;
   const double c_now            = 0.25 * c / (step.dt * step.dt);
 
@@ -183,14 +155,14 @@ EnergyAudit::Sums EnergyAudit::nodal_sums() const
     for (unsigned int j = rows.begin; j < rows.end; ++j)
       {
         const unsigned int l = rows.local(j);
-        const double *m   = mass.data() + static_cast<std::size_t>(n) * (j - rows.begin);
-        const double *w2  = w.row(component, l);
-        const bool platen = component == 1 && j + 1 == rows.n_global;
-        const double m_extra = platen ? platen_mass : 0.; // of node 0
+        const double *m  = mass.data() + static_cast<std::size_t>(n) * (j - rows.begin);
+        const double *w2 = w.row(component, l);
+        const auto &top  = stepper.top_node;
+        const double m_extra = component == 1 && top && j == top->j ? platen_mass : 0.;
         const auto squares   = [&](const double factor, const auto &value) {
           const auto square = [&](const unsigned int i) { return value(i) * value(i); };
           const auto term   = [&](const unsigned int i) { return m[i] * square(i); };
-          return factor * (sum_of(n_distinct, term) + m_extra * square(0));
+          return factor * (sum_of(n_distinct, term) + m_extra * square(top ? top->i : 0));
         };
         sums.kinetic += squares(0.5, [&](const unsigned int i) { return w2[i]; });
         if (dissipative)
@@ -214,26 +186,37 @@ EnergyAudit::Sums EnergyAudit::nodal_sums() const
   return sums;
 }
 
-// K u_n and K w_n, whose ghost rows are set for it.
 void EnergyAudit::multiply(NodalField<double> &u_n, NodalField<double> &w_n)
 {
-  update_ghost_rows(u_n, op.rows(), communicator);
-  op.vmult(stiff_u, u_n);
-  if (!damped)
-    return;
-  update_ghost_rows(w_n, op.rows(), communicator);
-  op.vmult(stiff_w, w_n);
+  stepper.multiply(stiff_u, u_n);
+  if (damped)
+    stepper.multiply(stiff_w, w_n);
+}
+
+// a.(u - c) over the distinct nodes of the owned rows.
+double EnergyAudit::dot_difference(const NodalField<double> &a,
+                                   const NodalField<double> *c) const
+{
+  const NodeRows &rows = stepper.rows;
+  double sum           = 0.;
+  for (unsigned int component = 0; component < 2; ++component)
+    for (unsigned int j = rows.local(rows.begin); j < rows.local(rows.end); ++j)
+      {
+        const double *x = a.row(component, j), *y = u.row(component, j);
+        const double *z = c != nullptr ? c->row(component, j) : nullptr;
+        sum += sum_of(stepper.n_distinct, [&](const unsigned int i) {
+          return x[i] * (z != nullptr ? y[i] - z[i] : y[i]);
+        });
+      }
+  return sum;
 }
 
 // u_(n+1).K u_n / 2 and beta (u_(n+1) - u_(n-1)).K w_n / 2
 void EnergyAudit::add_products(Sums &sums) const
 {
-  const NodeRows &rows          = op.rows();
-  const unsigned int n_distinct = u.n_columns() - (op.material().periodicity().x ? 1 : 0);
-  sums.elastic = 0.5 * dot_difference(stiff_u, u, nullptr, rows, n_distinct);
+  sums.elastic = 0.5 * dot_difference(stiff_u, nullptr);
   if (damped)
-    sums.damping =
-      0.5 * step.beta * dot_difference(stiff_w, u, &u_before, rows, n_distinct);
+    sums.damping = 0.5 * step.beta * dot_difference(stiff_w, &u_before);
 }
 
 EnergyHistory EnergyAudit::reduce() const
@@ -245,8 +228,8 @@ EnergyHistory EnergyAudit::reduce() const
   for (auto *values : {&kinetic, &elastic, &potential, &external_work, &friction, &impact,
                        &damping, &scheme})
     MPI_Allreduce(MPI_IN_PLACE, values->data(), static_cast<int>(values->size()),
-                  MPI_DOUBLE, MPI_SUM, communicator);
-  MPI_Allreduce(MPI_IN_PLACE, &initial, 1, MPI_DOUBLE, MPI_SUM, communicator);
+                  MPI_DOUBLE, MPI_SUM, stepper.communicator);
+  MPI_Allreduce(MPI_IN_PLACE, &initial, 1, MPI_DOUBLE, MPI_SUM, stepper.communicator);
   return all;
 }
 } // namespace mesoslip

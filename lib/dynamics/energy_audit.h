@@ -2,15 +2,12 @@
 #define mesoslip_dynamics_energy_audit_h
 
 #include "base/serialize_members.h"
-#include "dynamics/explicit_stepper.h"
 #include "dynamics/step_observer.h"
-#include "elasticity/uniform_grid_operator.h"
-#include "grid/nodal_field.h"
+#include "dynamics/stepper.h"
 #include "grid/row_partition.h"
 
 
 #include <functional>
-#include <mpi.h>
 #include <vector>
 
 namespace mesoslip
@@ -66,18 +63,12 @@ struct EnergyHistory
 class EnergyAudit : public StepObserver
 {
 public:
-  /**
-   * @p u, @p w and @p op are referenced. @p platen_mass (kg/m) moves with the top row.
-   * @p boundary_work gives the work since the start after the step just done.
-   */
-  EnergyAudit(const UniformGridOperator &op,
-              const StepParameters &step,
-              NodalField<double> &u,
-              NodalField<double> &w,
+  /** @p stepper is referenced. @p platen_mass (kg/m) moves with the top row.
+   *  @p boundary_work gives the work since the start after the step just done. */
+  EnergyAudit(Stepper<2> &stepper,
               const double platen_mass,
               const std::uint64_t interval,
-              const std::function<BoundaryWork()> &boundary_work,
-              const MPI_Comm communicator);
+              const std::function<BoundaryWork()> &boundary_work);
 
   std::uint64_t next_step(const std::uint64_t n) const override;
   void before_step(const std::uint64_t n) override;
@@ -97,8 +88,8 @@ public:
   void serialize(Archive &archive, const unsigned int)
   {
     // What is u_(n-1) for the next sample.
-    serialize_own_rows(archive, interval == 1 ? u_now : u_before, op.rows());
-    serialize_own_rows(archive, interval == 1 ? w_now : w_before, op.rows());
+    serialize_own_rows(archive, interval == 1 ? u_now : u_before, stepper.rows);
+    serialize_own_rows(archive, interval == 1 ? w_now : w_before, stepper.rows);
     archive &last_scheme &last_damping &sum_scheme &sum_damping &samples;
   }
 
@@ -115,18 +106,17 @@ private:
 
   Sums nodal_sums() const;
   void multiply(NodalField<double> &u_n, NodalField<double> &w_n);
+  double dot_difference(const NodalField<double> &a, const NodalField<double> *c) const;
   void add_products(Sums &sums) const;
   void initialize();
 
-  const UniformGridOperator &op;
-  const StepParameters step;
+  Stepper<2> &stepper;
+  const StepParameters &step;
   NodalField<double> &u;
   NodalField<double> &w;
   const double platen_mass;
   const std::uint64_t interval;
   const std::function<BoundaryWork()> boundary_work;
-  const MPI_Comm communicator;
-
   // Which terms there are; those that vanish are neither computed nor kept fields for.
   const bool damped, dissipative, heavy;
 

@@ -1,8 +1,6 @@
 #include "dynamics/explicit_stepper.h"
 
-#include "dynamics/step_masses.h"
-#include "dynamics/wavefront.h"
-#include "elasticity/row_sweep.h"
+#include "grid/row_partition.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -59,128 +57,92 @@ RowKernels<double> make_kernels(const UniformMaterial &material,
   return kernels;
 }
 
-/** Time steps in flight: with neighbours as many as there are ghost rows. */
+/** Time steps in a sweep: with neighbours as many as there are ghost rows. */
 unsigned int max_steps(const SteppedBody &body, const SweepOptions &options)
 {
   const NodeRows &rows = body.rows;
   if (rows.has_lower_ghost() || rows.has_upper_ghost())
     return rows.ghosts;
-  return steps_in_flight(body.material.n_columns(), rows.n_global, 1, options.wavefront);
+  return choose_steps_at_once(body.material.n_columns(), rows.n_global, 1,
+                              options.steps_at_once);
 }
 } // namespace
 
-struct ExplicitStepper::Implementation
-{
-  FreeSurface<2> free_row;
-  const RowKernels<double> kernels;
-  const StepMasses masses;
-  const std::string name;
-  Wavefront wavefront;
-  std::uint64_t step_number = 0;
-
-  Implementation(const SteppedBody &body,
-                 const SideConstraints &sides,
-                 const SweepOptions &options)
-    : free_row(body.parameters)
-    , kernels(make_kernels(checked(body, sides), body.parameters, options.isa))
-    , masses(body.material, body.rows, body.parameters, sides)
-    , name(to_string(resolve(options.isa)) + " " + kernels::name(kernels.choice))
-    , wavefront(with_free_rows(body), kernels, masses, max_steps(body, options))
-  {
-  }
-
-  SteppedBody with_free_rows(SteppedBody body)
-  {
-    for (SurfaceCondition<2> **row : {&body.bottom, &body.top})
-      if (*row == nullptr)
-        *row = &free_row;
-    return body;
-  }
-};
-
-ExplicitStepper::ExplicitStepper(const UniformMaterial &material,
-                                 const StepParameters &parameters,
+ExplicitStepper::ExplicitStepper(const SteppedBody &body,
                                  const SideConstraints &sides,
-                                 NodalField<double> &u,
-                                 NodalField<double> &w,
-                                 SurfaceCondition<2> *bottom,
-                                 SurfaceCondition<2> *top,
                                  const SweepOptions &options)
-  : ExplicitStepper(material,
-                    NodeRows::all(material.n_rows()),
-                    parameters,
-                    sides,
-                    u,
-                    w,
-                    bottom,
-                    top,
-                    nullptr,
-                    options)
+  : Stepper<2>(body.parameters,
+               body.u,
+               body.w,
+               body.rows,
+               checked(body, sides).n_columns() - (body.material.periodicity().x ? 1 : 0),
+               body.rows.has_upper_ghost() ? std::optional<NodeIndex>()
+                                           : NodeIndex{0, body.rows.n_global - 1},
+               body.communicator)
+  , material(body.material)
+  , isa(resolve(options.isa))
+  , free_surface(body.parameters)
+  , kernels(make_kernels(material, body.parameters, isa))
+  , masses(material, body.rows, body.parameters, sides)
+  , op(material, body.rows)
+  , sweeps(with_free_surfaces(body), kernels, masses, max_steps(body, options))
 {
 }
 
-ExplicitStepper::ExplicitStepper(const UniformMaterial &material,
-                                 const NodeRows &rows,
-                                 const StepParameters &parameters,
-                                 const SideConstraints &sides,
-                                 NodalField<double> &u,
-                                 NodalField<double> &w,
-                                 SurfaceCondition<2> *bottom,
-                                 SurfaceCondition<2> *top,
-                                 Halo *halo,
-                                 const SweepOptions &options)
-  : implementation(std::make_unique<Implementation>(
-      SteppedBody{material, rows, parameters, u, w, bottom, top, halo}, sides, options))
+SteppedBody ExplicitStepper::with_free_surfaces(SteppedBody body)
 {
-}
-
-ExplicitStepper::~ExplicitStepper() = default;
-
-void ExplicitStepper::step()
-{
-  advance(1);
+  for (SurfaceCondition<2> **surface : {&body.bottom, &body.top})
+    if (*surface == nullptr)
+      *surface = &free_surface;
+  return body;
 }
 
 void ExplicitStepper::advance(const std::uint64_t n_steps)
 {
-  Wavefront &wavefront     = implementation->wavefront;
-  std::uint64_t &step      = implementation->step_number;
-  const std::uint64_t end  = step + n_steps;
-  const auto steps_at_once = [&](const std::uint64_t from) {
-    const std::uint64_t left = end - from;
-    const std::uint64_t blocks =
-      (left + wavefront.max_steps() - 1) / wavefront.max_steps();
+  const std::uint64_t end   = n_done + n_steps;
+  const auto steps_of_sweep = [&](const std::uint64_t from) {
+    const std::uint64_t left   = end - from;
+    const std::uint64_t blocks = (left + sweeps.max_steps() - 1) / sweeps.max_steps();
     return static_cast<unsigned int>(left > 0 ? (left + blocks - 1) / blocks : 0);
   };
-  unsigned int n = steps_at_once(step);
+
+  unsigned int n = steps_of_sweep(n_done);
   if (n > 0)
-    wavefront.send(n);
+    sweeps.send(n);
   while (n > 0)
     {
-      const unsigned int n_next = steps_at_once(step + n);
-      wavefront.run(step, n, n_next);
-      step += n;
+      const unsigned int n_next = steps_of_sweep(n_done + n);
+      sweeps.run(n_done, n, n_next);
+      n_done += n;
       n = n_next;
     }
 }
 
-std::uint64_t ExplicitStepper::step_number() const
+void ExplicitStepper::multiply(NodalField<double> &Kx, NodalField<double> &x) const
 {
-  return implementation->step_number;
+  update_ghost_rows(x, rows, communicator);
+  op.vmult(Kx, x);
 }
 
-void ExplicitStepper::set_step_number(const std::uint64_t n)
+double ExplicitStepper::elastic_energy() const
 {
-  implementation->step_number = n;
+  update_ghost_rows(u, rows, communicator);
+  return op.elastic_energy(u);
 }
 
-unsigned int ExplicitStepper::wavefront_depth() const
+void ExplicitStepper::mass_row(const unsigned int j, double *mass) const
 {
-  return implementation->wavefront.max_steps();
+  material.mass_row(j, mass);
 }
 
-const char *ExplicitStepper::kernel_name() const
+Deformation ExplicitStepper::deformation() const
 {
-  return implementation->name.c_str();
+  update_ghost_rows(u, rows, communicator);
+  return largest_deformation(material.grid(), rows, u, communicator);
+}
+
+std::string ExplicitStepper::kernel_name() const
+{
+  return to_string(isa) + " " + kernels::name(kernels.choice);
 }
 } // namespace mesoslip

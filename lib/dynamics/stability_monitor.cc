@@ -1,7 +1,6 @@
 #include "dynamics/stability_monitor.h"
 
 #include "base/exchange.h"
-#include "grid/row_partition.h"
 
 #include <algorithm>
 #include <array>
@@ -17,24 +16,6 @@ constexpr double too_much = 1e6;
 // Of the boundary's works, which nearly cancel when the flat is very fast.
 constexpr double round_off = 1e-9;
 } // namespace
-
-StabilityMonitor::StabilityMonitor(
-  const UniformGridOperator &op,
-  const StepParameters &step,
-  NodalField<double> &u,
-  const NodalField<double> &w,
-  const std::function<BoundaryWork()> &boundary_work,
-  const std::function<void(const Runaway &, std::uint64_t)> &stop,
-  const MPI_Comm communicator)
-  : op(op)
-  , step(step)
-  , u(u)
-  , w(w)
-  , boundary_work(boundary_work)
-  , stop(stop)
-  , communicator(communicator)
-{
-}
 
 std::uint64_t StabilityMonitor::next_regular_step(const std::uint64_t n)
 {
@@ -73,39 +54,39 @@ void StabilityMonitor::check(const std::uint64_t n)
 
 StabilityMonitor::Sums StabilityMonitor::sums() const
 {
-  const NodeRows &rows          = op.rows();
-  const unsigned int n_distinct = u.n_columns() - (op.material().periodicity().x ? 1 : 0);
-  const BoundaryWork work       = boundary_work();
-  std::array<double, 3> local   = {{0., 0., 0.}};
+  const NodeRows &rows        = stepper.rows;
+  const NodalField<double> &u = stepper.u, &w = stepper.w;
+  const BoundaryWork work     = boundary_work();
+  std::array<double, 3> local = {{0., 0., 0.}};
   std::vector<double> mass(u.n_columns());
   local[2] = work.external - work.friction - work.impact +
              round_off * (std::fabs(work.external) + std::fabs(work.friction));
-  update_ghost_rows(u, rows, communicator);
-  local[0] = op.elastic_energy(u);
+  local[0] = stepper.elastic_energy();
   for (unsigned int j = rows.begin; j < rows.end; ++j)
     {
-      op.material().mass_row(j, mass.data());
+      stepper.mass_row(j, mass.data());
       for (unsigned int c = 0; c < 2; ++c)
         {
           const double *ur = u.row(c, rows.local(j)), *wr = w.row(c, rows.local(j));
           double kinetic = 0., moved = 0.;
-          for (unsigned int i = 0; i < n_distinct; ++i)
+          for (unsigned int i = 0; i < stepper.n_distinct; ++i)
             {
               kinetic += mass[i] * wr[i] * wr[i];
               moved += mass[i] * ur[i];
             }
           local[0] += 0.5 * kinetic;
-          local[1] += step.acceleration[c] * moved;
+          local[1] += stepper.parameters.acceleration[c] * moved;
         }
     }
-  MPI_Allreduce(MPI_IN_PLACE, local.data(), 3, MPI_DOUBLE, MPI_SUM, communicator);
+  MPI_Allreduce(MPI_IN_PLACE, local.data(), 3, MPI_DOUBLE, MPI_SUM, stepper.communicator);
   return {local[0], local[1], local[2]};
 }
 
 // The same on all ranks: that of the rank with the fastest node, NaN being fastest.
 Runaway StabilityMonitor::locate() const
 {
-  const NodeRows &rows = op.rows();
+  const NodeRows &rows        = stepper.rows;
+  const NodalField<double> &u = stepper.u, &w = stepper.w;
   Runaway worst;
   double fastest = -1.;
   for (unsigned int j = rows.begin; j < rows.end; ++j)
@@ -118,12 +99,8 @@ Runaway StabilityMonitor::locate() const
                                  : std::numeric_limits<double>::infinity();
           if (speed > fastest)
             {
-              fastest            = speed;
-              worst.column       = i;
-              worst.row          = j;
-              worst.component    = c;
-              worst.displacement = x;
-              worst.velocity     = v;
+              fastest = speed;
+              worst   = {0., 0., i, j, c, x, v};
             }
         }
   struct
@@ -131,9 +108,9 @@ Runaway StabilityMonitor::locate() const
     double value;
     int rank;
   } mine = {fastest, 0}, best;
-  MPI_Comm_rank(communicator, &mine.rank);
-  MPI_Allreduce(&mine, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, communicator);
-  broadcast_object(communicator, worst, best.rank);
+  MPI_Comm_rank(stepper.communicator, &mine.rank);
+  MPI_Allreduce(&mine, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, stepper.communicator);
+  broadcast_object(stepper.communicator, worst, best.rank);
   return worst;
 }
 } // namespace mesoslip

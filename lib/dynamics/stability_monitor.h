@@ -40,15 +40,16 @@ struct Runaway
 class StabilityMonitor : public StepObserver
 {
 public:
-  /** As of EnergyAudit; @p u and @p w are referenced. @p stop is called on all ranks with
-   *  what was found and the number of the step; it has to throw. */
-  StabilityMonitor(const UniformGridOperator &op,
-                   const StepParameters &step,
-                   NodalField<double> &u,
-                   const NodalField<double> &w,
+  /** @p stepper and @p boundary_work as of EnergyAudit. @p stop is called on all ranks
+   *  with what was found and the number of the step; it has to throw. */
+  StabilityMonitor(Stepper<2> &stepper,
                    const std::function<BoundaryWork()> &boundary_work,
-                   const std::function<void(const Runaway &, std::uint64_t)> &stop,
-                   const MPI_Comm communicator);
+                   const std::function<void(const Runaway &, std::uint64_t)> &stop)
+    : stepper(stepper)
+    , boundary_work(boundary_work)
+    , stop(stop)
+  {
+  }
 
   /** What @p observer records is looked at first. */
   void guard(const StepObserver &observer)
@@ -64,10 +65,6 @@ public:
   void before_step(const std::uint64_t n) override
   {
     check(n);
-  }
-
-  void after_step(const std::uint64_t) override
-  {
   }
 
   /** Looks at u_n, w_n. Collective. */
@@ -89,13 +86,9 @@ private:
   Sums sums() const;
   Runaway locate() const;
 
-  const UniformGridOperator &op;
-  const StepParameters step;
-  NodalField<double> &u;
-  const NodalField<double> &w;
+  Stepper<2> &stepper;
   const std::function<BoundaryWork()> boundary_work;
   const std::function<void(const Runaway &, std::uint64_t)> stop;
-  const MPI_Comm communicator;
   std::vector<const StepObserver *> guarded;
   double start  = 0.; ///< energy (J/m)
   double supply = 0.; ///< its largest

@@ -21,7 +21,9 @@ public:
   virtual void before_step(const std::uint64_t n) = 0;
 
   /** The fields hold u_(n+1) and w_(n+1). */
-  virtual void after_step(const std::uint64_t n) = 0;
+  virtual void after_step(const std::uint64_t)
+  {
+  }
 };
 
 /** The first multiple of @p interval that is >= @p n. */

@@ -9,26 +9,14 @@ namespace mesoslip
 namespace
 {
 /** What the boundaries and the neighbours do not take is the elastic body. */
-void timed_steps(ExplicitStepper &stepper, const std::uint64_t n_steps, Timer *timer)
+void timed_steps(Stepper<2> &stepper, const std::uint64_t n_steps, Timer *timer)
 {
   const auto scope = optional_scope(timer, "Steps", "Elastic body");
   stepper.advance(n_steps);
 }
-
-void observed_step(ExplicitStepper &stepper,
-                   const std::vector<StepObserver *> &due,
-                   Timer *timer)
-{
-  const std::uint64_t n = stepper.step_number();
-  for (StepObserver *observer : due)
-    observer->before_step(n);
-  timed_steps(stepper, 1, timer);
-  for (StepObserver *observer : due)
-    observer->after_step(n);
-}
 } // namespace
 
-std::uint64_t run_time_loop(ExplicitStepper &stepper,
+std::uint64_t run_time_loop(Stepper<2> &stepper,
                             const std::vector<StepObserver *> &observers,
                             const std::uint64_t n_end,
                             const std::uint64_t control_interval,
@@ -55,7 +43,11 @@ std::uint64_t run_time_loop(ExplicitStepper &stepper,
           for (StepObserver *observer : observers)
             if (observer->next_step(n) == n)
               due.push_back(observer);
-          observed_step(stepper, due, timer);
+          for (StepObserver *observer : due)
+            observer->before_step(n);
+          timed_steps(stepper, 1, timer);
+          for (StepObserver *observer : due)
+            observer->after_step(n);
           ++n;
         }
       if (!keep_going(n))

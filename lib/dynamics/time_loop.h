@@ -1,8 +1,8 @@
 #ifndef mesoslip_dynamics_time_loop_h
 #define mesoslip_dynamics_time_loop_h
 
-#include "dynamics/explicit_stepper.h"
 #include "dynamics/step_observer.h"
+#include "dynamics/stepper.h"
 
 #include <functional>
 #include <vector>
@@ -17,7 +17,7 @@ class Timer;
  * With a @p timer the steps are timed. Returns the number of the next step: less than @p
  * n_end when @p keep_going said false.
  */
-std::uint64_t run_time_loop(ExplicitStepper &stepper,
+std::uint64_t run_time_loop(Stepper<2> &stepper,
                             const std::vector<StepObserver *> &observers,
                             const std::uint64_t n_end,
                             const std::uint64_t control_interval,

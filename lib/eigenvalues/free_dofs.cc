@@ -3,14 +3,14 @@
 namespace mesoslip
 {
 FreeDofs::FreeDofs(const ElasticBody<2> &body,
-                   const DofMask &held,
+                   const DofMask &mask,
                    const std::optional<double> &platen_mass)
   : body(body)
   , with_platen(platen_mass.has_value())
 {
   DofMask duplicate(body.n_columns(), body.n_rows());
   for (const auto &pair : body.duplicate_nodes())
-    duplicate.hold(0, pair[0]);
+    duplicate.constrain(0, pair[0]);
   const std::vector<double> mass = body.lumped_mass();
   const auto mass_of             = [&](const NodeIndex &node) {
     return mass[static_cast<std::size_t>(node.j) * body.n_columns() + node.i];
@@ -18,13 +18,13 @@ FreeDofs::FreeDofs(const ElasticBody<2> &body,
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int c = 0; c < 2; ++c)
       for (unsigned int i = 0; i < body.n_columns(); ++i)
-        if (!duplicate.is_held(0, i, j) && !held.is_held(c, i, j))
+        if (!duplicate.is_constrained(0, {i, j}) && !mask.is_constrained(c, {i, j}))
           add(c, {i, j}, mass_of({i, j}));
   if (!with_platen)
     return;
   double moved = *platen_mass;
   for (const NodeIndex &node : body.surface(ElasticBody<2>::top).nodes)
-    if (!duplicate.is_held(0, node))
+    if (!duplicate.is_constrained(0, node))
       {
         platen_nodes.push_back(node);
         moved += mass_of(node);

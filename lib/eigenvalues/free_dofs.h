@@ -24,11 +24,11 @@ public:
   using Vector = dealii::Vector<double>; ///< one entry per degree of freedom
 
   /**
-   * @p held holds u_y of the top when there is a platen of mass @p platen_mass
+   * @p mask constrains u_y of the top when there is a platen of mass @p platen_mass
    * (kg/m), which moves the top as one. @p body must outlive this object.
    */
   FreeDofs(const ElasticBody<2> &body,
-           const DofMask &held,
+           const DofMask &mask,
            const std::optional<double> &platen_mass);
 
   /** What platen() is without one. */
@@ -61,7 +61,7 @@ public:
   /** x.M y. */
   double mass_product(const Vector &x, const Vector &y) const;
 
-  /** Held entries of @p field become zero, duplicates copies. */
+  /** Constrained entries of @p field become zero, duplicates copies. */
   void scatter(NodalField<double> &field, const Vector &values) const;
 
   /** Displacements of @p field. */

@@ -30,15 +30,15 @@ struct MassMatrix
 
 /** The rigid motions that nothing holds, orthonormal with respect to the mass. */
 std::vector<Vector>
-orthonormal_motions(const ElasticBody<2> &body, DofMask held, const FreeDofs &dofs)
+orthonormal_motions(const ElasticBody<2> &body, DofMask mask, const FreeDofs &dofs)
 {
   const bool platen = dofs.platen() != FreeDofs::none;
   if (platen)
     for (const NodeIndex &node : body.surface(ElasticBody<2>::top).nodes)
-      held.release(1, node.i, node.j);
+      mask.release(1, node);
   std::vector<Vector> motions;
   // Neither can a platen turn.
-  for (const NodalField<double> &field : free_rigid_motions(body, held, !platen))
+  for (const NodalField<double> &field : free_rigid_motions(body, mask, !platen))
     {
       Vector motion(dofs.size());
       dofs.gather(motion, field);
@@ -60,19 +60,19 @@ class InverseStiffness
 {
 public:
   InverseStiffness(const ElasticBody<2> &body,
-                   const DofMask &held,
+                   const DofMask &mask,
                    const FreeDofs &dofs,
                    const MassMatrix &mass,
                    const VibrationModesOptions &options)
     : dofs(dofs)
     , mass(mass)
     , options(options)
-    , rigid(orthonormal_motions(body, held, dofs))
+    , rigid(orthonormal_motions(body, mask, dofs))
     , solver(body.make_solver())
     , force(body.zero_field())
     , u(force)
   {
-    solver->set_held(held);
+    solver->set_constrained(mask);
     if (dofs.platen() != FreeDofs::none && !platen_moves_freely())
       push_platen(body);
   }
@@ -224,10 +224,10 @@ std::vector<Vector> lowest_eigenvectors(const MassMatrix &mass,
 } // namespace
 
 void check_number_of_modes(const ElasticBody<2> &body,
-                           const DofMask &held,
+                           const DofMask &mask,
                            const VibrationModesOptions &options)
 {
-  const std::size_t n = FreeDofs(body, held, options.platen_mass).size();
+  const std::size_t n = FreeDofs(body, mask, options.platen_mass).size();
   if (n < 2 * options.n_modes + 10)
     throw std::invalid_argument(std::to_string(options.n_modes) + " modes of only " +
                                 std::to_string(n) +
@@ -236,13 +236,13 @@ void check_number_of_modes(const ElasticBody<2> &body,
 }
 
 VibrationModes vibration_modes(const ElasticBody<2> &body,
-                               const DofMask &held,
+                               const DofMask &mask,
                                const VibrationModesOptions &options)
 {
-  check_number_of_modes(body, held, options);
-  const FreeDofs dofs(body, held, options.platen_mass);
+  check_number_of_modes(body, mask, options);
+  const FreeDofs dofs(body, mask, options.platen_mass);
   const MassMatrix mass{dofs};
-  const InverseStiffness inverse(body, held, dofs, mass, options);
+  const InverseStiffness inverse(body, mask, dofs, mass, options);
 
   VibrationModes result;
   for (const Vector &x : lowest_eigenvectors(mass, inverse, dofs.size(), options.n_modes))

@@ -17,7 +17,7 @@ struct VibrationModesOptions
 
   /**
    * Mass (kg/m) of a rigid platen on the top, which has one common u_y; without a value
-   * there is none. Held are then u_y of the top and whatever else is.
+   * there is none. The constraints then include u_y of the top.
    */
   std::optional<double> platen_mass;
 
@@ -64,7 +64,7 @@ struct VibrationModes
 
 /** @throws std::invalid_argument if there are not as many modes as @p options wants. */
 void check_number_of_modes(const ElasticBody<2> &body,
-                           const DofMask &held,
+                           const DofMask &mask,
                            const VibrationModesOptions &options);
 
 /**
@@ -73,7 +73,7 @@ void check_number_of_modes(const ElasticBody<2> &body,
  * @throws std::invalid_argument if there are not that many modes; NotConverged
  */
 VibrationModes vibration_modes(const ElasticBody<2> &body,
-                               const DofMask &held,
+                               const DofMask &mask,
                                const VibrationModesOptions &options);
 } // namespace mesoslip
 

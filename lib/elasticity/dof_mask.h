@@ -9,95 +9,88 @@
 namespace mesoslip
 {
 /**
- * Which displacement components of which nodes of a uniform grid are held, that is have
- * prescribed values. On a periodic grid the last column (row) is the first one again;
- * holding one of the two holds both.
+ * Which displacement components of which nodes are constrained, that is have prescribed
+ * values. On a periodic grid the last column (row) is the first one again; constraining
+ * one of the two constrains both.
  */
 class DofMask
 {
 public:
   DofMask() = default;
 
-  /** Nothing is held. */
+  /** Nothing is constrained. */
   DofMask(const unsigned int n_columns, const unsigned int n_rows)
     : columns(n_columns)
-    , rows(n_rows)
-    , bits(static_cast<std::size_t>(n_columns) * n_rows, 0)
+    , all_bits(static_cast<std::size_t>(n_columns) * n_rows, 0)
   {
   }
 
-  /** Both components of all nodes on the four sides. */
-  static DofMask boundary(const unsigned int n_columns, const unsigned int n_rows);
-
-  /** Of nodes. */
+  /** Number of nodes in a row. */
   unsigned int n_columns() const
   {
     return columns;
   }
 
-  /** Of nodes. */
+  /** Number of node rows. */
   unsigned int n_rows() const
   {
-    return rows;
+    return columns > 0 ? all_bits.size() / columns : 0;
   }
 
-  /** Component @p c (0: x, 1: y) of the node in column @p i, row @p j. */
-  void hold(const unsigned int c, const unsigned int i, const unsigned int j)
+  /** Component @p c (0: x, 1: y) of @p node has a prescribed value. */
+  void constrain(const unsigned int c, const NodeIndex &node)
   {
-    bits[index(i, j)] |= static_cast<std::uint8_t>(1U << c);
+    all_bits[index(node)] |= static_cast<std::uint8_t>(1U << c);
   }
 
-  /** Component @p c of @p node. */
-  void hold(const unsigned int c, const NodeIndex &node)
+  /** Component @p c of @p node may move again. */
+  void release(const unsigned int c, const NodeIndex &node)
   {
-    hold(c, node.i, node.j);
+    all_bits[index(node)] &= static_cast<std::uint8_t>(~(1U << c));
   }
 
-  /** Whether component @p c of @p node is held. */
-  bool is_held(const unsigned int c, const NodeIndex &node) const
+  /** Whether component @p c of @p node is constrained. */
+  bool is_constrained(const unsigned int c, const NodeIndex &node) const
   {
-    return is_held(c, node.i, node.j);
+    return (bits(node) >> c & 1U) != 0;
   }
 
-  /** Component @p c of node (@p i, @p j) may move again. */
-  void release(const unsigned int c, const unsigned int i, const unsigned int j)
+  /** Bit c is set if component c of @p node is constrained. */
+  std::uint8_t bits(const NodeIndex &node) const
   {
-    bits[index(i, j)] &= static_cast<std::uint8_t>(~(1U << c));
+    return all_bits[index(node)];
   }
 
-  /** Whether component @p c of node (@p i, @p j) is held. */
-  bool is_held(const unsigned int c, const unsigned int i, const unsigned int j) const
+  /** Component @p c of all nodes of row @p j. */
+  void constrain_row(const unsigned int c, const unsigned int j)
   {
-    return (bits[index(i, j)] >> c & 1U) != 0;
+    for (unsigned int i = 0; i < columns; ++i)
+      constrain(c, {i, j});
   }
 
-  /** Bit c is set if component c is held. */
-  std::uint8_t held(const unsigned int i, const unsigned int j) const
+  /** Component @p c of all nodes of column @p i. */
+  void constrain_column(const unsigned int c, const unsigned int i)
   {
-    return bits[index(i, j)];
+    for (unsigned int j = 0; j < n_rows(); ++j)
+      constrain(c, {i, j});
   }
 
-  /** A component of all nodes of a row. */
-  void hold_row(const unsigned int c, const unsigned int j);
-
-  /** A component of all nodes of a column. */
-  void hold_column(const unsigned int c, const unsigned int i);
-
-  /** Whether the same is held on grids of the same size. */
+  /** Whether the same is constrained on grids of the same size. */
   bool operator==(const DofMask &other) const
   {
-    return columns == other.columns && rows == other.rows && bits == other.bits;
+    return columns == other.columns && all_bits == other.all_bits;
   }
 
 private:
-  std::size_t index(const unsigned int i, const unsigned int j) const
+  std::size_t index(const NodeIndex &node) const
   {
-    return static_cast<std::size_t>(j) * columns + i;
+    AssertIndexRange(node.i, columns);
+    AssertIndexRange(node.j, n_rows());
+    return static_cast<std::size_t>(node.j) * columns + node.i;
   }
 
   unsigned int columns = 0;
-  unsigned int rows    = 0;
-  std::vector<std::uint8_t> bits;
+  std::vector<std::uint8_t> all_bits;
 };
 } // namespace mesoslip
 

@@ -12,25 +12,11 @@
 #  define MESOSLIP_ROWS_AT_ONCE 3
 #endif
 
-namespace mesoslip
-{
-namespace kernels
-{
-namespace MESOSLIP_VARIANT
+namespace mesoslip::kernels::MESOSLIP_VARIANT
 {
 #include "elasticity/simd.h"
 //
 #include "elasticity/row_kernel_impl.h"
-
-unsigned int register_capacity(const double *)
-{
-  return lookup_capacity_double;
-}
-
-unsigned int register_capacity(const float *)
-{
-  return lookup_capacity_float;
-}
 
 /** The top row: nothing above, so the buffers are all there is. */
 template <typename Number, bool gravity>
@@ -91,56 +77,52 @@ static void select_last(Kernels<Number> &kernels)
   kernels.rows_at_once = n;
 }
 
-template <typename Number, MaterialVariant variant, bool anisotropic>
-static void select_terms(const Choice &choice, Kernels<Number> &kernels)
+/** With the terms that are @p wanted: anisotropy, damping, gravity. */
+template <typename Number, MaterialVariant variant, bool... terms>
+static void select_terms(const bool *wanted, Kernels<Number> &kernels)
 {
-  if constexpr (sizeof(Number) == sizeof(double))
-    {
-      if (choice.damping && choice.gravity)
-        return select_last<Number, variant, anisotropic, true, true>(kernels);
-      if (choice.damping)
-        return select_last<Number, variant, anisotropic, true, false>(kernels);
-      if (choice.gravity)
-        return select_last<Number, variant, anisotropic, false, true>(kernels);
-    }
-  select_last<Number, variant, anisotropic, false, false>(kernels);
-}
-
-template <typename Number, MaterialVariant variant>
-static void select_symmetry(const Choice &choice, Kernels<Number> &kernels)
-{
-  if (choice.anisotropic)
-    select_terms<Number, variant, true>(choice, kernels);
+  if constexpr (sizeof...(terms) == 3)
+    select_last<Number, variant, terms...>(kernels);
+  else if constexpr (sizeof...(terms) > 0 && sizeof(Number) == sizeof(float))
+    select_terms<Number, variant, terms..., false>(wanted + 1, kernels); // no time step
+  else if (*wanted)
+    select_terms<Number, variant, terms..., true>(wanted + 1, kernels);
   else
-    select_terms<Number, variant, false>(choice, kernels);
+    select_terms<Number, variant, terms..., false>(wanted + 1, kernels);
 }
 
 template <typename Number>
-static void select_material(const Choice &choice, Kernels<Number> &kernels)
+static void select_material(Choice &choice, Kernels<Number> &kernels)
 {
-  constexpr bool has_lookup = lookup_capacity_double > 0;
-  kernels.register_capacity = register_capacity(static_cast<const Number *>(nullptr));
-  const MaterialVariant material = choice.material;
-  if (material == MaterialVariant::homogeneous)
-    return select_symmetry<Number, MaterialVariant::homogeneous>(choice, kernels);
-  if (material == MaterialVariant::two)
-    return select_symmetry<Number, MaterialVariant::two>(choice, kernels);
+  constexpr unsigned int capacity = has_lookup ? Simd<Number>::length : 0;
+  using Variant                   = MaterialVariant;
+  const bool terms[]              = {choice.anisotropic, choice.damping, choice.gravity};
+  const unsigned int n            = choice.n_phases;
+  choice.material                 = n == 1              ? Variant::homogeneous
+                                    : n == 2            ? Variant::two
+                                    : n <= capacity     ? Variant::one_register
+                                    : n <= 2 * capacity ? Variant::two_registers
+                                                        : Variant::any;
+  if (choice.material == Variant::homogeneous)
+    return select_terms<Number, Variant::homogeneous>(terms, kernels);
+  if (choice.material == Variant::two)
+    return select_terms<Number, Variant::two>(terms, kernels);
   if constexpr (has_lookup)
     {
-      if (material == MaterialVariant::one_register)
-        return select_symmetry<Number, MaterialVariant::one_register>(choice, kernels);
-      if (material == MaterialVariant::two_registers)
-        return select_symmetry<Number, MaterialVariant::two_registers>(choice, kernels);
+      if (choice.material == Variant::one_register)
+        return select_terms<Number, Variant::one_register>(terms, kernels);
+      if (choice.material == Variant::two_registers)
+        return select_terms<Number, Variant::two_registers>(terms, kernels);
     }
-  select_symmetry<Number, MaterialVariant::any>(choice, kernels);
+  select_terms<Number, Variant::any>(terms, kernels);
 }
 
-void select(const Choice &choice, Kernels<double> &kernels)
+void select(Choice &choice, Kernels<double> &kernels)
 {
   select_material(choice, kernels);
 }
 
-void select(const Choice &choice, Kernels<float> &kernels)
+void select(Choice &choice, Kernels<float> &kernels)
 {
   select_material(choice, kernels);
 }
@@ -182,6 +164,4 @@ double dot(const double *a, const double *b, const unsigned int n)
     result += a[i] * b[i];
   return result;
 }
-} // namespace MESOSLIP_VARIANT
-} // namespace kernels
-} // namespace mesoslip
+} // namespace mesoslip::kernels::MESOSLIP_VARIANT

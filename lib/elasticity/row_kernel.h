@@ -27,11 +27,9 @@
  * i). Q, B of one cell row are handed on in four row buffers. Forces are kept multiplied
  * by 2/hx (x component) and 2/hy (y), which makes sigma_xy serve both components.
  */
-namespace mesoslip
+namespace mesoslip::kernels
 {
-namespace kernels
-{
-/** Order of the coefficients of a class, see Coefficients in row_sweep.cc. */
+/** Order of the coefficients of a phase, see Coefficients in row_sweep.cc. */
 enum CoefficientIndex
 {
   c11,
@@ -50,7 +48,7 @@ enum CoefficientIndex
 enum class MaterialVariant
 {
   homogeneous,
-  /** Two classes: blend by a mask. */
+  /** Two phases: blend by a mask. */
   two,
   /** As many as fit in one vector register of coefficients. */
   one_register,
@@ -66,7 +64,7 @@ constexpr unsigned int n_table_rows = 256;
 template <typename Number>
 struct Constants
 {
-  /** coefficient[k][c]: coefficient k of class c. */
+  /** coefficient[k][c]: coefficient k of phase c. */
   alignas(64) Number coefficient[n_coefficients][n_table_rows];
 
   /** Cells in a row. */
@@ -126,9 +124,9 @@ struct Rows
   const Number *mass      = nullptr;
   std::size_t mass_stride = 0; ///< numbers from one row to the next
 
-  /** Classes of the lowest cell row. */
-  const std::uint8_t *classes = nullptr;
-  std::size_t class_stride    = 0; ///< numbers from one cell row to the next
+  /** Phases of the lowest cell row. */
+  const std::uint8_t *phases = nullptr;
+  std::size_t phase_stride   = 0; ///< numbers from one cell row to the next
 };
 
 template <typename Number>
@@ -137,10 +135,13 @@ using RowFunction = void (*)(const Constants<Number> &, const Rows<Number> &);
 /** Chooses a kernel. */
 struct Choice
 {
-  MaterialVariant material = MaterialVariant::homogeneous; ///< how coefficients are found
-  bool anisotropic         = false;                        ///< with D13 and D23
-  bool damping             = false;                        ///< C = beta K
-  bool gravity             = false;                        ///< a body acceleration
+  unsigned int n_phases = 1;     ///< 1 + the largest phase of a cell; 1: homogeneous
+  bool anisotropic      = false; ///< with D13 and D23
+  bool damping          = false; ///< C = beta K
+  bool gravity          = false; ///< a body acceleration
+
+  /** Result: how coefficients are found. */
+  MaterialVariant material = MaterialVariant::homogeneous;
 };
 
 /** The kernels for one choice; node rows [0], [1]: one row, or `rows_at_once` of them. */
@@ -157,18 +158,13 @@ struct Kernels
   RowFunction<Number> finish = nullptr;
 
   unsigned int rows_at_once = 1; ///< that a call may treat
-
-  /** Numbers in a vector: capacity of MaterialVariant::one_register, or 0. */
-  unsigned int register_capacity = 0;
 };
 
 #define MESOSLIP_DECLARE_KERNELS(name)                          \
   namespace name                                                \
   {                                                             \
-  unsigned int register_capacity(const double *);               \
-  unsigned int register_capacity(const float *);                \
-  void select(const Choice &choice, Kernels<double> &kernels);  \
-  void select(const Choice &choice, Kernels<float> &kernels);   \
+  void select(Choice &choice, Kernels<double> &kernels);        \
+  void select(Choice &choice, Kernels<float> &kernels);         \
   void strain(const double *lower,                              \
               const double *upper,                              \
               std::size_t component_offset,                     \
@@ -183,7 +179,6 @@ struct Kernels
 
 MESOSLIP_FOR_EACH_VARIANT(MESOSLIP_DECLARE_KERNELS)
 #undef MESOSLIP_DECLARE_KERNELS
-} // namespace kernels
-} // namespace mesoslip
+} // namespace mesoslip::kernels
 
 #endif

@@ -12,10 +12,10 @@ struct MaterialAccess
   Index index;
 
   __attribute__((always_inline))
-  MaterialAccess(const Constants<Number> &c, const std::uint8_t *classes)
+  MaterialAccess(const Constants<Number> &c, const std::uint8_t *phases)
     : constants(c)
     , index(variant == MaterialVariant::homogeneous ? Index{}
-                                                    : load_bytes(classes, Index{}))
+                                                    : load_bytes(phases, Index{}))
   {
   }
 
@@ -143,7 +143,7 @@ struct Kernel
             gy_ = valid ? gy_ : Vector{};
           }
 
-        const MaterialAccess<Number, variant> m(c, r.classes + k * r.class_stride + i);
+        const MaterialAccess<Number, variant> m(c, r.phases + k * r.phase_stride + i);
 
         const Vector ratio = splat(c.ratio);
         const Vector shear = fma(ratio, dx, ey);

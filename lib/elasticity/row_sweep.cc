@@ -51,45 +51,18 @@ make_constants(const UniformMaterial &material)
   c.scale_y  = static_cast<Number>(hy / 2.);
   for (auto &row : c.coefficient)
     std::fill(std::begin(row), std::end(row), Number(0));
-  const auto &classes = material.classes();
-  if (material.is_homogeneous())
-    set_coefficients(classes[material.homogeneous_class()].stiffness, hx, hy, 0, c);
-  else
-    for (unsigned int k = 0; k < material.n_classes(); ++k)
-      set_coefficients(classes[k].stiffness, hx, hy, k, c);
+  const auto &occurring = material.phases_that_occur();
+  for (const unsigned int k : occurring)
+    set_coefficients(material.phases()[k].stiffness, hx, hy,
+                     material.is_homogeneous() ? 0 : k, c);
   return constants;
-}
-
-template <typename Number>
-unsigned int register_capacity(const InstructionSet isa)
-{
-  using namespace kernels;
-  unsigned int (*const capacities[])(const Number *) =
-    MESOSLIP_VARIANTS(register_capacity);
-  return variant(capacities, isa)(nullptr);
-}
-
-kernels::MaterialVariant material_variant(const UniformMaterial &material,
-                                          const unsigned int capacity)
-{
-  using kernels::MaterialVariant;
-  const unsigned int n = material.n_classes();
-  if (material.is_homogeneous())
-    return MaterialVariant::homogeneous;
-  if (n <= 2)
-    return MaterialVariant::two;
-  if (n <= capacity)
-    return MaterialVariant::one_register;
-  if (n <= 2 * capacity)
-    return MaterialVariant::two_registers;
-  return MaterialVariant::any;
 }
 } // namespace
 
 std::string kernels::name(const Choice &choice)
 {
-  const char *const materials[] = {"homogeneous", "two classes", "classes in a register",
-                                   "classes in two registers", "any classes"};
+  const char *const materials[] = {"homogeneous", "two phases", "phases in a register",
+                                   "phases in two registers", "any phases"};
   std::string result            = materials[static_cast<int>(choice.material)];
   result += choice.anisotropic ? ", anisotropic" : ", orthotropic";
   if (choice.damping)
@@ -101,26 +74,19 @@ std::string kernels::name(const Choice &choice)
 
 template <typename Number>
 RowKernels<Number>::RowKernels(const UniformMaterial &material,
-                               const InstructionSet requested,
+                               const InstructionSet isa,
                                const bool damping,
                                const bool gravity)
   : constants(make_constants<Number>(material))
 {
-  const InstructionSet isa = resolve(requested);
-  choice.material          = material_variant(material, register_capacity<Number>(isa));
-  choice.anisotropic       = !material.is_orthotropic();
-  choice.damping           = damping;
-  choice.gravity           = gravity;
+  if (!material.is_homogeneous())
+    choice.n_phases = material.phases_that_occur().back() + 1;
+  choice.anisotropic = !material.is_orthotropic();
+  choice.damping     = damping;
+  choice.gravity     = gravity;
   using namespace kernels;
-  void (*const selections[])(const Choice &, Kernels<Number> &) =
-    MESOSLIP_VARIANTS(select);
+  void (*const selections[])(Choice &, Kernels<Number> &) = MESOSLIP_VARIANTS(select);
   variant(selections, isa)(choice, functions);
-}
-
-template <typename Number>
-RowKernels<Number>::RowKernels(const UniformMaterial &material, const InstructionSet isa)
-  : RowKernels(material, isa, false, false)
-{
 }
 
 template <typename Number>
@@ -147,8 +113,8 @@ void RowSweep<Number>::complete(kernels::Rows<Number> &rows, const unsigned int 
   rows.syy = buffers.row(1, 1);
   if (!the_material.is_homogeneous())
     {
-      rows.classes      = the_material.class_row(cell_row);
-      rows.class_stride = the_material.class_row(1) - the_material.class_row(0);
+      rows.phases       = the_material.phase_row(cell_row);
+      rows.phase_stride = the_material.phase_row(1) - the_material.phase_row(0);
     }
 }
 

@@ -24,14 +24,12 @@ std::string name(const Choice &choice);
 template <typename Number>
 struct RowKernels
 {
-  /** Without time step: only the storing kernels are of use. */
-  RowKernels(const UniformMaterial &material, const InstructionSet isa);
-
-  /** With the constants of a time step; @p choice says which terms there are. */
+  /** Those with the terms asked for; without any only products are of use, and the
+   *  constants of a time step are zero. */
   RowKernels(const UniformMaterial &material,
-             const InstructionSet requested,
-             const bool damping,
-             const bool gravity);
+             const InstructionSet isa,
+             const bool damping = false,
+             const bool gravity = false);
 
   kernels::Choice choice;             ///< variant that was picked
   kernels::Kernels<Number> functions; ///< compiled for the instruction set

@@ -60,51 +60,51 @@ MESOSLIP_INLINE typename Simd<Number>::Vector splat(const Number x)
   return x - typename Simd<Number>::Vector{};
 }
 
-/** a * b + c */
+#if defined(__AVX512F__)
+#  define MESOSLIP_MM(name) _mm512_##name
+typedef __m512d mdouble;
+typedef __m512 mfloat;
+#elif defined(__FMA__)
+#  define MESOSLIP_MM(name) _mm256_##name
+typedef __m256d mdouble;
+typedef __m256 mfloat;
+#endif
+
+// fma: a * b + c; fnma: c - a * b
+#ifdef MESOSLIP_MM
 MESOSLIP_INLINE vdouble fma(const vdouble a, const vdouble b, const vdouble c)
 {
-#if defined(__AVX512F__)
-  return (vdouble)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
-#elif defined(__FMA__)
-  return (vdouble)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
-#else
-  return a * b + c;
-#endif
+  return (vdouble)MESOSLIP_MM(fmadd_pd)((mdouble)a, (mdouble)b, (mdouble)c);
 }
 
 MESOSLIP_INLINE vfloat fma(const vfloat a, const vfloat b, const vfloat c)
 {
-#if defined(__AVX512F__)
-  return (vfloat)_mm512_fmadd_ps((__m512)a, (__m512)b, (__m512)c);
-#elif defined(__FMA__)
-  return (vfloat)_mm256_fmadd_ps((__m256)a, (__m256)b, (__m256)c);
-#else
-  return a * b + c;
-#endif
+  return (vfloat)MESOSLIP_MM(fmadd_ps)((mfloat)a, (mfloat)b, (mfloat)c);
 }
 
-/** c - a * b */
 MESOSLIP_INLINE vdouble fnma(const vdouble a, const vdouble b, const vdouble c)
 {
-#if defined(__AVX512F__)
-  return (vdouble)_mm512_fnmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
-#elif defined(__FMA__)
-  return (vdouble)_mm256_fnmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
-#else
-  return c - a * b;
-#endif
+  return (vdouble)MESOSLIP_MM(fnmadd_pd)((mdouble)a, (mdouble)b, (mdouble)c);
 }
 
 MESOSLIP_INLINE vfloat fnma(const vfloat a, const vfloat b, const vfloat c)
 {
-#if defined(__AVX512F__)
-  return (vfloat)_mm512_fnmadd_ps((__m512)a, (__m512)b, (__m512)c);
-#elif defined(__FMA__)
-  return (vfloat)_mm256_fnmadd_ps((__m256)a, (__m256)b, (__m256)c);
-#else
-  return c - a * b;
-#endif
+  return (vfloat)MESOSLIP_MM(fnmadd_ps)((mfloat)a, (mfloat)b, (mfloat)c);
 }
+#else
+template <typename Vector>
+MESOSLIP_INLINE Vector fma(const Vector a, const Vector b, const Vector c)
+{
+  return a * b + c;
+}
+
+template <typename Vector>
+MESOSLIP_INLINE Vector fnma(const Vector a, const Vector b, const Vector c)
+{
+  return c - a * b;
+}
+#endif
+#undef MESOSLIP_MM
 
 /** 0, 1, 2... */
 MESOSLIP_INLINE vint64 iota(const vint64)
@@ -186,80 +186,54 @@ MESOSLIP_INLINE vint32 load_bytes(const std::uint8_t *p, const vint32)
 #endif
 }
 
-/** Numbers that lookup() finds in one register; 0 if there is no such instruction. */
 #if defined(__AVX512F__)
-constexpr unsigned int lookup_capacity_double = 8;
-constexpr unsigned int lookup_capacity_float  = 16;
-#else
-constexpr unsigned int lookup_capacity_double = 0;
-constexpr unsigned int lookup_capacity_float = 0;
-#endif
+/** Whether lookup() is there. */
+constexpr bool has_lookup = true;
 
 /** table[index], the table being one vector. */
 MESOSLIP_INLINE vdouble lookup(const vdouble table, const vint64 index)
 {
-#if defined(__AVX512F__)
   return (vdouble)_mm512_maskz_permutexvar_pd(0xff, (__m512i)index, (__m512d)table);
-#else
-  (void)index;
-  return table;
-#endif
 }
 
 MESOSLIP_INLINE vfloat lookup(const vfloat table, const vint32 index)
 {
-#if defined(__AVX512F__)
   return (vfloat)_mm512_maskz_permutexvar_ps(0xffff, (__m512i)index, (__m512)table);
-#else
-  (void)index;
-  return table;
-#endif
 }
 
 /** table[index], the table being two vectors. */
 MESOSLIP_INLINE vdouble lookup(const vdouble low, const vdouble high, const vint64 index)
 {
-#if defined(__AVX512F__)
   return (vdouble)_mm512_permutex2var_pd((__m512d)low, (__m512i)index, (__m512d)high);
-#else
-  (void)high;
-  (void)index;
-  return low;
-#endif
 }
 
 MESOSLIP_INLINE vfloat lookup(const vfloat low, const vfloat high, const vint32 index)
 {
-#if defined(__AVX512F__)
   return (vfloat)_mm512_permutex2var_ps((__m512)low, (__m512i)index, (__m512)high);
-#else
-  (void)high;
-  (void)index;
-  return low;
-#endif
 }
 
 /** table[index], the table being in memory. */
 MESOSLIP_INLINE vdouble gather(const double *table, const vint64 index)
 {
-#if defined(__AVX512F__)
   return (vdouble)_mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, (__m512i)index,
                                            table, 8);
-#elif defined(__AVX2__)
-  return vdouble{table[index[0]], table[index[1]], table[index[2]], table[index[3]]};
-#else
-  return vdouble{table[index[0]], table[index[1]]};
-#endif
 }
 
 MESOSLIP_INLINE vfloat gather(const float *table, const vint32 index)
 {
-#if defined(__AVX512F__)
   return (vfloat)_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xffff, (__m512i)index,
                                           table, 4);
-#elif defined(__AVX2__)
-  return (vfloat)_mm256_i32gather_ps(table, (__m256i)index, 4);
-#else
-  return vfloat{table[index[0]], table[index[1]], table[index[2]], table[index[3]]};
-#endif
 }
+#else
+constexpr bool has_lookup = false;
+
+template <typename Number, typename Index>
+MESOSLIP_INLINE typename Simd<Number>::Vector gather(const Number *table,
+                                                     const Index index)
+{
+  typename Simd<Number>::Vector result = {};
+  for (unsigned int l = 0; l < Simd<Number>::length; ++l)
+    result[l] = table[index[l]];
+  return result;
+}
+#endif

@@ -38,21 +38,6 @@ struct Precision
   RowSweep<Number> sweep;
   NodalField<Number> rows;
 };
-
-/** Diagonal block of a cell at one corner; @p sign of dN/dx dN/dy there. */
-struct CornerBlock
-{
-  double xx, yy, xy;
-};
-
-CornerBlock
-corner_block(const VoigtMatrix<2> &D, const double hx, const double hy, const double sign)
-{
-  const double Ixx = hy / (3. * hx), Iyy = hx / (3. * hy), Ixy = sign / 4.;
-  return {D(0, 0) * Ixx + D(2, 2) * Iyy + 2. * D(0, 2) * Ixy,
-          D(1, 1) * Iyy + D(2, 2) * Ixx + 2. * D(1, 2) * Ixy,
-          D(0, 2) * Ixx + D(1, 2) * Iyy + (D(0, 1) + D(2, 2)) * Ixy};
-}
 } // namespace
 
 struct UniformGridOperator::Implementation
@@ -64,7 +49,6 @@ struct UniformGridOperator::Implementation
   Dot dot;
   std::unique_ptr<Precision<double>> in_double;
   std::unique_ptr<Precision<float>> in_float;
-  std::vector<std::array<CornerBlock, 2>> corners;
 
   Implementation(const UniformMaterial &m,
                  const NodeRows &r,
@@ -79,10 +63,6 @@ struct UniformGridOperator::Implementation
       throw std::invalid_argument("the rows of the operator do not fit the grid");
     if (material.periodicity().y && rows.n_local() != rows.n_global)
       throw std::invalid_argument("a grid periodic in y needs all rows on one rank");
-    const double hx = material.grid().spacing[0], hy = material.grid().spacing[1];
-    for (const ElasticClass &c : material.classes())
-      corners.push_back({{corner_block(c.stiffness, hx, hy, 1.),
-                          corner_block(c.stiffness, hx, hy, -1.)}});
   }
 
   Precision<double> &precision(const double)
@@ -171,59 +151,6 @@ struct UniformGridOperator::Implementation
                      });
     return sum;
   }
-
-  /** Calls add(node column, corner block) for the cells around the nodes of row j. */
-  template <typename Add>
-  void around(const unsigned int j, const Add &add) const
-  {
-    const unsigned int nx = material.grid().cells[0], ny = material.grid().cells[1];
-    const bool wrap = material.periodicity().y;
-    for (const bool above : {false, true})
-      {
-        if (!wrap && (above ? j == ny : j == 0))
-          continue;
-        const unsigned int cell_row = (above ? j : j + ny - 1) % ny;
-        for (unsigned int i = 0; i < nx; ++i)
-          {
-            // Lower left and upper right corner: positive.
-            const auto &blocks = corners[material.class_of(i, cell_row)];
-            add(i, blocks[above ? 0 : 1]);
-            add(i + 1, blocks[above ? 1 : 0]);
-          }
-      }
-  }
-
-  template <typename Number>
-  void blocks(NodalField<Number> &diagonal, NodalField<Number> *coupling) const
-  {
-    check(diagonal);
-    const unsigned int n = material.n_columns();
-    std::vector<CornerBlock> row(n);
-    for (unsigned int j = rows.begin; j < rows.end; ++j)
-      {
-        std::fill(row.begin(), row.end(), CornerBlock{0., 0., 0.});
-        const auto add = [&](const unsigned int i, const CornerBlock &b) {
-          row[i].xx += b.xx;
-          row[i].yy += b.yy;
-          row[i].xy += b.xy;
-        };
-        around(j, add);
-        if (material.periodicity().x)
-          {
-            const CornerBlock last = row[n - 1];
-            add(n - 1, row[0]);
-            add(0, last);
-          }
-        const unsigned int l = rows.local(j);
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            diagonal.row(0, l)[i] = static_cast<Number>(row[i].xx);
-            diagonal.row(1, l)[i] = static_cast<Number>(row[i].yy);
-            if (coupling)
-              coupling->row(0, l)[i] = static_cast<Number>(row[i].xy);
-          }
-      }
-  }
 };
 
 UniformGridOperator::UniformGridOperator(const UniformMaterial &material,
@@ -261,29 +188,40 @@ void UniformGridOperator::vmult(NodalField<Number> &dst,
     &dst, src,
     [](unsigned int, unsigned int, const NodalField<Number> &, unsigned int) {});
   if (material().periodicity().y)
-    for (const unsigned int c : {0u, 1u})
-      std::copy_n(dst.row(c, 0), material().n_columns(), dst.row(c, dst.n_rows() - 1));
+    material().copy_duplicates(dst);
 }
 
-template <typename Number>
-void UniformGridOperator::diagonal(NodalField<Number> &diagonal) const
+// A cell gives the entries of the diagonal at two opposite corners the same numbers.
+void UniformGridOperator::diagonal(NodalField<double> &diagonal) const
 {
-  implementation->blocks<Number>(diagonal, nullptr);
-}
-
-template <typename Number>
-void UniformGridOperator::block_diagonal(NodalField<Number> &diagonal,
-                                         NodalField<Number> &coupling) const
-{
-  implementation->check(coupling);
-  implementation->blocks<Number>(diagonal, &coupling);
-}
-
-UniformGridOperator::Energies
-UniformGridOperator::energies(const NodalField<double> &u,
-                              const NodalField<double> &w) const
-{
-  return {0.5 * implementation->product(u), implementation->product(w)};
+  implementation->check(diagonal);
+  const UniformGrid<2> &grid = material().grid();
+  const unsigned int nx = grid.cells[0], ny = grid.cells[1];
+  const bool periodic_y = material().periodicity().y;
+  const double hx = grid.spacing[0], hy = grid.spacing[1];
+  const double Ixx = hy / (3. * hx), Iyy = hx / (3. * hy);
+  diagonal.set_zero();
+  for (unsigned int j = rows().begin; j < rows().end; ++j)
+    {
+      double *x = diagonal.row(0, rows().local(j)), *y = diagonal.row(1, rows().local(j));
+      for (const bool above : {false, true})
+        for (unsigned int i = 0; i < nx && (periodic_y || (above ? j < ny : j > 0)); ++i)
+          {
+            const unsigned int cell_row = (above ? j : j + ny - 1) % ny;
+            const VoigtMatrix<2> &D =
+              material().phases()[material().phase_of(i, cell_row)].stiffness;
+            // The sign of dN/dx dN/dy: lower left and upper right corner are positive.
+            for (const bool right : {false, true})
+              {
+                const double Ixy = (above == right ? -1. : 1.) / 4.;
+                x[i + right] += D(0, 0) * Ixx + D(2, 2) * Iyy + 2. * D(0, 2) * Ixy;
+                y[i + right] += D(1, 1) * Iyy + D(2, 2) * Ixx + 2. * D(1, 2) * Ixy;
+              }
+          }
+      if (material().periodicity().x)
+        for (double *d : {x, y})
+          d[0] = d[nx] = d[0] + d[nx];
+    }
 }
 
 double UniformGridOperator::elastic_energy(const NodalField<double> &u) const
@@ -307,10 +245,4 @@ template void UniformGridOperator::vmult(NodalField<double> &,
                                          const NodalField<double> &) const;
 template void UniformGridOperator::vmult(NodalField<float> &,
                                          const NodalField<float> &) const;
-template void UniformGridOperator::diagonal(NodalField<double> &) const;
-template void UniformGridOperator::diagonal(NodalField<float> &) const;
-template void UniformGridOperator::block_diagonal(NodalField<double> &,
-                                                  NodalField<double> &) const;
-template void UniformGridOperator::block_diagonal(NodalField<float> &,
-                                                  NodalField<float> &) const;
 } // namespace mesoslip

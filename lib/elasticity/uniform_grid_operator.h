@@ -40,7 +40,7 @@ public:
   /** Takes over kernels and buffers. */
   UniformGridOperator(UniformGridOperator &&) noexcept;
 
-  /** As given. */
+  /** The material of the whole grid. */
   const UniformMaterial &material() const;
 
   /** Rows of this rank. */
@@ -51,34 +51,13 @@ public:
   void vmult(NodalField<Number> &dst, const NodalField<Number> &src) const;
 
   /** Diagonal of K: K_xx in component 0, K_yy in component 1 of each owned node. */
-  template <typename Number>
-  void diagonal(NodalField<Number> &diagonal) const;
+  void diagonal(NodalField<double> &diagonal) const;
 
   /**
-   * The 2x2 diagonal blocks: @p diagonal as diagonal(), K_xy in component 0 of @p
-   * coupling (component 1 is left alone). K_xy vanishes at inner nodes of a homogeneous
-   * orthotropic body but not at interfaces and corners.
+   * 1/2 u.K u (J/m) over the owned rows, a duplicate column or row counted once; the sum
+   * over ranks is left to the caller. Rows are summed one by one in their order, then
+   * added up in order.
    */
-  template <typename Number>
-  void block_diagonal(NodalField<Number> &diagonal, NodalField<Number> &coupling) const;
-
-  /** Result of energies(). */
-  struct Energies
-  {
-    /** 1/2 u.K u (J/m) */
-    double elastic = 0.;
-    /** w.K w (W/m/s): times beta it is the power dissipated by C = beta K. */
-    double damping_power = 0.;
-  };
-
-  /**
-   * Sums over the owned rows, a duplicate column or row counted once; the sum over ranks
-   * is left to the caller. Rows are summed one by one in their order, then added up in
-   * order.
-   */
-  Energies energies(const NodalField<double> &u, const NodalField<double> &w) const;
-
-  /** 1/2 u.K u alone, half the cost of energies(). */
   double elastic_energy(const NodalField<double> &u) const;
 
   /**

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -11,77 +12,80 @@ namespace mesoslip
 {
 namespace
 {
-/** Kernels read a whole vector of classes beyond the last cell. */
-constexpr std::size_t class_padding = 64;
+/** Kernels read a whole vector of phases beyond the last cell. */
+constexpr std::size_t phase_padding = 64;
 
-void check(const ElasticClass &material, const unsigned int c)
+void check(const ElasticPhase<2> &phase, const unsigned int k)
 {
-  const std::string name  = "class " + std::to_string(c);
-  const VoigtMatrix<2> &D = material.stiffness;
+  const std::string name  = "phase " + std::to_string(k);
+  const VoigtMatrix<2> &D = phase.stiffness;
   const double largest    = D.cwiseAbs().maxCoeff();
-  if (!(material.density > 0.) || !std::isfinite(material.density))
+  if (!(phase.density > 0.) || !std::isfinite(phase.density))
     throw std::invalid_argument(name + ": the density must be positive, not " +
-                                std::to_string(material.density));
+                                std::to_string(phase.density));
   if (!D.allFinite() || !((D - D.transpose()).cwiseAbs().maxCoeff() <= 1e-9 * largest))
     throw std::invalid_argument(name + ": the stiffness must be finite and symmetric");
   if (Eigen::LLT<VoigtMatrix<2>>(D).info() != Eigen::Success)
     throw std::invalid_argument(name + ": the stiffness must be positive definite");
 }
-
-bool couples_shear(const VoigtMatrix<2> &D)
-{
-  return std::max(std::abs(D(0, 2)), std::abs(D(1, 2))) > 1e-14 * D.cwiseAbs().maxCoeff();
-}
 } // namespace
 
 UniformMaterial::UniformMaterial(const UniformGrid<2> &grid,
-                                 const std::vector<ElasticClass> &classes,
-                                 const std::vector<std::uint8_t> &class_id,
+                                 const std::vector<ElasticPhase<2>> &phases,
+                                 const std::vector<std::uint8_t> &phase_id,
                                  const Periodicity periodicity)
   : the_grid(grid)
-  , the_classes(classes)
+  , the_phases(phases)
   , periodic(periodicity)
 {
   const unsigned int nx = grid.cells[0], ny = grid.cells[1];
   if (nx == 0 || ny == 0 || !(grid.spacing[0] > 0.) || !(grid.spacing[1] > 0.))
     throw std::invalid_argument("a uniform grid needs cells of positive size");
-  if (!class_id.empty() && class_id.size() != grid.n_cells())
+  if (!phase_id.empty() && phase_id.size() != grid.n_cells())
     throw std::invalid_argument("the grid has " + std::to_string(grid.n_cells()) +
-                                " cells but " + std::to_string(class_id.size()) +
-                                " classes were given");
-
-  std::vector<bool> used(256, false);
-  if (class_id.empty())
-    used[0] = true;
-  for (const std::uint8_t c : class_id)
-    used[c] = true;
-  unsigned int n_used = 0;
-  for (unsigned int c = 0; c < used.size(); ++c)
-    if (used[c])
-      {
-        if (c >= classes.size())
-          throw std::invalid_argument("a cell is of class " + std::to_string(c) +
-                                      " but only " + std::to_string(classes.size()) +
-                                      " classes are defined");
-        check(classes[c], c);
-        orthotropic = orthotropic && !couples_shear(classes[c].stiffness);
-        uniform_density =
-          uniform_density &&
-          (n_used == 0 || classes[c].density == classes[only_class].density);
-        if (n_used == 0)
-          only_class = c;
-        number_of_classes = c + 1;
-        ++n_used;
-      }
-
-  if (n_used > 1)
+                                " cells but " + std::to_string(phase_id.size()) +
+                                " phases were given");
+  std::set<unsigned int> used(phase_id.begin(), phase_id.end());
+  if (used.empty())
+    used = {0};
+  occurring.assign(used.begin(), used.end());
+  if (occurring.back() >= phases.size())
+    throw std::invalid_argument("a cell is of phase " + std::to_string(occurring.back()) +
+                                " but only " + std::to_string(phases.size()) +
+                                " phases are defined");
+  for (const unsigned int k : occurring)
+    check(phases[k], k);
+  if (occurring.size() > 1)
     {
-      id_stride = nx + class_padding;
+      id_stride = nx + phase_padding;
       ids.assign(id_stride * ny, 0);
       for (unsigned int j = 0; j < ny; ++j)
-        std::copy_n(class_id.begin() + std::size_t(j) * nx, nx,
+        std::copy_n(phase_id.begin() + std::size_t(j) * nx, nx,
                     ids.begin() + j * id_stride);
     }
+}
+
+UniformMaterial UniformMaterial::with(const Periodicity periodicity) const
+{
+  UniformMaterial other = *this;
+  other.periodic        = periodicity;
+  return other;
+}
+
+bool UniformMaterial::is_orthotropic() const
+{
+  return std::none_of(occurring.begin(), occurring.end(), [this](const unsigned int k) {
+    const VoigtMatrix<2> &D = the_phases[k].stiffness;
+    return std::max(std::abs(D(0, 2)), std::abs(D(1, 2))) >
+           1e-14 * D.cwiseAbs().maxCoeff();
+  });
+}
+
+bool UniformMaterial::has_uniform_density() const
+{
+  return std::all_of(occurring.begin(), occurring.end(), [this](const unsigned int k) {
+    return the_phases[k].density == the_phases[occurring[0]].density;
+  });
 }
 
 void UniformMaterial::mass_row(const unsigned int j, double *mass) const
@@ -92,7 +96,7 @@ void UniformMaterial::mass_row(const unsigned int j, double *mass) const
   const auto add_cells = [&](const unsigned int cell_row) {
     for (unsigned int i = 0; i < nx; ++i)
       {
-        const double m = quarter * the_classes[class_of(i, cell_row)].density;
+        const double m = quarter * the_phases[phase_of(i, cell_row)].density;
         mass[i] += m;
         mass[i + 1] += m;
       }
@@ -107,12 +111,12 @@ void UniformMaterial::mass_row(const unsigned int j, double *mass) const
 
 double UniformMaterial::total_mass() const
 {
-  if (uniform_density)
-    return the_classes[only_class].density * the_grid.extent(0) * the_grid.extent(1);
+  if (has_uniform_density())
+    return the_phases[occurring[0]].density * the_grid.extent(0) * the_grid.extent(1);
   double sum = 0.;
   for (unsigned int j = 0; j < the_grid.cells[1]; ++j)
     for (unsigned int i = 0; i < the_grid.cells[0]; ++i)
-      sum += the_classes[class_of(i, j)].density;
+      sum += the_phases[phase_of(i, j)].density;
   return sum * the_grid.cell_measure();
 }
 } // namespace mesoslip

@@ -1,6 +1,7 @@
 #ifndef mesoslip_elasticity_uniform_material_h
 #define mesoslip_elasticity_uniform_material_h
 
+#include "grid/nodal_field.h"
 #include "grid/uniform_grid.h"
 #include "material/voigt.h"
 
@@ -20,9 +21,6 @@ struct ElasticPhase
   double density = 0.;
 };
 
-/** The phases of a UniformMaterial. */
-using ElasticClass = ElasticPhase<2>;
-
 /**
  * Opposite sides that are one and the same. Fields keep the duplicate last column (row);
  * operators read it and write it equal to the first.
@@ -34,34 +32,43 @@ struct Periodicity
 };
 
 /**
- * The material on a uniform grid of Q1 rectangles, by class: one byte for each cell and
- * up to 256 classes. A node row has `grid.cells[0] + 1` columns, periodic or not, and
- * there are `grid.cells[1] + 1` rows. Always describes the whole grid, on every rank.
+ * The material on a uniform grid of Q1 rectangles, by phase: one byte for each cell and up
+ * to 256 phases. A node row has `grid.cells[0] + 1` columns, periodic or not, and there
+ * are `grid.cells[1] + 1` rows. Always describes the whole grid, on every rank.
  */
 class UniformMaterial
 {
 public:
   /**
-   * @p class_id holds one class for each cell, x fastest; empty means class 0 everywhere.
-   * Classes that no cell uses are allowed. Throws std::invalid_argument on sizes or ids
+   * @p phase_id holds one phase for each cell, x fastest; empty means phase 0 everywhere.
+   * Phases that no cell is of are allowed. Throws std::invalid_argument on sizes or ids
    * that do not fit, spacings that are not positive, a density that is not positive or a
-   * stiffness that is not symmetric and positive definite (in a class that is used).
+   * stiffness that is not symmetric and positive definite (in a phase that occurs).
    */
   UniformMaterial(const UniformGrid<2> &grid,
-                  const std::vector<ElasticClass> &classes,
-                  const std::vector<std::uint8_t> &class_id = {},
+                  const std::vector<ElasticPhase<2>> &phases,
+                  const std::vector<std::uint8_t> &phase_id = {},
                   const Periodicity periodicity             = Periodicity());
 
-  /** Of the body. */
+  /** The same material with other periodic sides. */
+  UniformMaterial with(const Periodicity periodicity) const;
+
+  /** The cells of the body. */
   const UniformGrid<2> &grid() const
   {
     return the_grid;
   }
 
-  /** Stiffness (Pa) and density (kg/m^3) of each class. */
-  const std::vector<ElasticClass> &classes() const
+  /** Stiffness (Pa) and density (kg/m^3) of each phase. */
+  const std::vector<ElasticPhase<2>> &phases() const
   {
-    return the_classes;
+    return the_phases;
+  }
+
+  /** The phases that cells are of, ascending. */
+  const std::vector<unsigned int> &phases_that_occur() const
+  {
+    return occurring;
   }
 
   /** Which sides are one. */
@@ -70,44 +77,28 @@ public:
     return periodic;
   }
 
-  /** True if all cells are of one class: then class_row() is not to be called. */
+  /** True if all cells are of one phase: then phase_row() is not to be called. */
   bool is_homogeneous() const
   {
     return ids.empty();
   }
 
-  /** The class of all cells if is_homogeneous(), else 0. */
-  std::uint8_t homogeneous_class() const
+  /** D13 = D23 = 0 (to 1e-14 of the largest entry) in all phases that occur. */
+  bool is_orthotropic() const;
+
+  /** All phases that occur have one density. */
+  bool has_uniform_density() const;
+
+  /** Phase of cell @p i from the left, @p j from the bottom. */
+  std::uint8_t phase_of(const unsigned int i, const unsigned int j) const
   {
-    return only_class;
+    AssertIndexRange(i, the_grid.cells[0]);
+    AssertIndexRange(j, the_grid.cells[1]);
+    return ids.empty() ? occurring[0] : ids[j * id_stride + i];
   }
 
-  /** 1 + the largest class that occurs. */
-  unsigned int n_classes() const
-  {
-    return number_of_classes;
-  }
-
-  /** D13 = D23 = 0 (to 1e-14 of the largest entry) in all classes that occur. */
-  bool is_orthotropic() const
-  {
-    return orthotropic;
-  }
-
-  /** All classes that occur have one density. */
-  bool has_uniform_density() const
-  {
-    return uniform_density;
-  }
-
-  /** Class of cell @p i from the left, @p j from the bottom. */
-  std::uint8_t class_of(const unsigned int i, const unsigned int j) const
-  {
-    return ids.empty() ? only_class : ids[j * id_stride + i];
-  }
-
-  /** Classes of cell row @p j, followed by at least 64 more readable bytes. */
-  const std::uint8_t *class_row(const unsigned int j) const
+  /** Phases of cell row @p j, followed by at least 64 more readable bytes. */
+  const std::uint8_t *phase_row(const unsigned int j) const
   {
     return ids.data() + j * id_stride;
   }
@@ -124,6 +115,19 @@ public:
     return the_grid.cells[1] + 1;
   }
 
+  /** Sets the duplicate column and row of a field on the whole grid to the first ones. */
+  template <typename Number>
+  void copy_duplicates(NodalField<Number> &field) const
+  {
+    for (unsigned int c = 0; c < 2; ++c)
+      {
+        for (unsigned int j = 0; periodic.x && j < field.n_rows(); ++j)
+          field.row(c, j)[the_grid.cells[0]] = field.row(c, j)[0];
+        if (periodic.y)
+          std::copy_n(field.row(c, 0), n_columns(), field.row(c, the_grid.cells[1]));
+      }
+  }
+
   /**
    * Lumped mass per unit thickness (kg/m) of the n_columns() nodes of global row @p j.
    * Nodes on a periodic side carry the mass of both sides, in both copies.
@@ -135,14 +139,11 @@ public:
 
 private:
   UniformGrid<2> the_grid;
-  std::vector<ElasticClass> the_classes;
+  std::vector<ElasticPhase<2>> the_phases;
   Periodicity periodic;
-  std::vector<std::uint8_t> ids;
-  std::size_t id_stride          = 0;
-  std::uint8_t only_class        = 0;
-  unsigned int number_of_classes = 1;
-  bool orthotropic               = true;
-  bool uniform_density           = true;
+  std::vector<unsigned int> occurring;
+  std::vector<std::uint8_t> ids; ///< rows @p id_stride apart; empty if all are equal
+  std::size_t id_stride = 0;
 };
 } // namespace mesoslip
 

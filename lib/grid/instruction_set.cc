@@ -2,27 +2,26 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <stdexcept>
 
 namespace mesoslip
 {
+namespace
+{
+/** In the order of InstructionSet. */
+const char *const set_names[] = {"auto",
+#ifdef __x86_64__
+                                 "x86-64",
+#else
+                                  "generic",
+#endif
+                                 "x86-64-v3", "x86-64-v4"};
+} // namespace
+
 std::string to_string(const InstructionSet isa)
 {
-  switch (isa)
-    {
-    case InstructionSet::baseline:
-#ifdef __x86_64__
-      return "x86-64";
-#else
-      return "generic";
-#endif
-    case InstructionSet::x86_64_v3:
-      return "x86-64-v3";
-    case InstructionSet::x86_64_v4:
-      return "x86-64-v4";
-    default:
-      return "auto";
-    }
+  return set_names[static_cast<unsigned int>(isa)];
 }
 
 std::vector<InstructionSet> available_instruction_sets()
@@ -44,12 +43,11 @@ std::vector<InstructionSet> available_instruction_sets()
 InstructionSet instruction_set(const std::string &name)
 {
   std::string names;
-  for (const InstructionSet isa : {InstructionSet::automatic, InstructionSet::baseline,
-                                   InstructionSet::x86_64_v3, InstructionSet::x86_64_v4})
+  for (unsigned int k = 0; k < std::size(set_names); ++k)
     {
-      if (to_string(isa) == name)
-        return isa;
-      names += (names.empty() ? "" : ", ") + to_string(isa);
+      if (set_names[k] == name)
+        return static_cast<InstructionSet>(k);
+      names += (k == 0 ? "" : ", ") + std::string(set_names[k]);
     }
   throw std::runtime_error("there is no instruction set '" + name + "'; use one of " +
                            names);

@@ -1,27 +1,12 @@
 #ifndef mesoslip_grid_line_memory_h
 #define mesoslip_grid_line_memory_h
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
-#include <memory>
+#include <vector>
 
 namespace mesoslip
 {
-/** Returns to the system what line_memory() took. */
-struct FreeLineMemory
-{
-  /** Null is fine. */
-  void operator()(void *memory) const
-  {
-    std::free(memory);
-  }
-};
-
-/** Numbers that begin on a cache line. */
-template <typename Number>
-using LineArray = std::unique_ptr<Number[], FreeLineMemory>;
-
 /**
  * At least @p bytes of memory that begin on a cache line. All pages of a large piece are
  * asked for at once: one by one, when first written, they take twice as long.
@@ -29,14 +14,48 @@ using LineArray = std::unique_ptr<Number[], FreeLineMemory>;
  */
 void *line_memory(const std::size_t bytes);
 
-/** @p n zeros that begin on a cache line. */
+/** An allocator of containers whose numbers begin on a cache line. */
 template <typename Number>
-LineArray<Number> line_zeros(const std::size_t n)
+struct LineAllocator
 {
-  LineArray<Number> numbers(static_cast<Number *>(line_memory(n * sizeof(Number))));
-  std::fill_n(numbers.get(), n, Number(0));
-  return numbers;
-}
+  using value_type = Number; ///< for the container
+
+  LineAllocator() = default;
+
+  /** Allocators of all types are equal. */
+  template <typename Other>
+  LineAllocator(const LineAllocator<Other> &)
+  {
+  }
+
+  /** Memory for @p n numbers. */
+  Number *allocate(const std::size_t n)
+  {
+    return static_cast<Number *>(line_memory(n * sizeof(Number)));
+  }
+
+  /** Returns it. */
+  void deallocate(Number *memory, const std::size_t)
+  {
+    std::free(memory);
+  }
+
+  /** Each one can free what another has allocated. */
+  friend bool operator==(const LineAllocator &, const LineAllocator &)
+  {
+    return true;
+  }
+
+  /** See operator==(). */
+  friend bool operator!=(const LineAllocator &, const LineAllocator &)
+  {
+    return false;
+  }
+};
+
+/** Numbers that begin on a cache line. */
+template <typename Number>
+using LineVector = std::vector<Number, LineAllocator<Number>>;
 } // namespace mesoslip
 
 #endif

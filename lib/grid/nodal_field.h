@@ -3,13 +3,26 @@
 
 #include "grid/line_memory.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/serialization/array_wrapper.hpp>
 
-#include <cstddef>
+#include <algorithm>
 #include <stdexcept>
 
 namespace mesoslip
 {
+/** Numbers in the widest vector of the row kernels. */
+template <typename Number>
+constexpr unsigned int lanes = 64 / sizeof(Number);
+
+/** @p n rounded up to whole vectors. */
+template <typename Number>
+constexpr unsigned int whole_vectors(const unsigned int n)
+{
+  return (n + lanes<Number> - 1) / lanes<Number> * lanes<Number>;
+}
+
 /** The place of a node in a field. */
 struct NodeIndex
 {
@@ -18,9 +31,14 @@ struct NodeIndex
 };
 
 /**
- * A two-component nodal field stored as a structure of arrays for the row kernels:
- * every row starts on a cache line and is followed by at least one full vector of
- * zeros, so that a kernel may read and write past the last node without a mask.
+ * Numbers on rows of nodes (or cells) with some components, two for displacements, as the
+ * row kernels want them: the components of a row are arrays side by side, each of which
+ * starts on a cache line and is followed by at least one full vector of zeros, so that a
+ * kernel may read and write past the last node without a mask.
+ *
+ * There is one more row at either end and one more column on the left: there and behind
+ * the last column a multigrid cycle has the values of neighbours across a periodic side,
+ * all others zeros.
  *
  * Rows are numbered locally; a field that belongs to a slab of the grid holds the
  * slab's node rows (ghost rows included).
@@ -29,25 +47,12 @@ template <typename Number>
 class NodalField
 {
 public:
-  /** Doubles (floats) in 64 bytes: widest vector of the kernels. */
-  static constexpr std::size_t vector_length = 64 / sizeof(Number);
-
   NodalField() = default;
 
-  /** @p n_columns nodes a row, @p n_rows rows, two components, all zero. */
-  NodalField(const unsigned int n_columns, const unsigned int n_rows);
-
-  /** Copies all rows. */
-  NodalField(const NodalField &other);
-
-  /** Takes over the memory. */
-  NodalField(NodalField &&) noexcept = default;
-
-  /** Copies all rows; the size becomes that of @p other. */
-  NodalField &operator=(const NodalField &other);
-
-  /** Takes over the memory. */
-  NodalField &operator=(NodalField &&) noexcept = default;
+  /** @p n_columns nodes a row, @p n_rows rows, all zero. */
+  NodalField(const unsigned int n_columns,
+             const unsigned int n_rows,
+             const unsigned int n_components = 2);
 
   /** Number of nodes in a row. */
   unsigned int n_columns() const
@@ -64,53 +69,75 @@ public:
   /** Distance between two rows of one component, in numbers. */
   std::size_t stride() const
   {
-    return row_stride;
+    return components * component_stride();
   }
 
-  /** Component @p c (0: x, 1: y) of row @p j: n_columns() values and padding. */
-  Number *row(const unsigned int c, const unsigned int j)
+  /** Distance between two components of a row, in numbers. */
+  std::size_t component_stride() const
   {
-    return data.get() + (c * rows + j) * row_stride;
+    return array_stride;
+  }
+
+  /** Component @p c (0: x, 1: y) of row @p j (-1 to n_rows()): n_columns() values and
+   *  padding. */
+  template <typename Index>
+  Number *row(const unsigned int c, const Index j)
+  {
+    return data.data() + offset(c, static_cast<int>(j));
   }
 
   /** As above, read only. */
-  const Number *row(const unsigned int c, const unsigned int j) const
+  template <typename Index>
+  const Number *row(const unsigned int c, const Index j) const
   {
-    return data.get() + (c * rows + j) * row_stride;
+    return data.data() + offset(c, static_cast<int>(j));
   }
 
   /** Component @p c of one node. */
   Number &operator()(const unsigned int c, const NodeIndex &node)
   {
+    AssertIndexRange(node.i, columns);
     return row(c, node.j)[node.i];
   }
 
   /** As above, read only. */
   const Number &operator()(const unsigned int c, const NodeIndex &node) const
   {
+    AssertIndexRange(node.i, columns);
     return row(c, node.j)[node.i];
   }
 
   /** All values, padding included: for vector updates that treat every entry alike. */
   Number *begin()
   {
-    return data.get();
+    return data.data();
   }
 
   /** As above, read only. */
   const Number *begin() const
   {
-    return data.get();
+    return data.data();
   }
 
   /** Numbers from begin() on, padding included. */
   std::size_t size() const
   {
-    return row_stride * rows * 2;
+    return data.size();
   }
 
   /** Padding included. */
-  void set_zero();
+  void set_zero()
+  {
+    std::fill(data.begin(), data.end(), Number(0));
+  }
+
+  /** Takes the numbers of a field of the same extents, ghosts included; what lies further
+   *  out becomes zero. */
+  template <typename Other>
+  void convert_from(const NodalField<Other> &other);
+
+  /** Fills columns -1 and n_columns() (if @p x) and rows -1 and n_rows() (if @p y). */
+  void fill_ghosts(const bool x, const bool y);
 
   /**
    * Saves or restores extents and all values (Boost.Serialization). @throws
@@ -128,10 +155,19 @@ public:
   }
 
 private:
-  unsigned int columns   = 0;
-  unsigned int rows      = 0;
-  std::size_t row_stride = 0;
-  LineArray<Number> data;
+  std::size_t offset(const unsigned int c, const int j) const
+  {
+    AssertIndexRange(c, components);
+    AssertIndexRange(static_cast<unsigned int>(j + 1), rows + 2);
+    return (static_cast<std::size_t>(j + 1) * components + c) * array_stride +
+           lanes<Number>;
+  }
+
+  unsigned int components  = 0;
+  unsigned int rows        = 0;
+  unsigned int columns     = 0;
+  std::size_t array_stride = 0;
+  LineVector<Number> data;
 };
 
 extern template class NodalField<double>;

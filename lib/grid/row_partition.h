@@ -16,13 +16,13 @@ unsigned int largest_number_of_ranks(const unsigned int n_rows);
  * Contiguous slabs of node rows over the ranks of @p communicator, equal to two rows.
  * Rank 0 has the bottom. Every rank gets at least two rows: throws std::invalid_argument
  * when there are too many ranks. A stepper runs @p ghosts time steps at once, see
- * steps_in_flight().
+ * choose_steps_at_once().
  */
 NodeRows partition_rows(const unsigned int n_rows,
                         MPI_Comm communicator,
                         const unsigned int ghosts = 1);
 
-/** Slabs of a grid of @p n_columns x @p n_rows nodes for the steps in flight of
+/** Slabs of a grid of @p n_columns x @p n_rows nodes for the steps at once of
  *  @p options. */
 NodeRows partition_rows(const unsigned int n_columns,
                         const unsigned int n_rows,
@@ -38,12 +38,6 @@ void update_ghost_rows(NodalField<double> &field,
 NodalField<double>
 gather_rows(const NodalField<double> &field, const NodeRows &rows, MPI_Comm communicator);
 
-/** Distribute a whole field of rank 0 to the slabs, ghost rows included. */
-NodalField<double> scatter_rows(const NodalField<double> &whole,
-                                const unsigned int n_columns,
-                                const NodeRows &rows,
-                                MPI_Comm communicator);
-
 /** A field without its ghost rows, or with empty ones. */
 NodalField<double> own_rows(const NodalField<double> &field, const NodeRows &rows);
 
@@ -52,7 +46,7 @@ NodalField<double> with_ghost_rows(const NodalField<double> &own, const NodeRows
 
 /**
  * Saves or restores the own rows of @p field (Boost.Serialization): how many ghost rows a
- * run has depends on the steps in flight, and changes no result.
+ * run has depends on the steps at once, and changes no result.
  */
 template <class Archive>
 void serialize_own_rows(Archive &archive, NodalField<double> &field, const NodeRows &rows)

@@ -32,10 +32,10 @@ suggested(const unsigned int n_columns, const unsigned int n_rows, const bool is
 }
 } // namespace
 
-unsigned int steps_in_flight(const unsigned int n_columns,
-                             const unsigned int n_rows,
-                             const unsigned int n_ranks,
-                             const unsigned int requested)
+unsigned int choose_steps_at_once(const unsigned int n_columns,
+                                  const unsigned int n_rows,
+                                  const unsigned int n_ranks,
+                                  const unsigned int requested)
 {
   const unsigned int of_a_rank = n_rows / n_ranks;
   // Every rank has to own what its neighbours ask for; slabs differ by two rows.

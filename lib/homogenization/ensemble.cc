@@ -71,7 +71,7 @@ std::vector<std::string> morphology_warnings(const std::vector<EnsembleMember> &
 
 UniformMaterial make_material(const Microstructure &microstructure)
 {
-  std::vector<ElasticClass> classes;
+  std::vector<ElasticPhase<2>> classes;
   // Statics need no density; a phase may come without one.
   for (const Phase<2> &phase : microstructure.phases)
     classes.push_back({phase.stiffness, phase.density > 0. ? phase.density : 1.});

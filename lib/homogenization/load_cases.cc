@@ -36,7 +36,7 @@ DofMask held_boundary(const ElasticBody<2> &body)
   for (unsigned int side = 0; side < 4; ++side)
     for (const NodeIndex &node : body.surface(side).nodes)
       for (unsigned int c = 0; c < 2; ++c)
-        mask.hold(c, node);
+        mask.constrain(c, node);
   return mask;
 }
 
@@ -114,9 +114,9 @@ private:
           periodic_body = body.make_periodic();
         solver = (periodic_body ? *periodic_body : body).make_solver();
       }
-    solver->set_held(condition == BoundaryCondition::KUBC
-                       ? held_boundary(body)
-                       : DofMask(body.n_columns(), body.n_rows()));
+    solver->set_constrained(condition == BoundaryCondition::KUBC
+                              ? held_boundary(body)
+                              : DofMask(body.n_columns(), body.n_rows()));
   }
 
   const ElasticBody<2> &body;

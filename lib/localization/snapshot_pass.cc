@@ -21,7 +21,7 @@ public:
   Batch(const RunFile &run, const UniformGrid<2> &target, const SnapshotWork &what)
     : source(run.grid())
     , work(what)
-    , constant(3, 1, target.cells[0])
+    , constant(target.cells[0], 1, 3)
     , by_row(target.cells[1])
   {
     for (std::size_t p = 0; p < work.cells.size(); ++p)
@@ -101,7 +101,7 @@ private:
 
   UniformGrid<2> source;
   const SnapshotWork &work;
-  PaddedRows<double> constant;
+  NodalField<double> constant;
   /** One for each snapshot. */
   std::vector<StrainInterpolation> interpolations;
   std::vector<std::array<double, 3>> means;

@@ -20,7 +20,7 @@ double integrate(const unsigned int n, const double h, const Value &value)
 
 constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
 
-Row row_of(PaddedRows<double> &arrays, const std::size_t j)
+Row row_of(NodalField<double> &arrays, const std::size_t j)
 {
   return {arrays.row(0, j), arrays.row(1, j), arrays.row(2, j)};
 }
@@ -75,9 +75,9 @@ StrainInterpolation::StrainInterpolation(const UniformGrid<2> &source_grid,
   , target(target_grid)
   , x(source.cells[0], target.cells[0])
   , y(source.cells[1], target.cells[1])
-  , scratch(3, x.is_identity() ? 0 : 1, source.cells[0])
-  , kept(3, y.width, target.cells[0])
-  , result(3, 1, target.cells[0])
+  , scratch(source.cells[0], x.is_identity() ? 0 : 1, 3)
+  , kept(target.cells[0], y.width, 3)
+  , result(target.cells[0], 1, 3)
   , kept_row(y.width, none)
 {
 }

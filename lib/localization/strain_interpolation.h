@@ -1,7 +1,7 @@
 #ifndef mesoslip_localization_strain_interpolation_h
 #define mesoslip_localization_strain_interpolation_h
 
-#include "grid/padded_rows.h"
+#include "grid/nodal_field.h"
 #include "grid/uniform_grid.h"
 #include "localization/row_kernels.h"
 
@@ -72,7 +72,7 @@ private:
   const double *displacement = nullptr;
   /** Rows of three arrays: a strain row of the source, those of its rows that have been
    *  interpolated along x last, a sum of them. */
-  PaddedRows<double> scratch, kept, result;
+  NodalField<double> scratch, kept, result;
   /** Number of the row of the source at each place of kept, or none. */
   std::vector<unsigned int> kept_row;
 };

@@ -8,7 +8,7 @@ StressMap::StressMap(const UniformGrid<2> &grid,
                      const std::vector<double> &ratio,
                      const std::vector<double> &concentration)
   : the_grid(grid)
-  , data(10, grid.cells[1], grid.cells[0])
+  , data(grid.cells[0], grid.cells[1], 10)
 {
   const std::size_t nx = grid.cells[0];
   for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)

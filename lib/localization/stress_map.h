@@ -1,7 +1,7 @@
 #ifndef mesoslip_localization_stress_map_h
 #define mesoslip_localization_stress_map_h
 
-#include "grid/padded_rows.h"
+#include "grid/nodal_field.h"
 #include "grid/uniform_grid.h"
 #include "material/voigt.h"
 
@@ -50,7 +50,7 @@ public:
   /** Numbers from one of the nine arrays of a row to the next. */
   std::size_t stride() const
   {
-    return data.array_stride();
+    return data.component_stride();
   }
 
   /** C_phase L (Pa) of one cell. */
@@ -58,7 +58,7 @@ public:
 
 private:
   UniformGrid<2> the_grid;
-  PaddedRows<double> data;
+  NodalField<double> data;
 };
 
 /**

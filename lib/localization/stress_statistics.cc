@@ -9,12 +9,12 @@ StressStatistics::StressStatistics(const StressMap &stress_map,
   : map(stress_map)
   , selection(fields)
   , samples(map.grid().cells[1], 0)
-  , sums(selection.deviation ? 7
-         : selection.mean    ? 4
-                             : 1,
+  , sums(map.grid().cells[0],
          map.grid().cells[1],
-         map.grid().cells[0])
-  , scratch(4, 1, map.grid().cells[0])
+         selection.deviation ? 7
+         : selection.mean    ? 4
+                             : 1)
+  , scratch(map.grid().cells[0], 1, 4)
 {
 }
 

@@ -1,7 +1,7 @@
 #ifndef mesoslip_localization_stress_statistics_h
 #define mesoslip_localization_stress_statistics_h
 
-#include "grid/padded_rows.h"
+#include "grid/nodal_field.h"
 #include "localization/row_kernels.h"
 #include "localization/stress_map.h"
 
@@ -65,9 +65,9 @@ private:
   const StressMap &map;
   FieldSelection selection;
   std::vector<std::size_t> samples;
-  PaddedRows<double> sums;
+  NodalField<double> sums;
   /** One row: the stress and a work array. */
-  PaddedRows<double> scratch;
+  NodalField<double> scratch;
 };
 } // namespace mesoslip
 

@@ -33,7 +33,7 @@ ProbeRecorder::ProbeRecorder(const std::vector<Point> &points,
       ProbeHistory history;
       history.name       = point.name;
       history.position   = point.position;
-      history.phase      = material.class_of(place.i, place.j);
+      history.phase      = material.phase_of(place.i, place.j);
       history.on_contact = place.j == 0 && place.xi[1] < 1e-6;
       histories.push_back(history);
     }
@@ -113,7 +113,7 @@ void ProbeRecorder::before_step(const std::uint64_t n)
         ProbeHistory &history  = histories[k];
         const auto value       = interpolate(u, places[k]);
         const VoigtVector<2> e = strain(places[k]);
-        const VoigtVector<2> s = material.classes()[history.phase].stiffness * e;
+        const VoigtVector<2> s = material.phases()[history.phase].stiffness * e;
         history.time.push_back(n * step.dt);
         history.displacement.insert(history.displacement.end(), value.begin(),
                                     value.end());

@@ -143,7 +143,7 @@ friction_of_nodes(const std::vector<double> &friction_of_bottom_cells,
 
 UniformMaterial Scene::make_material(const bool periodic) const
 {
-  std::vector<ElasticClass> classes;
+  std::vector<ElasticPhase<2>> classes;
   for (const Phase<2> &phase : phases)
     classes.push_back({phase.stiffness, phase.density});
   try

@@ -34,28 +34,24 @@ SlidingBody::SlidingBody(const UniformMaterial &material,
   , top_recorder(setup.history_interval)
   , halo(material.n_columns(), rows.ghosts, communicator)
   , profile(timer)
-  , stepper(material,
-            rows,
-            setup.step,
-            setup.sides,
-            u,
-            w,
-            bottom != nullptr ? bottom
-                              : profile.timed(contact, "Contact and its histories"),
-            profile.timed(top, "Top and its histories"),
-            rows.end - rows.begin < rows.n_global
-              ? profile.timed(halo, "Exchange between ranks")
-              : nullptr,
-            setup.sweep)
-  , op(material, rows)
+  , stepper(
+      {material, setup.step, u, w,
+       bottom != nullptr ? bottom : profile.timed(contact, "Contact and its histories"),
+       profile.timed(top, "Top and its histories"), rows,
+       rows.end - rows.begin < rows.n_global
+         ? profile.timed(halo, "Exchange between ranks")
+         : nullptr,
+       communicator},
+      setup.sides,
+      setup.sweep)
 {
   contact.observe(node_statistics);
   contact.observe(contact_recorder);
   top.observe(top_recorder);
   if (setup.energy_interval > 0)
-    energy = std::make_unique<EnergyAudit>(
-      op, setup.step, u, w, setup.top.platen_mass, setup.energy_interval,
-      [this]() { return boundary_work(); }, communicator);
+    energy =
+      std::make_unique<EnergyAudit>(stepper, setup.top.platen_mass, setup.energy_interval,
+                                    [this]() { return boundary_work(); });
 }
 
 BoundaryWork SlidingBody::boundary_work() const

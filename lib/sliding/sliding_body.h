@@ -6,8 +6,7 @@
 #include "dynamics/energy_audit.h"
 #include "dynamics/explicit_stepper.h"
 #include "dynamics/top_surface.h"
-#include "elasticity/uniform_grid_operator.h"
-#include "grid/mpi_halo.h"
+#include "grid/halo.h"
 #include "grid/row_partition.h"
 #include "sliding/loop_profile.h"
 
@@ -88,7 +87,6 @@ public:
   MPIHalo halo;                        ///< exchange with the ranks above and below
   LoopProfile profile;                 ///< clocks around the parts of a step
   ExplicitStepper stepper;             ///< the time integration
-  UniformGridOperator op;              ///< K of this rank's cells
   std::unique_ptr<EnergyAudit> energy; ///< null without an energy interval
 };
 } // namespace mesoslip

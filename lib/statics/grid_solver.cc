@@ -1,15 +1,8 @@
 #include "statics/grid_solver.h"
 
-#include "statics/grid_preconditioners.h"
-#include "statics/multigrid/kernels/kernels.h"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 #include <sstream>
-#include <stdexcept>
-#include <vector>
 
 namespace mesoslip
 {
@@ -34,221 +27,175 @@ std::string failure_text(const NotConverged::Reason reason, const SolverReport &
 }
 } // namespace
 
-struct GridSolver::Implementation
+template <typename N>
+GridSolver::Cycle<N>::Cycle(const UniformMaterial &material,
+                            const UniformGridOperator &stiffness,
+                            const DofMask &mask)
+  : multigrid(material, stiffness)
+  , b(material.n_columns(), material.n_rows())
+  , z(b)
 {
-  Implementation(const UniformMaterial &the_material,
-                 const StaticSolverKind the_kind,
-                 const std::optional<unsigned int> &limit)
-    : material(the_material)
-    , stiffness(the_material)
-    , r(the_material.n_columns(), the_material.n_rows())
-    , p(r)
-    , q(r)
-    , n(whole_vectors<float>(the_material.n_columns()))
-    , kind(the_kind)
-    , max_iterations(limit.value_or(kind == StaticSolverKind::jacobi ? 100000 : 5000))
-  {
-    const Periodicity periodic = material.periodicity();
-    unique_columns             = material.n_columns() - periodic.x;
-    unique_rows                = material.n_rows() - periodic.y;
-  }
+  multigrid.set_constrained(mask);
+}
 
-  bool is_ready() const
-  {
-    return single || twice || diagonal;
-  }
+template <typename N>
+void GridSolver::Cycle<N>::apply()
+{
+  multigrid.vmult(z, b);
+}
 
-  /** Zero in held degrees of freedom and duplicates: what remains is summed once. */
-  void restrict_to_unknowns(NodalField<double> &v) const
-  {
-    for (unsigned int c = 0; c < 2; ++c)
-      {
-        for (unsigned int j = 0; j < material.n_rows(); ++j)
-          if (unique_columns < material.n_columns())
-            v.row(c, j)[unique_columns] = 0.;
-        if (unique_rows < material.n_rows())
-          std::fill_n(v.row(c, unique_rows), n, 0.);
-      }
-    for (const std::array<unsigned int, 3> &dof : held_dofs)
-      v.row(dof[0], dof[2])[dof[1]] = 0.;
-  }
-
-  void copy_duplicates(NodalField<double> &v) const
-  {
-    for (unsigned int c = 0; c < 2; ++c)
-      {
-        if (unique_columns < material.n_columns())
-          for (unsigned int j = 0; j < unique_rows; ++j)
-            v.row(c, j)[unique_columns] = v.row(c, j)[0];
-        if (unique_rows < material.n_rows())
-          std::copy_n(v.row(c, 0), material.n_columns(), v.row(c, unique_rows));
-      }
-  }
-
-  /** r = f - K u in the unknowns. */
-  void residual(const NodalField<double> &u, const NodalField<double> &f)
-  {
-    stiffness.vmult(q, u);
-    for (unsigned int c = 0; c < 2; ++c)
-      for (unsigned int j = 0; j < unique_rows; ++j)
+GridSolver::Diagonal::Diagonal(const UniformGridOperator &stiffness, const DofMask &mask)
+  : inverse(mask.n_columns(), mask.n_rows())
+  , b(inverse)
+  , z(inverse)
+{
+  stiffness.diagonal(inverse);
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int j = 0; j < mask.n_rows(); ++j)
+      for (unsigned int i = 0; i < mask.n_columns(); ++i)
         {
-          const double *fr = f.row(c, j), *qr = q.row(c, j);
-          double *rr = r.row(c, j);
-          for (unsigned int i = 0; i < unique_columns; ++i)
-            rr[i] = fr[i] - qr[i];
+          double &d = inverse.row(c, j)[i];
+          d         = mask.is_constrained(c, {i, j}) ? 0. : 1. / d;
         }
-    restrict_to_unknowns(r);
-  }
+}
 
-  double norm(const NodalField<double> &v) const
-  {
-    double sum = 0.;
-    for_each_row([&](const unsigned int c, const unsigned int j) {
-      sum += multigrid::kernels().dot(n, v.row(c, j), v.row(c, j));
-    });
-    return std::sqrt(sum);
-  }
-
-  template <typename Function>
-  void for_each_row(const Function &function) const
-  {
-    for (unsigned int c = 0; c < 2; ++c)
-      for (unsigned int j = 0; j < unique_rows; ++j)
-        function(c, j);
-  }
-
-  double right_hand_side_norm(const NodalField<double> &u, const NodalField<double> &f);
-  SolverReport solve(NodalField<double> &u,
-                     const NodalField<double> &f,
-                     const double reference,
-                     const double tolerance);
-  template <typename Preconditioner>
-  std::optional<NotConverged::Reason> iterate(Preconditioner &preconditioner,
-                                              NodalField<double> &u,
-                                              const double scale,
-                                              const double tolerance,
-                                              const unsigned int last,
-                                              SolverReport &report);
-
-  const UniformMaterial &material;
-  UniformGridOperator stiffness;
-  DofMask held;
-  multigrid::RigidModes modes;
-  /** Of the three there is one; none before set_held(). */
-  std::unique_ptr<MultigridCycle<float>> single;
-  std::unique_ptr<MultigridCycle<double>> twice;
-  std::unique_ptr<Diagonal> diagonal;
-
-  /** component, column, row */
-  std::vector<std::array<unsigned int, 3>> held_dofs;
-
-  NodalField<double> r, p, q;
-
-  /** Columns in whole vectors. */
-  unsigned int n;
-  const StaticSolverKind kind;
-  const unsigned int max_iterations;
-  unsigned int unique_columns = 0;
-  unsigned int unique_rows    = 0;
-};
+void GridSolver::Diagonal::apply()
+{
+  for (std::size_t k = 0; k < z.size(); ++k)
+    z.begin()[k] = inverse.begin()[k] * b.begin()[k];
+}
 
 GridSolver::GridSolver(const UniformMaterial &material,
                        const StaticSolverKind kind,
-                       const std::optional<unsigned int> &max_iterations)
-  : implementation(std::make_unique<Implementation>(material, kind, max_iterations))
+                       const std::optional<unsigned int> &limit)
+  : material(material)
+  , use_diagonal(kind == StaticSolverKind::jacobi ||
+                 !multigrid::Multigrid<float>::can_coarsen(material.grid()))
+  , max_iterations(limit.value_or(use_diagonal ? 100000 : 5000))
+  , unique_columns(material.n_columns() - material.periodicity().x)
+  , unique_rows(material.n_rows() - material.periodicity().y)
+  , n(whole_vectors<float>(material.n_columns()))
+  , stiffness(material)
+  , r(material.n_columns(), material.n_rows())
+  , p(r)
+  , q(r)
 {
 }
 
-GridSolver::~GridSolver() = default;
-
-unsigned int GridSolver::n_levels() const
+void GridSolver::set_constrained(const DofMask &new_mask)
 {
-  const Implementation &s = *implementation;
-  return s.single ? s.single->cycle.n_levels() : s.twice->cycle.n_levels();
-}
-
-void GridSolver::set_held(const DofMask &mask)
-{
-  Implementation &s = *implementation;
-  if (mask.n_columns() != s.material.n_columns() || mask.n_rows() != s.material.n_rows())
-    throw std::invalid_argument("The mask of held degrees of freedom has another size "
-                                "than the grid.");
-  if (s.is_ready() && mask == s.held)
+  if (new_mask.n_columns() != material.n_columns() ||
+      new_mask.n_rows() != material.n_rows())
+    throw std::invalid_argument("The mask of constrained degrees of freedom has another "
+                                "size than the grid.");
+  if ((single || twice || diagonal) && new_mask == mask)
     return;
-  s.held_dofs.clear();
-  for (unsigned int j = 0; j < mask.n_rows(); ++j)
-    for (unsigned int i = 0; i < mask.n_columns(); ++i)
-      for (unsigned int c = 0; c < 2; ++c)
-        if (mask.is_held(c, i, j))
-          s.held_dofs.push_back({{c, i % s.unique_columns, j % s.unique_rows}});
-  s.held  = mask;
-  s.modes = multigrid::RigidModes(s.material, mask);
-  s.twice.reset();
-  if (s.kind == StaticSolverKind::jacobi)
-    s.diagonal = std::make_unique<Diagonal>(s.stiffness, mask);
-  else if (s.single)
-    s.single->cycle.set_held(mask);
+  mask        = new_mask;
+  constrained = multigrid::ConstrainedUnknowns(
+    mask,
+    multigrid::Axis::uniform(material.grid().cells[0], 1., material.periodicity().x),
+    multigrid::Axis::uniform(material.grid().cells[1], 1., material.periodicity().y));
+  modes = multigrid::RigidModes(material, mask);
+  twice.reset();
+  if (use_diagonal)
+    diagonal = std::make_unique<Diagonal>(stiffness, mask);
+  else if (single)
+    single->multigrid.set_constrained(mask);
   else
-    s.single = std::make_unique<MultigridCycle<float>>(s.material, s.stiffness, mask);
+    single = std::make_unique<Cycle<float>>(material, stiffness, mask);
 }
 
-/** || f - K u_held ||: the scale of the residual, whatever the first guess. */
-double GridSolver::Implementation::right_hand_side_norm(const NodalField<double> &u,
-                                                        const NodalField<double> &f)
+template <typename Function>
+void GridSolver::for_each_row(const Function &function) const
 {
-  p.set_zero();
-  for (const std::array<unsigned int, 3> &dof : held_dofs)
-    p.row(dof[0], dof[2])[dof[1]] = u.row(dof[0], dof[2])[dof[1]];
-  copy_duplicates(p);
-  residual(p, f);
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int j = 0; j < unique_rows; ++j)
+      function(c, j);
+}
+
+/** Zero in constrained degrees of freedom and duplicates: what remains is summed once. */
+void GridSolver::restrict_to_unknowns(NodalField<double> &v) const
+{
+  for (unsigned int c = 0; c < 2; ++c)
+    {
+      for (unsigned int j = 0; j < material.n_rows(); ++j)
+        if (unique_columns < material.n_columns())
+          v.row(c, j)[unique_columns] = 0.;
+      if (unique_rows < material.n_rows())
+        std::fill_n(v.row(c, unique_rows), n, 0.);
+    }
+  constrained.clear(v, 2);
+}
+
+/** r = f - K u in the unknowns, without rigid motions; its norm. */
+double GridSolver::residual(const NodalField<double> &u, const NodalField<double> &f)
+{
+  stiffness.vmult(q, u);
+  for_each_row([&](const unsigned int c, const unsigned int j) {
+    for (unsigned int i = 0; i < unique_columns; ++i)
+      r.row(c, j)[i] = f.row(c, j)[i] - q.row(c, j)[i];
+  });
+  restrict_to_unknowns(r);
   modes.remove_from(r);
   restrict_to_unknowns(r);
   return norm(r);
+}
+
+double GridSolver::norm(const NodalField<double> &v) const
+{
+  double sum = 0.;
+  for_each_row([&](const unsigned int c, const unsigned int j) {
+    sum += multigrid::kernels().dot(n, v.row(c, j), v.row(c, j));
+  });
+  return std::sqrt(sum);
+}
+
+/** || f - K u_constrained ||: the scale of the residual, whatever the first guess. */
+double GridSolver::right_hand_side_norm(const NodalField<double> &u,
+                                        const NodalField<double> &f)
+{
+  p.set_zero();
+  for (unsigned int j = 0; j < unique_rows; ++j)
+    for (const multigrid::ConstrainedUnknowns::Node &node : constrained.row(j))
+      for (unsigned int c = 0; c < 2; ++c)
+        if (node.has(c))
+          p.row(c, j)[node.column] = u.row(c, j)[node.column];
+  material.copy_duplicates(p);
+  return residual(p, f);
 }
 
 SolverReport GridSolver::solve(NodalField<double> &u,
                                const NodalField<double> &force,
                                const double tolerance)
 {
-  Implementation &s = *implementation;
-  if (!s.is_ready())
-    set_held(DofMask(s.material.n_columns(), s.material.n_rows()));
-  const double reference    = s.right_hand_side_norm(u, force);
-  const SolverReport report = s.solve(u, force, reference, tolerance);
-  s.copy_duplicates(u);
-  s.modes.remove_from(u);
-  return report;
-}
-
-SolverReport GridSolver::Implementation::solve(NodalField<double> &u,
-                                               const NodalField<double> &f,
-                                               const double reference,
-                                               const double tolerance)
-{
+  if (!single && !twice && !diagonal)
+    set_constrained(DofMask(material.n_columns(), material.n_rows()));
+  const double reference = right_hand_side_norm(u, force);
   SolverReport report;
   if (twice)
     report.single_iterations = 0;
   while (true)
     {
-      copy_duplicates(u);
-      residual(u, f);
-      modes.remove_from(r);
-      restrict_to_unknowns(r);
-      const double scale = reference > 0. ? reference : norm(r);
+      material.copy_duplicates(u);
+      const double start = residual(u, force);
+      const double scale = reference > 0. ? reference : start;
       const auto failure =
         diagonal ? iterate(*diagonal, u, scale, tolerance, max_iterations, report)
         : single ? iterate(*single, u, scale, tolerance,
                            std::min(max_single_iterations, max_iterations), report)
                  : iterate(*twice, u, scale, tolerance, max_iterations, report);
       if (!failure)
-        return report;
+        break;
       if (!single || *failure == NotConverged::Reason::not_finite ||
           report.iterations == max_iterations)
         throw NotConverged(failure_text(*failure, report), *failure);
       single.reset();
-      twice = std::make_unique<MultigridCycle<double>>(material, stiffness, held);
+      twice = std::make_unique<Cycle<double>>(material, stiffness, mask);
       report.single_iterations = report.iterations;
     }
+  material.copy_duplicates(u);
+  modes.remove_from(u);
+  return report;
 }
 
 /**
@@ -257,18 +204,17 @@ SolverReport GridSolver::Implementation::solve(NodalField<double> &u,
  * iterations in all. Returns why it ended before the tolerance was met.
  */
 template <typename Preconditioner>
-std::optional<NotConverged::Reason>
-GridSolver::Implementation::iterate(Preconditioner &preconditioner,
-                                    NodalField<double> &u,
-                                    const double scale,
-                                    const double tolerance,
-                                    const unsigned int last,
-                                    SolverReport &report)
+std::optional<NotConverged::Reason> GridSolver::iterate(Preconditioner &preconditioner,
+                                                        NodalField<double> &u,
+                                                        const double scale,
+                                                        const double tolerance,
+                                                        const unsigned int last,
+                                                        SolverReport &report)
 {
-  using Reason                                  = NotConverged::Reason;
-  using Number                                  = typename Preconditioner::Number;
-  const multigrid::GridKernels<Number> &kernels = multigrid::grid_kernels<Number>();
-  NodalField<Number> &z                         = preconditioner.z;
+  using Reason                = NotConverged::Reason;
+  using Number                = typename Preconditioner::Number;
+  const auto &k               = multigrid::grid_kernels<Number>();
+  const NodalField<Number> &z = preconditioner.z;
   double residual_norm = norm(r), alpha = 0., rz = 0.;
   if (!std::isfinite(residual_norm) || !std::isfinite(scale))
     return Reason::not_finite;
@@ -279,13 +225,14 @@ GridSolver::Implementation::iterate(Preconditioner &preconditioner,
         return Reason::iterations;
       // One over the norm brings r into the range of single precision.
       for_each_row([&](const unsigned int c, const unsigned int j) {
-        kernels.scaled(n, 1. / residual_norm, r.row(c, j), preconditioner.b.row(c, j));
+        k.scaled(n, 1. / residual_norm, r.row(c, j), preconditioner.b.row(c, j));
       });
       preconditioner.apply();
+
       double dots[2] = {0., 0.};
       for_each_row([&](const unsigned int c, const unsigned int j) {
         double row[2];
-        kernels.two_dots(n, r.row(c, j), q.row(c, j), z.row(c, j), row);
+        k.two_dots(n, r.row(c, j), q.row(c, j), z.row(c, j), row);
         dots[0] += row[0];
         dots[1] += row[1];
       });
@@ -295,8 +242,9 @@ GridSolver::Implementation::iterate(Preconditioner &preconditioner,
       rz                  = rz_new;
       for (unsigned int c = 0; c < 2; ++c)
         for (unsigned int j = 0; j < material.n_rows(); ++j)
-          kernels.direction(n, residual_norm, beta, z.row(c, j), p.row(c, j));
-      copy_duplicates(p);
+          k.direction(n, residual_norm, beta, z.row(c, j), p.row(c, j));
+      material.copy_duplicates(p);
+
       stiffness.vmult(q, p);
       restrict_to_unknowns(q);
       double pq = 0.;

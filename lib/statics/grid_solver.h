@@ -1,7 +1,7 @@
 #ifndef mesoslip_statics_grid_solver_h
 #define mesoslip_statics_grid_solver_h
 
-#include "elasticity/uniform_material.h"
+#include "statics/multigrid/multigrid.h"
 #include "statics/static_solver.h"
 
 #include <memory>
@@ -16,8 +16,9 @@ namespace mesoslip
  * single precision. About ten iterations for the contrasts of composites, whatever the
  * size; time and memory linear in the number of cells. When single precision breaks down
  * or takes more than 100 iterations, the rest of this and all further solves with the
- * same mask have the cycle in double precision. StaticSolverKind::jacobi: preconditioned
- * by the diagonal, which needs no set-up and up to 100000 iterations.
+ * same mask have the cycle in double precision. StaticSolverKind::jacobi, and grids with
+ * fewer than three cells in both directions: preconditioned by the diagonal, which needs
+ * no set-up and up to 100000 iterations.
  *
  * All rows on one rank; independent load cases go to different ranks. Not for use by two
  * threads at a time.
@@ -25,16 +26,14 @@ namespace mesoslip
 class GridSolver : public StaticSolver
 {
 public:
-  /** Sets up what does not depend on which displacements are held. */
+  /** Sets up what does not depend on the constraints. @p material must outlive it. */
   explicit GridSolver(const UniformMaterial &material,
                       const StaticSolverKind kind = StaticSolverKind::multigrid,
                       const std::optional<unsigned int> &max_iterations = {});
 
-  ~GridSolver() override;
-
   /** Costs about as much as two solves, nothing if the mask has not changed. Throws
    *  std::invalid_argument if it has another size than the grid. */
-  void set_held(const DofMask &mask) override;
+  void set_constrained(const DofMask &mask) override;
 
   /** Where rigid motions are left, what the forces have of them (round-off, one hopes) is
    *  ignored. */
@@ -42,12 +41,58 @@ public:
                      const NodalField<double> &force,
                      const double tolerance) override;
 
-  /** Number of grids of the multigrid hierarchy. */
-  unsigned int n_levels() const;
-
 private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation;
+  /** A multigrid cycle in one precision, with the fields that it takes and gives. */
+  template <typename N>
+  struct Cycle
+  {
+    using Number = N;
+    Cycle(const UniformMaterial &material,
+          const UniformGridOperator &stiffness,
+          const DofMask &mask);
+    void apply(); ///< z = M^-1 b
+    multigrid::Multigrid<Number> multigrid;
+    NodalField<Number> b, z;
+  };
+
+  /** The diagonal of K, one over it, or zero where entries are constrained. */
+  struct Diagonal
+  {
+    using Number = double;
+    Diagonal(const UniformGridOperator &stiffness, const DofMask &mask);
+    void apply(); ///< z = D^-1 b
+    NodalField<double> inverse, b, z;
+  };
+
+  template <typename Function>
+  void for_each_row(const Function &function) const;
+  void restrict_to_unknowns(NodalField<double> &v) const;
+  double residual(const NodalField<double> &u, const NodalField<double> &f);
+  double norm(const NodalField<double> &v) const;
+  double right_hand_side_norm(const NodalField<double> &u, const NodalField<double> &f);
+  template <typename Preconditioner>
+  std::optional<NotConverged::Reason> iterate(Preconditioner &preconditioner,
+                                              NodalField<double> &u,
+                                              const double scale,
+                                              const double tolerance,
+                                              const unsigned int last,
+                                              SolverReport &report);
+
+  const UniformMaterial &material;
+  const bool use_diagonal;
+  const unsigned int max_iterations;
+  const unsigned int unique_columns, unique_rows; ///< without periodic duplicates
+  const unsigned int n;                           ///< columns in whole vectors
+  const UniformGridOperator stiffness;
+  NodalField<double> r, p, q;
+
+  DofMask mask;
+  multigrid::ConstrainedUnknowns constrained;
+  multigrid::RigidModes modes;
+  /** One of the three, none before set_constrained(). */
+  std::unique_ptr<Cycle<float>> single;
+  std::unique_ptr<Cycle<double>> twice;
+  std::unique_ptr<Diagonal> diagonal;
 };
 } // namespace mesoslip
 

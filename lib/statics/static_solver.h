@@ -71,7 +71,7 @@ public:
   virtual ~StaticSolver() = default;
 
   /** Which degrees of freedom are held from now on; the costly part of the set-up. */
-  virtual void set_held(const DofMask &mask) = 0;
+  virtual void set_constrained(const DofMask &mask) = 0;
 
   /**
    * Solves for the free entries of @p u; the held ones are prescribed values on entry.

@@ -22,7 +22,7 @@
 #include "../verification/sliding_body.h"
 #include "guarded_main.h"
 
-#include "grid/mpi_halo.h"
+#include "grid/halo.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -185,7 +185,7 @@ sliding_body(const unsigned int nx, const unsigned int ny, const unsigned int in
   setup.top.pressure          = LoadHistory(5e6);
   setup.step.beta             = 4.4e-9;
   setup.step.dt               = 1e-8;
-  setup.sweep.wavefront       = in_flight;
+  setup.sweep.steps_at_once   = in_flight;
   return setup;
 }
 
@@ -199,7 +199,7 @@ void step(const unsigned int nx, const unsigned int ny, const unsigned int in_fl
   const double before = resident_bytes();
   SlidingBody body(sliding_body(nx, ny, in_flight), MPI_COMM_WORLD);
   const double n_cells       = double(nx) * ny;
-  const unsigned int depth   = body.stepper.wavefront_depth();
+  const unsigned int depth   = body.stepper.steps_at_once();
   const unsigned int n_steps = std::max(1., std::round(1.5e6 / n_cells / depth)) * depth;
   const auto seconds         = measure([&]() { body.run(n_steps); });
   double bytes = resident_bytes() - before, all = 0.;

@@ -11,7 +11,7 @@
 #include "body/grid_body.h"
 #include "body/mesh/mesh_discretization.h"
 #include "dynamics/explicit_stepper.h"
-#include "grid/mpi_halo.h"
+#include "grid/halo.h"
 #include "grid/row_partition.h"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ UniformMaterial make_material(const std::array<unsigned int, 2> cells,
   grid.spacing = {{spacing, spacing}};
   VoigtMatrix<2> D;
   D << 33.3e9, 8.3e9, 0, 8.3e9, 33.3e9, 0, 0, 0, 12.5e9;
-  std::vector<ElasticClass> classes;
+  std::vector<ElasticPhase<2>> classes;
   for (unsigned int c = 0; c < n_classes; ++c)
     classes.push_back({(1. + 0.02 * c) * D, 1500.});
   std::vector<std::uint8_t> ids;
@@ -105,17 +105,24 @@ double fused(const std::array<unsigned int, 2> cells,
     for (unsigned int i = 0; i < material.n_columns(); ++i)
       u.row(1, l)[i] = 1e-9 * std::sin(0.1 * i + 0.05 * (rows.first() + l));
   MPIHalo halo(material.n_columns(), rows.ghosts, MPI_COMM_WORLD);
-  ExplicitStepper stepper(material, rows, {dt, beta2, beta, {}}, {}, u, w, nullptr,
-                          nullptr, &halo, options);
+  ExplicitStepper stepper({material,
+                           {dt, beta2, beta, {}},
+                           u,
+                           w,
+                           nullptr,
+                           nullptr,
+                           rows,
+                           &halo,
+                           MPI_COMM_WORLD},
+                          {}, options);
   const double n_cells     = material.grid().n_cells();
-  const unsigned int depth = stepper.wavefront_depth();
+  const unsigned int depth = stepper.steps_at_once();
   const unsigned int n_steps =
     static_cast<unsigned int>(std::max(1., std::round(3e7 / n_cells / depth))) * depth;
   const Rates r =
     measure([&]() { stepper.advance(n_steps); }, n_cells, n_steps, repetitions);
-  report(
-    (stepper.kernel_name() + std::string(", wavefront ") + std::to_string(depth)).c_str(),
-    cells, r);
+  report((stepper.kernel_name() + ", steps at once " + std::to_string(depth)).c_str(),
+         cells, r);
   return r.median;
 }
 
@@ -183,11 +190,11 @@ int main(int argc, char **argv)
         for (const unsigned int n_classes : {1, 2, 6, 14, 40})
           {
             SweepOptions options;
-            options.isa         = isa;
-            options.wavefront   = 1;
-            const double plain  = fused(paper, n_classes, repetitions, options);
-            options.wavefront   = 0;
-            const double chosen = fused(paper, n_classes, repetitions, options);
+            options.isa           = isa;
+            options.steps_at_once = 1;
+            const double plain    = fused(paper, n_classes, repetitions, options);
+            options.steps_at_once = 0;
+            const double chosen   = fused(paper, n_classes, repetitions, options);
             if (rank() == 0 && n_classes == 1)
               std::printf("%75s %7.1f times the baseline\n", "",
                           std::max(plain, chosen) / slow);
@@ -198,7 +205,7 @@ int main(int argc, char **argv)
       for (const unsigned int depth : {1, 0})
         {
           SweepOptions options;
-          options.wavefront = depth;
+          options.steps_at_once = depth;
           fused({{4480, 1280}}, n_classes, std::max(3u, repetitions / 3), options);
         }
   MPI_Finalize();

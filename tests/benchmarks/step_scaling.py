@@ -41,7 +41,7 @@ def run(bench):
     bench.write("stream", stream, "numbers read and written in place by every rank at once, seconds a sweep; bytes: of one rank",
                 ranks="1 and 2", repetitions=REPETITIONS)
     bench.write("messages", messages, "seconds of half a round trip", ranks=2, repetitions=REPETITIONS)
-    bench.write("halos", halos, "seconds in which two ranks exchange rows by shared memory; bytes: of one direction", ranks=2,
+    bench.write("halos", halos, "seconds in which two ranks of one machine exchange rows; bytes: of one direction", ranks=2,
                 repetitions=REPETITIONS)
     bench.write("step-scaling-1000-ranks", model.cluster(), "predicted: 1e9 cells on 1000 ranks; assumed: "
                 f"{CLUSTER['ranks']} ranks a node with {CLUSTER['memory'] / 1e9:g} GB/s of memory, network "

@@ -163,39 +163,31 @@ TEST(ContactKernel, TheSameBitsFromEveryInstructionSet)
   const auto advanced     = [](const InstructionSet isa, ContactSums &sums) {
     std::mt19937 generator(seed);
     std::uniform_real_distribution<double> random(-1., 1.);
-    NodalField<double> values(n, 11);
+    using Arrays = ContactArrays;
+    NodalField<double> values(n, 1, 13 + Arrays::n_columns);
     unsigned int next = 0;
     const auto row    = [&](const double centre, const double width) {
-      double *r = values.row(next % 2, next / 2);
-      ++next;
+      double *r = values.row(next++, 0);
       for (std::size_t i = 0; i < n; ++i)
         r[i] = centre + width * random(generator);
       return r;
     };
-    ContactArrays a;
-    a.n                    = n;
-    a.internal_x           = row(0., 10.);
-    a.internal_y           = row(5., 10.);
-    a.inverse_mass_x       = row(1., 0.3);
-    a.inverse_mass_y       = row(1., 0.3);
-    a.u_x                  = row(0., 1e-3);
-    a.u_y                  = row(0., 1e-3);
-    a.w_x                  = row(0., 0.1);
-    a.w_y                  = row(0., 0.1);
-    a.gap                  = row(0., 1e-4);
-    a.friction_coefficient = row(0.5, 0.5);
-    a.decay                = row(0.5, 0.5);
-    a.increment_x          = row(0., 1e-3);
-    a.increment_y          = row(0., 1e-3);
-    a.tangential_force     = row(0., 5.);
-    a.touching             = row(0.5, 0.);
-    a.lag                  = row(0.5, 0.5);
-    a.target               = row(0., 5.);
-    a.normal_force         = row(0., 0.);
-    a.sticking             = row(0., 0.);
-    a.stick_count          = row(0., 0.);
-    a.slip_count           = row(0., 0.);
-    a.landing_count        = row(0., 0.);
+    Arrays a;
+    a.n = n;
+    for (const unsigned int c : {0u, 1u})
+      {
+        a.force[c]        = row(5. * c, 10.);
+        a.inverse_mass[c] = row(1., 0.3);
+        a.u[c]            = row(0., 1e-3);
+        a.w[c]            = row(0., 0.1);
+      }
+    for (double *&column : a.column)
+      column = row(0.5, 0.5);
+    a.column[Arrays::gap] = row(0., 1e-4);
+    for (const auto c : {Arrays::increment_x, Arrays::increment_y})
+      a.column[c] = row(0., 1e-3);
+    for (const auto c : {Arrays::tangential_force, Arrays::target})
+      a.column[c] = row(0., 5.);
     for (unsigned int k = 0; k < 5; ++k)
       contact_function(isa)(a, {1e-2, 0.7, 1e-3}, sums);
     return values;

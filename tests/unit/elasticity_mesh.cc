@@ -1,5 +1,6 @@
 // Bodies on a mesh of deal.II against those on a grid.
 
+#include "base/errors.h"
 #include "body/grid_body.h"
 #include "body/mesh/mesh_body.h"
 #include "elasticity_testing.h"
@@ -117,4 +118,17 @@ TEST(MeshBody, RefusesSidesThatDoNotMatch)
   EXPECT_THROW(MeshBody<2>(mesh, MPI_COMM_WORLD), std::invalid_argument);
   mesh.points[5][1] = -5.;
   EXPECT_THROW(MeshBody<2>(mesh, MPI_COMM_WORLD), std::invalid_argument);
+}
+
+TEST(MeshBody, RefusesToSolveOnMoreRanksThanCells)
+{
+  int n_ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+  Random random;
+  const MeshBody<2> body(mesh_of_grid(random_material(random, {{1, 1}}, 1, false, true)),
+                         MPI_COMM_WORLD);
+  if (n_ranks > 1)
+    {
+      EXPECT_THROW(body.make_solver(), UserError);
+    }
 }

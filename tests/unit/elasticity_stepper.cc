@@ -1,7 +1,7 @@
 #include "dynamics/explicit_stepper.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "elasticity_testing.h"
-#include "grid/mpi_halo.h"
+#include "grid/halo.h"
 #include "grid/row_partition.h"
 
 #include <gtest/gtest.h>
@@ -50,8 +50,8 @@ State random_state(Random &random, const UniformMaterial &material)
           NodalField<double>(material.n_columns(), material.n_rows())};
   random.fill(s.u);
   random.fill(s.w);
-  make_periodic(s.u, material.periodicity());
-  make_periodic(s.w, material.periodicity());
+  material.copy_duplicates(s.u);
+  material.copy_duplicates(s.w);
   return s;
 }
 
@@ -63,7 +63,7 @@ State advanced(const UniformMaterial &material,
                const unsigned int n_steps)
 {
   State s = start;
-  ExplicitStepper stepper(material, p, sides, s.u, s.w, nullptr, nullptr, options);
+  ExplicitStepper stepper({material, p, s.u, s.w}, sides, options);
   stepper.advance(n_steps);
   EXPECT_EQ(stepper.step_number(), n_steps);
   return s;
@@ -122,12 +122,12 @@ TEST(ExplicitStepper, EqualsTheNaiveRecursion)
               }
             const State start = random_state(random, material);
             SweepOptions options;
-            options.isa         = isa;
-            options.wavefront   = 1;
-            const State plain   = advanced(material, p, sides, start, options, n_steps);
-            options.wavefront   = 2 + (flags + cells[1]) % 9;
-            const State in_wave = advanced(material, p, sides, start, options, n_steps);
-            State naive         = start;
+            options.isa           = isa;
+            options.steps_at_once = 1;
+            const State plain     = advanced(material, p, sides, start, options, n_steps);
+            options.steps_at_once = 2 + (flags + cells[1]) % 9;
+            const State in_wave   = advanced(material, p, sides, start, options, n_steps);
+            State naive           = start;
             for (unsigned int k = 0; k < n_steps; ++k)
               naive_step(material, p, sides, naive.u, naive.w);
             ASSERT_LT(largest_difference(naive.u, plain.u), 2e-12)
@@ -135,7 +135,7 @@ TEST(ExplicitStepper, EqualsTheNaiveRecursion)
               << "x" << cells[1] << " flags " << flags;
             ASSERT_LT(largest_difference(naive.w, plain.w), 2e-12);
             ASSERT_TRUE(equal_bits(plain.u, in_wave.u) && equal_bits(plain.w, in_wave.w))
-              << "wavefront " << options.wavefront << " cells " << cells[0] << "x"
+              << "steps at once " << options.steps_at_once << " cells " << cells[0] << "x"
               << cells[1];
           }
 }
@@ -153,9 +153,9 @@ TEST(ExplicitStepper, BoundariesOncePerStepInOrder)
       State s = start;
       PushingRow bottom(p), top(p);
       SweepOptions options;
-      options.wavefront = depth;
-      ExplicitStepper stepper(material, p, {}, s.u, s.w, &bottom, &top, options);
-      EXPECT_EQ(stepper.wavefront_depth(), depth);
+      options.steps_at_once = depth;
+      ExplicitStepper stepper({material, p, s.u, s.w, &bottom, &top}, {}, options);
+      EXPECT_EQ(stepper.steps_at_once(), depth);
       stepper.set_step_number(3);
       stepper.advance(38);
       stepper.step();
@@ -180,33 +180,34 @@ TEST(ExplicitStepper, RefusesWhatDoesNotFit)
   const UniformMaterial material = random_material(random, {{4, 4}}, 1, false, true);
   NodalField<double> u(5, 5), w(5, 5), wrong(4, 5);
   StepParameters p;
-  EXPECT_THROW(ExplicitStepper(material, p, {}, u, w), std::invalid_argument);
+  EXPECT_THROW(ExplicitStepper({material, p, u, w}), std::invalid_argument);
   p.dt = 0.1;
-  EXPECT_THROW(ExplicitStepper(material, p, {}, u, wrong), std::invalid_argument);
+  EXPECT_THROW(ExplicitStepper({material, p, u, wrong}), std::invalid_argument);
   const UniformMaterial torus =
     random_material(random, {{4, 4}}, 1, false, true, Periodicity{true, true});
-  EXPECT_THROW(ExplicitStepper(torus, p, {}, u, w), std::invalid_argument);
+  EXPECT_THROW(ExplicitStepper({torus, p, u, w}), std::invalid_argument);
 }
 
 namespace
 {
-struct SlabCase
+/** The rows of a slab, ghost rows included. */
+NodalField<double> slab_of(const NodalField<double> &whole, const NodeRows &rows)
 {
-  unsigned int ghosts;
-  MPIHalo::Transport transport;
-};
+  NodalField<double> slab(whole.n_columns(), rows.n_local());
+  std::copy_n(whole.row(0, rows.first()), rows.n_local() * whole.stride(),
+              slab.row(0, 0));
+  return slab;
+}
 
-std::vector<SlabCase> slab_cases(const unsigned int n_rows)
+/** Numbers of ghost rows that slabs have room for. */
+std::vector<unsigned int> ghost_rows(const unsigned int n_rows)
 {
   int size = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &size);
-  std::vector<SlabCase> cases;
-  for (const unsigned int ghosts : {1, 2, 3, 4, 7})
-    if (ghosts <= n_rows / size)
-      for (const auto transport :
-           {MPIHalo::Transport::automatic, MPIHalo::Transport::messages})
-        cases.push_back({ghosts, transport});
-  return cases;
+  std::vector<unsigned int> numbers = {1, 2, 3, 4, 7};
+  while (numbers.back() > n_rows / size)
+    numbers.pop_back();
+  return numbers;
 }
 } // namespace
 
@@ -218,7 +219,7 @@ TEST(Partition, AnErrorOnOneRankDoesNotWaitForTheOthers)
   if (n_ranks == 1)
     return;
   const auto fail_on_last = [&]() {
-    const MPIHalo halo(8, 1, MPI_COMM_WORLD, MPIHalo::Transport::automatic);
+    const MPIHalo halo(8, 1, MPI_COMM_WORLD);
     if (rank == n_ranks - 1)
       throw std::runtime_error("an error");
     MPI_Barrier(MPI_COMM_WORLD); // the last one comes here as well, when its halo is gone
@@ -248,23 +249,22 @@ TEST(Partition, AnyNumberOfRanksAndStepsInFlightBitForBit)
       State serial      = start;
       PushingRow bottom(p), top(p);
       SweepOptions plain;
-      plain.wavefront = 1;
-      ExplicitStepper(material, p, sides, serial.u, serial.w, &bottom, &top, plain)
+      plain.steps_at_once = 1;
+      ExplicitStepper({material, p, serial.u, serial.w, &bottom, &top}, sides, plain)
         .advance(30);
 
-      for (const SlabCase &slab_case : slab_cases(material.n_rows()))
+      for (const unsigned int ghosts : ghost_rows(material.n_rows()))
         {
           SCOPED_TRACE(std::to_string(cells[1]) + " rows of cells, ghost rows " +
-                       std::to_string(slab_case.ghosts));
+                       std::to_string(ghosts));
           const unsigned int columns = material.n_columns();
-          const NodeRows rows =
-            partition_rows(material.n_rows(), world, slab_case.ghosts);
-          State slab{scatter_rows(start.u, columns, rows, world),
-                     scatter_rows(start.w, columns, rows, world)};
-          MPIHalo halo(columns, rows.ghosts, world, slab_case.transport);
+          const NodeRows rows        = partition_rows(material.n_rows(), world, ghosts);
+          State slab{slab_of(start.u, rows), slab_of(start.w, rows)};
+          MPIHalo halo(columns, rows.ghosts, world);
           PushingRow slab_bottom(p), slab_top(p);
-          ExplicitStepper stepper(material, rows, p, sides, slab.u, slab.w, &slab_bottom,
-                                  &slab_top, &halo);
+          ExplicitStepper stepper(
+            {material, p, slab.u, slab.w, &slab_bottom, &slab_top, rows, &halo, world},
+            sides);
           stepper.advance(17);
           stepper.step();
           stepper.advance(12);
@@ -296,16 +296,15 @@ TEST(Partition, AfterOneStepTheNearestGhostRowsHoldTheStateBeforeIt)
   p.dt              = 0.05;
   const State start = random_state(random, material);
   State before      = start;
-  ExplicitStepper(material, p, {}, before.u, before.w).advance(5);
-  for (const SlabCase &slab_case : slab_cases(material.n_rows()))
+  ExplicitStepper({material, p, before.u, before.w}).advance(5);
+  for (const unsigned int ghosts : ghost_rows(material.n_rows()))
     {
       const unsigned int columns = material.n_columns();
-      const NodeRows rows = partition_rows(material.n_rows(), world, slab_case.ghosts);
-      State slab{scatter_rows(start.u, columns, rows, world),
-                 scatter_rows(start.w, columns, rows, world)};
-      MPIHalo halo(columns, rows.ghosts, world, slab_case.transport);
-      ExplicitStepper stepper(material, rows, p, {}, slab.u, slab.w, nullptr, nullptr,
-                              &halo);
+      const NodeRows rows        = partition_rows(material.n_rows(), world, ghosts);
+      State slab{slab_of(start.u, rows), slab_of(start.w, rows)};
+      MPIHalo halo(columns, rows.ghosts, world);
+      ExplicitStepper stepper(
+        {material, p, slab.u, slab.w, nullptr, nullptr, rows, &halo, world});
       stepper.advance(5);
       stepper.step();
       const auto expect_before = [&](const unsigned int j) {

@@ -97,8 +97,8 @@ inline UniformMaterial random_material(Random &random,
   UniformGrid<2> grid;
   grid.cells   = cells;
   grid.spacing = {{0.7, 0.9}};
-  std::vector<ElasticClass> classes(n_classes);
-  for (ElasticClass &c : classes)
+  std::vector<ElasticPhase<2>> classes(n_classes);
+  for (ElasticPhase<2> &c : classes)
     c = {random.stiffness(anisotropic), uniform_density ? 1.3 : random(1., 2.)};
   std::vector<std::uint8_t> ids;
   if (n_classes > 1)
@@ -110,19 +110,6 @@ inline UniformMaterial random_material(Random &random,
   return UniformMaterial(grid, classes, ids, periodicity);
 }
 
-/** Make the duplicate column and row equal to the first. */
-inline void make_periodic(NodalField<double> &field, const Periodicity p)
-{
-  const unsigned int nx = field.n_columns() - 1, ny = field.n_rows() - 1;
-  for (unsigned int c = 0; c < 2; ++c)
-    {
-      if (p.y)
-        std::copy_n(field.row(c, 0), nx + 1, field.row(c, ny));
-      for (unsigned int j = 0; p.x && j <= ny; ++j)
-        field.row(c, j)[nx] = field.row(c, j)[0];
-    }
-}
-
 /** K u cell by cell with dense element matrices. */
 inline NodalField<double> reference_product(const UniformMaterial &material,
                                             const NodalField<double> &u)
@@ -132,7 +119,7 @@ inline NodalField<double> reference_product(const UniformMaterial &material,
   const Periodicity p = material.periodicity();
   NodalField<double> f(nx + 1, ny + 1);
   std::vector<ElementMatrix> element;
-  for (const ElasticClass &c : material.classes())
+  for (const ElasticPhase<2> &c : material.phases())
     element.push_back(element_matrix(c.stiffness, grid.spacing[0], grid.spacing[1]));
   for (unsigned int j = 0; j < ny; ++j)
     for (unsigned int i = 0; i < nx; ++i)
@@ -140,14 +127,14 @@ inline NodalField<double> reference_product(const UniformMaterial &material,
         Eigen::Matrix<double, 8, 1> z;
         for (int k = 0; k < 8; ++k)
           z(k) = u.row(k % 2, j + k / 4)[i + k / 2 % 2];
-        const Eigen::Matrix<double, 8, 1> r = element[material.class_of(i, j)] * z;
+        const Eigen::Matrix<double, 8, 1> r = element[material.phase_of(i, j)] * z;
         for (int k = 0; k < 8; ++k)
           {
             const unsigned int row = j + k / 4, column = i + k / 2 % 2;
             f.row(k % 2, p.y ? row % ny : row)[p.x ? column % nx : column] += r(k);
           }
       }
-  make_periodic(f, p);
+  material.copy_duplicates(f);
   return f;
 }
 

@@ -1,4 +1,5 @@
 #include "dynamics/critical_time_step.h"
+#include "dynamics/explicit_stepper.h"
 #include "elasticity_testing.h"
 
 #include <Eigen/Eigenvalues>
@@ -42,7 +43,7 @@ bool stays_bounded(const UniformMaterial &material, const StepParameters &p)
   Random random;
   NodalField<double> u(material.n_columns(), material.n_rows()), w(u);
   random.fill(u);
-  ExplicitStepper stepper(material, p, {}, u, w);
+  ExplicitStepper stepper({material, p, u, w});
   stepper.advance(3000);
   return std::all_of(u.begin(), u.begin() + u.size(),
                      [](const double x) { return std::abs(x) < 1e3; });

@@ -62,10 +62,10 @@ noise(const unsigned int nx, const unsigned int ny, const unsigned int n_classes
 }
 
 /** Isotropic, @p contrast times as stiff, and a turned orthotropic class. */
-inline std::vector<ElasticClass> classes(const double contrast,
-                                         const bool anisotropic = false)
+inline std::vector<ElasticPhase<2>> classes(const double contrast,
+                                            const bool anisotropic = false)
 {
-  std::vector<ElasticClass> result(2);
+  std::vector<ElasticPhase<2>> result(2);
   result[0] = {isotropic_stiffness<2>(30e9, 0.2), 1770.};
   result[1] = {isotropic_stiffness<2>(30e9 * contrast, 0.2), 1770.};
   if (anisotropic)
@@ -105,14 +105,7 @@ inline NodalField<double> balanced_forces(const UniformMaterial &material)
     for (unsigned int i = 0; i + material.periodicity().x < u.n_columns(); ++i)
       for (unsigned int c = 0; c < 2; ++c)
         u.row(c, j)[i] = uniform(random);
-  for (unsigned int c = 0; c < 2; ++c)
-    {
-      for (unsigned int j = 0; j < u.n_rows(); ++j)
-        if (material.periodicity().x)
-          u.row(c, j)[u.n_columns() - 1] = u.row(c, j)[0];
-      if (material.periodicity().y)
-        std::copy_n(u.row(c, 0), u.n_columns(), u.row(c, u.n_rows() - 1));
-    }
+  material.copy_duplicates(u);
   // Forces of some displacement field are in equilibrium.
   UniformGridOperator(material).vmult(f, u);
   return f;

@@ -42,12 +42,11 @@ Watched watch(
   Body body(setup);
   Watched result;
   StabilityMonitor monitor(
-    body.op, setup.step, body.u, body.w, [&]() { return body.boundary_work(); },
+    body.stepper, [&]() { return body.boundary_work(); },
     [&](const Runaway &found, const std::uint64_t n) {
       result = {n, found};
       throw NumericalFailure("stopped");
-    },
-    MPI_COMM_SELF);
+    });
   try
     {
       body.run(100, &monitor);

@@ -46,7 +46,7 @@ double growth(const BodySetup &setup)
     for (unsigned int j = 0; j < u.n_rows(); ++j)
       for (unsigned int i = 0; i < u.n_columns(); ++i)
         u.row(c, j)[i] = std::sin(3. * i * i + 7. * j + 11. * i * j + 5. * c);
-  ExplicitStepper stepper(material, setup.step, {}, u, w);
+  ExplicitStepper stepper({material, setup.step, u, w});
   stepper.advance(4000);
   return largest(u.begin(), u.size());
 }

@@ -33,7 +33,7 @@ BodySetup turned(const BodySetup &s)
   BodySetup t = s;
   t.cells     = {{ny, nx}};
   t.spacing   = {{s.spacing[1], s.spacing[0]}};
-  for (ElasticClass &c : t.classes)
+  for (ElasticPhase<2> &c : t.classes)
     c.stiffness = rotate_stiffness(c.stiffness, M_PI / 2.);
   for (unsigned int j = 0; j < ny; ++j)
     for (unsigned int i = 0; i < nx; ++i)
@@ -56,7 +56,7 @@ NodalField<double> turned(const NodalField<double> &u)
 void vibrate(const BodySetup &s, NodalField<double> &u, NodalField<double> &w)
 {
   const UniformMaterial material = s.material();
-  ExplicitStepper stepper(material, s.step, s.sides, u, w);
+  ExplicitStepper stepper({material, s.step, u, w}, s.sides);
   stepper.advance(1000);
 }
 } // namespace

@@ -38,7 +38,7 @@ struct Volume
 
   UniformMaterial material() const
   {
-    std::vector<ElasticClass> classes;
+    std::vector<ElasticPhase<2>> classes;
     for (const VoigtMatrix<2> &C : stiffness)
       classes.push_back({C, 1.});
     return UniformMaterial(grid, classes, id);

@@ -64,7 +64,7 @@ inline Impact impact(const BodySetup &setup)
 
   const double beta2              = setup.step.beta2;
   const NodalField<double> before = body.w;
-  double natural                  = body.op.elastic_energy(body.u);
+  double natural                  = body.stepper.elastic_energy();
   body.stepper.step();
   std::vector<double> mass(2);
   for (unsigned int j = 0; j <= setup.cells[1]; ++j)

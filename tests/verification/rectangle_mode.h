@@ -28,7 +28,7 @@ struct Mode
   }
 
   /** Circular frequency (1/s). */
-  double omega(const ElasticClass &material) const
+  double omega(const ElasticPhase<2> &material) const
   {
     const double modulus = shear ? material.stiffness(2, 2) : material.stiffness(0, 0);
     return std::sqrt(modulus / material.density) * std::hypot(kx(), ky());

@@ -24,13 +24,9 @@ struct ObservedBody : Body
   explicit ObservedBody(const BodySetup &setup)
     : Body(setup)
     , monitor(
-        op,
-        setup.step,
-        u,
-        w,
+        stepper,
         [this]() { return boundary_work(); },
-        [](const Runaway &, std::uint64_t) { throw std::runtime_error("blown up"); },
-        MPI_COMM_SELF)
+        [](const Runaway &, std::uint64_t) { throw std::runtime_error("blown up"); })
     , probes(
         {{"inside", {{0.9e-3, 0.7e-3}}}, {"contact", {{0.5e-3, 0.}}}},
         material,

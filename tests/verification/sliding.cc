@@ -175,7 +175,7 @@ TEST(Symmetry, MillimetresAndTonnes)
         }
       for (double &h : millimetres.spacing)
         h *= 1e3;
-      for (ElasticClass &c : millimetres.classes)
+      for (ElasticPhase<2> &c : millimetres.classes)
         {
           c.stiffness *= 1e-6;
           c.density *= 1e-12;

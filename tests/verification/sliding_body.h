@@ -22,7 +22,7 @@ struct BodySetup : SlidingSetup
 {
   std::array<unsigned int, 2> cells = {};
   std::array<double, 2> spacing     = {};
-  std::vector<ElasticClass> classes;
+  std::vector<ElasticPhase<2>> classes;
   std::vector<std::uint8_t> ids;
   double friction = 0.;
 
@@ -171,7 +171,7 @@ inline std::vector<double> orders(const std::vector<double> &errors)
 }
 
 /** The paper's matrix, rounded: c_T = 2560 m/s, nu = 0.2, plane strain. */
-inline ElasticClass resin(const double density = 1900.)
+inline ElasticPhase<2> resin(const double density = 1900.)
 {
   const double G = density * 2560. * 2560.;
   return {isotropic_stiffness<2>(2.4 * G, 0.2), density};

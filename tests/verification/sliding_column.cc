@@ -19,9 +19,9 @@ constexpr double slip        = trips * round_trip * (v - trips * brake);
 BodySetup column(const unsigned int n, const double courant)
 {
   BodySetup s;
-  s.cells               = {{1, n}};
-  s.spacing             = {{H / n, H / n}};
-  ElasticClass material = resin(rho);
+  s.cells                  = {{1, n}};
+  s.spacing                = {{H / n, H / n}};
+  ElasticPhase<2> material = resin(rho);
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
       material.stiffness(i, j) = i == j ? rho * c * c : 0.;

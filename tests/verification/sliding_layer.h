@@ -180,7 +180,7 @@ inline BodySetup layer_setup(const Layer &layer, const unsigned int n)
   setup.top.pressure          = LoadHistory(P);
   setup.step.beta             = layer.beta;
   setup.step.dt               = 0.9 * H / n / layer.c_L();
-  setup.sweep.wavefront       = 1;
+  setup.sweep.steps_at_once   = 1;
   return setup;
 }
 

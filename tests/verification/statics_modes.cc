@@ -92,10 +92,10 @@ TEST(Modes, OfTheRectangleConvergeWithOrderTwo)
     {
       const auto material = isotropic_body({{L, H}}, {{56u << level, 16u << level}});
       DofMask held        = nothing_held(material);
-      held.hold_column(0, 0);
-      held.hold_column(0, material.n_columns() - 1);
-      held.hold_row(0, material.n_rows() - 1);
-      held.hold_row(1, 0);
+      held.constrain_column(0, 0);
+      held.constrain_column(0, material.n_columns() - 1);
+      held.constrain_row(0, material.n_rows() - 1);
+      held.constrain_row(1, 0);
       const VibrationModes result = modes(material, held, n_modes);
       EXPECT_EQ(result.n_rigid_motions, 0u);
       for (unsigned int k = 0; k < n_modes; ++k)
@@ -134,12 +134,12 @@ TEST(Modes, CountRigidMotions)
 {
   const auto body = isotropic_body({{2., 1.}}, {{24, 12}});
   DofMask held    = nothing_held(body);
-  held.hold_row(0, 12);
+  held.constrain_row(0, 12);
   EXPECT_EQ(modes(body, held, 1).n_rigid_motions, 2u) << "up, and a turn about the top";
   held = nothing_held(body);
-  held.hold_row(1, 0);
+  held.constrain_row(1, 0);
   EXPECT_EQ(modes(body, held, 1).n_rigid_motions, 1u) << "along x";
-  held.hold(0, 3, 3);
+  held.constrain(0, {3, 3});
   EXPECT_EQ(modes(body, held, 1).n_rigid_motions, 0u);
 
   const auto layer = isotropic_body({{2., 1.}}, {{24, 12}}, true);
@@ -153,8 +153,8 @@ TEST(Modes, OfThePeriodicLayer)
   const double L = 1., H = 1.;
   const auto layer = isotropic_body({{L, H}}, {{32, 32}}, true);
   DofMask held     = nothing_held(layer);
-  held.hold_row(0, layer.n_rows() - 1);
-  held.hold_row(1, 0);
+  held.constrain_row(0, layer.n_rows() - 1);
+  held.constrain_row(1, 0);
   const auto result = modes(layer, held, 6);
   EXPECT_NEAR(result.modes[0].frequency / (c_T() / (4. * H)), 1., 1e-3);
   EXPECT_NEAR(result.modes[1].frequency / (c_L() / (4. * H)), 1., 1e-3);
@@ -189,12 +189,12 @@ TEST(Modes, OfAColumnUnderAPlatenWithMass)
         {
           const auto column = isotropic_body({{W, H}}, {{2, 32u << level}});
           DofMask held      = nothing_held(column);
-          held.hold_column(0, 0);
-          held.hold_column(0, 2);
+          held.constrain_column(0, 0);
+          held.constrain_column(0, 2);
           for (unsigned int c = 0; c < 2; ++c)
-            held.hold_row(c, column.n_rows() - 1);
+            held.constrain_row(c, column.n_rows() - 1);
           if (!free)
-            held.hold_row(1, 0);
+            held.constrain_row(1, 0);
           const auto result = modes(column, held, 3, r * m);
           EXPECT_EQ(result.n_rigid_motions, free ? 1u : 0u);
           for (unsigned int k = 0; k < 3; ++k)
@@ -224,7 +224,7 @@ TEST(Modes, OfTwoPhasesAreOrthogonal)
                                   {isotropic_stiffness<2>(240e9, 0.3), 2500.}},
                                  id);
   DofMask held = nothing_held(material);
-  held.hold_row(0, 24);
+  held.constrain_row(0, 24);
   const auto result = modes(material, held, 5);
   std::vector<double> mass(material.n_columns());
   for (std::size_t p = 0; p < 5; ++p)

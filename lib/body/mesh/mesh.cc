@@ -11,7 +11,7 @@ Mesh<2> mesh_of_grid(const UniformMaterial &material)
 {
   const UniformGrid<2> &grid = material.grid();
   Mesh<2> mesh;
-  mesh.phases      = material.classes();
+  mesh.phases      = material.phases();
   mesh.periodicity = material.periodicity();
   mesh.n_columns   = material.n_columns();
   for (unsigned int j = 0; j < material.n_rows(); ++j)
@@ -22,7 +22,7 @@ Mesh<2> mesh_of_grid(const UniformMaterial &material)
       {
         const unsigned int lower = j * mesh.n_columns + i, upper = lower + mesh.n_columns;
         mesh.cells.insert(mesh.cells.end(), {lower, lower + 1, upper, upper + 1});
-        mesh.phase.push_back(material.class_of(i, j));
+        mesh.phase.push_back(material.phase_of(i, j));
       }
   return mesh;
 }

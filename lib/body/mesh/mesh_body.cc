@@ -1,5 +1,6 @@
 #include "body/mesh/mesh_body.h"
 
+#include "base/errors.h"
 #include "body/mesh/mesh_discretization.h"
 #include "body/mesh/ml_solver.h"
 
@@ -177,6 +178,11 @@ void MeshBody<dim>::vmult(NodalField<double> &Ku, const NodalField<double> &u) c
 template <int dim>
 std::unique_ptr<StaticSolver> MeshBody<dim>::make_solver() const
 {
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  if (this->n_cells() < n_ranks)
+    throw UserError("ml cannot divide a mesh of " + std::to_string(this->n_cells()) +
+                    " cells among " + std::to_string(n_ranks) +
+                    " ranks; start at most as many ranks as there are cells");
   return std::make_unique<MlSolver<dim>>(*this, *discretization);
 }
 

@@ -30,25 +30,25 @@ MlSolver<dim>::MlSolver(const ElasticBody<dim> &the_body,
 }
 
 template <int dim>
-void MlSolver<dim>::set_held(const DofMask &mask)
+void MlSolver<dim>::set_constrained(const DofMask &mask)
 {
-  held = mask;
+  constrained_dofs = mask;
   fixed.assign(discretization.n_dofs(), false);
   // Axis after axis, so that the original of an original is held as well.
   for (const auto &[duplicate, original] : body.duplicate_nodes())
     for (unsigned int c = 0; c < dim; ++c)
-      if (held.is_held(c, duplicate))
-        held.hold(c, original);
-  for (unsigned int j = 0; j < held.n_rows(); ++j)
-    for (unsigned int i = 0; i < held.n_columns(); ++i)
+      if (constrained_dofs.is_constrained(c, duplicate))
+        constrained_dofs.constrain(c, original);
+  for (unsigned int j = 0; j < constrained_dofs.n_rows(); ++j)
+    for (unsigned int i = 0; i < constrained_dofs.n_columns(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
-        fixed[discretization.dof(c, {i, j})] = held.is_held(c, i, j);
+        fixed[discretization.dof(c, {i, j})] = constrained_dofs.is_constrained(c, {i, j});
   for (const auto &pair : body.duplicate_nodes())
     for (unsigned int c = 0; c < dim; ++c)
       fixed[discretization.dof(c, pair[0])] = true;
 
   motions.clear();
-  for (const NodalField<double> &field : free_rigid_motions(body, held))
+  for (const NodalField<double> &field : free_rigid_motions(body, constrained_dofs))
     {
       Vector motion = discretization.to_vector(field);
       remove_motions(motion);
@@ -56,7 +56,7 @@ void MlSolver<dim>::set_held(const DofMask &mask)
       motions.push_back(motion);
     }
   if (!motions.empty())
-    support(held);
+    support(constrained_dofs);
   copy_without_fixed();
   set_up_preconditioner();
 }
@@ -73,7 +73,7 @@ void MlSolver<dim>::support(DofMask mask)
         std::make_pair(1U, nodes.back())})
     {
       DofMask trial = mask;
-      trial.hold(c, node);
+      trial.constrain(c, node);
       const std::size_t n = free_rigid_motions(body, trial).size();
       if (n == n_free)
         continue;
@@ -157,13 +157,13 @@ SolverReport MlSolver<dim>::solve(NodalField<double> &u,
                                   const double tolerance)
 {
   if (fixed.empty())
-    set_held(DofMask(body.n_columns(), body.n_rows()));
+    set_constrained(DofMask(body.n_columns(), body.n_rows()));
   // The scale is the residual of the prescribed values alone.
   NodalField<double> values = body.zero_field();
-  for (unsigned int j = 0; j < held.n_rows(); ++j)
-    for (unsigned int i = 0; i < held.n_columns(); ++i)
+  for (unsigned int j = 0; j < constrained_dofs.n_rows(); ++j)
+    for (unsigned int i = 0; i < constrained_dofs.n_columns(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
-        if (held.is_held(c, i, j))
+        if (constrained_dofs.is_constrained(c, {i, j}))
           values.row(c, j)[i] = u.row(c, j)[i];
   const Vector prescribed = discretization.to_vector(values);
   Vector f                = discretization.to_vector(force), r(f);

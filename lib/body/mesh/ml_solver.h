@@ -19,7 +19,7 @@ public:
   /** Body and discretization must outlive the solver. */
   MlSolver(const ElasticBody<dim> &body, const MeshDiscretization<dim> &discretization);
 
-  void set_held(const DofMask &mask) override;
+  void set_constrained(const DofMask &mask) override;
 
   SolverReport solve(NodalField<double> &u,
                      const NodalField<double> &force,
@@ -39,10 +39,10 @@ private:
 
   const ElasticBody<dim> &body;
   const MeshDiscretization<dim> &discretization;
-  DofMask held;
+  DofMask constrained_dofs;
   std::vector<Vector> motions; ///< free rigid motions, orthonormal
 
-  /** Per degree of freedom, on all ranks: held, duplicate or needed as support. */
+  /** Per degree of freedom, on all ranks: constrained, duplicate or needed as support. */
   std::vector<bool> fixed;
 
   /** Rows and columns of fixed degrees of freedom have only their diagonal. */

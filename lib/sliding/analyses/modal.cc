@@ -143,7 +143,7 @@ DofMask modal_constraints(const ContactParameters &parameters,
   DofMask held = held_sides(material, parameters.sides);
   hold_top(held, top_at_start(parameters));
   if (bottom_held)
-    held.hold_row(1, 0);
+    held.constrain_row(1, 0);
   return held;
 }
 

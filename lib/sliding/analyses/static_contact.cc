@@ -36,8 +36,8 @@ StaticContactProblem make_problem(const ContactParameters &parameters,
   const unsigned int nx = material.n_columns(), top = material.n_rows() - 1;
   const double pressure = parameters.top.pressure.amplitude();
   StaticContactProblem problem;
-  problem.held = held_sides(material, parameters.sides);
-  hold_top(problem.held, parameters.top);
+  problem.constrained = held_sides(material, parameters.sides);
+  hold_top(problem.constrained, parameters.top);
   problem.displacement         = NodalField<double>(nx, top + 1);
   problem.force                = NodalField<double>(nx, top + 1);
   problem.friction_coefficient = scene.node_friction;
@@ -48,7 +48,7 @@ StaticContactProblem make_problem(const ContactParameters &parameters,
   const double strain = pressure / scene.phases[0].stiffness(1, 1);
   for (unsigned int j = 0; j <= top; ++j)
     for (unsigned int i = 0; i < nx; ++i)
-      if (!problem.held.is_held(1, i, j) || j == top)
+      if (!problem.constrained.is_constrained(1, {i, j}) || j == top)
         problem.displacement.row(1, j)[i] = -strain * j * scene.grid.spacing[1];
   if (parameters.top.kind == TopSetup::Kind::platen)
     return problem;

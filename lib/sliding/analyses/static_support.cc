@@ -12,9 +12,9 @@ DofMask held_sides(const UniformMaterial &material, const SideConstraints &sides
   for (unsigned int c = 0; c < 2; ++c)
     {
       if (sides.left_held[c])
-        held.hold_column(c, 0);
+        held.constrain_column(c, 0);
       if (sides.right_held[c])
-        held.hold_column(c, material.n_columns() - 1);
+        held.constrain_column(c, material.n_columns() - 1);
     }
   return held;
 }
@@ -23,9 +23,9 @@ void hold_top(DofMask &held, const TopSetup &top)
 {
   const bool rigid = top.kind != TopSetup::Kind::pressure;
   if (rigid || top.lateral_held)
-    held.hold_row(0, held.n_rows() - 1);
+    held.constrain_row(0, held.n_rows() - 1);
   if (rigid)
-    held.hold_row(1, held.n_rows() - 1);
+    held.constrain_row(1, held.n_rows() - 1);
 }
 
 std::function<void(unsigned int)> stop_or_report(RunContext &context,

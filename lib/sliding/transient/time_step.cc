@@ -103,7 +103,7 @@ LoadRange load_range(const LoadHistory &load, const double end)
 
 BodyScales::BodyScales(const UniformMaterial &material)
 {
-  for (const ElasticClass &c : material.classes())
+  for (const ElasticPhase<2> &c : material.phases())
     {
       stiffness  = std::max(stiffness, c.stiffness(1, 1));
       wave_speed = std::max(wave_speed, std::sqrt(c.stiffness(1, 1) / c.density));

@@ -63,21 +63,13 @@ TransientRun::TransientRun(const ContactParameters &parameters,
   , recent_contact(time.statistics_interval, body.setup.monitored_nodes, time.step)
   , recent_top(time.statistics_interval)
   , monitor(
-      body.op,
-      time.step,
-      body.u,
-      body.w,
+      body.stepper,
       [this]() { return body.boundary_work(); },
       [this](const Runaway &found, const std::uint64_t n) {
         report_runaway(found, n, this->time, this->parameters);
-      },
-      context.communicator())
-  , strains(
-      scene.grid,
-      body.rows,
-      body.u,
-      [this](const Deformation &found, const std::uint64_t n) { judge(found, n); },
-      context.communicator())
+      })
+  , strains(body.stepper,
+            [this](const Deformation &found, const std::uint64_t n) { judge(found, n); })
   , limit_cycle(limit_cycle_criterion(parameters, scene.grid),
                 material.n_columns() - (parameters.periodic ? 1 : 0),
                 parameters.observation.energy_interval,

@@ -47,8 +47,8 @@ bool transmits_tangential_force(const TopSetup &top)
 SweepOptions sweep_options(const ContactParameters &parameters)
 {
   SweepOptions options;
-  options.wavefront = parameters.wavefront;
-  options.isa       = instruction_set(parameters.instruction_set);
+  options.steps_at_once = parameters.wavefront;
+  options.isa           = instruction_set(parameters.instruction_set);
   return options;
 }
 

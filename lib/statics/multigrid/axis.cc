@@ -1,8 +1,6 @@
 #include "statics/multigrid/axis.h"
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 Axis Axis::uniform(const unsigned int n_cells, const double spacing, const bool periodic)
 {
@@ -31,5 +29,4 @@ Axis AxisCoarsening::coarse(const Axis &fine) const
     axis.position[k] = fine.position[start(k)];
   return axis;
 }
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid

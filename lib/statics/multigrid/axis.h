@@ -3,9 +3,7 @@
 
 #include <vector>
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 /**
  * One direction of a grid of the hierarchy: cells + 1 ascending positions, in units of
@@ -54,13 +52,7 @@ public:
   /** Coarse cells of two fine ones if @p halve, else the same grid. */
   AxisCoarsening(const Axis &fine, const bool halve);
 
-  /** False: the grids are equal along this direction. */
-  bool halved() const
-  {
-    return is_halved;
-  }
-
-  /** Along this direction. */
+  /** Number of coarse cells along this direction. */
   unsigned int n_coarse_cells() const
   {
     return coarse_cells;
@@ -101,7 +93,6 @@ private:
   unsigned int coarse_cells  = 0;
   unsigned int regular_cells = 0;
 };
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid
 
 #endif

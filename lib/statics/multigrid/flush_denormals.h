@@ -1,8 +1,9 @@
 #ifndef mesoslip_statics_multigrid_flush_denormals_h
 #define mesoslip_statics_multigrid_flush_denormals_h
 
+#include <cfenv>
 #ifdef __x86_64__
-#  include <immintrin.h>
+#  include <xmmintrin.h>
 #endif
 
 namespace mesoslip
@@ -16,58 +17,27 @@ class FlushDenormals
 {
 public:
   FlushDenormals()
-    : saved(control())
   {
+    std::fegetenv(&saved);
 #if defined(__x86_64__)
     constexpr unsigned int flush_to_zero = 0x8000, denormals_are_zero = 0x0040;
-    set_control(saved | flush_to_zero | denormals_are_zero);
+    _mm_setcsr(_mm_getcsr() | flush_to_zero | denormals_are_zero);
 #elif defined(__aarch64__)
     constexpr unsigned long flush_to_zero = 1UL << 24;
-    set_control(saved | flush_to_zero);
+    unsigned long control;
+    asm volatile("mrs %0, fpcr" : "=r"(control));
+    asm volatile("msr fpcr, %0" : : "r"(control | flush_to_zero));
 #endif
   }
   ~FlushDenormals()
   {
-    set_control(saved);
+    std::fesetenv(&saved);
   }
   FlushDenormals(const FlushDenormals &)            = delete;
   FlushDenormals &operator=(const FlushDenormals &) = delete;
 
 private:
-#if defined(__x86_64__)
-  using Control = unsigned int;
-  static Control control()
-  {
-    return _mm_getcsr();
-  }
-  static void set_control(const Control value)
-  {
-    _mm_setcsr(value);
-  }
-#elif defined(__aarch64__)
-  using Control = unsigned long;
-  static Control control()
-  {
-    Control value;
-    asm volatile("mrs %0, fpcr" : "=r"(value));
-    return value;
-  }
-  static void set_control(const Control value)
-  {
-    asm volatile("msr fpcr, %0" : : "r"(value));
-  }
-#else
-  using Control = unsigned int;
-  static Control control()
-  {
-    return 0;
-  }
-  static void set_control(const Control)
-  {
-  }
-#endif
-
-  Control saved;
+  std::fenv_t saved;
 };
 } // namespace mesoslip
 

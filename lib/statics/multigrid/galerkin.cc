@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 namespace
 {
@@ -29,11 +27,11 @@ std::array<double, n_finest_coefficients> finest_coefficients(const VoigtMatrix<
   return k;
 }
 
-/** Sets rows and columns of held unknowns of the cells of a row to zero. */
-void clear_held(const std::vector<HeldUnknowns::Node> &nodes,
-                const unsigned int upper,
-                const bool periodic,
-                PaddedRows<double> &matrices)
+/** Sets rows and columns of constrained unknowns of the cells of a row to zero. */
+void clear_constrained(const std::vector<ConstrainedUnknowns::Node> &nodes,
+                       const unsigned int upper,
+                       const bool periodic,
+                       NodalField<double> &matrices)
 {
   const unsigned int n_cells = matrices.n_columns();
   const auto clear           = [&](const unsigned int cell, const unsigned int unknown) {
@@ -43,9 +41,9 @@ void clear_held(const std::vector<HeldUnknowns::Node> &nodes,
         matrices.row(r * 12 - r * (r - 1) / 2 + c - r, 0)[cell] = 0.;
       }
   };
-  for (const HeldUnknowns::Node &node : nodes)
+  for (const ConstrainedUnknowns::Node &node : nodes)
     for (unsigned int c = 0; c < 3; ++c)
-      if (node.holds(c))
+      if (node.has(c))
         {
           if (node.column < n_cells)
             clear(node.column, 6 * upper + c);
@@ -78,27 +76,25 @@ Eigen::Matrix<double, 8, 8> finest_cell_matrix(const VoigtMatrix<2> &stiffness,
 
 Galerkin::Galerkin(const UniformMaterial &the_material,
                    const std::vector<Interpolation> &the_interpolations,
-                   const std::vector<HeldUnknowns> &the_held)
+                   const std::vector<ConstrainedUnknowns> &the_constraints)
   : material(the_material)
   , interpolations(the_interpolations)
-  , held(the_held)
+  , constrained(the_constraints)
   , cell_height(the_material.grid().spacing[1] / the_material.grid().spacing[0])
 {
-  for (const ElasticClass &c : material.classes())
-    coefficients.push_back(finest_coefficients(c.stiffness, cell_height));
+  for (const ElasticPhase<2> &phase : material.phases())
+    coefficients.push_back(finest_coefficients(phase.stiffness, cell_height));
   rows.resize(interpolations.size());
   for (unsigned int l = 1; l < rows.size(); ++l)
-    for (PaddedRows<double> &row : rows[l])
+    for (NodalField<double> &row : rows[l])
       row =
-        PaddedRows<double>(n_cell_entries, 1, interpolations[l - 1].x.n_coarse_cells());
+        NodalField<double>(interpolations[l - 1].x.n_coarse_cells(), 1, n_cell_entries);
 }
 
 template <typename Number>
 void Galerkin::compute(Stencil<Number> &first, std::vector<Stencil<double>> &rest)
 {
-  if (interpolations.empty())
-    return;
-  PaddedRows<double> last(n_cell_entries, 1, interpolations.back().x.n_coarse_cells());
+  NodalField<double> last(interpolations.back().x.n_coarse_cells(), 1, n_cell_entries);
   // Rows that are due, one on each grid at most: the row of the finest pair of grids
   // first, then coarser ones as long as they are complete.
   for (unsigned int J = 0; J < interpolations[0].y.n_coarse_cells(); ++J)
@@ -113,43 +109,30 @@ void Galerkin::compute(Stencil<Number> &first, std::vector<Stencil<double>> &res
               parent = interpolations[l].y.coarse_cell(row);
               b      = row - interpolations[l].y.start(parent);
             }
-          PaddedRows<double> &matrices = coarsest ? last : rows[l][b];
+          NodalField<double> &matrices = coarsest ? last : rows[l][b];
           if (l == 1)
             finest_row(row, matrices);
           else
             coarse_row(l - 1, row, matrices);
-          finish_row(l, row, matrices, first, rest);
+          const Interpolation &p  = interpolations[l - 1];
+          const unsigned int next = (row + 1) % p.coarse_y.n_nodes();
+          clear_constrained(constrained[l].row(row), 0, p.coarse_x.periodic, matrices);
+          clear_constrained(constrained[l].row(next), 1, p.coarse_x.periodic, matrices);
+          if (l == 1)
+            first.add_cell_row(row, matrices);
+          else
+            rest[l - 2].add_cell_row(row, matrices);
           if (coarsest || row + 1 < interpolations[l].y.start(parent + 1))
             break;
           row = parent;
         }
     }
-  first.finish(held[1]);
+  first.finish(constrained[1]);
   for (unsigned int l = 0; l < rest.size(); ++l)
-    rest[l].finish(held[l + 2]);
+    rest[l].finish(constrained[l + 2]);
 }
 
-template <typename Number>
-void Galerkin::finish_row(const unsigned int l,
-                          const unsigned int J,
-                          PaddedRows<double> &matrices,
-                          Stencil<Number> &first,
-                          std::vector<Stencil<double>> &rest)
-{
-  const Interpolation &p = interpolations[l - 1];
-  if (!held[l].empty())
-    {
-      const unsigned int n = p.coarse_y.n_nodes();
-      clear_held(held[l].row(J), 0, p.coarse_x.periodic, matrices);
-      clear_held(held[l].row((J + 1) % n), 1, p.coarse_x.periodic, matrices);
-    }
-  if (l == 1)
-    first.add_cell_row(J, matrices);
-  else
-    rest[l - 2].add_cell_row(J, matrices);
-}
-
-void Galerkin::finest_row(const unsigned int J, PaddedRows<double> &matrices)
+void Galerkin::finest_row(const unsigned int J, NodalField<double> &matrices)
 {
   const Interpolation &p = interpolations[0];
   finest.cell_height     = cell_height;
@@ -158,7 +141,8 @@ void Galerkin::finest_row(const unsigned int J, PaddedRows<double> &matrices)
       p.fill_patch(I0, J, finest);
       set_coefficients(I0, J);
       set_free_nodes(I0, J);
-      kernels().galerkin_finest(finest, matrices.row(0, 0) + I0, matrices.array_stride());
+      kernels().galerkin_finest(finest, matrices.row(0, 0) + I0,
+                                matrices.component_stride());
     }
 }
 
@@ -175,7 +159,7 @@ void Galerkin::set_coefficients(const unsigned int I0, const unsigned int J)
       for (unsigned int b = 0; b < finest.n_rows; ++b)
         for (unsigned int a = 0; i + a < p.x.start(I0 + l + 1); ++a)
           {
-            const auto &k = coefficients[material.class_of(i + a, j + b)];
+            const auto &k = coefficients[material.phase_of(i + a, j + b)];
             for (unsigned int c = 0; c < n_finest_coefficients; ++c)
               finest.coefficient[b][a][c][l] = k[c];
             shear = a + b == 0 ? k[d33] : std::min(shear, k[d33]);
@@ -190,20 +174,18 @@ void Galerkin::set_free_nodes(const unsigned int I0, const unsigned int J)
   const Interpolation &p = interpolations[0];
   std::fill_n(&finest.free_x[0][0][0], 9 * lanes<double>, 1.);
   std::fill_n(&finest.free_y[0][0][0], 9 * lanes<double>, 1.);
-  if (held[0].empty())
-    return;
   const unsigned int n_columns = p.x.start(p.x.n_coarse_cells());
   const unsigned int last_cell = std::min(I0 + lanes<double>, p.x.n_coarse_cells()) - 1;
   const unsigned int first = p.x.start(I0), last = p.x.start(last_cell + 1);
   const auto set = [&](const unsigned int column, const unsigned int b,
-                       const HeldUnknowns::Node &node) {
+                       const ConstrainedUnknowns::Node &node) {
     for (unsigned int I = I0; I <= last_cell; ++I)
       if (p.x.start(I) <= column && column <= p.x.start(I + 1))
         {
           const unsigned int a = column - p.x.start(I);
-          if (node.holds(0))
+          if (node.has(0))
             finest.free_x[b][a][I - I0] = 0.;
-          if (node.holds(1))
+          if (node.has(1))
             finest.free_y[b][a][I - I0] = 0.;
         }
   };
@@ -212,7 +194,7 @@ void Galerkin::set_free_nodes(const unsigned int I0, const unsigned int J)
       unsigned int j = p.y.start(J) + b;
       if (p.coarse_y.periodic && J + 1 == p.y.n_coarse_cells() && b == finest.n_rows)
         j = 0;
-      for (const HeldUnknowns::Node &node : held[0].row(j))
+      for (const ConstrainedUnknowns::Node &node : constrained[0].row(j))
         {
           if (node.column >= first && node.column <= last)
             set(node.column, b, node);
@@ -224,7 +206,7 @@ void Galerkin::set_free_nodes(const unsigned int I0, const unsigned int J)
 
 void Galerkin::coarse_row(const unsigned int l,
                           const unsigned int J,
-                          PaddedRows<double> &matrices)
+                          NodalField<double> &matrices)
 {
   const Interpolation &p = interpolations[l];
   for (unsigned int I0 = 0; I0 < p.x.n_coarse_cells(); I0 += lanes<double>)
@@ -244,11 +226,11 @@ void Galerkin::coarse_row(const unsigned int l,
                   coarse.matrix[b][1][e][k] = from[i + 1];
               }
           }
-      kernels().galerkin_coarse(coarse, matrices.row(0, 0) + I0, matrices.array_stride());
+      kernels().galerkin_coarse(coarse, matrices.row(0, 0) + I0,
+                                matrices.component_stride());
     }
 }
 
 template void Galerkin::compute(Stencil<float> &, std::vector<Stencil<double>> &);
 template void Galerkin::compute(Stencil<double> &, std::vector<Stencil<double>> &);
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid

@@ -2,17 +2,15 @@
 #define mesoslip_statics_multigrid_galerkin_h
 
 #include "elasticity/uniform_material.h"
-#include "grid/padded_rows.h"
-#include "statics/multigrid/held_unknowns.h"
+#include "grid/nodal_field.h"
+#include "statics/multigrid/constrained_unknowns.h"
 #include "statics/multigrid/interpolation.h"
 #include "statics/multigrid/stencil.h"
 
 #include <array>
 #include <vector>
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 /**
  * Computes the operators P^T A P of all coarse grids in one sweep over the finest grid,
@@ -25,33 +23,26 @@ namespace multigrid
 class Galerkin
 {
 public:
-  /** interpolations[l] lies between grids l and l + 1, held[l] is of grid l. */
+  /** interpolations[l] lies between grids l and l + 1, constrained[l] is of grid l. */
   Galerkin(const UniformMaterial &material,
            const std::vector<Interpolation> &interpolations,
-           const std::vector<HeldUnknowns> &held);
+           const std::vector<ConstrainedUnknowns> &constrained);
 
   /** Fills @p first, the operator of grid 1, and rest[l - 2], the operator of grid l. */
   template <typename Number>
   void compute(Stencil<Number> &first, std::vector<Stencil<double>> &rest);
 
 private:
-  void finest_row(const unsigned int J, PaddedRows<double> &matrices);
+  void finest_row(const unsigned int J, NodalField<double> &matrices);
   void set_coefficients(const unsigned int I0, const unsigned int J);
   void set_free_nodes(const unsigned int I0, const unsigned int J);
   void
-  coarse_row(const unsigned int l, const unsigned int J, PaddedRows<double> &matrices);
-  template <typename Number>
-  void finish_row(const unsigned int l,
-                  const unsigned int J,
-                  PaddedRows<double> &matrices,
-                  Stencil<Number> &first,
-                  std::vector<Stencil<double>> &rest);
-
+  coarse_row(const unsigned int l, const unsigned int J, NodalField<double> &matrices);
   const UniformMaterial &material;
   const std::vector<Interpolation> &interpolations;
-  const std::vector<HeldUnknowns> &held;
+  const std::vector<ConstrainedUnknowns> &constrained;
 
-  /** By class; d11 etc. and hourglass. */
+  /** By phase; d11 etc. and hourglass. */
   std::vector<std::array<double, n_finest_coefficients>> coefficients;
   double cell_height;
 
@@ -59,13 +50,12 @@ private:
   CoarsePatch coarse = {};
 
   /** rows[l][b]: matrices of row b of the current pair of cell rows of grid l. */
-  std::vector<std::array<PaddedRows<double>, 2>> rows;
+  std::vector<std::array<NodalField<double>, 2>> rows;
 };
 
 /** Matrix of a cell of the finest grid: unknown 2 node + component, lengths in widths. */
 Eigen::Matrix<double, 8, 8> finest_cell_matrix(const VoigtMatrix<2> &stiffness,
                                                const double cell_height);
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid
 
 #endif

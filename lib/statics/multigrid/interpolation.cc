@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 namespace
 {
@@ -47,25 +45,25 @@ Interpolation::Interpolation(const Axis &fine_x,
   , y_distance(middle_distances(fine_y, y))
 {
   const unsigned int m = x.n_coarse_cells(), n = y.n_coarse_cells();
-  left    = PaddedRows<float>(1, n + 1, m);
-  lower   = PaddedRows<float>(1, n, m + 1);
-  corners = PaddedRows<float>(4, n, m);
+  left    = NodalField<float>(m, n + 1, 1);
+  lower   = NodalField<float>(m + 1, n, 1);
+  corners = NodalField<float>(m, n, 4);
 
-  PaddedRows<float> below(Conductor::n_pairs, 1, fine_x.n_cells());
-  PaddedRows<float> above(Conductor::n_pairs, 1, fine_x.n_cells());
+  NodalField<float> below(fine_x.n_cells(), 1, n_pairs);
+  NodalField<float> above(fine_x.n_cells(), 1, n_pairs);
   if (halve_x)
     for (unsigned int J = 0; J <= n; ++J)
       {
         const int j = static_cast<int>(y.start(fine_y.periodic && J == n ? 0 : J));
-        conductor.get_row(j - 1, below);
-        conductor.get_row(j, above);
+        conductor(j - 1, below);
+        conductor(j, above);
         set_left_weights(static_cast<int>(J), below, above);
       }
   for (unsigned int J = 0; J < n; ++J)
     if (y.has_middle(J))
       {
-        conductor.get_row(static_cast<int>(y.start(J)), below);
-        conductor.get_row(static_cast<int>(y.start(J)) + 1, above);
+        conductor(static_cast<int>(y.start(J)), below);
+        conductor(static_cast<int>(y.start(J)) + 1, above);
         set_lower_weights(static_cast<int>(J), below, above);
         if (halve_x)
           set_corner_weights(static_cast<int>(J), below, above);
@@ -73,13 +71,13 @@ Interpolation::Interpolation(const Axis &fine_x,
 }
 
 void Interpolation::set_left_weights(const int J,
-                                     const PaddedRows<float> &below,
-                                     const PaddedRows<float> &above)
+                                     const NodalField<float> &below,
+                                     const NodalField<float> &above)
 {
-  const float *b23 = below.row(Conductor::p23, 0), *b03 = below.row(Conductor::p03, 0),
-              *b12 = below.row(Conductor::p12, 0);
-  const float *a01 = above.row(Conductor::p01, 0), *a03 = above.row(Conductor::p03, 0),
-              *a12 = above.row(Conductor::p12, 0);
+  const float *b23 = below.row(p23, 0), *b03 = below.row(p03, 0),
+              *b12 = below.row(p12, 0);
+  const float *a01 = above.row(p01, 0), *a03 = above.row(p03, 0),
+              *a12 = above.row(p12, 0);
   float *weight    = left.row(0, J);
   for (unsigned int I = 0; I < x.n_coarse_cells(); ++I)
     if (x.has_middle(I))
@@ -92,13 +90,13 @@ void Interpolation::set_left_weights(const int J,
 }
 
 void Interpolation::set_lower_weights(const int J,
-                                      const PaddedRows<float> &below,
-                                      const PaddedRows<float> &above)
+                                      const NodalField<float> &below,
+                                      const NodalField<float> &above)
 {
-  const float *b02 = below.row(Conductor::p02, 0), *b13 = below.row(Conductor::p13, 0),
-              *b03 = below.row(Conductor::p03, 0), *b12 = below.row(Conductor::p12, 0);
-  const float *a02 = above.row(Conductor::p02, 0), *a13 = above.row(Conductor::p13, 0),
-              *a03 = above.row(Conductor::p03, 0), *a12 = above.row(Conductor::p12, 0);
+  const float *b02 = below.row(p02, 0), *b13 = below.row(p13, 0),
+              *b03 = below.row(p03, 0), *b12 = below.row(p12, 0);
+  const float *a02 = above.row(p02, 0), *a13 = above.row(p13, 0),
+              *a03 = above.row(p03, 0), *a12 = above.row(p12, 0);
   float *weight = lower.row(0, J);
   for (unsigned int I = 0; I <= x.n_coarse_cells(); ++I)
     {
@@ -110,15 +108,15 @@ void Interpolation::set_lower_weights(const int J,
 }
 
 void Interpolation::set_corner_weights(const int J,
-                                       const PaddedRows<float> &below,
-                                       const PaddedRows<float> &above)
+                                       const NodalField<float> &below,
+                                       const NodalField<float> &above)
 {
-  const float *b02 = below.row(Conductor::p02, 0), *b13 = below.row(Conductor::p13, 0),
-              *b03 = below.row(Conductor::p03, 0), *b12 = below.row(Conductor::p12, 0),
-              *b23 = below.row(Conductor::p23, 0);
-  const float *a02 = above.row(Conductor::p02, 0), *a13 = above.row(Conductor::p13, 0),
-              *a03 = above.row(Conductor::p03, 0), *a12 = above.row(Conductor::p12, 0),
-              *a01  = above.row(Conductor::p01, 0);
+  const float *b02 = below.row(p02, 0), *b13 = below.row(p13, 0),
+              *b03 = below.row(p03, 0), *b12 = below.row(p12, 0),
+              *b23 = below.row(p23, 0);
+  const float *a02 = above.row(p02, 0), *a13 = above.row(p13, 0),
+              *a03 = above.row(p03, 0), *a12 = above.row(p12, 0),
+              *a01  = above.row(p01, 0);
   const float *down = left.row(0, J), *up = left.row(0, J + 1);
   const float *side = lower.row(0, J);
   for (unsigned int I = 0; I < x.n_coarse_cells(); ++I)
@@ -205,5 +203,4 @@ template void
 Interpolation::fill_patch(const unsigned int, const unsigned int, Patch<float> &) const;
 template void
 Interpolation::fill_patch(const unsigned int, const unsigned int, Patch<double> &) const;
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid

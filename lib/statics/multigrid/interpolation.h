@@ -2,7 +2,7 @@
 #define mesoslip_statics_multigrid_interpolation_h
 
 #include "elasticity/uniform_material.h"
-#include "grid/padded_rows.h"
+#include "grid/nodal_field.h"
 #include "statics/multigrid/axis.h"
 #include "statics/multigrid/kernels/patch.h"
 
@@ -10,50 +10,29 @@
 #include <functional>
 #include <vector>
 
-namespace mesoslip
+namespace mesoslip::multigrid
 {
-namespace multigrid
+/** Pairs of the corners 0 (lower left), 1, 2 (upper left), 3 of a cell. */
+enum CornerPair : unsigned int
 {
+  p01,
+  p02,
+  p03,
+  p12,
+  p13,
+  p23,
+  n_pairs
+};
+
 /**
  * A scalar conductor on a grid, the model from which weights of interpolation are taken:
- * the six conductances between the corners 0 (lower left), 1, 2 (upper left), 3 of each
- * cell, in the order 01, 02, 03, 12, 13, 23.
+ * sets the n_pairs arrays of one row to the conductances between the corners of the cells
+ * of cell row @p j, in columns -1 to n_cells; zero outside a grid that is not periodic.
  */
-class Conductor
-{
-public:
-  /** Pairs of the corners 0 to 3 of a cell. */
-  enum Pair
-  {
-    p01,
-    p02,
-    p03,
-    p12,
-    p13,
-    p23,
-    n_pairs
-  };
+using Conductor = std::function<void(const int j, NodalField<float> &row)>;
 
-  /** On the finest grid: edges of cells, by the stiffness of their class. */
-  static Conductor finest(const UniformMaterial &material);
-
-  /** Stored conductances of a coarse grid; ghosts filled. */
-  explicit Conductor(PaddedRows<float> &&rows);
-
-  /**
-   * Conductances of cell row @p j in columns -1 to n_cells in @p row, which has n_pairs
-   * arrays and one row; zero outside a grid that is not periodic.
-   */
-  void get_row(const int j, PaddedRows<float> &row) const
-  {
-    fill(j, row);
-  }
-
-private:
-  Conductor() = default;
-
-  std::function<void(int, PaddedRows<float> &)> fill;
-};
+/** On the finest grid: edges of cells, by the stiffness of their phase. */
+Conductor finest_conductor(const UniformMaterial &material);
 
 /**
  * Interpolation between two grids of the hierarchy. Each coarse node carries a rigid
@@ -90,11 +69,11 @@ public:
   Axis coarse_y;    ///< rows of the coarse grid
 
   /** Weight of the left node for the middle of the edge right of coarse node (I, J). */
-  PaddedRows<float> left;
+  NodalField<float> left;
   /** Weight of the lower node for the middle of the edge above coarse node (I, J). */
-  PaddedRows<float> lower;
+  NodalField<float> lower;
   /** Weights of the corners 0 to 3 for the centre of coarse cell (I, J). */
-  PaddedRows<float> corners;
+  NodalField<float> corners;
 
   /** Distance of the middle of cell I from its left and its right node. */
   std::vector<std::array<double, 2>> x_distance;
@@ -103,21 +82,20 @@ public:
 
 private:
   void set_left_weights(const int J,
-                        const PaddedRows<float> &below,
-                        const PaddedRows<float> &above);
+                        const NodalField<float> &below,
+                        const NodalField<float> &above);
   void set_lower_weights(const int J,
-                         const PaddedRows<float> &below,
-                         const PaddedRows<float> &above);
+                         const NodalField<float> &below,
+                         const NodalField<float> &above);
   void set_corner_weights(const int J,
-                          const PaddedRows<float> &below,
-                          const PaddedRows<float> &above);
+                          const NodalField<float> &below,
+                          const NodalField<float> &above);
   template <typename Number>
   void fill_lane(const unsigned int l,
                  const unsigned int I,
                  const unsigned int J,
                  Patch<Number> &patch) const;
 };
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid
 
 #endif

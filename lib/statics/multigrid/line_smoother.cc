@@ -4,9 +4,7 @@
 
 #include <vector>
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 namespace
 {
@@ -124,12 +122,12 @@ LineSmoother<n_components, Number>::LineSmoother(
   const std::function<LineBlocks<Number>(unsigned int)> &blocks)
   : n_columns(columns_of_grid)
   , n_rows(rows_of_grid)
-  , column_factors(n_factors, rows_of_grid, columns_of_grid)
-  , row_factors(1,
+  , column_factors(columns_of_grid, rows_of_grid, n_factors)
+  , row_factors(columns_of_grid * n_factors * lanes<Number>,
                 (rows_of_grid + lanes<Number> - 1) / lanes<Number>,
-                columns_of_grid * n_factors * lanes<Number>)
-  , tile(1, 1, (columns_of_grid + 3) * n_components * lanes<Number>)
-  , eliminated(n_components, 2, columns_of_grid)
+                1)
+  , tile((columns_of_grid + 3) * n_components * lanes<Number>, 1, 1)
+  , eliminated(columns_of_grid, 2, n_components)
 {
   using B                   = Block<n_components>;
   using P                   = Pivot<n_components>;
@@ -165,7 +163,7 @@ LineSmoother<n_components, Number>::LineSmoother(
         {
           const B diagonal = diagonal_block(b, i);
           column[i].advance(diagonal + closing[i].at(j, n_rows), below[i]);
-          column[i].store(to_columns + i, column_factors.array_stride());
+          column[i].store(to_columns + i, column_factors.component_stride());
           pivot.advance(diagonal + row_closing.at(i, n_columns), left);
           pivot.store(to_rows + i * n_factors * lanes<Number>, lanes<Number>);
           left     = full_block<n_components>(b.east + i, b.stride);
@@ -174,9 +172,76 @@ LineSmoother<n_components, Number>::LineSmoother(
     }
 }
 
+template <int n_components, typename Number>
+void LineSmoother<n_components, Number>::columns(NodalField<Number> &r,
+                                                 NodalField<Number> &x,
+                                                 const bool add) const
+{
+  const GridKernels<Number> &k = grid_kernels<Number>();
+  const unsigned int n         = whole_vectors<Number>(n_columns);
+  const std::size_t s          = column_factors.component_stride();
+  const auto rows_of           = [](NodalField<Number> &field, const unsigned int j,
+                          Number *to[3]) {
+    for (unsigned int c = 0; c < n_components; ++c)
+      to[c] = field.row(c, j);
+  };
+  Number *row[3], *other[3], *buffer[3], *before[3];
+  for (unsigned int j = 0; j < n_rows; ++j)
+    {
+      rows_of(r, j, row);
+      for (unsigned int c = 0; c < n_components; ++c)
+        {
+          buffer[c] = eliminated.row(c, j % 2);
+          before[c] = eliminated.row(c, 1 - j % 2);
+        }
+      k.eliminate[n_components - 2](n, column_factors.row(0, j), s,
+                                    j == 0 ? nullptr : before, buffer, row);
+    }
+  for (unsigned int j = n_rows; j-- > 0;)
+    {
+      const bool last = j + 1 == n_rows;
+      rows_of(r, j, row);
+      rows_of(r, last ? j : j + 1, before);
+      rows_of(x, j, other);
+      k.substitute[n_components - 2](n, last ? nullptr : column_factors.row(0, j + 1), s,
+                                     before, row, static_cast<Number>(damping), add,
+                                     other);
+    }
+}
+
+template <int n_components, typename Number>
+void LineSmoother<n_components, Number>::rows(const NodalField<Number> &r,
+                                              NodalField<Number> &x) const
+{
+  const GridKernels<Number> &k = grid_kernels<Number>();
+  Number *t                    = tile.row(0, 0);
+  for (unsigned int j0 = 0; j0 < n_rows; j0 += lanes<Number>)
+    {
+      // Lanes beyond the last row repeat it; what they hold is not used.
+      const unsigned int n_lanes =
+        n_rows - j0 < lanes<Number> ? n_rows - j0 : lanes<Number>;
+      for (unsigned int c = 0; c < n_components; ++c)
+        {
+          const Number *from[lanes<Number>];
+          for (unsigned int l = 0; l < lanes<Number>; ++l)
+            from[l] = r.row(c, j0 + (l < n_lanes ? l : n_lanes - 1));
+          k.load_tile(n_columns, n_components, from, t + c * lanes<Number>);
+        }
+      k.solve_tile[n_components - 2](
+        n_columns, row_factors.row(0, static_cast<int>(j0 / lanes<Number>)), t);
+      for (unsigned int c = 0; c < n_components; ++c)
+        {
+          Number *to[lanes<Number>];
+          for (unsigned int l = 0; l < n_lanes; ++l)
+            to[l] = x.row(c, j0 + l);
+          k.add_tile(n_columns, n_components, n_lanes, t + c * lanes<Number>,
+                     static_cast<Number>(damping), to);
+        }
+    }
+}
+
 template class LineSmoother<2, float>;
 template class LineSmoother<2, double>;
 template class LineSmoother<3, float>;
 template class LineSmoother<3, double>;
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid

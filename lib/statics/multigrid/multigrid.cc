@@ -3,36 +3,32 @@
 #include "statics/multigrid/flush_denormals.h"
 
 #include <algorithm>
-#include <type_traits>
+#include <limits>
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 namespace
 {
 /** The coarsest grid is solved by a dense inverse: at most so many nodes... */
 constexpr unsigned int max_bottom_nodes = 64;
 /** ...unless no direction has so many cells any more. */
-constexpr unsigned int min_cells_to_halve = 3;
+bool can_halve(const unsigned int n_cells)
+{
+  return n_cells >= 3;
+}
 
 /** Ratio of shear moduli beyond which one visit of the coarse grids is not enough. */
 constexpr double strong_contrast_ratio = 50.;
 
 double shear_contrast(const UniformMaterial &material)
 {
-  double smallest = 0., largest = 0.;
-  std::vector<bool> used(256, false);
-  for (unsigned int j = 0; j < material.grid().cells[1]; ++j)
-    for (unsigned int i = 0; i < material.grid().cells[0]; ++i)
-      used[material.class_of(i, j)] = true;
-  for (unsigned int c = 0; c < material.classes().size(); ++c)
-    if (used[c])
-      {
-        const double shear = material.classes()[c].stiffness(2, 2);
-        smallest           = smallest == 0. ? shear : std::min(smallest, shear);
-        largest            = std::max(largest, shear);
-      }
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
+  for (const unsigned int phase : material.phases_that_occur())
+    {
+      const double shear = material.phases()[phase].stiffness(2, 2);
+      smallest           = std::min(smallest, shear);
+      largest            = std::max(largest, shear);
+    }
   return largest / smallest;
 }
 } // namespace
@@ -53,14 +49,20 @@ Multigrid<Number>::Multigrid(const UniformMaterial &the_material,
 }
 
 template <typename Number>
+bool Multigrid<Number>::can_coarsen(const UniformGrid<2> &grid)
+{
+  return can_halve(grid.cells[0]) || can_halve(grid.cells[1]);
+}
+
+template <typename Number>
 void Multigrid<Number>::build_interpolations()
 {
-  Conductor conductor = Conductor::finest(material);
+  Assert(can_coarsen(material.grid()), dealii::ExcMessage("too few cells"));
+  Conductor conductor = finest_conductor(material);
   Axis x = finest_x, y = finest_y;
   while (interpolations.empty() || x.n_nodes() * y.n_nodes() > max_bottom_nodes)
     {
-      const bool halve_x = x.n_cells() >= min_cells_to_halve,
-                 halve_y = y.n_cells() >= min_cells_to_halve;
+      const bool halve_x = can_halve(x.n_cells()), halve_y = can_halve(y.n_cells());
       if (!halve_x && !halve_y)
         break;
       interpolations.emplace_back(x, y, halve_x, halve_y, conductor);
@@ -68,98 +70,70 @@ void Multigrid<Number>::build_interpolations()
       y         = interpolations.back().coarse_y;
       conductor = interpolations.back().coarse_conductor(conductor);
     }
-  build_levels();
-}
 
-template <typename Number>
-void Multigrid<Number>::build_levels()
-{
-  if (bottom() == 0)
-    return;
   from_finest = Transfer<Number>(interpolations[0]);
-  first       = Level<Number>(interpolations[0].coarse_x, interpolations[0].coarse_y);
-  if (bottom() == 1)
-    return;
-  first.to_coarse = Transfer<Number>(interpolations[1]);
-  interface       = PaddedRows<Number>(3, interpolations[1].coarse_y.n_nodes(),
-                                 interpolations[1].coarse_x.n_nodes());
+  first       = Level<Number>(interpolations[0]);
+  if (bottom() > 1)
+    {
+      first.to_coarse = Transfer<Number>(interpolations[1]);
+      interface       = Level<Number>(interpolations[1]).b;
+    }
   for (unsigned int l = 2; l <= bottom(); ++l)
     {
-      rest.emplace_back(interpolations[l - 1].coarse_x, interpolations[l - 1].coarse_y);
+      rest.emplace_back(interpolations[l - 1]);
       if (l < bottom())
         rest.back().to_coarse = Transfer<double>(interpolations[l]);
     }
 }
 
+/** Residual of @p x, whose duplicates are set before. */
 template <typename Number>
-void Multigrid<Number>::copy_duplicates(NodalField<Number> &x) const
-{
-  const unsigned int last_column = material.n_columns() - 1,
-                     last_row    = material.n_rows() - 1;
-  for (unsigned int c = 0; c < 2; ++c)
-    {
-      if (finest_x.periodic)
-        for (unsigned int j = 0; j <= last_row; ++j)
-          x.row(c, j)[last_column] = x.row(c, j)[0];
-      if (finest_y.periodic)
-        std::copy_n(x.row(c, 0), last_column + 1, x.row(c, last_row));
-    }
-}
-
-template <typename Number>
-void Multigrid<Number>::finest_residual(const NodalField<Number> &x,
+void Multigrid<Number>::finest_residual(NodalField<Number> &x,
                                         const NodalField<Number> &b)
 {
+  material.copy_duplicates(x);
   stiffness.vmult(finest_r, x);
   const unsigned int n = whole_vectors<Number>(material.n_columns());
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < material.n_rows(); ++j)
       grid_kernels<Number>().subtract_from(n, b.row(c, j), finest_r.row(c, j));
-  held[0].clear(finest_r, 2);
+  constrained[0].clear(finest_r, 2);
 }
 
 template <typename Number>
 void Multigrid<Number>::vmult(NodalField<Number> &x, const NodalField<Number> &b)
 {
   const FlushDenormals flush;
-  if (bottom() == 0)
-    {
-      solve_bottom(x, b, finest_x, finest_y, 2);
-      return copy_duplicates(x);
-    }
   finest_r = b;
   finest_smoother.columns(finest_r, x, false);
-  copy_duplicates(x);
   finest_residual(x, b);
   finest_smoother.rows(finest_r, x);
-  copy_duplicates(x);
   finest_residual(x, b);
+
   from_finest.template restrict_to<2>(finest_r, first.b);
-  held[1].clear(first.b, 3);
+  constrained[1].clear(first.b, 3);
   visit_first();
   from_finest.template prolongate_from<2>(first.x, x);
-  held[0].clear(x, 2);
-  copy_duplicates(x);
+  constrained[0].clear(x, 2);
+
   finest_residual(x, b);
   finest_smoother.rows(finest_r, x);
-  copy_duplicates(x);
   finest_residual(x, b);
   finest_smoother.columns(finest_r, x, true);
-  held[0].clear(x, 2);
-  copy_duplicates(x);
+  constrained[0].clear(x, 2);
+  material.copy_duplicates(x);
 }
 
 template <typename Number>
 void Multigrid<Number>::visit_first()
 {
   if (bottom() == 1)
-    return solve_bottom(first.x, first.b, interpolations[0].coarse_x,
-                        interpolations[0].coarse_y, 3);
+    return solve_bottom(first);
   sweep(first, true, [this]() {
     Level<double> &next = rest[0];
     first.to_coarse.template restrict_to<3>(first.r, interface);
     next.b.convert_from(interface);
-    held[2].clear(next.b, 3);
+    constrained[2].clear(next.b, 3);
     visit(2);
     interface.convert_from(next.x);
     first.to_coarse.template prolongate_from<3>(interface, first.x);
@@ -171,12 +145,11 @@ void Multigrid<Number>::visit(const unsigned int l)
 {
   Level<double> &level = rest[l - 2];
   if (l == bottom())
-    return solve_bottom(level.x, level.b, interpolations[l - 1].coarse_x,
-                        interpolations[l - 1].coarse_y, 3);
+    return solve_bottom(level);
   const auto correct = [this, l, &level]() {
     Level<double> &next = rest[l - 1];
     level.to_coarse.template restrict_to<3>(level.r, next.b);
-    held[l + 1].clear(next.b, 3);
+    constrained[l + 1].clear(next.b, 3);
     visit(l + 1);
     level.to_coarse.template prolongate_from<3>(next.x, level.x);
   };
@@ -209,31 +182,19 @@ void Multigrid<Number>::sweep(Level<T> &level,
 }
 
 template <typename Number>
-template <typename Field>
-void Multigrid<Number>::solve_bottom(Field &x,
-                                     const Field &b,
-                                     const Axis &axis_x,
-                                     const Axis &axis_y,
-                                     const unsigned int n_components)
+template <typename T>
+void Multigrid<Number>::solve_bottom(Level<T> &level)
 {
   double *in = bottom_vectors.row(0, 0), *out = bottom_vectors.row(1, 0);
-  const auto for_each_unknown = [&](const auto &function) {
-    for (unsigned int k = 0, j = 0; j < axis_y.n_nodes(); ++j)
-      for (unsigned int i = 0; i < axis_x.n_nodes(); ++i)
-        for (unsigned int c = 0; c < n_components; ++c, ++k)
-          function(k, c, j, i);
-  };
-  using T = std::decay_t<decltype(x.row(0, 0)[0])>;
-  for_each_unknown([&](const unsigned int k, const unsigned int c, const unsigned int j,
-                       const unsigned int i) { in[k] = b.row(c, j)[i]; });
-  kernels().dense(bottom_vectors.n_columns(), bottom_inverse.row(0, 0),
-                  bottom_inverse.array_stride(), in, out);
-  for_each_unknown(
-    [&](const unsigned int k, const unsigned int c, const unsigned int j,
-        const unsigned int i) { x.row(c, j)[i] = static_cast<T>(out[k]); });
+  const unsigned int nx = level.x.n_columns(), n = bottom_vectors.n_columns();
+  for (unsigned int k = 0; k < n; ++k)
+    in[k] = level.b(k % 3, {k / 3 % nx, k / 3 / nx});
+  kernels().dense(n, bottom_inverse.row(0, 0), bottom_inverse.component_stride(), in,
+                  out);
+  for (unsigned int k = 0; k < n; ++k)
+    level.x(k % 3, {k / 3 % nx, k / 3 / nx}) = static_cast<T>(out[k]);
 }
 
 template class Multigrid<float>;
 template class Multigrid<double>;
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid

@@ -5,7 +5,7 @@
 #include "elasticity/uniform_grid_operator.h"
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
-#include "statics/multigrid/held_unknowns.h"
+#include "statics/multigrid/constrained_unknowns.h"
 #include "statics/multigrid/interpolation.h"
 #include "statics/multigrid/line_smoother.h"
 #include "statics/multigrid/rigid_modes.h"
@@ -15,9 +15,7 @@
 #include <memory>
 #include <vector>
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 /**
  * A preconditioner for the stiffness of a uniform grid: one multigrid cycle, symmetric
@@ -45,29 +43,21 @@ template <typename Number>
 class Multigrid
 {
 public:
-  /** Both arguments must outlive this object, which still lacks set_held(). */
+  /** Whether a grid has enough cells in one direction to be halved. */
+  static bool can_coarsen(const UniformGrid<2> &grid);
+
+  /** On a grid that can_coarsen(). Both arguments must outlive this object, which still
+   *  lacks set_constrained(). */
   Multigrid(const UniformMaterial &material, const UniformGridOperator &stiffness);
 
-  /** Builds the operators for these held degrees of freedom; weights are kept. */
-  void set_held(const DofMask &mask);
+  /** Builds the operators for these constraints; weights are kept. */
+  void set_constrained(const DofMask &mask);
 
   /**
-   * x = M^-1 b. Held unknowns of @p b must be zero, those of @p x become so. Duplicate
-   * columns and rows of @p b are ignored, those of @p x are set.
+   * x = M^-1 b. Constrained unknowns of @p b must be zero, those of @p x become so.
+   * Duplicate columns and rows of @p b are ignored, those of @p x are set.
    */
   void vmult(NodalField<Number> &x, const NodalField<Number> &b);
-
-  /** The finest included. */
-  unsigned int n_levels() const
-  {
-    return static_cast<unsigned int>(interpolations.size()) + 1;
-  }
-
-  /** Null space of the finest grid's matrix. */
-  const RigidModes &rigid_modes() const
-  {
-    return modes;
-  }
 
 private:
   /** A coarse grid. */
@@ -75,39 +65,32 @@ private:
   struct Level
   {
     Level() = default;
-    Level(const Axis &x, const Axis &y)
-      : x(3, y.n_nodes(), x.n_nodes())
-      , b(3, y.n_nodes(), x.n_nodes())
-      , r(3, y.n_nodes(), x.n_nodes())
+    explicit Level(const Interpolation &from_finer)
+      : x(from_finer.coarse_x.n_nodes(), from_finer.coarse_y.n_nodes(), 3)
+      , b(x)
+      , r(x)
     {
     }
+    void set_stencil(Stencil<T> &&operator_of_level);
 
     Stencil<T> stencil;
     LineSmoother<3, T> smoother;
     Transfer<T> to_coarse;
-    PaddedRows<T> x, b, r;
+    NodalField<T> x, b, r;
   };
 
   void build_interpolations();
-  void build_levels();
-  template <typename T>
-  void build_smoother(Level<T> &level, const Axis &x, const Axis &y);
   void build_finest_smoother();
-  void build_bottom();
-
-  void finest_residual(const NodalField<Number> &x, const NodalField<Number> &b);
-  void copy_duplicates(NodalField<Number> &x) const;
+  void build_bottom(const DofMask &mask);
+  void finest_residual(NodalField<Number> &x, const NodalField<Number> &b);
   void visit_first();
   void visit(const unsigned int l);
   template <typename T, typename Correct>
   void sweep(Level<T> &level, const bool from_zero, const Correct &correct);
-  template <typename Field>
-  void solve_bottom(Field &x,
-                    const Field &b,
-                    const Axis &axis_x,
-                    const Axis &axis_y,
-                    const unsigned int n_components);
+  template <typename T>
+  void solve_bottom(Level<T> &level);
 
+  /** Number of the coarsest grid. */
   unsigned int bottom() const
   {
     return static_cast<unsigned int>(interpolations.size());
@@ -121,8 +104,7 @@ private:
   /** Between grids l and l + 1. */
   std::vector<Interpolation> interpolations;
   /** Of grid l. */
-  std::vector<HeldUnknowns> held;
-  RigidModes modes;
+  std::vector<ConstrainedUnknowns> constrained;
 
   LineSmoother<2, Number> finest_smoother;
   Transfer<Number> from_finest;
@@ -131,16 +113,15 @@ private:
   /** Grid 1. */
   Level<Number> first;
   /** Right-hand side and solution of grid 2 on their way from and to grid 1. */
-  PaddedRows<Number> interface;
+  NodalField<Number> interface;
   /** rest[l - 2] is grid l. */
   std::vector<Level<double>> rest;
 
   /** Inverse on the coarsest grid (all unknowns of a node together). */
-  PaddedRows<double> bottom_inverse;
-  PaddedRows<double> bottom_vectors;
+  NodalField<double> bottom_inverse;
+  NodalField<double> bottom_vectors;
 };
 
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid
 
 #endif

@@ -4,11 +4,9 @@
 
 #include <cmath>
 
-namespace mesoslip
+namespace mesoslip::multigrid
 {
-namespace multigrid
-{
-RigidModes::RigidModes(const UniformMaterial &material, const DofMask &held)
+RigidModes::RigidModes(const UniformMaterial &material, const DofMask &mask)
   : aspect(material.grid().spacing[1] / material.grid().spacing[0])
 {
   const Periodicity periodic = material.periodicity();
@@ -21,18 +19,15 @@ RigidModes::RigidModes(const UniformMaterial &material, const DofMask &held)
   Eigen::Matrix3d hold = Eigen::Matrix3d::Zero();
   if (periodic.x || periodic.y)
     hold(2, 2) = 1.;
-  for (unsigned int j = 0; j < held.n_rows(); ++j)
-    for (unsigned int i = 0; i < held.n_columns(); ++i)
+  for (unsigned int j = 0; j < mask.n_rows(); ++j)
+    for (unsigned int i = 0; i < mask.n_columns(); ++i)
       {
-        if (held.held(i, j) == 0)
-          continue;
         const Eigen::Vector3d u(1., 0., -y(j) / size), v(0., 1., x(i) / size);
-        if (held.is_held(0, i, j))
+        if (mask.is_constrained(0, {i, j}))
           hold += u * u.transpose();
-        if (held.is_held(1, i, j))
+        if (mask.is_constrained(1, {i, j}))
           hold += v * v.transpose();
       }
-
   // x and y sum to zero over the nodes, so the three motions are orthogonal.
   const double n           = static_cast<double>(n_nodes[0]) * n_nodes[1];
   const auto second_moment = [](const double m) { return (m * m - 1.) / 12.; };
@@ -53,10 +48,10 @@ RigidModes::RigidModes(const UniformMaterial &material, const DofMask &held)
     orthonormal.push_back({{mode[0], mode[1], mode[2] / size}});
 }
 
-double RigidModes::remove_from(NodalField<double> &field) const
+void RigidModes::remove_from(NodalField<double> &field) const
 {
-  if (empty())
-    return 0.;
+  if (orthonormal.empty())
+    return;
   std::array<double, 3> sums = {};
   for (unsigned int j = 0; j < n_nodes[1]; ++j)
     {
@@ -73,11 +68,9 @@ double RigidModes::remove_from(NodalField<double> &field) const
       sums[2] += moment - y(j) * su;
     }
   std::array<double, 3> motion = {};
-  double norm                  = 0.;
   for (const auto &mode : orthonormal)
     {
       const double share = mode[0] * sums[0] + mode[1] * sums[1] + mode[2] * sums[2];
-      norm += share * share;
       for (unsigned int k = 0; k < 3; ++k)
         motion[k] += share * mode[k];
     }
@@ -90,7 +83,5 @@ double RigidModes::remove_from(NodalField<double> &field) const
           v[i] -= motion[1] + motion[2] * x(i);
         }
     }
-  return std::sqrt(norm);
 }
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid

@@ -8,12 +8,10 @@
 #include <array>
 #include <vector>
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 /**
- * The rigid motions that held degrees of freedom and periodic sides leave to a grid: the
+ * The rigid motions that constrained degrees of freedom and periodic sides leave to a grid: the
  * null space of its stiffness. A motion (a, b, r) displaces a point by a - r y, b + r x,
  * with x and y from the middle of the grid in widths of a cell.
  */
@@ -22,26 +20,17 @@ class RigidModes
 public:
   RigidModes() = default;
 
-  /** Those of @p material that @p held leaves. */
-  RigidModes(const UniformMaterial &material, const DofMask &held);
+  /** Those of @p material that @p mask leaves. */
+  RigidModes(const UniformMaterial &material, const DofMask &mask);
 
-  /** Motions that are orthonormal as nodal vectors; none if the grid is held. */
+  /** Motions that are orthonormal as nodal vectors; none if nothing is free to move. */
   const std::vector<std::array<double, 3>> &modes() const
   {
     return orthonormal;
   }
 
-  /** Whether the grid cannot move as a whole. */
-  bool empty() const
-  {
-    return orthonormal.empty();
-  }
-
-  /**
-   * Removes the modes from a field (duplicates are not counted but corrected) and
-   * returns the Euclidean norm of what was removed.
-   */
-  double remove_from(NodalField<double> &field) const;
+  /** Removes the modes from a field (duplicates are not counted but corrected). */
+  void remove_from(NodalField<double> &field) const;
 
   /** Position of node column @p i and row @p j in these coordinates. */
   double x(const double i) const
@@ -61,7 +50,6 @@ private:
   double aspect                       = 1.;
   std::vector<std::array<double, 3>> orthonormal;
 };
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid
 
 #endif

@@ -2,9 +2,7 @@
 
 #include <array>
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 namespace
 {
@@ -37,13 +35,13 @@ template <typename Number>
 Stencil<Number>::Stencil(const Axis &x, const Axis &y)
   : periodic_x(x.periodic)
   , periodic_y(y.periodic)
-  , arrays(n_stencil_arrays, y.n_nodes(), x.n_nodes())
+  , arrays(x.n_nodes(), y.n_nodes(), n_stencil_arrays)
 {
 }
 
 template <typename Number>
 void Stencil<Number>::add_cell_row(const unsigned int j,
-                                   const PaddedRows<double> &matrices)
+                                   const NodalField<double> &matrices)
 {
   const unsigned int n_cells = matrices.n_columns();
   for (const CornerBlock &block : blocks)
@@ -70,11 +68,10 @@ void Stencil<Number>::add_cell_row(const unsigned int j,
 }
 
 template <typename Number>
-void Stencil<Number>::finish(const HeldUnknowns &held)
+void Stencil<Number>::finish(const ConstrainedUnknowns &constrained)
 {
   constexpr unsigned int diagonal[3] = {0, 3, 5};
-  const int n                        = static_cast<int>(arrays.n_rows());
-  for (int j = 0; j < n; ++j)
+  for (unsigned int j = 0; j < arrays.n_rows(); ++j)
     {
       for (unsigned int c = 0; c < 3; ++c)
         {
@@ -83,18 +80,18 @@ void Stencil<Number>::finish(const HeldUnknowns &held)
             if (!(d[i] > 0))
               d[i] = 1;
         }
-      for (const HeldUnknowns::Node &node : held.row(static_cast<unsigned int>(j)))
+      for (const ConstrainedUnknowns::Node &node : constrained.row(j))
         for (unsigned int c = 0; c < 3; ++c)
-          if (node.holds(c))
+          if (node.has(c))
             arrays.row(centre + diagonal[c], j)[node.column] = 1;
     }
   arrays.fill_ghosts(periodic_x, periodic_y);
 }
 
 template <typename Number>
-void Stencil<Number>::residual(PaddedRows<Number> &x,
-                               const PaddedRows<Number> &b,
-                               PaddedRows<Number> &r) const
+void Stencil<Number>::residual(NodalField<Number> &x,
+                               const NodalField<Number> &b,
+                               NodalField<Number> &r) const
 {
   x.fill_ghosts(periodic_x, periodic_y);
   const unsigned int n         = whole_vectors<Number>(arrays.n_columns());
@@ -110,52 +107,31 @@ void Stencil<Number>::residual(PaddedRows<Number> &x,
           right[c]  = b.row(c, j);
           result[c] = r.row(c, j);
         }
-      k.stencil_residual(n, arrays.row(0, j), arrays.row(0, j - 1), arrays.array_stride(),
-                         rows, right, result);
+      k.stencil_residual(n, arrays.row(0, j), arrays.row(0, j - 1),
+                         arrays.component_stride(), rows, right, result);
     }
 }
 
 template <typename Number>
 Eigen::MatrixXd Stencil<Number>::dense() const
 {
-  const unsigned int nx = arrays.n_columns(), ny = arrays.n_rows();
-  const Eigen::Index n_unknowns = Eigen::Index{3} * nx * ny;
-  Eigen::MatrixXd matrix        = Eigen::MatrixXd::Zero(n_unknowns, n_unknowns);
-  const auto add                = [&](const unsigned int from, const int i, const int j,
-                       const unsigned int array) {
-    if ((!periodic_x && (i < 0 || i >= static_cast<int>(nx))) ||
-        (!periodic_y && j >= static_cast<int>(ny)))
-      return;
-    const unsigned int to = (j % ny) * nx + (i + nx) % nx;
-    for (unsigned int r = 0; r < 3; ++r)
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          const double value =
-            arrays.row(array + 3 * r + c, static_cast<int>(from / nx))[from % nx];
-          matrix(3 * from + r, 3 * to + c) += value;
-          matrix(3 * to + c, 3 * from + r) += value;
-        }
+  const unsigned int nx = arrays.n_columns(), n = 3 * nx * arrays.n_rows();
+  NodalField<Number> x(nx, arrays.n_rows(), 3), zero(x), r(x);
+  const auto entry = [nx](NodalField<Number> &field, const unsigned int k) -> Number & {
+    return field(k % 3, {k / 3 % nx, k / 3 / nx});
   };
-  for (unsigned int node = 0; node < nx * ny; ++node)
+  Eigen::MatrixXd matrix(n, n);
+  for (unsigned int k = 0; k < n; ++k)
     {
-      const int i = static_cast<int>(node % nx), j = static_cast<int>(node / nx);
-      for (unsigned int r = 0; r < 3; ++r)
-        for (unsigned int c = r; c < 3; ++c)
-          {
-            const double value = arrays.row(centre + upper(3, r, c), j)[i];
-            matrix(3 * node + r, 3 * node + c) += value;
-            if (c != r)
-              matrix(3 * node + c, 3 * node + r) += value;
-          }
-      add(node, i + 1, j, east);
-      add(node, i - 1, j + 1, north_west);
-      add(node, i, j + 1, north);
-      add(node, i + 1, j + 1, north_east);
+      x.set_zero();
+      entry(x, k) = 1;
+      residual(x, zero, r);
+      for (unsigned int l = 0; l < n; ++l)
+        matrix(l, k) = -entry(r, l);
     }
   return matrix;
 }
 
 template class Stencil<float>;
 template class Stencil<double>;
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid

@@ -1,16 +1,14 @@
 #ifndef mesoslip_statics_multigrid_stencil_h
 #define mesoslip_statics_multigrid_stencil_h
 
-#include "grid/padded_rows.h"
+#include "grid/nodal_field.h"
 #include "statics/multigrid/axis.h"
-#include "statics/multigrid/held_unknowns.h"
+#include "statics/multigrid/constrained_unknowns.h"
 #include "statics/multigrid/kernels/kernels.h"
 
 #include <Eigen/Core>
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 /**
  * The operator of a coarse grid as a symmetric 9-point stencil of 3x3 blocks, the
@@ -27,15 +25,15 @@ public:
   Stencil(const Axis &x, const Axis &y);
 
   /** Adds the matrices of cell row @p j (n_cell_entries arrays of one row). */
-  void add_cell_row(const unsigned int j, const PaddedRows<double> &matrices);
+  void add_cell_row(const unsigned int j, const NodalField<double> &matrices);
 
-  /** After the last row: held and empty rows get a unit diagonal, ghosts are filled. */
-  void finish(const HeldUnknowns &held);
+  /** After the last row: constrained and empty rows get a unit diagonal, ghosts are filled. */
+  void finish(const ConstrainedUnknowns &constrained);
 
   /** r = b - A x; fills the ghosts of @p x. Three components. */
-  void residual(PaddedRows<Number> &x,
-                const PaddedRows<Number> &b,
-                PaddedRows<Number> &r) const;
+  void residual(NodalField<Number> &x,
+                const NodalField<Number> &b,
+                NodalField<Number> &r) const;
 
   /** Array @p k of node row @p j. */
   const Number *row(const unsigned int k, const int j) const
@@ -44,9 +42,9 @@ public:
   }
 
   /** Numbers from one array of a row to the next. */
-  std::size_t array_stride() const
+  std::size_t component_stride() const
   {
-    return arrays.array_stride();
+    return arrays.component_stride();
   }
 
   /** The whole matrix; unknown 3 (j n_columns + i) + c. For small grids. */
@@ -55,12 +53,11 @@ public:
 private:
   bool periodic_x = false;
   bool periodic_y = false;
-  PaddedRows<Number> arrays;
+  NodalField<Number> arrays;
 };
 
 extern template class Stencil<float>;
 extern template class Stencil<double>;
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid
 
 #endif

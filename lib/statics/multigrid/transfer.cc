@@ -2,18 +2,16 @@
 
 #include <algorithm>
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 template <typename Number>
 Transfer<Number>::Transfer(const Interpolation &interpolation)
   : p(&interpolation)
   , n_vectors(whole_vectors<Number>(interpolation.x.n_coarse_cells() + 1))
-  , distances(2, 1, interpolation.x.n_coarse_cells() + 1)
-  , weights(3, 1, interpolation.x.n_coarse_cells() + 1)
-  , even(3, 1, interpolation.x.n_coarse_cells() + 1)
-  , odd(3, 1, interpolation.x.n_coarse_cells() + 1)
+  , distances(interpolation.x.n_coarse_cells() + 1, 1, 2)
+  , weights(interpolation.x.n_coarse_cells() + 1, 1, 3)
+  , even(weights)
+  , odd(weights)
 {
   for (unsigned int I = 0; I < p->x.n_coarse_cells(); ++I)
     for (unsigned int side = 0; side < 2; ++side)
@@ -58,66 +56,138 @@ void Transfer<Number>::merge(Number *row, const unsigned int component) const
 }
 
 template <typename Number>
-TransferRow<Number> Transfer<Number>::row_of_weights(const double dy) const
+template <typename Even, typename Left, typename Right>
+TransferRow<Number> Transfer<Number>::row_of_weights(const double dy,
+                                                     const Even &even_weight,
+                                                     const Left &left,
+                                                     const Right &right) const
 {
-  return {weights.row(0, 0),   weights.row(1, 0),   weights.row(2, 0),
-          distances.row(0, 0), distances.row(1, 0), static_cast<Number>(dy)};
+  Number *w = weights.row(0, 0), *l = weights.row(1, 0), *r = weights.row(2, 0);
+  const unsigned int m = p->x.n_coarse_cells();
+  for (unsigned int I = 0; I < m; ++I)
+    {
+      w[I] = even_weight(I);
+      l[I] = left(I);
+      r[I] = right(I);
+    }
+  w[m] = even_weight(m);
+  return {w, l, r, distances.row(0, 0), distances.row(1, 0), static_cast<Number>(dy)};
 }
 
 template <typename Number>
 TransferRow<Number> Transfer<Number>::at_node(const unsigned int J) const
 {
-  const float *left = p->left.row(0, static_cast<int>(J));
-  Number *w = weights.row(0, 0), *l = weights.row(1, 0), *r = weights.row(2, 0);
-  const unsigned int m = p->x.n_coarse_cells();
-  for (unsigned int I = 0; I < m; ++I)
-    {
-      w[I] = 1;
-      l[I] = left[I];
-      r[I] = 1 - l[I];
-    }
-  w[m] = 1;
-  return row_of_weights(0.);
+  const float *left = p->left.row(0, J);
+  return row_of_weights(
+    0., [](unsigned int) { return Number(1); },
+    [=](const unsigned int I) { return Number(left[I]); },
+    [=](const unsigned int I) { return 1 - Number(left[I]); });
 }
 
 template <typename Number>
 TransferRow<Number> Transfer<Number>::to_lower(const unsigned int J) const
 {
-  const int j        = static_cast<int>(J);
-  const float *lower = p->lower.row(0, j), *left = p->corners.row(0, j),
-              *right = p->corners.row(1, j);
-  Number *w = weights.row(0, 0), *l = weights.row(1, 0), *r = weights.row(2, 0);
-  const unsigned int m = p->x.n_coarse_cells();
-  for (unsigned int I = 0; I < m; ++I)
-    {
-      w[I] = lower[I];
-      l[I] = left[I];
-      r[I] = right[I];
-    }
-  w[m] = lower[m];
-  return row_of_weights(p->y_distance[J][0]);
+  const float *lower = p->lower.row(0, J), *left = p->corners.row(0, J),
+              *right  = p->corners.row(1, J);
+  const auto as_it_is = [](const float *weight) {
+    return [=](const unsigned int I) { return Number(weight[I]); };
+  };
+  return row_of_weights(p->y_distance[J][0], as_it_is(lower), as_it_is(left),
+                        as_it_is(right));
 }
 
 template <typename Number>
 TransferRow<Number> Transfer<Number>::to_upper(const unsigned int J) const
 {
-  const int j        = static_cast<int>(J);
-  const float *lower = p->lower.row(0, j), *c0 = p->corners.row(0, j),
-              *c1 = p->corners.row(1, j), *c2 = p->corners.row(2, j);
-  Number *w = weights.row(0, 0), *l = weights.row(1, 0), *r = weights.row(2, 0);
-  const unsigned int m = p->x.n_coarse_cells();
-  for (unsigned int I = 0; I < m; ++I)
-    {
-      w[I] = 1 - static_cast<Number>(lower[I]);
-      l[I] = c2[I];
-      // The same rounding as in Interpolation::fill_patch().
-      r[I] = 1 - static_cast<Number>(c0[I]) - static_cast<Number>(c1[I]) - l[I];
-    }
-  w[m] = 1 - static_cast<Number>(lower[m]);
-  return row_of_weights(-p->y_distance[J][1]);
+  const float *lower = p->lower.row(0, J), *c0 = p->corners.row(0, J),
+              *c1 = p->corners.row(1, J), *c2 = p->corners.row(2, J);
+  return row_of_weights(
+    -p->y_distance[J][1], [=](const unsigned int I) { return 1 - Number(lower[I]); },
+    [=](const unsigned int I) { return Number(c2[I]); },
+    // The same rounding as in Interpolation::fill_patch().
+    [=](const unsigned int I) {
+      return 1 - Number(c0[I]) - Number(c1[I]) - Number(c2[I]);
+    });
 }
 
+template <typename Number>
+template <int n_components>
+void Transfer<Number>::restrict_to(const NodalField<Number> &fine,
+                                   NodalField<Number> &coarse) const
+{
+  const auto restrict_row = grid_kernels<Number>().restrict_row[n_components - 2];
+  const Number *e[]       = {even.row(0, 0), even.row(1, 0), even.row(2, 0)},
+               *o[]       = {odd.row(0, 0), odd.row(1, 0), odd.row(2, 0)};
+  const auto add          = [&](const TransferRow<Number> &row, const unsigned int J) {
+    Number *to[3] = {coarse.row(0, J), coarse.row(1, J), coarse.row(2, J)};
+    restrict_row(n_vectors, row, e, o, to);
+  };
+
+  const unsigned int n_rows = p->coarse_y.n_nodes();
+  coarse.set_zero();
+  for (unsigned int J = 0; J < n_rows; ++J)
+    {
+      for (unsigned int c = 0; c < n_components; ++c)
+        split(fine.row(c, p->y.start(J)), c);
+      add(at_node(J), J);
+      if (J == p->y.n_coarse_cells() || !p->y.has_middle(J))
+        continue;
+      for (unsigned int c = 0; c < n_components; ++c)
+        split(fine.row(c, p->y.start(J) + 1), c);
+      add(to_lower(J), J);
+      add(to_upper(J), (J + 1) % n_rows);
+    }
+  if (p->coarse_x.periodic)
+    for (unsigned int J = 0; J < n_rows; ++J)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          Number *row = coarse.row(c, J);
+          row[0] += row[coarse.n_columns()];
+          row[coarse.n_columns()] = 0;
+        }
+}
+
+template <typename Number>
+template <int n_components>
+void Transfer<Number>::prolongate_from(NodalField<Number> &coarse,
+                                       NodalField<Number> &fine) const
+{
+  const auto prolongate_row = grid_kernels<Number>().prolongate_row[n_components - 2];
+  coarse.fill_ghosts(p->coarse_x.periodic, p->coarse_y.periodic);
+  Number *e[]    = {even.row(0, 0), even.row(1, 0), even.row(2, 0)},
+         *o[]    = {odd.row(0, 0), odd.row(1, 0), odd.row(2, 0)};
+  const auto get = [&](const TransferRow<Number> &row, const bool add,
+                       const unsigned int J) {
+    const Number *from[3] = {coarse.row(0, J), coarse.row(1, J), coarse.row(2, J)};
+    prolongate_row(n_vectors, row, add, from, e, o);
+  };
+  const auto merge_row = [&](const unsigned int j) {
+    for (unsigned int c = 0; c < n_components; ++c)
+      merge(fine.row(c, j), c);
+  };
+
+  for (unsigned int J = 0; J < p->coarse_y.n_nodes(); ++J)
+    {
+      get(at_node(J), false, J);
+      merge_row(p->y.start(J));
+      if (J == p->y.n_coarse_cells() || !p->y.has_middle(J))
+        continue;
+      get(to_lower(J), false, J);
+      get(to_upper(J), true, J + 1);
+      merge_row(p->y.start(J) + 1);
+    }
+}
+
+#define MESOSLIP_INSTANTIATE(Number, n)                                       \
+  template void Transfer<Number>::restrict_to<n>(const NodalField<Number> &,  \
+                                                 NodalField<Number> &) const; \
+  template void Transfer<Number>::prolongate_from<n>(NodalField<Number> &,    \
+                                                     NodalField<Number> &) const;
 template class Transfer<float>;
 template class Transfer<double>;
-} // namespace multigrid
-} // namespace mesoslip
+MESOSLIP_INSTANTIATE(float, 2)
+MESOSLIP_INSTANTIATE(float, 3)
+MESOSLIP_INSTANTIATE(double, 2)
+MESOSLIP_INSTANTIATE(double, 3)
+#undef MESOSLIP_INSTANTIATE
+} // namespace mesoslip::multigrid

@@ -3,9 +3,7 @@
 #include "elasticity/kernel_variants.h"
 #include "grid/instruction_set.h"
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 const Kernels &kernels()
 {
@@ -14,17 +12,4 @@ const Kernels &kernels()
   static const Kernels &chosen = variant(tables, InstructionSet::automatic)();
   return chosen;
 }
-
-template <>
-const GridKernels<float> &grid_kernels<float>()
-{
-  return kernels().single;
-}
-
-template <>
-const GridKernels<double> &grid_kernels<double>()
-{
-  return kernels().twice;
-}
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid

@@ -16,9 +16,7 @@
  * (displacement) on the finest grid and 3 (displacement, rotation) on the others:
  * functions in arrays [2] are for 2 and 3.
  */
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 /** Distinct numbers of the blocks of a node: of its diagonal block (upper triangle). */
 constexpr unsigned int n_diagonal_entries(const unsigned int n_components)
@@ -201,13 +199,13 @@ const Kernels &kernels();
 
 /** Those for grids of this precision: float, double. */
 template <typename Number>
-const GridKernels<Number> &grid_kernels();
-
-template <>
-const GridKernels<float> &grid_kernels<float>();
-template <>
-const GridKernels<double> &grid_kernels<double>();
-} // namespace multigrid
-} // namespace mesoslip
+const GridKernels<Number> &grid_kernels()
+{
+  if constexpr (sizeof(Number) == sizeof(float))
+    return kernels().single;
+  else
+    return kernels().twice;
+}
+} // namespace mesoslip::multigrid
 
 #endif

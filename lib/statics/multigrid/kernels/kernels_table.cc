@@ -3,11 +3,7 @@
 #include "elasticity/kernel_variants.h"
 #include "statics/multigrid/kernels/kernels.h"
 
-namespace mesoslip
-{
-namespace multigrid
-{
-namespace MESOSLIP_VARIANT
+namespace mesoslip::multigrid::MESOSLIP_VARIANT
 {
 #include "statics/multigrid/kernels/kernels_impl.h"
 //
@@ -47,6 +43,4 @@ const Kernels &kernels()
                                 step};
   return table;
 }
-} // namespace MESOSLIP_VARIANT
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid::MESOSLIP_VARIANT

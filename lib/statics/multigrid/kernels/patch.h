@@ -1,9 +1,7 @@
 #ifndef mesoslip_statics_multigrid_kernels_patch_h
 #define mesoslip_statics_multigrid_kernels_patch_h
 
-namespace mesoslip
-{
-namespace multigrid
+namespace mesoslip::multigrid
 {
 /** Numbers of the upper triangle of the matrix of a coarse cell: 4 nodes of 3 unknowns.
  */
@@ -76,7 +74,6 @@ struct alignas(64) CoarsePatch : Patch<double>
   /** Upper triangle of 12 x 12 numbers. */
   alignas(64) double matrix[2][2][n_cell_entries][n];
 };
-} // namespace multigrid
-} // namespace mesoslip
+} // namespace mesoslip::multigrid
 
 #endif

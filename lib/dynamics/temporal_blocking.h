@@ -1,5 +1,5 @@
-#ifndef mesoslip_dynamics_wavefront_h
-#define mesoslip_dynamics_wavefront_h
+#ifndef mesoslip_dynamics_temporal_blocking_h
+#define mesoslip_dynamics_temporal_blocking_h
 
 #include "dynamics/step_masses.h"
 #include "dynamics/surface_condition.h"
@@ -17,32 +17,37 @@ namespace mesoslip
 struct SteppedBody
 {
   const UniformMaterial &material; ///< of the whole grid
-  const NodeRows rows;             ///< of this rank
   const StepParameters parameters; ///< of the scheme
   NodalField<double> &u;           ///< displacement (m)
   NodalField<double> &w;           ///< velocity of the scheme (m/s)
-  SurfaceCondition<2> *bottom;     ///< what moves the bottom row of the grid
-  SurfaceCondition<2> *top;        ///< what moves its top row
-  Halo *halo;                      ///< none on a single rank
+
+  /** What moves the bottom and the top row of the grid; null: FreeSurface. */
+  SurfaceCondition<2> *bottom = nullptr;
+  SurfaceCondition<2> *top    = nullptr; ///< see bottom
+
+  NodeRows rows         = NodeRows::all(material.n_rows()); ///< of this rank
+  Halo *halo            = nullptr;       ///< needed where a rank has neighbours
+  MPI_Comm communicator = MPI_COMM_SELF; ///< of the ranks that share the grid
 };
 
 /**
- * Several time steps in flight: each is a stage that sweeps the rows from the bottom to
- * the top and follows the one before it as closely as it may, a row needing the row above
- * it to have finished the step before. One stage is the plain sweep.
+ * Temporal blocking (time skewing): several time steps in one sweep over the rows. Each
+ * is a stage that goes from the bottom to the top and follows the one before it as
+ * closely as it may, a row needing the row above it to have finished the step before. One
+ * stage is the plain sweep.
  *
  * On a slab, n steps start with n ghost rows of each neighbour. Stage s also advances the
  * n - 1 - s nearest ones, so the last stage finds all it needs, and the ranks talk once
  * in n steps. Internal to the stepper.
  */
-class Wavefront
+class TemporalBlocking
 {
 public:
-  /** Stages for at most @p max_steps steps in flight. */
-  Wavefront(const SteppedBody &body,
-            const RowKernels<double> &kernels,
-            const StepMasses &masses,
-            const unsigned int max_steps);
+  /** Stages for at most @p max_steps steps in a sweep. */
+  TemporalBlocking(const SteppedBody &body,
+                   const RowKernels<double> &kernels,
+                   const StepMasses &masses,
+                   const unsigned int max_steps);
 
   /** Number of stages. */
   unsigned int max_steps() const

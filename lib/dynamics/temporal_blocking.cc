@@ -1,20 +1,20 @@
-#include "dynamics/wavefront.h"
+#include "dynamics/temporal_blocking.h"
 
 #include <algorithm>
 
 namespace mesoslip
 {
-Wavefront::Stage::Stage(const UniformMaterial &material,
-                        const RowKernels<double> &kernels)
+TemporalBlocking::Stage::Stage(const UniformMaterial &material,
+                               const RowKernels<double> &kernels)
   : sweep(material, kernels)
   , forces(material.n_columns(), 1)
 {
 }
 
-Wavefront::Wavefront(const SteppedBody &body,
-                     const RowKernels<double> &kernels,
-                     const StepMasses &masses,
-                     const unsigned int max_steps)
+TemporalBlocking::TemporalBlocking(const SteppedBody &body,
+                                   const RowKernels<double> &kernels,
+                                   const StepMasses &masses,
+                                   const unsigned int max_steps)
   : body(body)
   , kernels(kernels)
   , masses(masses)
@@ -24,7 +24,7 @@ Wavefront::Wavefront(const SteppedBody &body,
     stages.emplace_back(body.material, kernels);
 }
 
-RowBlock Wavefront::block(const unsigned int j, const unsigned int n) const
+RowBlock TemporalBlocking::block(const unsigned int j, const unsigned int n) const
 {
   const unsigned int l = body.rows.local(j);
   return {body.u.row(0, l), body.u.row(1, l), body.w.row(0, l),
@@ -32,7 +32,8 @@ RowBlock Wavefront::block(const unsigned int j, const unsigned int n) const
 }
 
 /** Pointers of the kernel for node row @p j and those above. */
-kernels::Rows<double> Wavefront::kernel_rows(Stage &stage, const unsigned int j) const
+kernels::Rows<double> TemporalBlocking::kernel_rows(Stage &stage,
+                                                    const unsigned int j) const
 {
   const RowBlock state = block(j, 1);
   kernels::Rows<double> r;
@@ -47,7 +48,7 @@ kernels::Rows<double> Wavefront::kernel_rows(Stage &stage, const unsigned int j)
   return r;
 }
 
-void Wavefront::send(const unsigned int n_steps)
+void TemporalBlocking::send(const unsigned int n_steps)
 {
   const NodeRows &rows = body.rows;
   if (rows.has_lower_ghost())
@@ -56,9 +57,9 @@ void Wavefront::send(const unsigned int n_steps)
     body.halo->send(Halo::upper, block(rows.end - n_steps, n_steps));
 }
 
-void Wavefront::run(const std::uint64_t first,
-                    const unsigned int n_steps,
-                    const unsigned int n_next)
+void TemporalBlocking::run(const std::uint64_t first,
+                           const unsigned int n_steps,
+                           const unsigned int n_next)
 {
   const NodeRows &rows = body.rows;
   const bool below = rows.has_lower_ghost(), above = rows.has_upper_ghost();
@@ -88,7 +89,9 @@ void Wavefront::run(const std::uint64_t first,
 }
 
 /** Where there is a neighbour, @p n_more ghost rows are advanced with the own ones. */
-void Wavefront::start(Stage &stage, const std::uint64_t step, const unsigned int n_more)
+void TemporalBlocking::start(Stage &stage,
+                             const std::uint64_t step,
+                             const unsigned int n_more)
 {
   const NodeRows &rows = body.rows;
   stage.step           = step;
@@ -98,16 +101,16 @@ void Wavefront::start(Stage &stage, const std::uint64_t step, const unsigned int
   stage.sweep.reset();
 }
 
-/** The first stage goes ahead by @p stride rows; the bottom row is none of the kernel's.
- */
-unsigned int Wavefront::first_limit(const unsigned int stride) const
+/** The first stage goes ahead by @p stride rows; the bottom row is advanced by its
+ *  SurfaceCondition, not by the kernel. */
+unsigned int TemporalBlocking::first_limit(const unsigned int stride) const
 {
   const unsigned int next = stages[0].next;
   return next + stride + (next == 0 ? 1 : 0);
 }
 
 /** A row needs the row above it to have finished the step before. */
-unsigned int Wavefront::limit_behind(const Stage &before) const
+unsigned int TemporalBlocking::limit_behind(const Stage &before) const
 {
   return before.next == before.end ? before.end : std::max(before.next, 1u) - 1;
 }
@@ -115,7 +118,7 @@ unsigned int Wavefront::limit_behind(const Stage &before) const
 /** Advance rows below @p limit, several at a time where there are as many. A stage soon
  *  lags one row behind the one before it: the fewer rows between the first and the last,
  *  the more steps fit the cache. */
-void Wavefront::advance(Stage &stage, const unsigned int limit)
+void TemporalBlocking::advance(Stage &stage, const unsigned int limit)
 {
   const unsigned int top_row = body.rows.n_global - 1;
   const unsigned int end     = std::min(limit, stage.end);
@@ -136,7 +139,7 @@ void Wavefront::advance(Stage &stage, const unsigned int limit)
     advance_boundary(stage);
 }
 
-void Wavefront::advance_rows(Stage &stage, const unsigned int n)
+void TemporalBlocking::advance_rows(Stage &stage, const unsigned int n)
 {
   if (missing_above > 0 && stage.next + n >= body.rows.end)
     {
@@ -148,7 +151,7 @@ void Wavefront::advance_rows(Stage &stage, const unsigned int n)
 }
 
 /** Forces of the bottom or top row, handed to whoever moves it. */
-void Wavefront::advance_boundary(Stage &stage)
+void TemporalBlocking::advance_boundary(Stage &stage)
 {
   const unsigned int j    = stage.next;
   const bool is_top       = j > 0;

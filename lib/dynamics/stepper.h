@@ -1,0 +1,103 @@
+#ifndef mesoslip_dynamics_stepper_h
+#define mesoslip_dynamics_stepper_h
+
+#include "dynamics/deformation.h"
+#include "dynamics/step_parameters.h"
+#include "grid/nodal_field.h"
+#include "grid/node_rows.h"
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace mesoslip
+{
+/**
+ * Explicit time integration of a body, as the time loop and its observers see it:
+ * whatever the nodes lie on, u and w of this rank's nodes are the rows of a field, and
+ * between two calls they are, with the surfaces, all the state there is.
+ */
+template <int dim>
+class Stepper
+{
+public:
+  virtual ~Stepper() = default;
+
+  /** @p n_steps time steps, several at a time where that is faster. Collective. */
+  virtual void advance(const std::uint64_t n_steps) = 0;
+
+  /** One time step; then the nearest ghost rows hold the state before it. */
+  void step()
+  {
+    advance(1);
+  }
+
+  /** Kc = K x with forces (N/m) on owned rows; the ghost rows of @p x are updated first.
+   *  Collective. */
+  virtual void multiply(NodalField<double> &Kx, NodalField<double> &x) const = 0;
+
+  /** 1/2 u.K u of the owned nodes (J/m). Collective. */
+  virtual double elastic_energy() const = 0;
+
+  /** Lumped masses (kg/m) of the nodes of owned row @p j (global number). */
+  virtual void mass_row(const unsigned int j, double *mass) const = 0;
+
+  /** Extremes of strain, rotation and Jacobian over all cells. Collective. */
+  virtual Deformation deformation() const = 0;
+
+  /** For the log: what advances the nodes. */
+  virtual std::string kernel_name() const = 0;
+
+  /** Steps done so far. */
+  std::uint64_t step_number() const
+  {
+    return n_done;
+  }
+
+  /** For a resumed run: the next step is step @p n. */
+  void set_step_number(const std::uint64_t n)
+  {
+    n_done = n;
+  }
+
+  /** Time step, scheme, damping and body acceleration. */
+  const StepParameters parameters;
+
+  NodalField<double> &u; ///< displacement (m), own and ghost rows
+  NodalField<double> &w; ///< velocity of the scheme (m/s)
+  const NodeRows rows;   ///< of this rank
+
+  /** In each row the first nodes that are no duplicates of others. */
+  const unsigned int n_distinct;
+
+  /** A node of the top with the global number of its row, if this rank owns the top. */
+  const std::optional<NodeIndex> top_node;
+
+  const MPI_Comm communicator; ///< of the ranks that share the body
+
+protected:
+  /** All but the step number, which is 0. */
+  Stepper(const StepParameters &parameters,
+          NodalField<double> &u,
+          NodalField<double> &w,
+          const NodeRows &rows,
+          const unsigned int n_distinct,
+          const std::optional<NodeIndex> &top_node,
+          const MPI_Comm communicator)
+    : parameters(parameters)
+    , u(u)
+    , w(w)
+    , rows(rows)
+    , n_distinct(n_distinct)
+    , top_node(top_node)
+    , communicator(communicator)
+  {
+  }
+
+  std::uint64_t n_done = 0; ///< see step_number()
+};
+} // namespace mesoslip
+
+#endif
