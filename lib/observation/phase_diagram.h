@@ -24,10 +24,9 @@ struct PhaseDiagram
 /**
  * Folds displacement (m) and velocity (m/s), uniformly sampled every @p time_step seconds,
  * by phase, from one upward crossing of the mean displacement to the next, and averages
- * over the periods.
- *
- * @param expected_period  s; keeps harmonics from being taken for periods: crossings
- *   closer than 0.6 of it are ignored. 0: from the main frequency of the displacement
+ * over the periods. Crossings closer than 0.6 of @p expected_period (s) are ignored, which
+ * keeps harmonics from being taken for periods; 0: that of the main frequency of the
+ * displacement.
  */
 PhaseDiagram mean_phase_diagram(const std::vector<double> &displacement,
                                 const std::vector<double> &velocity,
