@@ -159,7 +159,7 @@ BodyDescription DynamicsFile::heterogeneous_body() const
   body.phase_id = phase_id();
   if (body.phase_id.empty())
     throw UserError(path() + " has no " + phases_name +
-                    ": it has to be the run of a heterogeneous body");
+                    ", as its body is homogeneous; name the run of a heterogeneous one");
   require_phases(*this, phases_name, body.phase_id, body.phases.size(), dynamics_program);
   body.node_friction = read<double>("/contact/friction_coefficient",
                                     {grid.cells[0] + std::size_t(1)}, file_hint);

@@ -39,14 +39,11 @@ const std::string &phase_name(const LocalizationInput &input, const PlannedProbe
 }
 
 /** localization.h5, and what of it ParaView is to show. */
-class Writer
+struct Writer
 {
-public:
-  Writer(const LocalizationInput &input, const std::string &path)
-    : input(input)
-    , file(Hdf5File::create(path))
-  {
-  }
+  const LocalizationInput &input;
+  Hdf5File file;
+  std::vector<XdmfField> shown = {};
 
   /** @p group is "" or "/direct". */
   void write_fields(const StressFields &fields, const std::string &group)
@@ -66,7 +63,6 @@ public:
                   group + "/probes/" + input.probes[k].name);
   }
 
-private:
   void write_field(const std::string &name,
                    const std::vector<double> &values,
                    const std::size_t components)
@@ -102,12 +98,6 @@ private:
     file.write_attribute<unsigned int>(group, "phase", input.phase_id[probe.cell_number]);
     file.write_attribute(group, "phase_name", phase_name(input, probe));
   }
-
-  const LocalizationInput &input;
-
-public:
-  Hdf5File file;
-  std::vector<XdmfField> shown;
 };
 
 std::string digest_of(const LocalizationInput &input, const std::string &parameters)
@@ -202,7 +192,7 @@ void write_localization(const LocalizationInput &input,
                         const std::string &parameters,
                         const std::string &folder)
 {
-  Writer writer(input, folder + "/localization.h5");
+  Writer writer  = {input, Hdf5File::create(folder + "/localization.h5")};
   Hdf5File &file = writer.file;
   file.write_header("mesoslip-localization", 1, 2, digest_of(input, parameters));
   file.write_attribute("/", "concentration", input.parameters.concentration);

@@ -9,7 +9,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Values of x and y one after the other, times @p factor. */
+/** x and y by turns, over @p divisor. */
 std::vector<double> pairs(const std::vector<double> &x,
                           const std::vector<double> &y,
                           const double divisor = 1.)
