@@ -3,9 +3,9 @@
 #include "io/hdf5_file.h"
 #include "parameters/parameters.h"
 
-#include <algorithm>
+#include <deal.II/base/exceptions.h>
+
 #include <sstream>
-#include <stdexcept>
 
 namespace mesoslip
 {
@@ -66,8 +66,6 @@ const Condition known[] = {{"analysis", "", Role::load},
                            {"steady_to", "s", Role::own},
                            {"limit_cycle_reached", "", Role::own}};
 
-const char coefficient[] = "friction_coefficient";
-
 /** Six digits, or all of them if @p other reads the same. */
 std::string number_text(const double value, const std::optional<double> &other)
 {
@@ -84,40 +82,34 @@ std::string value_text(const Condition &condition,
                        const RunConditions &run,
                        const RunConditions &other)
 {
-  if (condition.is_word())
-    {
-      const auto word = run.words.find(condition.name);
-      return word == run.words.end() ? "none" : "'" + word->second + "'";
-    }
-  const auto value = run.number(condition.name);
-  if (!value)
+  const auto found = run.find(condition.name);
+  if (found == run.end())
     return "none";
+  if (condition.is_word())
+    return "'" + std::get<std::string>(found->second) + "'";
   const std::string unit = condition.unit;
-  return number_text(*value, other.number(condition.name)) +
+  return number_text(std::get<double>(found->second), number_of(other, condition.name)) +
          (unit == "-" ? "" : " " + unit);
 }
 
-bool differ(const Condition &condition, const RunConditions &a, const RunConditions &b)
+bool differ(const std::string &name, const RunConditions &a, const RunConditions &b)
 {
-  if (condition.is_word())
-    {
-      const auto one = a.words.find(condition.name), two = b.words.find(condition.name);
-      const bool there = one != a.words.end();
-      return there != (two != b.words.end()) || (there && one->second != two->second);
-    }
-  const auto one = a.number(condition.name), two = b.number(condition.name);
+  const auto one = a.find(name), two = b.find(name);
+  const bool in_one = one != a.end(), in_two = two != b.end();
   // Against coefficients of phases, which coefficient_from tells, a constant one is
   // right: it is what friction is homogenized to.
-  if (condition.name == std::string(coefficient) && (!one || !two))
+  if (name == "friction_coefficient" && !(in_one && in_two))
     return false;
-  return one != two;
+  return in_one != in_two || (in_one && one->second != two->second);
 }
 } // namespace
 
-std::optional<double> RunConditions::number(const std::string &name) const
+std::optional<double> number_of(const RunConditions &conditions, const std::string &name)
 {
-  const auto found = numbers.find(name);
-  return found == numbers.end() ? std::nullopt : std::optional<double>(found->second);
+  const auto found = conditions.find(name);
+  return found == conditions.end()
+           ? std::nullopt
+           : std::optional<double>(std::get<double>(found->second));
 }
 
 void write_run_conditions(Hdf5File &file, const RunConditions &conditions)
@@ -125,19 +117,15 @@ void write_run_conditions(Hdf5File &file, const RunConditions &conditions)
   std::size_t written = 0;
   file.create_group("/run");
   for (const Condition &condition : known)
-    if (condition.is_word() && conditions.words.count(condition.name) > 0)
+    if (const auto found = conditions.find(condition.name); found != conditions.end())
       {
-        file.write_attribute("/run", condition.name, conditions.words.at(condition.name));
+        std::visit(
+          [&](const auto &value) { file.write_attribute("/run", found->first, value); },
+          found->second);
         ++written;
       }
-    else if (!condition.is_word() && conditions.numbers.count(condition.name) > 0)
-      {
-        file.write_attribute("/run", condition.name,
-                             conditions.numbers.at(condition.name));
-        ++written;
-      }
-  if (written != conditions.words.size() + conditions.numbers.size())
-    throw std::logic_error(file.path() + ": /run has no attribute of some name");
+  AssertDimension(written, conditions.size());
+  static_cast<void>(written);
 }
 
 std::optional<RunConditions> read_run_conditions(const Hdf5File &file)
@@ -149,17 +137,11 @@ std::optional<RunConditions> read_run_conditions(const Hdf5File &file)
     if (!file.has_attribute("/run", condition.name))
       continue;
     else if (condition.is_word())
-      conditions.words[condition.name] =
+      conditions[condition.name] =
         file.read_attribute<std::string>("/run", condition.name);
     else
-      conditions.numbers[condition.name] =
-        file.read_attribute<double>("/run", condition.name);
+      conditions[condition.name] = file.read_attribute<double>("/run", condition.name);
   return conditions;
-}
-
-std::string ConditionDifference::text() const
-{
-  return name + " is " + first + " and " + second;
 }
 
 std::vector<ConditionDifference> condition_differences(const RunConditions &first,
@@ -167,7 +149,7 @@ std::vector<ConditionDifference> condition_differences(const RunConditions &firs
 {
   std::vector<ConditionDifference> differences;
   for (const Condition &condition : known)
-    if (condition.role != Role::own && differ(condition, first, second))
+    if (condition.role != Role::own && differ(condition.name, first, second))
       differences.push_back({condition.name, value_text(condition, first, second),
                              value_text(condition, second, first),
                              condition.role == Role::load});
@@ -178,9 +160,9 @@ std::string differences_text(const std::vector<ConditionDifference> &differences
                              const bool of_load)
 {
   std::string text;
-  for (const ConditionDifference &difference : differences)
-    if (difference.of_load == of_load)
-      text += (text.empty() ? "" : ", ") + difference.text();
+  for (const ConditionDifference &d : differences)
+    if (d.of_load == of_load)
+      text += (text.empty() ? "" : ", ") + d.name + " is " + d.first + " and " + d.second;
   return text;
 }
 } // namespace mesoslip

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace mesoslip
@@ -12,19 +13,15 @@ class Hdf5File;
 
 /**
  * Under what a contact_dynamics run was made: loads, supports, friction, damping, time
- * step, and its steady part. The attributes of /run in dynamics.h5; doc/file_formats.md
- * lists them with their units. What does not apply is absent.
+ * step, and its steady part, numbers in SI units and words by their names. The attributes
+ * of /run in dynamics.h5; doc/file_formats.md lists them. What does not apply is absent.
  */
-struct RunConditions
-{
-  std::map<std::string, double> numbers;    ///< SI units
-  std::map<std::string, std::string> words; ///< choices of the parameters
+using RunConditions = std::map<std::string, std::variant<double, std::string>>;
 
-  /** Nothing if there is no such number. */
-  std::optional<double> number(const std::string &name) const;
-};
+/** The number of that name; nothing if it does not apply. */
+std::optional<double> number_of(const RunConditions &conditions, const std::string &name);
 
-/** Writes /run. @throws std::logic_error for a name that is not known. */
+/** Writes /run; all names must be known. */
 void write_run_conditions(Hdf5File &file, const RunConditions &conditions);
 
 /** Reads /run; nothing if the file is older and has none. @throws UserError */
@@ -42,16 +39,13 @@ struct ConditionDifference
    * step, beta, beta2, regularization, a coefficient for each phase against a constant.
    */
   bool of_load = false;
-
-  /** "pressure is 5e+06 Pa and 6e+06 Pa". */
-  std::string text() const;
 };
 
 /** In what the two differ, in a fixed order; steady parts and bodies are not compared. */
 std::vector<ConditionDifference> condition_differences(const RunConditions &first,
                                                        const RunConditions &second);
 
-/** The texts of those with (@p of_load) or of the others, joined by commas. */
+/** "pressure is 5e+06 Pa and 6e+06 Pa, ...", those with (@p of_load) or the others. */
 std::string differences_text(const std::vector<ConditionDifference> &differences,
                              const bool of_load);
 } // namespace mesoslip

@@ -6,11 +6,29 @@
 #include "material/phase.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
+/** What rve_homogenization leaves in rve.h5. */
+struct RveContent
+{
+  std::string digest;                 ///< of the inputs that determine the content
+  std::string summary;                ///< JSON
+  UniformGrid<2> grid;                ///< of the morphology
+  std::vector<Phase<2>> phases;       ///< by index
+  std::vector<std::uint8_t> phase_id; ///< phase of each cell, x fastest
+  std::map<std::string, VoigtMatrix<2>> stiffness; ///< KUBC, SUBC, PBC, effective (Pa)
+
+  /**
+   * Concentration tensors [ny][nx][3][3] of KUBC and PBC (strain: row local, column
+   * macroscopic component) and of SUBC (stress), as far as they are to be stored.
+   */
+  std::map<std::string, const std::vector<double> *> concentration;
+};
+
 /**
  * rve.h5, opened for reading: format, version, shapes, phase numbers and finiteness are
  * checked, and every error names the file, the dataset and what to run. The small data
@@ -19,10 +37,13 @@ namespace mesoslip
 class RveFile
 {
 public:
-  /** @throws UserError */
-  static RveFile open(const std::string &path);
+  /** Writes `NAME.h5`, and `NAME.xdmf` for ParaView beside it. */
+  static void write(const std::string &path, const RveContent &content);
 
-  /** As given. */
+  /** Opens for reading. @throws UserError */
+  explicit RveFile(const std::string &path);
+
+  /** The path given. */
   const std::string &path() const
   {
     return file.path();
@@ -34,25 +55,10 @@ public:
     return file.change_note("rve_homogenization");
   }
 
-  /** Of the morphology. */
-  const UniformGrid<2> &grid() const
-  {
-    return the_grid;
-  }
+  /** Summary of the run that wrote it (JSON); empty if the file holds none. */
+  std::string summary() const;
 
-  /** By index. */
-  const std::vector<Phase<2>> &phases() const
-  {
-    return the_phases;
-  }
-
-  /** Digest of the inputs that determine the content. */
-  const std::string &digest() const
-  {
-    return the_digest;
-  }
-
-  /** Phase of each cell, x fastest; below phases().size(). */
+  /** Phase of each cell, x fastest; below the number of phases. */
   std::vector<std::uint8_t> phase_id() const;
 
   /** Volume mean of the density (kg/m^3). */
@@ -61,29 +67,17 @@ public:
   /** KUBC, SUBC, PBC or effective (Pa). @throws UserError when it was not computed. */
   VoigtMatrix<2> stiffness(const std::string &name) const;
 
-  /**
-   * Strain concentration tensors [ny][nx][3][3] of KUBC or PBC: row local, column
-   * macroscopic strain component. @throws UserError when it was not computed.
-   */
+  /** Strain concentration tensors of KUBC or PBC. @throws UserError without them. */
   std::vector<double> concentration(const std::string &name) const;
 
 private:
-  explicit RveFile(Hdf5File &&opened);
-
   Hdf5File file;
-  UniformGrid<2> the_grid;
-  std::vector<Phase<2>> the_phases;
-  std::string the_digest;
+
+public:
+  const std::string digest;           ///< of the inputs that determine the content
+  const UniformGrid<2> grid;          ///< of the morphology
+  const std::vector<Phase<2>> phases; ///< by index
 };
-
-/** The newest version of the format. */
-constexpr int rve_format_version = 1;
-
-/** Reads the attributes of /grid; every file that has a uniform grid stores it so. */
-UniformGrid<2> read_grid(const Hdf5File &file, const std::string &hint = "");
-
-/** Writes the attributes of /grid. */
-void write_grid(Hdf5File &file, const UniformGrid<2> &grid);
 } // namespace mesoslip
 
 #endif

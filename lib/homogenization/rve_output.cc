@@ -2,7 +2,6 @@
 
 #include "exchange/rve_file.h"
 #include "io/table.h"
-#include "io/xdmf.h"
 #include "material/engineering_constants.h"
 #include "morphology/rectangles.h"
 #include "parameters/parameters.h"
@@ -15,39 +14,6 @@ namespace mesoslip
 namespace
 {
 const char *const voigt_name[3] = {"xx", "yy", "xy"};
-
-void write_phases(Hdf5File &file, const Microstructure &microstructure)
-{
-  std::vector<double> stiffness, density, friction;
-  std::vector<std::string> names;
-  for (const Phase<2> &phase : microstructure.phases)
-    {
-      stiffness.insert(stiffness.end(), phase.stiffness.data(),
-                       phase.stiffness.data() + 9);
-      density.push_back(phase.density);
-      friction.push_back(phase.friction_coefficient);
-      names.push_back(phase.name);
-    }
-  const UniformGrid<2> &grid = microstructure.map.grid;
-  const std::size_t n        = names.size();
-  file.write("/phase/id", {grid.cells[1], grid.cells[0]}, microstructure.map.id);
-  file.write("/phase/stiffness", {n, 3, 3}, stiffness);
-  file.write("/phase/density", {n}, density);
-  file.write("/phase/friction_coefficient", {n}, friction);
-  file.write("/phase/name", {n}, names);
-  file.write_unit("/phase/id", "-");
-  file.write_unit("/phase/stiffness", "Pa");
-  file.write_unit("/phase/density", "kg/m^3");
-  file.write_unit("/phase/friction_coefficient", "-");
-  file.write_unit("/phase/name", "-");
-}
-
-std::string concentration_name(const BoundaryCondition condition)
-{
-  return (condition == BoundaryCondition::SUBC ? "/stress_concentration/"
-                                               : "/concentration/") +
-         to_string(condition);
-}
 
 std::vector<std::string> stiffness_headings(const std::string &first)
 {
@@ -69,62 +35,27 @@ void write_rve_file(const RveParameters &parameters,
                     const std::string &digest,
                     RunContext &context)
 {
-  const UniformGrid<2> &grid = results.microstructure.map.grid;
-  Hdf5File file              = Hdf5File::create(context.file("rve.h5"));
-  file.write_header("mesoslip-rve", rve_format_version, 2, digest);
-  file.write<std::string>("/summary", {1}, {context.summary().dump()});
-  file.write_unit("/summary", "-");
-  write_grid(file, grid);
-  write_phases(file, results.microstructure);
-  const auto write_stiffness = [&](const std::string &name, const VoigtMatrix<2> &D) {
-    file.write("/stiffness/" + name, {3, 3}, D.data());
-    file.write_unit("/stiffness/" + name, "Pa");
-  };
-  write_stiffness("effective", results.effective);
-
-  XdmfGrid xdmf_grid;
-  xdmf_grid.cells   = {{grid.cells[0], grid.cells[1], 1}};
-  xdmf_grid.spacing = {{grid.spacing[0], grid.spacing[1], 1.}};
-  XdmfField phase;
-  phase.name                    = "phase";
-  phase.file                    = "rve.h5";
-  phase.dataset                 = "/phase/id";
-  phase.centre                  = XdmfField::Centre::cell;
-  phase.number                  = XdmfField::Number::uint8;
-  std::vector<XdmfField> fields = {phase};
-
+  RveContent content;
+  content.digest                 = digest;
+  content.summary                = context.summary().dump();
+  content.grid                   = results.microstructure.map.grid;
+  content.phases                 = results.microstructure.phases;
+  content.phase_id               = results.microstructure.map.id;
+  content.stiffness["effective"] = results.effective;
   for (const HomogenizedResponse &response : results.members[0].responses)
     {
-      write_stiffness(to_string(response.condition), response.stiffness);
-      if (!parameters.write_concentration)
-        continue;
-      const std::string name = concentration_name(response.condition);
-      file.write(name, {grid.cells[1], grid.cells[0], 3, 3}, response.concentration);
-      file.write_unit(name, "-");
-      XdmfField field;
-      field.name       = name.substr(1);
-      field.file       = "rve.h5";
-      field.dataset    = name;
-      field.centre     = XdmfField::Centre::cell;
-      field.components = 9;
-      field.columns    = 3;
-      for (const char *row : voigt_name)
-        for (const char *column : voigt_name)
-          field.component_names.push_back(std::string(row) + "_" + column);
-      fields.push_back(field);
+      const std::string name  = to_string(response.condition);
+      content.stiffness[name] = response.stiffness;
+      if (parameters.write_concentration)
+        content.concentration[name] = &response.concentration;
     }
-  file.close();
-  write_xdmf(context.file("rve.xdmf"), xdmf_grid, fields);
+  RveFile::write(context.file("rve.h5"), content);
 }
 
 bool restore_rve_summary(RunContext &context)
 {
-  const Hdf5File file = Hdf5File::open(context.file("rve.h5"));
-  const auto texts    = file.exists("/summary") ? file.read<std::string>("/summary")
-                                                : std::vector<std::string>();
-  if (texts.size() != 1)
-    return false;
-  auto stored = nlohmann::json::parse(texts[0], nullptr, false);
+  auto stored =
+    nlohmann::json::parse(RveFile(context.file("rve.h5")).summary(), nullptr, false);
   if (!stored.is_object() || !stored.contains("stiffness"))
     return false;
   for (const auto &warning : stored.value("warnings", nlohmann::json::array()))

@@ -44,8 +44,8 @@ bool is_up_to_date(const std::string &path, const std::string &digest)
     return false;
   try
     {
-      const RveFile file = RveFile::open(path);
-      return file.digest() == digest && file.change_note().empty();
+      const RveFile file(path);
+      return file.digest == digest && file.change_note().empty();
     }
   catch (const UserError &)
     {

@@ -1,11 +1,9 @@
 #include "localization/localization_output.h"
 
 #include "base/digest.h"
-#include "exchange/rve_file.h"
-#include "io/hdf5_file.h"
+#include "exchange/datasets.h"
 #include "io/json.h"
 #include "io/table.h"
-#include "io/xdmf.h"
 #include "parameters/parameters.h"
 
 #include <cmath>
@@ -18,116 +16,121 @@ using json = nlohmann::json;
 
 const char *const component_names[] = {"sigma_xx", "sigma_yy", "sigma_xy"};
 
-/** localization.h5, and what of it ParaView is to show. */
-class Writer
+/** A number that compares the series of a probe, in summary.json and in probes.csv. */
+struct Comparison
 {
-public:
-  Writer(const LocalizationResult &localized, Hdf5File &target)
-    : result(localized)
-    , file(target)
-  {
-  }
+  const char *name, *heading;
+  double ComponentStatistics::*value;
+};
+
+const Comparison comparisons[] = {
+  {"mean", "mean [Pa]", &ComponentStatistics::mean},
+  {"std", "standard deviation [Pa]", &ComponentStatistics::deviation},
+  {"direct_mean", "direct mean [Pa]", &ComponentStatistics::direct_mean},
+  {"direct_std", "direct standard deviation [Pa]",
+   &ComponentStatistics::direct_deviation},
+  {"error_mean", "error of mean [-]", &ComponentStatistics::error_mean},
+  {"error_std", "error of standard deviation [-]", &ComponentStatistics::error_deviation},
+  {"rms_difference", "rms difference [-]", &ComponentStatistics::rms_difference}};
+
+const std::string &phase_name(const LocalizationInput &input, const PlannedProbe &probe)
+{
+  return input.rve.phases[input.phase_id[probe.cell_number]].name;
+}
+
+/** localization.h5, and what of it ParaView is to show. */
+struct Writer
+{
+  const LocalizationInput &input;
+  Hdf5File file;
+  std::vector<XdmfField> shown = {};
 
   /** @p group is "" or "/direct". */
   void write_fields(const StressFields &fields, const std::string &group)
   {
-    write_field(group + "/mean_von_mises", fields.mean_von_mises, 0);
-    write_field(group + "/mean_stress", fields.mean_stress, 3);
-    write_field(group + "/deviation_stress", fields.deviation_stress, 3);
+    for (const StressField &field : stress_fields())
+      if (!(fields.*field.values).empty())
+        write_field(group + "/" + field.name, fields.*field.values,
+                    field.quantities.size());
   }
 
   void write_variant(const VariantResult &variant, const std::string &group)
   {
     write_fields(variant.fields, group);
     write_fields(variant.difference, group + "/difference");
-    for (const ProbeResult &probe : variant.probes)
-      write_probe(probe, group + "/probes/" + probe.name);
+    for (std::size_t k = 0; k < variant.probes.size(); ++k)
+      write_probe(input.probes[k], variant.probes[k],
+                  group + "/probes/" + input.probes[k].name);
   }
 
-  void write_xdmf_file(const std::string &path) const
-  {
-    XdmfGrid grid;
-    grid.cells   = {{result.grid.cells[0], result.grid.cells[1], 1}};
-    grid.origin  = {{result.grid.origin[0], result.grid.origin[1], 0.}};
-    grid.spacing = {{result.grid.spacing[0], result.grid.spacing[1], 1.}};
-    if (!shown.empty())
-      write_xdmf(path, grid, shown);
-  }
-
-private:
   void write_field(const std::string &name,
                    const std::vector<double> &values,
-                   const unsigned int components)
+                   const std::size_t components)
   {
-    if (values.empty())
-      return;
-    Shape shape = {result.grid.cells[1], result.grid.cells[0]};
-    if (components > 0)
-      shape.push_back(components);
-    file.write(name, shape, values);
-    file.write_unit(name, "Pa");
+    Shape shape = {input.rve.grid.cells[1], input.rve.grid.cells[0]};
     XdmfField field;
-    field.name       = name.substr(1);
-    field.file       = "localization.h5";
-    field.dataset    = name;
-    field.centre     = XdmfField::Centre::cell;
-    field.components = components;
+    field.name    = name.substr(1);
+    field.file    = "localization.h5";
+    field.dataset = name;
+    field.centre  = XdmfField::Centre::cell;
     if (components == 3)
-      field.component_names = {"xx", "yy", "xy"};
+      {
+        shape.push_back(components);
+        field.components      = 3;
+        field.component_names = {"xx", "yy", "xy"};
+      }
+    write_dataset(file, name, shape, values, "Pa");
     shown.push_back(field);
   }
 
-  void write_probe(const ProbeResult &probe, const std::string &group)
+  void write_probe(const PlannedProbe &probe,
+                   const ProbeResult &result,
+                   const std::string &group)
   {
-    const std::size_t n = probe.time.size();
-    file.write(group + "/time", {n}, probe.time);
-    file.write(group + "/stress", {n, 3}, probe.stress);
-    file.write_unit(group + "/time", "s");
-    file.write_unit(group + "/stress", "Pa");
-    if (!probe.direct_stress.empty())
-      {
-        file.write(group + "/direct_stress", {n, 3}, probe.direct_stress);
-        file.write_unit(group + "/direct_stress", "Pa");
-      }
+    write_series(file, group,
+                 {{"time", "s", &result.time}, {"stress", "Pa", &result.stress, 3}});
+    if (!result.direct_stress.empty())
+      write_series(file, group, {{"direct_stress", "Pa", &result.direct_stress, 3}});
     file.write_attribute(group, "position",
-                         std::vector<double>{probe.position[0], probe.position[1]});
+                         std::vector(probe.position.begin(), probe.position.end()));
     file.write_attribute(group, "cell",
-                         std::vector<unsigned int>{probe.cell[0], probe.cell[1]});
-    file.write_attribute(group, "phase", probe.phase);
-    file.write_attribute(group, "phase_name", probe.phase_name);
+                         std::vector(probe.cell.begin(), probe.cell.end()));
+    file.write_attribute<unsigned int>(group, "phase", input.phase_id[probe.cell_number]);
+    file.write_attribute(group, "phase_name", phase_name(input, probe));
   }
-
-  const LocalizationResult &result;
-  Hdf5File &file;
-  std::vector<XdmfField> shown;
 };
 
-std::string digest_of(const LocalizationResult &result, const std::string &parameters)
+std::string digest_of(const LocalizationInput &input, const std::string &parameters)
 {
   Digest digest;
-  for (const std::string &input : result.digests)
-    digest.add(input);
+  digest.add(input.rve.digest).add(input.homogeneous.digest);
+  digest.add(input.direct ? input.direct->digest : "");
   return digest.add(parameters).hex();
 }
 
-void write_probe_table(const LocalizationResult &result, const std::string &path)
+void write_probe_table(const LocalizationInput &input,
+                       const LocalizationResult &result,
+                       const std::string &path)
 {
-  TableWriter table(path, {"variant", "probe", "x [m]", "y [m]", "phase", "component",
-                           "mean [Pa]", "standard deviation [Pa]", "direct mean [Pa]",
-                           "direct standard deviation [Pa]", "error of mean [-]",
-                           "error of standard deviation [-]", "rms difference [-]"});
-  const auto text = [&table](const double value) { return table.cell(value); };
+  std::vector<std::string> headings = {"variant", "probe", "x [m]",
+                                       "y [m]",   "phase", "component"};
+  for (const Comparison &comparison : comparisons)
+    headings.emplace_back(comparison.heading);
+  TableWriter table(path, headings);
   for (const VariantResult &variant : result.variants)
-    for (const ProbeResult &probe : variant.probes)
+    for (std::size_t k = 0; k < variant.probes.size(); ++k)
       for (unsigned int c = 0; c < 3; ++c)
         {
-          const ComponentStatistics &s = probe.statistics[c];
-          table.add_row(std::vector<std::string>{
-            variant.name, probe.name, to_text(probe.position[0]),
-            to_text(probe.position[1]), probe.phase_name, component_names[c],
-            text(s.mean), text(s.deviation), text(s.direct_mean),
-            text(s.direct_deviation), text(s.error_mean), text(s.error_deviation),
-            text(s.rms_difference)});
+          const PlannedProbe &probe    = input.probes[k];
+          std::vector<std::string> row = {variant.name,
+                                          probe.name,
+                                          to_text(probe.position[0]),
+                                          to_text(probe.position[1]),
+                                          phase_name(input, probe),
+                                          component_names[c]};
+          for (const Comparison &comparison : comparisons)
+            row.push_back(table.cell(variant.probes[k].statistics[c].*comparison.value));
+          table.add_row(row);
         }
   table.flush();
 }
@@ -145,10 +148,10 @@ void write_error_table(const LocalizationResult &result, const std::string &path
 }
 
 /** [{condition, homogeneous, direct, of_load}] */
-json differences_json(const LocalizationResult &result)
+json differences_json(const LocalizationInput &input)
 {
   json list = json::array();
-  for (const ConditionDifference &d : result.differences)
+  for (const ConditionDifference &d : input.differences)
     list.push_back({{"condition", d.name},
                     {"homogeneous", d.first},
                     {"direct", d.second},
@@ -156,78 +159,79 @@ json differences_json(const LocalizationResult &result)
   return list;
 }
 
-json probe_json(const ProbeResult &probe)
+json probe_json(const LocalizationInput &input,
+                const PlannedProbe &probe,
+                const ProbeResult &result)
 {
   json entry = {{"name", probe.name},
                 {"x", probe.position[0]},
                 {"y", probe.position[1]},
-                {"phase", probe.phase_name},
-                {"samples", probe.time.size()}};
+                {"phase", phase_name(input, probe)},
+                {"samples", result.time.size()}};
   for (unsigned int c = 0; c < 3; ++c)
-    {
-      const ComponentStatistics &s = probe.statistics[c];
-      entry[component_names[c]]    = {{"mean", number_or_null(s.mean)},
-                                      {"std", number_or_null(s.deviation)},
-                                      {"direct_mean", number_or_null(s.direct_mean)},
-                                      {"direct_std", number_or_null(s.direct_deviation)},
-                                      {"error_mean", number_or_null(s.error_mean)},
-                                      {"error_std", number_or_null(s.error_deviation)},
-                                      {"rms_difference", number_or_null(s.rms_difference)}};
-    }
+    for (const Comparison &comparison : comparisons)
+      entry[component_names[c]][comparison.name] =
+        number_or_null(result.statistics[c].*comparison.value);
   return entry;
 }
 
 /** {probes, field_errors {quantity {region: relative L2}}} of a variant. */
-json variant_json(const VariantResult &variant)
+json variant_json(const LocalizationInput &input, const VariantResult &variant)
 {
   json entry = {{"probes", json::array()}, {"field_errors", nullptr}};
-  for (const ProbeResult &probe : variant.probes)
-    entry["probes"].push_back(probe_json(probe));
+  for (std::size_t k = 0; k < variant.probes.size(); ++k)
+    entry["probes"].push_back(probe_json(input, input.probes[k], variant.probes[k]));
   for (const FieldError &error : variant.errors)
     entry["field_errors"][error.quantity][error.region] = number_or_null(error.relative);
   return entry;
 }
 } // namespace
 
-void write_localization(const LocalizationResult &result,
-                        const LocalizationParameters &request,
+void write_localization(const LocalizationInput &input,
+                        const LocalizationResult &result,
                         const std::string &parameters,
                         const std::string &folder)
 {
-  Hdf5File file = Hdf5File::create(folder + "/localization.h5");
-  file.write_header("mesoslip-localization", 1, 2, digest_of(result, parameters));
-  file.write_attribute("/", "concentration", request.concentration);
+  Writer writer  = {input, Hdf5File::create(folder + "/localization.h5")};
+  Hdf5File &file = writer.file;
+  file.write_header("mesoslip-localization", 1, 2, digest_of(input, parameters));
+  file.write_attribute("/", "concentration", input.parameters.concentration);
   file.write_attribute("/", "variant", result.variants[0].name);
-  write_grid(file, result.grid);
+  write_grid(file, input.rve.grid);
   if (std::isfinite(result.window.begin))
     file.write_attribute("/", "window",
                          std::vector<double>{result.window.begin, result.window.end});
-  Writer writer(result, file);
   writer.write_variant(result.variants[0], "");
   writer.write_fields(result.direct, "/direct");
   if (result.variants.size() > 1)
     writer.write_variant(result.variants[1], "/mean_strain_variant");
   file.close();
-  writer.write_xdmf_file(folder + "/localization.xdmf");
-  write_probe_table(result, folder + "/probes.csv");
+  if (!writer.shown.empty())
+    write_xdmf(folder + "/localization.xdmf", xdmf_grid(input.rve.grid), writer.shown);
+  write_probe_table(input, result, folder + "/probes.csv");
   if (!result.variants[0].errors.empty())
     write_error_table(result, folder + "/field_errors.csv");
 }
 
-void summarize_localization(const LocalizationResult &result, json &summary)
+void summarize_localization(const LocalizationInput &input,
+                            const LocalizationResult &result,
+                            json &summary)
 {
-  summary["dim"]                     = 2;
-  summary["cells"]                   = result.grid.n_cells();
-  summary["dofs"]                    = result.dofs;
-  summary["phases"]                  = result.phase_names;
+  summary["dim"]    = 2;
+  summary["cells"]  = input.rve.grid.n_cells();
+  summary["dofs"]   = 2 * input.homogeneous.grid.n_nodes();
+  summary["phases"] = json::array();
+  for (const Phase<2> &phase : input.rve.phases)
+    summary["phases"].push_back(phase.name);
   summary["variant"]                 = result.variants[0].name;
+  summary["concentration"]           = input.parameters.concentration;
   summary["window"]                  = {number_or_null(result.window.begin),
                                         number_or_null(result.window.end)};
-  summary["snapshots"]               = result.n_snapshots;
-  summary["direct_snapshots"]        = result.n_direct_snapshots;
-  summary["differences_of_the_runs"] = differences_json(result);
-  summary.update(variant_json(result.variants[0]));
+  summary["snapshots"]               = input.snapshots.count;
+  summary["direct_snapshots"]        = input.direct_snapshots.count;
+  summary["differences_of_the_runs"] = differences_json(input);
+  summary.update(variant_json(input, result.variants[0]));
   if (result.variants.size() > 1)
-    summary["mean_strain_variant"] = variant_json(result.variants[1]);
+    summary["mean_strain_variant"] = variant_json(input, result.variants[1]);
 }
 } // namespace mesoslip

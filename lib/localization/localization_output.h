@@ -13,13 +13,15 @@ namespace mesoslip
  * two variants, that of the mean strain is under /mean_strain_variant. @p parameters is
  * the text of what determines the result besides the files, for the digest.
  */
-void write_localization(const LocalizationResult &result,
-                        const LocalizationParameters &request,
+void write_localization(const LocalizationInput &input,
+                        const LocalizationResult &result,
                         const std::string &parameters,
                         const std::string &folder);
 
 /** The keys of summary.json: probes, field_errors, window and the like. */
-void summarize_localization(const LocalizationResult &result, nlohmann::json &summary);
+void summarize_localization(const LocalizationInput &input,
+                            const LocalizationResult &result,
+                            nlohmann::json &summary);
 } // namespace mesoslip
 
 #endif

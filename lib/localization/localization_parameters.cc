@@ -13,12 +13,16 @@ namespace
 void bind_input(Keys &keys, LocalizationParameters &p)
 {
   const auto section = keys.section("Input");
-  keys.bind_input("RVE file", p.rve_file, "rve.h5 of rve_homogenization");
-  keys.bind_input("Homogeneous run", p.homogeneous_run,
-                  "dynamics.h5 of contact_dynamics with the homogenized body");
+  keys.bind_input("RVE file", p.rve_file,
+                  "Path of the rve.h5 of rve_homogenization, with concentration tensors");
+  keys.bind_input(
+    "Homogeneous run", p.homogeneous_run,
+    "Path of the dynamics.h5 of contact_dynamics with the homogenized body, "
+    "whose strains are localized");
   keys.bind_input("Direct run", p.direct_run,
-                  "dynamics.h5 of the same run with the heterogeneous body, to compare "
-                  "with; empty: no comparison");
+                  "Path of the dynamics.h5 of the same run with the heterogeneous body, "
+                  "with whose stresses the localized ones are compared; empty: no "
+                  "comparison");
   keys.bind("Allow different loads", p.allow_different_loads,
             "Compare with a direct run under other loads, supports or friction "
             "coefficients as well; the difference is then not the error of localization");
@@ -31,13 +35,17 @@ void bind_localization(Keys &keys, LocalizationParameters &p)
                                           "deviation of stress"};
   std::vector<std::string> fields      = names;
   std::string variant                  = "local strain";
-  keys.bind("Concentration", p.concentration, {"KUBC", "PBC"},
-            "Boundary conditions of the concentration tensors L");
+  keys.bind(
+    "Concentration", p.concentration, {"KUBC", "PBC"},
+    "Boundary conditions of the homogenization whose strain concentration tensors L "
+    "are used: local strain = L : macroscopic strain");
   keys.bind("Variant", variant, {"local strain", "mean strain", "both"},
-            "L is applied to the homogeneous run's strain at the place (eq. 24), "
-            "its mean over the body (eq. 23), or both in turn");
-  keys.bind_list("Fields", fields, names,
-                 "Statistics over time for each cell; empty: none");
+            "Macroscopic strain that L is applied to: that of the homogeneous run at the "
+            "place (eq. 24), its mean over the body (eq. 23), or both in turn");
+  keys.bind_list(
+    "Fields", fields, names,
+    "Statistics over time of the stress of each cell: mean von Mises stress, "
+    "mean and standard deviation of the components; empty: none");
   keys.bind_list(
     "Out-of-plane ratio", p.out_of_plane_ratio, Range::closed(-100., 100.),
     "sigma_zz / (sigma_xx + sigma_yy) of each phase (or one for all) in the von "
@@ -57,10 +65,11 @@ void bind_probes(Keys &keys, LocalizationParameters &p)
   const auto section = keys.section("Probes");
   std::vector<std::string> names;
   keys.bind_list("Of the run", p.run_probes, {},
-                 "Which probes of the homogeneous run: all, their names, or empty: none");
+                 "Probes of the homogeneous run whose stress is localized: all, or their "
+                 "names; empty: none");
   keys.bind_names("Further", names, "probe",
-                  "Names of further probes, each with a subsection; they are followed "
-                  "through the snapshots");
+                  "Names of further probes, each with a subsection of that name; their "
+                  "strain is that of their cells in the snapshots");
   for (const std::string &name : names)
     {
       const auto probe = keys.section(name);
@@ -91,19 +100,23 @@ void LocalizationParameters::bind(Keys &keys)
   bind_localization(keys, *this);
   {
     const auto section = keys.section("Window");
-    keys.bind_or_auto("From", from, Range::any(),
-                      "Begin of the averages; auto: from when on the runs are steady, as "
-                      "their dynamics.h5 tell (the later one) [s]");
+    keys.bind_or_auto(
+      "From", from, Range::any(),
+      "Time at which the averages begin; auto: when both runs are steady, as "
+      "their dynamics.h5 tell [s]");
     keys.bind_or_auto("To", to, Range::any(),
-                      "End of the averages; auto: the end of the runs [s]");
+                      "Time at which the averages end; auto: the end of the runs [s]");
   }
   bind_probes(keys, *this);
   const auto section = keys.section("Comparison");
-  keys.bind("Surface depth", surface_depth, Range::non_negative(),
-            "Cells whose centres are nearer to the contact are the surface, the "
-            "others the bulk [m]");
-  keys.bind("Edge distance", edge_distance, Range::non_negative(),
-            "Cells nearer to an edge are left out in the errors of the interior [m]");
+  keys.bind(
+    "Surface depth", surface_depth, Range::non_negative(),
+    "Distance from the contact up to which the centres of cells belong to the region "
+    "surface; the other cells are the region bulk [m]");
+  keys.bind(
+    "Edge distance", edge_distance, Range::non_negative(),
+    "Distance from the edges of the body up to which the centres of cells are left "
+    "out of the region interior [m]");
 }
 
 // Direct run = and Fields = switch off what an otherwise complete file asks for.

@@ -8,37 +8,15 @@
 #include "program/interrupt.h"
 #include "program/run_context.h"
 
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <ostream>
 #include <sstream>
+#include <utility>
 
 namespace mesoslip
 {
 namespace
 {
-LocalizationMonitor make_monitor(RunContext &context)
-{
-  LocalizationMonitor monitor;
-  monitor.log   = [&context](const std::string &line) { context.log(line); };
-  monitor.timer = &context.timer();
-  monitor.warn  = [&context](const std::string &line) { context.warn(line); };
-  monitor.begin = [&context]() {
-    context.remove_results(
-      {"localization.h5", "localization.xdmf", "probes.csv", "field_errors.csv"});
-  };
-  monitor.start = [&context](const std::string &activity, const std::size_t steps) {
-    context.progress().finish();
-    context.progress().start(activity, steps);
-  };
-  monitor.update = [&context](const std::size_t done) {
-    context.progress().update(done);
-    // Local to the process: the other ranks wait for the outcome.
-    if (interrupt_received() || terminate_file_exists(context.output_folder()))
-      throw Interrupted("stopped before anything was written; start the run again");
-  };
-  return monitor;
-}
-
 /** The errors that a user looks for first, in per cent. */
 void log_key_numbers(RunContext &context)
 {
@@ -73,17 +51,23 @@ public:
         keys,
         {"Output folder", "Input/RVE file", "Input/Homogeneous run", "Input/Direct run"}))
   {
+    LocalizationParameters parameters;
     parameters.bind(keys);
     parameters.check();
+    on_root(MPI_COMM_WORLD,
+            [&]() { input = std::make_unique<LocalizationInput>(parameters); });
   }
 
   void describe(std::ostream &out) const override
   {
-    on_root(MPI_COMM_WORLD, [&]() { out << describe_localization(parameters); });
+    if (input)
+      input->describe(out);
   }
 
   void run(RunContext &context) override
   {
+    context.remove_results(
+      {"localization.h5", "localization.xdmf", "probes.csv", "field_errors.csv"});
     if (context.n_ranks() > 1)
       context.log("one process works, the others wait: reading is what takes the time");
     on_root(context.communicator(), [&]() { run_on_root(context); });
@@ -92,21 +76,42 @@ public:
   }
 
 private:
-  void run_on_root(RunContext &context) const
+  /** Tells what there is to be told, once. */
+  void tell(RunContext &context)
   {
-    const LocalizationMonitor monitor = make_monitor(context);
-    const auto localized              = [&]() {
-      const auto scope = context.timer().scope("Localization");
-      return localize(parameters, monitor);
-    }();
-    const auto scope = context.timer().scope("Output");
-    write_localization(localized, parameters, canonical, context.output_folder());
-    summarize_localization(localized, context.summary());
-    context.summary()["concentration"] = parameters.concentration;
+    for (const std::string &warning : std::exchange(input->warnings, {}))
+      context.warn(warning);
+    for (const std::string &note : std::exchange(input->notes, {}))
+      context.log(note);
   }
 
-  LocalizationParameters parameters;
+  void run_on_root(RunContext &context)
+  {
+    LocalizationMonitor monitor;
+    monitor.timer = &context.timer();
+    monitor.start = [&](const std::string &activity, const std::size_t steps) {
+      context.progress().finish();
+      context.progress().start(activity, steps);
+    };
+    monitor.update = [&](const std::size_t done) {
+      context.progress().update(done);
+      // Local to the process: the other ranks wait for the outcome.
+      if (interrupt_received() || terminate_file_exists(context.output_folder()))
+        throw Interrupted("stopped before anything was written; start the run again");
+    };
+    tell(context);
+    const LocalizationResult result = [&]() {
+      const auto scope = context.timer().scope("Localization");
+      return localize(*input, monitor);
+    }();
+    tell(context);
+    const auto scope = context.timer().scope("Output");
+    write_localization(*input, result, canonical, context.output_folder());
+    summarize_localization(*input, result, context.summary());
+  }
+
   const std::string canonical;
+  std::unique_ptr<LocalizationInput> input; ///< on rank 0
 };
 } // namespace
 

@@ -49,16 +49,17 @@ void von_mises_squares(const double *__restrict__ xx,
       square[i] = 0.5 * (a * a + b * b + c * c) + 3. * xy[i] * xy[i];
     }
 }
+} // namespace
 
 MESOSLIP_CLONES
-void strain_arrays(const double *lower,
-                   const double *upper,
-                   const std::size_t n,
-                   const double x_factor,
-                   const double y_factor,
-                   double *__restrict__ xx,
-                   double *__restrict__ yy,
-                   double *__restrict__ xy)
+void strain_row(const double *lower,
+                const double *upper,
+                const std::size_t n,
+                const double x_factor,
+                const double y_factor,
+                double *__restrict__ xx,
+                double *__restrict__ yy,
+                double *__restrict__ xy)
 {
   for (std::size_t i = 0; i < n; ++i)
     {
@@ -71,15 +72,15 @@ void strain_arrays(const double *lower,
 }
 
 MESOSLIP_CLONES
-void stress_arrays(const double *__restrict__ m,
-                   const std::size_t stride,
-                   const double *__restrict__ e0,
-                   const double *__restrict__ e1,
-                   const double *__restrict__ e2,
-                   const std::size_t n,
-                   double *__restrict__ s0,
-                   double *__restrict__ s1,
-                   double *__restrict__ s2)
+void stress_row(const double *__restrict__ m,
+                const std::size_t stride,
+                const double *__restrict__ e0,
+                const double *__restrict__ e1,
+                const double *__restrict__ e2,
+                const std::size_t n,
+                double *__restrict__ s0,
+                double *__restrict__ s1,
+                double *__restrict__ s2)
 {
   const double *m1 = m + 3 * stride, *m2 = m + 6 * stride;
   for (std::size_t i = 0; i < n; ++i)
@@ -90,35 +91,16 @@ void stress_arrays(const double *__restrict__ m,
       s2[i] = m2[i] * x + m2[i + stride] * y + m2[i + 2 * stride] * t;
     }
 }
-} // namespace
 
-void strain_row(const double *lower,
-                const double *upper,
-                const std::size_t n,
-                const double hx,
-                const double hy,
-                const Row &strain)
-{
-  strain_arrays(lower, upper, n, 0.5 / hx, 0.5 / hy, strain.xx, strain.yy, strain.xy);
-}
-
-void stress_row(const double *matrix,
-                const std::size_t stride,
-                const ConstRow &strain,
-                const std::size_t n,
-                const Row &stress)
-{
-  stress_arrays(matrix, stride, strain.xx, strain.yy, strain.xy, n, stress.xx, stress.yy,
-                stress.xy);
-}
-
-void add_von_mises_row(const ConstRow &stress,
+void add_von_mises_row(const double *xx,
+                       const double *yy,
+                       const double *xy,
                        const double *ratio,
                        const std::size_t n,
                        double *work,
                        double *sum)
 {
-  von_mises_squares(stress.xx, stress.yy, stress.xy, ratio, n, work);
+  von_mises_squares(xx, yy, xy, ratio, n, work);
   add_roots(work, n, sum);
 }
 

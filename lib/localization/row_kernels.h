@@ -1,10 +1,14 @@
 #ifndef mesoslip_localization_row_kernels_h
 #define mesoslip_localization_row_kernels_h
 
+#include <array>
 #include <cstddef>
 
 namespace mesoslip
 {
+/** Strain of a row of cells: arrays of xx, yy and xy (engineering shear). */
+using StrainRow = std::array<const double *, 3>;
+
 /**
  * @name Loops over one row of cells
  * Arrays that are written overlap no other. Vectorized by the compiler for three
@@ -12,55 +16,41 @@ namespace mesoslip
  * @{
  */
 
-/** Voigt components of a row: xx, yy, xy, one array each. */
-struct ConstRow
-{
-  const double *xx; ///< first normal component
-  const double *yy; ///< second normal component
-  const double *xy; ///< shear (engineering for strains)
-};
-
-/** As ConstRow, to be written. */
-struct Row
-{
-  double *xx; ///< first normal component
-  double *yy; ///< second normal component
-  double *xy; ///< shear (engineering for strains)
-
-  /** The same arrays, read only. */
-  operator ConstRow() const
-  {
-    return {xx, yy, xy};
-  }
-};
-
 /**
  * Mean strain (engineering shear) of @p n bilinear cells between two rows of n + 1 nodes
- * whose displacements are stored as x, y, x, y, ...; @p hx and @p hy (m) are the sides
- * of a cell.
+ * whose displacements are stored as x, y, x, y, ...; the factors are 1/2 over the sides of
+ * a cell (1/m).
  */
 void strain_row(const double *lower,
                 const double *upper,
                 const std::size_t n,
-                const double hx,
-                const double hy,
-                const Row &strain);
+                const double x_factor,
+                const double y_factor,
+                double *xx,
+                double *yy,
+                double *xy);
 
 /**
- * stress = M strain; M is 9 arrays at distances of @p stride, row-major: array 3 r + c
- * holds M(r, c) of all cells.
+ * stress = M strain (e0, e1, e2); M is 9 arrays at distances of @p stride, row-major: array
+ * 3 r + c holds M(r, c) of all cells.
  */
 void stress_row(const double *matrix,
                 const std::size_t stride,
-                const ConstRow &strain,
+                const double *e0,
+                const double *e1,
+                const double *e2,
                 const std::size_t n,
-                const Row &stress);
+                double *s0,
+                double *s1,
+                double *s2);
 
 /**
  * Adds the von Mises stress to @p sum, with sigma_zz = ratio (sigma_xx + sigma_yy);
  * @p work holds @p n numbers and is overwritten.
  */
-void add_von_mises_row(const ConstRow &stress,
+void add_von_mises_row(const double *xx,
+                       const double *yy,
+                       const double *xy,
                        const double *ratio,
                        const std::size_t n,
                        double *work,

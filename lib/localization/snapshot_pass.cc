@@ -1,5 +1,6 @@
 #include "localization/snapshot_pass.h"
 
+#include "base/timer.h"
 #include "localization/strain_interpolation.h"
 
 #include <algorithm>
@@ -18,15 +19,16 @@ constexpr std::size_t max_batch   = 4;
 class Batch
 {
 public:
-  Batch(const RunFile &run, const UniformGrid<2> &target, const SnapshotWork &what)
-    : source(run.grid())
+  Batch(const DynamicsFile &run, const UniformGrid<2> &target, const SnapshotWork &what)
+    : source(run.grid)
+    , snapshot_size(2 * source.n_nodes())
     , work(what)
     , constant(target.cells[0], 1, 3)
     , by_row(target.cells[1])
   {
     for (std::size_t p = 0; p < work.cells.size(); ++p)
       by_row[work.cells[p][1]].push_back(p);
-    const std::size_t bytes = snapshot_size() * sizeof(double);
+    const std::size_t bytes = snapshot_size * sizeof(double);
     const auto most         = std::clamp<std::size_t>(batch_bytes / bytes, 1, max_batch);
     for (std::size_t b = 0; b < most; ++b)
       interpolations.emplace_back(source, target);
@@ -40,90 +42,69 @@ public:
 
   void treat(const std::vector<double> &snapshots, SnapshotHistories &histories)
   {
-    const std::size_t n = snapshots.size() / snapshot_size();
+    const std::size_t n = snapshots.size() / snapshot_size;
+    std::vector<std::array<double, 3>> means;
     for (std::size_t b = 0; b < n; ++b)
-      interpolations[b].set_displacement(snapshot(snapshots, b));
-    means.clear();
-    if (work.uniform != nullptr || work.mean_history)
-      for (std::size_t b = 0; b < n; ++b)
-        means.push_back(mean_strain(source, snapshot(snapshots, b)));
-    if (work.mean_history)
-      for (const auto &mean : means)
-        histories.mean.insert(histories.mean.end(), mean.begin(), mean.end());
+      {
+        const double *u = snapshots.data() + b * snapshot_size;
+        interpolations[b].set_displacement(u);
+        if (work.uniform != nullptr || work.mean_history)
+          means.push_back(mean_strain(source, u));
+        if (work.mean_history)
+          histories.mean.insert(histories.mean.end(), means[b].begin(), means[b].end());
+      }
     for (unsigned int j = 0; j < by_row.size(); ++j)
       {
         if (work.local != nullptr || !by_row[j].empty())
-          treat_local(n, j, histories);
+          for (std::size_t b = 0; b < n; ++b)
+            treat_local(interpolations[b].row(j), j, histories);
         if (work.uniform != nullptr)
-          treat_uniform(n, j);
+          for (std::size_t b = 0; b < n; ++b)
+            treat_uniform(means[b], j);
       }
   }
 
 private:
-  const double *snapshot(const std::vector<double> &all, const std::size_t b) const
-  {
-    return all.data() + b * snapshot_size();
-  }
-
-  /** Numbers. */
-  std::size_t snapshot_size() const
-  {
-    return 2 * source.n_nodes();
-  }
-
   void
-  treat_local(const std::size_t n, const unsigned int j, SnapshotHistories &histories)
+  treat_local(const StrainRow &strain, const unsigned int j, SnapshotHistories &histories)
   {
-    for (std::size_t b = 0; b < n; ++b)
-      {
-        const ConstRow strain = interpolations[b].row(j);
-        if (work.local != nullptr)
-          work.local->add(j, strain);
-        for (const std::size_t p : by_row[j])
-          {
-            const unsigned int i = work.cells[p][0];
-            histories.cells[p].insert(histories.cells[p].end(),
-                                      {strain.xx[i], strain.yy[i], strain.xy[i]});
-          }
-      }
+    if (work.local != nullptr)
+      work.local->add(j, strain);
+    for (const std::size_t p : by_row[j])
+      for (const double *component : strain)
+        histories.cells[p].push_back(component[work.cells[p][0]]);
   }
 
-  void treat_uniform(const std::size_t n, const unsigned int j)
+  void treat_uniform(const std::array<double, 3> &mean, const unsigned int j)
   {
-    for (std::size_t b = 0; b < n; ++b)
-      {
-        for (unsigned int c = 0; c < 3; ++c)
-          std::fill_n(constant.row(c, 0), constant.n_columns(), means[b][c]);
-        work.uniform->add(j,
-                          {constant.row(0, 0), constant.row(1, 0), constant.row(2, 0)});
-      }
+    for (unsigned int c = 0; c < 3; ++c)
+      std::fill_n(constant.row(c, 0), constant.n_columns(), mean[c]);
+    work.uniform->add(j, {{constant.row(0, 0), constant.row(1, 0), constant.row(2, 0)}});
   }
 
-  UniformGrid<2> source;
+  const UniformGrid<2> source;
+  const std::size_t snapshot_size; ///< numbers
   const SnapshotWork &work;
   NodalField<double> constant;
-  /** One for each snapshot. */
-  std::vector<StrainInterpolation> interpolations;
-  std::vector<std::array<double, 3>> means;
-  /** Numbers of the cells wanted in each row. */
-  std::vector<std::vector<std::size_t>> by_row;
+  std::vector<StrainInterpolation> interpolations; ///< one for each snapshot
+  std::vector<std::vector<std::size_t>>
+    by_row; ///< numbers of the cells wanted in each row
 };
 } // namespace
 
-SnapshotHistories pass_snapshots(const RunFile &run,
+SnapshotHistories pass_snapshots(const DynamicsFile &run,
                                  const IndexRange &range,
                                  const UniformGrid<2> &target,
                                  const SnapshotWork &work,
-                                 const SnapshotCallback &callback,
+                                 const std::function<void(const std::size_t)> &tell_done,
                                  Timer *timer)
 {
   Batch batch(run, target, work);
-  const std::size_t at_once = batch.size();
   SnapshotHistories histories;
   histories.cells.resize(work.cells.size());
   // HDF5 is used by one thread at a time: nobody else reads meanwhile.
   const auto start_reading = [&](const std::size_t first) {
-    const std::size_t count = std::min(at_once, range.count - first);
+    const std::size_t count = std::min(batch.size(), range.count - first);
     return std::async(std::launch::async, [&run, &range, first, count]() {
       return run.snapshots(range.first + first, count);
     });
@@ -134,19 +115,16 @@ SnapshotHistories pass_snapshots(const RunFile &run,
       auto waiting         = optional_scope(timer, "Waiting for snapshots");
       const auto snapshots = next.get();
       waiting.reset();
-      const std::size_t count = std::min(at_once, range.count - done);
-      done += count;
+      done += std::min(batch.size(), range.count - done);
       if (done < range.count)
         next = start_reading(done);
       const auto averaging = optional_scope(timer, "Averaging");
       batch.treat(snapshots, histories);
-      if (callback)
-        callback(done);
+      tell_done(done);
     }
   const auto times = run.snapshot_times();
   const auto begin = times.begin() + static_cast<std::ptrdiff_t>(range.first);
-  histories.time =
-    std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(range.count));
+  histories.time.assign(begin, begin + static_cast<std::ptrdiff_t>(range.count));
   return histories;
 }
 } // namespace mesoslip

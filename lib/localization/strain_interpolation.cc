@@ -20,9 +20,9 @@ double integrate(const unsigned int n, const double h, const Value &value)
 
 constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
 
-Row row_of(NodalField<double> &arrays, const std::size_t j)
+StrainRow row_of(const NodalField<double> &arrays, const unsigned int j)
 {
-  return {arrays.row(0, j), arrays.row(1, j), arrays.row(2, j)};
+  return {{arrays.row(0, j), arrays.row(1, j), arrays.row(2, j)}};
 }
 } // namespace
 
@@ -89,44 +89,40 @@ void StrainInterpolation::set_displacement(const double *u)
 }
 
 /** Row @p j of the source in the columns of the target. */
-ConstRow StrainInterpolation::source_row(const unsigned int j)
+StrainRow StrainInterpolation::source_row(const unsigned int j)
 {
   const unsigned int place = j % y.width;
-  const Row row            = row_of(kept, place);
   if (kept_row[place] == j)
-    return row;
-  kept_row[place]         = j;
-  const bool same_columns = x.is_identity();
-  const Row strain        = same_columns ? row : row_of(scratch, 0);
-  const double *lower     = displacement + 2 * std::size_t(j) * (source.cells[0] + 1);
-  strain_row(lower, lower + 2 * (std::size_t(source.cells[0]) + 1), source.cells[0],
-             source.spacing[0], source.spacing[1], strain);
-  if (!same_columns)
-    {
-      combine_columns(strain.xx, row.xx);
-      combine_columns(strain.yy, row.yy);
-      combine_columns(strain.xy, row.xy);
-    }
-  return row;
+    return row_of(kept, place);
+  kept_row[place]            = j;
+  const bool same_columns    = x.is_identity();
+  NodalField<double> &strain = same_columns ? kept : scratch;
+  const unsigned int in      = same_columns ? place : 0;
+  const std::size_t n        = source.cells[0];
+  const double *lower        = displacement + 2 * j * (n + 1);
+  strain_row(lower, lower + 2 * (n + 1), n, 0.5 / source.spacing[0],
+             0.5 / source.spacing[1], strain.row(0, in), strain.row(1, in),
+             strain.row(2, in));
+  for (unsigned int c = 0; c < 3 && !same_columns; ++c)
+    combine_columns(scratch.row(c, 0), kept.row(c, place));
+  return row_of(kept, place);
 }
 
-ConstRow StrainInterpolation::row(const unsigned int j)
+StrainRow StrainInterpolation::row(const unsigned int j)
 {
   if (y.width == 1)
     return source_row(y.first[j]);
   const std::size_t n = target.cells[0];
-  const Row sum       = row_of(result, 0);
-  for (double *component : {sum.xx, sum.yy, sum.xy})
-    std::fill_n(component, n, 0.);
+  for (unsigned int c = 0; c < 3; ++c)
+    std::fill_n(result.row(c, 0), n, 0.);
   for (unsigned int k = 0; k < y.width; ++k)
     {
-      const double weight = y.weight[std::size_t(j) * y.width + k];
-      const ConstRow part = source_row(y.first[j] + k);
-      add_scaled_row(part.xx, n, weight, sum.xx);
-      add_scaled_row(part.yy, n, weight, sum.yy);
-      add_scaled_row(part.xy, n, weight, sum.xy);
+      const double weight  = y.weight[std::size_t(j) * y.width + k];
+      const StrainRow part = source_row(y.first[j] + k);
+      for (unsigned int c = 0; c < 3; ++c)
+        add_scaled_row(part[c], n, weight, result.row(c, 0));
     }
-  return sum;
+  return row_of(result, 0);
 }
 
 void StrainInterpolation::combine_columns(const double *values, double *combined) const

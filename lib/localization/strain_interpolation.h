@@ -61,10 +61,10 @@ public:
 
   /** Strain of target row @p j, valid until the next call. Rows are best asked for in
    *  their order. */
-  ConstRow row(const unsigned int j);
+  StrainRow row(const unsigned int j);
 
 private:
-  ConstRow source_row(const unsigned int j);
+  StrainRow source_row(const unsigned int j);
   void combine_columns(const double *values, double *combined) const;
 
   UniformGrid<2> source, target;

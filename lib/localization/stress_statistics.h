@@ -2,13 +2,50 @@
 #define mesoslip_localization_stress_statistics_h
 
 #include "grid/nodal_field.h"
+#include "grid/uniform_grid.h"
 #include "localization/row_kernels.h"
-#include "localization/stress_map.h"
+#include "material/voigt.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace mesoslip
 {
+/**
+ * From the macroscopic strain of each cell to its local stress: sigma = C_phase L eps
+ * (eqs 23 and 24). The product is formed once; with it goes the ratio of sigma_zz to
+ * sigma_xx + sigma_yy in plane strain.
+ */
+class StressMap
+{
+public:
+  /**
+   * @p phase holds n_cells ids, @p stiffness (Pa) and @p ratio one entry for each phase,
+   * @p concentration the tensors L [ny][nx][3][3]; empty: the identity, which leaves
+   * sigma = C_phase eps, the stress of a run that resolves the phases.
+   */
+  StressMap(const UniformGrid<2> &grid,
+            const std::vector<std::uint8_t> &phase,
+            const std::vector<VoigtMatrix<2>> &stiffness,
+            const std::vector<double> &ratio,
+            const std::vector<double> &concentration);
+
+  /** C_phase L (Pa) of one cell. */
+  VoigtMatrix<2> matrix(const unsigned int i, const unsigned int j) const;
+
+  /**
+   * Rows of ten arrays: the entries of C_phase L, row-major, and the ratio of sigma_zz to
+   * sigma_xx + sigma_yy.
+   */
+  const NodalField<double> &rows() const
+  {
+    return data;
+  }
+
+private:
+  NodalField<double> data;
+};
+
 /** Which fields are wanted. */
 struct FieldSelection
 {
@@ -26,14 +63,24 @@ struct FieldSelection
 /** Statistics over time for each cell; what was not asked for is empty. */
 struct StressFields
 {
-  /** Pa, [ny][nx]: time average of the von Mises stress. */
-  std::vector<double> mean_von_mises;
-  /** Pa, [ny][nx][3]: xx, yy, xy. */
-  std::vector<double> mean_stress;
-  /** Pa, [ny][nx][3]: standard deviation (divided by the number of samples). */
+  std::vector<double>
+    mean_von_mises;                ///< time average of the von Mises stress [ny][nx] (Pa)
+  std::vector<double> mean_stress; ///< xx, yy, xy [ny][nx][3] (Pa)
+
+  /** Standard deviation (divided by the number of samples) [ny][nx][3] (Pa). */
   std::vector<double> deviation_stress;
-  std::size_t n_samples = 0; ///< that the averages are over
 };
+
+/** One of the StressFields, for whoever treats all of them alike. */
+struct StressField
+{
+  const char *name;                          ///< in localization.h5
+  std::vector<double> StressFields::*values; ///< the field
+  std::vector<const char *> quantities;      ///< its components in field_errors.csv
+};
+
+/** All StressFields. */
+const std::vector<StressField> &stress_fields();
 
 /**
  * Averages over time of the stresses of all cells, fed row by row; the memory does not
@@ -46,21 +93,14 @@ public:
   StressStatistics(const StressMap &stress_map, const FieldSelection &fields);
 
   /** The next sample of row @p j, as the macroscopic strain of its cells. */
-  void add(const std::size_t j, const ConstRow &strain);
+  void add(const unsigned int j, const StrainRow &strain);
 
   /** Every row must have been given the same number of samples, at least one. */
   StressFields fields() const;
 
 private:
-  /** Arrays of a row. */
-  enum : unsigned int
-  {
-    von_mises = 0,
-    mean      = 1,
-    squares   = 4
-  };
-
-  std::vector<double> interleaved(const unsigned int first, const bool as_root) const;
+  std::vector<double>
+  interleaved(const unsigned int first, const unsigned int n, const bool as_root) const;
 
   const StressMap &map;
   FieldSelection selection;

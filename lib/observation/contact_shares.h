@@ -1,55 +1,40 @@
 #ifndef mesoslip_observation_contact_shares_h
 #define mesoslip_observation_contact_shares_h
 
-#include "observation/friction_summary.h"
+#include "contact/contact_surface.h"
 
+#include <string>
 #include <vector>
 
 namespace mesoslip
 {
-/**
- * Steps that each contact node spent in contact during a block of steps, as the contact
- * kernel counts them. All arrays have one entry a node; what is neither stick nor slip
- * is separation.
- */
-struct ContactBlock
+/** Fractions of time of a node (or of all) in each state; they sum to 1. */
+struct ContactShares
 {
-  /** s; the block covers the steps whose ends lie in (begin, end]. */
-  double begin = 0.;
-  double end   = 0.; ///< end of the block (s)
-
-  /** Steps of the block. */
-  double steps = 0.;
-
-  /** Steps that stuck and that slipped. */
-  std::vector<double> stick;
-  std::vector<double> slip; ///< steps that slipped
-
-  /** Steps at which the node came back from separation. */
-  std::vector<double> landings;
+  double slip       = 0.; ///< touching and sliding
+  double stick      = 0.; ///< touching without sliding
+  double separation = 0.; ///< not touching
 };
 
-/** Time in contact and how long it lasts at a stretch. */
+/** How long the nodes stay in contact at a stretch. */
 struct ContactDuration
 {
   /**
-   * s; T_G of eqs. (12, 13): contact time / landings. The episode cut by the start of the
-   * window and the one cut by its end make up for each other (exactly so in a window of
-   * whole periods). Without a landing: the contact time itself, a lower bound.
+   * T_G of eqs. (12, 13) (s): time in contact over the number of landings (re-contact
+   * events). The episode cut by the start of the window and the one cut by its end make up
+   * for each other (exactly so in a window of whole periods). Without a landing: the time
+   * in contact itself, a lower bound.
    */
   double mean = 0.;
 
-  /** Landings in the window. */
-  double episodes = 0.;
-
-  /** Share of the nodes that landed at least once. */
+  /** Fraction of the nodes that landed at least once. */
   double node_share = 0.;
 
   /** False: no landing in the window, #mean is only a lower bound (0: never in contact).
    */
   bool complete() const
   {
-    return episodes > 0.;
+    return node_share > 0.;
   }
 
   /**
@@ -58,43 +43,43 @@ struct ContactDuration
    */
   bool representative() const
   {
-    return complete() && node_share >= 0.5;
+    return node_share >= 0.5;
   }
 };
 
 /** Statistics of the contact in a window of time. */
 struct ContactSummary
 {
-  /** s; the window really used: the union of the blocks inside. */
-  double begin = 0.;
-  double end   = 0.; ///< end of the window (s)
-
-  /** One entry a node. */
-  std::vector<ContactShares> node_shares;
-  std::vector<ContactDuration> node_durations; ///< one entry a node
-
-  /** All nodes together (each of the same weight; add weights for tributary lengths). */
-  ContactShares shares;
-  ContactDuration duration; ///< T_G of eq. (13), of all landings
+  std::vector<ContactShares> node_shares; ///< one entry a node
+  ContactShares shares;                   ///< of all nodes, each of the same weight
+  ContactDuration duration;               ///< of all nodes
 };
 
 /**
- * Evaluate the blocks that lie in [@p from, @p to] (within 1e-9 of a block); if none
- * does, the last block is taken, so that there always is an answer.
- *
- * @param blocks  in the order of time, without gaps
- * @param from,to  s
- * @param weights  one per node for the overall shares, such as tributary lengths; empty:
- * equal
- * @throws std::invalid_argument without blocks or with arrays of different lengths
+ * Evaluates the @p blocks (in the order of time, without gaps, steps of @p dt seconds) that
+ * begin at the time @p from (s) or later, within 1e-9 of a block; if none does, the last
+ * one, so that there always is an answer. The first @p n_nodes nodes count: with periodic
+ * sides the last one is the first one again.
  */
-ContactSummary summarize_contact(const std::vector<ContactBlock> &blocks,
-                                 double from,
-                                 double to,
-                                 const std::vector<double> &weights = {});
+ContactSummary summarize_contact(const std::vector<NodeCounts> &blocks,
+                                 const std::size_t n_nodes,
+                                 const double dt,
+                                 const double from);
 
-/** Node whose position is nearest to @p x, for the reference node. */
-unsigned int nearest_node(const std::vector<double> &positions, double x);
+/**
+ * Name of the instability type (paper, section 2.4; Linck et al. 2003) from the shares of
+ * the reference node. A state that takes less than 1 % of the time does not count:
+ *
+ *     slip                          permanent slip
+ *     stick                         permanent stick
+ *     separation                    permanent separation
+ *     slip + stick                  stick-slip
+ *     slip + separation             slip-separation, regime 1 (mostly slipping) if
+ *                                   slip >= separation, else regime 2 (mostly separated)
+ *     stick + separation            stick-separation
+ *     all three                     stick-slip-separation
+ */
+std::string regime_label(const ContactShares &shares);
 } // namespace mesoslip
 
 #endif

@@ -1,11 +1,9 @@
 #ifndef mesoslip_observation_cycle_record_h
 #define mesoslip_observation_cycle_record_h
 
-
 #include <boost/serialization/vector.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace mesoslip
@@ -19,53 +17,62 @@ class CycleRecord
 {
 public:
   /** @p capacity is even. */
-  explicit CycleRecord(std::size_t capacity = 8192);
+  explicit CycleRecord(const std::size_t capacity = 8192)
+    : capacity(capacity)
+  {
+  }
 
   /** One sample; every sample has the same number of values, all finite. */
   void add(const std::vector<double> &values);
 
-  /** Complete bins. */
+  /** Number of complete bins. */
   std::size_t size() const
   {
-    return n_bins_;
+    return n_bins;
   }
 
-  /** Samples in a bin. */
+  /** Number of samples in a bin. */
   unsigned long stride() const
   {
-    return stride_;
+    return n_in_bin;
   }
 
-  /** Mean of @p column over the bins [first, last). */
-  double mean(std::size_t column, std::size_t first, std::size_t last) const;
+  /** Values of a sample; 0 before the first one. */
+  std::size_t n_columns() const
+  {
+    return width;
+  }
+
+  /** Mean of column @p c over the bins [first, last). */
+  double mean(std::size_t c, std::size_t first, std::size_t last) const;
 
   /** Mean square about mean(), of the samples, not of the bins. */
-  double variance(std::size_t column, std::size_t first, std::size_t last) const;
+  double variance(std::size_t c, std::size_t first, std::size_t last) const;
 
-  /** Means of the bins from @p first on. */
-  std::vector<double> column(std::size_t column, std::size_t first) const;
+  /** Means of column @p c in all bins. */
+  std::vector<double> column(std::size_t c) const;
 
-  /** Of boost::serialization. */
+  /** Saves or restores the record (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &width_ &n_bins_ &stride_ &means_ &variances_ &pending_ &pending_mean_
-      &pending_square_;
+    archive &width &n_bins &n_in_bin &means &variances;
+    archive &n_pending &pending_mean &pending_square;
   }
 
 private:
   void close_bin();
   void merge_pairs();
 
-  std::size_t capacity_;
-  std::size_t width_    = 0;
-  std::size_t n_bins_   = 0;
-  unsigned long stride_ = 1;
-  std::vector<double> means_, variances_; // [bin][column]
+  std::size_t capacity;
+  std::size_t width      = 0; ///< columns
+  std::size_t n_bins     = 0;
+  unsigned long n_in_bin = 1;
+  std::vector<double> means, variances; ///< [bin][column]
 
   // The bin being filled (Welford's running mean and sum of squares).
-  unsigned long pending_ = 0;
-  std::vector<double> pending_mean_, pending_square_;
+  unsigned long n_pending = 0;
+  std::vector<double> pending_mean, pending_square;
 };
 } // namespace mesoslip
 

@@ -1,6 +1,6 @@
 #include "observation/friction_summary.h"
 
-#include "base/errors.h"
+#include <deal.II/base/exceptions.h>
 
 #include <boost/math/distributions/students_t.hpp>
 
@@ -8,8 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <sstream>
-#include <stdexcept>
 
 namespace mesoslip
 {
@@ -17,30 +15,23 @@ namespace
 {
 constexpr unsigned int most_batches = 20, batches_without_period = 10;
 
-/** Samples [first, last] of the window and the equal batches at its end. */
+/** The samples of the window, from first to the last one, and equal batches at its end. */
 struct Batches
 {
   double begin = 0., end = 0.;
   double length       = 0.; ///< s; of a batch
   unsigned int number = 0;
-  std::size_t first = 0, last = 0;
+  std::size_t first   = 0; ///< sample
 };
 
-/** Whole periods, counted backwards from the last sample not after @p to. */
+/** Whole periods, counted backwards from the last sample. */
 Batches choose_batches(const std::vector<double> &time, const MeanWindow &window)
 {
-  const auto [from, to, period] = window;
-  const auto after              = std::upper_bound(time.begin(), time.end(), to);
-  const auto start              = std::lower_bound(time.begin(), time.end(), from);
-  if (after - start < 3)
-    {
-      std::ostringstream text;
-      text << "fewer than three samples lie between " << from << " s and " << to
-           << " s: simulate longer or begin the statistics earlier";
-      throw UserError(text.str());
-    }
+  const double period = window.period;
+  const auto start    = std::lower_bound(time.begin(), time.end(), window.from);
+  Assert(time.end() - start >= 3, dealii::ExcMessage("There are fewer than 3 samples."));
   Batches batches;
-  batches.end   = *(after - 1);
+  batches.end   = time.back();
   batches.begin = *start;
   const double periods =
     period > 0. ? std::floor((batches.end - batches.begin) / period * (1. + 1e-9)) : 0.;
@@ -56,7 +47,6 @@ Batches choose_batches(const std::vector<double> &time, const MeanWindow &window
       batches.number = period > 0. ? 1 : batches_without_period;
       batches.length = (batches.end - batches.begin) / batches.number;
     }
-  batches.last  = static_cast<std::size_t>(after - time.begin()) - 1;
   batches.first = static_cast<std::size_t>(
     std::lower_bound(time.begin(), time.end(), batches.begin) - time.begin());
   return batches;
@@ -98,11 +88,7 @@ Estimate estimate_of(const double value,
                      const std::vector<double> &batch_means,
                      const Batches &batches)
 {
-  Estimate estimate;
-  estimate.value   = value;
-  estimate.batches = batches.number;
-  estimate.begin   = batches.begin;
-  estimate.end     = batches.end;
+  Estimate estimate = {value, 0., batches.number, batches.begin, batches.end};
   if (batches.number < 2)
     return estimate;
   const double mean =
@@ -110,11 +96,10 @@ Estimate estimate_of(const double value,
   double square = 0.;
   for (const double x : batch_means)
     square += (x - mean) * (x - mean);
-  estimate.batch_deviation = std::sqrt(square / (batches.number - 1));
-  estimate.standard_error  = estimate.batch_deviation / std::sqrt(batches.number);
+  const double deviation = std::sqrt(square / (batches.number - 1));
   estimate.half_width =
     boost::math::quantile(boost::math::students_t(batches.number - 1), 0.975) *
-    estimate.standard_error;
+    (deviation / std::sqrt(batches.number));
   return estimate;
 }
 
@@ -122,15 +107,14 @@ double least_squares_slope(const std::vector<double> &x,
                            const std::vector<double> &y,
                            const Batches &batches)
 {
-  const std::size_t first = batches.first, last = batches.last;
-  const double n = static_cast<double>(last - first + 1);
+  const double n = static_cast<double>(x.size() - batches.first);
   double mean_x = 0., mean_y = 0., product = 0., square = 0.;
-  for (std::size_t i = first; i <= last; ++i)
+  for (std::size_t i = batches.first; i < x.size(); ++i)
     {
       mean_x += x[i] / n;
       mean_y += y[i] / n;
     }
-  for (std::size_t i = first; i <= last; ++i)
+  for (std::size_t i = batches.first; i < x.size(); ++i)
     {
       product += (x[i] - mean_x) * (y[i] - mean_y);
       square += (x[i] - mean_x) * (x[i] - mean_x);
@@ -138,18 +122,13 @@ double least_squares_slope(const std::vector<double> &x,
   return product / square;
 }
 
-void check_lengths(const std::vector<double> &time, const std::vector<double> &values)
-{
-  if (time.size() != values.size())
-    throw std::invalid_argument("history: arrays of different lengths");
-}
 } // namespace
 
 Estimate mean_power(const std::vector<double> &time,
                     const std::vector<double> &work,
                     const MeanWindow &window)
 {
-  check_lengths(time, work);
+  AssertDimension(time.size(), work.size());
   const Batches batches = choose_batches(time, window);
   return estimate_of(least_squares_slope(time, work, batches),
                      batch_rates(time, work, batches), batches);
@@ -160,11 +139,9 @@ Estimate interface_friction_coefficient(const std::vector<double> &time,
                                         const std::vector<double> &load_work,
                                         const MeanWindow &window)
 {
-  check_lengths(time, friction_energy);
+  AssertDimension(time.size(), friction_energy.size());
   const Estimate load = mean_power(time, load_work, window);
-  if (!(load.value > 0.))
-    throw UserError("the global interface friction coefficient needs a load and a "
-                    "sliding velocity that are not zero");
+  Assert(load.value > 0., dealii::ExcMessage("There is no load."));
   const Batches batches = choose_batches(time, window);
   const double value = least_squares_slope(time, friction_energy, batches) / load.value;
   // What the friction of a batch differs from its load by, so that a load that varies
@@ -180,7 +157,7 @@ Estimate window_mean(const std::vector<double> &time,
                      const std::vector<double> &values,
                      const MeanWindow &window)
 {
-  check_lengths(time, values);
+  AssertDimension(time.size(), values.size());
   std::vector<double> integral(time.size(), 0.);
   for (std::size_t i = 1; i < time.size(); ++i)
     integral[i] =
@@ -191,24 +168,5 @@ Estimate window_mean(const std::vector<double> &time,
   whole.number                    = 1;
   whole.length                    = whole.end - whole.begin;
   return estimate_of(batch_rates(time, integral, whole)[0], means, batches);
-}
-
-std::string regime_label(const ContactShares &shares, const double threshold)
-{
-  if (!(shares.slip >= 0. && shares.stick >= 0. && shares.separation >= 0.) ||
-      !(std::abs(shares.slip + shares.stick + shares.separation - 1.) <= 1e-6))
-    throw std::invalid_argument("regime_label: shares have to sum to 1");
-  const bool slips     = shares.slip >= threshold;
-  const bool sticks    = shares.stick >= threshold;
-  const bool separates = shares.separation >= threshold;
-  if (slips && sticks)
-    return separates ? "stick-slip-separation" : "stick-slip";
-  if (slips && separates)
-    return shares.slip >= shares.separation
-             ? "slip-separation, regime 1 (mostly slipping)"
-             : "slip-separation, regime 2 (mostly separated)";
-  if (sticks && separates)
-    return "stick-separation";
-  return slips ? "permanent slip" : sticks ? "permanent stick" : "permanent separation";
 }
 } // namespace mesoslip

@@ -2,16 +2,19 @@
 
 #include "observation/spectrum.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 
 namespace mesoslip
 {
 namespace
 {
-constexpr double crossing_hysteresis = 0.2, shortest_period = 0.6;
+constexpr double crossing_hysteresis = 0.2; ///< of the standard deviation
+constexpr double shortest_period     = 0.6; ///< of the one expected
+constexpr unsigned int bins          = 200; ///< of the phase
 
 double at(const std::vector<double> &signal, const double position)
 {
@@ -24,10 +27,8 @@ double at(const std::vector<double> &signal, const double position)
  * One period of @p signal, from sample position @p begin to @p end, by bins: the mean of
  * the samples in a bin, or the interpolated value at its centre if it holds none.
  */
-std::vector<double> fold(const std::vector<double> &signal,
-                         const double begin,
-                         const double end,
-                         const unsigned int bins)
+std::vector<double>
+fold(const std::vector<double> &signal, const double begin, const double end)
 {
   std::vector<double> sum(bins, 0.);
   std::vector<unsigned int> count(bins, 0);
@@ -64,8 +65,11 @@ void average(const std::vector<std::vector<double>> &periods,
   for (double &value : spread)
     value = std::sqrt(value);
 }
-} // namespace
-
+/**
+ * Times, in units of samples, at which @p signal crosses @p level upwards (linear
+ * interpolation). A crossing counts only after the signal has been below level -
+ * hysteresis, and only the first one within @p minimum_distance samples.
+ */
 std::vector<double> upward_crossings(const std::vector<double> &signal,
                                      const double level,
                                      const double hysteresis,
@@ -76,7 +80,7 @@ std::vector<double> upward_crossings(const std::vector<double> &signal,
   for (std::size_t i = 1; i < signal.size(); ++i)
     {
       const double before = signal[i - 1] - level, now = signal[i] - level;
-      armed = armed || before < -hysteresis || (hysteresis == 0. && before < 0.);
+      armed = armed || before < -hysteresis;
       if (!(armed && before < 0. && now >= 0.))
         continue;
       armed                 = false;
@@ -86,16 +90,14 @@ std::vector<double> upward_crossings(const std::vector<double> &signal,
     }
   return crossings;
 }
+} // namespace
 
 PhaseDiagram mean_phase_diagram(const std::vector<double> &displacement,
                                 const std::vector<double> &velocity,
                                 const double time_step,
-                                const double expected_period,
-                                const unsigned int bins)
+                                const double expected_period)
 {
-  if (displacement.size() != velocity.size() || !(time_step > 0.) || bins == 0)
-    throw std::invalid_argument("mean_phase_diagram: displacement and velocity need the "
-                                "same length, the time step has to be positive");
+  AssertDimension(displacement.size(), velocity.size());
   PhaseDiagram diagram;
   double period = expected_period;
   if (!(period > 0.))
@@ -104,7 +106,7 @@ PhaseDiagram mean_phase_diagram(const std::vector<double> &displacement,
         summarize_spectrum(amplitude_spectrum(displacement, time_step));
       if (!summary)
         return diagram;
-      period = 1. / summary->main.frequency;
+      period = 1. / summary->main_frequency;
     }
 
   double mean = 0., square = 0.;
@@ -118,22 +120,15 @@ PhaseDiagram mean_phase_diagram(const std::vector<double> &displacement,
   if (crossings.size() < 2)
     return diagram;
 
-  std::vector<std::vector<double>> displacements, velocities, lengths;
+  std::vector<std::vector<double>> displacements, velocities;
   for (std::size_t k = 0; k + 1 < crossings.size(); ++k)
     {
-      displacements.push_back(fold(displacement, crossings[k], crossings[k + 1], bins));
-      velocities.push_back(fold(velocity, crossings[k], crossings[k + 1], bins));
-      lengths.push_back({(crossings[k + 1] - crossings[k]) * time_step});
+      displacements.push_back(fold(displacement, crossings[k], crossings[k + 1]));
+      velocities.push_back(fold(velocity, crossings[k], crossings[k + 1]));
     }
-  diagram.n_periods = static_cast<unsigned int>(lengths.size());
+  diagram.n_periods = static_cast<unsigned int>(displacements.size());
   average(displacements, diagram.displacement, diagram.displacement_spread);
   average(velocities, diagram.velocity, diagram.velocity_spread);
-  std::vector<double> length, deviation;
-  average(lengths, length, deviation);
-  diagram.period           = length[0];
-  diagram.period_deviation = deviation[0];
-  for (unsigned int bin = 0; bin < bins; ++bin)
-    diagram.phase.push_back((bin + 0.5) / bins);
   return diagram;
 }
 } // namespace mesoslip

@@ -14,33 +14,31 @@ ProbeRecorder::ProbeRecorder(const std::vector<Point> &points,
                              const StepParameters &step,
                              NodalField<double> &u,
                              NodalField<double> &w,
+                             const ContactSurface<2> &contact,
                              const std::uint64_t interval,
-                             const ContactTraction &traction,
                              const MPI_Comm communicator)
   : material(material)
   , rows(rows)
   , step(step)
   , u(u)
   , w(w)
+  , contact(contact)
   , interval(interval)
-  , traction(traction)
   , communicator(communicator)
 {
+  int between = 0;
   for (const Point &point : points)
     {
       const Place place = locate(point.position);
       places.push_back(place);
       ProbeHistory history;
-      history.name       = point.name;
-      history.position   = point.position;
-      history.phase      = material.phase_of(place.i, place.j);
-      history.on_contact = place.j == 0 && place.xi[1] < 1e-6;
+      history.name     = point.name;
+      history.position = point.position;
+      history.phase    = material.phase_of(place.i, place.j);
       histories.push_back(history);
+      if (place.owned && place.j + 1 == rows.end && rows.has_upper_ghost())
+        between = 1;
     }
-  int between = 0;
-  for (const Place &place : places)
-    if (place.owned && place.j + 1 == rows.end && rows.has_upper_ghost())
-      between = 1;
   MPI_Allreduce(MPI_IN_PLACE, &between, 1, MPI_INT, MPI_MAX, communicator);
   needs_ghosts = between != 0;
 }
@@ -57,11 +55,23 @@ ProbeRecorder::Place ProbeRecorder::locate(const std::array<double, 2> &position
       cell[d] = std::min(static_cast<unsigned int>(std::max(s, 0.)), grid.cells[d] - 1);
       place.xi[d] = std::clamp(position[d] / grid.spacing[d] - cell[d], 0., 1.);
     }
-  place.i            = cell[0];
-  place.j            = cell[1];
-  place.owned        = rows.begin <= place.j && place.j < rows.end;
-  place.contact_node = place.i + (place.xi[0] > 0.5 ? 1 : 0);
+  place.i     = cell[0];
+  place.j     = cell[1];
+  place.owned = rows.begin <= place.j && place.j < rows.end;
   return place;
+}
+
+void ProbeRecorder::sample_contact(const Place &place,
+                                   std::vector<double> &traction) const
+{
+  if (place.j > 0 || place.xi[1] >= 1e-6)
+    return;
+  const unsigned int node = place.i + (place.xi[0] > 0.5 ? 1 : 0);
+  const bool end =
+    !material.periodicity().x && (node == 0 || node + 1 == material.n_columns());
+  const double width = material.grid().spacing[0] * (end ? 0.5 : 1.);
+  traction.insert(traction.end(), {contact.tangential_force()[node] / width,
+                                   contact.normal_force()[node] / width});
 }
 
 std::array<double, 2> ProbeRecorder::interpolate(const NodalField<double> &field,
@@ -137,11 +147,7 @@ void ProbeRecorder::after_step(const std::uint64_t n)
         for (unsigned int c = 0; c < 2; ++c)
           histories[k].velocity.push_back((1. - step.beta2) * places[k].w_before[c] +
                                           step.beta2 * w_after[c]);
-        if (histories[k].on_contact)
-          {
-            const auto t = traction(places[k].contact_node);
-            histories[k].traction.insert(histories[k].traction.end(), t.begin(), t.end());
-          }
+        sample_contact(places[k], histories[k].traction);
       }
 }
 

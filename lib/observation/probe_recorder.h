@@ -2,14 +2,13 @@
 #define mesoslip_observation_probe_recorder_h
 
 #include "base/serialize_members.h"
-#include "dynamics/explicit_stepper.h"
+#include "contact/contact_surface.h"
 #include "dynamics/step_observer.h"
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
 #include "grid/node_rows.h"
 
 #include <array>
-#include <functional>
 #include <mpi.h>
 #include <string>
 #include <vector>
@@ -20,14 +19,13 @@ namespace mesoslip
 struct ProbeSamples
 {
   std::vector<double> time;         ///< s
-  std::vector<double> displacement; ///< [k][2], m
-  std::vector<double> velocity;     ///< [k][2], m/s
+  std::vector<double> displacement; ///< [k][2] (m)
+  std::vector<double> velocity;     ///< [k][2] (m/s)
   std::vector<double> strain;       ///< [k][3], Voigt
-  std::vector<double> stress;       ///< [k][3], Pa
-  std::vector<double>
-    traction; ///< [k][2], tangential and normal (pressure), Pa; on the contact
+  std::vector<double> stress;       ///< [k][3] (Pa)
+  std::vector<double> traction;     ///< tangential, pressure [k][2] (Pa); on the contact
 
-  /** Of boost::serialization. */
+  /** Saves or restores the samples (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -38,14 +36,10 @@ struct ProbeSamples
 /** A probe and its samples. Every rank knows the first, its owner the second. */
 struct ProbeHistory : ProbeSamples
 {
-  std::string name;                       ///< as in the .prm
-  std::array<double, 2> position = {};    ///< from the lower left corner (m)
-  unsigned int phase             = 0;     ///< class of the cell that it lies in
-  bool on_contact                = false; ///< has tractions of a contact node
+  std::string name;                    ///< as in the .prm
+  std::array<double, 2> position = {}; ///< from the lower left corner (m)
+  unsigned int phase             = 0;  ///< class of the cell that it lies in
 };
-
-/** Tangential and normal contact traction (Pa) of a contact node after a step. */
-using ContactTraction = std::function<std::array<double, 2>(const unsigned int node)>;
 
 /**
  * Samples displacement, velocity, strain, stress and contact traction at points: Q1
@@ -62,18 +56,15 @@ public:
     std::array<double, 2> position = {}; ///< m
   };
 
-  /**
-   * @p u, @p w and @p material are referenced; @p traction is called on the rank that
-   * owns the bottom row. Points have to lie in the body.
-   */
+  /** References are kept. Points have to lie in the body. */
   ProbeRecorder(const std::vector<Point> &points,
                 const UniformMaterial &material,
                 const NodeRows &rows,
                 const StepParameters &step,
                 NodalField<double> &u,
                 NodalField<double> &w,
+                const ContactSurface<2> &contact,
                 const std::uint64_t interval,
-                const ContactTraction &traction,
                 const MPI_Comm communicator);
 
   std::uint64_t next_step(const std::uint64_t n) const override
@@ -99,7 +90,6 @@ private:
   {
     unsigned int i = 0, j = 0;
     std::array<double, 2> xi       = {};
-    unsigned int contact_node      = 0;
     bool owned                     = false;
     std::array<double, 2> w_before = {};
   };
@@ -111,13 +101,16 @@ private:
 
   VoigtVector<2> strain(const Place &place) const;
 
+  /** Appends the traction of the nearest contact node, if the place is on the contact. */
+  void sample_contact(const Place &place, std::vector<double> &traction) const;
+
   const UniformMaterial &material;
   const NodeRows rows;
   const StepParameters step;
   NodalField<double> &u;
   NodalField<double> &w;
+  const ContactSurface<2> &contact;
   const std::uint64_t interval;
-  const ContactTraction traction;
   const MPI_Comm communicator;
 
   std::vector<Place> places;

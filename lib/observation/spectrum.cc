@@ -16,6 +16,9 @@ namespace
 {
 constexpr double pi = 3.14159265358979323846;
 
+constexpr double lowest_frequency = 1e3; ///< of a peak (Hz)
+constexpr double threshold        = 0.1; ///< of the main amplitude; below nothing counts
+
 /** @p signal without its least-squares line; all zeros if only round-off remains. */
 std::vector<double> without_trend(const std::vector<double> &signal)
 {
@@ -51,11 +54,11 @@ std::vector<double> without_trend(const std::vector<double> &signal)
 }
 
 /** Vertex of the parabola through the logarithms of bin @p k and its neighbours. */
-SpectralPeak interpolated_peak(const Spectrum &spectrum, const std::size_t k)
+SpectralSummary interpolated_peak(const Spectrum &spectrum, const std::size_t k)
 {
   const double spacing = spectrum.frequency[1] - spectrum.frequency[0];
   const auto &a        = spectrum.amplitude;
-  SpectralPeak peak{spectrum.frequency[k], a[k]};
+  SpectralSummary peak = {spectrum.frequency[k], a[k], 0.};
   if (a[k - 1] > 0. && a[k + 1] > 0.)
     {
       const double left = std::log(a[k - 1]), middle = std::log(a[k]),
@@ -64,8 +67,8 @@ SpectralPeak interpolated_peak(const Spectrum &spectrum, const std::size_t k)
       if (curvature < 0.)
         {
           const double offset = 0.5 * (left - right) / curvature;
-          peak.frequency += offset * spacing;
-          peak.amplitude = std::exp(middle - 0.25 * (left - right) * offset);
+          peak.main_frequency += offset * spacing;
+          peak.main_amplitude = std::exp(middle - 0.25 * (left - right) * offset);
         }
     }
   return peak;
@@ -130,38 +133,23 @@ double share_near_limit(const Spectrum &spectrum)
 }
 
 std::optional<SpectralSummary> summarize_spectrum(const Spectrum &spectrum,
-                                                  const FrequencyBand &band,
-                                                  const double threshold,
                                                   const double noise_floor)
 {
-  const auto &f = spectrum.frequency;
-  const auto &a = spectrum.amplitude;
-
-  std::vector<std::size_t> maxima;
+  const auto &f    = spectrum.frequency;
+  const auto &a    = spectrum.amplitude;
+  std::size_t main = 0;
   for (std::size_t k = 1; k + 1 < f.size(); ++k)
-    if (f[k] >= band.from && f[k] <= band.to && a[k] > noise_floor && a[k] >= a[k - 1] &&
-        a[k] > a[k + 1])
-      maxima.push_back(k);
-  if (maxima.empty())
+    if (f[k] >= lowest_frequency && a[k] > noise_floor && a[k] >= a[k - 1] &&
+        a[k] > a[k + 1] && (main == 0 || a[k] > a[main]))
+      main = k;
+  if (main == 0)
     return std::nullopt;
 
-  const std::size_t main = *std::max_element(
-    maxima.begin(), maxima.end(),
-    [&a](const std::size_t i, const std::size_t j) { return a[i] < a[j]; });
-  SpectralSummary summary;
-  summary.main = interpolated_peak(spectrum, main);
-
-  const double limit = threshold * summary.main.amplitude;
-  for (const std::size_t k : maxima)
-    if (k != main && a[k] > limit)
-      summary.harmonics.push_back(interpolated_peak(spectrum, k));
-  summary.highest_frequency = summary.main.frequency;
-  for (std::size_t k = f.size(); k-- > 0;)
-    if (f[k] <= band.to && a[k] > limit)
-      {
-        summary.highest_frequency = std::max(f[k], summary.main.frequency);
-        break;
-      }
+  SpectralSummary summary = interpolated_peak(spectrum, main);
+  std::size_t last        = f.size() - 1;
+  while (last > main && !(a[last] > threshold * summary.main_amplitude))
+    --last;
+  summary.highest_frequency = std::max(f[last], summary.main_frequency);
   return summary;
 }
 } // namespace mesoslip

@@ -1,7 +1,6 @@
 #ifndef mesoslip_observation_spectrum_h
 #define mesoslip_observation_spectrum_h
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -17,36 +16,14 @@ struct Spectrum
   std::vector<double> amplitude;
 };
 
-/** A local maximum of a spectrum, interpolated between the bins. */
-struct SpectralPeak
-{
-  /** Hz */
-  double frequency = 0.;
-
-  /** In the unit of the signal. */
-  double amplitude = 0.;
-};
-
-/** Where the main frequency is looked for; both in Hz. */
-struct FrequencyBand
-{
-  double from = 1e3;                                     ///< lower end
-  double to   = std::numeric_limits<double>::infinity(); ///< upper end
-};
-
-/** What a figure like the paper's 5(c) says. */
+/** What a figure like the paper's 5(c) says, about frequencies of 1 kHz and above. */
 struct SpectralSummary
 {
-  /** Highest peak in the band. */
-  SpectralPeak main;
+  double main_frequency = 0.; ///< of the highest peak (Hz)
+  double main_amplitude = 0.; ///< of the highest peak, in the unit of the signal
 
-  /**
-   * The other peaks of the band that rise above the threshold (10 % of the main one),
-   * by increasing frequency: harmonics, and what else vibrates.
+  /** Highest frequency with more than 10 % of the main amplitude (Hz; paper, sect. 3.2).
    */
-  std::vector<SpectralPeak> harmonics;
-
-  /** Hz; highest frequency whose amplitude exceeds the threshold (paper, section 3.2). */
   double highest_frequency = 0.;
 };
 
@@ -63,25 +40,19 @@ Spectrum amplitude_spectrum(const std::vector<double> &signal,
                             double time_step,
                             unsigned int padding = 4);
 
-/** Share of the power above zero frequency that is in the highest tenth of the band; what
- * is beyond the band is folded into it. 0 without a signal. */
+/**
+ * Fraction of the power above zero frequency that is in the highest tenth of the
+ * frequencies; faster motion is folded into it. 0 without a signal.
+ */
 double share_near_limit(const Spectrum &spectrum);
 
 /**
- * Main peak (parabola through the logarithms of the three highest bins), other peaks and
- * highest significant frequency within @p band. Nothing if the band holds no peak, as for
- * a constant signal.
- *
- * @param spectrum  of amplitude_spectrum()
- * @param band  Hz; peaks outside are not seen
- * @param threshold  fraction of the main amplitude below which nothing counts
- * @param noise_floor  amplitude below which the signal counts as constant, in its unit
+ * Main peak (parabola through the logarithms of the three highest bins) and highest
+ * significant frequency of a spectrum of amplitude_spectrum(). Nothing if there is no peak
+ * above @p noise_floor (in the unit of the signal), as for a constant signal.
  */
-std::optional<SpectralSummary>
-summarize_spectrum(const Spectrum &spectrum,
-                   const FrequencyBand &band = FrequencyBand(),
-                   double threshold          = 0.1,
-                   double noise_floor        = 0.);
+std::optional<SpectralSummary> summarize_spectrum(const Spectrum &spectrum,
+                                                  const double noise_floor = 0.);
 } // namespace mesoslip
 
 #endif

@@ -26,7 +26,7 @@ double ratio(const double tangential, const double normal)
 /** Sums of all samples up to the last one of each bin. */
 std::vector<double> running_sum(const CycleRecord &record, const std::size_t column)
 {
-  std::vector<double> sums = record.column(column, 0);
+  std::vector<double> sums = record.column(column);
   double sum               = 0.;
   for (double &value : sums)
     value = sum += value * static_cast<double>(record.stride());
@@ -83,11 +83,11 @@ SteadySeries SteadyRecord::series() const
                      dt);
   if (contact.size() == 0)
     return s;
-  s.displacement      = contact.column(displacement, 0);
-  s.velocity          = contact.column(velocity, 0);
+  s.displacement      = contact.column(displacement);
+  s.velocity          = contact.column(velocity);
   s.friction_energy   = running_sum(contact, friction_energy);
   s.load_work         = running_sum(contact, load_power);
-  s.apparent_friction = contact.column(apparent_friction, 0);
+  s.apparent_friction = contact.column(apparent_friction);
   for (double &work : s.load_work)
     work *= interval * dt;
   for (std::size_t bin = 0; bin < contact.size(); ++bin)
@@ -97,7 +97,7 @@ SteadySeries SteadyRecord::series() const
 
 std::vector<double> SteadyRecord::top_friction() const
 {
-  return top.size() > 0 ? top.column(0, 0) : std::vector<double>();
+  return top.size() > 0 ? top.column(0) : std::vector<double>();
 }
 
 double SteadyRecord::numbers(const double n_samples)

@@ -1,18 +1,27 @@
 #include "observation/steady_state.h"
 
-#include "base/errors.h"
+#include "observation/spectrum.h"
+
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <sstream>
-#include <stdexcept>
-#include <utility>
 
 namespace mesoslip
 {
 namespace
 {
+/** Period (s) while the signal shows no vibration; that of the paper's pin. */
+constexpr double expected_period = 2.5e-5;
+
+/**
+ * rms over |mean| of a displacement below which it counts as steady sliding; the same share
+ * of the reference power, and of the elastic energy for the kinetic one, is no difference.
+ */
+constexpr double negligible = 1e-3;
+
 /** Growth that a negligible amplitude may show among the parts compared. */
 constexpr double sliding_growth = 1.5;
 
@@ -37,269 +46,280 @@ enum Column : std::size_t
   elastic_energy,
   first_displacement
 };
+
+double mean_of(const std::vector<double> &values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.) /
+         static_cast<double>(values.size());
+}
+
+double spread_of(const std::vector<double> &values)
+{
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return *most - *least;
+}
+
+/** Spread over the larger of |mean| and @p scale. */
+double relative_spread(const std::vector<double> &values, const double scale = 0.)
+{
+  const double spread = spread_of(values);
+  return spread > 0. ? spread / std::max(std::fabs(mean_of(values)), scale) : 0.;
+}
+
+/** Appends what is new in @p part, the share of this rank, to @p all, summed over the
+ * ranks. */
+void gather(const std::vector<double> &part,
+            std::vector<double> &all,
+            const MPI_Comm communicator)
+{
+  const std::size_t known = all.size();
+  all.insert(all.end(), part.begin() + static_cast<std::ptrdiff_t>(known), part.end());
+  MPI_Allreduce(MPI_IN_PLACE, all.data() + known, static_cast<int>(all.size() - known),
+                MPI_DOUBLE, MPI_SUM, communicator);
+}
 } // namespace
 
-/** The values of one quantity in the parts. */
-class LimitCycleDetector::PartValues
-{
-public:
-  explicit PartValues(std::vector<double> values)
-    : values(std::move(values))
-  {
-  }
-
-  double mean() const
-  {
-    return std::accumulate(values.begin(), values.end(), 0.) /
-           static_cast<double>(values.size());
-  }
-
-  double spread() const
-  {
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    return *most - *least;
-  }
-
-  /** Spread over the larger of |mean| and @p scale. */
-  double relative(const double scale = 0.) const
-  {
-    return spread() > 0. ? spread() / std::max(std::fabs(mean()), scale) : 0.;
-  }
-
-  double first() const
-  {
-    return values.front();
-  }
-
-  double last() const
-  {
-    return values.back();
-  }
-
-private:
-  std::vector<double> values;
-};
-
 template <typename Function>
-LimitCycleDetector::PartValues LimitCycleDetector::of_parts(const Parts &parts,
-                                                            const Function &value) const
+std::vector<double> LimitCycleDetector::of_parts(const Parts &parts,
+                                                 const Function &value) const
 {
   std::vector<double> values;
-  for (unsigned int k = 0; k < criterion_.windows; ++k)
+  for (unsigned int k = 0; k < criterion.windows; ++k)
     values.push_back(
       value(parts.first + k * parts.length, parts.first + (k + 1) * parts.length));
-  return PartValues(std::move(values));
+  return values;
 }
 
 LimitCycleDetector::LimitCycleDetector(const LimitCycleCriterion &criterion)
-  : criterion_(criterion)
-  , period_(criterion.expected_period)
+  : criterion(criterion)
+  , vibration_period(expected_period)
 {
-  if (criterion.periods < 1 || criterion.windows < 2 || !(criterion.tolerance > 0.) ||
-      !(criterion.expected_period > 0.))
-    throw std::invalid_argument(
-      "LimitCycleDetector: needs at least 1 period, 2 windows, a positive tolerance and "
-      "a positive expected period");
+  Assert(criterion.periods >= 1 && criterion.windows >= 2 && criterion.tolerance > 0.,
+         dealii::ExcMessage("This criterion is always met, or never."));
 }
 
 bool LimitCycleDetector::add(const CycleSample &sample)
 {
-  values_ = {sample.friction_energy - last_friction_energy_,
-             sample.normal_force,
-             sample.tangential_force,
-             sample.sticking,
-             sample.slipping,
-             sample.kinetic_energy,
-             sample.elastic_energy};
-  values_.insert(values_.end(), sample.displacement.begin(), sample.displacement.end());
-  for (const double value : values_)
-    if (!std::isfinite(value))
-      throw NumericalFailure(
-        "a displacement, force or energy of the contact is not finite at "
-        "t = " +
-        std::to_string(sample.time) + " s");
-  if (n_samples_ == 0)
-    first_time_ = next_check_ = sample.time;
-  n_nodes_              = sample.displacement.size();
-  last_friction_energy_ = sample.friction_energy;
-  last_time_            = sample.time;
-  ++n_samples_;
-  record_.add(values_);
-  motion_.push_back(sample.displacement.front());
-  if (motion_.size() >= 2 * period_samples)
-    motion_.erase(motion_.begin(), motion_.end() - period_samples);
-  if (sample.time >= next_check_)
+  std::vector<double> values = {sample.friction_energy - last_friction_energy,
+                                sample.normal_force,
+                                sample.tangential_force,
+                                sample.sticking,
+                                sample.slipping,
+                                sample.kinetic_energy,
+                                sample.elastic_energy};
+  values.insert(values.end(), sample.displacement.begin(), sample.displacement.end());
+  if (!std::all_of(values.begin(), values.end(),
+                   [](double v) { return std::isfinite(v); }))
+    return false;
+  if (n_samples == 0)
+    first_time = next_check = sample.time;
+  last_friction_energy = sample.friction_energy;
+  last_time            = sample.time;
+  ++n_samples;
+  record.add(values);
+  motion.push_back(sample.displacement.front());
+  if (motion.size() >= 2 * period_samples)
+    motion.erase(motion.begin(), motion.end() - period_samples);
+  if (sample.time >= next_check)
     check();
-  return reached();
+  return true;
 }
 
 double LimitCycleDetector::sample_step() const
 {
-  return n_samples_ > 1 ? (last_time_ - first_time_) / static_cast<double>(n_samples_ - 1)
-                        : 0.;
+  return n_samples > 1 ? (last_time - first_time) / static_cast<double>(n_samples - 1)
+                       : 0.;
 }
 
 void LimitCycleDetector::check()
 {
-  next_check_ = last_time_ + std::max(criterion_.periods * period_,
-                                      check_spacing * (last_time_ - first_time_));
-  if (n_samples_ < 2)
+  next_check = last_time + std::max(criterion.periods * vibration_period,
+                                    check_spacing * (last_time - first_time));
+  if (n_samples < 2)
     return;
-  period_ = estimate_period().value_or(criterion_.expected_period);
+  vibration_period = estimate_period().value_or(expected_period);
   // Once reached, everything since the steady part began is judged.
-  const double bin         = sample_step() * static_cast<double>(record_.stride());
-  const std::size_t middle = (record_.size() + 1) / 2;
-  const double from        = reached() ? std::ceil((steady_from_ - first_time_) / bin)
-                                       : static_cast<double>(middle);
-  const auto first         = static_cast<std::size_t>(
-    std::fmin(std::fmax(from, 0.), static_cast<double>(record_.size())));
+  const double bin         = sample_step() * static_cast<double>(record.stride());
+  const std::size_t middle = (record.size() + 1) / 2;
+  const double from =
+    reached() ? std::ceil((start - first_time) / bin) : static_cast<double>(middle);
+  const auto first =
+    static_cast<std::size_t>(std::clamp(from, 0., static_cast<double>(record.size())));
   const auto compared = parts(first);
   if (!compared)
     return;
   compare(*compared);
   if (reached())
     {
-      if (!(difference_ <= withdrawal * criterion_.tolerance))
-        reached_at_ = 0.;
+      if (!(difference <= withdrawal * criterion.tolerance))
+        time_reached = 0.;
     }
-  else if (difference_ <= criterion_.tolerance)
+  else if (difference <= criterion.tolerance)
     {
-      reached_at_  = last_time_;
-      steady_from_ = first_time_ + static_cast<double>(compared->first) * bin;
+      time_reached = last_time;
+      start        = first_time + static_cast<double>(compared->first) * bin;
     }
 }
 
 std::optional<double> LimitCycleDetector::estimate_period() const
 {
   const std::size_t kept =
-    std::min<std::size_t>({n_samples_ - n_samples_ / 2, period_samples, motion_.size()});
+    std::min<std::size_t>({n_samples - n_samples / 2, period_samples, motion.size()});
   if (kept < 16)
     return std::nullopt;
-  const std::vector<double> half(motion_.end() - static_cast<std::ptrdiff_t>(kept),
-                                 motion_.end());
-  const double step = sample_step();
-  const auto summary =
-    summarize_spectrum(amplitude_spectrum(half, step, 2), criterion_.band);
+  const std::vector<double> half(motion.end() - static_cast<std::ptrdiff_t>(kept),
+                                 motion.end());
+  const double step  = sample_step();
+  const auto summary = summarize_spectrum(amplitude_spectrum(half, step, 2));
   // Fewer than two periods are rather a drift than a vibration.
   const double duration = step * static_cast<double>(half.size());
-  if (!summary || !(summary->main.frequency * duration >= 2.))
+  if (!summary || !(summary->main_frequency * duration >= 2.))
     return std::nullopt;
-  return 1. / summary->main.frequency;
+  return 1. / summary->main_frequency;
 }
 
 std::optional<LimitCycleDetector::Parts>
 LimitCycleDetector::parts(const std::size_t first) const
 {
-  if (record_.size() <= first)
+  if (record.size() <= first)
     return std::nullopt;
   const double period =
-    period_ / (sample_step() * static_cast<double>(record_.stride())); // in bins
+    vibration_period / (sample_step() * static_cast<double>(record.stride())); // in bins
   const double periods =
-    std::floor(static_cast<double>(record_.size() - first) / criterion_.windows / period);
+    std::floor(static_cast<double>(record.size() - first) / criterion.windows / period);
   // The last comparison also fails for what is not a number, and cannot be made an index.
-  if (!(periods >= criterion_.periods) || !(periods * period >= 1.) ||
-      !(periods * period * criterion_.windows < static_cast<double>(record_.size() + 1)))
+  if (!(periods >= criterion.periods) || !(periods * period >= 1.) ||
+      !(periods * period * criterion.windows < static_cast<double>(record.size() + 1)))
     return std::nullopt;
   const auto length = static_cast<std::size_t>(periods * period);
-  return Parts{record_.size() - criterion_.windows * length, length};
+  return Parts{record.size() - criterion.windows * length, length};
 }
 
 void LimitCycleDetector::compare(const Parts &parts)
 {
-  difference_ = 0.;
-  quantity_   = "nothing";
+  difference = 0.;
+  quantity   = "nothing";
   compare_resultants(parts);
   compare_motion(parts);
 }
 
-void LimitCycleDetector::include(const double difference, const char *quantity)
+void LimitCycleDetector::include(const double found, const char *of)
 {
-  if (difference <= difference_)
+  if (found <= difference)
     return;
-  difference_ = difference;
-  quantity_   = quantity;
+  difference = found;
+  quantity   = of;
 }
 
 void LimitCycleDetector::compare_resultants(const Parts &parts)
 {
   const auto means = [&](const Column column) {
     return of_parts(parts, [&](const std::size_t first, const std::size_t last) {
-      return record_.mean(column, first, last);
+      return record.mean(column, first, last);
     });
   };
-  const double little = criterion_.negligible_fraction;
-  include(means(power).relative(little * criterion_.reference_power * sample_step()),
-          "the frictional power");
-  include(of_parts(parts,
-                   [&](const std::size_t first, const std::size_t last) {
-                     const double pressing = record_.mean(normal_force, first, last);
-                     return pressing > 0.
-                              ? record_.mean(tangential_force, first, last) / pressing
-                              : 0.;
-                   })
-            .relative(little),
-          "the apparent friction");
-  include(means(sticking).spread(), "the share of sticking nodes");
-  include(means(slipping).spread(), "the share of slipping nodes");
-  const PartValues elastic = means(elastic_energy);
-  include(elastic.relative(), "the elastic energy");
-  include(means(kinetic_energy).relative(little * elastic.mean()), "the kinetic energy");
+  const std::vector<double> friction =
+    of_parts(parts, [&](const std::size_t first, const std::size_t last) {
+      const double pressing = record.mean(normal_force, first, last);
+      return pressing > 0. ? record.mean(tangential_force, first, last) / pressing : 0.;
+    });
+  const std::vector<double> elastic = means(elastic_energy);
+  include(
+    relative_spread(means(power), negligible * criterion.reference_power * sample_step()),
+    "the frictional power");
+  include(relative_spread(friction, negligible), "the apparent friction");
+  include(spread_of(means(sticking)), "the share of sticking nodes");
+  include(spread_of(means(slipping)), "the share of slipping nodes");
+  include(relative_spread(elastic), "the elastic energy");
+  include(relative_spread(means(kinetic_energy), negligible * mean_of(elastic)),
+          "the kinetic energy");
 }
 
 void LimitCycleDetector::compare_motion(const Parts &parts)
 {
-  sliding_            = true;
+  sliding             = true;
   double of_amplitude = 0.;
-  for (std::size_t c = first_displacement; c < first_displacement + n_nodes_; ++c)
+  for (std::size_t c = first_displacement; c < record.n_columns(); ++c)
     {
-      const PartValues mean =
+      const std::vector<double> mean =
         of_parts(parts, [&](const std::size_t first, const std::size_t last) {
-          return record_.mean(c, first, last);
+          return record.mean(c, first, last);
         });
-      const PartValues amplitude =
+      const std::vector<double> amplitude =
         of_parts(parts, [&](const std::size_t first, const std::size_t last) {
-          return std::sqrt(record_.variance(c, first, last));
+          return std::sqrt(record.variance(c, first, last));
         });
-      include(mean.relative(amplitude.mean()), "a mean displacement");
-      of_amplitude = std::max(of_amplitude, amplitude.relative());
-      sliding_ =
-        sliding_ &&
-        amplitude.mean() <= criterion_.negligible_fraction * std::fabs(mean.mean()) &&
-        !(amplitude.last() > sliding_growth * amplitude.first());
+      include(relative_spread(mean, mean_of(amplitude)), "a mean displacement");
+      of_amplitude = std::max(of_amplitude, relative_spread(amplitude));
+      sliding = sliding && mean_of(amplitude) <= negligible * std::fabs(mean_of(mean)) &&
+                !(amplitude.back() > sliding_growth * amplitude.front());
     }
-  if (!sliding_)
+  if (!sliding)
     include(of_amplitude, "an amplitude");
-}
-
-std::optional<double> LimitCycleDetector::reached_at() const
-{
-  return reached() ? std::optional<double>(reached_at_) : std::nullopt;
-}
-
-double LimitCycleDetector::steady_from() const
-{
-  return reached() ? steady_from_ : 0.5 * (first_time_ + last_time_);
 }
 
 std::string LimitCycleDetector::description() const
 {
   std::ostringstream text;
-  text << "limit cycle: motion of " << n_nodes_
+  const std::size_t n_nodes =
+    record.size() > 0 ? record.n_columns() - first_displacement : 0;
+  text << "limit cycle: motion of " << n_nodes
        << " contact nodes, frictional power, apparent "
-       << "friction, contact shares and energies of " << criterion_.windows
-       << " equal parts (of at least " << criterion_.periods
+       << "friction, contact shares and energies of " << criterion.windows
+       << " equal parts (of at least " << criterion.periods
        << " periods) of the second half of the run agree within "
-       << 100. * criterion_.tolerance << " %; ";
+       << 100. * criterion.tolerance << " %; ";
   text.precision(4);
   if (reached())
-    text << (steady_sliding() ? "steady sliding" : "reached") << " at t = " << reached_at_
-         << " s, steady from " << steady_from_ << " s, period " << period_ << " s";
+    text << (sliding ? "steady sliding" : "reached") << " at t = " << time_reached
+         << " s, steady from " << start << " s, period " << vibration_period << " s";
   else
     {
-      text << "not reached by t = " << last_time_ << " s";
-      if (difference_ >= 0.)
-        text << " (" << quantity_ << " differs by " << 100. * difference_ << " %)";
+      text << "not reached by t = " << last_time << " s";
+      if (difference >= 0.)
+        text << " (" << quantity << " differs by " << 100. * difference << " %)";
     }
   return text.str();
+}
+
+LimitCycleWatch::LimitCycleWatch(const LimitCycleCriterion &criterion,
+                                 const unsigned int n_nodes,
+                                 const unsigned int energy_interval,
+                                 const MPI_Comm communicator)
+  : n_nodes(n_nodes)
+  , energy_interval(energy_interval)
+  , communicator(communicator)
+  , cycle_detector(criterion)
+{
+}
+
+bool LimitCycleWatch::update(const ContactHistory &fresh, const EnergyAudit *energy)
+{
+  if (energy != nullptr)
+    {
+      gather(energy->local_history().kinetic, kinetic_energy, communicator);
+      gather(energy->local_history().elastic, elastic_energy, communicator);
+    }
+  for (std::size_t k = 0; k < fresh.step.size(); ++k)
+    {
+      CycleSample sample;
+      for (const MonitoredNode &node : fresh.nodes)
+        sample.displacement.push_back(node.ux[k]);
+      sample.time             = fresh.time[k];
+      sample.friction_energy  = fresh.friction_energy[k];
+      sample.normal_force     = fresh.normal_force[k];
+      sample.tangential_force = fresh.tangential_force[k];
+      sample.sticking         = fresh.sticking[k] / n_nodes;
+      sample.slipping         = fresh.slipping[k] / n_nodes;
+      if (!kinetic_energy.empty()) // the last one known at that step
+        {
+          const std::size_t e   = fresh.step[k] / energy_interval;
+          sample.kinetic_energy = kinetic_energy[e];
+          sample.elastic_energy = elastic_energy[e];
+        }
+      if (!cycle_detector.add(sample))
+        return false;
+    }
+  return true;
 }
 } // namespace mesoslip

@@ -1,10 +1,13 @@
 #ifndef mesoslip_observation_steady_state_h
 #define mesoslip_observation_steady_state_h
 
+#include "contact/contact_recorder.h"
+#include "dynamics/energy_audit.h"
 #include "observation/cycle_record.h"
-#include "observation/spectrum.h"
 
 #include <boost/serialization/string.hpp>
+
+#include <mpi.h>
 
 #include <optional>
 #include <string>
@@ -12,31 +15,13 @@
 
 namespace mesoslip
 {
-/** When a run counts as steady. The defaults suit the paper's pin (40 kHz). */
+/** When a run counts as steady. */
 struct LimitCycleCriterion
 {
-  /** Periods that a part has at least. */
-  unsigned int periods = 3;
-
-  /** Equal parts of the second half of the run that have to agree among one another. */
-  unsigned int windows = 3;
-
-  /** Largest relative difference among these parts. */
-  double tolerance = 0.02;
-
-  /** Hz; where the main frequency is looked for. */
-  FrequencyBand band;
-
-  /** s; period used while the signal shows no vibration (steady sliding). */
-  double expected_period = 2.5e-5;
-
-  /** rms over |mean| of a displacement below which it counts as steady sliding; the same
-   * share of the reference power, and of the elastic energy for the kinetic one, is no
-   * difference. */
-  double negligible_fraction = 1e-3;
-
-  /** W/m; P S |V|. */
-  double reference_power = 0.;
+  unsigned int periods   = 3;    ///< that a part has at least
+  unsigned int windows   = 3;    ///< equal parts of the second half of the run
+  double tolerance       = 0.02; ///< largest relative difference among the parts
+  double reference_power = 0.;   ///< P S |V| (W/m)
 };
 
 /** What the contact and the body do at one time; forces and energies per unit thickness.
@@ -44,17 +29,15 @@ struct LimitCycleCriterion
 struct CycleSample
 {
   double time = 0.; ///< s
-
-  /** m; u_x of some contact nodes, the reference node first. */
-  std::vector<double> displacement;
-
-  double friction_energy  = 0.; ///< J/m, since the start
+  std::vector<double>
+    displacement;               ///< u_x of contact nodes, the reference node first (m)
+  double friction_energy  = 0.; ///< since the start (J/m)
   double normal_force     = 0.; ///< N/m
   double tangential_force = 0.; ///< N/m
-  double sticking         = 0.; ///< share of the contact nodes
-  double slipping         = 0.; ///< share of the contact nodes
-  double kinetic_energy   = 0.; ///< J/m; leave at 0 when it is not observed
-  double elastic_energy   = 0.; ///< J/m; leave at 0 when it is not observed
+  double sticking         = 0.; ///< fraction of the contact nodes
+  double slipping         = 0.; ///< fraction of the contact nodes
+  double kinetic_energy   = 0.; ///< J/m; 0 when it is not observed
+  double elastic_energy   = 0.; ///< J/m; 0 when it is not observed
 };
 
 /**
@@ -83,41 +66,33 @@ public:
     const LimitCycleCriterion &criterion = LimitCycleCriterion());
 
   /**
-   * Feed one sample. Times have to be uniformly spaced and increasing.
-   * @return whether the steady state is reached
-   * @throws NumericalFailure if a value is not finite
+   * Takes one sample; times have to be uniformly spaced and increasing.
+   * @return false, and nothing is taken, if a value is not finite
    */
   bool add(const CycleSample &sample);
 
-  /** By what has been added so far; taken back when something grows later. */
+  /** By what has been added so far; withdrawn when something grows later. */
   bool reached() const
   {
-    return reached_at_ > 0.;
+    return time_reached > 0.;
   }
 
-  /** Steady, without vibration. */
-  bool steady_sliding() const
+  /** Time (s) of the sample at which the decision fell; 0 if it did not. */
+  double reached_at() const
   {
-    return reached() && sliding_;
+    return time_reached;
   }
 
-  /** s; start of the steady part; the middle of the time fed so far if it was not
-   * reached. */
-  double steady_from() const;
+  /** Start (s) of the steady part; the middle of the time so far if it was not reached. */
+  double steady_from() const
+  {
+    return reached() ? start : 0.5 * (first_time + last_time);
+  }
 
-  /** s; time of the sample at which the decision fell; nothing if it did not. */
-  std::optional<double> reached_at() const;
-
-  /** s; period of the reference node's vibration; the expected one without any. */
+  /** Period (s) of the reference node's vibration; an expected one without any. */
   double period() const
   {
-    return period_;
-  }
-
-  /** Largest relative difference among the parts last compared; -1 before. */
-  double difference() const
-  {
-    return difference_;
+    return vibration_period;
   }
 
   /** The criterion and its present outcome, in one sentence, for logs and reports. */
@@ -127,9 +102,9 @@ public:
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &record_ &motion_ &n_nodes_ &n_samples_ &first_time_ &last_time_
-      &last_friction_energy_ &next_check_ &period_ &difference_ &quantity_ &sliding_
-        &reached_at_ &steady_from_;
+    archive &record &motion &n_samples &first_time &last_time &last_friction_energy;
+    archive &next_check &vibration_period &difference &quantity &sliding;
+    archive &time_reached &start;
   }
 
 private:
@@ -150,12 +125,11 @@ private:
   /** Nothing if the parts of the bins from @p first on would be too short. */
   std::optional<Parts> parts(std::size_t first) const;
 
-  class PartValues;
-
+  /** The value of each part, of a function of its first and behind its last bin. */
   template <typename Function>
-  PartValues of_parts(const Parts &parts, const Function &value) const;
+  std::vector<double> of_parts(const Parts &parts, const Function &value) const;
 
-  /** Sets difference_, quantity_ and sliding_. */
+  /** Sets difference, quantity and sliding. */
   void compare(const Parts &parts);
   void compare_resultants(const Parts &parts);
   void compare_motion(const Parts &parts);
@@ -163,23 +137,59 @@ private:
   /** Keeps the largest difference. */
   void include(double difference, const char *quantity);
 
-  LimitCycleCriterion criterion_;
-  CycleRecord record_;
+  LimitCycleCriterion criterion;
+  CycleRecord record;
   /** Latest displacements of the reference node: bins of the record would alias. */
-  std::vector<double> motion_;
-  std::vector<double> values_; ///< of the sample that is added
-  std::size_t n_nodes_         = 0;
-  unsigned long n_samples_     = 0;
-  double first_time_           = 0.;
-  double last_time_            = 0.;
-  double last_friction_energy_ = 0.;
-  double next_check_           = 0.;
-  double period_               = 0.;
-  double difference_           = -1.;
-  std::string quantity_; ///< that differs the most
-  bool sliding_       = false;
-  double reached_at_  = 0.; ///< 0: not reached
-  double steady_from_ = 0.;
+  std::vector<double> motion;
+  unsigned long n_samples     = 0;
+  double first_time           = 0.;
+  double last_time            = 0.;
+  double last_friction_energy = 0.;
+  double next_check           = 0.;
+  double vibration_period;
+  double difference = -1.; ///< largest among the parts last compared; -1: none
+  std::string quantity;    ///< that differs the most
+  bool sliding        = false;
+  double time_reached = 0.; ///< 0: not reached
+  double start        = 0.; ///< of the steady part
+};
+
+/** Tells a LimitCycleDetector what a run has observed so far. Only rank 0 knows more. */
+class LimitCycleWatch
+{
+public:
+  /** @p n_nodes: distinct contact nodes; @p energy_interval: steps between energies. */
+  LimitCycleWatch(const LimitCycleCriterion &criterion,
+                  const unsigned int n_nodes,
+                  const unsigned int energy_interval,
+                  const MPI_Comm communicator);
+
+  /**
+   * Passes on the samples in @p fresh, each of a run once and in their order; @p energy
+   * may be null. Collective.
+   * @return false if there is a sample that is not finite (and was not passed on)
+   */
+  bool update(const ContactHistory &fresh, const EnergyAudit *energy);
+
+  /** With all that update() has passed on. */
+  const LimitCycleDetector &detector() const
+  {
+    return cycle_detector;
+  }
+
+  /** Saves or restores the state between two steps (Boost.Serialization). */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &cycle_detector &kinetic_energy &elastic_energy;
+  }
+
+private:
+  const unsigned int n_nodes, energy_interval;
+  const MPI_Comm communicator;
+  LimitCycleDetector cycle_detector;
+  /** Of all ranks, samples so far. */
+  std::vector<double> kinetic_energy, elastic_energy;
 };
 } // namespace mesoslip
 

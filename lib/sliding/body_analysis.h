@@ -2,8 +2,7 @@
 #define mesoslip_sliding_body_analysis_h
 
 #include "program/program.h"
-#include "sliding/contact_parameters.h"
-#include "sliding/scene.h"
+#include "sliding/make_body.h"
 
 #include <string>
 #include <vector>
@@ -27,14 +26,11 @@ protected:
   /** Writes grid and materials to the log, with warnings. */
   void log_body(RunContext &context) const;
 
-  /** As log_body(); tells that the ranks of a run repeat the same computation. */
-  void log_serial_body(RunContext &context) const;
-
   /** Puts analysis, material and size of the body into summary.json. */
   void summarize_body(const std::string &analysis, RunContext &context) const;
 
   const ContactParameters parameters; ///< all of them, checked
-  const Scene scene;                  ///< the body, the same on all ranks
+  const BodyDescription body;         ///< the same on all ranks
   const UniformMaterial material;     ///< stiffness and density of its cells
 
 private:

@@ -101,8 +101,8 @@ void ContactParameters::check() const
   if (!body.rve_file.empty())
     require_readable_file("Body/RVE file: ", body.rve_file,
                           "run rve_homogenization first");
-  if (time.time_step > time.end_time)
-    throw UserError("Time/Time step: " + to_text(time.time_step) +
+  if (step.dt > time.end_time)
+    throw UserError("Time/Time step: " + to_text(step.dt) +
                     " s is longer than End time, " + to_text(time.end_time) + " s");
   const std::array<bool, 2> &left = sides.left_held, &right = sides.right_held;
   if (periodic && (left[0] || left[1] || right[0] || right[1]))

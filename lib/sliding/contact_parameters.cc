@@ -10,70 +10,87 @@ namespace mesoslip
 {
 namespace
 {
-/** Upper end of the range of whole numbers that only the machine limits. */
-constexpr long most_steps_or_cells = 1000000000;
+/** Upper end of the range of numbers of cells. */
+constexpr long most_cells = 1000000000;
 
 /** x and y, or nothing. */
-std::array<double, 2> pair(const std::string &key, const std::vector<double> &values)
+template <typename Number>
+std::array<Number, 2> pair(const std::string &key, const std::vector<Number> &values)
 {
   if (values.size() == 1)
     throw UserError(key + ": one number found, two (x, y) are needed");
-  return values.empty() ? std::array<double, 2>{}
-                        : std::array<double, 2>{{values[0], values[1]}};
+  return values.empty() ? std::array<Number, 2>{}
+                        : std::array<Number, 2>{{values[0], values[1]}};
 }
 
-void bind(Keys &keys, BodyParameters &body)
+void bind_body(Keys &keys, ContactParameters &p)
 {
-  const auto section = keys.section("Body");
+  const auto section   = keys.section("Body");
+  BodyParameters &body = p.body;
   std::vector<double> size;
   std::vector<long> cells;
   keys.bind("Material", body.heterogeneous, {"homogeneous", "heterogeneous"},
-            "One effective material, or the phases and the morphology of the RVE file");
-  keys.bind_input("RVE file", body.rve_file,
-                  "rve.h5 of rve_homogenization; empty: the material typed in below");
+            "One effective material, or every cell with the phase that it has in the RVE "
+            "file");
+  keys.bind_input(
+    "RVE file", body.rve_file,
+    "Path of the rve.h5 of rve_homogenization from which the body takes its "
+    "materials, and its size and cells where these are empty; empty: the "
+    "material is that of Stiffness and Density");
   keys.bind("Stiffness from", body.stiffness_name, {"effective", "KUBC", "SUBC", "PBC"},
-            "Which stiffness of the RVE file a homogeneous body takes");
+            "Boundary conditions of the homogenization whose stiffness in the RVE file a "
+            "homogeneous body takes");
   keys.bind_list(
     "Stiffness", body.stiffness, Range::stiffness(),
-    "Without RVE file: D11, D12, D22, D33, or all six D11, D12, D13, D22, D23, "
-    "D33; Voigt order xx, yy, xy, plane strain; default eq. (10) [Pa]",
+    "Stiffness of a homogeneous body without RVE file in plane strain, Voigt "
+    "order xx, yy, xy: D11, D12, D22, D33 or all six D11, D12, D13, D22, D23, "
+    "D33; by default that of eq. (10) [Pa]",
     4, 6);
   keys.bind("Density", body.density, Range::density(),
-            "Density without RVE file [kg/m^3]");
-  keys.bind_list(
-    "Size", size, Range::length(),
-    "Width and height; empty: those of the RVE file, or the paper's 56 x 16 mm [m]", 0,
-    2);
-  keys.bind_list("Cells", cells, 1, most_steps_or_cells,
-                 "Cells along x and y; empty: those of the RVE file, or 560, 160. A "
-                 "heterogeneous body may have whole multiples of the RVE's [-]",
+            "Density of a homogeneous body without RVE file [kg/m^3]");
+  keys.bind_list("Size", size, Range::length(),
+                 "Width and height of the body; empty: those of the RVE file, or the "
+                 "paper's 56 x 16 mm without one [m]",
                  0, 2);
+  keys.bind_list(
+    "Cells", cells, 1, most_cells,
+    "Numbers of cells along x and y; empty: those of the RVE file, or 560, 160 "
+    "without one. A heterogeneous body takes whole multiples of those of the "
+    "RVE file [-]",
+    0, 2);
   keys.bind("Initial velocity", body.initial_velocity, Range::any(),
             "Velocity of the whole body at the start [m/s]");
-  keys.bind("Acceleration", body.acceleration, Range::any(),
-            "Body acceleration, gravity [m/s^2]");
-  body.size = pair("Body/Size", size);
-  const auto numbers =
-    pair("Body/Cells", std::vector<double>(cells.begin(), cells.end()));
-  for (unsigned int d = 0; d < 2; ++d)
-    body.cells[d] = static_cast<unsigned int>(numbers[d]);
+  keys.bind("Acceleration", p.step.acceleration, Range::any(),
+            "Acceleration that acts on the whole body, such as gravity [m/s^2]");
+  body.size         = pair("Body/Size", size);
+  const auto number = pair("Body/Cells", cells);
+  body.cells        = {
+           {static_cast<unsigned int>(number[0]), static_cast<unsigned int>(number[1])}};
 }
 
-void bind(Keys &keys, TimeParameters &time)
+void bind_time(Keys &keys, ContactParameters &p)
 {
   const auto section = keys.section("Time");
-  keys.bind("End time", time.end_time, Range::positive(), "Simulated time [s]");
-  keys.bind_or_auto("Time step", time.time_step, Range::positive(),
-                    "auto: Safety factor times the critical one [s]");
-  keys.bind("Safety factor", time.safety, Range::left_open(0., 1.),
-            "Share of the critical time step that auto takes [-]");
-  keys.bind("Beta2", time.beta2, Range::closed(0.5, 1.),
-            "beta2 of the scheme: 1/2 leapfrog, above it dissipates high frequencies "
-            "[-]");
-  keys.bind("Rayleigh beta", time.beta, Range::non_negative(),
-            "Stiffness-proportional damping, C = beta K [s]");
-  keys.bind("Check time step", time.check_time_step,
-            "Refuse a time step above the critical one (false: for stability studies)");
+  keys.bind("End time", p.time.end_time, Range::positive(),
+            "Time at which the run ends, which starts at 0 [s]");
+  keys.bind_or_auto("Time step", p.step.dt, Range::positive(),
+                    "Time step of the explicit scheme; auto: Safety factor times the "
+                    "critical one, which is computed [s]");
+  keys.bind(
+    "Safety factor", p.time.safety, Range::left_open(0., 1.),
+    "Fraction of the critical time step that Time step = auto takes; reduce it if "
+    "a run becomes unstable [-]");
+  keys.bind("Beta2", p.step.beta2, Range::closed(0.5, 1.),
+            "beta2 of the time scheme: 1/2 is the leapfrog scheme of order two; larger "
+            "values dissipate vibrations whose periods are a few time steps [-]");
+  keys.bind(
+    "Rayleigh beta", p.step.beta, Range::non_negative(),
+    "beta of the stiffness-proportional damping C = beta K, which damps a "
+    "vibration of the frequency f with the ratio pi f beta; it reduces the critical "
+    "time step [s]");
+  keys.bind("Check time step", p.time.check_time_step,
+            "Refuse a Time step above the critical one; false is for studies of unstable "
+            "runs");
 }
 
 /** The key of an amplitude is bound already. */
@@ -86,8 +103,11 @@ LoadHistory bind_history(Keys &keys,
   double time = 0.;
   std::string expression;
   keys.bind("Ramp", ramp, {"step", "linear", "smooth"},
-            "How the " + what + " grows from zero");
-  keys.bind("Ramp time", time, Range::non_negative(), "Duration of the ramp [s]");
+            "How the " + what +
+              " grows from zero: at once, as t / T or as (1 - cos(pi t / T)) / 2 in the "
+              "Ramp time T");
+  keys.bind("Ramp time", time, Range::non_negative(),
+            "Time T in which the " + what + " grows to its full value [s]");
   keys.bind("Expression", expression,
             "The " + what +
               " as an expression in the time t (s), instead of a ramp, e.g. "
@@ -106,229 +126,108 @@ LoadHistory bind_history(Keys &keys,
     }
 }
 
-void bind_flat(Keys &keys, FrictionParameters &friction)
+void bind_loads(Keys &keys, ContactParameters &p)
 {
-  const auto section = keys.section("Flat");
-  double velocity    = 2.;
-  keys.bind("Velocity", velocity, Range::any(),
-            "Velocity of the rigid flat along x [m/s]");
-  friction.flat_velocity = bind_history(keys, velocity, "velocity", "m/s");
-  keys.bind("Gap", friction.gap, Range::non_negative(),
-            "Distance between the body and the flat at the start [m]");
-}
-
-void bind(Keys &keys, TopSetup &top)
-{
+  {
+    const auto section = keys.section("Flat");
+    double velocity    = 2.;
+    keys.bind("Velocity", velocity, Range::any(),
+              "Velocity of the rigid flat along x [m/s]");
+    p.contact.flat_velocity = bind_history(keys, velocity, "velocity", "m/s");
+    keys.bind("Gap", p.contact.gap, Range::non_negative(),
+              "Distance between the body and the flat at the start [m]");
+  }
   const auto section = keys.section("Top");
   double pressure = 5e6, hold_from = automatic;
-  keys.bind("Kind", top.kind, {"pressure", "platen", "held"},
-            "A pressure on each node; a rigid platen (u_x = 0, one common u_y) pushed by "
-            "the pressure's resultant; or u = 0");
-  keys.bind("Pressure", pressure, Range::any(), "Pressure on the top [Pa]");
-  top.pressure = bind_history(keys, pressure, "pressure", "Pa");
-  keys.bind("Lateral held", top.lateral_held,
-            "With a pressure: u_x = 0 on the top, as under a platen");
-  keys.bind("Platen mass", top.platen_mass, Range::non_negative(),
-            "Mass of the platen itself, per unit thickness [kg/m]");
+  keys.bind(
+    "Kind", p.top.kind, {"pressure", "platen", "held"},
+    "Load of the top: a pressure on each node; a rigid platen (u_x = 0, one common "
+    "u_y) pushed by the resultant of the pressure; or no motion (u = 0)");
+  keys.bind("Pressure", pressure, Range::any(),
+            "Pressure on the top, positive when it presses the body on the flat [Pa]");
+  p.top.pressure = bind_history(keys, pressure, "pressure", "Pa");
+  keys.bind("Lateral held", p.top.lateral_held,
+            "Keep u_x = 0 on the top also under Kind = pressure, as under a platen");
+  keys.bind("Platen mass", p.top.platen_mass, Range::non_negative(),
+            "Mass of the platen per unit thickness, which moves with the top [kg/m]");
   keys.bind_or_auto("Hold from", hold_from, Range::non_negative(),
-                    "From this time on the top stays where it is; auto: never [s]");
+                    "Time from which on the top stays where it is; auto: never [s]");
   if (!std::isnan(hold_from))
-    top.hold_from = hold_from;
+    p.top.hold_from = hold_from;
 }
 
-void bind_sides(Keys &keys, ContactParameters &parameters)
+void bind_sides(Keys &keys, ContactParameters &p)
 {
   const auto section  = keys.section("Sides");
   const auto bind_one = [&](const std::string &key, const std::string &side,
                             std::array<bool, 2> &held) {
     std::string value = "free";
     keys.bind(key, value, {"free", "u_x", "u_y", "both"},
-              "Displacement that is held on the " + side);
+              "Displacement components that are zero on the " + side + " side");
     held = {{value == "u_x" || value == "both", value == "u_y" || value == "both"}};
   };
-  bind_one("Left", "left", parameters.sides.left_held);
-  bind_one("Right", "right", parameters.sides.right_held);
-  keys.bind("Periodic", parameters.periodic, "The left and the right side are one");
+  bind_one("Left", "left", p.sides.left_held);
+  bind_one("Right", "right", p.sides.right_held);
+  keys.bind("Periodic", p.periodic,
+            "Periodic in x: the nodes of the left and the right side are the same");
 }
 
-void bind_friction(Keys &keys, FrictionParameters &friction)
+void bind_friction(Keys &keys, FrictionParameters &friction, FrictionLaw &law)
 {
   const auto section = keys.section("Friction");
-  double length = 3e-6, reference_velocity = 1e-3;
-  keys.bind("Law", friction.law_name, {"coulomb", "constant time", "slip rate"},
-            "Plain Coulomb; relaxing to it in a constant time delta (eq. 7); or in "
-            "L / (|V_rel| + V_ref)");
-  keys.bind("Coefficient from", friction.coefficient_by_phase, {"constant", "phases"},
-            "One coefficient, or those of the phases in the RVE file (section 4)");
+  keys.bind(
+    "Law", friction.law_name, {"coulomb", "constant time", "slip rate"},
+    "Coulomb's law; the friction relaxing to it in a constant time delta (eq. 7); "
+    "or in the time delta = L / (|V_rel| + V_ref), V_rel being the velocity of the "
+    "node relative to the flat");
+  keys.bind(
+    "Coefficient from", friction.coefficient_by_phase, {"constant", "phases"},
+    "One friction coefficient for all nodes, or those of the phases in the RVE file "
+    "(section 4 of the paper)");
   keys.bind("Coefficient", friction.coefficient, Range::non_negative(),
-            "Coulomb friction coefficient mu [-]");
-  keys.bind("Regularization time", friction.law.time, Range::non_negative(),
-            "delta of eq. (7); 0 is plain Coulomb [s]");
-  keys.bind("Length", length, Range::positive(), "L of the slip-rate law [m]");
-  keys.bind("Reference velocity", reference_velocity, Range::positive(),
-            "V_ref of the slip-rate law [m/s]");
+            "Coulomb's friction coefficient mu of all nodes [-]");
+  keys.bind("Regularization time", law.time, Range::non_negative(),
+            "Relaxation time delta of eq. (7), which damps the waves of the grid that "
+            "plain Coulomb friction excites; 0 is plain Coulomb [s]");
+  keys.bind("Length", friction.slip_length, Range::positive(),
+            "Slip length L of Law = slip rate [m]");
+  keys.bind("Reference velocity", friction.reference_velocity, Range::positive(),
+            "Velocity V_ref of Law = slip rate, which keeps delta finite at rest [m/s]");
   keys.bind(
     "Node rule", friction.node_rule, {"stiffness", "mean", "largest", "smallest"},
-    "Coefficient of a node between cells of two phases: their mean weighted with the "
-    "stiffness D22, as the pressure is shared, the plain mean, or one of the two");
+    "Friction coefficient of a node between cells of two phases: their mean weighted "
+    "with the stiffness D22, in proportion to which they share the pressure, the "
+    "plain mean, or one of the two");
   if (friction.law_name == "coulomb")
-    friction.law.time = 0.;
+    law.time = 0.;
   if (friction.law_name == "slip rate")
-    {
-      friction.slip_length        = length;
-      friction.reference_velocity = reference_velocity;
-      friction.law.node_law =
-        std::make_shared<SlipRateRegularization>(length, reference_velocity);
-    }
-}
-
-void bind_probes(Keys &keys,
-                 const std::vector<std::string> &names,
-                 std::vector<ProbeParameters> &probes)
-{
-  for (const std::string &name : names)
-    {
-      const auto section = keys.section(name);
-      ProbeParameters probe;
-      std::vector<double> position;
-      probe.name = name;
-      keys.bind_list("Position", position, Range::any(),
-                     "x and y from the lower left corner; has to be given [m]", 0, 2);
-      keys.bind("Nearest node", probe.nearest_node, "Move the probe to the nearest node");
-      if (keys.are_read() && position.empty())
-        throw UserError(keys.path("Position") +
-                        " is missing; give x and y of the probe from the lower left "
-                        "corner in m, in a subsection " +
-                        name);
-      probe.position = pair(keys.path("Position"), position);
-      probes.push_back(probe);
-    }
-}
-
-void bind(Keys &keys, ObservationParameters &o)
-{
-  {
-    const auto section = keys.section("Observation");
-    std::vector<std::string> probes;
-    keys.bind("History interval", o.history_interval, 1, most_steps_or_cells,
-              "Steps between samples of the histories in dynamics.h5; statistics and "
-              "spectrum have samples of their own [-]");
-    keys.bind("Energy interval", o.energy_interval, 0, most_steps_or_cells,
-              "Steps between energy balances; 1: exact to round-off, 0: none [-]");
-    keys.bind("Blocks", o.blocks, 1, 100000,
-              "Time blocks in which stick, slip and separation of each contact node are "
-              "counted [-]");
-    keys.bind_or_auto("Steady from", o.steady_from, Range::non_negative(),
-                      "Start of the steady part; auto: that of the limit cycle, or "
-                      "half of the run without one [s]");
-    keys.bind_or_auto("Reference x", o.reference_x, Range::any(),
-                      "Position of the reference contact node M; auto: the middle [m]");
-    keys.bind("Stop at limit cycle", o.stop_at_limit_cycle,
-              "Ends the run when the second half of it was a limit cycle");
-    keys.bind("Limit cycle tolerance", o.limit_cycle_tolerance, Range::positive(),
-              "Largest relative difference among the windows of a limit cycle [-]");
-    keys.bind("Limit cycle periods", o.limit_cycle_periods, 1, 1000,
-              "Periods that a window has at least [-]");
-    keys.bind("Limit cycle windows", o.limit_cycle_windows, 2, 1000,
-              "Equal windows, together the second half of the run, that have to agree "
-              "[-]");
-    keys.bind_names("Probes", probes, "probe", "Names of probes, each with a subsection");
-    keys.bind("Probe interval", o.probe_interval, 1, most_steps_or_cells,
-              "Steps between samples of the probes [-]");
-    bind_probes(keys, probes, o.probes);
-  }
-  const auto section = keys.section("Snapshots");
-  keys.bind("From", o.snapshots_from, Range::non_negative(), "First snapshot [s]");
-  keys.bind_or_auto("To", o.snapshots_to, Range::non_negative(),
-                    "Last snapshot; auto: the end [s]");
-  keys.bind("Interval", o.snapshots_interval, Range::non_negative(),
-            "Time between snapshots of the displacement; 0: none [s]");
-}
-
-void bind(Keys &keys, ModalParameters &modal)
-{
-  const auto section = keys.section("Modal");
-  keys.bind("Number of modes", modal.n_modes, 1, 1000, "Lowest modes wanted [-]");
-  keys.bind("Bottom", modal.bottom, {"free", "held in y", "both"},
-            "The paper's boundary conditions BC1 (free) and BC2 (held in y); the top is "
-            "that of section Top at the start of a run");
-  keys.bind("Tolerance", modal.tolerance, Range::open(0., 1.),
-            "Relative residual of the static solves within the Lanczos iteration [-]");
-}
-
-void bind(Keys &keys, StaticContactParameters &statics)
-{
-  const auto section = keys.section("Static contact");
-  keys.bind("Tolerance", statics.tolerance, Range::open(0., 1.),
-            "Of equilibrium and of the friction forces, relative to the contact force "
-            "[-]");
-  keys.bind("Iterations", statics.max_iterations, 1, 100000,
-            "Limit for contact states and friction [-]");
-}
-
-void bind(Keys &keys, FrictionHomogenizationParameters &p)
-{
-  const auto section = keys.section("Friction homogenization");
-  keys.bind_input("Heterogeneous run", p.heterogeneous_run,
-                  "Output folder of a transient run of the heterogeneous body");
-  keys.bind_input("Homogeneous run", p.homogeneous_run,
-                  "Output folder of a transient run of the homogeneous body, for T_G; "
-                  "empty: T_G of the heterogeneous one");
-  keys.bind_input("Static contact", p.static_contact,
-                  "Output folder of a static contact analysis, for the phases' "
-                  "pressures; empty: the static pressure repartition of eq. (19)");
-  keys.bind("Pressures from", p.pressures,
-            {"auto", "static contact", "surface fractions", "volume fractions",
-             "nodes in static contact", "nodes"},
-            "Pressures for mu_homo, eq. (17): of the phases in a static contact analysis "
-            "(auto: if named), or by eq. (19) with their fractions of the contact line "
-            "(auto) or the volume; or of the contact nodes, with their own coefficients");
-  keys.bind(
-    "Calibrate", p.calibrate,
-    "Take from eq. (13) only the ratio of mu_inter between two delta and start from "
-    "the homogeneous run's; false: invert it as it stands");
-}
-
-void bind(Keys &keys, CheckpointParameters &checkpoints)
-{
-  const auto section = keys.section("Checkpoints");
-  double minutes     = 5.;
-  keys.bind("Interval", minutes, Range::non_negative(),
-            "Time on the clock between checkpoints of a transient run, which --resume "
-            "continues; 0: only when the run is stopped [min]");
-  keys.bind(
-    "Keep", checkpoints.keep,
-    "Keep the state when the run is complete, so that --resume goes on to a later "
-    "End time");
-  checkpoints.interval = 60. * minutes;
+    law.node_law = std::make_shared<SlipRateRegularization>(friction.slip_length,
+                                                            friction.reference_velocity);
 }
 } // namespace
 
+ContactParameters::ContactParameters()
+{
+  step.dt          = automatic;
+  step.beta        = 4.4e-9;
+  history_interval = 10;
+  energy_interval  = 200;
+  modal.tolerance  = 1e-10;
+}
+
 void ContactParameters::bind(Keys &keys)
 {
-  keys.bind("Analysis", analysis,
-            {"transient", "modal", "static contact", "friction homogenization"},
-            "What is computed");
-  mesoslip::bind(keys, body);
-  mesoslip::bind(keys, time);
-  bind_flat(keys, friction);
-  mesoslip::bind(keys, top);
+  keys.bind(
+    "Analysis", analysis,
+    {"transient", "modal", "static contact", "friction homogenization"},
+    "What is computed: sliding in time, vibration modes, equilibrium on the flat, "
+    "or friction of an equivalent homogeneous body from the results of others");
+  bind_body(keys, *this);
+  bind_time(keys, *this);
+  bind_loads(keys, *this);
   bind_sides(keys, *this);
-  bind_friction(keys, friction);
-  mesoslip::bind(keys, observation);
-  mesoslip::bind(keys, modal);
-  mesoslip::bind(keys, static_contact);
-  mesoslip::bind(keys, homogenization);
-  mesoslip::bind(keys, checkpoints);
-  const auto section = keys.section("Performance");
-  keys.bind("Wavefront", wavefront, 0, 64,
-            "Time steps in flight on grids larger than the cache; 0: automatic, 1: none. "
-            "Never changes a result [-]");
-  keys.bind("Instruction set", instruction_set,
-            {"auto", "x86-64", "x86-64-v3", "x86-64-v4", "generic"},
-            "Kernels to use; auto: the widest the processor has; generic: those of "
-            "processors other than x86-64");
-  keys.bind("Static solver", static_solver, {"multigrid", "jacobi", "ml"},
-            "Of the modal and the static contact analysis, as Homogenization/Solver");
+  bind_friction(keys, friction, contact.law);
+  bind_observation(keys);
+  bind_analyses(keys);
 }
 } // namespace mesoslip

@@ -17,7 +17,7 @@ struct Timed
 
 struct TimedSurface : SurfaceCondition<2>, Timed<SurfaceCondition<2>>
 {
-  explicit TimedSurface(const Timed<SurfaceCondition<2>> &timed)
+  explicit TimedSurface(const Timed &timed)
     : Timed(timed)
   {
   }
@@ -31,7 +31,7 @@ struct TimedSurface : SurfaceCondition<2>, Timed<SurfaceCondition<2>>
 
 struct TimedHalo : Halo, Timed<Halo>
 {
-  explicit TimedHalo(const Timed<Halo> &timed)
+  explicit TimedHalo(const Timed &timed)
     : Timed(timed)
   {
   }
@@ -57,7 +57,7 @@ struct TimedHalo : Halo, Timed<Halo>
 
 struct TimedObserver : StepObserver, Timed<StepObserver>
 {
-  explicit TimedObserver(const Timed<StepObserver> &timed)
+  explicit TimedObserver(const Timed &timed)
     : Timed(timed)
   {
   }
@@ -80,37 +80,33 @@ struct TimedObserver : StepObserver, Timed<StepObserver>
   }
 };
 
-/** @p part itself or, with a @p timer, a TimedPart around it, kept in @p kept. */
+/** @p part itself or, with a @p timer, a TimedPart around it, kept in @p wrappers. */
 template <class TimedPart, class Part>
-Part *
-wrap(Part &part, const char *name, Timer *timer, std::vector<std::unique_ptr<Part>> &kept)
+Part *wrap(Part &part,
+           const char *name,
+           Timer *timer,
+           std::vector<std::shared_ptr<void>> &wrappers)
 {
   if (timer == nullptr)
     return &part;
-  kept.push_back(std::make_unique<TimedPart>(Timed<Part>{part, name, *timer}));
-  return kept.back().get();
+  const auto timed = std::make_shared<TimedPart>(Timed<Part>{part, name, *timer});
+  wrappers.push_back(timed);
+  return timed.get();
 }
 } // namespace
 
-LoopProfile::LoopProfile(Timer *timer)
-  : clock(timer)
-{
-}
-
-LoopProfile::~LoopProfile() = default;
-
 SurfaceCondition<2> *LoopProfile::timed(SurfaceCondition<2> &surface, const char *name)
 {
-  return wrap<TimedSurface>(surface, name, clock, surfaces);
+  return wrap<TimedSurface>(surface, name, clock, wrappers);
 }
 
 Halo *LoopProfile::timed(Halo &halo, const char *name)
 {
-  return wrap<TimedHalo>(halo, name, clock, halos);
+  return wrap<TimedHalo>(halo, name, clock, wrappers);
 }
 
 StepObserver *LoopProfile::timed(StepObserver &observer, const char *name)
 {
-  return wrap<TimedObserver>(observer, name, clock, observers);
+  return wrap<TimedObserver>(observer, name, clock, wrappers);
 }
 } // namespace mesoslip

@@ -21,8 +21,10 @@ class LoopProfile
 {
 public:
   /** @p timer may be null; otherwise it has to outlive the profile. */
-  explicit LoopProfile(Timer *timer);
-  ~LoopProfile();
+  explicit LoopProfile(Timer *timer)
+    : clock(timer)
+  {
+  }
 
   /** @p surface, timed as @p name. The result lives as long as both. */
   SurfaceCondition<2> *timed(SurfaceCondition<2> &surface, const char *name);
@@ -41,9 +43,7 @@ public:
 
 private:
   Timer *clock;
-  std::vector<std::unique_ptr<SurfaceCondition<2>>> surfaces;
-  std::vector<std::unique_ptr<Halo>> halos;
-  std::vector<std::unique_ptr<StepObserver>> observers;
+  std::vector<std::shared_ptr<void>> wrappers;
 };
 } // namespace mesoslip
 

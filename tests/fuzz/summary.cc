@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
   accepted_or_refused([&]() {
     const RunSummary summary("Friction homogenization/Heterogeneous run", file.folder);
     summary.find_number("steady_from");
-    summary.numbers("phase_contact_pressures", "run it again");
+    summary.numbers("phase_contact_pressures");
     summary.require_analysis("transient");
     summary.number("pressure", "run it again");
   });

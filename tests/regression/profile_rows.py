@@ -84,7 +84,7 @@ def check_localization(programs, folder):
         "Input/Direct run": "", "Probes/Of the run": ""})
     check_sums(rows)
     check_rows(rows, "total", ["Localization", "Output", "other"])
-    check_rows(rows, "Localization", ["Input", "Waiting for snapshots", "Averaging", "Probes and errors", "other"])
+    check_rows(rows, "Localization", ["Stress map", "Waiting for snapshots", "Averaging", "Probes and errors", "other"])
 
 
 def main():

@@ -3,6 +3,8 @@
 
 #include "sliding/analyses/friction_homogenization.h"
 #include "base/files.h"
+#include "exchange/datasets.h"
+#include "exchange/dynamics_file.h"
 #include "exchange/rve_file.h"
 #include "io_testing.h"
 #include "material/stiffness.h"
@@ -24,11 +26,18 @@ class FrictionHomogenization : public testing::Test
 protected:
   FrictionHomogenization()
   {
-    grid.cells   = {{10, 4}};
-    grid.spacing = {{1e-4, 1e-4}};
-    id.assign(40, 0);
+    body.grid.cells   = {{10, 4}};
+    body.grid.spacing = {{1e-4, 1e-4}};
+    body.phases       = {{"matrix", isotropic_stiffness<2>(30e9, 0.2), 1770., 0.12},
+                         {"fibre", isotropic_stiffness<2>(240e9, 0.2), 1770., 0.3}};
+    body.rve_digest   = "abc";
+    body.phase_id.assign(40, 0);
     for (const std::size_t k : {2, 7, 12, 17}) // in rows 0 and 1
-      id[k] = 1;
+      body.phase_id[k] = 1;
+    // Node rule "mean"; fibres in the cells 2 and 7.
+    body.node_friction.assign(11, 0.12);
+    for (const std::size_t k : {2, 3, 7, 8})
+      body.node_friction[k] = 0.21;
     for (const std::string name : {"het", "hom", "sca"})
       std::filesystem::create_directory(folder / name);
     parameters.heterogeneous_run = folder / "het";
@@ -41,82 +50,46 @@ protected:
                                             {"mean_contact_duration_warning", nullptr}};
     homogeneous                          = heterogeneous;
     homogeneous["mean_contact_duration"] = T_homogeneous;
-    under_het.words                      = {{"coefficient_from", "phases"}};
-    under_het.numbers                    = {
-                         {"pressure", 5e5}, {"velocity", 2.}, {"regularization_time", 1.5e-6}};
-    under_hom                                 = under_het;
-    under_hom.words                           = {{"coefficient_from", "constant"}};
-    under_hom.numbers["friction_coefficient"] = 0.2;
-    static_contact                            = {{"analysis", "static contact"},
-                                                 {"rve_digest", "abc"},
-                                                 {"phase_contact_pressures", {{"matrix", 0.33e6}, {"fibre", 2e6}}}};
+    under_het                            = {{"coefficient_from", "phases"},
+                                            {"pressure", 5e5},
+                                            {"velocity", 2.},
+                                            {"regularization_time", 1.5e-6}};
+    under_hom                            = under_het;
+    under_hom["coefficient_from"]        = "constant";
+    under_hom["friction_coefficient"]    = 0.2;
+    static_contact                       = {{"analysis", "static contact"},
+                                            {"rve_digest", "abc"},
+                                            {"phase_contact_pressures", {{"matrix", 0.33e6}, {"fibre", 2e6}}}};
     write_rve("abc");
     write_static_contact();
   }
 
   void write_rve(const std::string &digest, const std::size_t n_phases = 2) const
   {
-    const std::vector<double> D = stiffness();
-    const auto end              = D.begin() + static_cast<std::ptrdiff_t>(9 * n_phases);
-    Hdf5File file               = Hdf5File::create(rve());
-    file.write_header("mesoslip-rve", 1, 2, digest);
-    write_grid(file, grid);
-    file.write("/phase/id", {4, 10}, id);
-    std::vector<std::string> names = {"matrix", "fibre"};
-    std::vector<double> friction   = {0.12, 0.3};
-    names.resize(n_phases);
-    friction.resize(n_phases);
-    file.write("/phase/name", {names.size()}, names);
-    file.write("/phase/stiffness", {n_phases, 3, 3}, std::vector<double>(D.begin(), end));
-    file.write("/phase/density", {n_phases}, std::vector<double>(n_phases, 1770.));
-    file.write("/phase/friction_coefficient", {n_phases}, friction);
-    file.close();
+    RveContent content;
+    content.digest   = digest;
+    content.grid     = body.grid;
+    content.phases   = body.phases;
+    content.phase_id = body.phase_id;
+    content.phases.resize(n_phases);
+    RveFile::write(rve(), content);
   }
 
-  void write_dynamics() const
+  void write_dynamics(const std::string &run, const RunConditions &conditions) const
   {
-    Hdf5File file = Hdf5File::create(folder / "het/dynamics.h5");
-    file.write_header("mesoslip-dynamics", 1, 2, "xyz");
-    write_run_conditions(file, under_het);
-    write_grid(file, grid);
-    file.write("/material/stiffness", {2, 3, 3}, stiffness());
-    file.write<std::string>("/material/name", {2}, {"matrix", "fibre"});
-    file.write_attribute("/material", "rve_digest", std::string("abc"));
-    file.write("/material/phase_id", {4, 10}, id);
-    // Node rule "mean"; fibres in the cells 2 and 7.
-    std::vector<double> mu(11, 0.12);
-    for (const std::size_t k : {2, 3, 7, 8})
-      mu[k] = 0.21;
-    file.write("/contact/friction_coefficient", {11}, mu);
-    file.close();
-  }
-
-  void write_homogeneous_dynamics() const
-  {
-    Hdf5File file = Hdf5File::create(folder / "hom/dynamics.h5");
-    file.write_header("mesoslip-dynamics", 1, 2, "xyz");
-    write_run_conditions(file, under_hom);
+    DynamicsFile file = DynamicsFile::create(folder / run + "/dynamics.h5", body);
+    write_run_conditions(file, conditions);
+    write_series(file, "/contact", {{"friction_coefficient", "-", &body.node_friction}});
     file.close();
   }
 
   void write_static_contact() const
   {
     std::vector<double> pressure(11, 1e5);
-    pressure[2]   = 3e5;
-    Hdf5File file = Hdf5File::create(folder / "sca/dynamics.h5");
-    file.write("/static_contact/pressure", {11}, pressure);
+    pressure[2]       = 3e5;
+    DynamicsFile file = DynamicsFile::create(folder / "sca/dynamics.h5", body);
+    write_series(file, "/static_contact", {{"pressure", "Pa", &pressure}});
     file.close();
-  }
-
-  static std::vector<double> stiffness()
-  {
-    std::vector<double> D;
-    for (const double E : {30e9, 240e9})
-      {
-        const VoigtMatrix<2> C = isotropic_stiffness<2>(E, 0.2);
-        D.insert(D.end(), C.data(), C.data() + 9);
-      }
-    return D;
   }
 
   std::string rve() const
@@ -129,8 +102,8 @@ protected:
     write_file(folder / "het/summary.json", heterogeneous.dump());
     write_file(folder / "hom/summary.json", homogeneous.dump());
     write_file(folder / "sca/summary.json", static_contact.dump());
-    write_dynamics();
-    write_homogeneous_dynamics();
+    write_dynamics("het", under_het);
+    write_dynamics("hom", under_hom);
     return read_friction_homogenization(parameters, rve());
   }
 
@@ -140,8 +113,7 @@ protected:
   }
 
   TemporaryFolder folder;
-  UniformGrid<2> grid;
-  std::vector<std::uint8_t> id;
+  BodyDescription body;
   nlohmann::json heterogeneous, homogeneous, static_contact;
   RunConditions under_het, under_hom;
   FrictionHomogenizationParameters parameters;
@@ -210,7 +182,7 @@ TEST_F(FrictionHomogenization, DeltaInvertsEquation13)
 TEST_F(FrictionHomogenization, CalibrationRemovesACommonFactor)
 {
   const double mu = 10.44 / 51., delta = 2.5e-6, factor = 0.93;
-  under_hom.numbers["friction_coefficient"] = mu;
+  under_hom["friction_coefficient"] = mu;
   homogeneous["global_interface_friction_coefficient"] =
     factor * mean_friction_coefficient(mu, 1.5e-6, T_homogeneous);
   heterogeneous["global_interface_friction_coefficient"] =
@@ -251,10 +223,10 @@ TEST_F(FrictionHomogenization, ChoosesStaticContactIfThereIsOne)
 
 TEST_F(FrictionHomogenization, OneCoefficientForAllPhases)
 {
-  under_het.words["coefficient_from"]       = "constant";
-  under_het.numbers["friction_coefficient"] = 0.25;
+  under_het["coefficient_from"]     = "constant";
+  under_het["friction_coefficient"] = 0.25;
   write_file(folder / "het/summary.json", heterogeneous.dump());
-  write_dynamics();
+  write_dynamics("het", under_het);
   parameters.homogeneous_run.clear();
   parameters.static_contact.clear();
   // No RVE file is needed then.
@@ -280,9 +252,9 @@ TEST_F(FrictionHomogenization, WhatIsMissingIsNamed)
   expect_contains(reading_error(), "'transient' is needed");
   heterogeneous["analysis"] = "transient";
 
-  under_hom.numbers["pressure"] = 4e5;
+  under_hom["pressure"] = 4e5;
   expect_contains(reading_error(), "(pressure is 400000 Pa and 500000 Pa)");
-  under_hom.numbers["pressure"] = 5e5;
+  under_hom["pressure"] = 5e5;
 
   static_contact["rve_digest"] = "other";
   expect_contains(reading_error(), "another RVE file");

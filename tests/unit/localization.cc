@@ -1,7 +1,7 @@
 #include "localization/localize.h"
 #include "localization/row_kernels.h"
 #include "localization/strain_interpolation.h"
-#include "localization/stress_map.h"
+#include "localization/stress_statistics.h"
 #include "localization_testing.h"
 
 #include <gtest/gtest.h>
@@ -27,30 +27,19 @@ double interpolation_error(const unsigned int n_coarse, const bool edges)
   const unsigned int skip = edges ? 0 : 8;
   for (unsigned int j = skip; j < target.cells[1] - skip; ++j)
     {
-      const ConstRow row = interpolation.row(j);
+      const StrainRow row = interpolation.row(j);
       for (unsigned int i = skip; i < target.cells[0] - skip; ++i)
         {
           const double x = (i + 0.5) * target.spacing[0],
                        y = (j + 0.5) * target.spacing[1];
           error =
-            std::max({error, std::fabs(row.xx[i] - k * std::cos(k * x) * std::cos(k * y)),
-                      std::fabs(row.xy[i] + k * std::sin(k * x) * std::sin(k * y))});
+            std::max({error, std::fabs(row[0][i] - k * std::cos(k * x) * std::cos(k * y)),
+                      std::fabs(row[2][i] + k * std::sin(k * x) * std::sin(k * y))});
         }
     }
   return error / k;
 }
 } // namespace
-
-TEST(AxisWeights, SameGridIsTheIdentity)
-{
-  const AxisWeights weights(7, 7);
-  EXPECT_TRUE(weights.is_identity());
-  for (unsigned int i = 0; i < 7; ++i)
-    {
-      EXPECT_EQ(weights.first[i], i);
-      EXPECT_EQ(weights.weight[i], 1.);
-    }
-}
 
 TEST(AxisWeights, ReproduceLinearFunctionsUpToTheEdges)
 {
@@ -71,6 +60,7 @@ TEST(AxisWeights, ReproduceLinearFunctionsUpToTheEdges)
         }
     }
   EXPECT_EQ(AxisWeights(1, 5).weight, std::vector<double>(5, 1.));
+  EXPECT_TRUE(AxisWeights(7, 7).is_identity());
 }
 
 TEST(StrainInterpolation, UniformStrainAndRigidMotion)
@@ -88,12 +78,12 @@ TEST(StrainInterpolation, UniformStrainAndRigidMotion)
       interpolation.set_displacement(u.data());
       for (unsigned int j = 0; j < target.cells[1]; ++j)
         {
-          const ConstRow row = interpolation.row(j);
+          const StrainRow row = interpolation.row(j);
           for (unsigned int i = 0; i < target.cells[0]; ++i)
             {
-              EXPECT_NEAR(row.xx[i], 1e-3, 1e-15);
-              EXPECT_NEAR(row.yy[i], -2e-3, 1e-15);
-              EXPECT_NEAR(row.xy[i], 5e-4, 1e-15);
+              EXPECT_NEAR(row[0][i], 1e-3, 1e-15);
+              EXPECT_NEAR(row[1][i], -2e-3, 1e-15);
+              EXPECT_NEAR(row[2][i], 5e-4, 1e-15);
             }
         }
     }
@@ -113,14 +103,14 @@ TEST(StrainInterpolation, LinearStrainIsExactFromCoarseToFine)
       interpolation.set_displacement(u.data());
       for (unsigned int j = 0; j < 12; ++j)
         {
-          const ConstRow row = interpolation.row(j);
+          const StrainRow row = interpolation.row(j);
           for (unsigned int i = 0; i < 12; ++i)
             {
               const double x = (i + 0.5) * target.spacing[0],
                            y = (j + 0.5) * target.spacing[1];
-              EXPECT_NEAR(row.xx[i], 2. * a * x + b * y, 1e-15);
-              EXPECT_NEAR(row.yy[i], 2. * c * y, 1e-15);
-              EXPECT_NEAR(row.xy[i], b * x, 1e-15);
+              EXPECT_NEAR(row[0][i], 2. * a * x + b * y, 1e-15);
+              EXPECT_NEAR(row[1][i], 2. * c * y, 1e-15);
+              EXPECT_NEAR(row[2][i], b * x, 1e-15);
             }
         }
     }
@@ -153,12 +143,12 @@ TEST(StrainInterpolation, RowsKeptForOthersAreThoseOfTheDisplacement)
         {
           StrainInterpolation fresh(source, target);
           fresh.set_displacement(u.data());
-          const ConstRow expected = fresh.row(j), found = interpolation.row(j);
+          const StrainRow expected = fresh.row(j), found = interpolation.row(j);
           for (unsigned int i = 0; i < 12; ++i)
             {
-              EXPECT_EQ(found.xx[i], expected.xx[i]);
-              EXPECT_EQ(found.yy[i], expected.yy[i]);
-              EXPECT_EQ(found.xy[i], expected.xy[i]);
+              EXPECT_EQ(found[0][i], expected[0][i]);
+              EXPECT_EQ(found[1][i], expected[1][i]);
+              EXPECT_EQ(found[2][i], expected[2][i]);
             }
         }
     }
@@ -177,12 +167,12 @@ TEST(StrainInterpolation, MeanIsTheMeanOfTheCells)
   std::array<double, 3> sum = {};
   for (unsigned int j = 0; j < 5; ++j)
     {
-      const ConstRow row = interpolation.row(j);
+      const StrainRow row = interpolation.row(j);
       for (unsigned int i = 0; i < 7; ++i)
         {
-          sum[0] += row.xx[i] / 35.;
-          sum[1] += row.yy[i] / 35.;
-          sum[2] += row.xy[i] / 35.;
+          sum[0] += row[0][i] / 35.;
+          sum[1] += row[1][i] / 35.;
+          sum[2] += row[2][i] / 35.;
         }
     }
   const auto mean = mean_strain(grid, u.data());
@@ -196,7 +186,7 @@ TEST(RowKernels, VonMisesOfKnownStates)
   const std::vector<double> xx = {5., 0., 7., 4., 0.}, yy = {0., 0., 0., 4., -3.},
                             xy = {0., 2., 0., 0., 0.}, ratio = {0., 0.4, 0.3, 0.5, 0.};
   std::vector<double> work(5), sum(5, 1.);
-  add_von_mises_row({xx.data(), yy.data(), xy.data()}, ratio.data(), 5, work.data(),
+  add_von_mises_row(xx.data(), yy.data(), xy.data(), ratio.data(), 5, work.data(),
                     sum.data());
   EXPECT_NEAR(sum[0], 6., 1e-15);
   EXPECT_NEAR(sum[1], 1. + 2. * std::sqrt(3.), 1e-15);
@@ -222,10 +212,9 @@ TEST(StressStatistics, AgreeWithDirectFormulas)
     for (unsigned int j = 0; j < ny; ++j)
       {
         const double *row = strain.data() + (k * ny + j) * 3 * nx;
-        statistics.add(j, {row, row + nx, row + 2 * nx});
+        statistics.add(j, {{row, row + nx, row + 2 * nx}});
       }
   const StressFields fields = statistics.fields();
-  EXPECT_EQ(fields.n_samples, n);
   for (unsigned int cell = 0; cell < nx * ny; ++cell)
     {
       const unsigned int i = cell % nx, j = cell / nx;
@@ -307,8 +296,11 @@ TEST(FieldErrors, RegionsAndErrorsByConstruction)
 {
   const auto grid = make_grid(6, 4); // cells of 1 mm
   std::vector<std::uint8_t> phase(24, 0);
-  phase[8]           = 1;
-  const auto regions = comparison_regions(grid, phase, {"glue", "surface"}, 1e-3, 1.2e-3);
+  phase[8] = 1;
+  std::vector<Phase<2>> phases(2);
+  phases[0].name     = "glue";
+  phases[1].name     = "surface";
+  const auto regions = comparison_regions(grid, phase, phases, 1e-3, 1.2e-3);
   std::map<std::string, std::vector<std::size_t>> cells;
   for (const CellRegion &region : regions)
     cells[region.name] = region.cells;

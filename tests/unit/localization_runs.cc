@@ -17,39 +17,32 @@ TEST(Localize, RunsUnderOtherLoadsAreNotCompared)
   auto parameters       = c.request();
   parameters.direct_run = c.folder / "direct.h5";
   parameters.run_probes = {};
-  LocalizationMonitor monitor;
-  std::string warnings, log;
-  monitor.warn = [&](const std::string &text) { warnings += text + "\n"; };
-  monitor.log  = [&](const std::string &text) { log += text + "\n"; };
 
-  RunConditions other       = steady_conditions();
-  other.numbers["pressure"] = 6e6;
-  other.numbers["beta2"]    = 0.6;
+  RunConditions other = steady_conditions();
+  other["pressure"]   = 6e6;
+  other["beta2"]      = 0.6;
   write_direct(other);
-  const auto sentence = user_error([&]() { localize(parameters); });
+  const auto sentence = user_error([&]() { LocalizationInput{parameters}; });
   expect_contains(sentence, "(pressure is 5e+06 Pa and 6e+06 Pa)");
   expect_contains(sentence, "Input/Allow different loads");
-  expect_contains(user_error([&]() { describe_localization(parameters); }), "5e+06 Pa");
   parameters.allow_different_loads = true;
-  auto result                      = localize(parameters, monitor);
-  expect_contains(warnings, "not the error of localization");
-  expect_contains(log, "differ: beta2 is none and 0.6");
-  ASSERT_EQ(result.differences.size(), 2u);
-  EXPECT_TRUE(result.differences[0].of_load);
-  EXPECT_FALSE(result.differences[1].of_load);
+  LocalizationInput input(parameters);
+  expect_contains(input.warnings.at(0), "not the error of localization");
+  expect_contains(input.notes.at(0), "differ: beta2 is none and 0.6");
+  ASSERT_EQ(input.differences.size(), 2u);
+  EXPECT_TRUE(input.differences[0].of_load);
+  EXPECT_FALSE(input.differences[1].of_load);
 
   // What is adapted on purpose, or part of the method, is told and no more.
   parameters.allow_different_loads = false;
-  other.numbers["pressure"]        = 5e6;
-  warnings.clear();
+  other["pressure"]                = 5e6;
   write_direct(other);
-  localize(parameters, monitor);
-  EXPECT_EQ(warnings, "");
+  EXPECT_TRUE(LocalizationInput(parameters).warnings.empty());
 
   write_direct(std::nullopt);
   parameters.from = 0.;
-  localize(parameters, monitor);
-  expect_contains(warnings, "direct.h5 does not tell its loads");
+  expect_contains(LocalizationInput(parameters).warnings.at(0),
+                  "direct.h5 does not tell its loads");
 }
 
 TEST(Localize, AHeterogeneousRunIsNoHomogeneousOne)
@@ -58,7 +51,7 @@ TEST(Localize, AHeterogeneousRunIsNoHomogeneousOne)
   const auto grid = make_grid(6, 4);
   write_run(c.folder / "homogeneous.h5", grid, {0.}, {c.state(grid)}, {},
             "0123456789abcdef", c.rve.phase);
-  expect_contains(user_error([&]() { localize(c.request()); }),
+  expect_contains(user_error([&]() { LocalizationInput{c.request()}; }),
                   "is one of a heterogeneous body");
 }
 
@@ -79,8 +72,8 @@ TEST(Localize, AveragesOfBothRunsAreOverTheSameTime)
   auto parameters       = c.request();
   parameters.direct_run = c.folder / "direct.h5";
   const auto result     = localize(parameters);
-  EXPECT_EQ(result.n_snapshots, 5u);
-  EXPECT_EQ(result.n_direct_snapshots, 5u);
+  EXPECT_EQ(LocalizationInput(parameters).snapshots.count, 5u);
+  EXPECT_EQ(LocalizationInput(parameters).direct_snapshots.count, 5u);
   for (const FieldError &error : result.variants.at(0).errors)
     if (error.n_cells > 0 && error.quantity.find("mean") == 0)
       {

@@ -1,6 +1,7 @@
 #ifndef mesoslip_tests_unit_localization_testing_h
 #define mesoslip_tests_unit_localization_testing_h
 
+#include "exchange/datasets.h"
 #include "exchange/rve_file.h"
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
@@ -95,19 +96,14 @@ struct TestRve
 
   void write(const std::string &path) const
   {
-    Hdf5File file = Hdf5File::create(path);
-    file.write_header("mesoslip-rve", 1, 2, "0123456789abcdef");
-    write_grid(file, grid);
-    file.write("/phase/id", {grid.cells[1], grid.cells[0]}, phase);
-    file.write<std::string>("/phase/name", {2}, {"matrix", "fibre"});
-    std::vector<double> D;
-    for (const VoigtMatrix<2> &C : stiffness)
-      D.insert(D.end(), C.data(), C.data() + 9);
-    file.write("/phase/stiffness", {2, 3, 3}, D);
-    file.write("/phase/density", {2}, std::vector<double>{1700., 2400.});
-    file.write("/phase/friction_coefficient", {2}, std::vector<double>{0.2, 0.3});
-    file.write("/concentration/KUBC", {grid.cells[1], grid.cells[0], 3, 3}, L);
-    file.close();
+    RveContent content;
+    content.digest                = "0123456789abcdef";
+    content.grid                  = grid;
+    content.phases                = {{"matrix", stiffness[0], 1700., 0.2},
+                                     {"fibre", stiffness[1], 2400., 0.3}};
+    content.phase_id              = phase;
+    content.concentration["KUBC"] = &L;
+    RveFile::write(path, content);
   }
 };
 
@@ -124,11 +120,7 @@ struct TestProbe
 /** Of a run that is steady from its start. */
 inline RunConditions steady_conditions()
 {
-  RunConditions conditions;
-  conditions.words["analysis"]      = "transient";
-  conditions.numbers["pressure"]    = 5e6;
-  conditions.numbers["steady_from"] = 0.;
-  return conditions;
+  return {{"analysis", "transient"}, {"pressure", 5e6}, {"steady_from", 0.}};
 }
 
 /** A dynamics.h5 as far as the localization reads it. */
@@ -165,11 +157,10 @@ write_run(const std::string &path,
   for (const TestProbe &probe : probes)
     {
       const std::string group = "/probes/" + probe.name;
-      file.write(group + "/time", {probe.time.size()}, probe.time);
-      if (!probe.strain.empty())
-        file.write(group + "/strain", {probe.time.size(), 3}, probe.strain);
-      if (!probe.stress.empty())
-        file.write(group + "/stress", {probe.time.size(), 3}, probe.stress);
+      write_series(file, group,
+                   {{"time", "s", &probe.time},
+                    {"strain", "-", &probe.strain, 3},
+                    {"stress", "Pa", &probe.stress, 3}});
       file.write_attribute(group, "position", probe.position);
     }
   file.close();
@@ -184,6 +175,19 @@ inline LocalizationParameters request(const std::string &folder)
   parameters.homogeneous_run = folder + "/homogeneous.h5";
   parameters.from = parameters.to = automatic;
   return parameters;
+}
+
+/** The result; adds warnings and notes to @p told. */
+inline LocalizationResult localize(const LocalizationParameters &parameters,
+                                   std::string *told = nullptr)
+{
+  LocalizationInput input(parameters);
+  const LocalizationResult result = mesoslip::localize(input);
+  for (const auto *sentences : {&input.warnings, &input.notes})
+    for (const std::string &sentence : *sentences)
+      if (told != nullptr)
+        *told += sentence + "\n";
+  return result;
 }
 
 /** A folder with an RVE and a homogeneous run of uniform strain. */

@@ -55,32 +55,21 @@ TEST(Spectrum, OffBinSineRecoversFrequencyAndAmplitude)
       });
       const auto summary = summarize_spectrum(amplitude_spectrum(signal, 2e-8));
       ASSERT_TRUE(summary);
-      EXPECT_NEAR(summary->main.frequency / f, 1., 1e-4);
-      EXPECT_NEAR(summary->main.amplitude / 3.2e-6, 1., 2e-3);
-      EXPECT_TRUE(summary->harmonics.empty());
+      EXPECT_NEAR(summary->main_frequency / f, 1., 1e-4);
+      EXPECT_NEAR(summary->main_amplitude / 3.2e-6, 1., 2e-3);
     }
 }
 
-TEST(Spectrum, HarmonicsAboveTenPercentAndHighestFrequency)
+TEST(Spectrum, HighestFrequencyIsTheLastAboveTenPercent)
 {
   const auto signal  = sampled(40000, 2.5e-8, [](const double t) {
-    return std::sin(2. * pi * 4.1e4 * t) + 0.3 * std::cos(2. * pi * 8.2e4 * t) +
+    return 5. * std::sin(2. * pi * 600. * t) + std::sin(2. * pi * 4.1e4 * t) +
            0.15 * std::sin(2. * pi * 1.23e5 * t) + 0.07 * std::sin(2. * pi * 2.05e5 * t);
   });
   const auto summary = summarize_spectrum(amplitude_spectrum(signal, 2.5e-8));
   ASSERT_TRUE(summary);
-  EXPECT_NEAR(summary->main.frequency, 4.1e4, 4.);
-  ASSERT_EQ(summary->harmonics.size(), 2u);
-  EXPECT_NEAR(summary->harmonics[0].frequency, 8.2e4, 8.);
-  EXPECT_NEAR(summary->harmonics[0].amplitude, 0.3, 1e-3);
-  EXPECT_NEAR(summary->harmonics[1].amplitude, 0.15, 1e-3);
+  EXPECT_NEAR(summary->main_frequency, 4.1e4, 4.) << "peaks below 1 kHz do not count";
   EXPECT_NEAR(summary->highest_frequency, 1.23e5, 1e3);
-
-  // The band excludes what lies outside.
-  const auto upper =
-    summarize_spectrum(amplitude_spectrum(signal, 2.5e-8), FrequencyBand{6e4, 1e5});
-  ASSERT_TRUE(upper);
-  EXPECT_NEAR(upper->main.frequency, 8.2e4, 8.);
 }
 
 TEST(Spectrum, NoiseHardlyMovesThePeak)
@@ -92,7 +81,7 @@ TEST(Spectrum, NoiseHardlyMovesThePeak)
   });
   const auto summary = summarize_spectrum(amplitude_spectrum(signal, 5e-8));
   ASSERT_TRUE(summary);
-  EXPECT_NEAR(summary->main.frequency / 41234., 1., 5e-4);
+  EXPECT_NEAR(summary->main_frequency / 41234., 1., 5e-4);
 }
 
 TEST(Spectrum, PowerNearTheHighestFrequency)
@@ -123,7 +112,6 @@ TEST(Spectrum, WhatHasNoSpectrum)
   std::vector<double> bad(100, 1.);
   bad[50] = std::nan("");
   EXPECT_THROW(amplitude_spectrum(bad, 1e-6), NumericalFailure);
-  EXPECT_THROW(amplitude_spectrum(times(100, 1.), 0.), std::invalid_argument);
 }
 
 TEST(Friction, SlopeOfALimitCycle)
@@ -131,16 +119,10 @@ TEST(Friction, SlopeOfALimitCycle)
   const double dt = 1e-7, period = 1. / 41321.;
   const auto energy = sampled(10001, dt, friction_energy);
   const auto mu     = interface_friction_coefficient(
-        times(10001, dt), energy, load_of(5e4, 10001, dt), {2.5e-4, 1e-3, period});
+        times(10001, dt), energy, load_of(5e4, 10001, dt), {2.5e-4, period});
   EXPECT_NEAR(mu.value, 0.2, 1e-4);
-  EXPECT_LT(mu.standard_error, 1e-4);
+  EXPECT_LT(mu.half_width, 2e-4);
   EXPECT_EQ(mu.batches, 15u); // of two of the 30 whole periods
-  EXPECT_THROW(interface_friction_coefficient(
-                 times(10001, dt), energy, load_of(5e4, 10001, dt), {2e-3, 3e-3, period}),
-               UserError);
-  EXPECT_THROW(interface_friction_coefficient(times(10001, dt), energy,
-                                              load_of(0., 10001, dt), {0., 1e-3, period}),
-               UserError);
 }
 
 // Whole periods with a mean of their own, k/1000 in the k-th of 39, and a fraction before
@@ -153,7 +135,7 @@ TEST(Friction, AllWholePeriodsCount)
     return 1e-3 * k + 0.1 * std::sin(2. * pi * (t - from) / period);
   };
   const auto values = sampled(7921, dt, [&](const double t) { return power(t + 1e-12); });
-  const auto mean   = window_mean(times(7921, dt), values, {0., end, period});
+  const auto mean   = window_mean(times(7921, dt), values, {0., period});
   // Neighbouring periods share a sample of the trapezoidal rule: dt / period / 2 of a
   // step.
   EXPECT_NEAR(mean.value, 20e-3, 1e-3 * 0.5 * dt / period + 1e-12);
@@ -161,18 +143,18 @@ TEST(Friction, AllWholePeriodsCount)
   EXPECT_NEAR(mean.begin, from, 1e-15);
   EXPECT_NEAR(mean.end, end, 1e-15);
   // 2.5, 4.5, ... 38.5: the deviation of 19 equidistant numbers, 2 apart.
-  EXPECT_NEAR(mean.batch_deviation, 2e-3 * std::sqrt(19. * 20. / 12.), 1e-5);
-  EXPECT_NEAR(mean.half_width, 2.10092 * mean.batch_deviation / std::sqrt(19.), 1e-7);
+  EXPECT_NEAR(mean.half_width, 2.10092 * 2e-3 * std::sqrt(20. / 12.), 1e-5);
 
   // The slope of a parabola is its rate in the middle of the window.
   const std::vector<std::pair<unsigned int, unsigned int>> batches = {
     {1, 1}, {19, 19}, {20, 20}, {21, 10}, {39, 19}, {41, 13}, {100, 20}};
-  const auto energy = sampled(21001, dt, [](const double t) { return t * t; });
   for (const auto &[periods, number] : batches)
     {
-      const double to = (periods + 0.4) * period;
-      const auto mu   = interface_friction_coefficient(
-          times(21001, dt), energy, load_of(2., 21001, dt), {0., to, period});
+      const double to     = (periods + 0.4) * period;
+      const std::size_t n = std::lround(to / dt) + 1;
+      const auto energy   = sampled(n, dt, [](const double t) { return t * t; });
+      const auto mu       = interface_friction_coefficient(times(n, dt), energy,
+                                                           load_of(2., n, dt), {0., period});
       EXPECT_NEAR(mu.value, to - 0.5 * periods * period, 1e-9 * to) << periods;
       EXPECT_NEAR(mu.end - mu.begin, periods * period, 1e-12) << periods;
       EXPECT_EQ(mu.batches, number) << periods;
@@ -189,13 +171,12 @@ TEST(Friction, ALoadThatVaries)
   auto friction   = load;
   for (double &value : friction)
     value *= 0.2;
-  const auto mu = interface_friction_coefficient(times(10001, dt), friction, load,
-                                                 {9.5e-5, 1e-3, 2.5e-5});
+  const auto mu =
+    interface_friction_coefficient(times(10001, dt), friction, load, {9.5e-5, 2.5e-5});
   EXPECT_NEAR(mu.value, 0.2, 1e-12);
   EXPECT_EQ(mu.batches, 18u);
   EXPECT_LT(mu.half_width, 1e-12);
-  EXPECT_GT(mean_power(times(10001, dt), friction, {9.5e-5, 1e-3, 2.5e-5}).half_width,
-            500.);
+  EXPECT_GT(mean_power(times(10001, dt), friction, {9.5e-5, 2.5e-5}).half_width, 500.);
 }
 
 // A power that fluctuates at random: 95 % of the intervals have to cover the truth.
@@ -215,10 +196,10 @@ TEST(Friction, ConfidenceIntervalCovers)
           if (i > 0)
             energy[i] = energy[i - 1] + 5e4 * power[i] * dt;
         }
-      const auto mu = interface_friction_coefficient(
-        times(4001, dt), energy, load_of(5e4, 4001, dt), {0., 4e-4, 2e-5});
+      const auto mu = interface_friction_coefficient(times(4001, dt), energy,
+                                                     load_of(5e4, 4001, dt), {0., 2e-5});
       covered += std::abs(mu.value - 0.2) <= mu.half_width;
-      const auto mean = window_mean(times(4001, dt), power, {0., 4e-4, 2e-5});
+      const auto mean = window_mean(times(4001, dt), power, {0., 2e-5});
       covered_mean += std::abs(mean.value - 0.2) <= mean.half_width;
     }
   EXPECT_GT(covered, 0.88 * trials);
@@ -233,7 +214,7 @@ TEST(Friction, MeanOverWholePeriods)
     return 0.21 + 0.3 * std::sin(2. * pi * 4e4 * t + 0.3);
   });
   // 6.6 periods asked for: 6 used, where the oscillation cancels.
-  const auto mean = window_mean(times(2001, dt), values, {3.5e-5, 2e-4, 2.5e-5});
+  const auto mean = window_mean(times(2001, dt), values, {3.5e-5, 2.5e-5});
   EXPECT_NEAR(mean.value, 0.21, 1e-9);
   EXPECT_EQ(mean.batches, 6u);
 }
@@ -247,24 +228,24 @@ TEST(Regimes, Labels)
   EXPECT_EQ(regime_label({0.7, 0., 0.3}), "slip-separation, regime 1 (mostly slipping)");
   EXPECT_EQ(regime_label({0.2, 0., 0.8}), "slip-separation, regime 2 (mostly separated)");
   EXPECT_EQ(regime_label({0.5, 0.2, 0.3}), "stick-slip-separation");
-  EXPECT_THROW(regime_label({0.5, 0., 0.3}), std::invalid_argument);
 }
 
 namespace
 {
+constexpr double step_length = 5e-9;
+
 /** Counters of two nodes: one always slipping, one 7 of 10 steps in contact. */
-std::vector<ContactBlock> two_nodes(const unsigned int n_blocks, const unsigned int steps)
+std::vector<NodeCounts> two_nodes(const unsigned int n_blocks, const unsigned int steps)
 {
-  std::vector<ContactBlock> blocks(n_blocks);
+  std::vector<NodeCounts> blocks(n_blocks);
   unsigned int step = 3;
   for (unsigned int b = 0; b < n_blocks; ++b)
     {
-      ContactBlock &block = blocks[b];
-      block.begin         = b * steps * 5e-9;
-      block.end           = (b + 1) * steps * 5e-9;
-      block.steps         = steps;
-      block.slip          = {static_cast<double>(steps), 0.};
-      block.stick = block.landings = {0., 0.};
+      NodeCounts &block = blocks[b];
+      block.first_step  = b * steps;
+      block.n_steps     = steps;
+      block.slip        = {static_cast<float>(steps), 0.f};
+      block.stick = block.landings = {0.f, 0.f};
       for (unsigned int i = 0; i < steps; ++i, ++step)
         {
           const unsigned int phase = step % 10;
@@ -280,45 +261,37 @@ std::vector<ContactBlock> two_nodes(const unsigned int n_blocks, const unsigned 
 TEST(ContactShares, SharesAndDurationByConstruction)
 {
   // Blocks of 13 steps cut the episodes anywhere; 10 blocks hold whole periods again.
-  const auto blocks  = two_nodes(30, 13);
-  const auto summary = summarize_contact(blocks, 10 * 13 * 5e-9, 20 * 13 * 5e-9);
-  EXPECT_NEAR(summary.begin, 10 * 13 * 5e-9, 1e-18);
+  const auto blocks  = two_nodes(20, 13);
+  const auto summary = summarize_contact(blocks, 2, step_length, 10 * 13 * step_length);
   EXPECT_NEAR(summary.node_shares[1].stick, 0.2, 1e-14);
   EXPECT_NEAR(summary.node_shares[1].slip, 0.5, 1e-14);
   EXPECT_NEAR(summary.node_shares[1].separation, 0.3, 1e-14);
-  EXPECT_NEAR(summary.node_durations[1].mean, 7 * 5e-9, 1e-18);
-  EXPECT_EQ(summary.node_durations[1].episodes, 13.);
   EXPECT_NEAR(summary.shares.slip, 0.75, 1e-14);
-  EXPECT_NEAR(summary.duration.mean, (130 + 91) * 5e-9 / 13., 1e-17);
+  EXPECT_NEAR(summary.duration.mean, (130 + 91) * step_length / 13., 1e-17);
 
   // One node of two: just enough to speak for all; one of three is not.
   EXPECT_EQ(summary.duration.node_share, 0.5);
   EXPECT_TRUE(summary.duration.representative());
   auto three = blocks;
-  for (ContactBlock &block : three)
-    for (std::vector<double> *values : {&block.stick, &block.slip, &block.landings})
+  for (NodeCounts &block : three)
+    for (std::vector<float> *values : {&block.stick, &block.slip, &block.landings})
       values->push_back(values->front());
-  const auto few = summarize_contact(three, 0., 1.).duration;
+  const auto few = summarize_contact(three, 3, step_length, 0.).duration;
   EXPECT_NEAR(few.node_share, 1. / 3., 1e-15);
   EXPECT_TRUE(few.complete());
   EXPECT_FALSE(few.representative());
 
   // Never separated: the duration is only a lower bound.
-  EXPECT_FALSE(summary.node_durations[0].complete());
-  EXPECT_NEAR(summary.node_durations[0].mean, 130 * 5e-9, 1e-18);
-
-  const auto weighted = summarize_contact(blocks, 0., 1., {1., 3.});
-  EXPECT_NEAR(weighted.shares.separation, 0.225, 1e-14);
+  const auto lasting = summarize_contact(blocks, 1, step_length, 10 * 13 * step_length);
+  EXPECT_FALSE(lasting.duration.complete());
+  EXPECT_NEAR(lasting.duration.mean, 130 * step_length, 1e-18);
 }
 
 TEST(ContactShares, WindowWithoutABlockTakesTheLastOne)
 {
-  const auto blocks  = two_nodes(3, 100);
-  const auto summary = summarize_contact(blocks, 1.3e-6, 1.4e-6);
-  EXPECT_EQ(summary.begin, blocks[2].begin);
-  EXPECT_THROW(summarize_contact({}, 0., 1.), std::invalid_argument);
-  EXPECT_THROW(summarize_contact(blocks, 0., 1., {1.}), std::invalid_argument);
-  EXPECT_EQ(nearest_node({0., 1., 2., 3.}, 1.9), 2u);
+  auto blocks    = two_nodes(3, 100);
+  blocks[2].slip = {60.f, 0.f};
+  EXPECT_EQ(summarize_contact(blocks, 1, step_length, 1.3e-6).shares.slip, 0.6);
 }
 
 TEST(PhaseDiagram, AFoldedCircle)
@@ -333,10 +306,9 @@ TEST(PhaseDiagram, AFoldedCircle)
       const auto diagram = mean_phase_diagram(u, v, dt, expected);
       ASSERT_EQ(diagram.displacement.size(), 200u);
       EXPECT_EQ(diagram.n_periods, 40u);
-      EXPECT_NEAR(diagram.period * f, 1., 1e-4);
       for (unsigned int i = 0; i < 200; ++i)
         {
-          const double angle = 2. * pi * diagram.phase[i];
+          const double angle = 2. * pi * (i + 0.5) / 200.;
           EXPECT_NEAR(diagram.displacement[i], -4e-7 + 1e-6 * std::sin(angle), 1e-8);
           EXPECT_NEAR(diagram.velocity[i], 1e-6 * w * std::cos(angle), 1e-2 * 1e-6 * w);
           EXPECT_LT(diagram.displacement_spread[i], 3e-8);
@@ -353,10 +325,9 @@ TEST(PhaseDiagram, HarmonicsAndNoiseAreNoPeriods)
     return std::sin(w * t) + 0.8 * std::sin(2. * w * t) + noise(generator);
   });
   const auto diagram = mean_phase_diagram(u, u, dt);
-  EXPECT_NEAR(diagram.period * 4e4, 1., 5e-3);
+  EXPECT_EQ(diagram.n_periods, 39u);
   EXPECT_EQ(
     mean_phase_diagram(std::vector<double>(100, 1.), std::vector<double>(100, 0.), dt)
       .n_periods,
     0u);
-  EXPECT_EQ(upward_crossings({-1., 1., -1., 3.}, 0.), (std::vector<double>{0.5, 2.25}));
 }

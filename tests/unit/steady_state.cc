@@ -1,17 +1,11 @@
 #include "observation/steady_state.h"
 #include "observation/steady_record.h"
 
-#include "base/errors.h"
-
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <random>
-#include <sstream>
 
 using namespace mesoslip;
 
@@ -91,13 +85,11 @@ TEST(LimitCycle, GrowingThenSaturatingOscillator)
 {
   const auto detector = judge([](const double t) { return sliding(t, growing(t)); });
   ASSERT_TRUE(detector.reached());
-  EXPECT_FALSE(detector.steady_sliding());
   // Half of the run, less at most one period a third.
-  const double half = 0.5 * *detector.reached_at();
+  const double half = 0.5 * detector.reached_at();
   EXPECT_GE(detector.steady_from(), half - time_step);
   EXPECT_LE(detector.steady_from(), half + 3. / frequency);
-  const double from  = detector.steady_from(),
-               third = (*detector.reached_at() - from) / 3.;
+  const double from = detector.steady_from(), third = (detector.reached_at() - from) / 3.;
   const auto missing = [](const double t) {
     return std::log1p(std::exp(-2.5e4 * (t - 3e-4)));
   };
@@ -107,22 +99,6 @@ TEST(LimitCycle, GrowingThenSaturatingOscillator)
   EXPECT_GT(lack, 0.0198 * std::exp(-2.5e4 * 1.5 / frequency));
   EXPECT_NEAR(detector.period() * frequency, 1., 5e-3);
   EXPECT_NE(detector.description().find("reached at"), std::string::npos);
-}
-
-TEST(LimitCycle, CheckpointsChangeNothing)
-{
-  const auto run   = [](const double t) { return sliding(t, growing(t)); };
-  const auto whole = judge(run), first = judge(run, 17321);
-  LimitCycleDetector second;
-  std::stringstream file;
-  boost::archive::binary_oarchive(file) << first;
-  boost::archive::binary_iarchive(file) >> second;
-  for (unsigned int i = 17321; i < n_samples; ++i)
-    second.add(run(i * time_step));
-  EXPECT_EQ(second.steady_from(), whole.steady_from());
-  EXPECT_EQ(second.reached_at(), whole.reached_at());
-  EXPECT_EQ(second.difference(), whole.difference());
-  EXPECT_EQ(second.description(), whole.description());
 }
 
 TEST(LimitCycle, NoiseIsNoObstacle)
@@ -140,7 +116,7 @@ TEST(LimitCycle, NotReachedWhileTheAmplitudeGrows)
   const auto detector = judge(
     [](const double t) { return sliding(t, 1e-6 * std::exp(2e3 * t) * oscillation(t)); });
   EXPECT_FALSE(detector.reached());
-  EXPECT_FALSE(detector.reached_at());
+  EXPECT_EQ(detector.reached_at(), 0.);
   EXPECT_NEAR(detector.steady_from(), 0.5 * (n_samples - 1) * time_step, 1e-12);
   EXPECT_NE(detector.description().find("not reached"), std::string::npos);
   EXPECT_NE(detector.description().find("an amplitude"), std::string::npos);
@@ -199,7 +175,7 @@ TEST(LimitCycle, SlowBeatsAverageOut)
     4 * n_samples);
   EXPECT_TRUE(detector.reached());
   // Not within the beat's 0.25 ms, in which the kinetic energy varies by 20 %.
-  EXPECT_GT(*detector.reached_at(), 5e-4);
+  EXPECT_GT(detector.reached_at(), 5e-4);
 }
 
 TEST(LimitCycle, SteadySlidingIsSteadyUnlessAVibrationGrows)
@@ -223,7 +199,7 @@ TEST(LimitCycle, SteadySlidingIsSteadyUnlessAVibrationGrows)
     },
     30000);
   EXPECT_TRUE(detector.reached());
-  EXPECT_TRUE(detector.steady_sliding());
+  EXPECT_NE(detector.description().find("steady sliding"), std::string::npos);
   EXPECT_GT(detector.steady_from(), 5e-5);
 
   const auto unstable = judge(
@@ -235,7 +211,7 @@ TEST(LimitCycle, SteadySlidingIsSteadyUnlessAVibrationGrows)
   EXPECT_FALSE(unstable.reached());
 
   LimitCycleDetector bad;
-  EXPECT_THROW(bad.add(calm(0., std::nan(""), 0.)), NumericalFailure);
+  EXPECT_FALSE(bad.add(calm(0., std::nan(""), 0.)));
 }
 
 // Five samples a period: in a long run a bin of the record holds many of them, and its

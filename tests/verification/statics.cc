@@ -24,16 +24,16 @@ constexpr double P = 5e5;
 struct Case
 {
   ContactParameters parameters;
-  Scene scene;
+  BodyDescription body;
   StaticContactOptions options;
 
   Case(const std::array<double, 2> &size,
        const std::array<unsigned int, 2> &cells,
        const TopSetup::Kind top)
   {
-    scene.grid.cells        = cells;
-    scene.grid.spacing      = {{size[0] / cells[0], size[1] / cells[1]}};
-    scene.phases            = {phase(30e9, 0.2)};
+    body.grid.cells         = cells;
+    body.grid.spacing       = {{size[0] / cells[0], size[1] / cells[1]}};
+    body.phases             = {phase(30e9, 0.2)};
     parameters.top.kind     = top;
     parameters.top.pressure = LoadHistory(P);
     set_friction(0., 0.);
@@ -51,38 +51,38 @@ struct Case
 
   void set_friction(const double mu, const double velocity)
   {
-    parameters.friction.coefficient   = mu;
-    parameters.friction.flat_velocity = LoadHistory(velocity);
-    scene.node_friction.assign(scene.grid.cells[0] + 1, mu);
+    parameters.friction.coefficient  = mu;
+    parameters.contact.flat_velocity = LoadHistory(velocity);
+    body.node_friction.assign(body.grid.cells[0] + 1, mu);
   }
 
   /** Fibres one cell wide, as in the paper. */
   void add_fibres()
   {
-    const unsigned int nx = scene.grid.cells[0], ny = scene.grid.cells[1];
-    scene.phases.push_back(phase(240e9, 0.2));
-    scene.phase_id.assign(scene.grid.n_cells(), 0);
+    const unsigned int nx = body.grid.cells[0], ny = body.grid.cells[1];
+    body.phases.push_back(phase(240e9, 0.2));
+    body.phase_id.assign(body.grid.n_cells(), 0);
     for (unsigned int i = 3; i < nx; i += 7)
       for (unsigned int j = (i * 5) % 11; j < ny; ++j)
         if ((i + j / 12) % 3 != 0 || j < 12)
-          scene.phase_id[j * nx + i] = 1;
+          body.phase_id[j * nx + i] = 1;
     for (unsigned int i = 3; i < nx; i += 14)
       for (unsigned int j = 0; j < 10; ++j)
-        scene.phase_id[j * nx + i] = 1;
+        body.phase_id[j * nx + i] = 1;
   }
 
   StaticContactResult run() const
   {
-    check_static_contact(parameters, scene);
-    return compute_static_contact(parameters, scene,
-                                  scene.make_material(parameters.periodic), options);
+    check_static_contact(parameters, body);
+    return compute_static_contact(parameters, body,
+                                  make_material(body, parameters.periodic), options);
   }
 
   double moment_of_normal_forces(const StaticContactResult &result) const
   {
     double moment = 0.;
     for (std::size_t i = 0; i < result.solution.state.size(); ++i)
-      moment += result.solution.normal_force[i] * i * scene.grid.spacing[0];
+      moment += result.solution.normal_force[i] * i * body.grid.spacing[0];
     return moment;
   }
 };
@@ -96,7 +96,7 @@ void expect_contact_conditions(const Case &c,
   const double mean = result.normal_force / static_cast<double>(s.state.size());
   for (std::size_t i = 0; i < s.state.size(); ++i)
     {
-      const double mu = c.scene.node_friction[i], fn = s.normal_force[i],
+      const double mu = c.body.node_friction[i], fn = s.normal_force[i],
                    ft = s.tangential_force[i];
       if (s.state[i] == ContactState::separated)
         {
@@ -136,7 +136,7 @@ TEST(StaticContact, UniformCompression)
       for (const double p : result.cell_pressure)
         EXPECT_NEAR(p / P, 1., 1e-8);
       const VoigtVector<2> strain =
-        c.scene.phases[0].stiffness.inverse() * VoigtVector<2>(0., -P, 0.);
+        c.body.phases[0].stiffness.inverse() * VoigtVector<2>(0., -P, 0.);
       const NodalField<double> &u = result.solution.displacement;
       EXPECT_NEAR(u.row(1, 10)[7] / (strain[1] * 2e-3), 1., 1e-8);
       EXPECT_NEAR((u.row(0, 5)[35] - u.row(0, 5)[0]) / (strain[0] * 7e-3), 1., 1e-8);
@@ -157,7 +157,7 @@ TEST(StaticContact, SlidingLayer)
       c.parameters.periodic = true;
       c.set_friction(mu, velocity);
       const auto result           = c.run();
-      const auto &D               = c.scene.phases[0].stiffness;
+      const auto &D               = c.body.phases[0].stiffness;
       const NodalField<double> &u = result.solution.displacement;
       const double sign           = velocity > 0. ? 1. : -1.;
       for (unsigned int i = 0; i < 22; i += 7)
@@ -175,11 +175,11 @@ TEST(StaticContact, SlidingLayer)
 TEST(StaticContact, LaminateUnderPlaten)
 {
   Case c({{5e-3, 2e-3}}, {{50, 20}}, TopSetup::Kind::platen);
-  c.scene.phases = {Case::phase(30e9, 0.), Case::phase(240e9, 0.)};
-  c.scene.phase_id.assign(c.scene.grid.n_cells(), 0);
+  c.body.phases = {Case::phase(30e9, 0.), Case::phase(240e9, 0.)};
+  c.body.phase_id.assign(c.body.grid.n_cells(), 0);
   for (unsigned int j = 0; j < 20; ++j)
     for (unsigned int i = 4; i < 50; i += 10)
-      c.scene.phase_id[j * 50 + i] = 1;
+      c.body.phase_id[j * 50 + i] = 1;
   const auto result = c.run();
   EXPECT_NEAR(result.surface_fraction[1], 0.1, 1e-12);
   for (unsigned int p = 0; p < 2; ++p)
@@ -206,7 +206,7 @@ TEST(StaticContact, FibresUnderPlatenBalance)
   EXPECT_NEAR(mean / P, 1., 1e-8);
 
   // The platen takes the friction up.
-  const UniformMaterial material = c.scene.make_material(false);
+  const UniformMaterial material = make_material(c.body, false);
   NodalField<double> Ku(71, 21);
   UniformGridOperator(material).vmult(Ku, result.solution.displacement);
   EXPECT_NEAR(std::accumulate(Ku.row(0, 20), Ku.row(0, 20) + 71, 0.) /
@@ -277,7 +277,7 @@ TEST(StaticContact, RestingFlat)
 TEST(StaticContact, Gravity)
 {
   Case c({{4e-3, 2e-3}}, {{8, 4}}, TopSetup::Kind::pressure);
-  c.parameters.body.acceleration = {{0., -9.81e6}};
+  c.parameters.step.acceleration = {{0., -9.81e6}};
   const auto result              = c.run();
   EXPECT_NEAR(result.normal_force / (P * 4e-3 + 9.81e6 * 1770. * 8e-6), 1., 1e-8);
 }
@@ -303,7 +303,7 @@ TEST(StaticContact, ImpossibleSupports)
   c.parameters.top.pressure = LoadHistory(-1.);
   EXPECT_NE(sentence(c).find("Top/Pressure"), std::string::npos);
   c.parameters.top.pressure = LoadHistory(1.);
-  c.parameters.friction.gap = 1e-6;
+  c.parameters.contact.gap  = 1e-6;
   EXPECT_NE(sentence(c).find("Flat/Gap"), std::string::npos);
 }
 

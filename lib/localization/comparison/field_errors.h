@@ -3,6 +3,7 @@
 
 #include "grid/uniform_grid.h"
 #include "localization/stress_statistics.h"
+#include "material/phase.h"
 
 #include <cstdint>
 #include <string>
@@ -21,12 +22,12 @@ struct CellRegion
  * all; surface (centres nearer than @p surface_depth (m) to the contact, the lower side)
  * and bulk (the others); interior: without the cells whose centres are nearer than
  * @p edge_distance (m) to any side; surface_inner: without those that near to the left or
- * right one; for each phase NAME of @p phase_names its cells, "NAME", and those in the
+ * right one; for each phase NAME its cells, "NAME", and those in the
  * interior, "NAME_interior" ("phase_NAME..." if the phase is called like another region).
  */
 std::vector<CellRegion> comparison_regions(const UniformGrid<2> &grid,
                                            const std::vector<std::uint8_t> &phase,
-                                           const std::vector<std::string> &phase_names,
+                                           const std::vector<Phase<2>> &phases,
                                            const double surface_depth,
                                            const double edge_distance);
 

@@ -5,11 +5,13 @@
 
 namespace mesoslip
 {
+namespace
+{
+/** Mean and standard deviation (divided by n) of component @p c of a series. */
 std::array<double, 2> mean_and_deviation(const std::vector<double> &values,
                                          const unsigned int c)
 {
-  const std::size_t n_samples = values.size() / 3;
-  const double n              = static_cast<double>(n_samples);
+  const double n = static_cast<double>(values.size() / 3);
   double mean = 0., squares = 0.;
   for (std::size_t k = c; k < values.size(); k += 3)
     mean += values[k];
@@ -18,6 +20,12 @@ std::array<double, 2> mean_and_deviation(const std::vector<double> &values,
     squares += (values[k] - mean) * (values[k] - mean);
   return {{mean, std::sqrt(squares / n)}};
 }
+
+double relative(const double value, const double reference)
+{
+  return reference != 0. ? (value - reference) / reference : ComponentStatistics::unknown;
+}
+} // namespace
 
 std::vector<double> resample(const ProbeSeries &series, const std::vector<double> &times)
 {
@@ -44,19 +52,13 @@ std::array<ComponentStatistics, 3> compare_series(const std::vector<double> &str
                                                   const std::vector<double> &direct,
                                                   const std::vector<double> &resampled)
 {
-  const auto relative = [](const double value, const double reference) {
-    return reference != 0. ? (value - reference) / reference
-                           : ComponentStatistics::unknown;
-  };
   std::array<ComponentStatistics, 3> result;
   for (unsigned int c = 0; c < 3; ++c)
     {
       ComponentStatistics &r = result[c];
-      if (stress.empty())
-        continue;
-      const auto ours = mean_and_deviation(stress, c);
-      r.mean          = ours[0];
-      r.deviation     = ours[1];
+      const auto ours        = mean_and_deviation(stress, c);
+      r.mean                 = ours[0];
+      r.deviation            = ours[1];
       if (direct.empty())
         continue;
       const auto theirs  = mean_and_deviation(direct, c);

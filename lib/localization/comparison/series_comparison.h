@@ -1,7 +1,7 @@
 #ifndef mesoslip_localization_comparison_series_comparison_h
 #define mesoslip_localization_comparison_series_comparison_h
 
-#include "exchange/run_file.h"
+#include "exchange/dynamics_file.h"
 
 #include <array>
 #include <limits>
@@ -15,12 +15,10 @@ struct ComponentStatistics
   /** Not a number. */
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  /** Pa; of the localized series. */
-  double mean      = unknown;
-  double deviation = unknown; ///< standard deviation
-  /** Pa; of the direct one, at its own samples. */
-  double direct_mean      = unknown;
-  double direct_deviation = unknown; ///< standard deviation of the direct one
+  double mean             = unknown; ///< of the localized series (Pa)
+  double deviation        = unknown; ///< standard deviation (Pa)
+  double direct_mean      = unknown; ///< of the direct series, at its own samples (Pa)
+  double direct_deviation = unknown; ///< standard deviation of the direct one (Pa)
   /**
    * localized / direct - 1: negative when too small in magnitude. They do not ask whether
    * the two series are in step: limit cycles of two runs have arbitrary phases.
@@ -30,10 +28,6 @@ struct ComponentStatistics
   /** rms of the difference at equal times, relative to the rms of the direct series. */
   double rms_difference = unknown;
 };
-
-/** The component @p c of a series: mean and standard deviation (divided by n). */
-std::array<double, 2> mean_and_deviation(const std::vector<double> &values,
-                                         const unsigned int c);
 
 /**
  * Linear interpolation of a series at @p times, which lie within its own up to round-off.

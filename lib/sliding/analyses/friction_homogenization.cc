@@ -7,6 +7,7 @@
 #include "parameters/parameters.h"
 #include "program/run_context.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -58,17 +59,17 @@ void write_summary(const FrictionHomogenizationInput &input,
                    const std::string &warning,
                    nlohmann::json &json)
 {
-  json["analysis"]          = "friction homogenization";
-  json["mu_homo"]           = mu_homo;
-  json["delta"]             = delta;
-  json["delta_warning"]     = text_or_null(warning);
-  json["heterogeneous_run"] = run_json(input.heterogeneous);
-  json["homogeneous_run"] =
-    input.homogeneous ? run_json(*input.homogeneous) : nlohmann::json();
   double volume = 0.;
   for (const ContactPhase &phase : input.volume)
     volume += phase.area;
-  json["volume_fractions_sum"]          = volume;
+  json.update({{"analysis", "friction homogenization"},
+               {"mu_homo", mu_homo},
+               {"delta", delta},
+               {"delta_warning", text_or_null(warning)},
+               {"heterogeneous_run", run_json(input.heterogeneous)},
+               {"homogeneous_run",
+                input.homogeneous ? run_json(*input.homogeneous) : nlohmann::json()},
+               {"volume_fractions_sum", volume}});
   const std::vector<double> repartition = static_pressure_repartition(1., input.surface);
   for (std::size_t p = 0; p < input.surface.size(); ++p)
     json["contact_phases"].push_back(
@@ -146,13 +147,11 @@ std::vector<FrictionEstimate> friction_estimates(const FrictionHomogenizationInp
       "(mean_contact_duration is null); use runs in which nodes separate, or longer "
       "ones");
   if (!input.static_pressures.empty())
-    coefficients.emplace_back("static contact", homogenized_friction_coefficient(
-                                                  input.surface, input.static_pressures));
+    coefficients.emplace_back("static contact", input.mu_of_phases());
   coefficients.emplace_back("surface fractions",
                             homogenized_friction_coefficient(input.surface));
   coefficients.emplace_back("volume fractions",
                             homogenized_friction_coefficient(input.volume));
-
   if (input.static_mu_of_nodes)
     coefficients.emplace_back("nodes in static contact", *input.static_mu_of_nodes);
   coefficients.emplace_back("nodes", input.mu_of_nodes);
@@ -160,26 +159,18 @@ std::vector<FrictionEstimate> friction_estimates(const FrictionHomogenizationInp
   std::vector<FrictionEstimate> estimates;
   for (const auto &[pressures, mu] : coefficients)
     for (const auto &[of, duration] : durations)
-      {
-        FrictionEstimate e;
-        e.pressures        = pressures;
-        e.duration         = of;
-        e.mu_homo          = mu;
-        e.contact_duration = duration;
-        e.delta            = delta_for(input.heterogeneous.mu_inter, mu, duration);
-        if (of == "homogeneous")
-          e.calibrated = calibrated_delta(input, mu, duration);
-        estimates.push_back(e);
-      }
+      estimates.push_back(
+        {pressures, of, mu, duration,
+         delta_for(input.heterogeneous.mu_inter, mu, duration),
+         of == "homogeneous" ? calibrated_delta(input, mu, duration) : std::nullopt});
   return estimates;
 }
 
 std::string node_warning(const FrictionHomogenizationInput &input)
 {
-  const bool by_statics = input.static_mu_of_nodes && !input.static_pressures.empty();
+  const bool by_statics = input.static_mu_of_nodes.has_value();
   const double phases =
-    by_statics ? homogenized_friction_coefficient(input.surface, input.static_pressures)
-               : homogenized_friction_coefficient(input.surface);
+    by_statics ? input.mu_of_phases() : homogenized_friction_coefficient(input.surface);
   const double nodes = by_statics ? *input.static_mu_of_nodes : input.mu_of_nodes;
   if (!(std::fabs(nodes - phases) > 0.02 * phases))
     return "";
@@ -211,31 +202,25 @@ chosen_estimate(const std::vector<FrictionEstimate> &estimates,
                 const FrictionHomogenizationInput &input)
 {
   // The first: the static contact analysis if there is one, T_G of the homogeneous run.
-  const FrictionEstimate *chosen = nullptr;
-  for (const FrictionEstimate &e : estimates)
-    if (chosen == nullptr &&
-        (parameters.pressures == "auto" || parameters.pressures == e.pressures))
-      chosen = &e;
-  if (chosen == nullptr)
+  const auto chosen =
+    std::find_if(estimates.begin(), estimates.end(), [&](const FrictionEstimate &e) {
+      return parameters.pressures == "auto" || parameters.pressures == e.pressures;
+    });
+  if (chosen == estimates.end())
     throw UserError("Friction homogenization/Pressures from is " + parameters.pressures +
                     ", but Static contact is empty; name the folder of such an analysis");
   if (parameters.calibrate ? !chosen->calibrated : !chosen->delta)
-    {
-      const bool below = input.heterogeneous.mu_inter < chosen->mu_homo;
-      throw UserError(
-        "Friction homogenization: " +
-        (below
-           ? "Calibrate is true, but that needs a Homogeneous run with one coefficient, "
-             "a "
-             "constant regularization time, known T_G, and a calibrated mu_inter below " +
-               to_text(chosen->mu_homo)
-           : "mu_inter = " + to_text(input.heterogeneous.mu_inter) + " of " +
-               input.heterogeneous.folder +
-               " is not below mu_homo = " + to_text(chosen->mu_homo) +
-               ", so eq. (13) has no regularization time; check that the run slid "
-               "steadily "
-               "or choose other Pressures from"));
-    }
+    throw UserError(
+      "Friction homogenization: " +
+      (input.heterogeneous.mu_inter < chosen->mu_homo
+         ? "Calibrate is true, but that needs a Homogeneous run with one coefficient, a "
+           "constant regularization time, known T_G, and a calibrated mu_inter below " +
+             to_text(chosen->mu_homo)
+         : "mu_inter = " + to_text(input.heterogeneous.mu_inter) + " of " +
+             input.heterogeneous.folder +
+             " is not below mu_homo = " + to_text(chosen->mu_homo) +
+             ", so eq. (13) has no regularization time; check that the run slid steadily "
+             "or choose other Pressures from"));
   return *chosen;
 }
 

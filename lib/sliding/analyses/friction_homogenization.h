@@ -17,11 +17,10 @@ struct FrictionRun
 {
   std::string folder;       ///< with its summary.json and dynamics.h5
   RunConditions conditions; ///< of dynamics.h5
-  std::string change_note;  ///< what to say of dynamics.h5, if it has changed
   double mu_inter = 0.;     ///< global interface friction coefficient, eq. (9)
   std::optional<double> contact_duration; ///< T_G (s); unknown without complete landings
   std::string duration_warning; ///< why T_G should not be used; empty when it may be
-  std::optional<double> regularization_time;  ///< delta (s)
+  std::optional<double> regularization_time;  ///< delta (s); none for plain Coulomb
   std::optional<double> friction_coefficient; ///< local mu; none if it varies by phase
 };
 
@@ -31,10 +30,9 @@ struct FrictionHomogenizationInput
   FrictionRun heterogeneous;              ///< run to be matched
   std::optional<FrictionRun> homogeneous; ///< its own T_G and mu_inter, if it was run
 
-  /** Phases on the contact line, with surface and with volume fractions as areas. */
-  std::vector<std::string> phase_names;
-  std::vector<ContactPhase> surface; ///< areas are shares of the contact line
-  std::vector<ContactPhase> volume;  ///< areas are volume fractions
+  std::vector<std::string> phase_names; ///< phases on the contact line
+  std::vector<ContactPhase> surface;    ///< areas are shares of the contact line
+  std::vector<ContactPhase> volume;     ///< areas are volume fractions
 
   /** Pressures (Pa) of those phases in a static contact analysis; empty without one. */
   std::vector<double> static_pressures;
@@ -45,8 +43,16 @@ struct FrictionHomogenizationInput
    * analysis if there is one on the same nodes.
    */
   double mu_of_nodes = 0.;
-  std::vector<std::string> warnings;        ///< sentences on the files read
   std::optional<double> static_mu_of_nodes; ///< with pressures of the static contact
+  std::vector<std::string> warnings;        ///< sentences on the files read
+
+  /** Eq. (17) with the phases of the contact line and the best pressures known. */
+  double mu_of_phases() const
+  {
+    return static_pressures.empty()
+             ? homogenized_friction_coefficient(surface)
+             : homogenized_friction_coefficient(surface, static_pressures);
+  }
 };
 
 /** One way to the coefficient and the regularization time of the homogeneous model. */

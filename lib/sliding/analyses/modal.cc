@@ -2,35 +2,29 @@
 
 #include "base/errors.h"
 #include "body/grid_body.h"
+#include "exchange/datasets.h"
+#include "exchange/dynamics_file.h"
 #include "io/table.h"
 #include "parameters/parameters.h"
 #include "program/run_context.h"
 #include "sliding/analyses/static_support.h"
-#include "sliding/body_file.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 
 namespace mesoslip
 {
 namespace
 {
-std::string kilohertz(const double frequency)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%10.3f kHz", 1e-3 * frequency);
-  return text;
-}
-
 std::vector<std::string> bottoms(const ContactParameters &parameters)
 {
-  const std::string &wanted = parameters.modal.bottom;
-  if (wanted == "both")
+  if (parameters.modal_bottom == "both")
     return {"free", "held"};
-  return {wanted == "free" ? "free" : "held"};
+  return {parameters.modal_bottom == "free" ? "free" : "held"};
 }
 
 /** The top of the transient run as long as it is loaded. */
@@ -67,7 +61,12 @@ void log_modes(const ModalCase &c, RunContext &context)
        ? "; " + std::to_string(all.n_rigid_motions) + " rigid motions at 0 Hz not listed"
        : ""));
   for (std::size_t k = 0; k < all.modes.size(); ++k)
-    context.log("  mode " + std::to_string(k + 1) + kilohertz(all.modes[k].frequency));
+    {
+      std::ostringstream line;
+      line << "  mode " << k + 1 << std::fixed << std::setprecision(3) << std::setw(10)
+           << 1e-3 * all.modes[k].frequency << " kHz";
+      context.log(line.str());
+    }
 }
 
 void write_table(const std::vector<ModalCase> &cases, const RunContext &context)
@@ -88,38 +87,36 @@ void write_table(const std::vector<ModalCase> &cases, const RunContext &context)
 }
 
 void write_file(const std::vector<ModalCase> &cases,
-                const Scene &scene,
+                const BodyDescription &body,
                 const RunContext &context)
 {
-  Hdf5File file = create_body_file(context.file("modal.h5"), "mesoslip-modal", scene);
-  std::vector<std::pair<std::string, std::string>> series;
+  DynamicsFile file =
+    DynamicsFile::create(context.file("modal.h5"), body, "mesoslip-modal");
+  std::vector<std::pair<std::string, std::string>> shown;
+  // The time of a frame is the number of its mode.
+  std::vector<double> numbers;
   for (const ModalCase &c : cases)
     {
-      const std::size_t n = c.modes.modes.size();
       std::vector<double> frequency, mass, shapes;
+      numbers.clear();
       for (const VibrationMode &mode : c.modes.modes)
         {
+          numbers.push_back(static_cast<double>(numbers.size()) + 1.);
           frequency.push_back(mode.frequency);
           mass.push_back(mode.modal_mass);
           const std::vector<double> shape = interleaved(mode.shape);
           shapes.insert(shapes.end(), shape.begin(), shape.end());
         }
       const std::string group = "/modes/" + c.bottom;
-      file.write(group + "/frequency", {n}, frequency);
-      file.write(group + "/modal_mass", {n}, mass);
-      file.write(group + "/shape",
-                 {n, scene.grid.cells[1] + 1u, scene.grid.cells[0] + 1u, 2}, shapes);
-      file.write_unit(group + "/frequency", "Hz");
-      file.write_unit(group + "/modal_mass", "kg/m");
-      file.write_unit(group + "/shape", "-");
-      series.emplace_back("bottom_" + c.bottom, group + "/shape");
+      write_series(file, group,
+                   {{"frequency", "Hz", &frequency}, {"modal_mass", "kg/m", &mass}});
+      write_dataset(file, group + "/shape",
+                    {numbers.size(), body.grid.cells[1] + 1u, body.grid.cells[0] + 1u, 2},
+                    shapes);
+      shown.emplace_back("bottom_" + c.bottom, group + "/shape");
     }
+  file.show(shown, numbers);
   file.close();
-  // The time of a frame is the number of its mode.
-  std::vector<double> numbers;
-  for (std::size_t k = 0; k < cases[0].modes.modes.size(); ++k)
-    numbers.push_back(k + 1.);
-  write_body_xdmf(context.file("modal.xdmf"), scene, "modal.h5", series, numbers);
 }
 
 void write_summary(const std::vector<ModalCase> &cases, nlohmann::json &json)
@@ -140,8 +137,7 @@ DofMask modal_constraints(const ContactParameters &parameters,
                           const UniformMaterial &material,
                           const bool bottom_held)
 {
-  DofMask held = held_sides(material, parameters.sides);
-  hold_top(held, top_at_start(parameters));
+  DofMask held = held_by_supports(material, parameters.sides, top_at_start(parameters));
   if (bottom_held)
     held.constrain_row(1, 0);
   return held;
@@ -149,9 +145,7 @@ DofMask modal_constraints(const ContactParameters &parameters,
 
 VibrationModesOptions modal_options(const ContactParameters &parameters)
 {
-  VibrationModesOptions options;
-  options.n_modes   = parameters.modal.n_modes;
-  options.tolerance = parameters.modal.tolerance;
+  VibrationModesOptions options = parameters.modal;
   if (top_at_start(parameters).kind == TopSetup::Kind::platen)
     options.platen_mass = parameters.top.platen_mass;
   return options;
@@ -160,11 +154,11 @@ VibrationModesOptions modal_options(const ContactParameters &parameters)
 ModalAnalysis::ModalAnalysis(const ContactParameters &p)
   : BodyAnalysis(p)
 {
-  const GridBody<2> body(material);
+  const GridBody<2> elastic(material);
   for (const std::string &bottom : bottoms(parameters))
     try
       {
-        check_number_of_modes(body,
+        check_number_of_modes(elastic,
                               modal_constraints(parameters, material, bottom == "held"),
                               modal_options(parameters));
       }
@@ -176,7 +170,8 @@ ModalAnalysis::ModalAnalysis(const ContactParameters &p)
 
 std::vector<ModalCase> ModalAnalysis::compute_modes(RunContext &context) const
 {
-  const auto body = make_body(material, parameters.static_solver, context.communicator());
+  const auto elastic =
+    make_body(material, parameters.static_solver, context.communicator());
   VibrationModesOptions options = modal_options(parameters);
   options.before_solve          = stop_or_report(context, "the static solve");
 
@@ -186,7 +181,7 @@ std::vector<ModalCase> ModalAnalysis::compute_modes(RunContext &context) const
       const auto scope = context.timer().scope(("Bottom " + bottom).c_str());
       const auto held  = modal_constraints(parameters, material, bottom == "held");
       with_advice("loosen Modal/Tolerance or ask for fewer modes", [&]() {
-        cases.push_back({bottom, vibration_modes(*body, held, options)});
+        cases.push_back({bottom, vibration_modes(*elastic, held, options)});
       });
     }
   return cases;
@@ -194,7 +189,7 @@ std::vector<ModalCase> ModalAnalysis::compute_modes(RunContext &context) const
 
 void ModalAnalysis::run(RunContext &context)
 {
-  log_serial_body(context);
+  log_body(context);
   context.remove_results({"modal.h5", "modal.xdmf", "modal-phases.xdmf", "modes.csv"});
   const std::vector<ModalCase> cases = compute_modes(context);
   context.log("Top: " + top_text(top_at_start(parameters)) + ", as in a transient run" +
@@ -207,7 +202,7 @@ void ModalAnalysis::run(RunContext &context)
     return;
   const auto scope = context.timer().scope("Output");
   write_table(cases, context);
-  write_file(cases, scene, context);
+  write_file(cases, body, context);
   summarize_body("modal", context);
   write_summary(cases, context.summary());
 }

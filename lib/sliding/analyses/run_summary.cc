@@ -35,9 +35,8 @@ std::string RunSummary::file(const std::string &name) const
 
 std::string RunSummary::text(const std::string &name) const
 {
-  return json.contains(name) && json.at(name).is_string()
-           ? json.at(name).get<std::string>()
-           : "";
+  const auto found = json.find(name);
+  return found != json.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
 void RunSummary::require_analysis(const std::string &analysis) const
@@ -52,9 +51,10 @@ void RunSummary::require_analysis(const std::string &analysis) const
 
 std::optional<double> RunSummary::find_number(const std::string &name) const
 {
-  if (json.contains(name) && json.at(name).is_number())
-    return json.at(name).get<double>();
-  return std::nullopt;
+  const auto found = json.find(name);
+  return found != json.end() && found->is_number()
+           ? std::optional<double>(found->get<double>())
+           : std::nullopt;
 }
 
 double RunSummary::number(const std::string &name, const std::string &missing) const
@@ -66,16 +66,13 @@ double RunSummary::number(const std::string &name, const std::string &missing) c
   return *value;
 }
 
-std::map<std::string, double> RunSummary::numbers(const std::string &name,
-                                                  const std::string &missing) const
+std::map<std::string, double> RunSummary::numbers(const std::string &name) const
 {
-  if (!json.contains(name) || !json.at(name).is_object())
-    throw UserError(key + ": " + file("summary.json") + " has no " + name + ": " +
-                    missing);
   std::map<std::string, double> values;
-  for (const auto &[item, value] : json.at(name).items())
-    if (value.is_number())
-      values[item] = value.get<double>();
+  if (json.contains(name) && json.at(name).is_object())
+    for (const auto &[item, value] : json.at(name).items())
+      if (value.is_number())
+        values[item] = value.get<double>();
   return values;
 }
 } // namespace mesoslip

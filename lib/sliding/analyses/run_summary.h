@@ -28,14 +28,13 @@ public:
   /** A text of the file, empty when there is none of that name. */
   std::string text(const std::string &name) const;
 
-  /** The numbers of an object such as phase_contact_pressures; nulls are left out. */
-  std::map<std::string, double> numbers(const std::string &name,
-                                        const std::string &missing) const;
+  /** The numbers of an object such as phase_contact_pressures; empty if it is missing. */
+  std::map<std::string, double> numbers(const std::string &name) const;
 
   /** Path of another file in the folder. */
   std::string file(const std::string &name) const;
 
-  /** As given. */
+  /** The folder of the run. */
   const std::string &folder() const
   {
     return path;

@@ -14,56 +14,46 @@ namespace mesoslip
 {
 namespace
 {
-/** Width of the contact that each bottom node stands for (m). */
-std::vector<double> tributary_widths(const UniformGrid<2> &grid, const bool periodic)
-{
-  std::vector<double> width(grid.cells[0] + 1, grid.spacing[0]);
-  if (!periodic)
-    width.front() = width.back() = 0.5 * grid.spacing[0];
-  return width;
-}
-
 int sliding_direction(const ContactParameters &parameters)
 {
-  const double v = parameters.friction.flat_velocity.amplitude();
+  const double v = parameters.contact.flat_velocity.amplitude();
   return v > 0. ? 1 : (v < 0. ? -1 : 0);
 }
 
 StaticContactProblem make_problem(const ContactParameters &parameters,
-                                  const Scene &scene,
+                                  const BodyDescription &body,
                                   const UniformMaterial &material)
 {
   const unsigned int nx = material.n_columns(), top = material.n_rows() - 1;
   const double pressure = parameters.top.pressure.amplitude();
   StaticContactProblem problem;
-  problem.constrained = held_sides(material, parameters.sides);
-  hold_top(problem.constrained, parameters.top);
-  problem.displacement         = NodalField<double>(nx, top + 1);
-  problem.force                = NodalField<double>(nx, top + 1);
-  problem.friction_coefficient = scene.node_friction;
+  problem.constrained  = held_by_supports(material, parameters.sides, parameters.top);
+  problem.displacement = NodalField<double>(nx, top + 1);
+  problem.force        = NodalField<double>(nx, top + 1);
+  problem.friction_coefficient = body.node_friction;
   problem.sliding              = sliding_direction(parameters);
 
   // Uniform compression as a first guess; under a platen its size does not matter, as the
   // solution is proportional to the displacement of the top.
-  const double strain = pressure / scene.phases[0].stiffness(1, 1);
+  const double strain = pressure / body.phases[0].stiffness(1, 1);
   for (unsigned int j = 0; j <= top; ++j)
     for (unsigned int i = 0; i < nx; ++i)
       if (!problem.constrained.is_constrained(1, {i, j}) || j == top)
-        problem.displacement.row(1, j)[i] = -strain * j * scene.grid.spacing[1];
+        problem.displacement.row(1, j)[i] = -strain * j * body.grid.spacing[1];
   if (parameters.top.kind == TopSetup::Kind::platen)
     return problem;
 
-  const std::vector<double> width = tributary_widths(scene.grid, parameters.periodic);
   std::vector<double> mass(nx);
   for (unsigned int j = 0; j <= top; ++j)
     {
       material.mass_row(j, mass.data());
       for (unsigned int i = 0; i < nx; ++i)
         for (unsigned int c = 0; c < 2; ++c)
-          problem.force.row(c, j)[i] = mass[i] * parameters.body.acceleration[c];
+          problem.force.row(c, j)[i] = mass[i] * parameters.step.acceleration[c];
     }
   for (unsigned int i = 0; i < nx; ++i)
-    problem.force.row(1, top)[i] -= pressure * width[i];
+    problem.force.row(1, top)[i] -=
+      pressure * tributary_width(body.grid, i, parameters.periodic);
   return problem;
 }
 
@@ -82,37 +72,36 @@ void scale(StaticContactSolution &solution, const double factor)
       f *= factor;
 }
 
-std::vector<double> bottom_cell_pressures(const Scene &scene,
+std::vector<double> bottom_cell_pressures(const BodyDescription &body,
                                           const UniformMaterial &material,
                                           const NodalField<double> &u)
 {
-  const unsigned int nx = scene.grid.cells[0];
+  const unsigned int nx = body.grid.cells[0];
   std::vector<double> exx(nx), eyy(nx), gxy(nx), pressure(nx);
   const UniformGridOperator stiffness(material);
   stiffness.strain(u, 0, exx.data(), eyy.data(), gxy.data());
   for (unsigned int i = 0; i < nx; ++i)
     {
-      const auto &D =
-        scene.phases[scene.phase_id.empty() ? 0 : scene.phase_id[i]].stiffness;
-      pressure[i] = -(D(1, 0) * exx[i] + D(1, 1) * eyy[i] + D(1, 2) * gxy[i]);
+      const auto &D = body.phases[body.phase_of(i)].stiffness;
+      pressure[i]   = -(D(1, 0) * exx[i] + D(1, 1) * eyy[i] + D(1, 2) * gxy[i]);
     }
   return pressure;
 }
 
-void evaluate_phases(const Scene &scene,
+void evaluate_phases(const BodyDescription &body,
                      const double pressure,
                      StaticContactResult &result)
 {
-  const unsigned int nx = scene.grid.cells[0];
-  std::vector<double> sum(scene.phases.size(), 0.);
+  const unsigned int nx = body.grid.cells[0];
+  std::vector<double> sum(body.phases.size(), 0.);
   for (unsigned int i = 0; i < nx; ++i)
-    sum[scene.phase_id.empty() ? 0 : scene.phase_id[i]] += result.cell_pressure[i] / nx;
-  result.surface_fraction               = scene.surface_fractions();
+    sum[body.phase_of(i)] += result.cell_pressure[i] / nx;
+  result.surface_fraction               = body.fractions(nx);
   const std::vector<double> repartition = static_pressure_repartition(
-    pressure, contact_phases(scene.phases, result.surface_fraction));
+    pressure, contact_phases(body.phases, result.surface_fraction));
 
   auto next = repartition.begin();
-  for (std::size_t p = 0; p < scene.phases.size(); ++p)
+  for (std::size_t p = 0; p < body.phases.size(); ++p)
     {
       const double f = result.surface_fraction[p];
       result.phase_pressure.push_back(f > 0. ? std::optional<double>(sum[p] / f)
@@ -121,22 +110,25 @@ void evaluate_phases(const Scene &scene,
                                           : std::nullopt);
     }
   const double total        = std::accumulate(sum.begin(), sum.end(), 0.);
-  const double force        = result.normal_force / scene.grid.extent(0);
+  const double force        = result.normal_force / body.grid.extent(0);
   result.pressure_imbalance = std::fabs(total - force) / std::fabs(force);
 }
-// The pressure's resultant acts in the middle, the reaction at most half the width from
-// there, and their moment has to hold that of the friction between the flat and the top.
-void require_no_tipping(const ContactParameters &parameters, const Scene &scene)
+
+/**
+ * The pressure's resultant acts in the middle, the reaction at most half the width from
+ * there, and their moment has to hold that of the friction between the flat and the top.
+ */
+void require_no_tipping(const ContactParameters &parameters, const BodyDescription &body)
 {
   const auto &left = parameters.sides.left_held, &right = parameters.sides.right_held;
   if (parameters.top.kind != TopSetup::Kind::pressure || !parameters.top.lateral_held ||
       parameters.periodic || left[0] || left[1] || right[0] || right[1] ||
       sliding_direction(parameters) == 0 ||
-      parameters.body.acceleration != std::array<double, 2>{})
+      parameters.step.acceleration != std::array<double, 2>{})
     return;
   const double least =
-    *std::min_element(scene.node_friction.begin(), scene.node_friction.end());
-  const double height = scene.grid.extent(1), half = 0.5 * scene.grid.extent(0);
+    *std::min_element(body.node_friction.begin(), body.node_friction.end());
+  const double height = body.grid.extent(1), half = 0.5 * body.grid.extent(0);
   if (least * height > half)
     throw UserError("Friction/Coefficient: the friction of the sliding flat tips the "
                     "body, as a coefficient of " +
@@ -146,7 +138,8 @@ void require_no_tipping(const ContactParameters &parameters, const Scene &scene)
 }
 } // namespace
 
-void check_static_contact(const ContactParameters &parameters, const Scene &scene)
+void check_static_contact(const ContactParameters &parameters,
+                          const BodyDescription &body)
 {
   const TopSetup &top = parameters.top;
   if (top.kind == TopSetup::Kind::held)
@@ -156,23 +149,18 @@ void check_static_contact(const ContactParameters &parameters, const Scene &scen
   if (!(top.pressure.amplitude() > 0.))
     throw UserError("Top/Pressure is " + to_text(top.pressure.amplitude()) +
                     " Pa; a static contact analysis needs a positive one");
-  if (parameters.friction.gap != 0.)
+  if (parameters.contact.gap != 0.)
     throw UserError(
-      "Flat/Gap is " + to_text(parameters.friction.gap) +
+      "Flat/Gap is " + to_text(parameters.contact.gap) +
       " m; a static contact analysis starts from a body that touches the flat, "
       "set it to 0");
   const auto &left = parameters.sides.left_held, &right = parameters.sides.right_held;
   const bool platen = top.kind == TopSetup::Kind::platen;
-  if (platen && (left[1] || right[1]))
-    throw UserError(
-      "Sides/Left or Right hold u_y, which contradicts the motion of the platen; "
-      "hold u_x only or use Top/Kind = pressure");
-  if (platen &&
-      (parameters.body.acceleration[0] != 0. || parameters.body.acceleration[1] != 0.))
+  if (platen && parameters.step.acceleration != std::array<double, 2>{})
     throw UserError(
       "Body/Acceleration is not zero, which a static contact analysis under a "
       "platen does not take; use Top/Kind = pressure");
-  const bool rough = std::any_of(scene.node_friction.begin(), scene.node_friction.end(),
+  const bool rough = std::any_of(body.node_friction.begin(), body.node_friction.end(),
                                  [](const double mu) { return mu > 0.; });
   if (!platen && !top.lateral_held && !left[0] && !right[0] && rough &&
       sliding_direction(parameters) != 0)
@@ -180,7 +168,7 @@ void check_static_contact(const ContactParameters &parameters, const Scene &scen
       "Nothing holds the body against the friction of the sliding flat: set "
       "Top/Lateral held, hold a side in u_x, use a platen, Friction/Coefficient = 0 "
       "or Flat/Velocity = 0");
-  require_no_tipping(parameters, scene);
+  require_no_tipping(parameters, body);
 }
 
 std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
@@ -190,44 +178,41 @@ std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
   for (std::size_t p = 0; p < phases.size(); ++p)
     if (fractions[p] > 0.)
       {
-        ContactPhase phase;
-        phase.area           = fractions[p];
-        phase.youngs_modulus = closest_isotropic<2>(phases[p].stiffness).young_modulus;
-        phase.friction_coefficient = phases[p].friction_coefficient;
-        result.push_back(phase);
+        const double E = closest_isotropic<2>(phases[p].stiffness).young_modulus;
+        result.push_back({fractions[p], E, phases[p].friction_coefficient});
       }
   return result;
 }
 
 StaticContactResult compute_static_contact(const ContactParameters &parameters,
-                                           const Scene &scene,
+                                           const BodyDescription &body,
                                            const UniformMaterial &material,
                                            const StaticContactOptions &options,
                                            const MPI_Comm communicator)
 {
   StaticContactResult result;
-  const auto body = make_body(material, parameters.static_solver, communicator);
+  const auto elastic = make_body(material, parameters.static_solver, communicator);
   result.solution =
-    solve_static_contact(*body, make_problem(parameters, scene, material), options);
+    solve_static_contact(*elastic, make_problem(parameters, body, material), options);
 
   const double pressure = parameters.top.pressure.amplitude();
   if (parameters.top.kind == TopSetup::Kind::platen)
     scale(result.solution,
-          pressure * scene.grid.extent(0) /
+          pressure * body.grid.extent(0) /
             sum_of_nodes(result.solution.normal_force, parameters.periodic));
 
   result.normal_force = sum_of_nodes(result.solution.normal_force, parameters.periodic);
   result.tangential_force =
     sum_of_nodes(result.solution.tangential_force, parameters.periodic);
-  const std::vector<double> width = tributary_widths(scene.grid, parameters.periodic);
-  for (std::size_t i = 0; i < width.size(); ++i)
+  for (unsigned int i = 0; i <= body.grid.cells[0]; ++i)
     {
-      result.node_pressure.push_back(result.solution.normal_force[i] / width[i]);
-      result.node_shear.push_back(result.solution.tangential_force[i] / width[i]);
+      const double width = tributary_width(body.grid, i, parameters.periodic);
+      result.node_pressure.push_back(result.solution.normal_force[i] / width);
+      result.node_shear.push_back(result.solution.tangential_force[i] / width);
     }
   result.cell_pressure =
-    bottom_cell_pressures(scene, material, result.solution.displacement);
-  evaluate_phases(scene, pressure, result);
+    bottom_cell_pressures(body, material, result.solution.displacement);
+  evaluate_phases(body, pressure, result);
   return result;
 }
 } // namespace mesoslip

@@ -18,8 +18,8 @@ struct StaticContactResult
   double normal_force     = 0.; ///< on the flat (N/m)
   double tangential_force = 0.; ///< of the flat on the body (N/m)
 
-  std::vector<double> node_pressure; ///< Pa, one value a bottom node
-  std::vector<double> node_shear;    ///< Pa
+  std::vector<double> node_pressure; ///< one value a bottom node (Pa)
+  std::vector<double> node_shear;    ///< shear traction of the bottom nodes (Pa)
   std::vector<double> cell_pressure; ///< mean of -sigma_yy in the bottom cells (Pa)
 
   /** Share of the bottom and mean of cell_pressure by phase; none for an absent phase. */
@@ -34,18 +34,19 @@ struct StaticContactResult
 };
 
 /** @throws UserError if supports and loads allow no equilibrium. */
-void check_static_contact(const ContactParameters &parameters, const Scene &scene);
+void check_static_contact(const ContactParameters &parameters,
+                          const BodyDescription &body);
 
 /** Solves for equilibrium, with the ranks of @p communicator together if the solver is
  * ML. */
 StaticContactResult compute_static_contact(const ContactParameters &parameters,
-                                           const Scene &scene,
+                                           const BodyDescription &body,
                                            const UniformMaterial &material,
                                            const StaticContactOptions &options,
                                            const MPI_Comm communicator = MPI_COMM_SELF);
 
 /**
- * The phases that take part in the contact with @p fractions of it: areas, Young's moduli
+ * The phases that take part in the contact with @p fractions of it as areas, Young's moduli
  * of the closest isotropic solids, friction coefficients. Absent phases are left out.
  */
 std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
@@ -59,7 +60,7 @@ public:
   explicit StaticContactAnalysis(const ContactParameters &p)
     : BodyAnalysis(p)
   {
-    check_static_contact(parameters, scene);
+    check_static_contact(parameters, body);
   }
 
   void run(RunContext &context) override;

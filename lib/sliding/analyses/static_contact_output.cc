@@ -1,18 +1,18 @@
 #include "base/errors.h"
 #include "dynamics/deformation.h"
+#include "exchange/datasets.h"
+#include "exchange/dynamics_file.h"
 #include "io/json.h"
 #include "io/table.h"
+#include "material/plausibility.h"
 #include "parameters/parameters.h"
 #include "program/run_context.h"
 #include "sliding/analyses/static_contact.h"
 #include "sliding/analyses/static_support.h"
-#include "sliding/body_file.h"
-#include "sliding/stated_conditions.h"
 #include "sliding/transient/failure_report.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 namespace mesoslip
@@ -35,11 +35,10 @@ struct HomogenizedCoefficients
 };
 
 HomogenizedCoefficients homogenized(const ContactParameters &parameters,
-                                    const Scene &scene,
+                                    const BodyDescription &body,
                                     const StaticContactResult &result)
 {
-  std::vector<ContactPhase> phases =
-    contact_phases(scene.phases, result.surface_fraction);
+  std::vector<ContactPhase> phases = contact_phases(body.phases, result.surface_fraction);
   if (!parameters.friction.coefficient_by_phase)
     for (ContactPhase &phase : phases)
       phase.friction_coefficient = parameters.friction.coefficient;
@@ -52,7 +51,7 @@ HomogenizedCoefficients homogenized(const ContactParameters &parameters,
 }
 
 void log_result(const ContactParameters &parameters,
-                const Scene &scene,
+                const BodyDescription &body,
                 const StaticContactResult &result,
                 const HomogenizedCoefficients &mu,
                 RunContext &context)
@@ -67,31 +66,29 @@ void log_result(const ContactParameters &parameters,
        << " stick), " << separated << " separated; " << s.iterations << " iterations, "
        << s.solver_iterations << " of the solver";
   context.log(line.str());
-  for (std::size_t p = 0; p < scene.phases.size(); ++p)
+  for (std::size_t p = 0; p < body.phases.size(); ++p)
     {
-      char text[200];
-      if (result.phase_pressure[p])
-        std::snprintf(
-          text, sizeof text,
-          "  %-12s %6.2f %% of the contact, mean pressure %.4g MPa (eq. 19: %.4g MPa)",
-          scene.phases[p].name.c_str(), 100. * result.surface_fraction[p],
-          1e-6 * *result.phase_pressure[p], 1e-6 * *result.repartition[p]);
+      const std::string name = "  " + body.phases[p].name + " ";
+      if (!result.phase_pressure[p])
+        context.log(name + "not in contact");
       else
-        std::snprintf(text, sizeof text, "  %-12s not in contact",
-                      scene.phases[p].name.c_str());
-      context.log(text);
+        context.log(name + quantity_text(100. * result.surface_fraction[p], "%") +
+                    " of the contact, mean pressure " +
+                    quantity_text(1e-6 * *result.phase_pressure[p], "MPa") +
+                    " (eq. 19: " + quantity_text(1e-6 * *result.repartition[p], "MPa") +
+                    ")");
     }
   std::ostringstream friction;
   friction.precision(4);
   friction << "Homogenized friction coefficient, eq. (17): " << mu.static_contact
            << " with these pressures, " << mu.repartition << " with those of eq. (19)";
-  if (parameters.friction.flat_velocity.amplitude() != 0.)
+  if (parameters.contact.flat_velocity.amplitude() != 0.)
     friction << "; tangential over normal force, by the coefficients of the nodes: "
              << std::fabs(result.tangential_force / result.normal_force);
   context.log(friction.str());
 }
 
-void write_table(const Scene &scene,
+void write_table(const BodyDescription &body,
                  const StaticContactResult &result,
                  const RunContext &context)
 {
@@ -102,99 +99,93 @@ void write_table(const Scene &scene,
   const StaticContactSolution &s = result.solution;
   for (std::size_t i = 0; i < s.state.size(); ++i)
     table.add_row(std::vector<std::string>{
-      to_text(i * scene.grid.spacing[0]), to_text(result.node_pressure[i]),
-      to_text(result.node_shear[i]), to_text(scene.node_friction[i]),
+      to_text(i * body.grid.spacing[0]), to_text(result.node_pressure[i]),
+      to_text(result.node_shear[i]), to_text(body.node_friction[i]),
       to_text(s.displacement.row(0, 0)[i]), to_text(s.displacement.row(1, 0)[i]),
       to_string(s.state[i])});
   table.flush();
 }
 
 void write_file(const ContactParameters &parameters,
-                const Scene &scene,
+                const BodyDescription &body,
                 const StaticContactResult &result,
-                RunContext &context)
+                const RunContext &context)
 {
-  Hdf5File file =
-    create_body_file(context.file("dynamics.h5"), "mesoslip-dynamics", scene);
-  write_run_conditions(file, stated_conditions(parameters));
-  file.write("/snapshots/displacement", snapshot_shape(scene.grid, 1),
-             interleaved(result.solution.displacement));
-  complete_snapshots(file, {0.});
+  DynamicsFile file = DynamicsFile::create(context.file("dynamics.h5"), body);
+  write_run_conditions(file, parameters.stated_conditions());
+  file.reserve_snapshots(1);
+  file.write_snapshot(0, result.solution.displacement);
+  file.complete_snapshots({0.});
   std::vector<double> x;
   std::vector<std::uint8_t> state;
-  for (std::size_t i = 0; i < result.solution.state.size(); ++i)
+  for (const ContactState of_node : result.solution.state)
     {
-      x.push_back(i * scene.grid.spacing[0]);
-      state.push_back(static_cast<std::uint8_t>(result.solution.state[i]));
+      x.push_back(static_cast<double>(x.size()) * body.grid.spacing[0]);
+      state.push_back(static_cast<std::uint8_t>(of_node));
     }
-  const std::size_t n = x.size();
-  file.write("/static_contact/x", {n}, x);
-  file.write("/static_contact/pressure", {n}, result.node_pressure);
-  file.write("/static_contact/shear_traction", {n}, result.node_shear);
-  file.write("/static_contact/friction_coefficient", {n}, scene.node_friction);
-  file.write("/static_contact/state", {n}, state);
-  file.write_attribute("/static_contact/state", "meaning",
+  const std::string group = "/static_contact";
+  write_series(file, group,
+               {{"x", "m", &x},
+                {"pressure", "Pa", &result.node_pressure},
+                {"shear_traction", "Pa", &result.node_shear},
+                {"friction_coefficient", "-", &body.node_friction},
+                {"cell_pressure", "Pa", &result.cell_pressure}});
+  write_dataset(file, group + "/state", {state.size()}, state);
+  file.write_attribute(group + "/state", "meaning",
                        std::vector<std::string>{"separated", "stick", "slip", "held"});
-  file.write("/static_contact/cell_pressure", {n - 1}, result.cell_pressure);
-  file.write_unit("/static_contact/x", "m");
-  file.write_unit("/static_contact/friction_coefficient", "-");
-  file.write_unit("/static_contact/state", "-");
-  for (const char *name : {"pressure", "shear_traction", "cell_pressure"})
-    file.write_unit(std::string("/static_contact/") + name, "Pa");
   file.close();
-  write_body_xdmf(context.file("dynamics.xdmf"), scene, "dynamics.h5",
-                  {{"displacement", "/snapshots/displacement"}}, {0.});
 }
 
-nlohmann::json by_phase(const Scene &scene,
+nlohmann::json by_phase(const BodyDescription &body,
                         const std::vector<std::optional<double>> &values)
 {
   nlohmann::json json = nlohmann::json::object();
-  for (std::size_t p = 0; p < scene.phases.size(); ++p)
-    json[scene.phases[p].name] = values[p];
+  for (std::size_t p = 0; p < body.phases.size(); ++p)
+    json[body.phases[p].name] = values[p];
   return json;
 }
 
 void write_summary(const ContactParameters &parameters,
-                   const Scene &scene,
+                   const BodyDescription &body,
                    const StaticContactResult &result,
                    const HomogenizedCoefficients &mu,
                    RunContext &context)
 {
-  const StaticContactSolution &s   = result.solution;
-  nlohmann::json &json             = context.summary();
-  json["rve_digest"]               = scene.rve_digest;
-  json["pressure"]                 = parameters.top.pressure.amplitude();
-  json["flat_velocity"]            = parameters.friction.flat_velocity.amplitude();
-  json["friction_coefficient"]     = parameters.friction.coefficient_by_phase
-                                       ? nlohmann::json()
-                                       : nlohmann::json(parameters.friction.coefficient);
-  json["phase_contact_pressures"]  = by_phase(scene, result.phase_pressure);
-  json["phase_pressures_eq_19"]    = by_phase(scene, result.repartition);
-  json["phase_pressure_imbalance"] = result.pressure_imbalance;
-  for (std::size_t p = 0; p < scene.phases.size(); ++p)
-    json["surface_fractions"][scene.phases[p].name] = result.surface_fraction[p];
-  json["normal_force"]                     = result.normal_force;
-  json["tangential_force"]                 = result.tangential_force;
-  json["homogenized_friction_coefficient"] = {{"static_contact", mu.static_contact},
-                                              {"eq_19", mu.repartition}};
+  const StaticContactSolution &s = result.solution;
+  nlohmann::json &json           = context.summary();
+  json.update(
+    {{"rve_digest", body.rve_digest},
+     {"pressure", parameters.top.pressure.amplitude()},
+     {"flat_velocity", parameters.contact.flat_velocity.amplitude()},
+     {"friction_coefficient", parameters.friction.coefficient_by_phase
+                                ? nlohmann::json()
+                                : nlohmann::json(parameters.friction.coefficient)},
+     {"phase_contact_pressures", by_phase(body, result.phase_pressure)},
+     {"phase_pressures_eq_19", by_phase(body, result.repartition)},
+     {"phase_pressure_imbalance", result.pressure_imbalance},
+     {"normal_force", result.normal_force},
+     {"tangential_force", result.tangential_force},
+     {"homogenized_friction_coefficient",
+      {{"static_contact", mu.static_contact}, {"eq_19", mu.repartition}}},
+     {"iterations", s.iterations},
+     {"state_changes", s.state_changes},
+     {"solver_iterations", s.solver_iterations},
+     {"residual", s.residual},
+     {"friction_change", s.friction_change}});
+  for (std::size_t p = 0; p < body.phases.size(); ++p)
+    json["surface_fractions"][body.phases[p].name] = result.surface_fraction[p];
   for (const ContactState state :
        {ContactState::stick, ContactState::slip, ContactState::separated})
     json["nodes"][to_string(state)] = count(result, state, parameters.periodic);
-  json["iterations"]        = s.iterations;
-  json["state_changes"]     = s.state_changes;
-  json["solver_iterations"] = s.solver_iterations;
-  json["residual"]          = s.residual;
-  json["friction_change"]   = s.friction_change;
 }
 
 /** What to do when no equilibrium is found. */
-std::string advice(const ContactParameters &parameters, const Scene &scene)
+std::string advice(const ContactParameters &parameters, const BodyDescription &body)
 {
   const std::string generic = "loosen Static contact/Tolerance or allow more Iterations";
   const double mu =
-    *std::max_element(scene.node_friction.begin(), scene.node_friction.end());
-  if (parameters.friction.flat_velocity.amplitude() == 0. || mu <= 0.5)
+    *std::max_element(body.node_friction.begin(), body.node_friction.end());
+  if (parameters.contact.flat_velocity.amplitude() == 0. || mu <= 0.5)
     return generic;
   return "a sliding body need not have an equilibrium: with a friction coefficient of " +
          to_text(mu) +
@@ -225,31 +216,28 @@ void judge_strain(const ContactParameters &parameters,
 
 void StaticContactAnalysis::run(RunContext &context)
 {
-  log_serial_body(context);
+  log_body(context);
   context.remove_results(
     {"dynamics.h5", "dynamics.xdmf", "dynamics-phases.xdmf", "static_contact.csv"});
-  StaticContactOptions options;
-  options.tolerance        = parameters.static_contact.tolerance;
-  options.max_iterations   = parameters.static_contact.max_iterations;
-  options.before_iteration = stop_or_report(context, "iteration");
-
+  StaticContactOptions options = parameters.static_contact;
+  options.before_iteration     = stop_or_report(context, "iteration");
   StaticContactResult result;
   {
     const auto scope = context.timer().scope("Equilibrium");
-    with_advice(advice(parameters, scene), [&]() {
-      result = compute_static_contact(parameters, scene, material, options,
+    with_advice(advice(parameters, body), [&]() {
+      result = compute_static_contact(parameters, body, material, options,
                                       context.communicator());
     });
   }
   judge_strain(parameters, material, result, context);
-  const HomogenizedCoefficients mu = homogenized(parameters, scene, result);
-  log_result(parameters, scene, result, mu, context);
+  const HomogenizedCoefficients mu = homogenized(parameters, body, result);
+  log_result(parameters, body, result, mu, context);
   if (!context.root())
     return;
   const auto scope = context.timer().scope("Output");
-  write_table(scene, result, context);
-  write_file(parameters, scene, result, context);
+  write_table(body, result, context);
+  write_file(parameters, body, result, context);
   summarize_body("static contact", context);
-  write_summary(parameters, scene, result, mu, context);
+  write_summary(parameters, body, result, mu, context);
 }
 } // namespace mesoslip

@@ -6,26 +6,24 @@
 
 namespace mesoslip
 {
-DofMask held_sides(const UniformMaterial &material, const SideConstraints &sides)
+DofMask held_by_supports(const UniformMaterial &material,
+                         const SideConstraints &sides,
+                         const TopSetup &top)
 {
-  DofMask held(material.n_columns(), material.n_rows());
+  const unsigned int last_column = material.n_columns() - 1,
+                     last_row    = material.n_rows() - 1;
+  const bool rigid               = top.kind != TopSetup::Kind::pressure;
+  DofMask held(last_column + 1, last_row + 1);
   for (unsigned int c = 0; c < 2; ++c)
     {
       if (sides.left_held[c])
         held.constrain_column(c, 0);
       if (sides.right_held[c])
-        held.constrain_column(c, material.n_columns() - 1);
+        held.constrain_column(c, last_column);
+      if (rigid || (c == 0 && top.lateral_held))
+        held.constrain_row(c, last_row);
     }
   return held;
-}
-
-void hold_top(DofMask &held, const TopSetup &top)
-{
-  const bool rigid = top.kind != TopSetup::Kind::pressure;
-  if (rigid || top.lateral_held)
-    held.constrain_row(0, held.n_rows() - 1);
-  if (rigid)
-    held.constrain_row(1, held.n_rows() - 1);
 }
 
 std::function<void(unsigned int)> stop_or_report(RunContext &context,

@@ -12,11 +12,10 @@ namespace mesoslip
 {
 class RunContext;
 
-/** What section Sides holds. */
-DofMask held_sides(const UniformMaterial &material, const SideConstraints &sides);
-
-/** What section Top holds as well; of a platen u_x and u_y. */
-void hold_top(DofMask &held, const TopSetup &top);
+/** What sides and top hold, of a platen u_x and u_y. */
+DofMask held_by_supports(const UniformMaterial &material,
+                         const SideConstraints &sides,
+                         const TopSetup &top);
 
 /**
  * To be called between the solves of the static analyses, which leave nothing behind when

@@ -41,7 +41,7 @@ std::string likely_cause(const ContactParameters &parameters,
   const double pressure =
     load_range(parameters.top.pressure, parameters.time.end_time).largest_size();
   const double velocity      = size_of(parameters.body.initial_velocity);
-  const double acceleration  = size_of(parameters.body.acceleration);
+  const double acceleration  = size_of(parameters.step.acceleration);
   const LoadEstimate loads[] = {
     {"Top/Pressure", pressure, "Pa", pressed ? pressure / body.stiffness : 0.},
     {"Body/Initial velocity", velocity, "m/s", velocity / body.wave_speed},
@@ -58,31 +58,21 @@ std::string likely_cause(const ContactParameters &parameters,
          quantity_text(100. * worst.strain, "%") + "; reduce it, or check its unit";
 }
 
-/** The first step up to @p n at which @p load is not a number; n + 1: there is none. */
-std::uint64_t
-first_not_finite(const LoadHistory &load, const double dt, const std::uint64_t n)
-{
-  std::uint64_t step = 0;
-  while (step <= n && std::isfinite(load(step * dt)))
-    ++step;
-  return step;
-}
-
-/** Ends the run if @p load, given as an expression, stopped being a number. */
+/** Ends the run if @p load, given as an expression, stopped being a number up to step
+ * @p n. */
 void require_finite(const LoadHistory &load,
                     const std::string &key,
                     const double dt,
                     const std::uint64_t n)
 {
-  const std::uint64_t step = first_not_finite(load, dt, n);
-  if (step > n)
-    return;
-  throw NumericalFailure(
-    key + " is " + (std::isnan(load(step * dt)) ? "not a number" : "infinite"), step,
-    step * dt, "which spoiled the run; write an expression that is finite at all times");
+  for (std::uint64_t step = 0; step <= n; ++step)
+    if (const double value = load(step * dt); !std::isfinite(value))
+      throw NumericalFailure(
+        key + " is " + (std::isnan(value) ? "not a number" : "infinite"), step, step * dt,
+        "which spoiled the run; write an expression that is finite at all times");
 }
 
-std::string likely_instability(const Runaway &found, const TimeStepChoice &time)
+std::string likely_instability(const double energy, const TimeStepChoice &time)
 {
   std::ostringstream text;
   text.precision(4);
@@ -90,7 +80,7 @@ std::string likely_instability(const Runaway &found, const TimeStepChoice &time)
   if (share > 100.)
     text << "the time step is " << share
          << " % of the critical one; use Time/Time step = auto or a smaller one";
-  else if (!std::isfinite(found.energy))
+  else if (!std::isfinite(energy))
     text << "loads that overflow (Top/Pressure, Flat/Velocity, Body/Initial velocity, "
             "Acceleration), as the time step is "
          << share << " % of the critical one";
@@ -137,7 +127,7 @@ void report_runaway(const Runaway &found,
                     const TimeStepChoice &time,
                     const ContactParameters &parameters)
 {
-  require_finite(parameters.friction.flat_velocity, "Flat/Expression", time.step.dt, n);
+  require_finite(parameters.contact.flat_velocity, "Flat/Expression", time.step.dt, n);
   require_finite(parameters.top.pressure, "Top/Expression", time.step.dt, n);
   std::ostringstream what, place;
   what.precision(3);
@@ -147,7 +137,7 @@ void report_runaway(const Runaway &found,
   else
     what << found.energy << " J/m";
   what << " where at most " << found.put_in
-       << " J/m were put in; likely cause: " << likely_instability(found, time)
+       << " J/m were put in; likely cause: " << likely_instability(found.energy, time)
        << "; found";
   place.precision(3);
   place << "node (" << found.column << ", " << found.row << ") with u_"
@@ -166,11 +156,10 @@ void require_upright_cells(const Deformation &found,
   if (text.empty())
     return;
   // Of an unstable run the time step is the cause, whatever the loads are.
-  Runaway runaway;
   if (time.step.dt > time.critical)
     throw NumericalFailure(
       "the run blew up: " + text.substr(0, text.find("; likely cause")) +
-        "; likely cause: " + likely_instability(runaway, time) + "; found",
+        "; likely cause: " + likely_instability(Runaway().energy, time) + "; found",
       n, n * time.step.dt, "");
   throw NumericalFailure(text + "; found", n, n * time.step.dt, "");
 }

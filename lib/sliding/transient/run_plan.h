@@ -1,12 +1,13 @@
 #ifndef mesoslip_sliding_transient_run_plan_h
 #define mesoslip_sliding_transient_run_plan_h
 
-#include "dynamics/explicit_stepper.h"
 #include "elasticity/uniform_material.h"
 #include "parameters/load_history.h"
 #include "program/resources.h"
 #include "sliding/contact_parameters.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -20,11 +21,20 @@ struct LoadRange
   bool finite     = true; ///< whether all samples are
 
   /** The larger of both without sign. */
-  double largest_size() const;
+  double largest_size() const
+  {
+    return std::max(std::fabs(smallest), std::fabs(largest));
+  }
 };
 
-/** Of @p load from 0 to @p end (s). */
+/** The range of @p load from 0 to @p end (s). */
 LoadRange load_range(const LoadHistory &load, const double end);
+
+/** Whether the top takes tangential forces; otherwise they are those of the contact. */
+inline bool transmits_tangential_force(const TopSetup &top)
+{
+  return top.kind != TopSetup::Kind::pressure || top.lateral_held;
+}
 
 /** What loads are compared with. */
 struct BodyScales
@@ -65,28 +75,24 @@ unsigned int statistics_interval(const UniformMaterial &material, const double d
 TimeStepChoice choose_time_step(const ContactParameters &parameters,
                                 const UniformMaterial &material);
 
-/** Whether a given time step is stable, as cheaply as can be told. @throws UserError */
-void check_time_step(const ContactParameters &parameters,
-                     const UniformMaterial &material);
-
 /**
  * Snapshots that a transient run of @p n_steps takes, at most one a step.
  * @throws UserError when they begin after the end
  */
 double n_snapshots(const ContactParameters &parameters, const double n_steps);
 
-/** Memory of the fields, to be checked before they are created.*/
+/** Memory of the fields, to be checked before they are created. */
 ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid);
 
 /**
  * Steps of a transient run, estimated from above: with the bound of a single cell for the
- * time step, or the time step given.
+ * time step, or the time step given. @throws UserError if that is not stable
  */
 double largest_number_of_steps(const ContactParameters &parameters,
                                const UniformMaterial &material);
 
-/** Time (s) in which a longitudinal wave crosses the height of the body, in its fastest
- * material.*/
+/** Time (s) in which a pressure wave crosses the height of the body, in its fastest
+ * material. */
 double crossing_time(const UniformMaterial &material);
 
 /**

@@ -4,21 +4,17 @@
 #include "base/errors.h"
 #include "base/version.h"
 #include "grid/row_partition.h"
-#include "io/hdf5_file.h"
 #include "material/plausibility.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
 #include "sliding/plausible_input.h"
-#include "sliding/transient/dynamics_file.h"
-#include "sliding/transient/run_plan.h"
+#include "sliding/transient/dynamics_output.h"
 #include "sliding/transient/transient_run.h"
-#include "sliding/transient/transient_setup.h"
 #include "sliding/transient/transient_summary.h"
 
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
-#include <filesystem>
 #include <ostream>
 
 namespace mesoslip
@@ -64,16 +60,15 @@ void check_ranks(const UniformGrid<2> &grid)
 // Whatever decides a bit of the state or of what was written so far: a run that is
 // resumed has to agree in it.
 std::string
-run_identity(const Keys &keys, const ContactParameters &parameters, const Scene &scene)
+run_identity(const Keys &keys, const InstructionSet isa, const std::string &rve_digest)
 {
   return canonical_parameters(keys,
                               {"Output folder", "Time/End time",
                                "Observation/Steady from", "Checkpoints/", "Performance/",
                                "Modal/", "Static contact/", "Friction homogenization/"}) +
-         "Performance/Instruction set = " +
-         to_string(resolve(sweep_options(parameters).isa)) +
-         "\nContent of Body/RVE file = " + scene.rve_digest +
-         "\nProgram version = " + version + "\n";
+         "Performance/Instruction set = " + to_string(resolve(isa)) +
+         "\nContent of Body/RVE file = " + rve_digest + "\nProgram version = " + version +
+         "\n";
 }
 
 /** Evaluation and output have failed: what was computed is not to be lost with them. */
@@ -95,10 +90,9 @@ void keep_state(TransientRun &run, RunContext &context)
 
 TransientAnalysis::TransientAnalysis(const ContactParameters &p, const Keys &keys)
   : BodyAnalysis(p)
-  , identity(run_identity(keys, parameters, scene))
+  , identity(run_identity(keys, parameters.sweep.isa, body.rve_digest))
 {
-  check_ranks(scene.grid);
-  check_time_step(parameters, material);
+  check_ranks(body.grid);
   const double n_steps = largest_number_of_steps(parameters, material);
   if (!(n_steps <= most_steps))
     throw UserError("Time/End time: " + to_text(parameters.time.end_time) + " s are " +
@@ -119,7 +113,7 @@ void TransientAnalysis::describe(std::ostream &out) const
   out << time.text() << "\nTimes: " << crossing_text(parameters, material) << '\n'
       << n_snapshots(parameters, n) << " snapshots, "
       << bytes_text(dynamics_file_size(parameters, material, n).bytes) << " on the disk, "
-      << bytes_text(field_memory(parameters.analysis, scene.grid).bytes +
+      << bytes_text(field_memory(parameters.analysis, body.grid).bytes +
                     history_memory(parameters, material, n).bytes)
       << " of memory\n";
   for (const std::string &warning : implausible_run(parameters, material))
@@ -155,8 +149,8 @@ void TransientAnalysis::run(RunContext &context)
   for (const std::string &warning : implausible_run(parameters, material))
     context.warn(warning);
 
-  DynamicsFile file(context, parameters, scene);
-  TransientRun run(parameters, scene, time, material, checkpoint, file, context);
+  DynamicsOutput output(context, parameters, body);
+  TransientRun run(parameters, body, time, material, checkpoint, output, context);
   if (resumed)
     run.restore();
   const TransientObservations observed = run.run();
@@ -165,10 +159,10 @@ void TransientAnalysis::run(RunContext &context)
     {
       const auto scope = context.timer().scope("Evaluation and output");
       on_root(context.communicator(), [&]() {
-        const TransientSummary summary = summarize_transient(parameters, scene, observed);
-        file.write(observed, summary);
+        const TransientSummary summary = summarize_transient(parameters, body, observed);
+        output.write(observed, summary);
         summarize_body("transient", context);
-        write_summary(parameters, scene, time, observed, summary, context);
+        write_summary(parameters, body, time, observed, summary, context);
       });
     }
   catch (...)

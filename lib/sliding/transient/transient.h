@@ -34,7 +34,6 @@ struct TransientObservations
   std::string limit_cycle;             ///< the criterion and what came of it
   bool limit_cycle_reached = false;    ///< by the criterion
   double steady_from       = 0.;       ///< s
-  double period            = 0.;       ///< s
   double largest_strain    = 0.;       ///< norm of the mean strain of a cell
 };
 

@@ -1,8 +1,9 @@
 #ifndef mesoslip_sliding_transient_transient_checkpoint_h
 #define mesoslip_sliding_transient_transient_checkpoint_h
 
+#include "base/archive.h"
 #include "base/serialize_members.h"
-#include "io/checkpoint.h"
+#include "sliding/contact_parameters.h"
 
 #include <chrono>
 #include <cstdint>
@@ -13,24 +14,16 @@ namespace mesoslip
 {
 class RunContext;
 
-/** Section Checkpoints. */
-struct CheckpointParameters
-{
-  double interval = 0.;    ///< s of wall-clock time; 0: only when the run is stopped
-  bool keep       = false; ///< do not delete it when the run has ended
-};
-
 /** Where a run stands when its state is saved. */
 struct CheckpointPosition
 {
-  std::uint64_t step = 0;  ///< steps done
-  double time        = 0.; ///< s
-  /** Nothing follows: End time or, with Stop at limit cycle, the limit cycle. */
-  bool at_end             = false;
+  std::uint64_t step      = 0;     ///< steps done
+  double time             = 0.;    ///< s
+  bool at_end             = false; ///< nothing follows: End time, or it ended as below
   bool by_limit_cycle     = false; ///< it ended at the limit cycle
   std::uint64_t snapshots = 0;     ///< written so far
 
-  /** Of boost::serialization. */
+  /** Saves or restores the position (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -47,15 +40,10 @@ struct CheckpointPosition
 class TransientCheckpoint
 {
 public:
-  /**
-   * @p what: lines "key = value" in which the runs before and after have to agree.
-   */
+  /** @p what: lines "key = value" in which the runs before and after have to agree. */
   TransientCheckpoint(RunContext &run_context,
                       const CheckpointParameters &p,
                       const std::string &what);
-
-  /** Kind and version of the file. */
-  static CheckpointHeader header();
 
   /** What a resumed run finds. */
   enum class Found
@@ -71,22 +59,18 @@ public:
    */
   Found find(const std::uint64_t n_steps);
 
-  /** With Found::state: of this rank. */
-  std::string take_state()
+  /** With Found::state: restores this rank's part of @p run. */
+  template <class Run>
+  void restore(Run &run)
   {
-    return std::move(own_state);
+    load_state(own_state, run, path);
+    own_state = std::string();
   }
 
   /** With Found::state or complete. */
   const CheckpointPosition &position() const
   {
     return record.position;
-  }
-
-  /** For messages. */
-  const std::string &path() const
-  {
-    return file_path;
   }
 
   /** Before a run begins anew: removes a checkpoint, with a warning if one could have
@@ -104,12 +88,12 @@ public:
   void complete(const CheckpointPosition &position);
 
 private:
-  /** What precedes the states in the file. */
+  /** The content of the file. */
   struct Record
   {
     std::string identity;
     CheckpointPosition position;
-    std::vector<std::uint64_t> state_sizes; ///< bytes, by rank; empty: none kept
+    std::vector<std::string> states; ///< by rank; empty: none kept
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
@@ -118,16 +102,14 @@ private:
     }
   };
 
-  Found look(const std::uint64_t n_steps, std::vector<std::string> &states);
-  Record read(std::string &payload) const;
-  void write_file(const CheckpointPosition &position,
-                  const std::vector<std::string> &states) const;
+  Found look(const std::uint64_t n_steps);
+  void read();
 
   RunContext &context;
   const CheckpointParameters parameters;
   const std::string identity;
-  const std::string file_path;
-  Record record;
+  const std::string path;
+  Record record; ///< on rank 0; elsewhere only the position
   std::string own_state;
   std::chrono::steady_clock::time_point last;
 };

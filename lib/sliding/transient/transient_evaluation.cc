@@ -1,4 +1,3 @@
-#include "sliding/transient/transient_setup.h"
 #include "sliding/transient/transient_summary.h"
 
 #include <algorithm>
@@ -17,27 +16,6 @@ constexpr double spectrum_cut = 1e6; // Hz
  * acts they differ by the change of the body's momentum, over the length of the window.
  */
 constexpr double nominal_tolerance = 0.05;
-
-std::vector<ContactBlock>
-to_blocks(const std::vector<NodeCounts> &counts, const double dt, const bool periodic)
-{
-  std::vector<ContactBlock> blocks;
-  for (const NodeCounts &count : counts)
-    {
-      ContactBlock block;
-      block.begin         = count.first_step * dt;
-      block.end           = (count.first_step + count.n_steps) * dt;
-      block.steps         = count.n_steps;
-      const auto distinct = [&](const std::vector<float> &values) {
-        return std::vector<double>(values.begin(), values.end() - (periodic ? 1 : 0));
-      };
-      block.stick    = distinct(count.stick);
-      block.slip     = distinct(count.slip);
-      block.landings = distinct(count.landings);
-      blocks.push_back(block);
-    }
-  return blocks;
-}
 
 std::vector<double> apparent_friction(const ContactParameters &parameters,
                                       const TransientObservations &observed)
@@ -84,8 +62,9 @@ void evaluate_reference_node(const TransientObservations &observed,
   const std::size_t first      = series.first(observed.steady_from);
   const std::vector<double> ux = tail(series.displacement, first),
                             vx = tail(series.velocity, first);
-  summary.n_steady             = ux.size();
-  if (summary.n_steady < TransientSummary::least_samples)
+  summary.has_statistics =
+    series.time.size() >= TransientSummary::least_samples && ux.size() >= 3;
+  if (ux.size() < TransientSummary::least_samples)
     return;
 
   summary.spectrum     = amplitude_spectrum(ux, series.interval);
@@ -93,16 +72,12 @@ void evaluate_reference_node(const TransientObservations &observed,
   summary.folded_share = share_near_limit(summary.spectrum);
   // Beyond it what the means leave of a fast motion could pass for a slow one.
   if (summary.hidden_share <= 0.5)
-    summary.frequencies =
-      summarize_spectrum(summary.spectrum, FrequencyBand(), 0.1, 1e-15);
-  const auto cut = std::upper_bound(summary.spectrum.frequency.begin(),
-                                    summary.spectrum.frequency.end(), spectrum_cut) -
-                   summary.spectrum.frequency.begin();
-  summary.spectrum.frequency.resize(cut);
-  summary.spectrum.amplitude.resize(cut);
-  summary.phase_diagram = mean_phase_diagram(
-    ux, vx, series.interval,
-    summary.frequencies ? 1. / summary.frequencies->main.frequency : 0.);
+    summary.frequencies = summarize_spectrum(summary.spectrum, 1e-15);
+  auto &[frequency, amplitude] = summary.spectrum;
+  const auto cut = std::upper_bound(frequency.begin(), frequency.end(), spectrum_cut);
+  frequency.erase(cut, frequency.end());
+  amplitude.resize(frequency.size());
+  summary.phase_diagram = mean_phase_diagram(ux, vx, series.interval, summary.period());
 }
 
 /**
@@ -110,33 +85,35 @@ void evaluate_reference_node(const TransientObservations &observed,
  * a constant velocity; otherwise 0.
  */
 double nominal_load(const ContactParameters &parameters,
-                    const Scene &scene,
+                    const BodyDescription &body,
                     const double begin,
                     const double end)
 {
   const LoadHistory &pressure = parameters.top.pressure,
-                    &velocity = parameters.friction.flat_velocity;
+                    &velocity = parameters.contact.flat_velocity;
   const bool pressed          = parameters.top.kind != TopSetup::Kind::held &&
                        parameters.top.hold_from > end &&
-                       parameters.body.acceleration[1] == 0.;
+                       parameters.step.acceleration[1] == 0.;
   return pressed && pressure.is_constant_from(begin) && velocity.is_constant_from(begin)
-           ? pressure(begin) * scene.grid.extent(0) * std::fabs(velocity(begin))
+           ? pressure(begin) * body.grid.extent(0) * std::fabs(velocity(begin))
            : 0.;
 }
 
 /** What mu_inter is over: the work of the nominal load, or of the forces that acted. */
 std::vector<double> evaluate_load(const ContactParameters &parameters,
-                                  const Scene &scene,
+                                  const BodyDescription &body,
                                   const SteadySeries &series,
                                   const MeanWindow &window,
                                   TransientSummary &summary)
 {
   const Estimate acted = mean_power(series.time, series.load_work, window);
-  const double nominal = nominal_load(parameters, scene, acted.begin, acted.end);
-  summary.load         = {acted.value, "the mean of F_N |V|"};
+  const double nominal = nominal_load(parameters, body, acted.begin, acted.end);
+  summary.load_power   = acted.value;
+  summary.load_meaning = "the mean of F_N |V|";
   if (!(std::fabs(acted.value - nominal) <= nominal_tolerance * nominal))
     return series.load_work;
-  summary.load             = {nominal, "P S |V|"};
+  summary.load_power       = nominal;
+  summary.load_meaning     = "P S |V|";
   std::vector<double> work = series.time;
   for (double &value : work)
     value *= nominal;
@@ -144,19 +121,17 @@ std::vector<double> evaluate_load(const ContactParameters &parameters,
 }
 
 void evaluate_friction(const ContactParameters &parameters,
-                       const Scene &scene,
+                       const BodyDescription &body,
                        const TransientObservations &observed,
                        TransientSummary &summary)
 {
   const SteadySeries &series = observed.series;
-  if (!summary.has_statistics(observed))
+  if (!summary.has_statistics)
     return;
-  const MeanWindow window = {
-    observed.steady_from, series.time.back(),
-    summary.frequencies ? 1. / summary.frequencies->main.frequency : 0.};
+  const MeanWindow window = {observed.steady_from, summary.period()};
   const std::vector<double> load_work =
-    evaluate_load(parameters, scene, series, window, summary);
-  if (summary.load.power > 0. && std::isfinite(summary.load.power))
+    evaluate_load(parameters, body, series, window, summary);
+  if (summary.load_power > 0. && std::isfinite(summary.load_power))
     summary.mu_inter = interface_friction_coefficient(series.time, series.friction_energy,
                                                       load_work, window);
   if (summary.mu_inter && !std::isfinite(summary.mu_inter->value))
@@ -184,49 +159,45 @@ void evaluate_energy(const TransientObservations &observed, TransientSummary &su
     return;
   const double friction = largest(e.friction);
   std::pair<double, const char *> scale{friction, "the frictional work"};
-  const auto consider = [&](const double term, const char *name) {
-    if (friction < 0.1 * term && scale.first < term)
-      scale = {term, name};
-  };
   std::vector<double> energy = e.kinetic;
   for (std::size_t k = 0; k < energy.size(); ++k)
     energy[k] += e.elastic[k];
-  consider(largest(energy), "the energy in the body");
-  consider(largest(e.potential), "the work of the body forces");
-  consider(largest(e.external_work), "the work of the loads");
-  consider(largest(e.impact), "the impact energy");
-  consider(largest(e.damping), "the damped energy");
-  consider(largest(e.scheme), "the energy that the scheme dissipates");
+  const std::pair<const std::vector<double> &, const char *> others[] = {
+    {energy, "the energy in the body"},
+    {e.potential, "the work of the body forces"},
+    {e.external_work, "the work of the loads"},
+    {e.impact, "the impact energy"},
+    {e.damping, "the damped energy"},
+    {e.scheme, "the energy that the scheme dissipates"}};
+  for (const auto &[term, name] : others)
+    if (const double size = largest(term); friction < 0.1 * size && scale.first < size)
+      scale = {size, name};
   summary.residual_scale = scale.second;
   if (scale.first > 0.)
     summary.energy_residual = largest(e.residual()) / scale.first;
 }
 } // namespace
 
-bool TransientSummary::has_statistics(const TransientObservations &observed) const
-{
-  return observed.series.time.size() >= least_samples && n_steady >= 3;
-}
-
 TransientSummary summarize_transient(const ContactParameters &parameters,
-                                     const Scene &scene,
+                                     const BodyDescription &body,
                                      const TransientObservations &observed)
 {
   TransientSummary summary;
   summary.apparent_friction = apparent_friction(parameters, observed);
   evaluate_reference_node(observed, summary);
-  evaluate_friction(parameters, scene, observed, summary);
+  evaluate_friction(parameters, body, observed, summary);
   evaluate_energy(observed, summary);
-
-  const auto blocks = to_blocks(observed.blocks, observed.dt, parameters.periodic);
-  if (!blocks.empty())
+  if (!observed.blocks.empty())
     {
+      const std::size_t n_nodes = body.grid.cells[0] + (parameters.periodic ? 0 : 1);
       summary.contact =
-        summarize_contact(blocks, observed.steady_from, blocks.back().end);
-      summary.reference_node = std::min<std::size_t>(
-        observed.reference_node, summary.contact.node_shares.size() - 1);
-      summary.regime = regime_label(summary.contact.node_shares[summary.reference_node]);
+        summarize_contact(observed.blocks, n_nodes, observed.dt, observed.steady_from);
+      summary.reference_node =
+        summary.contact
+          .node_shares[std::min<std::size_t>(observed.reference_node, n_nodes - 1)];
+      summary.regime = regime_label(summary.reference_node);
     }
+  add_remarks(parameters, body, observed, summary);
   return summary;
 }
 } // namespace mesoslip

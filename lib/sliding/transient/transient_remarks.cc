@@ -46,21 +46,21 @@ std::string steady_part_remark(const TransientObservations &observed)
   return text.str();
 }
 
-std::string friction_remark(const Scene &scene, const TransientSummary &summary)
+std::string friction_remark(const BodyDescription &body, const TransientSummary &summary)
 {
   std::ostringstream text;
   text.precision(4);
   if (!summary.mu_inter)
     {
-      if (!summary.load.meaning.empty())
+      if (!summary.load_meaning.empty())
         text << "mu_inter is left out: the mean of F_N |V| in the steady part is "
-             << summary.load.power
+             << summary.load_power
              << " W/m, so that there is no load along the way of the flat to relate the "
                 "frictional power to";
       return text.str();
     }
   const double largest =
-    *std::max_element(scene.node_friction.begin(), scene.node_friction.end());
+    *std::max_element(body.node_friction.begin(), body.node_friction.end());
   if (!(std::fabs(summary.mu_inter->value) <= (1. + tolerated_excess) * largest))
     text
       << "mu_inter = " << summary.mu_inter->value
@@ -99,7 +99,7 @@ std::string history_remark(const ContactParameters &parameters,
 {
   const ObservationParameters &o = parameters.observation;
   const unsigned int interval =
-    std::max(o.history_interval, o.probes.empty() ? 0 : o.probe_interval);
+    std::max(parameters.history_interval, o.probes.empty() ? 0 : o.probe_interval);
   if (!summary.frequencies)
     return "";
   const double highest = summary.frequencies->highest_frequency;
@@ -109,7 +109,7 @@ std::string history_remark(const ContactParameters &parameters,
   std::ostringstream text;
   text.precision(4);
   text << "the reference node vibrates at up to " << 1e-3 * highest
-       << " kHz (main frequency " << 1e-3 * summary.frequencies->main.frequency
+       << " kHz (main frequency " << 1e-3 * summary.frequencies->main_frequency
        << " kHz), but the histories and probes in dynamics.h5 have samples every "
        << interval << " steps, which carry up to " << 5e-4 / (interval * observed.dt)
        << " kHz: spectra computed from them would show frequencies that are not there; "
@@ -134,20 +134,18 @@ std::string separation_remark(const ContactParameters &parameters,
 }
 } // namespace
 
-TransientRemarks remarks_on(const ContactParameters &parameters,
-                            const Scene &scene,
-                            const TransientObservations &observed,
-                            const TransientSummary &summary)
+void add_remarks(const ContactParameters &parameters,
+                 const BodyDescription &body,
+                 const TransientObservations &observed,
+                 TransientSummary &summary)
 {
-  TransientRemarks remarks;
-  remarks.duration = duration_remark(summary.contact.duration);
-  remarks.friction = summary.has_statistics(observed) ? friction_remark(scene, summary)
-                                                      : steady_part_remark(observed);
+  summary.duration_warning = duration_remark(summary.contact.duration);
+  summary.friction_warning = summary.has_statistics ? friction_remark(body, summary)
+                                                    : steady_part_remark(observed);
   for (const std::string &text :
        {spectrum_remark(observed, summary), history_remark(parameters, observed, summary),
         separation_remark(parameters, summary)})
     if (!text.empty())
-      remarks.others.push_back(text);
-  return remarks;
+      summary.warnings.push_back(text);
 }
 } // namespace mesoslip

@@ -7,7 +7,6 @@
 #include "parameters/parameters.h"
 #include "program/run_context.h"
 #include "sliding/transient/failure_report.h"
-#include "sliding/transient/transient_setup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,21 +41,21 @@ std::string limit_cycle_text(const LimitCycleDetector &detector,
 } // namespace
 
 TransientRun::TransientRun(const ContactParameters &parameters,
-                           const Scene &scene,
+                           const BodyDescription &description,
                            const TimeStepChoice &time,
                            const UniformMaterial &material,
                            TransientCheckpoint &checkpoint,
-                           DynamicsFile &file,
+                           DynamicsOutput &output,
                            RunContext &context)
   : parameters(parameters)
-  , scene(scene)
+  , description(description)
   , time(time)
   , material(material)
   , checkpoint(checkpoint)
-  , file(file)
+  , output(output)
   , context(context)
   , body(material,
-         sliding_setup(parameters, scene, time),
+         sliding_setup(parameters, description, time),
          context.communicator(),
          nullptr,
          context.options().profile ? &context.timer() : nullptr)
@@ -70,21 +69,20 @@ TransientRun::TransientRun(const ContactParameters &parameters,
       })
   , strains(body.stepper,
             [this](const Deformation &found, const std::uint64_t n) { judge(found, n); })
-  , limit_cycle(limit_cycle_criterion(parameters, scene.grid),
+  , limit_cycle(limit_cycle_criterion(parameters, description.grid),
                 material.n_columns() - (parameters.periodic ? 1 : 0),
-                parameters.observation.energy_interval,
+                parameters.energy_interval,
                 context.communicator())
-  , statistics(time.statistics_interval, time.step.dt, parameters.friction.flat_velocity)
+  , statistics(time.statistics_interval, time.step.dt, parameters.contact.flat_velocity)
 {
   body.contact.observe(recent_contact);
   body.top.observe(recent_top);
-  set_initial_velocity(parameters, body.rows, body.w);
+  set_initial_velocity();
   const ObservationParameters &observation = parameters.observation;
   if (!observation.probes.empty())
     probes = std::make_unique<ProbeRecorder>(
-      probe_points(observation, scene.grid), material, body.rows, time.step, body.u,
-      body.w, observation.probe_interval,
-      [this](const unsigned int node) { return traction(node); }, context.communicator());
+      probe_points(), material, body.rows, time.step, body.u, body.w, body.contact,
+      observation.probe_interval, context.communicator());
 }
 
 void TransientRun::judge(const Deformation &found, const std::uint64_t n)
@@ -96,15 +94,6 @@ void TransientRun::judge(const Deformation &found, const std::uint64_t n)
   if (!warning.empty() && !warned)
     context.warn(warning);
   warned = warned || !warning.empty();
-}
-
-std::array<double, 2> TransientRun::traction(const unsigned int node) const
-{
-  const bool end =
-    !parameters.periodic && (node == 0 || node + 1 == material.n_columns());
-  const double width = scene.grid.spacing[0] * (end ? 0.5 : 1.);
-  return {{body.contact.tangential_force()[node] / width,
-           body.contact.normal_force()[node] / width}};
 }
 
 bool TransientRun::observe()
@@ -165,13 +154,14 @@ void TransientRun::save()
   loop_seconds += std::chrono::duration<double>(now - counted).count();
   counted                     = now;
   CheckpointPosition position = this->position();
-  on_root(context.communicator(), [&]() { position.snapshots = file.save_snapshots(); });
+  on_root(context.communicator(),
+          [&]() { position.snapshots = output.save_snapshots(); });
   checkpoint.write(position, save_state(*this));
 }
 
 void TransientRun::restore()
 {
-  load_state(checkpoint.take_state(), *this, checkpoint.path());
+  checkpoint.restore(*this);
   at_limit_cycle = checkpoint.position().by_limit_cycle;
   context.log("Resumed at step " + std::to_string(body.stepper.step_number()) +
               ", t = " + to_text(body.stepper.step_number() * time.step.dt) + " s");
@@ -191,7 +181,7 @@ std::unique_ptr<SnapshotRecorder> TransientRun::make_snapshots()
     o.snapshots_interval, time.step.dt, body.u, body.rows, context.communicator(),
     [this](const NodalField<double> &whole) {
       const auto scope = context.timer().scope("Writing snapshots");
-      file.add_snapshot(whole);
+      output.add_snapshot(whole);
     });
 }
 
@@ -208,20 +198,20 @@ TransientObservations TransientRun::run()
   if (snapshots)
     {
       on_root(context.communicator(), [&]() {
-        file.begin_snapshots(snapshots->times(), checkpoint.position().snapshots);
+        output.begin_snapshots(snapshots->times(), checkpoint.position().snapshots);
       });
       observers.push_back(body.profile.timed(*snapshots, "Snapshots"));
       monitor.guard(*snapshots);
     }
 
-  context.progress().start("Sliding", time.n_steps, scene.grid.n_cells(),
+  context.progress().start("Sliding", time.n_steps, description.grid.n_cells(),
                            body.stepper.step_number());
   counted = std::chrono::steady_clock::now();
   if (!at_limit_cycle)
     {
       const auto scope = context.timer().scope("Time loop");
       run_time_loop(
-        body.stepper, observers, time.n_steps, control_interval(scene.grid),
+        body.stepper, observers, time.n_steps, control_interval(description.grid),
         [this](const std::uint64_t n) { return control(n); }, body.profile.timer());
       monitor.check(body.stepper.step_number());
     }
@@ -233,21 +223,11 @@ TransientObservations TransientRun::run()
   return collect();
 }
 
-TopHistory TransientRun::gather_top() const
+template <class T>
+T TransientRun::of_top(T object) const
 {
-  TopHistory history = body.top_recorder.history();
-  broadcast_object(context.communicator(), history, context.n_ranks() - 1);
-  return history;
-}
-
-SteadySeries TransientRun::gather_series() const
-{
-  SteadySeries series            = statistics.series();
-  std::vector<double> at_the_top = statistics.top_friction();
-  broadcast_object(context.communicator(), at_the_top, context.n_ranks() - 1);
-  if (transmits_tangential_force(parameters.top))
-    series.apparent_friction = at_the_top;
-  return series;
+  broadcast_object(context.communicator(), object, context.n_ranks() - 1);
+  return object;
 }
 
 TransientObservations TransientRun::collect()
@@ -263,15 +243,19 @@ TransientObservations TransientRun::collect()
                  "trusted");
   all.contact = body.contact_recorder.history();
   all.blocks  = body.node_statistics.blocks();
-  all.top     = gather_top();
-  all.series  = gather_series();
+  all.top     = of_top(body.top_recorder.history());
+  all.series  = statistics.series();
+  // Where the top takes no tangential forces, they are those of the contact.
+  const std::vector<double> at_the_top = of_top(statistics.top_friction());
+  if (transmits_tangential_force(parameters.top))
+    all.series.apparent_friction = at_the_top;
   if (body.energy)
     all.energy = body.energy->reduce();
   if (probes)
     all.probes = probes->gather();
   all.steps_done                     = body.stepper.step_number();
   all.dt                             = time.step.dt;
-  all.reference_node                 = reference_node(parameters, scene.grid);
+  all.reference_node                 = reference_node(parameters, description.grid);
   all.loop_seconds                   = loop_seconds;
   all.interrupted                    = interrupted;
   all.kernel                         = body.stepper.kernel_name();
@@ -280,7 +264,6 @@ TransientObservations TransientRun::collect()
   const double given                 = parameters.observation.steady_from;
   all.steady_from                    = std::isnan(given) ? detector.steady_from() : given;
   all.limit_cycle                    = limit_cycle_text(detector, given, all.steady_from);
-  all.period                         = detector.period();
   return all;
 }
 } // namespace mesoslip

@@ -6,9 +6,9 @@
 #include "observation/probe_recorder.h"
 #include "observation/snapshot_recorder.h"
 #include "observation/steady_record.h"
+#include "observation/steady_state.h"
 #include "sliding/sliding_body.h"
-#include "sliding/transient/dynamics_file.h"
-#include "sliding/transient/limit_cycle_watch.h"
+#include "sliding/transient/dynamics_output.h"
 #include "sliding/transient/transient.h"
 #include "sliding/transient/transient_checkpoint.h"
 
@@ -30,11 +30,11 @@ class TransientRun
 public:
   /** The initial state; all arguments must outlive it. */
   TransientRun(const ContactParameters &parameters,
-               const Scene &scene,
+               const BodyDescription &description,
                const TimeStepChoice &time,
                const UniformMaterial &material,
                TransientCheckpoint &checkpoint,
-               DynamicsFile &file,
+               DynamicsOutput &output,
                RunContext &context);
 
   /** Takes over the state in the checkpoint. */
@@ -73,8 +73,19 @@ private:
     look  ///< something is not finite
   };
 
+  /** Column of the reference contact node M. */
+  static unsigned int reference_node(const ContactParameters &parameters,
+                                     const UniformGrid<2> &grid);
+  static SlidingSetup sliding_setup(const ContactParameters &parameters,
+                                    const BodyDescription &body,
+                                    const TimeStepChoice &time);
+  static LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
+                                                   const UniformGrid<2> &grid);
+  /** Positions of the probes, moved to the nearest node where that is wanted. */
+  std::vector<ProbeRecorder::Point> probe_points() const;
+  /** Zero where the body is held. */
+  void set_initial_velocity();
   void judge(const Deformation &found, const std::uint64_t n);
-  std::array<double, 2> traction(const unsigned int node) const;
   /** Hands on the latest samples; false: one is not finite. Collective. */
   bool observe();
   Request request(const std::uint64_t n);
@@ -82,16 +93,17 @@ private:
   Request request_of_all(const std::uint64_t n);
   bool control(const std::uint64_t n);
   std::unique_ptr<SnapshotRecorder> make_snapshots();
-  TopHistory gather_top() const;
-  SteadySeries gather_series() const;
+  /** @p object of the rank that has the top. */
+  template <class T>
+  T of_top(T object) const;
   TransientObservations collect();
 
   const ContactParameters &parameters;
-  const Scene &scene;
+  const BodyDescription &description;
   const TimeStepChoice &time;
   const UniformMaterial &material;
   TransientCheckpoint &checkpoint;
-  DynamicsFile &file;
+  DynamicsOutput &output;
   RunContext &context;
   SlidingBody body;
   ContactRecorder<2> recent_contact; ///< since the last control

@@ -1,89 +1,65 @@
-#include "sliding/transient/transient_setup.h"
+#include "sliding/transient/transient_run.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace mesoslip
 {
-unsigned int reference_node(const ContactParameters &parameters,
-                            const UniformGrid<2> &grid)
+unsigned int TransientRun::reference_node(const ContactParameters &parameters,
+                                          const UniformGrid<2> &grid)
 {
   const double wanted = parameters.observation.reference_x;
   const double x      = std::isnan(wanted) ? 0.5 * grid.extent(0) : wanted;
   return std::lround(std::clamp(x, 0., grid.extent(0)) / grid.spacing[0]);
 }
 
-SlidingSetup sliding_setup(const ContactParameters &parameters,
-                           const Scene &scene,
-                           const TimeStepChoice &time)
+SlidingSetup TransientRun::sliding_setup(const ContactParameters &parameters,
+                                         const BodyDescription &body,
+                                         const TimeStepChoice &time)
 {
-  const ObservationParameters &observation = parameters.observation;
-  SlidingSetup setup;
+  SlidingSetup setup                 = parameters;
   setup.step                         = time.step;
-  setup.sides                        = parameters.sides;
-  setup.contact.law                  = parameters.friction.law;
-  setup.contact.friction_coefficient = scene.node_friction;
-  setup.contact.flat_velocity        = parameters.friction.flat_velocity;
-  setup.contact.gap                  = parameters.friction.gap;
-  setup.top                          = parameters.top;
-  setup.sweep                        = sweep_options(parameters);
-  setup.periodic                     = parameters.periodic;
-  setup.history_interval             = observation.history_interval;
-  setup.energy_interval              = observation.energy_interval;
-  setup.steps_per_block = std::max<std::uint64_t>(1, time.n_steps / observation.blocks);
+  setup.contact.friction_coefficient = body.node_friction;
+  setup.steps_per_block =
+    std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
   // The reference node and four more along the contact, for the judgement of the limit
   // cycle.
-  setup.monitored_nodes = {reference_node(parameters, scene.grid)};
+  setup.monitored_nodes = {reference_node(parameters, body.grid)};
   for (const unsigned int sixth : {1, 2, 4, 5})
-    setup.monitored_nodes.push_back(sixth * scene.grid.cells[0] / 6);
+    setup.monitored_nodes.push_back(sixth * body.grid.cells[0] / 6);
   return setup;
 }
 
-bool transmits_tangential_force(const TopSetup &top)
+LimitCycleCriterion
+TransientRun::limit_cycle_criterion(const ContactParameters &parameters,
+                                    const UniformGrid<2> &grid)
 {
-  return top.kind != TopSetup::Kind::pressure || top.lateral_held;
+  const ObservationParameters &o = parameters.observation;
+  return {o.limit_cycle_periods, o.limit_cycle_windows, o.limit_cycle_tolerance,
+          std::fabs(parameters.top.pressure.amplitude() * grid.extent(0) *
+                    parameters.contact.flat_velocity.amplitude())};
 }
 
-SweepOptions sweep_options(const ContactParameters &parameters)
-{
-  SweepOptions options;
-  options.steps_at_once = parameters.wavefront;
-  options.isa           = instruction_set(parameters.instruction_set);
-  return options;
-}
-
-LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
-                                          const UniformGrid<2> &grid)
-{
-  LimitCycleCriterion c;
-  c.periods         = parameters.observation.limit_cycle_periods;
-  c.windows         = parameters.observation.limit_cycle_windows;
-  c.tolerance       = parameters.observation.limit_cycle_tolerance;
-  c.reference_power = std::fabs(parameters.top.pressure.amplitude() * grid.extent(0) *
-                                parameters.friction.flat_velocity.amplitude());
-  return c;
-}
-
-std::vector<ProbeRecorder::Point> probe_points(const ObservationParameters &observation,
-                                               const UniformGrid<2> &grid)
+std::vector<ProbeRecorder::Point> TransientRun::probe_points() const
 {
   std::vector<ProbeRecorder::Point> points;
-  for (const ProbeParameters &probe : observation.probes)
+  for (const ProbeParameters &probe : parameters.observation.probes)
     {
       ProbeRecorder::Point point{probe.name, probe.position};
       if (probe.nearest_node)
         for (unsigned int d = 0; d < 2; ++d)
           point.position[d] =
-            std::round(point.position[d] / grid.spacing[d]) * grid.spacing[d];
+            std::round(point.position[d] / description.grid.spacing[d]) *
+            description.grid.spacing[d];
       points.push_back(point);
     }
   return points;
 }
 
-void set_initial_velocity(const ContactParameters &parameters,
-                          const NodeRows &rows,
-                          NodalField<double> &w)
+void TransientRun::set_initial_velocity()
 {
+  const NodeRows &rows  = body.rows;
+  NodalField<double> &w = body.w;
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < rows.n_local(); ++j)
       std::fill_n(w.row(c, j), w.n_columns(), parameters.body.initial_velocity[c]);

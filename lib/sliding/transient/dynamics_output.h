@@ -1,19 +1,15 @@
-#ifndef mesoslip_sliding_transient_dynamics_file_h
-#define mesoslip_sliding_transient_dynamics_file_h
+#ifndef mesoslip_sliding_transient_dynamics_output_h
+#define mesoslip_sliding_transient_dynamics_output_h
 
-#include "grid/nodal_field.h"
-#include "sliding/scene.h"
-#include "sliding/transient/transient.h"
+#include "exchange/dynamics_file.h"
 #include "sliding/transient/transient_summary.h"
 
 #include <cstdint>
-#include <memory>
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace mesoslip
 {
-class Hdf5File;
 class RunContext;
 
 /**
@@ -21,14 +17,13 @@ class RunContext;
  * energy.csv. Snapshots are written to dynamics.h5.part as the run goes on, everything
  * else at its end. For rank 0 only.
  */
-class DynamicsFile
+class DynamicsOutput
 {
 public:
   /** References are kept. */
-  DynamicsFile(RunContext &context,
-               const ContactParameters &parameters,
-               const Scene &scene);
-  ~DynamicsFile();
+  DynamicsOutput(RunContext &context,
+                 const ContactParameters &parameters,
+                 const BodyDescription &body);
 
   /**
    * Makes place for snapshots at @p times (s), of which the first @p n_done are in the
@@ -46,24 +41,19 @@ public:
   void write(const TransientObservations &observed, const TransientSummary &summary);
 
 private:
-  void create();
-  void write_conditions(const TransientObservations &observed);
   void write_history(const TransientObservations &observed,
                      const TransientSummary &summary);
   void write_energy(const EnergyHistory &energy);
-  void write_probes(const TransientObservations &observed);
+  void write_probe(const std::string &group, const ProbeHistory &probe);
+  void write_reference_node(const TransientObservations &observed);
   void write_contact(const TransientObservations &observed,
                      const TransientSummary &summary);
-  void write_evaluation(const TransientSummary &summary);
-  void write_snapshots();
-  void write_column(const std::string &name,
-                    const std::vector<double> &values,
-                    const std::string &unit);
+  void write_blocks(const TransientObservations &observed);
 
   RunContext &context;
   const ContactParameters &parameters;
-  const Scene &scene;
-  std::unique_ptr<Hdf5File> file;
+  const BodyDescription &body;
+  std::optional<DynamicsFile> file;
   std::vector<double> snapshot_times; ///< of all that are to be written (s)
   std::size_t n_snapshots = 0;        ///< written so far
 };

@@ -1,0 +1,173 @@
+#include "base/errors.h"
+#include "parameters/keys.h"
+#include "sliding/contact_parameters.h"
+
+namespace mesoslip
+{
+namespace
+{
+/** Upper end of the range of whole numbers of time steps. */
+constexpr long most_steps = 1000000000;
+
+void bind_probes(Keys &keys,
+                 const std::vector<std::string> &names,
+                 std::vector<ProbeParameters> &probes)
+{
+  for (const std::string &name : names)
+    {
+      const auto section = keys.section(name);
+      ProbeParameters probe;
+      std::vector<double> position;
+      probe.name = name;
+      keys.bind_list("Position", position, Range::any(),
+                     "x and y from the lower left corner; has to be given [m]", 0, 2);
+      keys.bind("Nearest node", probe.nearest_node, "Move the probe to the nearest node");
+      if (keys.are_read() && position.empty())
+        throw UserError(keys.path("Position") +
+                        " is missing; give x and y of the probe from the lower left "
+                        "corner in m, in a subsection " +
+                        name);
+      if (position.size() == 1)
+        throw UserError(keys.path("Position") +
+                        ": one number found, two (x, y) are needed");
+      for (std::size_t d = 0; d < position.size(); ++d)
+        probe.position[d] = position[d];
+      probes.push_back(probe);
+    }
+}
+
+void bind_statics(Keys &keys, ContactParameters &p)
+{
+  {
+    const auto section = keys.section("Modal");
+    keys.bind("Number of modes", p.modal.n_modes, 1, 1000,
+              "Number of vibration modes wanted, from the lowest frequency on [-]");
+    keys.bind(
+      "Bottom", p.modal_bottom, {"free", "held in y", "both"},
+      "Support of the bottom: free (BC1 of the paper), u_y = 0 (BC2), or one after "
+      "the other; the top is that of section Top at the start of a run");
+    keys.bind("Tolerance", p.modal.tolerance, Range::open(0., 1.),
+              "Relative residual of the static solves within the Lanczos iteration [-]");
+  }
+  const auto section = keys.section("Static contact");
+  keys.bind("Tolerance", p.static_contact.tolerance, Range::open(0., 1.),
+            "Residual of equilibrium and change of the friction forces at which the "
+            "iteration ends, relative to the contact force [-]");
+  keys.bind("Iterations", p.static_contact.max_iterations, 1, 100000,
+            "Largest number of iterations over contact states and friction forces [-]");
+}
+
+void bind_homogenization(Keys &keys, FrictionHomogenizationParameters &p)
+{
+  const auto section = keys.section("Friction homogenization");
+  keys.bind_input("Heterogeneous run", p.heterogeneous_run,
+                  "Output folder of a transient run of the heterogeneous body");
+  keys.bind_input(
+    "Homogeneous run", p.homogeneous_run,
+    "Output folder of a transient run of the homogeneous body, for the mean "
+    "duration T_G of contacts; empty: T_G of the heterogeneous run");
+  keys.bind_input(
+    "Static contact", p.static_contact,
+    "Output folder of a static contact analysis, for the contact pressures of "
+    "the phases; empty: the static pressure repartition of eq. (19)");
+  keys.bind("Pressures from", p.pressures,
+            {"auto", "static contact", "surface fractions", "volume fractions",
+             "nodes in static contact", "nodes"},
+            "Pressures for mu_homo, eq. (17): of the phases in a static contact analysis "
+            "(auto: if named), or by eq. (19) with their fractions of the contact line "
+            "(auto) or the volume; or of the contact nodes, with their own coefficients");
+  keys.bind(
+    "Calibrate", p.calibrate,
+    "Take from eq. (13) only the ratio of mu_inter between two delta and start from "
+    "the homogeneous run's; false: invert it as it stands");
+}
+
+void bind_control(Keys &keys, ContactParameters &p)
+{
+  {
+    const auto section = keys.section("Checkpoints");
+    double minutes     = p.checkpoints.interval / 60.;
+    keys.bind(
+      "Interval", minutes, Range::non_negative(),
+      "Wall-clock time between checkpoints of a transient run, from which --resume "
+      "goes on; 0: only when the run is stopped [min]");
+    keys.bind(
+      "Keep", p.checkpoints.keep,
+      "Keep the checkpoint when the run is complete, so that --resume goes on to a "
+      "later End time");
+    p.checkpoints.interval = 60. * minutes;
+  }
+  const auto section   = keys.section("Performance");
+  std::string set_name = "auto";
+  keys.bind("Wavefront", p.sweep.steps_at_once, 0, 64,
+            "Time steps that are done in one sweep over the grid (temporal blocking) on "
+            "grids larger than the cache; 0: automatic, 1: none. Never changes a result "
+            "[-]");
+  keys.bind(
+    "Instruction set", set_name, {"auto", "x86-64", "x86-64-v3", "x86-64-v4", "generic"},
+    "Instruction set of the kernels; auto: the widest the processor has; generic: "
+    "that of processors other than x86-64");
+  keys.bind("Static solver", p.static_solver, {"multigrid", "jacobi", "ml"},
+            "Linear solver of the modal and the static contact analysis, as "
+            "Homogenization/Solver of rve_homogenization");
+  p.sweep.isa = instruction_set(set_name);
+}
+} // namespace
+
+void ContactParameters::bind_observation(Keys &keys)
+{
+  ObservationParameters &o = observation;
+  {
+    const auto section = keys.section("Observation");
+    std::vector<std::string> probes;
+    keys.bind(
+      "History interval", history_interval, 1, most_steps,
+      "Time steps between samples of the histories in dynamics.h5; statistics and "
+      "spectrum have samples of their own [-]");
+    keys.bind(
+      "Energy interval", energy_interval, 0, most_steps,
+      "Time steps between samples of the energy balance, which closes to round-off "
+      "with 1 only; 0: none [-]");
+    keys.bind("Blocks", o.blocks, 1, 100000,
+              "Number of equal parts of the run in which the time that each contact node "
+              "sticks, slips or is separated is counted [-]");
+    keys.bind_or_auto("Steady from", o.steady_from, Range::non_negative(),
+                      "Time at which the statistics begin; auto: when the limit cycle "
+                      "begins, or half of the run without one [s]");
+    keys.bind_or_auto("Reference x", o.reference_x, Range::any(),
+                      "Position of the contact node M whose motion gives spectrum and "
+                      "regime; auto: the middle [m]");
+    keys.bind("Stop at limit cycle", o.stop_at_limit_cycle,
+              "End the run before End time when its second half was a limit cycle");
+    keys.bind("Limit cycle tolerance", o.limit_cycle_tolerance, Range::positive(),
+              "Largest relative difference among the windows of a limit cycle [-]");
+    keys.bind("Limit cycle periods", o.limit_cycle_periods, 1, 1000,
+              "Periods of the main frequency that a window has at least [-]");
+    keys.bind(
+      "Limit cycle windows", o.limit_cycle_windows, 2, 1000,
+      "Number of equal windows, together the second half of the run, that have to "
+      "agree [-]");
+    keys.bind_names("Probes", probes, "probe",
+                    "Names of points that are observed, each with a subsection of that "
+                    "name");
+    keys.bind("Probe interval", o.probe_interval, 1, most_steps,
+              "Time steps between samples of the probes [-]");
+    bind_probes(keys, probes, o.probes);
+  }
+  const auto section = keys.section("Snapshots");
+  keys.bind("From", o.snapshots_from, Range::non_negative(),
+            "Time of the first snapshot [s]");
+  keys.bind_or_auto("To", o.snapshots_to, Range::non_negative(),
+                    "Time of the last snapshot; auto: the end of the run [s]");
+  keys.bind("Interval", o.snapshots_interval, Range::non_negative(),
+            "Time between snapshots of the displacement of all nodes, which "
+            "stress_localization needs; 0: none [s]");
+}
+
+void ContactParameters::bind_analyses(Keys &keys)
+{
+  bind_statics(keys, *this);
+  bind_homogenization(keys, homogenization);
+  bind_control(keys, *this);
+}
+} // namespace mesoslip

@@ -1,0 +1,220 @@
+#include "sliding/transient/dynamics_output.h"
+
+#include "exchange/datasets.h"
+#include "program/run_context.h"
+
+#include <algorithm>
+
+namespace mesoslip
+{
+namespace
+{
+/** x and y by turns, over @p divisor. */
+std::vector<double> pairs(const std::vector<double> &x,
+                          const std::vector<double> &y,
+                          const double divisor = 1.)
+{
+  std::vector<double> values;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    values.insert(values.end(), {x[k] / divisor, y[k] / divisor});
+  return values;
+}
+} // namespace
+
+DynamicsOutput::DynamicsOutput(RunContext &context,
+                               const ContactParameters &parameters,
+                               const BodyDescription &body)
+  : context(context)
+  , parameters(parameters)
+  , body(body)
+{
+}
+
+void DynamicsOutput::begin_snapshots(const std::vector<double> &times,
+                                     const std::uint64_t n_done)
+{
+  const std::string path = context.file("dynamics.h5");
+  snapshot_times         = times;
+  n_snapshots            = n_done;
+  file.emplace(n_done == 0 ? DynamicsFile::create(path, body)
+                           : DynamicsFile::resume(path, n_done));
+  file->reserve_snapshots(times.size());
+  file->flush();
+}
+
+void DynamicsOutput::add_snapshot(const NodalField<double> &u)
+{
+  file->write_snapshot(n_snapshots++, u);
+}
+
+std::uint64_t DynamicsOutput::save_snapshots()
+{
+  if (file)
+    file->sync();
+  return n_snapshots;
+}
+
+void DynamicsOutput::write_history(const TransientObservations &observed,
+                                   const TransientSummary &summary)
+{
+  const ContactHistory &h           = observed.contact;
+  const std::vector<Series> columns = {
+    {"time", "s", &h.time},
+    {"apparent_friction", "-", &summary.apparent_friction},
+    {"contact_normal_force", "N/m", &h.normal_force},
+    {"contact_tangential_force", "N/m", &h.tangential_force},
+    {"friction_energy", "J/m", &h.friction_energy},
+    {"impact_energy", "J/m", &h.impact_energy},
+    {"sticking_nodes", "-", &h.sticking},
+    {"slipping_nodes", "-", &h.slipping},
+    {"separated_nodes", "-", &h.separated},
+    {"top_normal_force", "N/m", &observed.top.normal_force},
+    {"top_tangential_force", "N/m", &observed.top.tangential_force},
+    {"top_displacement", "m", &observed.top.displacement}};
+  write_series(*file, "/history", columns);
+  // A spreadsheet has no use for a million rows.
+  write_table(context.file("history.csv"), columns, 5000);
+}
+
+void DynamicsOutput::write_energy(const EnergyHistory &e)
+{
+  const std::vector<double> residual = e.residual();
+  const std::vector<Series> columns  = {{"time", "s", &e.time},
+                                        {"kinetic", "J/m", &e.kinetic},
+                                        {"elastic", "J/m", &e.elastic},
+                                        {"potential", "J/m", &e.potential},
+                                        {"external_work", "J/m", &e.external_work},
+                                        {"friction", "J/m", &e.friction},
+                                        {"impact", "J/m", &e.impact},
+                                        {"damping", "J/m", &e.damping},
+                                        {"scheme", "J/m", &e.scheme},
+                                        {"residual", "J/m", &residual}};
+  write_series(*file, "/energy", columns);
+  file->write_attribute("/energy", "initial", e.initial);
+  file->write_attribute("/energy", "unit", std::string("J/m"));
+  write_table(context.file("energy.csv"), columns);
+}
+
+void DynamicsOutput::write_probe(const std::string &group, const ProbeHistory &probe)
+{
+  write_series(*file, group,
+               {{"time", "s", &probe.time},
+                {"displacement", "m", &probe.displacement, 2},
+                {"velocity", "m/s", &probe.velocity, 2}});
+  for (const Series &series :
+       {Series{"strain", "-", &probe.strain, 3}, Series{"stress", "Pa", &probe.stress, 3},
+        Series{"traction", "Pa", &probe.traction, 2}})
+    if (!series.values->empty())
+      write_series(*file, group, {series});
+  file->write_attribute(group, "position",
+                        std::vector(probe.position.begin(), probe.position.end()));
+  file->write_attribute(group, "phase", probe.phase);
+}
+
+/** It comes with the histories of the contact. */
+void DynamicsOutput::write_reference_node(const TransientObservations &observed)
+{
+  const MonitoredNode &node    = observed.contact.nodes[0];
+  const unsigned int number    = observed.reference_node;
+  const unsigned int last_cell = body.grid.cells[0] - 1;
+  const double width           = tributary_width(body.grid, number, parameters.periodic);
+  ProbeHistory probe;
+  probe.position = {{number * body.grid.spacing[0], 0.}};
+  // As of a probe there: a point between two cells belongs to the upper one.
+  probe.phase        = body.phase_of(std::min(number, last_cell));
+  probe.time         = observed.contact.time;
+  probe.displacement = pairs(node.ux, node.uy);
+  probe.velocity     = pairs(node.vx, node.vy);
+  probe.traction     = pairs(node.tangential_force, node.normal_force, width);
+  write_probe("/reference", probe);
+}
+
+void DynamicsOutput::write_contact(const TransientObservations &observed,
+                                   const TransientSummary &summary)
+{
+  std::vector<double> x, slip, stick, separated;
+  for (unsigned int i = 0; i <= body.grid.cells[0]; ++i)
+    {
+      x.push_back(i * body.grid.spacing[0]);
+      if (summary.contact.node_shares.empty())
+        continue;
+      // With periodic sides the last node is the first one again and is not counted.
+      const ContactShares &shares =
+        summary.contact.node_shares[i % summary.contact.node_shares.size()];
+      slip.push_back(shares.slip);
+      stick.push_back(shares.stick);
+      separated.push_back(shares.separation);
+    }
+  write_series(*file, "/contact",
+               {{"x", "m", &x},
+                {"friction_coefficient", "-", &body.node_friction},
+                {"slip", "-", &slip},
+                {"stick", "-", &stick},
+                {"separated", "-", &separated}});
+  write_blocks(observed);
+}
+
+void DynamicsOutput::write_blocks(const TransientObservations &observed)
+{
+  const std::size_t n_nodes = body.grid.cells[0] + std::size_t(1);
+  std::vector<double> times;
+  std::vector<float> slip, stick, separated;
+  for (const NodeCounts &block : observed.blocks)
+    {
+      times.push_back((block.first_step + block.n_steps) * observed.dt);
+      for (std::size_t i = 0; i < n_nodes; ++i)
+        {
+          const std::size_t counted = parameters.periodic && i + 1 == n_nodes ? 0 : i;
+          slip.push_back(block.slip[counted] / block.n_steps);
+          stick.push_back(block.stick[counted] / block.n_steps);
+          separated.push_back(1.f - slip.back() - stick.back());
+        }
+    }
+  const Shape shape = {times.size(), n_nodes};
+  write_series(*file, "/contact/blocks", {{"time", "s", &times}});
+  write_dataset(*file, "/contact/blocks/slip", shape, slip);
+  write_dataset(*file, "/contact/blocks/stick", shape, stick);
+  write_dataset(*file, "/contact/blocks/separated", shape, separated);
+}
+
+void DynamicsOutput::write(const TransientObservations &observed,
+                           const TransientSummary &summary)
+{
+  if (file)
+    {
+      snapshot_times.resize(n_snapshots);
+      file->reserve_snapshots(n_snapshots);
+      file->complete_snapshots(snapshot_times);
+    }
+  else
+    file.emplace(DynamicsFile::create(context.file("dynamics.h5"), body));
+  RunConditions conditions          = parameters.stated_conditions();
+  conditions["time_step"]           = observed.dt;
+  conditions["steady_from"]         = observed.steady_from;
+  conditions["steady_to"]           = observed.steps_done * observed.dt;
+  conditions["limit_cycle_reached"] = observed.limit_cycle_reached ? "yes" : "no";
+  write_run_conditions(*file, conditions);
+  write_history(observed, summary);
+  if (!observed.energy.time.empty())
+    write_energy(observed.energy);
+  for (const ProbeHistory &probe : observed.probes)
+    write_probe("/probes/" + probe.name, probe);
+  if (!observed.contact.nodes.empty())
+    write_reference_node(observed);
+  write_contact(observed, summary);
+  const Spectrum &spectrum = summary.spectrum;
+  if (!spectrum.frequency.empty())
+    write_series(*file, "/spectrum",
+                 {{"frequency", "Hz", &spectrum.frequency},
+                  {"amplitude", "m", &spectrum.amplitude}});
+  const PhaseDiagram &phase = summary.phase_diagram;
+  if (phase.n_periods > 0)
+    write_series(*file, "/phase_diagram",
+                 {{"displacement", "m", &phase.displacement},
+                  {"velocity", "m/s", &phase.velocity},
+                  {"displacement_spread", "m", &phase.displacement_spread},
+                  {"velocity_spread", "m/s", &phase.velocity_spread}});
+  file->close();
+  file.reset();
+}
+} // namespace mesoslip
