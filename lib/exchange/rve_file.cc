@@ -101,7 +101,7 @@ RveFile::RveFile(Hdf5File &&opened)
   : file(std::move(opened))
 {
   the_digest =
-    file.check_header("mesoslip-rve", rve_format_version, 2, origin_hint).digest;
+    file.check_header("mesoslip-rve", rve_format_version, 2, origin_hint);
   the_grid   = read_grid(file, origin_hint);
   the_phases = read_phases(file);
 }

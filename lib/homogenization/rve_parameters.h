@@ -39,9 +39,6 @@ struct RveParameters
   /** Binds the keys of all sections. @throws UserError naming the key. */
   void bind(Keys &keys);
 
-  /** @throws UserError for keys that others leave without effect. */
-  static void check_keys(const Keys &keys);
-
   /** @throws UserError naming the key. */
   void check() const;
 };

@@ -30,8 +30,6 @@ struct XdmfField
   enum class Number
   {
     float64,
-    float32,
-    int32,
     uint8
   };
 
@@ -58,7 +56,7 @@ struct XdmfField
  * arrays are [time] z y x [component], as in the exchange files; @p times may be empty
  * for fields that do not change. Fields of dim components are vectors, of other numbers
  * single components "name_xx" (or "name_0"). ParaView cannot show data of nodes and of
- * cells on one plane grid: for both write two files (otherwise std::logic_error). A plane
+ * cells on one plane grid: for both write two files. A plane
  * grid with data of cells is shown as a slab one cell thick.
  */
 void write_xdmf(const std::string &path,

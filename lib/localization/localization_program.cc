@@ -115,7 +115,6 @@ Program stress_localization_program()
   return {"stress_localization",
           "Stresses in fibres and matrix from a run of the homogenized body.",
           [](Keys &keys) { LocalizationParameters().bind(keys); },
-          LocalizationParameters::check_keys,
           [](Keys &keys) { return std::make_unique<StressLocalization>(keys); }};
 }
 } // namespace mesoslip

@@ -56,10 +56,6 @@ ImageMap map_from_image(const UniformGrid<2> &grid,
                         const ImageReading &reading,
                         const std::string &source);
 
-/** map_from_image() of a file: PNG or plain text, see read_image(). */
-ImageMap read_phase_map(const UniformGrid<2> &grid,
-                        const std::string &file,
-                        const ImageReading &reading);
 } // namespace mesoslip
 
 #endif

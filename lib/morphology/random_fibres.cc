@@ -100,7 +100,7 @@ bool Placer::fits(const CellBox &box) const
 
 bool Placer::fits(const Place &corner, const long height) const
 {
-  const auto x_end = static_cast<unsigned int>(corner.x + sampler.width());
+  const auto x_end = static_cast<unsigned int>(corner.x + sampler.width);
   const auto y_end = static_cast<unsigned int>(corner.y + height);
   return x_end <= grid.cells[0] && y_end <= grid.cells[1] &&
          fits(CellBox{corner.x, x_end, corner.y, y_end});
@@ -200,7 +200,7 @@ std::vector<Placer::Place> Placer::all_places() const
   std::vector<Place> places;
   for (unsigned int x = 0; x < grid.cells[0]; ++x)
     for (unsigned int y = 0; y < grid.cells[1]; ++y)
-      if (fits(Place{x, y}, sampler.min_height()))
+      if (fits(Place{x, y}, sampler.min_height))
         places.push_back({x, y});
   return places;
 }
@@ -212,7 +212,7 @@ Placer::Outcome Placer::place_among(std::vector<Place> &places, const long heigh
     return try_to_place(sampler.aligned(corner.x, corner.y, height));
   };
   const auto is_dead = [&](const Place &corner) {
-    return !fits(corner, sampler.min_height());
+    return !fits(corner, sampler.min_height);
   };
   const std::size_t patience =
     vain_candidates_part + places.size() / vain_candidates_part;
@@ -242,10 +242,10 @@ Placer::Outcome Placer::place_among(std::vector<Place> &places, const long heigh
 void Placer::place_systematically()
 {
   std::vector<Place> places = all_places();
-  long tallest = std::min(sampler.max_height(), static_cast<long>(grid.cells[1]));
-  while (sampler.min_height() <= tallest)
+  long tallest = std::min(sampler.max_height, static_cast<long>(grid.cells[1]));
+  while (sampler.min_height <= tallest)
     {
-      const long height     = sampler.random.whole(sampler.min_height(), tallest);
+      const long height     = sampler.random.whole(sampler.min_height, tallest);
       const Outcome outcome = place_among(places, height);
       if (outcome == Outcome::vain)
         tallest = height - 1;

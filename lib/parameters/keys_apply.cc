@@ -2,13 +2,18 @@
 #include "base/text.h"
 #include "parameters/keys.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 namespace mesoslip
 {
 namespace
 {
+namespace fs = std::filesystem;
+
 std::string in_quotes(const std::string &text)
 {
   return "'" + text + "'";
@@ -117,6 +122,13 @@ bool same_value(const std::string &a, const std::string &b)
 }
 } // namespace
 
+bool is_among(const std::string &path, const std::vector<std::string> &keys)
+{
+  return std::any_of(keys.begin(), keys.end(), [&](const std::string &key) {
+    return key.back() == '/' ? path.rfind(key, 0) == 0 : path == key;
+  });
+}
+
 void Keys::apply()
 {
   const Declarations declared(keys);
@@ -128,12 +140,24 @@ void Keys::apply()
   for (const RawParameters::Entry &entry : raw.entries())
     {
       const auto found = index.find(entry.path);
+      const auto renamed_key   = renames.find(entry.path);
+      const auto renamed_value = renames.find(entry.path + " = " + entry.value);
+      if (renamed_key != renames.end())
+        throw UserError(raw.origin(entry) + ": the key " + entry.path + " is called " +
+                        in_quotes(renamed_key->second) + " now; rename it");
+      if (renamed_value != renames.end())
+        throw UserError(raw.origin(entry) + ": " + entry.path + " = " + entry.value +
+                        " is called " + in_quotes(renamed_value->second) +
+                        " now; set " + entry.path + " = " + renamed_value->second);
       if (found == index.end())
         throw UserError(raw.origin(entry) + ": " + declared.unknown_key(entry.path));
       Key &key  = keys[found->second];
-      key.value = key.is_input ? resolve_input_path(entry.value,
-                                                    entry.line == 0 ? "." : raw.folder())
-                               : entry.value;
+      key.value = entry.value;
+      if (key.is_input && !entry.value.empty())
+        key.value =
+          fs::absolute(fs::path(entry.line == 0 ? "." : raw.folder()) / entry.value)
+            .lexically_normal()
+            .string();
       if (!key.accepts(key.value))
         throw UserError(raw.origin(entry) + ": " + entry.path + " is '" + key.value +
                         "' but must be " + key.allowed);
@@ -143,28 +167,36 @@ void Keys::apply()
   reading = true;
 }
 
+void Keys::require(const bool holds,
+                   const std::string &key,
+                   const std::string &what) const
+{
+  if (reading && !holds)
+    throw UserError(path(key) + ": " + what);
+}
+
 void Keys::only_with(const std::string &decider,
                      const std::vector<std::string> &values,
                      const std::vector<std::string> &paths) const
 {
-  const std::string &now = value(decider);
-  std::string choices;
-  for (const std::string &choice : values)
-    choices += (choices.empty() ? "" : " or ") + choice;
+  if (!reading)
+    return;
+  const std::string full = path(decider), &now = value(full);
   only_if(std::find(values.begin(), values.end(), now) != values.end(), paths,
-          decider + " is '" + now + "'", "set " + decider + " = " + choices);
+          full + " is '" + now + "'",
+          "set " + full + " = " + boost::algorithm::join(values, " or "));
 }
 
 std::vector<const RawParameters::Entry *>
 Keys::set_entries(const std::vector<std::string> &paths) const
 {
+  std::vector<std::string> full;
+  for (const std::string &relative : paths)
+    full.push_back(path(relative));
   std::vector<const RawParameters::Entry *> found;
-  for (const std::string &path : paths)
-    for (auto entry = set.lower_bound(path);
-         entry != set.end() &&
-         (path.back() == '/' ? entry->first.rfind(path, 0) == 0 : entry->first == path);
-         ++entry)
-      found.push_back(entry->second);
+  for (const auto &[name, entry] : set)
+    if (is_among(name, full))
+      found.push_back(entry);
   std::sort(found.begin(), found.end()); // of one array: the order of the file
   return found;
 }
@@ -174,7 +206,7 @@ void Keys::only_if(const bool used,
                    const std::string &reason,
                    const std::string &remedy) const
 {
-  if (used)
+  if (used || !reading)
     return;
   const auto entries = set_entries(paths);
   if (entries.empty())

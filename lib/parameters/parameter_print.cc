@@ -1,10 +1,11 @@
 #include "parameters/keys.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <map>
 #include <ostream>
 #include <sstream>
-#include <utility>
 
 namespace mesoslip
 {
@@ -37,15 +38,6 @@ std::vector<std::string> path_parts(const std::string &path)
   return parts;
 }
 
-/** So that no comment begins in it. */
-std::string with_escaped_hashes(const std::string &value)
-{
-  std::string text;
-  for (const char c : value)
-    text += c == '#' ? std::string("\\#") : std::string(1, c);
-  return text;
-}
-
 /** Closes and opens subsections on the way from @p from to @p to. */
 void change_section(std::ostream &out,
                     const std::vector<std::string> &from,
@@ -76,7 +68,7 @@ void print_parameters(const Keys &keys, std::ostream &out)
           "; default: " + (key.default_value.empty() ? "nothing" : key.default_value);
       print_comment(out, indent, text);
       out << indent << "set " << key.name << " =" << (key.value.empty() ? "" : " ")
-          << with_escaped_hashes(key.value) << '\n';
+          << boost::algorithm::replace_all_copy(key.value, "#", "\\#") << '\n';
     }
   change_section(out, open, {});
 }
@@ -84,13 +76,8 @@ void print_parameters(const Keys &keys, std::ostream &out)
 std::string canonical_parameters(const Keys &keys, const std::vector<std::string> &skip)
 {
   std::string text;
-  const auto skipped = [&](const Key &key) {
-    return std::any_of(skip.begin(), skip.end(), [&](const std::string &s) {
-      return s.back() == '/' ? key.path().rfind(s, 0) == 0 : key.path() == s;
-    });
-  };
   for (const Key &key : keys.all())
-    if (!skipped(key))
+    if (!is_among(key.path(), skip))
       {
         // The content of a file counts, not where it lies; add it with
         // Digest::add_file().
@@ -102,19 +89,19 @@ std::string canonical_parameters(const Keys &keys, const std::vector<std::string
 
 namespace
 {
-/** Key and value of each line, in their order. */
-std::vector<std::pair<std::string, std::string>> key_values(const std::string &text)
+/** Key and value of each line. */
+std::map<std::string, std::string> key_values(const std::string &text)
 {
-  std::vector<std::pair<std::string, std::string>> pairs;
+  std::map<std::string, std::string> values;
   std::istringstream in(text);
   std::string line;
   while (std::getline(in, line))
     {
       const auto equal = line.find(" = ");
-      pairs.emplace_back(line.substr(0, equal),
-                         equal == std::string::npos ? "" : line.substr(equal + 3));
+      values[line.substr(0, equal)] =
+        equal == std::string::npos ? "" : line.substr(equal + 3);
     }
-  return pairs;
+  return values;
 }
 } // namespace
 
@@ -122,12 +109,11 @@ std::string parameter_differences(const std::string &now, const std::string &bef
 {
   constexpr std::size_t shown = 5;
   std::vector<std::string> found;
-  const auto new_pairs = key_values(now), old_pairs = key_values(before);
-  std::map<std::string, std::string> rest(old_pairs.begin(), old_pairs.end());
+  std::map<std::string, std::string> rest = key_values(before);
   const auto quoted = [](const std::string &value) {
     return value.empty() ? "empty" : value;
   };
-  for (const auto &[key, value] : new_pairs)
+  for (const auto &[key, value] : key_values(now))
     {
       const auto old = rest.find(key);
       if (old == rest.end())

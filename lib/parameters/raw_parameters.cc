@@ -211,37 +211,6 @@ const RawParameters::Entry *RawParameters::find(const std::string &path) const
   return nullptr;
 }
 
-std::string RawParameters::get(const std::string &path, const std::string &fallback) const
-{
-  const Entry *entry = find(path);
-  return entry != nullptr ? entry->value : fallback;
-}
-
-std::vector<std::string>
-RawParameters::section_names(const std::string &path,
-                             const std::vector<std::string> &fallback,
-                             const std::string &kind) const
-{
-  const Entry *entry = find(path);
-  std::vector<std::string> names;
-  for (const std::string &name : entry != nullptr ? split_list(entry->value) : fallback)
-    {
-      // Names become groups of HDF5, where a point stands for the group itself.
-      if (name.empty() || name == "." || name == ".." || name != cleaned(name) ||
-          name.find_first_of("/,\\=#\"'") != std::string::npos)
-        throw UserError(path + ": '" + name + "' cannot be the name of a " + kind +
-                        "; use letters, digits and single blanks");
-      if (std::find(names.begin(), names.end(), name) == names.end())
-        names.push_back(name);
-    }
-  return names;
-}
-
-bool RawParameters::has(const std::string &path) const
-{
-  return find(path) != nullptr;
-}
-
 std::string RawParameters::origin(const Entry &entry) const
 {
   return entry.line == 0 ? "--set '" + entry.path + "=" + entry.value + "'"

@@ -153,8 +153,7 @@ void do_what_is_asked(const CommandLine &line,
             "output/<name of the .prm>");
   program.declare(keys);
   keys.apply();
-  if (program.check_keys)
-    program.check_keys(keys);
+  program.declare(keys);
   if (line.print_parameters)
     {
       if (root)

@@ -53,14 +53,11 @@ struct Program
   std::string name;        ///< as typed in the shell
   std::string description; ///< one line for --help
 
-  /** Binds all keys, to declare them. "Output folder" is declared already. */
-  std::function<void(Keys &keys)> declare;
-
   /**
-   * Refuses keys that others leave without effect; called before anything is printed.
-   * @throws UserError
+   * Binds all keys; "Output folder" is bound already. Called once to declare them and once
+   * to judge the conditions between them, before anything is printed. @throws UserError
    */
-  std::function<void(const Keys &keys)> check_keys;
+  std::function<void(Keys &keys)> declare;
 
   /**
    * Reads the keys and the input files, and checks both, cheaply; always called, before

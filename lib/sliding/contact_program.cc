@@ -34,6 +34,6 @@ Program contact_dynamics_program()
   return {"contact_dynamics",
           "Explicit dynamics of an elastic body that rubs on a moving rigid flat.",
           [](Keys &keys) { ContactParameters().bind(keys); },
-          ContactParameters::check_keys, build};
+          build};
 }
 } // namespace mesoslip

@@ -18,7 +18,7 @@ void apply(Keys &keys)
 {
   Parameters().bind(keys);
   keys.apply();
-  Parameters::check_keys(keys);
+  Parameters().bind(keys); // judges the conditions between keys
 }
 
 /** What was accepted is accepted again, and the same, when printed. */

@@ -142,14 +142,14 @@ TEST(Checkpoints, ComeBackOrSayWhyNot)
 
   CheckpointHeader other = header;
   other.kind             = "modal";
-  expect_contains(message(other),
-                  "is a checkpoint of 'contact_dynamics', not of 'modal'");
+  expect_contains(message(other), "is a mesoslip-checkpoint of contact_dynamics, 2D, "
+                                  "layout 1, little endian, but this run needs a ");
   other     = header;
   other.dim = 3;
-  expect_contains(message(other), "belongs to a 2D run, not to a 3D one");
+  expect_contains(message(other), "2D, layout 1");
   other         = header;
   other.version = 2;
-  expect_contains(message(other), "layout version 1");
+  expect_contains(message(other), "layout 1, ");
 
   const std::string good = read_file(path);
   const auto spoilt      = [&](const std::string &bytes) {
@@ -157,13 +157,13 @@ TEST(Checkpoints, ComeBackOrSayWhyNot)
     return message(header);
   };
   expect_contains(spoilt(""), "is not a checkpoint");
-  expect_contains(spoilt(good.substr(0, 50)), "is truncated: its header");
+  expect_contains(spoilt(good.substr(0, 30)), "but this run needs");
   expect_contains(spoilt(good.substr(0, good.size() - 1)),
-                  "14 bytes of state instead of 15");
-  expect_contains(spoilt(good + "x"), "is damaged: 16 bytes");
+                  "the state was written as 15 bytes, ");
+  expect_contains(spoilt(good + "x"), "and has 16 bytes");
   std::string flipped = good;
   flipped.back() ^= 1;
-  expect_contains(spoilt(flipped), "its checksum does not fit");
+  expect_contains(spoilt(flipped), "is truncated or damaged");
 }
 
 TEST(Archives, SayWhenTheyAreDamaged)

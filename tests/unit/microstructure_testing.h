@@ -39,7 +39,6 @@ inline MicrostructureParameters checked(const Settings &settings,
   Keys keys(raw);
   MicrostructureParameters().bind(keys);
   keys.apply();
-  MicrostructureParameters::check_keys(keys);
   MicrostructureParameters parameters;
   parameters.bind(keys);
   parameters.check();
