@@ -60,11 +60,11 @@ void serialize_members(Archive &ar, T &object)
 {
   static_assert(1 <= n && n <= 12, "add a line below");
   // A structured binding names every member, or it does not compile.
-#define MESOSLIP_MEMBERS(number, ...)               \
-  if constexpr (n == number)                        \
-    {                                               \
-      auto &[__VA_ARGS__] = object;                 \
-      internal::serialize_each(ar, __VA_ARGS__);    \
+#define MESOSLIP_MEMBERS(number, ...)            \
+  if constexpr (n == number)                     \
+    {                                            \
+      auto &[__VA_ARGS__] = object;              \
+      internal::serialize_each(ar, __VA_ARGS__); \
     }
   MESOSLIP_MEMBERS(1, a)
   MESOSLIP_MEMBERS(2, a, b)

@@ -94,8 +94,9 @@ std::string nearest_word(const std::string &word,
   std::size_t least = std::max<std::size_t>(2, word.size() / 2) + 1;
   for (const std::string &candidate : candidates)
     {
-      const std::size_t distance = edit_distance(
-        boost::algorithm::to_lower_copy(word), boost::algorithm::to_lower_copy(candidate));
+      const std::size_t distance =
+        edit_distance(boost::algorithm::to_lower_copy(word),
+                      boost::algorithm::to_lower_copy(candidate));
       if (distance < least)
         {
           least   = distance;

@@ -20,8 +20,7 @@ const char probe_hint[] =
 
 RunFile::RunFile(const std::string &path, const std::string &role)
   : file(Hdf5File::open(path, "the " + role + "; run contact_dynamics first"))
-  , the_digest(
-      file.check_header("mesoslip-dynamics", newest_version, 2, file_hint))
+  , the_digest(file.check_header("mesoslip-dynamics", newest_version, 2, file_hint))
   , the_grid(read_grid(file, file_hint))
   , the_conditions(read_run_conditions(file))
 {

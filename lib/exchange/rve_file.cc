@@ -100,8 +100,7 @@ void write_grid(Hdf5File &file, const UniformGrid<2> &grid)
 RveFile::RveFile(Hdf5File &&opened)
   : file(std::move(opened))
 {
-  the_digest =
-    file.check_header("mesoslip-rve", rve_format_version, 2, origin_hint);
+  the_digest = file.check_header("mesoslip-rve", rve_format_version, 2, origin_hint);
   the_grid   = read_grid(file, origin_hint);
   the_phases = read_phases(file);
 }

@@ -14,12 +14,12 @@ namespace mesoslip
 /** One morphology and what was computed for it. */
 struct EnsembleMember
 {
-  std::uint64_t seed = 0;                     ///< of its morphology
+  std::uint64_t seed = 0;                     ///< of the random numbers of its morphology
   std::vector<std::string> warnings;          ///< about its morphology
-  std::vector<double> fractions;              ///< of the phases
+  std::vector<double> fractions;              ///< area fractions of the phases
   std::vector<HomogenizedResponse> responses; ///< in the order of the conditions
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members, for boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -45,7 +45,7 @@ using StiffnessStatistics = std::array<EntryStatistics, 9>;
 EntryStatistics entry_statistics(const std::vector<double> &values,
                                  const double confidence);
 
-/** For one boundary condition. */
+/** Statistics of all entries for the boundary condition number @p condition. */
 StiffnessStatistics stiffness_statistics(const std::vector<EnsembleMember> &members,
                                          const std::size_t condition,
                                          const double confidence);

@@ -39,7 +39,7 @@ struct LoadCaseSolutions
    */
   std::array<NodalField<double>, 3> displacement;
 
-  std::array<SolverReport, 3> reports; ///< of the three solves
+  std::array<SolverReport, 3> reports; ///< iterations and residuals of the three solves
 };
 
 /** Called after each finished load case with the number of those done and all. */

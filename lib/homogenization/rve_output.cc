@@ -133,7 +133,7 @@ void write_rve_tables(const RveParameters &parameters,
                       const RveResults &results,
                       const RunContext &context)
 {
-  const EnsembleMember &first = results.members[0];
+  const EnsembleMember &first      = results.members[0];
   std::vector<std::string> entries = {"of"};
   for (const StiffnessEntry &entry : stiffness_entries)
     entries.push_back(std::string(entry.name) + " [Pa]");

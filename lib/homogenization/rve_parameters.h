@@ -17,8 +17,9 @@ struct RveParameters
 {
   MicrostructureParameters microstructure;   ///< sections Grid, Phases, Microstructure
   std::vector<BoundaryCondition> conditions; ///< in the order of the .prm
-  StaticSolverKind solver = StaticSolverKind::multigrid; ///< of the load cases
-  double tolerance        = 1e-8;                        ///< relative residual of a solve
+  StaticSolverKind solver =
+    StaticSolverKind::multigrid; ///< which solver solves the load cases
+  double tolerance = 1e-8;       ///< relative residual of a solve
 
   /** mean (of KUBC and SUBC), KUBC, SUBC or PBC: what /stiffness/effective is. */
   std::string effective = "mean";

@@ -131,8 +131,7 @@ RveResults compute(const RveParameters &parameters, RunContext &context)
 /** Bytes of rve.h5: the phases, and the concentration tensors of the first morphology. */
 ResourceNeed rve_file_size(const RveParameters &parameters)
 {
-  const double n_cells =
-    static_cast<double>(parameters.microstructure.grid.n_cells());
+  const double n_cells = static_cast<double>(parameters.microstructure.grid.n_cells());
   const double tensors = parameters.write_concentration
                            ? 72. * static_cast<double>(parameters.conditions.size())
                            : 0.;
@@ -158,8 +157,8 @@ std::vector<std::string> slips(const MicrostructureParameters &p)
   const std::vector<Phase<2>> phases = make_phases(p.phases);
   std::vector<PlausibleRange> ranges = plausible_phases(phases);
   for (unsigned int d = 0; d < 2; ++d)
-    ranges.push_back(plausible_length("Grid/Size along " + std::string(1, "xy"[d]),
-                                      p.grid.extent(d)));
+    ranges.push_back(
+      plausible_length("Grid/Size along " + std::string(1, "xy"[d]), p.grid.extent(d)));
   std::vector<std::string> sentences = implausible(ranges);
   if (const std::string stiffness = stiffness_warning(phases); !stiffness.empty())
     sentences.push_back(stiffness);
@@ -258,7 +257,7 @@ void RveHomogenization::run(RunContext &context)
 }
 } // namespace
 
-Program rve_homogenization_program()
+Application rve_homogenization_program()
 {
   return {"rve_homogenization",
           "Effective stiffness and concentration tensors of a representative volume.",

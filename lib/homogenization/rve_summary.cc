@@ -32,8 +32,10 @@ json bounds_json(const Microstructure &microstructure,
                  {"hashin_shtrikman_upper", nullptr}};
   if (const auto hs = hashin_shtrikman_bounds(microstructure.phases, fractions))
     {
-      bounds["hashin_shtrikman_lower"] = matrix_json(plane_isotropic_stiffness(hs->lower));
-      bounds["hashin_shtrikman_upper"] = matrix_json(plane_isotropic_stiffness(hs->upper));
+      bounds["hashin_shtrikman_lower"] =
+        matrix_json(plane_isotropic_stiffness(hs->lower));
+      bounds["hashin_shtrikman_upper"] =
+        matrix_json(plane_isotropic_stiffness(hs->upper));
     }
   return bounds;
 }
@@ -142,7 +144,7 @@ void log_stiffness(RunContext &context)
       {
         context.log(stiffness_text(name, summary["stiffness"][name]));
         context.log(stiffness_text(std::string(name) + " from mean",
-                             summary["stiffness_from_mean"][name]));
+                                   summary["stiffness_from_mean"][name]));
       }
   const json &effective = summary["stiffness"]["effective"];
   context.log(stiffness_text("effective", effective));

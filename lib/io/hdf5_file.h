@@ -50,7 +50,7 @@ public:
   /** Closes what the identifier stands for; false if that fails. */
   bool close();
 
-  /** For the functions of the library. */
+  /** The identifier, as the functions of the library take it. */
   operator std::int64_t() const
   {
     return id;
@@ -178,7 +178,7 @@ public:
   template <typename T>
   void write(const std::string &name, const Shape &shape, const T *data);
 
-  /** The same for a vector. */
+  /** The same for the values of a vector. */
   template <typename T>
   void write(const std::string &name, const Shape &shape, const std::vector<T> &data);
 
@@ -252,7 +252,7 @@ private:
   std::string file_path;
   Hdf5Handle file;
   bool writable = false;
-  /** Of a file that was opened for reading. */
+  /** What the checksum said of a file that was opened for reading. */
   Signature signature    = Signature::valid;
   int pending_exceptions = 0;
 };

@@ -103,9 +103,9 @@ std::vector<std::string> split_line(const std::string &line, const std::string &
 }
 } // namespace
 
-Table Table::read(const std::string &path)
+CsvTable CsvTable::read(const std::string &path)
 {
-  Table table;
+  CsvTable table;
   table.path             = path;
   const std::string text = plain_lines(read_file(path));
   if (text.find('\0') != std::string::npos)
@@ -137,12 +137,12 @@ Table Table::read(const std::string &path)
   return table;
 }
 
-bool Table::has_column(const std::string &heading) const
+bool CsvTable::has_column(const std::string &heading) const
 {
   return std::find(headings.begin(), headings.end(), heading) != headings.end();
 }
 
-std::size_t Table::column(const std::string &heading) const
+std::size_t CsvTable::column(const std::string &heading) const
 {
   const auto found = std::find(headings.begin(), headings.end(), heading);
   if (found == headings.end())
@@ -151,7 +151,7 @@ std::size_t Table::column(const std::string &heading) const
   return static_cast<std::size_t>(found - headings.begin());
 }
 
-std::vector<double> Table::numbers(const std::string &heading) const
+std::vector<double> CsvTable::numbers(const std::string &heading) const
 {
   const std::size_t index = column(heading);
   std::vector<double> values(cells.size());
@@ -162,7 +162,7 @@ std::vector<double> Table::numbers(const std::string &heading) const
   return values;
 }
 
-void Table::fail(const std::size_t row, const std::string &what) const
+void CsvTable::fail(const std::size_t row, const std::string &what) const
 {
   throw UserError(path + ":" + std::to_string(lines.at(row)) + ": " + what);
 }

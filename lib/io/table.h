@@ -40,14 +40,14 @@ private:
 };
 
 /** A CSV file in memory. */
-class Table
+class CsvTable
 {
 public:
   /**
    * Reads a file with a heading line. Empty lines and lines beginning with # are
    * skipped. @throws UserError naming file, line and column.
    */
-  static Table read(const std::string &path);
+  static CsvTable read(const std::string &path);
 
   /** Headings, in the order of the file. */
   const std::vector<std::string> &columns() const
@@ -55,7 +55,7 @@ public:
     return headings;
   }
 
-  /** Without the heading. */
+  /** Number of rows without the heading. */
   std::size_t n_rows() const
   {
     return cells.size();

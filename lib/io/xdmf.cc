@@ -28,8 +28,8 @@ std::string number_attributes(const XdmfField::Number number)
 {
   static const std::pair<const char *, int> types[] = {{"Float", 8}, {"UChar", 1}};
   const auto &[type, bytes] = types[static_cast<unsigned int>(number)];
-  return std::string("NumberType=\"") + type + "\" Precision=\"" +
-         std::to_string(bytes) + "\"";
+  return std::string("NumberType=\"") + type + "\" Precision=\"" + std::to_string(bytes) +
+         "\"";
 }
 
 template <typename T>

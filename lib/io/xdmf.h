@@ -33,13 +33,13 @@ struct XdmfField
     uint8
   };
 
-  /** As ParaView shows it. */
+  /** Name of the field in ParaView. */
   std::string name;
   /** HDF5 file beside the XDMF file, and the dataset in it. */
   std::string file;
   std::string dataset;             ///< absolute path in the HDF5 file
-  Centre centre = Centre::node;    ///< of the values
-  Number number = Number::float64; ///< of the dataset
+  Centre centre = Centre::node;    ///< where the values belong
+  Number number = Number::float64; ///< type of the numbers in the dataset
   /** Length of the last axis; 0 when there is none. */
   unsigned int components = 0;
   /** With two last axes, of a matrix a cell: the length of the very last one (components

@@ -100,11 +100,11 @@ void LocalizationParameters::bind(Keys &keys)
   bind_probes(keys, *this);
   {
     const auto section = keys.section("Comparison");
-  keys.bind("Surface depth", surface_depth, Range::non_negative(),
-            "Cells whose centres are nearer to the contact are the surface, the "
-            "others the bulk [m]");
-  keys.bind("Edge distance", edge_distance, Range::non_negative(),
-            "Cells nearer to an edge are left out in the errors of the interior [m]");
+    keys.bind("Surface depth", surface_depth, Range::non_negative(),
+              "Cells whose centres are nearer to the contact are the surface, the "
+              "others the bulk [m]");
+    keys.bind("Edge distance", edge_distance, Range::non_negative(),
+              "Cells nearer to an edge are left out in the errors of the interior [m]");
   }
   check_keys(keys);
 }

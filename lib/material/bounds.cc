@@ -40,9 +40,9 @@ VoigtMatrix<dim> phase_mean(const std::vector<Phase<dim>> &phases,
   check_fractions(phases.size(), fractions);
   VoigtMatrix<dim> mean = VoigtMatrix<dim>::Zero();
   for (std::size_t i = 0; i < phases.size(); ++i)
-    mean += fractions[i] * (of_compliance
-                              ? VoigtMatrix<dim>(phases[i].stiffness.inverse())
-                              : phases[i].stiffness);
+    mean +=
+      fractions[i] * (of_compliance ? VoigtMatrix<dim>(phases[i].stiffness.inverse())
+                                    : phases[i].stiffness);
   return mean;
 }
 
@@ -106,7 +106,8 @@ hashin_shtrikman_bounds(const std::vector<Phase<2>> &phases,
   };
   const auto [min_bulk, max_bulk]   = std::minmax_element(bulk.begin(), bulk.end());
   const auto [min_shear, max_shear] = std::minmax_element(shear.begin(), shear.end());
-  return HashinShtrikmanBounds{bound(*min_bulk, *min_shear), bound(*max_bulk, *max_shear)};
+  return HashinShtrikmanBounds{bound(*min_bulk, *min_shear),
+                               bound(*max_bulk, *max_shear)};
 }
 
 template VoigtMatrix<2> voigt_bound<2>(const std::vector<Phase<2>> &,

@@ -93,9 +93,9 @@ Constants axis_constants(const VoigtMatrix<3> &S)
         {"E_" + axes[i], "Pa", 1. / S(i, i), "Young's modulus along " + axes[i]});
       for (unsigned int j = 0; j < 3; ++j)
         if (i != j)
-          constants.push_back(
-            {"nu_" + axes[i] + axes[j], "1", -S(i, j) / S(i, i),
-             "Poisson's ratio, contraction along " + axes[j] + ", load along " + axes[i]});
+          constants.push_back({"nu_" + axes[i] + axes[j], "1", -S(i, j) / S(i, i),
+                               "Poisson's ratio, contraction along " + axes[j] +
+                                 ", load along " + axes[i]});
       constants.push_back({"G_" + planes[i], "Pa", 1. / S(3 + i, 3 + i),
                            "shear modulus in the plane " + planes[i]});
     }
@@ -157,13 +157,13 @@ IsotropicProjection closest_isotropic(const VoigtMatrix<dim> &stiffness)
 OrthotropicProjection closest_orthotropic(const VoigtMatrix<2> &stiffness)
 {
   OrthotropicProjection result;
-  const double angle          = least_coupled_angle(stiffness);
-  const VoigtMatrix<2> turned = rotate_stiffness(stiffness, -angle);
-  const double norm           = stiffness_norm<2>(stiffness);
-  const bool swap             = turned(1, 1) > turned(0, 0) + 1e-12 * norm;
-  const double full           = swap ? angle + 0.5 * pi : angle;
-  result.angle                = full > 0.5 * pi * (1. + 1e-15) ? full - pi : full;
-  result.principal_stiffness  = orthotropic_part(rotate_stiffness(stiffness, -full));
+  const double angle           = least_coupled_angle(stiffness);
+  const VoigtMatrix<2> turned  = rotate_stiffness(stiffness, -angle);
+  const double norm            = stiffness_norm<2>(stiffness);
+  const bool swap              = turned(1, 1) > turned(0, 0) + 1e-12 * norm;
+  const double full            = swap ? angle + 0.5 * pi : angle;
+  result.angle                 = full > 0.5 * pi * (1. + 1e-15) ? full - pi : full;
+  result.principal_stiffness   = orthotropic_part(rotate_stiffness(stiffness, -full));
   const VoigtMatrix<2> closest = rotate_stiffness(result.principal_stiffness, full);
   result.relative_distance     = stiffness_norm<2>(stiffness - closest) / norm;
   return result;

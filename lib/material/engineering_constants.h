@@ -11,7 +11,7 @@ namespace mesoslip
 /** One constant of a material as it goes into tables and summaries. */
 struct EngineeringConstant
 {
-  /** As in E_x, nu_xy, G_xy. */
+  /** Such as E_x, nu_xy or G_xy. */
   std::string name;
   /** "Pa", or "1" for pure numbers, "rad" for angles. */
   std::string unit;

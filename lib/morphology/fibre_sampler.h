@@ -54,8 +54,7 @@ struct FibreSampler
     , rules(placement)
     , width(whole_cells(placement.width, box.spacing[0]))
     , min_height(whole_cells(placement.min_height, box.spacing[1]))
-    , max_height(
-        std::max(min_height, whole_cells(placement.max_height, box.spacing[1])))
+    , max_height(std::max(min_height, whole_cells(placement.max_height, box.spacing[1])))
   {
     if (!rules.cut_by_border)
       max_height = std::min(max_height, static_cast<long>(grid.cells[1]));
@@ -88,10 +87,10 @@ struct FibreSampler
       {
         const long n_x = grid.cells[0], n_y = grid.cells[1];
         const long height = random.whole(min_height, max_height);
-        const long x      = cut ? random.whole(1 - width, n_x - 1)
-                                : random.whole(0, n_x - width);
-        const long y      = cut ? random.whole(1 - height, n_y - 1)
-                                : random.whole(0, n_y - height);
+        const long x =
+          cut ? random.whole(1 - width, n_x - 1) : random.whole(0, n_x - width);
+        const long y =
+          cut ? random.whole(1 - height, n_y - 1) : random.whole(0, n_y - height);
         return aligned(x, y, height);
       }
     const double limit =
@@ -106,7 +105,7 @@ struct FibreSampler
 
   RandomNumbers random;        ///< what draw() takes its numbers from
   const UniformGrid<2> &grid;  ///< the box
-  const FibrePlacement &rules; ///< of the placement
+  const FibrePlacement &rules; ///< the rules of the placement
   long width;                  ///< columns of a fibre, at least one
   long min_height;             ///< rows of the lowest fibre, at least one
   long max_height;             ///< rows of the tallest fibre

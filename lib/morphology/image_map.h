@@ -23,8 +23,8 @@ struct ImageReading
 struct ImagePhase
 {
   std::string value;         ///< for messages: "200", or of colours "#ff0000 (16711680)"
-  std::size_t n_pixels = 0;  ///< of this value
-  double fraction      = 0.; ///< of all pixels
+  std::size_t n_pixels = 0;  ///< number of pixels of this value
+  double fraction      = 0.; ///< share of all pixels
 };
 
 /** A morphology that was drawn as an image. */

@@ -25,7 +25,8 @@ std::string file_name(const std::string &path)
 }
 
 /** Coarse cells may swallow a phase, or swell it; empty when they do neither. */
-std::string coarsening_warning(const ImageMap &image, const std::vector<PhaseParameters> &parameters)
+std::string coarsening_warning(const ImageMap &image,
+                               const std::vector<PhaseParameters> &parameters)
 {
   // Fibres eight times as stiff as their matrix contribute seven times their fraction:
   // 1 % more of them are some percent of stiffness. What a rare phase contributes changes
@@ -72,8 +73,7 @@ std::vector<std::string> phase_texts(const PhaseMap<2> &map,
     {
       const double n_cells =
         std::round(fractions[p] * static_cast<double>(map.id.size()));
-      std::string line =
-        "Phase " + std::to_string(p) + ", " + parameters[p].name + ": ";
+      std::string line = "Phase " + std::to_string(p) + ", " + parameters[p].name + ": ";
       if (!image.empty())
         line += "value " + image[p].value + ", " + percent(image[p].fraction) +
                 " of the pixels, ";

@@ -41,8 +41,8 @@ struct MicrostructureParameters
     image
   };
 
-  UniformGrid<2> grid;                 ///< section Grid; the origin is the lower left corner
-  std::array<double, 2> size = {};     ///< m, of the box, as in the .prm
+  UniformGrid<2> grid;             ///< section Grid; the origin is the lower left corner
+  std::array<double, 2> size = {}; ///< m, of the box, as in the .prm
   std::vector<PhaseParameters> phases; ///< section Phases, in the order of `Names`
 
   Type type = Type::random_fibres; ///< key Type

@@ -21,11 +21,11 @@ struct PhaseParameters
     stiffness
   };
 
-  std::string name;            ///< of the subsection
+  std::string name;            ///< name of the phase and of its subsection
   Type type = Type::isotropic; ///< key Type
 
   double young_modulus = 0.;          ///< Pa, of an isotropic phase
-  double poisson_ratio = 0.2;         ///< of an isotropic phase
+  double poisson_ratio = 0.2;         ///< nu of an isotropic phase
   std::vector<double> young_moduli;   ///< E1, E2, E3 (Pa) of an orthotropic phase
   std::vector<double> poisson_ratios; ///< nu12, nu13, nu23
   std::vector<double> shear_moduli;   ///< G12, G13, G23 (Pa)

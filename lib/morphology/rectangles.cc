@@ -41,7 +41,7 @@ std::string problem(const UniformGrid<2> &grid, const Rectangle &r)
   return "";
 }
 
-void check_columns(const Table &table, const std::string &file)
+void check_columns(const CsvTable &table, const std::string &file)
 {
   for (const std::string &heading : table.columns())
     if (heading != "phase" && std::find(length_columns.begin(), length_columns.end(),
@@ -74,7 +74,7 @@ PhaseMap<2> draw_rectangles(const UniformGrid<2> &grid,
 std::vector<Rectangle> read_rectangles(const std::string &file,
                                        const UniformGrid<2> &grid)
 {
-  const Table table = Table::read(file);
+  const CsvTable table = CsvTable::read(file);
   check_columns(table, file);
   std::vector<std::vector<double>> lengths;
   for (const std::string &heading : length_columns)

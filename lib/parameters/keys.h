@@ -236,8 +236,7 @@ public:
    * @throws UserError "Section/Key: what" unless @p holds; for conditions that can be
    * judged without knowing what comes later in the .prm.
    */
-  void
-  require(const bool holds, const std::string &key, const std::string &what) const;
+  void require(const bool holds, const std::string &key, const std::string &what) const;
 
   /**
    * The key @p old of the current section is called @p now; with "Key = value" for @p old

@@ -110,7 +110,7 @@ std::string parameter_differences(const std::string &now, const std::string &bef
   constexpr std::size_t shown = 5;
   std::vector<std::string> found;
   std::map<std::string, std::string> rest = key_values(before);
-  const auto quoted = [](const std::string &value) {
+  const auto quoted                       = [](const std::string &value) {
     return value.empty() ? "empty" : value;
   };
   for (const auto &[key, value] : key_values(now))

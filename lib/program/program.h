@@ -48,7 +48,7 @@ public:
 };
 
 /** What distinguishes one application from another. */
-struct Program
+struct Application
 {
   std::string name;        ///< as typed in the shell
   std::string description; ///< one line for --help
@@ -71,7 +71,7 @@ struct Program
  * timings, summary.json, exit status (ExitStatus). Errors are printed once, to stderr, as
  * `<program>: <sentence>`; nothing escapes.
  */
-int run_program(int argc, char **argv, const Program &program);
+int run_program(int argc, char **argv, const Application &program);
 } // namespace mesoslip
 
 #endif

@@ -29,11 +29,10 @@ std::unique_ptr<Analysis> build(Keys &keys)
 }
 } // namespace
 
-Program contact_dynamics_program()
+Application contact_dynamics_program()
 {
   return {"contact_dynamics",
           "Explicit dynamics of an elastic body that rubs on a moving rigid flat.",
-          [](Keys &keys) { ContactParameters().bind(keys); },
-          build};
+          [](Keys &keys) { ContactParameters().bind(keys); }, build};
 }
 } // namespace mesoslip

@@ -217,7 +217,9 @@ TEST(Bounds, HashinShtrikmanTwoPhases)
   const auto reuss = reuss_bound<2>(paper_phases, {0.9, 0.1});
   const auto voigt = voigt_bound<2>(paper_phases, {0.9, 0.1});
   EXPECT_GT(order_margin<2>(reuss, plane_isotropic_stiffness(bounds->lower)), 0.);
-  EXPECT_GT(order_margin<2>(plane_isotropic_stiffness(bounds->lower), plane_isotropic_stiffness(bounds->upper)), 0.);
+  EXPECT_GT(order_margin<2>(plane_isotropic_stiffness(bounds->lower),
+                            plane_isotropic_stiffness(bounds->upper)),
+            0.);
   EXPECT_GT(order_margin<2>(plane_isotropic_stiffness(bounds->upper), voigt), 0.);
 }
 
@@ -233,14 +235,22 @@ TEST(Bounds, HashinShtrikmanLimits)
   EXPECT_NEAR(exact->lower.shear / GPa, 12., 1e-9);
   // A phase that is absent does not count; the bounds then are the other phase.
   const auto single = hashin_shtrikman_bounds(phases, {1., 0.});
-  EXPECT_LT(largest_difference<3>(plane_isotropic_stiffness(single->upper), phases[0].stiffness), 1e-14);
+  EXPECT_LT(
+    largest_difference<3>(plane_isotropic_stiffness(single->upper), phases[0].stiffness),
+    1e-14);
   // Three phases lie in order, too.
   phases.push_back({"third", isotropic_stiffness<2>(5 * GPa, 0.4), 0., 0.});
   const std::vector<double> f = {0.5, 0.3, 0.2};
   const auto three            = hashin_shtrikman_bounds(phases, f);
-  EXPECT_GT(order_margin<2>(reuss_bound<2>(phases, f), plane_isotropic_stiffness(three->lower)), 0.);
-  EXPECT_GT(order_margin<2>(plane_isotropic_stiffness(three->lower), plane_isotropic_stiffness(three->upper)), 0.);
-  EXPECT_GT(order_margin<2>(plane_isotropic_stiffness(three->upper), voigt_bound<2>(phases, f)), 0.);
+  EXPECT_GT(
+    order_margin<2>(reuss_bound<2>(phases, f), plane_isotropic_stiffness(three->lower)),
+    0.);
+  EXPECT_GT(order_margin<2>(plane_isotropic_stiffness(three->lower),
+                            plane_isotropic_stiffness(three->upper)),
+            0.);
+  EXPECT_GT(
+    order_margin<2>(plane_isotropic_stiffness(three->upper), voigt_bound<2>(phases, f)),
+    0.);
   phases[2].stiffness = paper_stiffness;
   EXPECT_FALSE(hashin_shtrikman_bounds(phases, f));
 }

@@ -62,10 +62,9 @@ std::vector<T> Hdf5File::read_values(const Hdf5Handle &object,
   const Hdf5Handle memory = hdf5::make_space(shape);
   const auto read_as      = [&](const hid_t memory_type, void *values) {
     const hid_t space = selection == nullptr ? H5S_ALL : static_cast<hid_t>(*selection);
-    if (n > 0 && (is_attribute
-                         ? H5Aread(object, memory_type, values)
-                         : H5Dread(object, memory_type, memory, space, H5P_DEFAULT, values)) <
-                   0)
+    if (n > 0 && (is_attribute ? H5Aread(object, memory_type, values)
+                                    : H5Dread(object, memory_type, memory, space, H5P_DEFAULT,
+                                              values)) < 0)
       fail(text + " cannot be read: the file is truncated or damaged");
   };
   std::vector<T> values(n);

@@ -92,8 +92,8 @@ void Hdf5File::write(const std::string &name, const Shape &shape, const T *data)
   Hdf5Handle dataset(
     H5Dcreate2(file, name.c_str(), values.type, space, links, properties, H5P_DEFAULT));
   if (!dataset.valid() ||
-      (n > 0 && H5Dwrite(dataset, values.type, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                         values.data) < 0) ||
+      (n > 0 &&
+       H5Dwrite(dataset, values.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data) < 0) ||
       !dataset.close())
     fail_writing(dataset_text(name) + " cannot be written");
 }
@@ -122,7 +122,7 @@ void Hdf5File::write_attribute(const std::string &object,
     if (H5Aexists(owner, name.c_str()) > 0)
       H5Adelete(owner, name.c_str());
     Hdf5Handle attribute(
-      H5Acreate2(owner, name.c_str(), encoded.type, space, H5P_DEFAULT, H5P_DEFAULT));
+       H5Acreate2(owner, name.c_str(), encoded.type, space, H5P_DEFAULT, H5P_DEFAULT));
     if (!attribute.valid() ||
         (n > 0 && H5Awrite(attribute, encoded.type, encoded.data) < 0) ||
         !attribute.close())
