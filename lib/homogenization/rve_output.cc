@@ -179,17 +179,16 @@ void write_rve_tables(const RveParameters &parameters,
                         "reference [Pa]", "difference [%]"});
   for (std::size_t c = 0; c < parameters.conditions.size(); ++c)
     {
-      const StiffnessStatistics statistics =
+      const StiffnessStatistics s =
         stiffness_statistics(results.members, c, parameters.confidence);
       for (const auto &[i, j, name] : stiffness_entries)
         {
-          const EntryStatistics &s = statistics[3 * i + j];
           const double ref = parameters.reference ? (*parameters.reference)(i, j) : 0.;
-          ensemble.add_row({to_string(parameters.conditions[c]), name, to_text(s.mean),
-                            to_text(s.standard_deviation), to_text(s.half_width),
-                            to_text(s.relative_error),
+          ensemble.add_row({to_string(parameters.conditions[c]), name,
+                            to_text(s.mean(i, j)), to_text(s.standard_deviation(i, j)),
+                            to_text(s.half_width(i, j)), to_text(s.relative_error(i, j)),
                             parameters.reference ? to_text(ref) : "",
-                            ref != 0. ? to_text(100. * (s.mean / ref - 1.)) : ""});
+                            ref != 0. ? to_text(100. * (s.mean(i, j) / ref - 1.)) : ""});
         }
     }
   ensemble.flush();

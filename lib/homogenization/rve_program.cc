@@ -8,6 +8,7 @@
 #include "grid/size_text.h"
 #include "homogenization/response_check.h"
 #include "homogenization/rve_output.h"
+#include "material/engineering_constants.h"
 #include "material/plausibility.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
@@ -250,7 +251,9 @@ void RveHomogenization::run(RunContext &context)
   for (const std::string &warning : result_warnings(results.members, parameters))
     context.warn(warning);
   const auto scope  = context.timer().scope("Output");
-  results.effective = effective_stiffness(results.members, parameters);
+  results.effective = mean_stiffness(results.members, effective_conditions(parameters));
+  if (!parameters.effective_full)
+    results.effective = orthotropic_part(results.effective);
   write_rve_tables(parameters, results, context);
   write_rve_summary(parameters, results, context);
   write_rve_file(parameters, results, digest, context);

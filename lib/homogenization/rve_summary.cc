@@ -48,19 +48,12 @@ json ensemble_json(const RveParameters &parameters, const RveResults &results)
     ensemble["seeds"].push_back(member.seed);
   for (std::size_t c = 0; c < parameters.conditions.size(); ++c)
     {
-      VoigtMatrix<2> mean, deviation, half_width;
-      const auto statistics =
+      const StiffnessStatistics s =
         stiffness_statistics(results.members, c, parameters.confidence);
-      for (unsigned int e = 0; e < 9; ++e)
-        {
-          mean(e / 3, e % 3)       = statistics[e].mean;
-          deviation(e / 3, e % 3)  = statistics[e].standard_deviation;
-          half_width(e / 3, e % 3) = statistics[e].half_width;
-        }
       ensemble[to_string(parameters.conditions[c])] = {
-        {"mean", matrix_json(mean)},
-        {"standard_deviation", matrix_json(deviation)},
-        {"confidence_half_width", matrix_json(half_width)}};
+        {"mean", matrix_json(s.mean)},
+        {"standard_deviation", matrix_json(s.standard_deviation)},
+        {"confidence_half_width", matrix_json(s.half_width)}};
     }
   return ensemble;
 }

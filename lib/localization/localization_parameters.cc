@@ -98,15 +98,12 @@ void LocalizationParameters::bind(Keys &keys)
                       "End of the averages; auto: the end of the runs [s]");
   }
   bind_probes(keys, *this);
-  {
-    const auto section = keys.section("Comparison");
-    keys.bind("Surface depth", surface_depth, Range::non_negative(),
-              "Cells whose centres are nearer to the contact are the surface, the "
-              "others the bulk [m]");
-    keys.bind("Edge distance", edge_distance, Range::non_negative(),
-              "Cells nearer to an edge are left out in the errors of the interior [m]");
-  }
-  check_keys(keys);
+  const auto section = keys.section("Comparison");
+  keys.bind("Surface depth", surface_depth, Range::non_negative(),
+            "Cells whose centres are nearer to the contact are the surface, the "
+            "others the bulk [m]");
+  keys.bind("Edge distance", edge_distance, Range::non_negative(),
+            "Cells nearer to an edge are left out in the errors of the interior [m]");
 }
 
 // Direct run = and Fields = switch off what an otherwise complete file asks for.

@@ -113,7 +113,10 @@ Application stress_localization_program()
 {
   return {"stress_localization",
           "Stresses in fibres and matrix from a run of the homogenized body.",
-          [](Keys &keys) { LocalizationParameters().bind(keys); },
+          [](Keys &keys) {
+            LocalizationParameters().bind(keys);
+            LocalizationParameters::check_keys(keys);
+          },
           [](Keys &keys) { return std::make_unique<StressLocalization>(keys); }};
 }
 } // namespace mesoslip

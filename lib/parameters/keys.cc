@@ -5,9 +5,10 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <boost/algorithm/string/trim_all.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 namespace mesoslip
@@ -257,10 +258,8 @@ void Keys::bind_names(const std::string &key,
     names = entry != nullptr ? split_list(entry->value) : defaults;
   for (auto name = names.begin(); name != names.end(); ++name)
     {
-      std::istringstream words(*name);
-      std::string plain, word;
-      while (words >> word)
-        plain += (plain.empty() ? "" : " ") + word;
+      const std::string plain =
+        boost::algorithm::trim_fill_copy(*name, " ", std::locale::classic());
       // Names become groups of HDF5, where a point stands for the group itself.
       if (plain.empty() || plain == "." || plain == ".." || plain != *name ||
           name->find_first_of("/,\\=#\"'") != std::string::npos)

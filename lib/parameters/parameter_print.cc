@@ -1,5 +1,7 @@
 #include "parameters/keys.h"
 
+#include <deal.II/base/utilities.h>
+
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
@@ -11,33 +13,6 @@ namespace mesoslip
 {
 namespace
 {
-/** Prints @p text as comment lines of at most 90 columns. */
-void print_comment(std::ostream &out, const std::string &indent, const std::string &text)
-{
-  std::istringstream words(text);
-  std::string line = indent + "#", word;
-  while (words >> word)
-    {
-      if (line.size() + 1 + word.size() > 90 && line.size() > indent.size() + 1)
-        {
-          out << line << '\n';
-          line = indent + "#";
-        }
-      line += " " + word;
-    }
-  out << line << '\n';
-}
-
-std::vector<std::string> path_parts(const std::string &path)
-{
-  std::vector<std::string> parts;
-  std::istringstream in(path);
-  std::string part;
-  while (std::getline(in, part, '/'))
-    parts.push_back(part);
-  return parts;
-}
-
 /** Closes and opens subsections on the way from @p from to @p to. */
 void change_section(std::ostream &out,
                     const std::vector<std::string> &from,
@@ -58,7 +33,7 @@ void print_parameters(const Keys &keys, std::ostream &out)
   std::vector<std::string> open;
   for (const Key &key : keys.all())
     {
-      const std::vector<std::string> section = path_parts(key.section);
+      const auto section = dealii::Utilities::split_string_list(key.section, '/');
       change_section(out, open, section);
       open                     = section;
       const std::string indent = std::string(2 * open.size(), ' ');
@@ -66,7 +41,9 @@ void print_parameters(const Keys &keys, std::ostream &out)
       if (key.value != key.default_value)
         text +=
           "; default: " + (key.default_value.empty() ? "nothing" : key.default_value);
-      print_comment(out, indent, text);
+      for (const std::string &line :
+           dealii::Utilities::break_text_into_lines(text, 89 - indent.size() - 2))
+        out << indent << "# " << line << '\n';
       out << indent << "set " << key.name << " =" << (key.value.empty() ? "" : " ")
           << boost::algorithm::replace_all_copy(key.value, "#", "\\#") << '\n';
     }

@@ -4,6 +4,8 @@
 #include "base/text.h"
 #include "parameters/parameters.h"
 
+#include <boost/algorithm/string/trim_all.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -32,11 +34,8 @@ std::string without_comment(const std::string &line)
 /** A line without comment, with single blanks between words. */
 std::string cleaned(const std::string &line)
 {
-  std::istringstream words(without_comment(line));
-  std::string text, word;
-  while (words >> word)
-    text += (text.empty() ? "" : " ") + word;
-  return text;
+  return boost::algorithm::trim_fill_copy(without_comment(line), " ",
+                                          std::locale::classic());
 }
 
 /** Reads the lines of a .prm one by one and collects what they set. */

@@ -170,10 +170,6 @@ void do_what_is_asked(const CommandLine &line,
 }
 } // namespace
 
-void Analysis::describe(std::ostream &) const
-{
-}
-
 int run_program(int argc, char **argv, const Application &program)
 {
   // A limit of the file size ("ulimit -f") is an error in writing like any other.

@@ -32,7 +32,9 @@ public:
    * Prints memory, steps and the like for --validate. Only what rank 0 writes to @p out
    * is shown.
    */
-  virtual void describe(std::ostream &out) const;
+  virtual void describe(std::ostream & /*out*/) const
+  {
+  }
 
   /**
    * Whether it writes checkpoints, so that run() has to heed RunContext::resume(). Others

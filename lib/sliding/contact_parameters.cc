@@ -302,21 +302,6 @@ void bind(Keys &keys, CheckpointParameters &checkpoints)
     "End time");
   checkpoints.interval = 60. * minutes;
 }
-
-void bind_performance(Keys &keys, ContactParameters &p)
-{
-  const auto section = keys.section("Performance");
-  keys.bind("Wavefront", p.wavefront, 0, 64,
-            "Time steps in flight on grids larger than the cache; 0: automatic, 1: none. "
-            "Never changes a result [-]");
-  keys.bind("Instruction set", p.instruction_set,
-            {"auto", "x86-64", "x86-64-v3", "x86-64-v4", "generic"},
-            "Kernels to use; auto: the widest the processor has; generic: those of "
-            "processors other than x86-64");
-  keys.bind("Static solver", p.static_solver, {"multigrid", "jacobi", "ml"},
-            "Of the modal and the static contact analysis, as Homogenization/Solver");
-  keys.renamed("Static solver = assembled", "ml");
-}
 } // namespace
 
 void ContactParameters::bind(Keys &keys)
@@ -335,7 +320,15 @@ void ContactParameters::bind(Keys &keys)
   mesoslip::bind(keys, static_contact);
   mesoslip::bind(keys, homogenization);
   mesoslip::bind(keys, checkpoints);
-  bind_performance(keys, *this);
-  check_keys(keys);
+  const auto section = keys.section("Performance");
+  keys.bind("Wavefront", wavefront, 0, 64,
+            "Time steps in flight on grids larger than the cache; 0: automatic, 1: none. "
+            "Never changes a result [-]");
+  keys.bind("Instruction set", instruction_set,
+            {"auto", "x86-64", "x86-64-v3", "x86-64-v4", "generic"},
+            "Kernels to use; auto: the widest the processor has; generic: those of "
+            "processors other than x86-64");
+  keys.bind("Static solver", static_solver, {"multigrid", "jacobi", "ml"},
+            "Of the modal and the static contact analysis, as Homogenization/Solver");
 }
 } // namespace mesoslip

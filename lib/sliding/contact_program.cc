@@ -33,6 +33,11 @@ Application contact_dynamics_program()
 {
   return {"contact_dynamics",
           "Explicit dynamics of an elastic body that rubs on a moving rigid flat.",
-          [](Keys &keys) { ContactParameters().bind(keys); }, build};
+          [](Keys &keys) {
+            ContactParameters().bind(keys);
+            keys.renamed("Performance/Static solver = assembled", "ml");
+            ContactParameters::check_keys(keys);
+          },
+          build};
 }
 } // namespace mesoslip
