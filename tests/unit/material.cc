@@ -275,7 +275,7 @@ TEST(EngineeringConstants, OfThePaper)
   EXPECT_NEAR(value_of(c, "axis_angle"), 0.5 * pi, 1e-12);
   EXPECT_NEAR(value_of(c, "non_orthotropy"), 0., 1e-14);
   EXPECT_GT(value_of(c, "anisotropy"), 0.1);
-  EXPECT_THROW(value_of(c, "E_z"), std::invalid_argument);
+  EXPECT_TRUE(std::isnan(value_of(c, "E_z"))); // there is none
 }
 
 TEST(EngineeringConstants, IsotropicGivesBackEAndNu)
