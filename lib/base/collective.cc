@@ -2,8 +2,10 @@
 
 #include "base/errors.h"
 
-#include <algorithm>
 #include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <exception>
 
 namespace mesoslip
 {
@@ -80,55 +82,43 @@ std::string scatter(const MPI_Comm communicator, const std::vector<std::string> 
   return texts.front();
 }
 
-namespace
-{
-/** A letter for the class of the exception, then its message; "" for success. */
-std::string outcome_of(const std::function<void()> &work)
-{
-  try
-    {
-      work();
-      return "";
-    }
-  catch (const UserError &error)
-    {
-      return std::string("U") + error.what();
-    }
-  catch (const NumericalFailure &error)
-    {
-      return std::string("N") + error.what();
-    }
-  catch (const Interrupted &error)
-    {
-      return std::string("I") + error.what();
-    }
-  catch (const std::exception &error)
-    {
-      return std::string("X") + error.what();
-    }
-}
-} // namespace
-
 void on_root(const MPI_Comm communicator, const std::function<void()> &work)
 {
-  int n_ranks = 1, rank = 0;
-  MPI_Comm_size(communicator, &n_ranks);
-  MPI_Comm_rank(communicator, &rank);
-  if (n_ranks == 1)
+  using dealii::Utilities::MPI::broadcast;
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
     return work();
 
-  std::string outcome = rank == 0 ? outcome_of(work) : "";
-  broadcast(communicator, outcome);
-  if (outcome.empty())
+  std::exception_ptr failure;
+  auto status = ExitStatus::done;
+  std::string message;
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    try
+      {
+        work();
+      }
+    catch (const std::exception &error)
+      {
+        failure = std::current_exception();
+        message = error.what();
+        status  = dynamic_cast<const UserError *>(&error) ? ExitStatus::user_error
+                  : dynamic_cast<const NumericalFailure *>(&error)
+                    ? ExitStatus::numerical_failure
+                  : dynamic_cast<const Interrupted *>(&error) ? ExitStatus::interrupted
+                                                              : ExitStatus::unexpected;
+      }
+  status = broadcast(communicator, status);
+  if (status == ExitStatus::done)
     return;
-  const std::string message = outcome.substr(1);
-  switch (outcome.front())
+  message = broadcast(communicator, message);
+  if (failure)
+    std::rethrow_exception(failure);
+  switch (status)
     {
-    case 'U':
+    case ExitStatus::user_error:
       throw UserError(message);
-    case 'N':
+    case ExitStatus::numerical_failure:
       throw NumericalFailure(message);
-    case 'I':
+    case ExitStatus::interrupted:
       throw Interrupted(message);
     default:
       throw std::runtime_error(message);

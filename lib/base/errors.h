@@ -1,6 +1,8 @@
 #ifndef mesoslip_base_errors_h
 #define mesoslip_base_errors_h
 
+#include "base/text.h"
+
 #include <stdexcept>
 #include <string>
 
@@ -23,8 +25,7 @@ enum class ExitStatus : int
 class UserError : public std::runtime_error
 {
 public:
-  /** @p sentence names the key or file, what was found, what to do. */
-  explicit UserError(const std::string &sentence);
+  using std::runtime_error::runtime_error;
 };
 
 /**
@@ -34,8 +35,7 @@ public:
 class NumericalFailure : public std::runtime_error
 {
 public:
-  /** @p sentence says what went wrong, and where. */
-  explicit NumericalFailure(const std::string &sentence);
+  using std::runtime_error::runtime_error;
 
   /**
    * "<what> in step <step> at t = <time> s, <place>": @p place is free text, such as
@@ -44,15 +44,18 @@ public:
   NumericalFailure(const std::string &what,
                    const long long step,
                    const double time,
-                   const std::string &place);
+                   const std::string &place)
+    : std::runtime_error(what + " in step " + std::to_string(step) + " at t = " +
+                         to_text(time) + " s" + (place.empty() ? "" : ", " + place))
+  {
+  }
 };
 
 /** A run stopped on request after it saved its state. Programs return 130. */
 class Interrupted : public std::runtime_error
 {
 public:
-  /** @p sentence says what was saved and how to go on. */
-  explicit Interrupted(const std::string &sentence);
+  using std::runtime_error::runtime_error;
 };
 } // namespace mesoslip
 

@@ -2,13 +2,28 @@
 #define mesoslip_base_files_h
 
 #include <string>
+#include <vector>
 
 namespace mesoslip
 {
+/** Throws a UserError beginning with @p what unless @p path is a readable file. */
+void require_readable_file(const std::string &what,
+                           const std::string &path,
+                           const std::string &hint = "");
+
 /** All bytes of a file. @throws UserError beginning with the path. */
 std::string read_file(const std::string &path);
 
-/** Replaces a file in one go: writes `<path>.part`, then renames. @throws UserError. */
+/**
+ * Replaces a file in one go: writes `<path>.part`, then renames. With @p durable it waits
+ * until bytes and name are on the disk, so that a crash of the machine at any moment
+ * leaves the old or the new file. @throws UserError
+ */
+void write_file(const std::string &path,
+                const std::vector<std::string> &pieces,
+                const bool durable = false);
+
+/** The same for one text. */
 void write_file(const std::string &path, const std::string &text);
 
 /** "No such file or directory" for the current errno. */

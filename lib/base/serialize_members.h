@@ -59,68 +59,26 @@ template <int n, class Archive, class T>
 void serialize_members(Archive &ar, T &object)
 {
   static_assert(1 <= n && n <= 12, "add a line below");
-  using internal::serialize_each;
   // A structured binding names every member, or it does not compile.
-  if constexpr (n == 1)
-    {
-      auto &[a] = object;
-      serialize_each(ar, a);
+#define MESOSLIP_MEMBERS(number, ...)            \
+  if constexpr (n == number)                     \
+    {                                            \
+      auto &[__VA_ARGS__] = object;              \
+      internal::serialize_each(ar, __VA_ARGS__); \
     }
-  else if constexpr (n == 2)
-    {
-      auto &[a, b] = object;
-      serialize_each(ar, a, b);
-    }
-  else if constexpr (n == 3)
-    {
-      auto &[a, b, c] = object;
-      serialize_each(ar, a, b, c);
-    }
-  else if constexpr (n == 4)
-    {
-      auto &[a, b, c, d] = object;
-      serialize_each(ar, a, b, c, d);
-    }
-  else if constexpr (n == 5)
-    {
-      auto &[a, b, c, d, e] = object;
-      serialize_each(ar, a, b, c, d, e);
-    }
-  else if constexpr (n == 6)
-    {
-      auto &[a, b, c, d, e, f] = object;
-      serialize_each(ar, a, b, c, d, e, f);
-    }
-  else if constexpr (n == 7)
-    {
-      auto &[a, b, c, d, e, f, g] = object;
-      serialize_each(ar, a, b, c, d, e, f, g);
-    }
-  else if constexpr (n == 8)
-    {
-      auto &[a, b, c, d, e, f, g, h] = object;
-      serialize_each(ar, a, b, c, d, e, f, g, h);
-    }
-  else if constexpr (n == 9)
-    {
-      auto &[a, b, c, d, e, f, g, h, i] = object;
-      serialize_each(ar, a, b, c, d, e, f, g, h, i);
-    }
-  else if constexpr (n == 10)
-    {
-      auto &[a, b, c, d, e, f, g, h, i, j] = object;
-      serialize_each(ar, a, b, c, d, e, f, g, h, i, j);
-    }
-  else if constexpr (n == 11)
-    {
-      auto &[a, b, c, d, e, f, g, h, i, j, k] = object;
-      serialize_each(ar, a, b, c, d, e, f, g, h, i, j, k);
-    }
-  else if constexpr (n == 12)
-    {
-      auto &[a, b, c, d, e, f, g, h, i, j, k, l] = object;
-      serialize_each(ar, a, b, c, d, e, f, g, h, i, j, k, l);
-    }
+  MESOSLIP_MEMBERS(1, a)
+  MESOSLIP_MEMBERS(2, a, b)
+  MESOSLIP_MEMBERS(3, a, b, c)
+  MESOSLIP_MEMBERS(4, a, b, c, d)
+  MESOSLIP_MEMBERS(5, a, b, c, d, e)
+  MESOSLIP_MEMBERS(6, a, b, c, d, e, f)
+  MESOSLIP_MEMBERS(7, a, b, c, d, e, f, g)
+  MESOSLIP_MEMBERS(8, a, b, c, d, e, f, g, h)
+  MESOSLIP_MEMBERS(9, a, b, c, d, e, f, g, h, i)
+  MESOSLIP_MEMBERS(10, a, b, c, d, e, f, g, h, i, j)
+  MESOSLIP_MEMBERS(11, a, b, c, d, e, f, g, h, i, j, k)
+  MESOSLIP_MEMBERS(12, a, b, c, d, e, f, g, h, i, j, k, l)
+#undef MESOSLIP_MEMBERS
 }
 } // namespace mesoslip
 

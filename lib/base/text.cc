@@ -1,7 +1,8 @@
 #include "base/text.h"
 
+#include <boost/algorithm/string.hpp>
+
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -48,23 +49,11 @@ bool is_utf8(const std::string &text)
 
 std::string trimmed(const std::string &text)
 {
-  static constexpr char blanks[] = " \t\r\n\v\f";
-  const auto begin               = text.find_first_not_of(blanks);
-  if (begin == std::string::npos)
-    return "";
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+  return boost::algorithm::trim_copy(text, std::locale::classic());
 }
 
 namespace
 {
-std::string lower_case(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
-  return text;
-}
-
 /** Levenshtein's distance. */
 std::size_t edit_distance(const std::string &a, const std::string &b)
 {
@@ -105,7 +94,9 @@ std::string nearest_word(const std::string &word,
   std::size_t least = std::max<std::size_t>(2, word.size() / 2) + 1;
   for (const std::string &candidate : candidates)
     {
-      const std::size_t distance = edit_distance(lower_case(word), lower_case(candidate));
+      const std::size_t distance =
+        edit_distance(boost::algorithm::to_lower_copy(word),
+                      boost::algorithm::to_lower_copy(candidate));
       if (distance < least)
         {
           least   = distance;
@@ -132,10 +123,7 @@ std::string to_text(const std::vector<double> &values)
 
 std::string to_text(const std::vector<std::string> &words)
 {
-  std::string text;
-  for (const std::string &word : words)
-    text += (text.empty() ? "" : ", ") + word;
-  return text;
+  return boost::algorithm::join(words, ", ");
 }
 
 std::vector<std::string> split_list(const std::string &text)
@@ -143,13 +131,9 @@ std::vector<std::string> split_list(const std::string &text)
   std::vector<std::string> items;
   if (trimmed(text).empty())
     return items;
-  std::string::size_type begin = 0;
-  while (begin <= text.size())
-    {
-      const auto end = std::min(text.find(',', begin), text.size());
-      items.push_back(trimmed(text.substr(begin, end - begin)));
-      begin = end + 1;
-    }
+  boost::algorithm::split(items, text, boost::algorithm::is_any_of(","));
+  for (std::string &item : items)
+    item = trimmed(item);
   return items;
 }
 } // namespace mesoslip

@@ -2,12 +2,11 @@
 #define mesoslip_base_timer_h
 
 #include <chrono>
-#include <deque>
 #include <iosfwd>
+#include <list>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace mesoslip
 {
@@ -44,9 +43,6 @@ public:
   /** Seconds since construction. */
   double total() const;
 
-  /** Seconds spent so far in "Outer/Inner"; 0 if never entered. */
-  double seconds(const std::string &path) const;
-
   /** Table of sections, calls, seconds, share. What is inside a section, with the rest,
    *  sums to it. */
   void print(std::ostream &out) const;
@@ -57,31 +53,24 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  struct Node
+  struct Section
   {
-    std::string name, rest = "other";
-    Node *parent = nullptr;
-    std::vector<Node *> children;
-    Clock::duration elapsed = Clock::duration::zero();
-    Clock::time_point entered;
-    unsigned long calls = 0;
+    std::string name, path, rest;
+    Section *parent           = nullptr;
+    unsigned int depth        = 0;
+    unsigned long calls       = 0;
+    Clock::duration elapsed   = Clock::duration::zero();
+    Clock::time_point entered = Clock::now();
+    bool open                 = true;
+    std::list<Section> inside;
   };
 
-  void leave();
   // A table is of one moment: sections may still be open.
-  double seconds(const Node &node, const Clock::time_point now) const;
-  double rest_of(const Node &node, const Clock::time_point now) const;
-  void print(std::ostream &out,
-             const Node &node,
-             const unsigned int depth,
-             const Clock::time_point now) const;
-  void collect(nlohmann::json &out,
-               const Node &node,
-               const std::string &prefix,
-               const Clock::time_point now) const;
+  static double seconds(const Section &section, const Clock::time_point now);
+  static double rest_of(const Section &section, const Clock::time_point now);
 
-  std::deque<Node> nodes;
-  Node *current;
+  Section all;
+  Section *current = &all;
 };
 
 /** timer->scope(name, rest); nothing where there is no timer. */

@@ -86,7 +86,7 @@ DynamicsFile DynamicsFile::open(const std::string &path, const std::string &hint
 {
   DynamicsFile file(Hdf5File::open(path, hint));
   file.digest =
-    file.check_header("mesoslip-dynamics", newest_dynamics_version, 2, file_hint).digest;
+    file.check_header("mesoslip-dynamics", newest_dynamics_version, 2, file_hint);
   file.grid       = read_grid(file, dynamics_program);
   file.conditions = read_run_conditions(file);
   return file;

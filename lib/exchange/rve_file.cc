@@ -59,10 +59,7 @@ void RveFile::write(const std::string &path, const RveContent &content)
 
 RveFile::RveFile(const std::string &path)
   : file(Hdf5File::open(path, "run rve_homogenization first"))
-  , digest(file
-             .check_header(
-               "mesoslip-rve", newest_rve_version, 2, "rve_homogenization writes it")
-             .digest)
+  , digest(file.check_header("mesoslip-rve", newest_rve_version, 2, rve_program))
   , grid(read_grid(file, rve_program))
   , phases(read_phases(file, "/phase", true, rve_program))
 {

@@ -4,6 +4,7 @@
 
 #include <boost/math/distributions/students_t.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -39,8 +40,12 @@ StiffnessStatistics stiffness_statistics(const std::vector<EnsembleMember> &memb
   for (unsigned int e = 0; e < 9; ++e)
     {
       for (std::size_t m = 0; m < members.size(); ++m)
-        values[m] = members[m].responses[condition].stiffness(e / 3, e % 3);
-      statistics[e] = entry_statistics(values, confidence);
+        values[m] = members[m].responses[condition].stiffness.data()[e];
+      const EntryStatistics s                 = entry_statistics(values, confidence);
+      statistics.mean.data()[e]               = s.mean;
+      statistics.standard_deviation.data()[e] = s.standard_deviation;
+      statistics.half_width.data()[e]         = s.half_width;
+      statistics.relative_error.data()[e]     = s.relative_error;
     }
   return statistics;
 }
@@ -85,32 +90,31 @@ UniformMaterial make_material(const Microstructure &microstructure)
     }
 }
 
-VoigtMatrix<2> effective_stiffness(const std::vector<EnsembleMember> &members,
-                                   const RveParameters &parameters)
+VoigtMatrix<2> mean_stiffness(const std::vector<EnsembleMember> &members,
+                              const std::vector<BoundaryCondition> &conditions)
 {
-  const auto has = [&](const BoundaryCondition wanted) {
-    return std::find(parameters.conditions.begin(), parameters.conditions.end(),
-                     wanted) != parameters.conditions.end();
-  };
-  const bool both = has(BoundaryCondition::KUBC) && has(BoundaryCondition::SUBC);
-  const auto used = [&](const BoundaryCondition condition) {
-    if (parameters.effective != "mean")
-      return to_string(condition) == parameters.effective;
-    return !both || condition != BoundaryCondition::PBC;
-  };
-
   VoigtMatrix<2> sum = VoigtMatrix<2>::Zero();
   double n           = 0.;
   for (const EnsembleMember &member : members)
     for (const HomogenizedResponse &response : member.responses)
-      if (used(response.condition))
+      if (std::count(conditions.begin(), conditions.end(), response.condition) > 0)
         {
           sum += response.stiffness;
           n += 1.;
         }
-  VoigtMatrix<2> D = sum / n;
-  if (!parameters.effective_full)
-    D(0, 2) = D(1, 2) = D(2, 0) = D(2, 1) = 0.;
-  return D;
+  return n > 0. ? VoigtMatrix<2>(sum / n) : sum;
+}
+
+std::vector<BoundaryCondition> effective_conditions(const RveParameters &parameters)
+{
+  if (parameters.effective != "mean")
+    return {boundary_condition(parameters.effective)};
+  const std::vector<BoundaryCondition> both = {BoundaryCondition::KUBC,
+                                               BoundaryCondition::SUBC};
+  for (const BoundaryCondition condition : both)
+    if (std::count(parameters.conditions.begin(), parameters.conditions.end(),
+                   condition) == 0)
+      return parameters.conditions;
+  return both;
 }
 } // namespace mesoslip

@@ -14,12 +14,12 @@ namespace mesoslip
 /** One morphology and what was computed for it. */
 struct EnsembleMember
 {
-  std::uint64_t seed = 0;                     ///< of its morphology
+  std::uint64_t seed = 0;                     ///< of the random numbers of its morphology
   std::vector<std::string> warnings;          ///< about its morphology
-  std::vector<double> fractions;              ///< of the phases
+  std::vector<double> fractions;              ///< area fractions of the phases
   std::vector<HomogenizedResponse> responses; ///< in the order of the conditions
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members, for boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -38,14 +38,20 @@ struct EntryStatistics
   double relative_error = 0.;
 };
 
-/** Entries of the mean stiffness over the members, row-major 3 x 3. */
-using StiffnessStatistics = std::array<EntryStatistics, 9>;
+/** EntryStatistics of all entries of the stiffness, as matrices. */
+struct StiffnessStatistics
+{
+  VoigtMatrix<2> mean;               ///< Pa
+  VoigtMatrix<2> standard_deviation; ///< Pa
+  VoigtMatrix<2> half_width;         ///< Pa
+  VoigtMatrix<2> relative_error;     ///< as in EntryStatistics
+};
 
 /** Statistics of a sample of numbers. */
 EntryStatistics entry_statistics(const std::vector<double> &values,
                                  const double confidence);
 
-/** For one boundary condition. */
+/** Statistics of all entries for the boundary condition number @p condition. */
 StiffnessStatistics stiffness_statistics(const std::vector<EnsembleMember> &members,
                                          const std::size_t condition,
                                          const double confidence);
@@ -59,12 +65,14 @@ std::vector<std::string> morphology_warnings(const std::vector<EnsembleMember> &
 /** The material of a morphology on its grid. */
 UniformMaterial make_material(const Microstructure &microstructure);
 
-/**
- * The stiffness that stands for the composite: the mean over the members of the chosen
- * condition, or of the mean of KUBC and SUBC (of all, if those two are not both there).
- */
-VoigtMatrix<2> effective_stiffness(const std::vector<EnsembleMember> &members,
-                                   const RveParameters &parameters);
+/** Mean stiffness (Pa) over all members and those of their responses whose condition is
+ * one of @p conditions; zero if there are none. */
+VoigtMatrix<2> mean_stiffness(const std::vector<EnsembleMember> &members,
+                              const std::vector<BoundaryCondition> &conditions);
+
+/** Over which conditions the effective stiffness is the mean: the chosen one, or KUBC and
+ * SUBC, or all if those two are not both there. */
+std::vector<BoundaryCondition> effective_conditions(const RveParameters &parameters);
 } // namespace mesoslip
 
 #endif

@@ -1,6 +1,7 @@
 #include "homogenization/homogenized_friction.h"
 
 #include "base/errors.h"
+#include "base/text.h"
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -34,29 +35,33 @@ double kept_share(const double x)
   return sum;
 }
 
-[[noreturn]] void
-reject(const std::string &what, const double found, const std::string &expected)
+void require(const bool holds,
+             const std::string &what,
+             const double found,
+             const std::string &expected)
 {
   std::ostringstream text;
   text << "homogenized friction: the " << what << " is " << found << ", but has to be "
        << expected;
-  throw UserError(text.str());
+  if (!holds)
+    throw UserError(text.str());
+}
+
+void require_positive(const std::string &what, const double found)
+{
+  require(found > 0. && std::isfinite(found), what, found, "positive");
 }
 
 void check_phases(const std::vector<ContactPhase> &phases, const bool with_modulus)
 {
-  if (phases.empty())
-    throw UserError("homogenized friction: no phase in contact, list at least one");
+  require(!phases.empty(), "number of phases in contact", 0., "one at least");
   for (const ContactPhase &phase : phases)
     {
-      if (!(phase.area > 0.) || !std::isfinite(phase.area))
-        reject("contact area of a phase", phase.area, "positive");
-      if (with_modulus &&
-          (!(phase.youngs_modulus > 0.) || !std::isfinite(phase.youngs_modulus)))
-        reject("Young's modulus of a phase in Pa", phase.youngs_modulus, "positive");
-      if (!(phase.friction_coefficient >= 0.))
-        reject("friction coefficient of a phase", phase.friction_coefficient,
-               "zero or positive");
+      require_positive("contact area of a phase", phase.area);
+      if (with_modulus)
+        require_positive("Young's modulus of a phase in Pa", phase.youngs_modulus);
+      require(phase.friction_coefficient >= 0., "friction coefficient of a phase",
+              phase.friction_coefficient, "zero or positive");
     }
 }
 
@@ -73,12 +78,10 @@ double mean_friction_coefficient(const double friction_coefficient,
                                  const double regularization_time,
                                  const double contact_duration)
 {
-  if (!(friction_coefficient > 0.) || !std::isfinite(friction_coefficient))
-    reject("friction coefficient mu", friction_coefficient, "positive");
-  if (!(regularization_time >= 0.) || !std::isfinite(regularization_time))
-    reject("regularization time in s", regularization_time, "zero or positive");
-  if (!(contact_duration > 0.) || !std::isfinite(contact_duration))
-    reject("contact duration T_G in s", contact_duration, "positive");
+  require_positive("friction coefficient mu", friction_coefficient);
+  require(regularization_time >= 0. && std::isfinite(regularization_time),
+          "regularization time in s", regularization_time, "zero or positive");
+  require_positive("contact duration T_G in s", contact_duration);
   if (regularization_time == 0.)
     return friction_coefficient;
   return friction_coefficient * kept_share(contact_duration / regularization_time);
@@ -88,17 +91,12 @@ double regularization_time_for(const double mean_coefficient,
                                const double friction_coefficient,
                                const double contact_duration)
 {
-  if (!(friction_coefficient > 0.) || !std::isfinite(friction_coefficient))
-    reject("friction coefficient mu", friction_coefficient, "positive");
-  if (!(contact_duration > 0.) || !std::isfinite(contact_duration))
-    reject("contact duration T_G in s", contact_duration, "positive");
-  if (!(mean_coefficient > 0. && mean_coefficient < friction_coefficient))
-    {
-      std::ostringstream range;
-      range << "between 0 and mu = " << friction_coefficient
-            << " (both excluded) for a regularization time to exist";
-      reject("mean friction coefficient", mean_coefficient, range.str());
-    }
+  require_positive("friction coefficient mu", friction_coefficient);
+  require_positive("contact duration T_G in s", contact_duration);
+  require(mean_coefficient > 0. && mean_coefficient < friction_coefficient,
+          "mean friction coefficient", mean_coefficient,
+          "between 0 and mu = " + to_text(friction_coefficient) +
+            " (both excluded) for a regularization time to exist");
   // x = T_G / delta; both shares are solved for so that neither limit loses digits, and
   // 2 kept <= x <= 1 / lost brackets the root.
   const double kept   = mean_coefficient / friction_coefficient;
@@ -132,9 +130,9 @@ double homogenized_friction_coefficient(const std::vector<ContactPhase> &phases,
                                         const double pressure)
 {
   check_phases(phases, false);
-  if (phase_pressures.size() != phases.size())
-    reject("number of phase pressures", static_cast<double>(phase_pressures.size()),
-           "the number of phases in contact, " + std::to_string(phases.size()));
+  require(phase_pressures.size() == phases.size(), "number of phase pressures",
+          static_cast<double>(phase_pressures.size()),
+          "the number of phases in contact, " + std::to_string(phases.size()));
   double friction = 0., force = 0.;
   for (std::size_t i = 0; i < phases.size(); ++i)
     {
@@ -142,8 +140,8 @@ double homogenized_friction_coefficient(const std::vector<ContactPhase> &phases,
       friction += phases[i].friction_coefficient * phases[i].area * phase_pressures[i];
     }
   const double mean = pressure != 0. ? pressure : force / total_area(phases);
-  if (!(mean > 0.) || !std::isfinite(friction))
-    reject("mean contact pressure in Pa", mean, "positive (pressing)");
+  require(mean > 0. && std::isfinite(friction), "mean contact pressure in Pa", mean,
+          "positive (pressing)");
   return friction / (mean * total_area(phases));
 }
 

@@ -40,6 +40,39 @@ DofMask held_boundary(const ElasticBody<2> &body)
   return mask;
 }
 
+/** u = E.x for a strain (engineering shear), x from the lower left corner. */
+NodalField<double> affine_displacement(const ElasticBody<2> &body,
+                                       const VoigtVector<2> &strain)
+{
+  NodalField<double> u = body.zero_field();
+  for (unsigned int j = 0; j < u.n_rows(); ++j)
+    for (unsigned int i = 0; i < u.n_columns(); ++i)
+      {
+        const auto [x, y] = body.point({i, j});
+        u.row(0, j)[i]    = strain[0] * x + 0.5 * strain[2] * y;
+        u.row(1, j)[i]    = strain[1] * y + 0.5 * strain[2] * x;
+      }
+  return u;
+}
+
+/** Nodal forces (N/m) of the traction S.n for the unit stress number @p k. */
+NodalField<double> uniform_traction(const ElasticBody<2> &body, const unsigned int k)
+{
+  NodalField<double> f = body.zero_field();
+  const double sxx = k == 0 ? 1. : 0., syy = k == 1 ? 1. : 0., sxy = k == 2 ? 1. : 0.;
+  for (unsigned int side = 0; side < 4; ++side)
+    {
+      const SurfaceNodes<2> &surface = body.surface(side);
+      for (std::size_t n = 0; n < surface.nodes.size(); ++n)
+        {
+          const auto [nx, ny] = surface.normal_area[n];
+          f(0, surface.nodes[n]) += sxx * nx + sxy * ny;
+          f(1, surface.nodes[n]) += sxy * nx + syy * ny;
+        }
+    }
+  return f;
+}
+
 /** The solver of one kind of boundary condition, set up when first needed. */
 class CaseSolver
 {
@@ -142,52 +175,23 @@ void bring_field_to_root(NodalField<double> &u, const int owner, const MPI_Comm 
 }
 } // namespace
 
+namespace
+{
+const std::array<std::string, 3> condition_names = {{"KUBC", "SUBC", "PBC"}};
+}
+
 std::string to_string(const BoundaryCondition condition)
 {
-  return condition == BoundaryCondition::KUBC   ? "KUBC"
-         : condition == BoundaryCondition::SUBC ? "SUBC"
-                                                : "PBC";
+  return condition_names.at(static_cast<std::size_t>(condition));
 }
 
 BoundaryCondition boundary_condition(const std::string &name)
 {
-  for (const BoundaryCondition condition :
-       {BoundaryCondition::KUBC, BoundaryCondition::SUBC, BoundaryCondition::PBC})
-    if (to_string(condition) == name)
-      return condition;
-  throw std::invalid_argument("'" + name +
-                              "' is no boundary condition; use KUBC, SUBC or PBC");
-}
-
-NodalField<double> affine_displacement(const ElasticBody<2> &body,
-                                       const VoigtVector<2> &strain)
-{
-  NodalField<double> u = body.zero_field();
-  for (unsigned int j = 0; j < u.n_rows(); ++j)
-    for (unsigned int i = 0; i < u.n_columns(); ++i)
-      {
-        const auto [x, y] = body.point({i, j});
-        u.row(0, j)[i]    = strain[0] * x + 0.5 * strain[2] * y;
-        u.row(1, j)[i]    = strain[1] * y + 0.5 * strain[2] * x;
-      }
-  return u;
-}
-
-NodalField<double> uniform_traction(const ElasticBody<2> &body, const unsigned int k)
-{
-  NodalField<double> f = body.zero_field();
-  const double sxx = k == 0 ? 1. : 0., syy = k == 1 ? 1. : 0., sxy = k == 2 ? 1. : 0.;
-  for (unsigned int side = 0; side < 4; ++side)
-    {
-      const SurfaceNodes<2> &surface = body.surface(side);
-      for (std::size_t n = 0; n < surface.nodes.size(); ++n)
-        {
-          const auto [nx, ny] = surface.normal_area[n];
-          f(0, surface.nodes[n]) += sxx * nx + sxy * ny;
-          f(1, surface.nodes[n]) += sxy * nx + syy * ny;
-        }
-    }
-  return f;
+  const auto found = std::find(condition_names.begin(), condition_names.end(), name);
+  if (found == condition_names.end())
+    throw std::invalid_argument("'" + name +
+                                "' is no boundary condition; use KUBC, SUBC or PBC");
+  return static_cast<BoundaryCondition>(found - condition_names.begin());
 }
 
 std::vector<LoadCaseSolutions>

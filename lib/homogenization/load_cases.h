@@ -39,7 +39,7 @@ struct LoadCaseSolutions
    */
   std::array<NodalField<double>, 3> displacement;
 
-  std::array<SolverReport, 3> reports; ///< of the three solves
+  std::array<SolverReport, 3> reports; ///< iterations and residuals of the three solves
 };
 
 /** Called after each finished load case with the number of those done and all. */
@@ -60,12 +60,6 @@ solve_load_cases(const ElasticBody<2> &body,
                  const LoadCaseProgress &progress = LoadCaseProgress(),
                  Timer *timer                     = nullptr);
 
-/** u = E.x for a strain (engineering shear), x from the lower left corner. */
-NodalField<double> affine_displacement(const ElasticBody<2> &body,
-                                       const VoigtVector<2> &strain);
-
-/** Nodal forces (N/m) of the traction S.n for the unit stress number @p k. */
-NodalField<double> uniform_traction(const ElasticBody<2> &body, const unsigned int k);
 } // namespace mesoslip
 
 #endif

@@ -53,9 +53,9 @@ struct HomogenizedResponse
   /** Volume mean of the concentration tensor over each phase; Zero for absent phases. */
   std::vector<VoigtMatrix<2>> phase_means;
 
-  std::array<SolverReport, 3> reports; ///< of the three solves
+  std::array<SolverReport, 3> reports; ///< iterations and residuals of the three solves
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members, for boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {

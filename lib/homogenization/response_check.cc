@@ -51,18 +51,6 @@ std::string gigapascals(const double modulus)
   return text.str();
 }
 
-/** Mean over the members of the condition named @p name; Zero if it was not asked for. */
-VoigtMatrix<2> mean_of(const std::vector<EnsembleMember> &members,
-                       const std::string &name)
-{
-  VoigtMatrix<2> sum = VoigtMatrix<2>::Zero();
-  for (const EnsembleMember &member : members)
-    for (const HomogenizedResponse &response : member.responses)
-      if (to_string(response.condition) == name)
-        sum += response.stiffness / members.size();
-  return sum;
-}
-
 std::string dropped_entries(const VoigtMatrix<2> &D)
 {
   std::ostringstream text;
@@ -153,11 +141,11 @@ std::vector<std::string> result_warnings(const std::vector<EnsembleMember> &memb
             sentence +
             (members.size() > 1 ? " (seed " + std::to_string(member.seed) + ")" : ""));
       }
-  const VoigtMatrix<2> kubc = mean_of(members, "KUBC"), subc = mean_of(members, "SUBC");
-  RveParameters full  = parameters;
-  full.effective_full = true;
+  const VoigtMatrix<2> kubc = mean_stiffness(members, {BoundaryCondition::KUBC}),
+                       subc = mean_stiffness(members, {BoundaryCondition::SUBC});
   if (!parameters.effective_full)
-    sentences.push_back(dropped_entries(effective_stiffness(members, full)));
+    sentences.push_back(
+      dropped_entries(mean_stiffness(members, effective_conditions(parameters))));
   if (parameters.effective == "mean" && kubc(0, 0) > 0. && subc(0, 0) > 0.)
     sentences.push_back(conditions_apart(kubc, subc));
   sentences.erase(std::remove(sentences.begin(), sentences.end(), ""), sentences.end());

@@ -15,17 +15,11 @@ namespace
 {
 const char *const voigt_name[3] = {"xx", "yy", "xy"};
 
-std::vector<std::string> stiffness_headings(const std::string &first)
-{
-  return {first, "D11 [Pa]", "D12 [Pa]", "D13 [Pa]", "D22 [Pa]", "D23 [Pa]", "D33 [Pa]"};
-}
-
 std::vector<std::string> stiffness_row(const std::string &name, const VoigtMatrix<2> &D)
 {
   std::vector<std::string> row = {name};
-  for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = i; j < 3; ++j)
-      row.push_back(to_text(D(i, j)));
+  for (const auto &[i, j, entry] : stiffness_entries)
+    row.push_back(to_text(D(i, j)));
   return row;
 }
 } // namespace
@@ -70,8 +64,11 @@ void write_rve_tables(const RveParameters &parameters,
                       const RveResults &results,
                       const RunContext &context)
 {
-  const EnsembleMember &first = results.members[0];
-  TableWriter stiffness(context.file("stiffness.csv"), stiffness_headings("of"));
+  const EnsembleMember &first      = results.members[0];
+  std::vector<std::string> entries = {"of"};
+  for (const StiffnessEntry &entry : stiffness_entries)
+    entries.push_back(std::string(entry.name) + " [Pa]");
+  TableWriter stiffness(context.file("stiffness.csv"), entries);
   for (const HomogenizedResponse &response : first.responses)
     {
       const std::string name = to_string(response.condition);
@@ -113,20 +110,17 @@ void write_rve_tables(const RveParameters &parameters,
                         "reference [Pa]", "difference [%]"});
   for (std::size_t c = 0; c < parameters.conditions.size(); ++c)
     {
-      const StiffnessStatistics statistics =
+      const StiffnessStatistics s =
         stiffness_statistics(results.members, c, parameters.confidence);
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = i; j < 3; ++j)
-          {
-            const EntryStatistics &s = statistics[3 * i + j];
-            const double ref = parameters.reference ? (*parameters.reference)(i, j) : 0.;
-            ensemble.add_row({to_string(parameters.conditions[c]),
-                              "D" + std::to_string(i + 1) + std::to_string(j + 1),
-                              to_text(s.mean), to_text(s.standard_deviation),
-                              to_text(s.half_width), to_text(s.relative_error),
-                              parameters.reference ? to_text(ref) : "",
-                              ref != 0. ? to_text(100. * (s.mean / ref - 1.)) : ""});
-          }
+      for (const auto &[i, j, name] : stiffness_entries)
+        {
+          const double ref = parameters.reference ? (*parameters.reference)(i, j) : 0.;
+          ensemble.add_row({to_string(parameters.conditions[c]), name,
+                            to_text(s.mean(i, j)), to_text(s.standard_deviation(i, j)),
+                            to_text(s.half_width(i, j)), to_text(s.relative_error(i, j)),
+                            parameters.reference ? to_text(ref) : "",
+                            ref != 0. ? to_text(100. * (s.mean(i, j) / ref - 1.)) : ""});
+        }
     }
   ensemble.flush();
   if (!results.microstructure.rectangles.empty())

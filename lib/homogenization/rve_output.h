@@ -10,7 +10,7 @@ class RunContext;
 /** Everything a run of rve_homogenization has found out; on rank 0. */
 struct RveResults
 {
-  Microstructure microstructure;       ///< of the first member
+  Microstructure microstructure;       ///< morphology and materials of the first member
   std::vector<EnsembleMember> members; ///< one a morphology
   /** Stiffness (Pa), mean over the members. */
   VoigtMatrix<2> effective = VoigtMatrix<2>::Zero();

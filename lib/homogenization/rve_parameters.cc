@@ -9,61 +9,77 @@
 
 namespace mesoslip
 {
+namespace
+{
+void bind_reference(Keys &keys, std::optional<VoigtMatrix<2>> &reference)
+{
+  std::vector<double> coefficients;
+  keys.bind_list("Reference stiffness", coefficients, Range::any(),
+                 "Stiffness that the effective one is compared with in the tables, for "
+                 "instance a published one: D11, D12, D22, D33, or the upper triangle "
+                 "D11, D12, D13, D22, D23, D33. Empty: no comparison [Pa]",
+                 0, 6);
+  try
+    {
+      if (!coefficients.empty())
+        reference = stiffness_from_coefficients<2>(coefficients);
+    }
+  catch (const std::invalid_argument &e)
+    {
+      keys.require(false, "Reference stiffness", e.what());
+    }
+}
+} // namespace
+
 void RveParameters::bind(Keys &keys)
 {
   microstructure.bind(keys);
   {
     const auto section             = keys.section("Homogenization");
     std::vector<std::string> names = {"KUBC", "SUBC"};
-    std::vector<double> coefficients;
-    keys.bind_list(
-      "Boundary conditions", names, {"KUBC", "SUBC", "PBC"},
-      "Uniform strain, uniform stress or periodic fluctuations; any of them");
-    keys.bind(
-      "Solver", solver, {"multigrid", "jacobi", "ml"},
-      "Preconditioner of conjugate gradients: geometric multigrid or the diagonal on the "
-      "grid; or Trilinos' algebraic multigrid ML on a mesh of deal.II with the same "
-      "cells, which the ranks divide among themselves");
+    keys.bind_list("Boundary conditions", names, {"KUBC", "SUBC", "PBC"},
+                   "Boundary conditions of the load cases, one or more of: KUBC, "
+                   "displacements of a uniform strain; SUBC, tractions of a uniform "
+                   "stress; PBC, periodic fluctuations about a uniform strain. KUBC is "
+                   "an upper and SUBC a lower bound of large volumes [-]");
+    keys.bind("Solver", solver, {"multigrid", "jacobi", "ml"},
+              "Preconditioner of conjugate gradients: multigrid, geometric multigrid on "
+              "the grid, the fastest; jacobi, the diagonal, which takes less memory and "
+              "more iterations; ml, Trilinos' algebraic multigrid ML on a mesh of "
+              "deal.II with the same cells, which the ranks divide among themselves [-]");
+    keys.renamed("Solver = assembled", "ml");
     keys.bind("Tolerance", tolerance, Range::open(0., 1.),
-              "Relative residual at which a load case is solved [-]");
+              "Norm of the residual over that of the load at which conjugate gradients "
+              "stop. Lower it if the run warns that few digits hold [-]");
     keys.bind("Effective", effective, {"mean", "KUBC", "SUBC", "PBC"},
-              "The effective stiffness: the mean of KUBC and SUBC, or one of the three");
+              "Effective stiffness of the composite, which contact_dynamics reads: the "
+              "mean of KUBC and SUBC, or the one of a single boundary condition [-]");
     keys.bind("Effective symmetry", effective_full, {"orthotropic", "full"},
-              "Orthotropic: D13 = D23 = 0 in the effective stiffness, as in eq. (10)");
+              "orthotropic: the entries D13 and D23, which couple extension and shear, "
+              "are set to 0 in the effective stiffness, as in eq. (10) of the paper; "
+              "full: they are kept [-]");
     keys.bind("Write concentration", write_concentration,
-              "Keep the concentration tensors of all cells, which localization needs");
+              "Keep the concentration tensors of all cells in rve.h5: "
+              "stress_localization needs them, 72 bytes a cell and condition [-]");
     keys.bind("Reuse", reuse,
-              "Keep an rve.h5 in the output folder that has the same inputs");
-    keys.bind_list("Reference stiffness", coefficients, Range::any(),
-                   "Compared with the results: D11, D12, D22, D33 or all six [Pa]", 0, 6);
+              "Keep an rve.h5 in the output folder that was made from the same inputs, "
+              "and compute nothing [-]");
+    bind_reference(keys, reference);
     conditions.clear();
     for (const std::string &name : names)
       if (const BoundaryCondition condition = boundary_condition(name);
           std::find(conditions.begin(), conditions.end(), condition) == conditions.end())
         conditions.push_back(condition);
-    if (!coefficients.empty())
-      try
-        {
-          reference = stiffness_from_coefficients<2>(coefficients);
-        }
-      catch (const std::invalid_argument &e)
-        {
-          throw UserError(std::string("Homogenization/Reference stiffness: ") + e.what());
-        }
   }
   const auto section = keys.section("Ensemble");
   keys.bind("Members", n_members, 1, 100000,
-            "Morphologies, of the seeds Seed, Seed + 1, ... [-]");
+            "Number of random morphologies, of the seeds Seed, Seed + 1, ... of "
+            "Microstructure/Random fibres [-]");
   keys.bind("Confidence", confidence, Range::open(0., 1.),
-            "Of the interval of the mean [-]");
-}
-
-void RveParameters::check_keys(const Keys &keys)
-{
-  MicrostructureParameters::check_keys(keys);
-  keys.only_if(keys.value("Ensemble/Members") != "1" || keys.is_typed("Ensemble/Members"),
-               {"Ensemble/Confidence"}, "there is one morphology",
-               "set Ensemble/Members");
+            "Probability with which the interval that is given for the mean stiffness "
+            "of all morphologies contains it (Student's t) [-]");
+  keys.only_if(n_members != 1 || keys.is_typed("Ensemble/Members"), {"Confidence"},
+               "there is one morphology", "set Ensemble/Members");
 }
 
 void RveParameters::check() const

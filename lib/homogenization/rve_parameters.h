@@ -17,8 +17,9 @@ struct RveParameters
 {
   MicrostructureParameters microstructure;   ///< sections Grid, Phases, Microstructure
   std::vector<BoundaryCondition> conditions; ///< in the order of the .prm
-  StaticSolverKind solver = StaticSolverKind::multigrid; ///< of the load cases
-  double tolerance        = 1e-8;                        ///< relative residual of a solve
+  StaticSolverKind solver =
+    StaticSolverKind::multigrid; ///< which solver solves the load cases
+  double tolerance = 1e-8;       ///< relative residual of a solve
 
   /** mean (of KUBC and SUBC), KUBC, SUBC or PBC: what /stiffness/effective is. */
   std::string effective = "mean";
@@ -38,9 +39,6 @@ struct RveParameters
 
   /** Binds the keys of all sections. @throws UserError naming the key. */
   void bind(Keys &keys);
-
-  /** @throws UserError for keys that others leave without effect. */
-  static void check_keys(const Keys &keys);
 
   /** @throws UserError naming the key. */
   void check() const;

@@ -8,8 +8,8 @@
 #include "grid/size_text.h"
 #include "homogenization/response_check.h"
 #include "homogenization/rve_output.h"
+#include "material/engineering_constants.h"
 #include "material/plausibility.h"
-#include "morphology/statistics.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
 
@@ -132,8 +132,7 @@ RveResults compute(const RveParameters &parameters, RunContext &context)
 /** Bytes of rve.h5: the phases, and the concentration tensors of the first morphology. */
 ResourceNeed rve_file_size(const RveParameters &parameters)
 {
-  const double n_cells =
-    static_cast<double>(parameters.microstructure.grid.grid().n_cells());
+  const double n_cells = static_cast<double>(parameters.microstructure.grid.n_cells());
   const double tensors = parameters.write_concentration
                            ? 72. * static_cast<double>(parameters.conditions.size())
                            : 0.;
@@ -144,7 +143,7 @@ ResourceNeed rve_file_size(const RveParameters &parameters)
 // Libraries, solver, displacements of all load cases, concentration tensors; as measured.
 unsigned long estimated_megabytes(const RveParameters &parameters)
 {
-  const double n_cells = parameters.microstructure.grid.grid().n_cells();
+  const double n_cells = parameters.microstructure.grid.n_cells();
   const double n       = parameters.conditions.size();
   const double solver  = parameters.solver == StaticSolverKind::multigrid ? 330.
                          : parameters.solver == StaticSolverKind::jacobi  ? 100.
@@ -156,13 +155,13 @@ unsigned long estimated_megabytes(const RveParameters &parameters)
 // What looks like another unit.
 std::vector<std::string> slips(const MicrostructureParameters &p)
 {
-  std::vector<PlausibleRange> ranges = plausible_phases(p.phases.make_phases());
+  const std::vector<Phase<2>> phases = make_phases(p.phases);
+  std::vector<PlausibleRange> ranges = plausible_phases(phases);
   for (unsigned int d = 0; d < 2; ++d)
-    ranges.push_back(plausible_length("Grid/Size along " + std::string(1, "xy"[d]),
-                                      p.grid.grid().extent(d)));
+    ranges.push_back(
+      plausible_length("Grid/Size along " + std::string(1, "xy"[d]), p.grid.extent(d)));
   std::vector<std::string> sentences = implausible(ranges);
-  const std::string stiffness        = stiffness_warning(p.phases.make_phases());
-  if (!stiffness.empty())
+  if (const std::string stiffness = stiffness_warning(phases); !stiffness.empty())
     sentences.push_back(stiffness);
   return sentences;
 }
@@ -207,7 +206,7 @@ private:
 
 void RveHomogenization::describe(std::ostream &out) const
 {
-  const UniformGrid<2> grid = parameters.microstructure.grid.grid();
+  const UniformGrid<2> grid = parameters.microstructure.grid;
   out << size_text(grid) << ", " << 2 * grid.n_nodes() << " degrees of freedom\n"
       << 3 * parameters.conditions.size() * parameters.n_members << " load cases, about "
       << estimated_megabytes(parameters) << " MB\n";
@@ -252,18 +251,20 @@ void RveHomogenization::run(RunContext &context)
   for (const std::string &warning : result_warnings(results.members, parameters))
     context.warn(warning);
   const auto scope  = context.timer().scope("Output");
-  results.effective = effective_stiffness(results.members, parameters);
+  results.effective = mean_stiffness(results.members, effective_conditions(parameters));
+  if (!parameters.effective_full)
+    results.effective = orthotropic_part(results.effective);
   write_rve_tables(parameters, results, context);
   write_rve_summary(parameters, results, context);
   write_rve_file(parameters, results, digest, context);
 }
 } // namespace
 
-Program rve_homogenization_program()
+Application rve_homogenization_program()
 {
   return {"rve_homogenization",
           "Effective stiffness and concentration tensors of a representative volume.",
-          [](Keys &keys) { RveParameters().bind(keys); }, RveParameters::check_keys,
+          [](Keys &keys) { RveParameters().bind(keys); },
           [](Keys &keys) { return std::make_unique<RveHomogenization>(keys); }};
 }
 } // namespace mesoslip

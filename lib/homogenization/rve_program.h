@@ -6,7 +6,7 @@
 namespace mesoslip
 {
 /** The program rve_homogenization. */
-Program rve_homogenization_program();
+Application rve_homogenization_program();
 } // namespace mesoslip
 
 #endif

@@ -32,8 +32,10 @@ json bounds_json(const Microstructure &microstructure,
                  {"hashin_shtrikman_upper", nullptr}};
   if (const auto hs = hashin_shtrikman_bounds(microstructure.phases, fractions))
     {
-      bounds["hashin_shtrikman_lower"] = matrix_json(hs->lower_stiffness);
-      bounds["hashin_shtrikman_upper"] = matrix_json(hs->upper_stiffness);
+      bounds["hashin_shtrikman_lower"] =
+        matrix_json(plane_isotropic_stiffness(hs->lower));
+      bounds["hashin_shtrikman_upper"] =
+        matrix_json(plane_isotropic_stiffness(hs->upper));
     }
   return bounds;
 }
@@ -46,51 +48,51 @@ json ensemble_json(const RveParameters &parameters, const RveResults &results)
     ensemble["seeds"].push_back(member.seed);
   for (std::size_t c = 0; c < parameters.conditions.size(); ++c)
     {
-      VoigtMatrix<2> mean, deviation, half_width;
-      const auto statistics =
+      const StiffnessStatistics s =
         stiffness_statistics(results.members, c, parameters.confidence);
-      for (unsigned int e = 0; e < 9; ++e)
-        {
-          mean(e / 3, e % 3)       = statistics[e].mean;
-          deviation(e / 3, e % 3)  = statistics[e].standard_deviation;
-          half_width(e / 3, e % 3) = statistics[e].half_width;
-        }
       ensemble[to_string(parameters.conditions[c])] = {
-        {"mean", matrix_json(mean)},
-        {"standard_deviation", matrix_json(deviation)},
-        {"confidence_half_width", matrix_json(half_width)}};
+        {"mean", matrix_json(s.mean)},
+        {"standard_deviation", matrix_json(s.standard_deviation)},
+        {"confidence_half_width", matrix_json(s.half_width)}};
     }
   return ensemble;
 }
 
-std::string row_text(const std::string &name, const json &D)
+/** A line of the table on the console: a name and six entries, or their names. */
+template <typename Entry>
+std::string row_text(const std::string &name, const int digits, const Entry &entry)
 {
   std::ostringstream line;
   line << std::left << std::setw(22) << name << std::right << std::fixed
-       << std::setprecision(3);
-  for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = i; j < 3; ++j)
-      // Whole MPa; what rounds to zero loses its sign.
-      line << std::setw(9) << std::round(D[i][j].get<double>() * 1e-6) * 1e-3 + 0.;
+       << std::setprecision(digits);
+  for (const StiffnessEntry &place : stiffness_entries)
+    {
+      line << std::setw(9);
+      entry(line, place);
+    }
   return line.str();
+}
+
+std::string stiffness_text(const std::string &name, const json &D)
+{
+  return row_text(name, 3, [&](std::ostream &line, const StiffnessEntry &place) {
+    // Whole MPa; what rounds to zero loses its sign.
+    line << std::round(D[place.row][place.column].get<double>() * 1e-6) * 1e-3 + 0.;
+  });
 }
 
 std::string difference_text(const json &effective, const json &reference)
 {
-  std::ostringstream line;
-  line << std::left << std::setw(22) << "difference (%)" << std::right << std::fixed
-       << std::setprecision(2);
-  for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = i; j < 3; ++j)
-      {
-        const double ref = reference[i][j].get<double>();
-        if (ref != 0.)
-          line << std::setw(9) << 100. * (effective[i][j].get<double>() / ref - 1.);
-        else
-          line << std::setw(9) << "-";
-      }
-  return line.str();
+  return row_text(
+    "difference (%)", 2, [&](std::ostream &line, const StiffnessEntry &place) {
+      const double ref = reference[place.row][place.column].get<double>();
+      if (ref != 0.)
+        line << 100. * (effective[place.row][place.column].get<double>() / ref - 1.);
+      else
+        line << "-";
+    });
 }
+
 // What every solve has to fulfil, and how well it does.
 void log_identities(const EnsembleMember &member, RunContext &context)
 {
@@ -118,31 +120,30 @@ void log_identities(const EnsembleMember &member, RunContext &context)
 void log_stiffness(RunContext &context)
 {
   const json &summary = context.summary();
-  std::ostringstream heading;
-  heading << std::left << std::setw(22) << "Stiffness (GPa)" << std::right;
-  for (const char *name : {"D11", "D12", "D13", "D22", "D23", "D33"})
-    heading << std::setw(9) << name;
-  context.log(heading.str());
+  context.log(
+    row_text("Stiffness (GPa)", 3, [](std::ostream &line, const StiffnessEntry &place) {
+      line << place.name;
+    }));
   const bool several = summary.contains("ensemble");
   for (const char *name : {"KUBC", "SUBC", "PBC"})
     if (several && summary["ensemble"].contains(name))
       {
         const json &entry = summary["ensemble"][name];
-        context.log(row_text(std::string(name) + " mean", entry["mean"]));
+        context.log(stiffness_text(std::string(name) + " mean", entry["mean"]));
         context.log(
-          row_text(std::string(name) + " deviation", entry["standard_deviation"]));
+          stiffness_text(std::string(name) + " deviation", entry["standard_deviation"]));
       }
     else if (!several && !summary["stiffness"][name].is_null())
       {
-        context.log(row_text(name, summary["stiffness"][name]));
-        context.log(row_text(std::string(name) + " from mean",
-                             summary["stiffness_from_mean"][name]));
+        context.log(stiffness_text(name, summary["stiffness"][name]));
+        context.log(stiffness_text(std::string(name) + " from mean",
+                                   summary["stiffness_from_mean"][name]));
       }
   const json &effective = summary["stiffness"]["effective"];
-  context.log(row_text("effective", effective));
+  context.log(stiffness_text("effective", effective));
   if (!summary.contains("reference_stiffness"))
     return;
-  context.log(row_text("reference", summary["reference_stiffness"]));
+  context.log(stiffness_text("reference", summary["reference_stiffness"]));
   context.log(difference_text(effective, summary["reference_stiffness"]));
 }
 

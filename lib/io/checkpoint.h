@@ -12,9 +12,9 @@ struct CheckpointHeader
 {
   /** What was saved: "contact_dynamics". At most 63 characters. */
   std::string kind;
-  /** Of the payload's layout. */
+  /** Version of the layout of the state. */
   std::uint32_t version = 1;
-  std::uint32_t dim     = 2; ///< of the problem
+  std::uint32_t dim     = 2; ///< space dimension of the run
 };
 
 /**

@@ -4,7 +4,6 @@
 #include "io/checksum.h"
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,16 +18,6 @@ constexpr std::size_t any_extent = static_cast<std::size_t>(-1);
 
 /** "[3][41][61][2]"; an any_extent prints as "[*]". */
 std::string to_text(const Shape &shape);
-
-/** The root attributes of an exchange file. */
-struct Hdf5Header
-{
-  std::string format;          ///< "mesoslip-rve" and the like
-  int version = 0;             ///< of the format, from 1
-  int dim     = 0;             ///< of the problem
-  std::string program_version; ///< of the program that wrote it
-  std::string digest;          ///< of what determines the content
-};
 
 /**
  * An identifier of the HDF5 library (its hid_t), which is closed at the end of its life;
@@ -47,6 +36,12 @@ public:
     : id(std::exchange(other.id, -1))
   {
   }
+  /** Exchanges the identifiers. */
+  Hdf5Handle &operator=(Hdf5Handle &&other) noexcept
+  {
+    std::swap(id, other.id);
+    return *this;
+  }
   ~Hdf5Handle()
   {
     close();
@@ -55,7 +50,7 @@ public:
   /** Closes what the identifier stands for; false if that fails. */
   bool close();
 
-  /** For the functions of the library. */
+  /** The identifier, as the functions of the library take it. */
   operator std::int64_t() const
   {
     return id;
@@ -183,7 +178,7 @@ public:
   template <typename T>
   void write(const std::string &name, const Shape &shape, const T *data);
 
-  /** The same for a vector. */
+  /** The same for the values of a vector. */
   template <typename T>
   void write(const std::string &name, const Shape &shape, const std::vector<T> &data);
 
@@ -234,11 +229,12 @@ public:
   /**
    * Checks that this is a @p format file of version 1 to @p max_version; @p dim 0
    * accepts any. @p hint says where such a file comes from.
+   * @return the digest of what determines its content
    */
-  Hdf5Header check_header(const std::string &format,
-                          const int max_version,
-                          const int dim           = 0,
-                          const std::string &hint = "") const;
+  std::string check_header(const std::string &format,
+                           const int max_version,
+                           const int dim           = 0,
+                           const std::string &hint = "") const;
 
 private:
   Hdf5File(const std::string &path, const std::int64_t file, const bool write);
@@ -253,18 +249,10 @@ private:
                              const std::string &text,
                              const Shape &shape,
                              const Hdf5Handle *selection = nullptr) const;
-  /** Writes values of a type of the library; false if that fails. */
-  using RawWriter = std::function<bool(const std::int64_t type, const void *values)>;
-  template <typename T>
-  void write_values(const std::string &text,
-                    const std::size_t n,
-                    const T *values,
-                    const RawWriter &write);
-
   std::string file_path;
   Hdf5Handle file;
   bool writable = false;
-  /** Of a file that was opened for reading. */
+  /** What the checksum said of a file that was opened for reading. */
   Signature signature    = Signature::valid;
   int pending_exceptions = 0;
 };

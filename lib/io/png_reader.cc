@@ -1,6 +1,7 @@
 #include "io/png_reader.h"
 
 #include "base/errors.h"
+#include "base/text.h"
 
 #include <csetjmp>
 #include <cstdio>
@@ -28,121 +29,94 @@ struct Pixels
   }
 };
 
-/**
- * libpng reports errors by longjmp(), which runs no destructors: each function that calls
- * it has a mark of its own to return to, and no objects behind that mark.
- */
-class PngReader
+/** What libpng hands to our functions: the file, and where to put a message. */
+struct PngSource
 {
-public:
-  explicit PngReader(const std::string &all_bytes)
-    : bytes(all_bytes)
-    , png(png_create_read_struct(PNG_LIBPNG_VER_STRING, this, note_error, ignore_warning))
-    , info(png != nullptr ? png_create_info_struct(png) : nullptr)
-  {
-  }
-
-  ~PngReader()
-  {
-    png_destroy_read_struct(&png, &info, nullptr);
-  }
-
-  PngReader(const PngReader &)            = delete;
-  PngReader &operator=(const PngReader &) = delete;
-
-  /** What is in the file before the pixels, and how these will be handed over. */
-  bool read_header(Pixels &pixels)
-  {
-    if (info == nullptr || setjmp(png_jmpbuf(png)) != 0)
-      return false;
-    png_set_read_fn(png, this, next_bytes);
-    // All chunks but those that hold the pixels, the palette and its transparency.
-    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
-    png_read_info(png, info);
-    png_set_expand(
-      png); // palettes to RGB, 1, 2, 4 bits to 8, transparent colours to alpha
-    png_set_interlace_handling(png);
-    png_read_update_info(png, info);
-    pixels.width    = png_get_image_width(png, info);
-    pixels.height   = png_get_image_height(png, info);
-    pixels.channels = png_get_channels(png, info);
-    pixels.bits     = png_get_bit_depth(png, info);
-    return true;
-  }
-
-  /** @p rows point to the begin of each row. */
-  bool read_rows(unsigned char **rows)
-  {
-    if (setjmp(png_jmpbuf(png)) != 0)
-      return false;
-    png_read_image(png, rows);
-    return true;
-  }
-
-  const char *error() const
-  {
-    return message;
-  }
-
-private:
-  [[noreturn]] static void note_error(png_structp png, const char *text)
-  {
-    auto *reader = static_cast<PngReader *>(png_get_error_ptr(png));
-    std::snprintf(reader->message, sizeof reader->message, "%s", text);
-    png_longjmp(png, 1);
-  }
-
-  static void ignore_warning(png_structp, const char *)
-  {
-  }
-
-  static void next_bytes(png_structp png, png_bytep out, const std::size_t n)
-  {
-    auto *reader = static_cast<PngReader *>(png_get_io_ptr(png));
-    if (n > reader->bytes.size() - reader->at)
-      png_error(png, "the file ends too early");
-    std::memcpy(out, reader->bytes.data() + reader->at, n);
-    reader->at += n;
-  }
-
   const std::string &bytes;
   std::size_t at   = 0;
   char message[80] = "out of memory";
-  png_structp png;
-  png_infop info;
 };
 
-/** Deflate shrinks to 1/1032 at best: nothing may make us ask for all memory. */
-void require_possible_size(const std::string &path,
-                           const Pixels &pixels,
-                           const std::size_t n_bytes)
+[[noreturn]] void note_error(png_structp png, const char *text)
 {
+  auto *source = static_cast<PngSource *>(png_get_error_ptr(png));
+  std::snprintf(source->message, sizeof source->message, "%s", text);
+  png_longjmp(png, 1);
+}
+
+void ignore_warning(png_structp, const char *)
+{
+}
+
+void next_bytes(png_structp png, png_bytep out, const std::size_t n)
+{
+  auto *source = static_cast<PngSource *>(png_get_io_ptr(png));
+  if (n > source->bytes.size() - source->at)
+    png_error(png, "the file ends too early");
+  std::memcpy(out, source->bytes.data() + source->at, n);
+  source->at += n;
+}
+
+/**
+ * Reads the whole image. libpng reports errors by longjmp(), which runs no destructors:
+ * there are no objects behind the mark that it returns to. False if it did.
+ */
+bool read_all(png_structp png, png_infop info, PngSource &source)
+{
+  if (info == nullptr || setjmp(png_jmpbuf(png)) != 0)
+    return false;
+  png_set_read_fn(png, &source, next_bytes);
+  // All chunks but those that hold the pixels, the palette and its transparency.
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+  // Palettes to RGB, 1, 2, 4 bits to 8, transparent colours to alpha.
+  png_read_png(png, info, PNG_TRANSFORM_EXPAND, nullptr);
+  return true;
+}
+
+/** Deflate shrinks to 1/1032 at best: nothing may make us ask for all memory. */
+void require_possible_size(const std::string &path, const std::string &bytes)
+{
+  // Width and height follow the signature, the length and the name of the first chunk.
+  const auto number = [&bytes](const std::size_t at) {
+    double value = 0.;
+    for (std::size_t i = at; i < at + 4 && i < bytes.size(); ++i)
+      value = 256. * value + static_cast<unsigned char>(bytes[i]);
+    return value;
+  };
   constexpr double most_pixels_per_byte = 8. * 1032.;
-  if (!(static_cast<double>(pixels.width) * pixels.height <=
-        most_pixels_per_byte * static_cast<double>(n_bytes)))
-    throw UserError(path + ": this PNG claims " + std::to_string(pixels.width) + " x " +
-                    std::to_string(pixels.height) + " pixels, more than its " +
-                    std::to_string(n_bytes) + " bytes can hold: it is damaged");
+  const double width = number(16), height = number(20);
+  if (!(width * height <= most_pixels_per_byte * static_cast<double>(bytes.size())))
+    throw UserError(path + ": this PNG claims " + to_text(width) + " x " +
+                    to_text(height) + " pixels, more than its " +
+                    std::to_string(bytes.size()) + " bytes can hold: it is damaged");
 }
 
 Pixels decode(const std::string &path, const std::string &bytes)
 {
+  require_possible_size(path, bytes);
+  PngSource source{bytes};
+  png_structp png =
+    png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, note_error, ignore_warning);
+  png_infop info  = png != nullptr ? png_create_info_struct(png) : nullptr;
+  const bool done = read_all(png, info, source);
   Pixels pixels;
-  PngReader reader(bytes);
-  if (!reader.read_header(pixels))
-    throw UserError(path + ": this PNG cannot be read (" + reader.error() + ")");
+  if (done)
+    {
+      pixels.width     = png_get_image_width(png, info);
+      pixels.height    = png_get_image_height(png, info);
+      pixels.channels  = png_get_channels(png, info);
+      pixels.bits      = png_get_bit_depth(png, info);
+      png_bytepp rows  = png_get_rows(png, info);
+      const auto width = static_cast<std::ptrdiff_t>(png_get_rowbytes(png, info));
+      for (unsigned int y = 0; y < pixels.height; ++y)
+        pixels.bytes.insert(pixels.bytes.end(), rows[y], rows[y] + width);
+    }
+  png_destroy_read_struct(&png, &info, nullptr);
+  if (!done)
+    throw UserError(path + ": this PNG is damaged or truncated (" + source.message + ")");
   if (pixels.bits == 16 && pixels.channels > 2)
     throw UserError(path + " has colours of 16 bits a channel; save it with 8 bits, or "
                            "as grey levels");
-  require_possible_size(path, pixels, bytes.size());
-  const std::size_t row_length =
-    static_cast<std::size_t>(pixels.width) * pixels.channels * pixels.bits / 8;
-  pixels.bytes.resize(row_length * pixels.height);
-  std::vector<unsigned char *> rows;
-  for (unsigned int y = 0; y < pixels.height; ++y)
-    rows.push_back(pixels.bytes.data() + y * row_length);
-  if (!reader.read_rows(rows.data()))
-    throw UserError(path + ": this PNG is damaged or truncated (" + reader.error() + ")");
   return pixels;
 }
 

@@ -5,6 +5,10 @@
 #include "base/text.h"
 #include "parameters/parameters.h"
 
+#include <deal.II/base/exceptions.h>
+
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -14,24 +18,11 @@ namespace mesoslip
 {
 namespace
 {
-constexpr std::size_t buffer_size = 1 << 16;
-
 std::string quoted_if_needed(const std::string &text)
 {
   if (text.find_first_of(",\"\n\r") == std::string::npos)
     return text;
-  std::string out = "\"";
-  for (const char c : text)
-    out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
-std::string heading_line(const std::vector<std::string> &columns)
-{
-  std::string line;
-  for (const std::string &column : columns)
-    line += (line.empty() ? "" : ",") + quoted_if_needed(column);
-  return line + "\n";
+  return '"' + boost::algorithm::replace_all_copy(text, "\"", "\"\"") + '"';
 }
 } // namespace
 
@@ -39,52 +30,33 @@ TableWriter::TableWriter(const std::string &file_path,
                          const std::vector<std::string> &columns)
   : path(file_path)
   , n_columns(columns.size())
-  , buffer(heading_line(columns))
   , out(file_path, std::ios::binary | std::ios::trunc)
 {
   if (!out)
     throw UserError(path + ": cannot be created (" + system_message() + ")");
+  write_line(columns);
 }
 
-TableWriter TableWriter::resume(const std::string &path,
-                                const std::vector<std::string> &columns,
-                                const std::size_t rows)
+void TableWriter::write_line(const std::vector<std::string> &values)
 {
-  const std::string text = read_file(path);
-  if (text.rfind(heading_line(columns), 0) != 0)
-    throw UserError(path + ": its columns are not those of the run to resume");
-  std::size_t end = 0;
-  for (std::size_t line = 0; line <= rows; ++line)
-    {
-      end = text.find('\n', end);
-      if (end == std::string::npos)
-        throw UserError(path + ": has fewer than the " + std::to_string(rows) +
-                        " rows it had at the checkpoint");
-      ++end;
-    }
-  write_file(path, text.substr(0, end));
-
-  TableWriter table;
-  table.path      = path;
-  table.n_columns = columns.size();
-  table.rows      = rows;
-  table.out.open(path, std::ios::binary | std::ios::app);
-  if (!table.out)
-    throw UserError(path + ": cannot be continued (" + system_message() + ")");
-  return table;
+  AssertDimension(values.size(), n_columns);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    out << (i > 0 ? "," : "") << quoted_if_needed(values[i]);
+  out << '\n';
 }
 
-TableWriter::~TableWriter()
+void TableWriter::add_row(const std::vector<std::string> &values)
 {
-  out.write(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+  ++rows;
+  write_line(values);
 }
 
-void TableWriter::check_width(const std::size_t n) const
+void TableWriter::add_row(const std::vector<double> &values)
 {
-  if (n != n_columns)
-    throw std::logic_error(path + ": a row of " + std::to_string(n) +
-                           " values for a table of " + std::to_string(n_columns) +
-                           " columns");
+  std::vector<std::string> cells;
+  for (const double value : values)
+    cells.push_back(cell(value));
+  add_row(cells);
 }
 
 std::string TableWriter::cell(const double value) const
@@ -97,41 +69,10 @@ std::string TableWriter::cell(const double value) const
   return std::isnan(value) ? "" : to_text(value);
 }
 
-void TableWriter::add_row(const std::vector<double> &values)
-{
-  check_width(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      if (i > 0)
-        buffer += ',';
-      buffer += cell(values[i]);
-    }
-  end_row();
-}
-
-void TableWriter::add_row(const std::vector<std::string> &values)
-{
-  check_width(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    buffer += (i > 0 ? "," : "") + quoted_if_needed(values[i]);
-  end_row();
-}
-
-void TableWriter::end_row()
-{
-  buffer += '\n';
-  ++rows;
-  if (buffer.size() >= buffer_size)
-    flush();
-}
-
 void TableWriter::flush()
 {
   errno = 0;
-  out.write(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-  out.flush();
-  buffer.clear();
-  if (!out)
+  if (!out.flush())
     throw UserError(path + ": cannot be written (" + system_message() + ")");
 }
 
@@ -162,9 +103,9 @@ std::vector<std::string> split_line(const std::string &line, const std::string &
 }
 } // namespace
 
-Table Table::read(const std::string &path)
+CsvTable CsvTable::read(const std::string &path)
 {
-  Table table;
+  CsvTable table;
   table.path             = path;
   const std::string text = plain_lines(read_file(path));
   if (text.find('\0') != std::string::npos)
@@ -196,12 +137,12 @@ Table Table::read(const std::string &path)
   return table;
 }
 
-bool Table::has_column(const std::string &heading) const
+bool CsvTable::has_column(const std::string &heading) const
 {
   return std::find(headings.begin(), headings.end(), heading) != headings.end();
 }
 
-std::size_t Table::column(const std::string &heading) const
+std::size_t CsvTable::column(const std::string &heading) const
 {
   const auto found = std::find(headings.begin(), headings.end(), heading);
   if (found == headings.end())
@@ -210,7 +151,7 @@ std::size_t Table::column(const std::string &heading) const
   return static_cast<std::size_t>(found - headings.begin());
 }
 
-std::vector<double> Table::numbers(const std::string &heading) const
+std::vector<double> CsvTable::numbers(const std::string &heading) const
 {
   const std::size_t index = column(heading);
   std::vector<double> values(cells.size());
@@ -221,16 +162,7 @@ std::vector<double> Table::numbers(const std::string &heading) const
   return values;
 }
 
-std::vector<std::string> Table::texts(const std::string &heading) const
-{
-  const std::size_t index = column(heading);
-  std::vector<std::string> values;
-  for (const auto &row : cells)
-    values.push_back(row[index]);
-  return values;
-}
-
-void Table::fail(const std::size_t row, const std::string &what) const
+void CsvTable::fail(const std::size_t row, const std::string &what) const
 {
   throw UserError(path + ":" + std::to_string(lines.at(row)) + ": " + what);
 }

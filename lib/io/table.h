@@ -17,17 +17,6 @@ public:
   /** @p columns are complete headings, such as "time [s]". */
   TableWriter(const std::string &path, const std::vector<std::string> &columns);
 
-  /** Writes what is buffered, silently; call flush() to be told of errors. */
-  ~TableWriter();
-
-  /** Moves the open file. */
-  TableWriter(TableWriter &&) = default;
-
-  /** Appends to a table with the same columns, keeping its first @p rows rows. */
-  static TableWriter resume(const std::string &path,
-                            const std::vector<std::string> &columns,
-                            const std::size_t rows);
-
   /** A number for a row of texts; empty for NaN. @throws NumericalFailure for an infinite
    * one. */
   std::string cell(const double value) const;
@@ -41,33 +30,24 @@ public:
   /** Writes what is buffered and checks that it was written. @throws UserError. */
   void flush();
 
-  /** Rows added so far. */
-  std::size_t n_rows() const
-  {
-    return rows;
-  }
-
 private:
-  TableWriter() = default;
-  void check_width(const std::size_t n) const;
-  void end_row();
+  void write_line(const std::vector<std::string> &values);
 
   std::string path;
   std::size_t n_columns = 0;
-  std::size_t rows      = 0;
-  std::string buffer;
+  std::size_t rows      = 0; ///< added so far
   std::ofstream out;
 };
 
 /** A CSV file in memory. */
-class Table
+class CsvTable
 {
 public:
   /**
    * Reads a file with a heading line. Empty lines and lines beginning with # are
    * skipped. @throws UserError naming file, line and column.
    */
-  static Table read(const std::string &path);
+  static CsvTable read(const std::string &path);
 
   /** Headings, in the order of the file. */
   const std::vector<std::string> &columns() const
@@ -75,7 +55,7 @@ public:
     return headings;
   }
 
-  /** Without the heading. */
+  /** Number of rows without the heading. */
   std::size_t n_rows() const
   {
     return cells.size();
@@ -87,9 +67,6 @@ public:
   /** A column as numbers. @throws UserError for a missing column or anything not finite.
    */
   std::vector<double> numbers(const std::string &heading) const;
-
-  /** A column as it stands. @throws UserError for a missing column. */
-  std::vector<std::string> texts(const std::string &heading) const;
 
   /** "rectangles.csv:12: <what>" as a UserError, for checks of what the numbers mean. */
   [[noreturn]] void fail(const std::size_t row, const std::string &what) const;

@@ -3,51 +3,33 @@
 #include "base/files.h"
 #include "parameters/parameters.h"
 
+#include <deal.II/base/exceptions.h>
+
+#include <boost/algorithm/string/replace.hpp>
+
+#include <algorithm>
 #include <sstream>
-#include <stdexcept>
+#include <utility>
 
 namespace mesoslip
 {
 namespace
 {
-std::string escaped(const std::string &text)
+std::string escaped(std::string text)
 {
-  std::string out;
-  for (const char c : text)
-    switch (c)
-      {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-      }
-  return out;
+  for (const auto &[character, name] :
+       {std::make_pair("&", "&amp;"), std::make_pair("<", "&lt;"),
+        std::make_pair(">", "&gt;"), std::make_pair("\"", "&quot;")})
+    boost::algorithm::replace_all(text, character, name);
+  return text;
 }
 
 std::string number_attributes(const XdmfField::Number number)
 {
-  switch (number)
-    {
-    case XdmfField::Number::float64:
-      return "NumberType=\"Float\" Precision=\"8\"";
-    case XdmfField::Number::float32:
-      return "NumberType=\"Float\" Precision=\"4\"";
-    case XdmfField::Number::int32:
-      return "NumberType=\"Int\" Precision=\"4\"";
-    case XdmfField::Number::uint8:
-      return "NumberType=\"UChar\" Precision=\"1\"";
-    }
-  throw std::logic_error("unknown number type");
+  static const std::pair<const char *, int> types[] = {{"Float", 8}, {"UChar", 1}};
+  const auto &[type, bytes] = types[static_cast<unsigned int>(number)];
+  return std::string("NumberType=\"") + type + "\" Precision=\"" + std::to_string(bytes) +
+         "\"";
 }
 
 template <typename T>
@@ -73,12 +55,14 @@ public:
     , fields(f)
     , n_times(n)
   {
-    if (fields.empty())
-      throw std::logic_error("an XDMF file shows at least one field");
-    for (const XdmfField &field : fields)
-      if (grid.dim == 2 && field.centre != fields.front().centre)
-        throw std::logic_error("ParaView cannot show data of nodes and of cells on one "
-                               "plane grid");
+    Assert(!fields.empty() && (grid.dim == 2 || grid.dim == 3),
+           dealii::ExcInternalError());
+    Assert(grid.dim == 3 || std::all_of(fields.begin(), fields.end(),
+                                        [&](const XdmfField &field) {
+                                          return field.centre == fields.front().centre;
+                                        }),
+           dealii::ExcMessage("ParaView cannot show data of nodes and of cells on one "
+                              "plane grid"));
   }
 
   std::ostringstream out;
@@ -146,14 +130,10 @@ private:
       attribute(field.name, "Vector", 0, field.components); // plane ones get a third, 0
     else
       for (unsigned int c = 0; c < field.components; ++c)
-        attribute(field.name + "_" + component_name(field, c), "Scalar", c, 1);
-  }
-
-  std::string component_name(const XdmfField &field, const unsigned int c) const
-  {
-    if (c < field.component_names.size())
-      return field.component_names[c];
-    return field.components == grid.dim ? std::string(1, "xyz"[c]) : std::to_string(c);
+        attribute(field.name + "_" +
+                    (c < field.component_names.size() ? field.component_names[c]
+                                                      : std::to_string(c)),
+                  "Scalar", c, 1);
   }
 
   /** Components [first, first + n) at one time: all of the dataset, or a slab of it. */
@@ -211,8 +191,6 @@ void write_xdmf(const std::string &path,
                 const std::vector<XdmfField> &fields,
                 const std::vector<double> &times)
 {
-  if (grid.dim != 2 && grid.dim != 3)
-    throw std::logic_error("XDMF grids have two or three dimensions");
   Writer writer(grid, fields, times.size());
   writer.out << "<?xml version=\"1.0\" ?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n"
                 "<Xdmf Version=\"2.0\">\n<Domain>\n";

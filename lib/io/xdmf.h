@@ -30,18 +30,16 @@ struct XdmfField
   enum class Number
   {
     float64,
-    float32,
-    int32,
     uint8
   };
 
-  /** As ParaView shows it. */
+  /** Name of the field in ParaView. */
   std::string name;
   /** HDF5 file beside the XDMF file, and the dataset in it. */
   std::string file;
   std::string dataset;             ///< absolute path in the HDF5 file
-  Centre centre = Centre::node;    ///< of the values
-  Number number = Number::float64; ///< of the dataset
+  Centre centre = Centre::node;    ///< where the values belong
+  Number number = Number::float64; ///< type of the numbers in the dataset
   /** Length of the last axis; 0 when there is none. */
   unsigned int components = 0;
   /** With two last axes, of a matrix a cell: the length of the very last one (components
@@ -58,7 +56,7 @@ struct XdmfField
  * arrays are [time] z y x [component], as in the exchange files; @p times may be empty
  * for fields that do not change. Fields of dim components are vectors, of other numbers
  * single components "name_xx" (or "name_0"). ParaView cannot show data of nodes and of
- * cells on one plane grid: for both write two files (otherwise std::logic_error). A plane
+ * cells on one plane grid: for both write two files. A plane
  * grid with data of cells is shown as a slab one cell thick.
  */
 void write_xdmf(const std::string &path,

@@ -5,7 +5,6 @@
 #include "localization/localization_output.h"
 #include "localization/localize.h"
 #include "parameters/keys.h"
-#include "program/interrupt.h"
 #include "program/run_context.h"
 
 #include <memory>
@@ -96,7 +95,7 @@ private:
     monitor.update = [&](const std::size_t done) {
       context.progress().update(done);
       // Local to the process: the other ranks wait for the outcome.
-      if (interrupt_received() || terminate_file_exists(context.output_folder()))
+      if (context.stop_requested_here())
         throw Interrupted("stopped before anything was written; start the run again");
     };
     tell(context);
@@ -115,12 +114,14 @@ private:
 };
 } // namespace
 
-Program stress_localization_program()
+Application stress_localization_program()
 {
   return {"stress_localization",
           "Stresses in fibres and matrix from a run of the homogenized body.",
-          [](Keys &keys) { LocalizationParameters().bind(keys); },
-          LocalizationParameters::check_keys,
+          [](Keys &keys) {
+            LocalizationParameters().bind(keys);
+            LocalizationParameters::check_keys(keys);
+          },
           [](Keys &keys) { return std::make_unique<StressLocalization>(keys); }};
 }
 } // namespace mesoslip

@@ -6,7 +6,7 @@
 namespace mesoslip
 {
 /** The application stress_localization; see run_program(). */
-Program stress_localization_program();
+Application stress_localization_program();
 } // namespace mesoslip
 
 #endif

@@ -31,6 +31,21 @@ void check_fractions(const std::size_t n_phases, const std::vector<double> &frac
                                 " instead of 1");
 }
 
+/** Mean over the phases of the stiffness, or of its inverse. */
+template <int dim>
+VoigtMatrix<dim> phase_mean(const std::vector<Phase<dim>> &phases,
+                            const std::vector<double> &fractions,
+                            const bool of_compliance)
+{
+  check_fractions(phases.size(), fractions);
+  VoigtMatrix<dim> mean = VoigtMatrix<dim>::Zero();
+  for (std::size_t i = 0; i < phases.size(); ++i)
+    mean +=
+      fractions[i] * (of_compliance ? VoigtMatrix<dim>(phases[i].stiffness.inverse())
+                                    : phases[i].stiffness);
+  return mean;
+}
+
 /** 1 / sum f_i / (m_i + reference) - reference */
 double shifted_harmonic_mean(const std::vector<double> &moduli,
                              const std::vector<double> &fractions,
@@ -41,50 +56,20 @@ double shifted_harmonic_mean(const std::vector<double> &moduli,
     sum += fractions[i] / (moduli[i] + reference);
   return 1. / sum - reference;
 }
-
-PlaneModuli hashin_shtrikman(const std::vector<double> &bulk,
-                             const std::vector<double> &shear,
-                             const std::vector<double> &fractions,
-                             const PlaneModuli &reference)
-{
-  const double H =
-    reference.bulk * reference.shear / (reference.bulk + 2. * reference.shear);
-  return {shifted_harmonic_mean(bulk, fractions, reference.shear),
-          shifted_harmonic_mean(shear, fractions, H)};
-}
 } // namespace
 
 template <int dim>
 VoigtMatrix<dim> voigt_bound(const std::vector<Phase<dim>> &phases,
                              const std::vector<double> &fractions)
 {
-  check_fractions(phases.size(), fractions);
-  VoigtMatrix<dim> mean = VoigtMatrix<dim>::Zero();
-  for (std::size_t i = 0; i < phases.size(); ++i)
-    mean += fractions[i] * phases[i].stiffness;
-  return mean;
+  return phase_mean(phases, fractions, false);
 }
 
 template <int dim>
 VoigtMatrix<dim> reuss_bound(const std::vector<Phase<dim>> &phases,
                              const std::vector<double> &fractions)
 {
-  check_fractions(phases.size(), fractions);
-  VoigtMatrix<dim> mean = VoigtMatrix<dim>::Zero();
-  for (std::size_t i = 0; i < phases.size(); ++i)
-    mean += fractions[i] * VoigtMatrix<dim>(phases[i].stiffness.inverse());
-  return mean.inverse();
-}
-
-template <int dim>
-double mean_density(const std::vector<Phase<dim>> &phases,
-                    const std::vector<double> &fractions)
-{
-  check_fractions(phases.size(), fractions);
-  double mean = 0.;
-  for (std::size_t i = 0; i < phases.size(); ++i)
-    mean += fractions[i] * phases[i].density;
-  return mean;
+  return phase_mean(phases, fractions, true).inverse();
 }
 
 VoigtMatrix<2> plane_isotropic_stiffness(const PlaneModuli &moduli)
@@ -96,14 +81,6 @@ VoigtMatrix<2> plane_isotropic_stiffness(const PlaneModuli &moduli)
   return D;
 }
 
-std::optional<PlaneModuli> plane_moduli(const VoigtMatrix<2> &stiffness)
-{
-  const IsotropicProjection isotropic = closest_isotropic<2>(stiffness);
-  if (!(isotropic.relative_distance <= 1e-9))
-    return std::nullopt;
-  return PlaneModuli{isotropic.bulk_modulus, isotropic.shear_modulus};
-}
-
 std::optional<HashinShtrikmanBounds>
 hashin_shtrikman_bounds(const std::vector<Phase<2>> &phases,
                         const std::vector<double> &fractions)
@@ -113,25 +90,24 @@ hashin_shtrikman_bounds(const std::vector<Phase<2>> &phases,
   std::vector<double> bulk, shear, present;
   for (std::size_t i = 0; i < phases.size(); ++i)
     {
-      const std::optional<PlaneModuli> moduli = plane_moduli(phases[i].stiffness);
-      if (!moduli)
+      const IsotropicProjection isotropic = closest_isotropic<2>(phases[i].stiffness);
+      if (!(isotropic.relative_distance <= 1e-9))
         return std::nullopt;
       if (fractions[i] > 0.)
         {
-          bulk.push_back(moduli->bulk);
-          shear.push_back(moduli->shear);
+          bulk.push_back(isotropic.bulk_modulus);
+          shear.push_back(isotropic.shear_modulus);
           present.push_back(fractions[i]);
         }
     }
+  const auto bound = [&](const double k, const double mu) {
+    return PlaneModuli{shifted_harmonic_mean(bulk, present, mu),
+                       shifted_harmonic_mean(shear, present, k * mu / (k + 2. * mu))};
+  };
   const auto [min_bulk, max_bulk]   = std::minmax_element(bulk.begin(), bulk.end());
   const auto [min_shear, max_shear] = std::minmax_element(shear.begin(), shear.end());
-
-  HashinShtrikmanBounds bounds;
-  bounds.lower = hashin_shtrikman(bulk, shear, present, {*min_bulk, *min_shear});
-  bounds.upper = hashin_shtrikman(bulk, shear, present, {*max_bulk, *max_shear});
-  bounds.lower_stiffness = plane_isotropic_stiffness(bounds.lower);
-  bounds.upper_stiffness = plane_isotropic_stiffness(bounds.upper);
-  return bounds;
+  return HashinShtrikmanBounds{bound(*min_bulk, *min_shear),
+                               bound(*max_bulk, *max_shear)};
 }
 
 template VoigtMatrix<2> voigt_bound<2>(const std::vector<Phase<2>> &,
@@ -142,8 +118,4 @@ template VoigtMatrix<2> reuss_bound<2>(const std::vector<Phase<2>> &,
                                        const std::vector<double> &);
 template VoigtMatrix<3> reuss_bound<3>(const std::vector<Phase<3>> &,
                                        const std::vector<double> &);
-template double mean_density<2>(const std::vector<Phase<2>> &,
-                                const std::vector<double> &);
-template double mean_density<3>(const std::vector<Phase<3>> &,
-                                const std::vector<double> &);
 } // namespace mesoslip

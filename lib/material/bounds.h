@@ -23,11 +23,6 @@ template <int dim>
 VoigtMatrix<dim> reuss_bound(const std::vector<Phase<dim>> &phases,
                              const std::vector<double> &fractions);
 
-/** Mean density (kg/m^3). */
-template <int dim>
-double mean_density(const std::vector<Phase<dim>> &phases,
-                    const std::vector<double> &fractions);
-
 /** Plane bulk modulus k = lambda + mu and shear modulus mu, Pa. */
 struct PlaneModuli
 {
@@ -38,16 +33,11 @@ struct PlaneModuli
 /** Isotropic plane-strain stiffness (Pa) of given plane moduli. */
 VoigtMatrix<2> plane_isotropic_stiffness(const PlaneModuli &moduli);
 
-/** k and mu of an isotropic plane stiffness; empty when it is not isotropic (1e-9). */
-std::optional<PlaneModuli> plane_moduli(const VoigtMatrix<2> &stiffness);
-
-/** Lower and upper bound as isotropic stiffnesses (Pa) and as plane moduli. */
+/** Lower and upper bound of the moduli of an isotropic composite. */
 struct HashinShtrikmanBounds
 {
-  PlaneModuli lower;              ///< as plane moduli
-  PlaneModuli upper;              ///< as plane moduli
-  VoigtMatrix<2> lower_stiffness; ///< of the isotropic solid (Pa)
-  VoigtMatrix<2> upper_stiffness; ///< of the isotropic solid (Pa)
+  PlaneModuli lower; ///< Pa
+  PlaneModuli upper; ///< Pa
 };
 
 /**

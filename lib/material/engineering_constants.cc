@@ -62,8 +62,55 @@ double least_coupled_angle(const VoigtMatrix<2> &stiffness)
   return 0.5 * (low + high);
 }
 
-void add_closest_isotropic(Constants &constants, const IsotropicProjection &isotropic)
+Constants axis_constants(const VoigtMatrix<2> &S)
 {
+  return {{"E_x", "Pa", 1. / S(0, 0), "plane-strain Young's modulus along x"},
+          {"E_y", "Pa", 1. / S(1, 1), "plane-strain Young's modulus along y"},
+          {"nu_xy", "1", -S(0, 1) / S(0, 0),
+           "plane-strain Poisson's ratio, contraction along y, load along x"},
+          {"nu_yx", "1", -S(0, 1) / S(1, 1),
+           "plane-strain Poisson's ratio, contraction along x, load along y"},
+          {"G_xy", "Pa", 1. / S(2, 2), "shear modulus"},
+          {"eta_xy_x", "1", S(0, 2) / S(0, 0),
+           "mutual influence: shear over extension, load along x"},
+          {"eta_xy_y", "1", S(1, 2) / S(1, 1),
+           "mutual influence: shear over extension, load along y"},
+          {"eta_x_xy", "1", S(0, 2) / S(2, 2),
+           "mutual influence: extension along x over shear, shear load"},
+          {"eta_y_xy", "1", S(1, 2) / S(2, 2),
+           "mutual influence: extension along y over shear, shear load"},
+          {"k", "Pa", 1. / (S(0, 0) + 2. * S(0, 1) + S(1, 1)),
+           "plane bulk modulus, equal stress along x and y"}};
+}
+
+Constants axis_constants(const VoigtMatrix<3> &S)
+{
+  const std::string axes[] = {"x", "y", "z"}, planes[] = {"yz", "xz", "xy"};
+  Constants constants;
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      constants.push_back(
+        {"E_" + axes[i], "Pa", 1. / S(i, i), "Young's modulus along " + axes[i]});
+      for (unsigned int j = 0; j < 3; ++j)
+        if (i != j)
+          constants.push_back({"nu_" + axes[i] + axes[j], "1", -S(i, j) / S(i, i),
+                               "Poisson's ratio, contraction along " + axes[j] +
+                                 ", load along " + axes[i]});
+      constants.push_back({"G_" + planes[i], "Pa", 1. / S(3 + i, 3 + i),
+                           "shear modulus in the plane " + planes[i]});
+    }
+  constants.push_back({"k", "Pa", 1. / S.topLeftCorner<3, 3>().sum(),
+                       "bulk modulus, equal stress along all axes"});
+  return constants;
+}
+} // namespace
+
+template <int dim>
+std::vector<EngineeringConstant> engineering_constants(const VoigtMatrix<dim> &stiffness)
+{
+  check_stiffness<dim>(stiffness);
+  Constants constants = axis_constants(VoigtMatrix<dim>(stiffness.inverse()));
+  const IsotropicProjection isotropic = closest_isotropic<dim>(stiffness);
   constants.push_back({"E_iso", "Pa", isotropic.young_modulus,
                        "Young's modulus (3D) of the closest isotropic solid"});
   constants.push_back({"nu_iso", "1", isotropic.poisson_ratio,
@@ -72,63 +119,6 @@ void add_closest_isotropic(Constants &constants, const IsotropicProjection &isot
                        "shear modulus of the closest isotropic solid"});
   constants.push_back({"anisotropy", "1", isotropic.relative_distance,
                        "relative distance to the closest isotropic solid"});
-}
-
-void add_axis_constants(Constants &constants, const VoigtMatrix<2> &S)
-{
-  constants.push_back(
-    {"E_x", "Pa", 1. / S(0, 0), "plane-strain Young's modulus along x"});
-  constants.push_back(
-    {"E_y", "Pa", 1. / S(1, 1), "plane-strain Young's modulus along y"});
-  constants.push_back(
-    {"nu_xy", "1", -S(0, 1) / S(0, 0),
-     "plane-strain Poisson's ratio, contraction along y, load along x"});
-  constants.push_back(
-    {"nu_yx", "1", -S(0, 1) / S(1, 1),
-     "plane-strain Poisson's ratio, contraction along x, load along y"});
-  constants.push_back({"G_xy", "Pa", 1. / S(2, 2), "shear modulus"});
-  constants.push_back({"eta_xy_x", "1", S(0, 2) / S(0, 0),
-                       "mutual influence: shear over extension, load along x"});
-  constants.push_back({"eta_xy_y", "1", S(1, 2) / S(1, 1),
-                       "mutual influence: shear over extension, load along y"});
-  constants.push_back({"eta_x_xy", "1", S(0, 2) / S(2, 2),
-                       "mutual influence: extension along x over shear, shear load"});
-  constants.push_back({"eta_y_xy", "1", S(1, 2) / S(2, 2),
-                       "mutual influence: extension along y over shear, shear load"});
-  constants.push_back({"k", "Pa", 1. / (S(0, 0) + 2. * S(0, 1) + S(1, 1)),
-                       "plane bulk modulus, equal stress along x and y"});
-}
-
-void add_axis_constants(Constants &constants, const VoigtMatrix<3> &S)
-{
-  const char *axes[] = {"x", "y", "z"};
-  for (unsigned int i = 0; i < 3; ++i)
-    constants.push_back({std::string("E_") + axes[i], "Pa", 1. / S(i, i),
-                         std::string("Young's modulus along ") + axes[i]});
-  for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = 0; j < 3; ++j)
-      if (i != j)
-        constants.push_back({std::string("nu_") + axes[i] + axes[j], "1",
-                             -S(i, j) / S(i, i),
-                             std::string("Poisson's ratio, contraction along ") +
-                               axes[j] + ", load along " + axes[i]});
-  const char *planes[] = {"yz", "xz", "xy"};
-  for (unsigned int i = 0; i < 3; ++i)
-    constants.push_back({std::string("G_") + planes[i], "Pa", 1. / S(3 + i, 3 + i),
-                         std::string("shear modulus in the plane ") + planes[i]});
-  constants.push_back({"k", "Pa", 1. / S.topLeftCorner<3, 3>().sum(),
-                       "bulk modulus, equal stress along all axes"});
-}
-} // namespace
-
-template <int dim>
-std::vector<EngineeringConstant> engineering_constants(const VoigtMatrix<dim> &stiffness)
-{
-  check_stiffness<dim>(stiffness);
-  Constants constants;
-  const VoigtMatrix<dim> compliance = stiffness.inverse();
-  add_axis_constants(constants, compliance);
-  add_closest_isotropic(constants, closest_isotropic<dim>(stiffness));
   if constexpr (dim == 2)
     {
       const OrthotropicProjection orthotropic = closest_orthotropic(stiffness);
@@ -139,15 +129,6 @@ std::vector<EngineeringConstant> engineering_constants(const VoigtMatrix<dim> &s
                            "relative distance to the closest orthotropic solid"});
     }
   return constants;
-}
-
-double value_of(const std::vector<EngineeringConstant> &constants,
-                const std::string &name)
-{
-  for (const EngineeringConstant &constant : constants)
-    if (constant.name == name)
-      return constant.value;
-  throw std::invalid_argument("there is no engineering constant named " + name);
 }
 
 template <int dim>
@@ -176,15 +157,15 @@ IsotropicProjection closest_isotropic(const VoigtMatrix<dim> &stiffness)
 OrthotropicProjection closest_orthotropic(const VoigtMatrix<2> &stiffness)
 {
   OrthotropicProjection result;
-  const double angle          = least_coupled_angle(stiffness);
-  const VoigtMatrix<2> turned = rotate_stiffness(stiffness, -angle);
-  const double norm           = stiffness_norm<2>(stiffness);
-  const bool swap             = turned(1, 1) > turned(0, 0) + 1e-12 * norm;
-  const double full           = swap ? angle + 0.5 * pi : angle;
-  result.angle                = full > 0.5 * pi * (1. + 1e-15) ? full - pi : full;
-  result.principal_stiffness  = orthotropic_part(rotate_stiffness(stiffness, -full));
-  result.stiffness            = rotate_stiffness(result.principal_stiffness, full);
-  result.relative_distance    = stiffness_norm<2>(stiffness - result.stiffness) / norm;
+  const double angle           = least_coupled_angle(stiffness);
+  const VoigtMatrix<2> turned  = rotate_stiffness(stiffness, -angle);
+  const double norm            = stiffness_norm<2>(stiffness);
+  const bool swap              = turned(1, 1) > turned(0, 0) + 1e-12 * norm;
+  const double full            = swap ? angle + 0.5 * pi : angle;
+  result.angle                 = full > 0.5 * pi * (1. + 1e-15) ? full - pi : full;
+  result.principal_stiffness   = orthotropic_part(rotate_stiffness(stiffness, -full));
+  const VoigtMatrix<2> closest = rotate_stiffness(result.principal_stiffness, full);
+  result.relative_distance     = stiffness_norm<2>(stiffness - closest) / norm;
   return result;
 }
 

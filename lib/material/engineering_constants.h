@@ -11,7 +11,7 @@ namespace mesoslip
 /** One constant of a material as it goes into tables and summaries. */
 struct EngineeringConstant
 {
-  /** As in E_x, nu_xy, G_xy. */
+  /** Such as E_x, nu_xy or G_xy. */
   std::string name;
   /** "Pa", or "1" for pure numbers, "rad" for angles. */
   std::string unit;
@@ -36,10 +36,6 @@ struct EngineeringConstant
  */
 template <int dim>
 std::vector<EngineeringConstant> engineering_constants(const VoigtMatrix<dim> &stiffness);
-
-/** The value of the constant @p name; throws std::invalid_argument when there is none. */
-double value_of(const std::vector<EngineeringConstant> &constants,
-                const std::string &name);
 
 /** The isotropic solid closest to a stiffness in the Frobenius norm of the tensor. */
 struct IsotropicProjection
@@ -68,8 +64,6 @@ struct OrthotropicProjection
   double angle;
   /** Pa, in its own axes: entries 13 and 23 vanish, D11 >= D22. */
   VoigtMatrix<2> principal_stiffness;
-  /** Pa, in the axes x, y. */
-  VoigtMatrix<2> stiffness;
   /** ||C - C_ortho|| / ||C||, 0 for an orthotropic stiffness. */
   double relative_distance;
 };

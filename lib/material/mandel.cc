@@ -47,14 +47,6 @@ double order_margin(const VoigtMatrix<dim> &lower, const VoigtMatrix<dim> &upper
 }
 
 template <int dim>
-bool is_ordered(const VoigtMatrix<dim> &lower,
-                const VoigtMatrix<dim> &upper,
-                const double tolerance)
-{
-  return order_margin<dim>(lower, upper) >= -tolerance * stiffness_norm<dim>(upper);
-}
-
-template <int dim>
 double stiffness_norm(const VoigtMatrix<dim> &stiffness)
 {
   return stiffness_to_mandel<dim>(stiffness).norm();
@@ -68,8 +60,6 @@ template VoigtVector<2> stiffness_eigenvalues<2>(const VoigtMatrix<2> &);
 template VoigtVector<3> stiffness_eigenvalues<3>(const VoigtMatrix<3> &);
 template double order_margin<2>(const VoigtMatrix<2> &, const VoigtMatrix<2> &);
 template double order_margin<3>(const VoigtMatrix<3> &, const VoigtMatrix<3> &);
-template bool is_ordered<2>(const VoigtMatrix<2> &, const VoigtMatrix<2> &, const double);
-template bool is_ordered<3>(const VoigtMatrix<3> &, const VoigtMatrix<3> &, const double);
 template double stiffness_norm<2>(const VoigtMatrix<2> &);
 template double stiffness_norm<3>(const VoigtMatrix<3> &);
 } // namespace mesoslip

@@ -28,13 +28,6 @@ VoigtVector<dim> stiffness_eigenvalues(const VoigtMatrix<dim> &stiffness);
 template <int dim>
 double order_margin(const VoigtMatrix<dim> &lower, const VoigtMatrix<dim> &upper);
 
-/** Whether lower <= upper as quadratic forms, up to @p tolerance times the norm of upper.
- */
-template <int dim>
-bool is_ordered(const VoigtMatrix<dim> &lower,
-                const VoigtMatrix<dim> &upper,
-                const double tolerance = 1e-10);
-
 /** Frobenius norm of the tensor (Pa), independent of the axes. */
 template <int dim>
 double stiffness_norm(const VoigtMatrix<dim> &stiffness);

@@ -28,10 +28,4 @@ VoigtMatrix<2> rotate_stiffness(const VoigtMatrix<2> &stiffness, const double an
   return stiffness_from_mandel<2>(Q * stiffness_to_mandel<2>(stiffness) * Q.transpose());
 }
 
-VoigtMatrix<2> rotate_compliance(const VoigtMatrix<2> &compliance, const double angle)
-{
-  // A compliance scales inversely to a stiffness.
-  const VoigtMatrix<2> Q = mandel_rotation(angle);
-  return stiffness_to_mandel<2>(Q * stiffness_from_mandel<2>(compliance) * Q.transpose());
-}
 } // namespace mesoslip

@@ -11,8 +11,6 @@ namespace mesoslip
  */
 VoigtMatrix<2> rotate_stiffness(const VoigtMatrix<2> &stiffness, const double angle);
 
-/** The same for a compliance (engineering shear). */
-VoigtMatrix<2> rotate_compliance(const VoigtMatrix<2> &compliance, const double angle);
 } // namespace mesoslip
 
 #endif

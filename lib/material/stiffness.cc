@@ -29,48 +29,6 @@ void require_positive(const char *name, const double value)
     fail(name, " is ", value, " and must be a positive number");
 }
 
-/** Strain (Voigt) of the displacement gradient a (x) n, as a matrix acting on a. */
-template <int dim>
-Eigen::Matrix<double, n_voigt<dim>, dim>
-symmetric_gradient(const Eigen::Matrix<double, dim, 1> &n)
-{
-  Eigen::Matrix<double, n_voigt<dim>, dim> B;
-  if constexpr (dim == 2)
-    B << n(0), 0., 0., n(1), n(1), n(0);
-  else
-    B << n(0), 0., 0., 0., n(1), 0., 0., 0., n(2), 0., n(2), n(1), n(2), 0., n(0), n(1),
-      n(0), 0.;
-  return B;
-}
-
-template <int dim>
-Eigen::Matrix<double, dim, dim> christoffel_tensor(const VoigtMatrix<dim> &stiffness,
-                                                   const Eigen::Matrix<double, dim, 1> &n)
-{
-  const auto B = symmetric_gradient<dim>(n);
-  return B.transpose() * stiffness * B;
-}
-
-/**
- * Largest value of (p x n) : C : (p x n) that is reached from @p n by maximising over p
- * and n in turns; the form does not change when they are exchanged.
- */
-template <int dim>
-double climb(const VoigtMatrix<dim> &stiffness, Eigen::Matrix<double, dim, 1> n)
-{
-  double previous = 0.;
-  for (unsigned int i = 0; i < 1000; ++i)
-    {
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, dim, dim>> solver(
-        christoffel_tensor<dim>(stiffness, n));
-      const double value = solver.eigenvalues()(dim - 1);
-      n                  = solver.eigenvectors().col(dim - 1);
-      if (!(value > previous * (1. + 1e-15)))
-        return value;
-      previous = value;
-    }
-  return previous;
-}
 } // namespace
 
 template <int dim>
@@ -165,49 +123,6 @@ void check_stiffness(const VoigtMatrix<dim> &stiffness)
          " Pa");
 }
 
-template <int dim>
-std::array<double, dim> wave_speeds(const VoigtMatrix<dim> &stiffness,
-                                    const double density,
-                                    const std::array<double, dim> &direction)
-{
-  require_positive("the density", density);
-  const Eigen::Matrix<double, dim, 1> n =
-    Eigen::Map<const Eigen::Matrix<double, dim, 1>>(direction.data());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, dim, dim>> solver(
-    christoffel_tensor<dim>(stiffness, n), Eigen::EigenvaluesOnly);
-  std::array<double, dim> speeds;
-  for (unsigned int i = 0; i < dim; ++i)
-    speeds[i] = std::sqrt(solver.eigenvalues()(dim - 1 - i) / density);
-  return speeds;
-}
-
-template <int dim>
-double maximum_wave_speed(const VoigtMatrix<dim> &stiffness, const double density)
-{
-  require_positive("the density", density);
-  double largest = 0.;
-  for (int x = 0; x <= 2; ++x)
-    for (int y = -2; y <= 2; ++y)
-      for (int z = (dim == 3 ? -2 : 0); z <= (dim == 3 ? 2 : 0); ++z)
-        {
-          Eigen::Matrix<double, dim, 1> n;
-          n(0) = x;
-          n(1) = y;
-          if constexpr (dim == 3)
-            n(2) = z;
-          if (n.squaredNorm() > 0.)
-            largest = std::max(largest, climb<dim>(stiffness, n.normalized()));
-        }
-  return std::sqrt(largest / density);
-}
-
-double bar_wave_speed(const double young_modulus, const double density)
-{
-  require_positive("Young's modulus", young_modulus);
-  require_positive("the density", density);
-  return std::sqrt(young_modulus / density);
-}
-
 template VoigtMatrix<2> isotropic_stiffness<2>(const double, const double);
 template VoigtMatrix<3> isotropic_stiffness<3>(const double, const double);
 template VoigtMatrix<2> orthotropic_stiffness<2>(const OrthotropicConstants &);
@@ -216,10 +131,4 @@ template VoigtMatrix<2> stiffness_from_coefficients<2>(const std::vector<double>
 template VoigtMatrix<3> stiffness_from_coefficients<3>(const std::vector<double> &);
 template void check_stiffness<2>(const VoigtMatrix<2> &);
 template void check_stiffness<3>(const VoigtMatrix<3> &);
-template std::array<double, 2>
-wave_speeds<2>(const VoigtMatrix<2> &, const double, const std::array<double, 2> &);
-template std::array<double, 3>
-wave_speeds<3>(const VoigtMatrix<3> &, const double, const std::array<double, 3> &);
-template double maximum_wave_speed<2>(const VoigtMatrix<2> &, const double);
-template double maximum_wave_speed<3>(const VoigtMatrix<3> &, const double);
 } // namespace mesoslip

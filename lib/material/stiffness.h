@@ -3,7 +3,6 @@
 
 #include "material/voigt.h"
 
-#include <array>
 #include <vector>
 
 namespace mesoslip
@@ -59,25 +58,6 @@ VoigtMatrix<dim> stiffness_from_coefficients(const std::vector<double> &coeffici
 template <int dim>
 void check_stiffness(const VoigtMatrix<dim> &stiffness);
 
-/**
- * Phase velocities (m/s, fastest first) of the plane waves that travel along the unit
- * vector @p direction: square roots of the eigenvalues of the Christoffel tensor over
- * the density (kg/m^3). For an isotropic solid c_L, c_T (, c_T).
- */
-template <int dim>
-std::array<double, dim> wave_speeds(const VoigtMatrix<dim> &stiffness,
-                                    const double density,
-                                    const std::array<double, dim> &direction);
-
-/** The largest phase velocity (m/s) over all directions. */
-template <int dim>
-double maximum_wave_speed(const VoigtMatrix<dim> &stiffness, const double density);
-
-/**
- * sqrt(E / rho) (m/s), the speed of waves in a slender bar: what table 1 of the paper
- * calls the longitudinal wave velocity. Plane strain waves are faster.
- */
-double bar_wave_speed(const double young_modulus, const double density);
 } // namespace mesoslip
 
 #endif

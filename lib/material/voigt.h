@@ -19,6 +19,19 @@ using VoigtVector = Eigen::Matrix<double, n_voigt<dim>, 1>;
 /** Stiffness (Pa), compliance or concentration tensor; rows are contiguous. */
 template <int dim>
 using VoigtMatrix = Eigen::Matrix<double, n_voigt<dim>, n_voigt<dim>, Eigen::RowMajor>;
+
+/** An entry of the upper triangle of a plane stiffness. */
+struct StiffnessEntry
+{
+  unsigned int row;    ///< from 0
+  unsigned int column; ///< from 0, not below the row
+  const char *name;    ///< as in tables and messages
+};
+
+/** The upper triangle of a plane stiffness, row by row. */
+constexpr StiffnessEntry stiffness_entries[6] = {{0, 0, "D11"}, {0, 1, "D12"},
+                                                 {0, 2, "D13"}, {1, 1, "D22"},
+                                                 {1, 2, "D23"}, {2, 2, "D33"}};
 } // namespace mesoslip
 
 #endif

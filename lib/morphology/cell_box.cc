@@ -19,6 +19,15 @@ void fill_box(PhaseMap<2> &map, const CellBox &box, const std::uint8_t phase)
     }
 }
 
+std::vector<double> area_fractions(const PhaseMap<2> &map, const unsigned int n_phases)
+{
+  std::vector<double> fractions;
+  for (unsigned int p = 0; p < n_phases; ++p)
+    fractions.push_back(static_cast<double>(std::count(map.id.begin(), map.id.end(), p)) /
+                        static_cast<double>(map.id.size()));
+  return fractions;
+}
+
 PhaseMap<2> refined_map(const PhaseMap<2> &map, const UniformGrid<2> &grid)
 {
   const unsigned int x_ratio = grid.cells[0] / map.grid.cells[0];

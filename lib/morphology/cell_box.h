@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace mesoslip
 {
@@ -35,6 +36,9 @@ PhaseMap<2> homogeneous_map(const UniformGrid<2> &grid,
 
 /** Gives all cells of a box, which lies inside the grid, to @p phase. */
 void fill_box(PhaseMap<2> &map, const CellBox &box, const std::uint8_t phase);
+
+/** Area fractions of phases 0 to @p n_phases - 1; they sum to one. */
+std::vector<double> area_fractions(const PhaseMap<2> &map, const unsigned int n_phases);
 
 /** The same morphology on a grid with a whole multiple of the cells of @p map. */
 PhaseMap<2> refined_map(const PhaseMap<2> &map, const UniformGrid<2> &grid);

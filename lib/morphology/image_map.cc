@@ -218,11 +218,4 @@ ImageMap map_from_image(const UniformGrid<2> &grid,
   result.map.id = phases_of_cells(grid, ratio, phase, image.width, values.size());
   return result;
 }
-
-ImageMap read_phase_map(const UniformGrid<2> &grid,
-                        const std::string &file,
-                        const ImageReading &reading)
-{
-  return map_from_image(grid, read_image(file), reading, file);
-}
 } // namespace mesoslip

@@ -23,8 +23,8 @@ struct ImageReading
 struct ImagePhase
 {
   std::string value;         ///< for messages: "200", or of colours "#ff0000 (16711680)"
-  std::size_t n_pixels = 0;  ///< of this value
-  double fraction      = 0.; ///< of all pixels
+  std::size_t n_pixels = 0;  ///< number of pixels of this value
+  double fraction      = 0.; ///< share of all pixels
 };
 
 /** A morphology that was drawn as an image. */
@@ -56,10 +56,6 @@ ImageMap map_from_image(const UniformGrid<2> &grid,
                         const ImageReading &reading,
                         const std::string &source);
 
-/** map_from_image() of a file: PNG or plain text, see read_image(). */
-ImageMap read_phase_map(const UniformGrid<2> &grid,
-                        const std::string &file,
-                        const ImageReading &reading);
 } // namespace mesoslip
 
 #endif

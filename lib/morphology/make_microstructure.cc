@@ -2,7 +2,6 @@
 #include "grid/size_text.h"
 #include "morphology/image_map.h"
 #include "morphology/microstructure_parameters.h"
-#include "morphology/statistics.h"
 #include "parameters/parameters.h"
 
 #include <algorithm>
@@ -26,7 +25,8 @@ std::string file_name(const std::string &path)
 }
 
 /** Coarse cells may swallow a phase, or swell it; empty when they do neither. */
-std::string coarsening_warning(const ImageMap &image, const PhaseParameters &parameters)
+std::string coarsening_warning(const ImageMap &image,
+                               const std::vector<PhaseParameters> &parameters)
 {
   // Fibres eight times as stiff as their matrix contribute seven times their fraction:
   // 1 % more of them are some percent of stiffness. What a rare phase contributes changes
@@ -37,7 +37,7 @@ std::string coarsening_warning(const ImageMap &image, const PhaseParameters &par
   for (std::size_t p = 0; p < fractions.size(); ++p)
     if (const double before = image.phases[p].fraction;
         !(std::abs(fractions[p] - before) <= std::min(absolute, relative * before)))
-      changes += (changes.empty() ? "phase '" : ", phase '") + parameters.phases[p].name +
+      changes += (changes.empty() ? "phase '" : ", phase '") + parameters[p].name +
                  "' is " + percent(before) + " of the image and " +
                  percent(fractions[p]) + " of the cells";
   return changes.empty() ? ""
@@ -63,32 +63,29 @@ std::string image_text(const ImageMap &image, const std::string &file)
 
 /** A line for each phase. */
 std::vector<std::string> phase_texts(const PhaseMap<2> &map,
-                                     const PhaseParameters &parameters,
+                                     const std::vector<PhaseParameters> &parameters,
                                      const std::vector<ImagePhase> &image)
 {
   std::vector<std::string> lines;
-  const std::size_t n  = parameters.phases.size();
+  const std::size_t n  = parameters.size();
   const auto fractions = area_fractions(map, static_cast<unsigned int>(n));
   for (std::size_t p = 0; p < n; ++p)
     {
       const double n_cells =
         std::round(fractions[p] * static_cast<double>(map.id.size()));
-      std::string line =
-        "Phase " + std::to_string(p) + ", " + parameters.phases[p].name + ": ";
+      std::string line = "Phase " + std::to_string(p) + ", " + parameters[p].name + ": ";
       if (!image.empty())
         line += "value " + image[p].value + ", " + percent(image[p].fraction) +
                 " of the pixels, ";
       lines.push_back(line + to_text(n_cells) + " cells, " + percent(fractions[p]) +
-                      "; " + parameters.phases[p].text());
+                      "; " + parameters[p].text());
     }
   return lines;
 }
 
 Microstructure read_image_map(const MicrostructureParameters &p)
 {
-  const ImageMap image = read_phase_map(
-    p.grid.grid(), p.file,
-    {p.image_values, static_cast<unsigned int>(p.phases.phases.size()), p.oblong_pixels});
+  const ImageMap image = map_from_image(p.grid, read_image(p.file), p.image, p.file);
   Microstructure result;
   result.map = image.map;
   if (const std::string warning = coarsening_warning(image, p.phases); !warning.empty())
@@ -101,21 +98,20 @@ Microstructure read_image_map(const MicrostructureParameters &p)
 /** The morphologies that come from a file. */
 Microstructure read_microstructure(const MicrostructureParameters &p)
 {
-  const UniformGrid<2> grid = p.grid.grid();
-  const auto n_phases       = static_cast<unsigned int>(p.phases.phases.size());
+  const std::size_t n_phases = p.phases.size();
   require_readable_file("Microstructure/File: ", p.file,
                         p.type == Type::image ? "it has to name an image"
                                               : "it has to name a list of rectangles");
   if (p.type == Type::image)
     return read_image_map(p);
   Microstructure result;
-  result.rectangles = read_rectangles(p.file, &grid);
+  result.rectangles = read_rectangles(p.file, p.grid);
   for (std::size_t i = 0; i < result.rectangles.size(); ++i)
     if (result.rectangles[i].phase >= n_phases)
       throw UserError(p.file + ": rectangle " + std::to_string(i + 1) +
                       " has the phase " + std::to_string(result.rectangles[i].phase) +
                       ", and Phases/Names has only 0 to " + std::to_string(n_phases - 1));
-  result.map         = draw_rectangles(grid, result.rectangles, p.file);
+  result.map         = draw_rectangles(p.grid, result.rectangles);
   result.description = {"Morphology: " + std::to_string(result.rectangles.size()) +
                         " rectangles of " + file_name(p.file)};
   return result;
@@ -148,7 +144,6 @@ Microstructure place_microstructure(const MicrostructureParameters &p)
   FibrePlacement rules = p.placement;
   rules.phase          = static_cast<std::uint8_t>(p.fibre_phase_index());
 
-  const UniformGrid<2> grid           = p.grid.grid();
   const UniformGrid<2> placement_grid = p.placement_grid();
   const FibreMorphology placed        = place_random_fibres(placement_grid, rules);
 
@@ -160,26 +155,13 @@ Microstructure place_microstructure(const MicrostructureParameters &p)
       " asked for, " + percent(placed.reached_fraction(rules.fraction_rule)) +
       " reached with " + std::to_string(placed.fibres.size()) +
       " fibres; no further one fits in under these rules");
-  result.map         = refined_map(placed.map, grid);
+  result.map         = refined_map(placed.map, p.grid);
   result.rectangles  = placed.fibres;
   result.description = {"Morphology: " + std::to_string(placed.fibres.size()) +
                         " random fibres of seed " + std::to_string(rules.seed)};
   return result;
 }
 
-/** A picture of one grey, a list without rectangles of a phase: no error, but no
- * composite. */
-std::vector<std::string> empty_phases(const PhaseMap<2> &map,
-                                      const std::vector<Phase<2>> &phases)
-{
-  std::vector<std::string> warnings;
-  const std::vector<double> fractions = area_fractions(map, phases.size());
-  for (std::size_t p = 0; p < phases.size(); ++p)
-    if (fractions[p] == 0.)
-      warnings.push_back("phase '" + phases[p].name +
-                         "' of Phases/Names fills no cell of the morphology");
-  return warnings;
-}
 } // namespace
 
 Microstructure make_microstructure(const MicrostructureParameters &parameters)
@@ -187,23 +169,29 @@ Microstructure make_microstructure(const MicrostructureParameters &parameters)
   Microstructure result;
   if (parameters.type == Type::homogeneous)
     {
-      result.map         = homogeneous_map(parameters.grid.grid());
+      result.map         = homogeneous_map(parameters.grid);
       result.description = {"Morphology: homogeneous"};
     }
   else if (parameters.type == Type::random_fibres)
     result = place_microstructure(parameters);
   else
     result = read_microstructure(parameters);
-  result.phases = parameters.phases.make_phases();
+  result.phases = make_phases(parameters.phases);
   if (result.description.size() == 1)
     for (const std::string &line : phase_texts(result.map, parameters.phases, {}))
       result.description.push_back(line);
-  for (const SinglePhaseParameters &phase : parameters.phases.phases)
-    if (const std::string warning = phase.angle_warning(); !warning.empty())
-      result.warnings.push_back(warning);
-  if (parameters.type != Type::homogeneous)
-    for (const std::string &warning : empty_phases(result.map, result.phases))
-      result.warnings.push_back(warning);
+  for (const PhaseParameters &phase : parameters.phases)
+    if (std::fabs(phase.angle) > 2. * M_PI)
+      result.warnings.push_back(
+        "'Phases/" + phase.name + "/Angle' is " + to_text(phase.angle) +
+        " rad, more than a full turn; " + to_text(phase.angle) + " degrees would be " +
+        to_text(std::round(phase.angle * M_PI / 180. * 1e6) / 1e6) + " rad");
+  // A picture of one grey, a list without rectangles of a phase: no error, but no composite.
+  const std::vector<double> fractions = area_fractions(result.map, result.phases.size());
+  for (std::size_t p = 0; p < fractions.size(); ++p)
+    if (fractions[p] == 0. && parameters.type != Type::homogeneous)
+      result.warnings.push_back("phase '" + result.phases[p].name +
+                                "' of Phases/Names fills no cell of the morphology");
   return result;
 }
 } // namespace mesoslip

@@ -3,7 +3,7 @@
 
 #include "grid/phase_map.h"
 #include "material/phase.h"
-#include "morphology/grid_parameters.h"
+#include "morphology/image_map.h"
 #include "morphology/phase_parameters.h"
 #include "morphology/random_fibres.h"
 #include "morphology/rectangles.h"
@@ -41,19 +41,16 @@ struct MicrostructureParameters
     image
   };
 
-  GridParameters grid;    ///< section Grid
-  PhaseParameters phases; ///< section Phases
+  UniformGrid<2> grid;             ///< section Grid; the origin is the lower left corner
+  std::array<double, 2> size = {}; ///< m, of the box, as in the .prm
+  std::vector<PhaseParameters> phases; ///< section Phases, in the order of `Names`
 
   Type type = Type::random_fibres; ///< key Type
 
   /** Rectangles (CSV) or image (PNG, plain text). */
   std::string file;
 
-  /** Image value of each phase; empty: distinct values in ascending order. */
-  std::vector<long> image_values;
-
-  /** Pixels of the image need not be squares in the body. */
-  bool oblong_pixels = false;
+  ImageReading image; ///< how an image is read
 
   FibrePlacement placement; ///< rules of random fibres
 
@@ -66,9 +63,6 @@ struct MicrostructureParameters
 
   /** Binds the keys of all three sections. */
   void bind(Keys &keys);
-
-  /** Throws UserError for keys of all three sections that others leave without effect. */
-  static void check_keys(const Keys &keys);
 
   /**
    * Throws UserError: every section's own checks and those across sections. Files

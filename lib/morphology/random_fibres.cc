@@ -28,9 +28,39 @@ constexpr std::size_t vain_candidates_part = 64;
 class Placer
 {
 public:
-  Placer(const UniformGrid<2> &grid, const FibrePlacement &placement);
+  Placer(const UniformGrid<2> &g, const FibrePlacement &placement)
+    : grid(g)
+    , rules(placement)
+    , sampler(g, placement)
+    , occupancy(g.cells[0], g.cells[1])
+  {
+    const auto gap_cells = [&](const double h) {
+      return static_cast<unsigned int>(
+        std::ceil(std::max(0., rules.minimum_gap / h - 1e-6)));
+    };
+    x_gap        = gap_cells(grid.spacing[0]);
+    y_gap        = gap_cells(grid.spacing[1]);
+    const auto n = static_cast<double>(grid.n_cells());
+    target_cells = static_cast<std::size_t>(std::llround(rules.area_fraction * n));
+    target_area  = rules.area_fraction * grid.extent(0) * grid.extent(1);
+    result.map   = homogeneous_map(grid);
+  }
 
-  FibreMorphology run();
+  FibreMorphology run()
+  {
+    if (target_cells == 0 && rules.fraction_rule == FractionRule::actual)
+      result.target_reached = true;
+    else if (sampler.possible())
+      {
+        place_at_random();
+        if (!result.target_reached && !rules.allow_overlap)
+          place_systematically();
+      }
+    result.actual_fraction =
+      static_cast<double>(occupancy.n_taken()) / static_cast<double>(grid.n_cells());
+    result.nominal_fraction = nominal_area / (grid.extent(0) * grid.extent(1));
+    return std::move(result);
+  }
 
 private:
   enum class Outcome
@@ -46,18 +76,168 @@ private:
     unsigned int x, y;
   };
 
-  bool fits(const CellBox &box) const;
-  bool fits(const Place &corner, const long height) const;
-  std::size_t random_index(const std::size_t size);
-  Outcome try_to_place(const Rectangle &fibre);
-  Outcome place_last(Rectangle fibre, const CellBox &box, const std::size_t remaining);
-  void place(const Rectangle &fibre, const CellBox &box);
-  double area_inside(const Rectangle &fibre) const;
+  bool fits(const CellBox &box) const
+  {
+    return !box.empty() && (rules.allow_overlap ||
+                            occupancy.is_free(occupancy.widened(box, x_gap, y_gap)));
+  }
 
-  void place_at_random();
-  std::vector<Place> all_places() const;
-  Outcome place_among(std::vector<Place> &places, const long height);
-  void place_systematically();
+  bool fits(const Place &corner, const long height) const
+  {
+    const auto x_end = static_cast<unsigned int>(corner.x + sampler.width);
+    const auto y_end = static_cast<unsigned int>(corner.y + height);
+    return x_end <= grid.cells[0] && y_end <= grid.cells[1] &&
+           fits(CellBox{corner.x, x_end, corner.y, y_end});
+  }
+
+  std::size_t random_index(const std::size_t size)
+  {
+    return static_cast<std::size_t>(sampler.random.whole(0, static_cast<long>(size) - 1));
+  }
+
+  double area_inside(const Rectangle &fibre) const
+  {
+    const auto overlap = [&](const unsigned int d, const double begin,
+                             const double length) {
+      const double low  = std::max(begin, grid.origin[d]);
+      const double high = std::min(begin + length, grid.origin[d] + grid.extent(d));
+      return std::max(0., high - low);
+    };
+    return overlap(0, fibre.x_left, fibre.width) *
+           overlap(1, fibre.y_bottom, fibre.height);
+  }
+
+  void place(const Rectangle &fibre, const CellBox &box)
+  {
+    occupancy.mark(box);
+    fill_box(result.map, box, rules.phase);
+    result.fibres.push_back(fibre);
+    nominal_area += area_inside(fibre);
+  }
+
+  Outcome try_to_place(const Rectangle &fibre)
+  {
+    const CellBox box = covered_cells(grid, fibre);
+    if (!fits(box))
+      return Outcome::vain;
+    if (rules.fraction_rule == FractionRule::nominal)
+      {
+        place(fibre, box);
+        return nominal_area >= target_area * (1. - 1e-9) ? Outcome::finished
+                                                         : Outcome::placed;
+      }
+    const std::size_t gain      = occupancy.n_free(box);
+    const std::size_t remaining = target_cells - occupancy.n_taken();
+    if (gain > remaining)
+      return place_last(fibre, box, remaining);
+    if (gain == 0)
+      return Outcome::vain;
+    place(fibre, box);
+    return gain == remaining ? Outcome::finished : Outcome::placed;
+  }
+
+  /** The fibre that would exceed the target: shortened, whole, or left out. */
+  Outcome place_last(Rectangle fibre, const CellBox &box, const std::size_t remaining)
+  {
+    const auto error = [&](const CellBox &b) {
+      const std::size_t gain = occupancy.n_free(b);
+      return gain > remaining ? gain - remaining : remaining - gain;
+    };
+    CellBox best = {box.x_begin, box.x_end, box.y_begin, box.y_begin};
+    if (!rules.trim_last)
+      best = error(box) < remaining ? box : best;
+    else
+      for (CellBox lower = best; lower.y_end < box.y_end;)
+        {
+          ++lower.y_end;
+          if (error(lower) < error(best))
+            best = lower;
+        }
+    if (best.y_end < box.y_end)
+      fibre.height = grid.origin[1] + best.y_end * grid.spacing[1] - fibre.y_bottom;
+    if (!best.empty())
+      place(fibre, best);
+    return Outcome::finished;
+  }
+
+  /** Draws until the target is reached or draws have become vain. */
+  void place_at_random()
+  {
+    const unsigned int patience = rules.allow_overlap ? max_hidden_draws : max_vain_draws;
+    for (unsigned int vain = 0; vain < patience;)
+      switch (try_to_place(sampler.draw()))
+        {
+        case Outcome::finished:
+          result.target_reached = true;
+          return;
+        case Outcome::placed:
+          vain = 0;
+          break;
+        case Outcome::vain:
+          ++vain;
+        }
+  }
+
+  /** Where the shortest fibre fits in; no taller one fits in anywhere else. */
+  std::vector<Place> all_places() const
+  {
+    std::vector<Place> places;
+    for (unsigned int x = 0; x < grid.cells[0]; ++x)
+      for (unsigned int y = 0; y < grid.cells[1]; ++y)
+        if (fits(Place{x, y}, sampler.min_height))
+          places.push_back({x, y});
+    return places;
+  }
+
+  /** Places one fibre of @p height rows; vain when none fits in. Drops dead places. */
+  Outcome place_among(std::vector<Place> &places, const long height)
+  {
+    const auto place_at = [&](const Place &corner) {
+      return try_to_place(sampler.aligned(corner.x, corner.y, height));
+    };
+    const auto is_dead = [&](const Place &corner) {
+      return !fits(corner, sampler.min_height);
+    };
+    const std::size_t patience =
+      vain_candidates_part + places.size() / vain_candidates_part;
+    for (std::size_t vain = 0; vain < patience && !places.empty();)
+      {
+        const std::size_t i = random_index(places.size());
+        if (fits(places[i], height))
+          return place_at(places[i]);
+        if (is_dead(places[i]))
+          {
+            places[i] = places.back();
+            places.pop_back();
+          }
+        else
+          ++vain;
+      }
+    places.erase(std::remove_if(places.begin(), places.end(), is_dead), places.end());
+
+    std::vector<Place> suitable;
+    std::copy_if(places.begin(), places.end(), std::back_inserter(suitable),
+                 [&](const Place &corner) { return fits(corner, height); });
+    return suitable.empty() ? Outcome::vain
+                            : place_at(suitable[random_index(suitable.size())]);
+  }
+
+  /** Fills the places left; ends because each turn adds a fibre or excludes a height. */
+  void place_systematically()
+  {
+    std::vector<Place> places = all_places();
+    long tallest = std::min(sampler.max_height, static_cast<long>(grid.cells[1]));
+    while (sampler.min_height <= tallest)
+      {
+        const long height     = sampler.random.whole(sampler.min_height, tallest);
+        const Outcome outcome = place_among(places, height);
+        if (outcome == Outcome::vain)
+          tallest = height - 1;
+        result.target_reached = outcome == Outcome::finished;
+        if (result.target_reached)
+          return;
+      }
+  }
 
   const UniformGrid<2> &grid;
   const FibrePlacement &rules;
@@ -73,203 +253,6 @@ private:
   double target_area;
   double nominal_area = 0.;
 };
-
-Placer::Placer(const UniformGrid<2> &g, const FibrePlacement &placement)
-  : grid(g)
-  , rules(placement)
-  , sampler(g, placement)
-  , occupancy(g.cells[0], g.cells[1])
-{
-  const auto gap_cells = [&](const double h) {
-    return static_cast<unsigned int>(
-      std::ceil(std::max(0., rules.minimum_gap / h - 1e-6)));
-  };
-  x_gap        = gap_cells(grid.spacing[0]);
-  y_gap        = gap_cells(grid.spacing[1]);
-  const auto n = static_cast<double>(grid.n_cells());
-  target_cells = static_cast<std::size_t>(std::llround(rules.area_fraction * n));
-  target_area  = rules.area_fraction * grid.extent(0) * grid.extent(1);
-  result.map   = homogeneous_map(grid);
-}
-
-bool Placer::fits(const CellBox &box) const
-{
-  return !box.empty() &&
-         (rules.allow_overlap || occupancy.is_free(occupancy.widened(box, x_gap, y_gap)));
-}
-
-bool Placer::fits(const Place &corner, const long height) const
-{
-  const auto x_end = static_cast<unsigned int>(corner.x + sampler.width());
-  const auto y_end = static_cast<unsigned int>(corner.y + height);
-  return x_end <= grid.cells[0] && y_end <= grid.cells[1] &&
-         fits(CellBox{corner.x, x_end, corner.y, y_end});
-}
-
-std::size_t Placer::random_index(const std::size_t size)
-{
-  return static_cast<std::size_t>(sampler.random.whole(0, static_cast<long>(size) - 1));
-}
-
-double Placer::area_inside(const Rectangle &fibre) const
-{
-  const auto overlap = [&](const unsigned int d, const double begin,
-                           const double length) {
-    const double low  = std::max(begin, grid.origin[d]);
-    const double high = std::min(begin + length, grid.origin[d] + grid.extent(d));
-    return std::max(0., high - low);
-  };
-  return overlap(0, fibre.x_left, fibre.width) * overlap(1, fibre.y_bottom, fibre.height);
-}
-
-void Placer::place(const Rectangle &fibre, const CellBox &box)
-{
-  occupancy.mark(box);
-  fill_box(result.map, box, rules.phase);
-  result.fibres.push_back(fibre);
-  nominal_area += area_inside(fibre);
-}
-
-Placer::Outcome Placer::try_to_place(const Rectangle &fibre)
-{
-  const CellBox box = covered_cells(grid, fibre);
-  if (!fits(box))
-    return Outcome::vain;
-  if (rules.fraction_rule == FractionRule::nominal)
-    {
-      place(fibre, box);
-      return nominal_area >= target_area * (1. - 1e-9) ? Outcome::finished
-                                                       : Outcome::placed;
-    }
-  const std::size_t gain      = occupancy.n_free(box);
-  const std::size_t remaining = target_cells - occupancy.n_taken();
-  if (gain > remaining)
-    return place_last(fibre, box, remaining);
-  if (gain == 0)
-    return Outcome::vain;
-  place(fibre, box);
-  return gain == remaining ? Outcome::finished : Outcome::placed;
-}
-
-/** The fibre that would exceed the target: shortened, whole, or left out. */
-Placer::Outcome
-Placer::place_last(Rectangle fibre, const CellBox &box, const std::size_t remaining)
-{
-  const auto error = [&](const CellBox &b) {
-    const std::size_t gain = occupancy.n_free(b);
-    return gain > remaining ? gain - remaining : remaining - gain;
-  };
-  CellBox best = {box.x_begin, box.x_end, box.y_begin, box.y_begin};
-  if (!rules.trim_last)
-    best = error(box) < remaining ? box : best;
-  else
-    for (CellBox lower = best; lower.y_end < box.y_end;)
-      {
-        ++lower.y_end;
-        if (error(lower) < error(best))
-          best = lower;
-      }
-  if (best.y_end < box.y_end)
-    fibre.height = grid.origin[1] + best.y_end * grid.spacing[1] - fibre.y_bottom;
-  if (!best.empty())
-    place(fibre, best);
-  return Outcome::finished;
-}
-
-/** Draws until the target is reached or draws have become vain. */
-void Placer::place_at_random()
-{
-  const unsigned int patience = rules.allow_overlap ? max_hidden_draws : max_vain_draws;
-  for (unsigned int vain = 0; vain < patience;)
-    switch (try_to_place(sampler.draw()))
-      {
-      case Outcome::finished:
-        result.target_reached = true;
-        return;
-      case Outcome::placed:
-        vain = 0;
-        break;
-      case Outcome::vain:
-        ++vain;
-      }
-}
-
-/** Where the shortest fibre fits in; no taller one fits in anywhere else. */
-std::vector<Placer::Place> Placer::all_places() const
-{
-  std::vector<Place> places;
-  for (unsigned int x = 0; x < grid.cells[0]; ++x)
-    for (unsigned int y = 0; y < grid.cells[1]; ++y)
-      if (fits(Place{x, y}, sampler.min_height()))
-        places.push_back({x, y});
-  return places;
-}
-
-/** Places one fibre of @p height rows; vain when none fits in. Drops dead places. */
-Placer::Outcome Placer::place_among(std::vector<Place> &places, const long height)
-{
-  const auto place_at = [&](const Place &corner) {
-    return try_to_place(sampler.aligned(corner.x, corner.y, height));
-  };
-  const auto is_dead = [&](const Place &corner) {
-    return !fits(corner, sampler.min_height());
-  };
-  const std::size_t patience =
-    vain_candidates_part + places.size() / vain_candidates_part;
-  for (std::size_t vain = 0; vain < patience && !places.empty();)
-    {
-      const std::size_t i = random_index(places.size());
-      if (fits(places[i], height))
-        return place_at(places[i]);
-      if (is_dead(places[i]))
-        {
-          places[i] = places.back();
-          places.pop_back();
-        }
-      else
-        ++vain;
-    }
-  places.erase(std::remove_if(places.begin(), places.end(), is_dead), places.end());
-
-  std::vector<Place> suitable;
-  std::copy_if(places.begin(), places.end(), std::back_inserter(suitable),
-               [&](const Place &corner) { return fits(corner, height); });
-  return suitable.empty() ? Outcome::vain
-                          : place_at(suitable[random_index(suitable.size())]);
-}
-
-/** Fills the places left; ends because each turn adds a fibre or excludes a height. */
-void Placer::place_systematically()
-{
-  std::vector<Place> places = all_places();
-  long tallest = std::min(sampler.max_height(), static_cast<long>(grid.cells[1]));
-  while (sampler.min_height() <= tallest)
-    {
-      const long height     = sampler.random.whole(sampler.min_height(), tallest);
-      const Outcome outcome = place_among(places, height);
-      if (outcome == Outcome::vain)
-        tallest = height - 1;
-      result.target_reached = outcome == Outcome::finished;
-      if (result.target_reached)
-        return;
-    }
-}
-
-FibreMorphology Placer::run()
-{
-  if (target_cells == 0 && rules.fraction_rule == FractionRule::actual)
-    result.target_reached = true;
-  else if (sampler.possible())
-    {
-      place_at_random();
-      if (!result.target_reached && !rules.allow_overlap)
-        place_systematically();
-    }
-  result.actual_fraction =
-    static_cast<double>(occupancy.n_taken()) / static_cast<double>(grid.n_cells());
-  result.nominal_fraction = nominal_area / (grid.extent(0) * grid.extent(1));
-  return std::move(result);
-}
 } // namespace
 
 FibreMorphology place_random_fibres(const UniformGrid<2> &grid,

@@ -41,7 +41,7 @@ std::string problem(const UniformGrid<2> &grid, const Rectangle &r)
   return "";
 }
 
-void check_columns(const Table &table, const std::string &file)
+void check_columns(const CsvTable &table, const std::string &file)
 {
   for (const std::string &heading : table.columns())
     if (heading != "phase" && std::find(length_columns.begin(), length_columns.end(),
@@ -63,24 +63,18 @@ CellBox covered_cells(const UniformGrid<2> &grid, const Rectangle &r)
 }
 
 PhaseMap<2> draw_rectangles(const UniformGrid<2> &grid,
-                            const std::vector<Rectangle> &rectangles,
-                            const std::string &source)
+                            const std::vector<Rectangle> &rectangles)
 {
   PhaseMap<2> map = homogeneous_map(grid);
-  for (std::size_t i = 0; i < rectangles.size(); ++i)
-    {
-      const std::string what = problem(grid, rectangles[i]);
-      if (!what.empty())
-        throw UserError(source + ", number " + std::to_string(i + 1) + ": " + what);
-      fill_box(map, covered_cells(grid, rectangles[i]), rectangles[i].phase);
-    }
+  for (const Rectangle &rectangle : rectangles)
+    fill_box(map, covered_cells(grid, rectangle), rectangle.phase);
   return map;
 }
 
 std::vector<Rectangle> read_rectangles(const std::string &file,
-                                       const UniformGrid<2> *grid)
+                                       const UniformGrid<2> &grid)
 {
-  const Table table = Table::read(file);
+  const CsvTable table = CsvTable::read(file);
   check_columns(table, file);
   std::vector<std::vector<double>> lengths;
   for (const std::string &heading : length_columns)
@@ -104,9 +98,8 @@ std::vector<Rectangle> read_rectangles(const std::string &file,
         {lengths[0][row] * metres_per_millimetre, lengths[1][row] * metres_per_millimetre,
          lengths[2][row] * metres_per_millimetre, lengths[3][row] * metres_per_millimetre,
          static_cast<std::uint8_t>(phases[row])});
-      if (grid != nullptr)
-        if (const std::string what = problem(*grid, rectangles.back()); !what.empty())
-          table.fail(row, what);
+      if (const std::string what = problem(grid, rectangles.back()); !what.empty())
+        table.fail(row, what);
     }
   return rectangles;
 }

@@ -29,21 +29,19 @@ CellBox covered_cells(const UniformGrid<2> &grid, const Rectangle &rectangle);
 
 /**
  * Draws rectangles on a background of phase 0; where they overlap the later one wins.
- * Rectangles that leave the box are cut. Throws UserError, naming the number of the
- * rectangle and @p source, when one lies wholly outside or covers no cell centre.
+ * Rectangles that leave the box are cut.
  */
 PhaseMap<2> draw_rectangles(const UniformGrid<2> &grid,
-                            const std::vector<Rectangle> &rectangles,
-                            const std::string &source = "list of rectangles");
+                            const std::vector<Rectangle> &rectangles);
 
 /**
  * Reads `x_left_mm,y_bottom_mm,width_mm,height_mm[,phase]`, lengths in millimetres;
  * phase 1 where the column is missing. Empty lines and lines starting with # are skipped.
- * With a @p grid, rectangles that lie wholly outside it or cover no cell centre are
- * errors, too. Throws UserError with file and line.
+ * Rectangles that lie wholly outside the @p grid or cover no cell centre are errors, too.
+ * Throws UserError with file and line.
  */
 std::vector<Rectangle> read_rectangles(const std::string &file,
-                                       const UniformGrid<2> *grid = nullptr);
+                                       const UniformGrid<2> &grid);
 
 /** Writes what read_rectangles() reads, to the picometre. Throws UserError. */
 void write_rectangles(const std::string &file, const std::vector<Rectangle> &rectangles);

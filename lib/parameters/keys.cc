@@ -5,6 +5,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <boost/algorithm/string/trim_all.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -251,12 +253,22 @@ void Keys::bind_names(const std::string &key,
 {
   const auto defaults = names;
   bind_list(key, names, {}, meaning);
+  const RawParameters::Entry *const entry = raw.find(path(key));
   if (!reading)
-    names = raw.section_names(path(key), defaults, kind);
+    names = entry != nullptr ? split_list(entry->value) : defaults;
   for (auto name = names.begin(); name != names.end(); ++name)
-    if (std::find(names.begin(), name, *name) != name)
-      throw UserError(path(key) + ": there are two " + kind + "s named '" + *name +
-                      "'; rename one");
+    {
+      const std::string plain =
+        boost::algorithm::trim_fill_copy(*name, " ", std::locale::classic());
+      // Names become groups of HDF5, where a point stands for the group itself.
+      if (plain.empty() || plain == "." || plain == ".." || plain != *name ||
+          name->find_first_of("/,\\=#\"'") != std::string::npos)
+        throw UserError(path(key) + ": '" + *name + "' cannot be the name of a " + kind +
+                        "; use letters, digits and single blanks");
+      if (std::find(names.begin(), name, *name) != name)
+        throw UserError(path(key) + ": there are two " + kind + "s named '" + *name +
+                        "'; rename one");
+    }
 }
 
 void Keys::bind_input(const std::string &key,

@@ -226,20 +226,37 @@ public:
   const std::string &value(const std::string &path) const;
 
   /**
-   * @name Keys that others leave without effect
-   * A key counts as set when the .prm or --set gives it another value than its default,
-   * so that a file with all keys, as every run leaves it, is accepted again.
+   * @name Conditions between keys
+   * They stand beside the bindings and do nothing while keys are declared. A key counts
+   * as set when the .prm or --set gives it another value than its default, so that a file
+   * with all keys, as every run leaves it, is accepted again.
    * @{
    */
+  /**
+   * @throws UserError "Section/Key: what" unless @p holds; for conditions that can be
+   * judged without knowing what comes later in the .prm.
+   */
+  void require(const bool holds, const std::string &key, const std::string &what) const;
+
+  /**
+   * The key @p old of the current section is called @p now; with "Key = value" for @p old
+   * one of its values is. Whoever uses the old name is told so.
+   */
+  void renamed(const std::string &old, const std::string &now)
+  {
+    renames[path(old)] = now;
+  }
+
   /** Whether the .prm or --set names the key. */
   bool is_typed(const std::string &path) const
   {
-    return raw.has(path);
+    return raw.find(path) != nullptr;
   }
 
   /**
-   * @p paths are keys; "Section/" stands for all keys below. @throws UserError naming
-   * those of them that are set unless the key @p decider has one of @p values.
+   * All paths are relative to the current section; "Section/" stands for all keys below.
+   * @throws UserError naming those of @p paths that are set unless the key @p decider has
+   * one of @p values.
    */
   void only_with(const std::string &decider,
                  const std::vector<std::string> &values,
@@ -285,8 +302,12 @@ private:
   std::string current_section;
   std::vector<Key> keys;
   std::map<std::string, std::size_t> index;                ///< of keys, by path
+  std::map<std::string, std::string> renames;              ///< old to new, by path
   std::map<std::string, const RawParameters::Entry *> set; ///< by path
 };
+
+/** Whether @p path is one of @p keys, of which "Section/" stands for all keys below. */
+bool is_among(const std::string &path, const std::vector<std::string> &keys);
 
 /**
  * All keys in .prm syntax, with meaning, allowed values and full digits. What it prints

@@ -2,13 +2,17 @@
 #include "base/text.h"
 #include "parameters/keys.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
-#include <set>
+#include <filesystem>
 
 namespace mesoslip
 {
 namespace
 {
+namespace fs = std::filesystem;
+
 std::string in_quotes(const std::string &text)
 {
   return "'" + text + "'";
@@ -25,62 +29,38 @@ std::string name_of(const std::string &path)
   return path.substr(path.rfind('/') + 1);
 }
 
-/** What is declared, arranged for questions about what is not. */
-class Declarations
+/** The keys and subsections that are declared, and what to say of one that is not. */
+struct Declarations
 {
-public:
   explicit Declarations(const std::vector<Key> &all_keys)
-    : keys(all_keys)
   {
-    for (const Key &key : keys)
-      for (std::string s = key.section; !s.empty(); s = parent_of(s))
-        sections.insert(s);
+    for (const Key &key : all_keys)
+      {
+        keys.push_back(key.path());
+        for (std::string s = key.section; !s.empty(); s = parent_of(s))
+          if (std::find(sections.begin(), sections.end(), s) == sections.end())
+            sections.push_back(s);
+      }
+    std::sort(sections.begin(), sections.end());
   }
 
   bool has_section(const std::string &path) const
   {
-    return path.empty() || sections.count(path) > 0;
-  }
-
-  /** "there is no subsection 'Tme step'; did you mean 'Time step'?" */
-  std::string unknown_section(const std::string &path) const
-  {
-    const std::string parent = parent_of(path), name = name_of(path);
-    if (!has_section(parent))
-      return unknown_section(parent);
-    std::vector<std::string> siblings, elsewhere;
-    for (const std::string &section : sections)
-      {
-        if (parent_of(section) == parent)
-          siblings.push_back(name_of(section));
-        if (name_of(section) == name)
-          elsewhere.push_back(section);
-      }
-    return unknown("subsection", name, parent, siblings, elsewhere);
+    return path.empty() || std::binary_search(sections.begin(), sections.end(), path);
   }
 
   /** "there is no key 'Fracton' in 'Time step'; did you mean 'Fraction'?" */
-  std::string unknown_key(const std::string &path) const
+  std::string unknown(const std::string &kind, const std::string &path) const
   {
     const std::string section = parent_of(path), name = name_of(path);
     if (!has_section(section))
-      return unknown_section(section);
+      return unknown("subsection", section);
     std::vector<std::string> siblings, elsewhere;
-    for (const Key &key : keys)
-      if (key.section == section)
-        siblings.push_back(key.name);
-      else if (key.name == name)
-        elsewhere.push_back(key.path());
-    return unknown("key", name, section, siblings, elsewhere);
-  }
-
-private:
-  static std::string unknown(const std::string &kind,
-                             const std::string &name,
-                             const std::string &section,
-                             const std::vector<std::string> &siblings,
-                             const std::vector<std::string> &elsewhere)
-  {
+    for (const std::string &other : kind == "key" ? keys : sections)
+      if (parent_of(other) == section)
+        siblings.push_back(name_of(other));
+      else if (name_of(other) == name)
+        elsewhere.push_back(other);
     const std::string start =
       "there is no " + kind + " " + in_quotes(name) +
       (section.empty() ? " at the top level" : " in " + in_quotes(section)) + "; ";
@@ -95,8 +75,7 @@ private:
     return start + "the " + kind + "s here are " + to_text(siblings);
   }
 
-  const std::vector<Key> &keys;
-  std::set<std::string> sections;
+  std::vector<std::string> keys, sections;
 };
 
 /** "1e-4, 2" and "0.0001,2.0" are one value, "yes" and "true" as well. */
@@ -117,23 +96,42 @@ bool same_value(const std::string &a, const std::string &b)
 }
 } // namespace
 
+bool is_among(const std::string &path, const std::vector<std::string> &keys)
+{
+  return std::any_of(keys.begin(), keys.end(), [&](const std::string &key) {
+    return key.back() == '/' ? path.rfind(key, 0) == 0 : path == key;
+  });
+}
+
 void Keys::apply()
 {
   const Declarations declared(keys);
   for (const RawParameters::Subsection &section : raw.subsections())
     if (!declared.has_section(section.path))
       throw UserError(raw.origin(section) + ": " +
-                      declared.unknown_section(section.path));
+                      declared.unknown("subsection", section.path));
 
   for (const RawParameters::Entry &entry : raw.entries())
     {
-      const auto found = index.find(entry.path);
+      const auto found         = index.find(entry.path);
+      const auto renamed_key   = renames.find(entry.path);
+      const auto renamed_value = renames.find(entry.path + " = " + entry.value);
+      if (renamed_key != renames.end())
+        throw UserError(raw.origin(entry) + ": the key " + entry.path + " is called " +
+                        in_quotes(renamed_key->second) + " now; rename it");
+      if (renamed_value != renames.end())
+        throw UserError(raw.origin(entry) + ": " + entry.path + " = " + entry.value +
+                        " is called " + in_quotes(renamed_value->second) + " now; set " +
+                        entry.path + " = " + renamed_value->second);
       if (found == index.end())
-        throw UserError(raw.origin(entry) + ": " + declared.unknown_key(entry.path));
+        throw UserError(raw.origin(entry) + ": " + declared.unknown("key", entry.path));
       Key &key  = keys[found->second];
-      key.value = key.is_input ? resolve_input_path(entry.value,
-                                                    entry.line == 0 ? "." : raw.folder())
-                               : entry.value;
+      key.value = entry.value;
+      if (key.is_input && !entry.value.empty())
+        key.value =
+          fs::absolute(fs::path(entry.line == 0 ? "." : raw.folder()) / entry.value)
+            .lexically_normal()
+            .string();
       if (!key.accepts(key.value))
         throw UserError(raw.origin(entry) + ": " + entry.path + " is '" + key.value +
                         "' but must be " + key.allowed);
@@ -143,28 +141,36 @@ void Keys::apply()
   reading = true;
 }
 
+void Keys::require(const bool holds,
+                   const std::string &key,
+                   const std::string &what) const
+{
+  if (reading && !holds)
+    throw UserError(path(key) + ": " + what);
+}
+
 void Keys::only_with(const std::string &decider,
                      const std::vector<std::string> &values,
                      const std::vector<std::string> &paths) const
 {
-  const std::string &now = value(decider);
-  std::string choices;
-  for (const std::string &choice : values)
-    choices += (choices.empty() ? "" : " or ") + choice;
+  if (!reading)
+    return;
+  const std::string full = path(decider), &now = value(full);
   only_if(std::find(values.begin(), values.end(), now) != values.end(), paths,
-          decider + " is '" + now + "'", "set " + decider + " = " + choices);
+          full + " is '" + now + "'",
+          "set " + full + " = " + boost::algorithm::join(values, " or "));
 }
 
 std::vector<const RawParameters::Entry *>
 Keys::set_entries(const std::vector<std::string> &paths) const
 {
+  std::vector<std::string> full;
+  for (const std::string &relative : paths)
+    full.push_back(path(relative));
   std::vector<const RawParameters::Entry *> found;
-  for (const std::string &path : paths)
-    for (auto entry = set.lower_bound(path);
-         entry != set.end() &&
-         (path.back() == '/' ? entry->first.rfind(path, 0) == 0 : entry->first == path);
-         ++entry)
-      found.push_back(entry->second);
+  for (const auto &[name, entry] : set)
+    if (is_among(name, full))
+      found.push_back(entry);
   std::sort(found.begin(), found.end()); // of one array: the order of the file
   return found;
 }
@@ -174,7 +180,7 @@ void Keys::only_if(const bool used,
                    const std::string &reason,
                    const std::string &remedy) const
 {
-  if (used)
+  if (used || !reading)
     return;
   const auto entries = set_entries(paths);
   if (entries.empty())

@@ -50,9 +50,6 @@ std::string around(const std::string &text, const std::size_t comma)
  */
 void require_function_of_time(const std::string &text)
 {
-  const auto is_one_of = [](const char c, const std::string &characters) {
-    return characters.find(c) != std::string::npos;
-  };
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == '(')
       {
@@ -66,7 +63,7 @@ void require_function_of_time(const std::string &text)
       {
         if (i + 1 < text.size() && text[i + 1] == '=')
           ++i;
-        else if (i == 0 || !is_one_of(text[i - 1], "<>!"))
+        else if (i == 0 || std::string("<>!").find(text[i - 1]) == std::string::npos)
           throw std::invalid_argument(
             "'" + text + "' sets a variable with '='; a comparison has '=='");
       }
@@ -134,17 +131,6 @@ struct LoadHistory::Expression
   dealii::FunctionParser<1> parser;
 };
 
-Ramp ramp_from_string(const std::string &name)
-{
-  if (name == "step")
-    return Ramp::step;
-  if (name == "linear")
-    return Ramp::linear;
-  if (name == "smooth")
-    return Ramp::smooth;
-  throw std::invalid_argument("'" + name + "' is no ramp; use step, linear or smooth");
-}
-
 LoadHistory::LoadHistory(const double amplitude, const Ramp ramp, const double ramp_time)
   : scale(amplitude)
   , ramp(ramp_time > 0. ? ramp : Ramp::step)
@@ -157,12 +143,6 @@ LoadHistory::LoadHistory(const double amplitude, const std::string &expression)
   , expression(std::make_shared<Expression>(expression))
 {
 }
-
-LoadHistory::~LoadHistory()                                  = default;
-LoadHistory::LoadHistory(const LoadHistory &)                = default;
-LoadHistory::LoadHistory(LoadHistory &&) noexcept            = default;
-LoadHistory &LoadHistory::operator=(const LoadHistory &)     = default;
-LoadHistory &LoadHistory::operator=(LoadHistory &&) noexcept = default;
 
 std::string LoadHistory::shape() const
 {

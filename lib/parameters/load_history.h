@@ -14,9 +14,6 @@ enum class Ramp
   smooth
 };
 
-/** @throws std::invalid_argument unless @p name is step, linear or smooth. */
-Ramp ramp_from_string(const std::string &name);
-
 /**
  * A load (pressure, velocity of the flat) as a function of time: an amplitude times a
  * ramp, or an expression in `t` (seconds) as deal.II's FunctionParser reads it.
@@ -39,20 +36,6 @@ public:
    */
   LoadHistory(const double amplitude, const std::string &expression);
 
-  ~LoadHistory();
-
-  /** Copies expression and amplitude. */
-  LoadHistory(const LoadHistory &);
-
-  /** Moves the parsed expression. */
-  LoadHistory(LoadHistory &&) noexcept;
-
-  /** Copies expression and amplitude. */
-  LoadHistory &operator=(const LoadHistory &);
-
-  /** Moves the parsed expression. */
-  LoadHistory &operator=(LoadHistory &&) noexcept;
-
   /** Value at @p time (s), in the unit of the amplitude. */
   double operator()(const double time) const;
 
@@ -66,7 +49,7 @@ public:
   /** "step", "linear", "smooth", or the expression. */
   std::string shape() const;
 
-  /** Of the ramp (s); 0 for a step and an expression. */
+  /** Duration (s) of the ramp; 0 for a step and an expression. */
   double duration() const
   {
     return ramp == Ramp::step ? 0. : ramp_time;

@@ -1,51 +1,18 @@
 #include "parameters/keys.h"
 
+#include <deal.II/base/utilities.h>
+
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <map>
 #include <ostream>
 #include <sstream>
-#include <utility>
 
 namespace mesoslip
 {
 namespace
 {
-/** Prints @p text as comment lines of at most 90 columns. */
-void print_comment(std::ostream &out, const std::string &indent, const std::string &text)
-{
-  std::istringstream words(text);
-  std::string line = indent + "#", word;
-  while (words >> word)
-    {
-      if (line.size() + 1 + word.size() > 90 && line.size() > indent.size() + 1)
-        {
-          out << line << '\n';
-          line = indent + "#";
-        }
-      line += " " + word;
-    }
-  out << line << '\n';
-}
-
-std::vector<std::string> path_parts(const std::string &path)
-{
-  std::vector<std::string> parts;
-  std::istringstream in(path);
-  std::string part;
-  while (std::getline(in, part, '/'))
-    parts.push_back(part);
-  return parts;
-}
-
-/** So that no comment begins in it. */
-std::string with_escaped_hashes(const std::string &value)
-{
-  std::string text;
-  for (const char c : value)
-    text += c == '#' ? std::string("\\#") : std::string(1, c);
-  return text;
-}
-
 /** Closes and opens subsections on the way from @p from to @p to. */
 void change_section(std::ostream &out,
                     const std::vector<std::string> &from,
@@ -66,7 +33,7 @@ void print_parameters(const Keys &keys, std::ostream &out)
   std::vector<std::string> open;
   for (const Key &key : keys.all())
     {
-      const std::vector<std::string> section = path_parts(key.section);
+      const auto section = dealii::Utilities::split_string_list(key.section, '/');
       change_section(out, open, section);
       open                     = section;
       const std::string indent = std::string(2 * open.size(), ' ');
@@ -74,9 +41,11 @@ void print_parameters(const Keys &keys, std::ostream &out)
       if (key.value != key.default_value)
         text +=
           "; default: " + (key.default_value.empty() ? "nothing" : key.default_value);
-      print_comment(out, indent, text);
+      for (const std::string &line :
+           dealii::Utilities::break_text_into_lines(text, 89 - indent.size() - 2))
+        out << indent << "# " << line << '\n';
       out << indent << "set " << key.name << " =" << (key.value.empty() ? "" : " ")
-          << with_escaped_hashes(key.value) << '\n';
+          << boost::algorithm::replace_all_copy(key.value, "#", "\\#") << '\n';
     }
   change_section(out, open, {});
 }
@@ -84,13 +53,8 @@ void print_parameters(const Keys &keys, std::ostream &out)
 std::string canonical_parameters(const Keys &keys, const std::vector<std::string> &skip)
 {
   std::string text;
-  const auto skipped = [&](const Key &key) {
-    return std::any_of(skip.begin(), skip.end(), [&](const std::string &s) {
-      return s.back() == '/' ? key.path().rfind(s, 0) == 0 : key.path() == s;
-    });
-  };
   for (const Key &key : keys.all())
-    if (!skipped(key))
+    if (!is_among(key.path(), skip))
       {
         // The content of a file counts, not where it lies; add it with
         // Digest::add_file().
@@ -102,19 +66,19 @@ std::string canonical_parameters(const Keys &keys, const std::vector<std::string
 
 namespace
 {
-/** Key and value of each line, in their order. */
-std::vector<std::pair<std::string, std::string>> key_values(const std::string &text)
+/** Key and value of each line. */
+std::map<std::string, std::string> key_values(const std::string &text)
 {
-  std::vector<std::pair<std::string, std::string>> pairs;
+  std::map<std::string, std::string> values;
   std::istringstream in(text);
   std::string line;
   while (std::getline(in, line))
     {
       const auto equal = line.find(" = ");
-      pairs.emplace_back(line.substr(0, equal),
-                         equal == std::string::npos ? "" : line.substr(equal + 3));
+      values[line.substr(0, equal)] =
+        equal == std::string::npos ? "" : line.substr(equal + 3);
     }
-  return pairs;
+  return values;
 }
 } // namespace
 
@@ -122,12 +86,11 @@ std::string parameter_differences(const std::string &now, const std::string &bef
 {
   constexpr std::size_t shown = 5;
   std::vector<std::string> found;
-  const auto new_pairs = key_values(now), old_pairs = key_values(before);
-  std::map<std::string, std::string> rest(old_pairs.begin(), old_pairs.end());
-  const auto quoted = [](const std::string &value) {
+  std::map<std::string, std::string> rest = key_values(before);
+  const auto quoted                       = [](const std::string &value) {
     return value.empty() ? "empty" : value;
   };
-  for (const auto &[key, value] : new_pairs)
+  for (const auto &[key, value] : key_values(now))
     {
       const auto old = rest.find(key);
       if (old == rest.end())

@@ -1,11 +1,11 @@
 #ifndef mesoslip_parameters_parameters_h
 #define mesoslip_parameters_parameters_h
 
+#include "base/files.h"
 #include "base/text.h"
 
 #include <limits>
 #include <string>
-#include <vector>
 
 namespace mesoslip
 {
@@ -18,25 +18,50 @@ struct Range
   bool upper_exclusive = false; ///< upper itself is not allowed
 
   /** All finite numbers. */
-  static Range any();
+  static Range any()
+  {
+    return {};
+  }
   /** x > 0. */
-  static Range positive();
+  static Range positive()
+  {
+    return {0., Range().upper, true, false};
+  }
   /** x >= 0. */
-  static Range non_negative();
+  static Range non_negative()
+  {
+    return {0., Range().upper, false, false};
+  }
   /** lower <= x <= upper. */
-  static Range closed(const double lower, const double upper);
+  static Range closed(const double lower, const double upper)
+  {
+    return {lower, upper, false, false};
+  }
   /** lower < x < upper. */
-  static Range open(const double lower, const double upper);
+  static Range open(const double lower, const double upper)
+  {
+    return {lower, upper, true, true};
+  }
   /** lower < x <= upper. */
-  static Range left_open(const double lower, const double upper);
-  /** lower <= x. */
-  static Range at_least(const double lower);
+  static Range left_open(const double lower, const double upper)
+  {
+    return {lower, upper, true, false};
+  }
   /** Lengths (m) of bodies and cells whose products neither vanish nor overflow. */
-  static Range length();
+  static Range length()
+  {
+    return closed(1e-15, 1e9);
+  }
   /** Entries of a stiffness (Pa), likewise. */
-  static Range stiffness();
+  static Range stiffness()
+  {
+    return closed(-1e20, 1e20);
+  }
   /** Densities (kg/m^3), likewise. */
-  static Range density();
+  static Range density()
+  {
+    return closed(1e-9, 1e12);
+  }
 
   /** False for NaN. */
   bool contains(const double x) const;
@@ -44,15 +69,6 @@ struct Range
   /** For messages: "> 0", "in [0, 1)", "" when everything is allowed. */
   std::string text() const;
 };
-
-/** @p path if absolute or empty, otherwise @p folder / @p path, made absolute. */
-std::string resolve_input_path(const std::string &path, const std::string &folder);
-
-/** Throws a UserError beginning with @p what unless @p path is a readable file. */
-void require_readable_file(const std::string &what,
-                           const std::string &path,
-                           const std::string &hint = "");
-
 } // namespace mesoslip
 
 #endif

@@ -4,6 +4,8 @@
 #include "base/text.h"
 #include "parameters/parameters.h"
 
+#include <boost/algorithm/string/trim_all.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -32,11 +34,8 @@ std::string without_comment(const std::string &line)
 /** A line without comment, with single blanks between words. */
 std::string cleaned(const std::string &line)
 {
-  std::istringstream words(without_comment(line));
-  std::string text, word;
-  while (words >> word)
-    text += (text.empty() ? "" : " ") + word;
-  return text;
+  return boost::algorithm::trim_fill_copy(without_comment(line), " ",
+                                          std::locale::classic());
 }
 
 /** Reads the lines of a .prm one by one and collects what they set. */
@@ -209,37 +208,6 @@ const RawParameters::Entry *RawParameters::find(const std::string &path) const
     if (entry.path == path)
       return &entry;
   return nullptr;
-}
-
-std::string RawParameters::get(const std::string &path, const std::string &fallback) const
-{
-  const Entry *entry = find(path);
-  return entry != nullptr ? entry->value : fallback;
-}
-
-std::vector<std::string>
-RawParameters::section_names(const std::string &path,
-                             const std::vector<std::string> &fallback,
-                             const std::string &kind) const
-{
-  const Entry *entry = find(path);
-  std::vector<std::string> names;
-  for (const std::string &name : entry != nullptr ? split_list(entry->value) : fallback)
-    {
-      // Names become groups of HDF5, where a point stands for the group itself.
-      if (name.empty() || name == "." || name == ".." || name != cleaned(name) ||
-          name.find_first_of("/,\\=#\"'") != std::string::npos)
-        throw UserError(path + ": '" + name + "' cannot be the name of a " + kind +
-                        "; use letters, digits and single blanks");
-      if (std::find(names.begin(), names.end(), name) == names.end())
-        names.push_back(name);
-    }
-  return names;
-}
-
-bool RawParameters::has(const std::string &path) const
-{
-  return find(path) != nullptr;
 }
 
 std::string RawParameters::origin(const Entry &entry) const

@@ -16,11 +16,9 @@ public:
   /** One assignment and where it came from. */
   struct Entry
   {
-    /** "Section/Sub section/Key". */
-    std::string path;
-    std::string value; ///< text as typed
-    /** 0 for a --set option. */
-    unsigned int line = 0;
+    std::string path;      ///< "Section/Sub section/Key"
+    std::string value;     ///< text as typed
+    unsigned int line = 0; ///< from 1; 0 for a --set option
   };
 
   /** Nothing set: what --print-parameters without a file sees. */
@@ -36,20 +34,8 @@ public:
   /** Applies 'Section/Key=value'. @throws UserError when there is no '='. */
   void override_with(const std::string &assignment);
 
-  /** Text of a key, or @p fallback. Upper and lower case matter. */
-  std::string get(const std::string &path, const std::string &fallback) const;
-
-  /**
-   * Comma separated items of a key (or @p fallback), each once, where every item is the
-   * name of a subsection. @p kind, such as "phase", is what they are. @throws UserError
-   * for a name that no line of a .prm can say.
-   */
-  std::vector<std::string> section_names(const std::string &path,
-                                         const std::vector<std::string> &fallback,
-                                         const std::string &kind) const;
-
-  /** Whether the .prm or --set names the key. */
-  bool has(const std::string &path) const;
+  /** The assignment to a key; null if there is none. Upper and lower case matter. */
+  const Entry *find(const std::string &path) const;
 
   /** A subsection of the .prm. */
   struct Subsection
@@ -83,8 +69,6 @@ public:
   }
 
 private:
-  const Entry *find(const std::string &path) const;
-
   std::string file_name;
   std::vector<Entry> all_entries;
   std::vector<Subsection> sections;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 
@@ -58,23 +57,8 @@ void check_input(const std::string &folder, const InputPath &input)
                       folder + remedy);
 }
 
-/** Of a finished run. */
-std::optional<RunKind> kind_in_summary(const std::string &path)
-{
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored))
-    return std::nullopt;
-  const auto json = nlohmann::json::parse(read_file(path), nullptr, false);
-  const auto text = [&json](const char *key) {
-    return json.is_object() && json.contains(key) && json[key].is_string()
-             ? json[key].get<std::string>()
-             : "";
-  };
-  return RunKind{text("program"), text("analysis")};
-}
-
-/** Of a run that has begun: "# contact_dynamics 0.1.0: ..." and "set Analysis = modal".
- */
+/** "# contact_dynamics 0.1.0: ..." and "set Analysis = modal" of the parameters.prm that a
+ *  run writes when it begins. */
 std::optional<RunKind> kind_in_parameters(const std::string &path)
 {
   std::error_code ignored;
@@ -95,11 +79,10 @@ std::optional<RunKind> kind_in_parameters(const std::string &path)
 /** What the results in a folder are of; nothing if it holds none. */
 std::optional<RunKind> kind_of_results(const std::string &folder)
 {
-  if (const auto finished = kind_in_summary(folder + "/summary.json"))
-    return finished;
   std::error_code ignored;
   for (const fs::directory_entry &entry : fs::directory_iterator(folder, ignored))
-    if (is_result(entry) || entry.path().extension() == ".checkpoint")
+    if (is_result(entry) || entry.path().extension() == ".checkpoint" ||
+        entry.path().filename() == "summary.json")
       return kind_in_parameters(folder + "/parameters.prm");
   return std::nullopt;
 }

@@ -8,7 +8,6 @@
 #include "io/hdf5_file.h"
 #include "parameters/keys.h"
 #include "program/command_line.h"
-#include "program/interrupt.h"
 #include "program/outcome.h"
 #include "program/output_folder.h"
 #include "program/run_context.h"
@@ -28,34 +27,30 @@ namespace
 {
 constexpr char output_key[] = "Output folder";
 
-/** The .prm as text and as entries, the same on all ranks. */
-struct ParameterFile
+/** The .prm, of which the text goes to @p text, and the --set options; on all ranks. */
+RawParameters read_parameter_file(const CommandLine &line,
+                                  const MPI_Comm communicator,
+                                  std::string &text)
 {
-  std::string text;
   RawParameters raw;
-};
-
-ParameterFile read_parameter_file(const CommandLine &line, const MPI_Comm communicator)
-{
-  ParameterFile file;
   if (!line.prm_file.empty())
     {
       on_root(communicator, [&]() {
-        file.text = read_file(line.prm_file);
-        if (file.text.find_first_not_of(" \t\r\n") == std::string::npos)
+        text = read_file(line.prm_file);
+        if (trimmed(text).empty())
           throw UserError(line.prm_file +
                           " is empty; --print-parameters shows what it may contain");
       });
-      broadcast(communicator, file.text);
-      file.raw = RawParameters::parse(file.text, line.prm_file);
+      broadcast(communicator, text);
+      raw = RawParameters::parse(text, line.prm_file);
     }
   for (const std::string &assignment : line.assignments)
-    file.raw.override_with(assignment);
-  if (!line.prm_file.empty() && file.raw.entries().empty())
+    raw.override_with(assignment);
+  if (!line.prm_file.empty() && raw.entries().empty())
     throw UserError(line.prm_file +
                     " sets no key: there is no line 'set Key = value' in it; "
                     "--print-parameters shows the keys");
-  return file;
+  return raw;
 }
 
 std::string choose_output_folder(const CommandLine &line, const Keys &keys)
@@ -90,7 +85,7 @@ void validate(const Analysis &analysis,
 }
 
 void run(Analysis &analysis,
-         const Program &program,
+         const Application &program,
          const Keys &keys,
          const CommandLine &line,
          const std::string &original,
@@ -109,7 +104,6 @@ void run(Analysis &analysis,
   print_parameters(keys, effective);
 
   RunContext context(options, communicator, original, effective.str());
-  install_interrupt_handlers();
   if (line.resume && !options.resume)
     context.log("--resume: a run of this kind keeps no checkpoints, it starts from the "
                 "beginning");
@@ -133,7 +127,7 @@ void run(Analysis &analysis,
 }
 
 void do_what_is_asked(const CommandLine &line,
-                      const Program &program,
+                      const Application &program,
                       const MPI_Comm communicator)
 {
   const bool root = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
@@ -145,16 +139,14 @@ void do_what_is_asked(const CommandLine &line,
                         : program.name + " (mesoslip) " + version + "\n");
       return require_printed();
     }
-  const ParameterFile file = read_parameter_file(line, communicator);
-  Keys keys(file.raw);
-  std::string output;
+  std::string text, output;
+  Keys keys(read_parameter_file(line, communicator, text));
   keys.bind(output_key, output,
             "Folder for the results, relative to the current folder; empty: "
             "output/<name of the .prm>");
   program.declare(keys);
   keys.apply();
-  if (program.check_keys)
-    program.check_keys(keys);
+  program.declare(keys);
   if (line.print_parameters)
     {
       if (root)
@@ -174,15 +166,11 @@ void do_what_is_asked(const CommandLine &line,
   if (line.validate)
     validate(*analysis, line, folder);
   else
-    run(*analysis, program, keys, line, file.text, communicator);
+    run(*analysis, program, keys, line, text, communicator);
 }
 } // namespace
 
-void Analysis::describe(std::ostream &) const
-{
-}
-
-int run_program(int argc, char **argv, const Program &program)
+int run_program(int argc, char **argv, const Application &program)
 {
   // A limit of the file size ("ulimit -f") is an error in writing like any other.
   std::signal(SIGXFSZ, SIG_IGN);

@@ -32,7 +32,9 @@ public:
    * Prints memory, steps and the like for --validate. Only what rank 0 writes to @p out
    * is shown.
    */
-  virtual void describe(std::ostream &out) const;
+  virtual void describe(std::ostream & /*out*/) const
+  {
+  }
 
   /**
    * Whether it writes checkpoints, so that run() has to heed RunContext::resume(). Others
@@ -48,19 +50,16 @@ public:
 };
 
 /** What distinguishes one application from another. */
-struct Program
+struct Application
 {
   std::string name;        ///< as typed in the shell
   std::string description; ///< one line for --help
 
-  /** Binds all keys, to declare them. "Output folder" is declared already. */
-  std::function<void(Keys &keys)> declare;
-
   /**
-   * Refuses keys that others leave without effect; called before anything is printed.
-   * @throws UserError
+   * Binds all keys; "Output folder" is bound already. Called once to declare them and once
+   * to judge the conditions between them, before anything is printed. @throws UserError
    */
-  std::function<void(const Keys &keys)> check_keys;
+  std::function<void(Keys &keys)> declare;
 
   /**
    * Reads the keys and the input files, and checks both, cheaply; always called, before
@@ -74,7 +73,7 @@ struct Program
  * timings, summary.json, exit status (ExitStatus). Errors are printed once, to stderr, as
  * `<program>: <sentence>`; nothing escapes.
  */
-int run_program(int argc, char **argv, const Program &program);
+int run_program(int argc, char **argv, const Application &program);
 } // namespace mesoslip
 
 #endif

@@ -75,11 +75,6 @@ void Progress::start(const std::string &name,
                                                : Clock::duration(line_interval));
 }
 
-void Progress::update(const std::uint64_t step)
-{
-  update(step, std::nan(""));
-}
-
 void Progress::update(const std::uint64_t step, const double simulated_time)
 {
   if (mode == Mode::off || !active)

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <iosfwd>
+#include <limits>
 #include <string>
 
 namespace mesoslip
@@ -41,11 +42,12 @@ public:
              const std::uint64_t n_cells    = 0,
              const std::uint64_t first_step = 0);
 
-  /** After step @p step (counted from 1); cheap when nothing is due to be shown. */
-  void update(const std::uint64_t step, const double simulated_time);
-
-  /** As update() for activities without time, such as load cases. */
-  void update(const std::uint64_t step);
+  /**
+   * After step @p step (counted from 1); cheap when nothing is due to be shown. Activities
+   * without time, such as load cases, give no @p simulated_time (s).
+   */
+  void update(const std::uint64_t step,
+              const double simulated_time = std::numeric_limits<double>::quiet_NaN());
 
   /** Removes the line of a terminal; other output may follow. */
   void clear();

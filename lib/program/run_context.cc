@@ -4,15 +4,16 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "base/version.h"
-#include "program/interrupt.h"
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace mesoslip
 {
@@ -20,17 +21,29 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** Creates the folder with its parents. */
-void make_folder(const std::string &folder)
+volatile std::sig_atomic_t signal_received = 0;
+timespec first_signal                      = {};
+
+// Terminals, timeout and mpirun may deliver one request twice.
+extern "C" void mesoslip_on_signal(int)
 {
-  std::error_code code;
-  if (fs::exists(folder, code) && !fs::is_directory(folder, code))
-    throw UserError(folder +
-                    " exists and is not a folder; give another one with --output");
-  fs::create_directories(folder, code);
-  if (code)
-    throw UserError("the output folder " + folder + " cannot be created (" +
-                    code.message() + ")");
+  timespec now = {};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  if (signal_received == 0)
+    first_signal = now;
+  else if (now.tv_sec - first_signal.tv_sec > 1)
+    _exit(130);
+  signal_received = 1;
+}
+
+void install_signal_handlers()
+{
+  struct sigaction action = {};
+  action.sa_handler       = mesoslip_on_signal;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
 }
 
 std::string date_and_time()
@@ -55,13 +68,6 @@ void require_finite(const nlohmann::json &node, const std::string &path)
 }
 } // namespace
 
-std::size_t peak_memory_bytes()
-{
-  struct rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-}
-
 RunContext::RunContext(const RunOptions &options,
                        const MPI_Comm communicator,
                        const std::string &original,
@@ -81,7 +87,11 @@ RunContext::RunContext(const RunOptions &options,
     if (run_options.resume && !fs::is_directory(output_folder()))
       throw UserError("there is nothing to resume: the output folder " + output_folder() +
                       " does not exist");
-    make_folder(output_folder());
+    std::error_code code;
+    fs::create_directories(output_folder(), code);
+    if (code)
+      throw UserError("the output folder " + output_folder() + " cannot be created (" +
+                      code.message() + ")");
     lock = std::make_unique<FolderLock>(output_folder());
     std::error_code ignored;
     fs::remove(file("terminate"), ignored);
@@ -102,6 +112,7 @@ RunContext::RunContext(const RunOptions &options,
       run_options.prm_file + " -> " + output_folder());
   if (!run_options.resume)
     begin();
+  install_signal_handlers();
 }
 
 RunContext::~RunContext() = default;
@@ -162,13 +173,14 @@ void RunContext::warn(const std::string &line)
 
 bool RunContext::stop_requested_here()
 {
-  if (interrupt_received())
+  if (signal_received != 0)
     return true;
   const auto now = std::chrono::steady_clock::now();
   if (!root() || now < next_look)
     return false;
   next_look = now + std::chrono::milliseconds(250);
-  return terminate_file_exists(output_folder());
+  std::error_code ignored;
+  return fs::exists(file("terminate"), ignored);
 }
 
 bool RunContext::stop_requested()
@@ -181,7 +193,9 @@ bool RunContext::stop_requested()
 
 void RunContext::write_summary()
 {
-  unsigned long long memory = peak_memory_bytes();
+  struct rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  unsigned long long memory = 1024ull * static_cast<unsigned long long>(usage.ru_maxrss);
   if (size > 1)
     MPI_Allreduce(MPI_IN_PLACE, &memory, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, comm);
   (*run_summary)["seconds"]           = run_timer.json();

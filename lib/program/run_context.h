@@ -38,7 +38,8 @@ class RunContext
 public:
   /**
    * Creates and locks the output folder, opens its log, removes `terminate` and, unless
-   * the run is to be resumed, calls begin(). @p original is the text of the .prm,
+   * the run is to be resumed, calls begin(). From then on SIGINT and SIGTERM ask for a
+   * stop; another one, two seconds or more later, ends the process with status 130. @p original is the text of the .prm,
    * @p effective what print_parameters() gave. @throws UserError.
    */
   RunContext(const RunOptions &options,
@@ -49,13 +50,13 @@ public:
   RunContext(const RunContext &)            = delete;
   RunContext &operator=(const RunContext &) = delete;
 
-  /** Of all ranks of the run. */
+  /** The communicator of all ranks of the run. */
   MPI_Comm communicator() const
   {
     return comm;
   }
 
-  /** Of this process, from 0. */
+  /** The number of this process, from 0. */
   int rank() const
   {
     return my_rank;
@@ -175,9 +176,6 @@ private:
   bool begun = false;
   std::chrono::steady_clock::time_point next_look;
 };
-
-/** Largest resident memory of this process so far, in bytes. */
-std::size_t peak_memory_bytes();
 } // namespace mesoslip
 
 #endif

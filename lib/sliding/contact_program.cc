@@ -29,11 +29,15 @@ std::unique_ptr<Analysis> build(Keys &keys)
 }
 } // namespace
 
-Program contact_dynamics_program()
+Application contact_dynamics_program()
 {
   return {"contact_dynamics",
           "Explicit dynamics of an elastic body that rubs on a moving rigid flat.",
-          [](Keys &keys) { ContactParameters().bind(keys); },
-          ContactParameters::check_keys, build};
+          [](Keys &keys) {
+            ContactParameters().bind(keys);
+            keys.renamed("Performance/Static solver = assembled", "ml");
+            ContactParameters::check_keys(keys);
+          },
+          build};
 }
 } // namespace mesoslip

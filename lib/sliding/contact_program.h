@@ -6,7 +6,7 @@
 namespace mesoslip
 {
 /** The program contact_dynamics. */
-Program contact_dynamics_program();
+Application contact_dynamics_program();
 } // namespace mesoslip
 
 #endif

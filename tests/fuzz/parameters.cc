@@ -18,7 +18,9 @@ void apply(Keys &keys)
 {
   Parameters().bind(keys);
   keys.apply();
-  Parameters::check_keys(keys);
+  Parameters().bind(keys); // judges the conditions between keys
+  if constexpr (!std::is_same_v<Parameters, RveParameters>)
+    Parameters::check_keys(keys);
 }
 
 /** What was accepted is accepted again, and the same, when printed. */

@@ -13,11 +13,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
   static const UniformGrid<2> grid = {{{40, 20}}, {{1e-4, 1e-4}}, {{0., 0.}}};
   const std::string &path          = file.fill(data, size);
   accepted_or_refused([&]() {
-    const Table table = Table::read(path);
+    const CsvTable table = CsvTable::read(path);
     for (const std::string &heading : table.columns())
       accepted_or_refused([&]() { table.numbers(heading); });
   });
-  accepted_or_refused([&]() { draw_rectangles(grid, read_rectangles(path)); });
-  accepted_or_refused([&]() { read_rectangles(path, &grid); });
+  accepted_or_refused([&]() { draw_rectangles(grid, read_rectangles(path, grid)); });
   return 0;
 }

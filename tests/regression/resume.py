@@ -278,7 +278,7 @@ def refusals(scene):
     scene.expect(2, ["Number of MPI ranks is 2 instead of 1"], "r", resume, ranks=2)
     scene.expect(2, ["End time lies before the checkpoint"], "r", resume + ["--set", "Time/End time=1e-8"])
     scene.expect(2, ["nothing to resume", "does not exist"], "nowhere", resume)
-    for spoilt, word in ((good[:-3], "truncated"), (good[:200] + b"x" + good[201:], "checksum"),
+    for spoilt, word in ((good[:-3], "truncated"), (good[:200] + b"x" + good[201:], "CRC-32"),
                          (b"\x89HDF" + good[4:], "not a checkpoint")):
         with open(scene.path("r", CHECKPOINT), "wb") as file:
             file.write(spoilt)

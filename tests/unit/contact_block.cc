@@ -104,8 +104,6 @@ TEST(LoadHistory, Ramps)
   EXPECT_EQ(typed.amplitude(), 3.);
   EXPECT_THROW(LoadHistory(1., "3*("), std::invalid_argument);
   EXPECT_THROW(LoadHistory(1., "3*x"), std::invalid_argument);
-  EXPECT_EQ(ramp_from_string("smooth"), Ramp::smooth);
-  EXPECT_THROW(ramp_from_string("Smooth"), std::invalid_argument);
 }
 
 // The parser takes the last item of a list: 2,5 would be 5.

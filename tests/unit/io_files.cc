@@ -31,25 +31,20 @@ TEST(Tables, ReadBackUnchanged)
     TableWriter table(path, {"time [s]", "a, \"b\" [m]"});
     for (int i = 0; i < 20000; ++i)
       table.add_row({i / 3., std::sqrt(2. * i)});
-    EXPECT_EQ(table.n_rows(), 20000u);
-    EXPECT_THROW(table.add_row(std::vector<double>{1.}), std::logic_error);
   }
-  Table table              = Table::read(path);
+  CsvTable table           = CsvTable::read(path);
   std::vector<double> time = table.numbers("time [s]"), b = table.numbers("a, \"b\" [m]");
   ASSERT_EQ(time.size(), 20000u);
   for (int i = 0; i < 20000; ++i)
     ASSERT_TRUE(time[i] == i / 3. && b[i] == std::sqrt(2. * i));
   {
-    TableWriter more = TableWriter::resume(path, {"time [s]", "a, \"b\" [m]"}, 2);
-    more.add_row({7., std::nan("")});
-    more.flush();
+    TableWriter few(path, {"time [s]", "a, \"b\" [m]"});
+    few.add_row({7., std::nan("")});
+    few.flush();
   }
-  EXPECT_EQ(
-    read_file(path),
-    "time [s],\"a, \"\"b\"\" [m]\"\n0,0\n0.3333333333333333,1.4142135623730951\n7,\n");
-  expect_contains(user_error([&]() { TableWriter::resume(path, {"x"}, 2); }), "columns");
-  expect_contains(user_error([&]() { Table::read(path).numbers("a, \"b\" [m]"); }),
-                  "t.csv:4: column 'a, \"b\" [m]' holds ''");
+  EXPECT_EQ(read_file(path), "time [s],\"a, \"\"b\"\" [m]\"\n7,\n");
+  expect_contains(user_error([&]() { CsvTable::read(path).numbers("a, \"b\" [m]"); }),
+                  "t.csv:2: column 'a, \"b\" [m]' holds ''");
 }
 
 TEST(Tables, NameWhatIsWrong)
@@ -58,7 +53,7 @@ TEST(Tables, NameWhatIsWrong)
   const std::string path = folder / "r.csv";
   const auto message     = [&](const std::string &text) {
     write_file(path, text);
-    return user_error([&]() { Table::read(path).numbers("x"); });
+    return user_error([&]() { CsvTable::read(path).numbers("x"); });
   };
   expect_contains(message("x,y\n\n# comment\n1,2\n1\n"),
                   "r.csv:5: 1 values, but the heading has 2 columns");
@@ -68,8 +63,9 @@ TEST(Tables, NameWhatIsWrong)
                   "there is no column 'x'; the heading line has y, z");
   expect_contains(message("x\n\"1\n"), "r.csv:2: a quotation mark is not closed");
   expect_contains(message("\n"), "is empty");
-  expect_contains(user_error([&]() { Table::read(folder / "no.csv"); }), "no such file");
-  expect_contains(user_error([&]() { Table::read(folder.path); }), "is a folder");
+  expect_contains(user_error([&]() { CsvTable::read(folder / "no.csv"); }),
+                  "there is no file");
+  expect_contains(user_error([&]() { CsvTable::read(folder.path); }), "is a folder");
 }
 
 TEST(Xdmf, NamesDatasetsAndExtents)
@@ -90,7 +86,7 @@ TEST(Xdmf, NamesDatasetsAndExtents)
   phase.file    = "d.h5";
   phase.dataset = "/phase/id";
   phase.centre  = XdmfField::Centre::cell;
-  phase.number  = XdmfField::Number::int32;
+  phase.number  = XdmfField::Number::uint8;
   write_xdmf(folder / "d.xdmf", grid, {displacement}, {0.5, 1. / 3.});
   boost::property_tree::ptree tree;
   read_xml(folder / "d.xdmf", tree);
@@ -120,8 +116,6 @@ TEST(Xdmf, NamesDatasetsAndExtents)
   EXPECT_EQ(only.rbegin()->second.get<std::string>("<xmlattr>.Name"), "stress_2");
   EXPECT_EQ(only.rbegin()->second.get<std::string>("DataItem.DataItem"),
             "0 0 2  1 1 1  3 4 1");
-  EXPECT_THROW(write_xdmf(folder / "e.xdmf", grid, {phase, displacement}),
-               std::logic_error);
 }
 
 TEST(Checkpoints, ComeBackOrSayWhyNot)
@@ -142,14 +136,14 @@ TEST(Checkpoints, ComeBackOrSayWhyNot)
 
   CheckpointHeader other = header;
   other.kind             = "modal";
-  expect_contains(message(other),
-                  "is a checkpoint of 'contact_dynamics', not of 'modal'");
+  expect_contains(message(other), "is a mesoslip-checkpoint of contact_dynamics, 2D, "
+                                  "layout 1, little endian, but this run needs a ");
   other     = header;
   other.dim = 3;
-  expect_contains(message(other), "belongs to a 2D run, not to a 3D one");
+  expect_contains(message(other), "2D, layout 1");
   other         = header;
   other.version = 2;
-  expect_contains(message(other), "layout version 1");
+  expect_contains(message(other), "layout 1, ");
 
   const std::string good = read_file(path);
   const auto spoilt      = [&](const std::string &bytes) {
@@ -157,13 +151,13 @@ TEST(Checkpoints, ComeBackOrSayWhyNot)
     return message(header);
   };
   expect_contains(spoilt(""), "is not a checkpoint");
-  expect_contains(spoilt(good.substr(0, 50)), "is truncated: its header");
+  expect_contains(spoilt(good.substr(0, 30)), "but this run needs");
   expect_contains(spoilt(good.substr(0, good.size() - 1)),
-                  "14 bytes of state instead of 15");
-  expect_contains(spoilt(good + "x"), "is damaged: 16 bytes");
+                  "the state was written as 15 bytes, ");
+  expect_contains(spoilt(good + "x"), "and has 16 bytes");
   std::string flipped = good;
   flipped.back() ^= 1;
-  expect_contains(spoilt(flipped), "its checksum does not fit");
+  expect_contains(spoilt(flipped), "is truncated or damaged");
 }
 
 TEST(Archives, SayWhenTheyAreDamaged)

@@ -112,9 +112,6 @@ std::unique_ptr<Analysis> build(Keys &keys)
 int main(int argc, char **argv)
 {
   return run_program(argc, argv,
-                     {"io_program",
-                      "Tests what all programs share.",
-                      [](Keys &keys) { Nothing().bind(keys); },
-                      {},
-                      build});
+                     {"io_program", "Tests what all programs share.",
+                      [](Keys &keys) { Nothing().bind(keys); }, build});
 }

@@ -21,15 +21,15 @@ TEST(MicrostructureParameters, NoModulusFromAName)
 {
   const std::string advice =
     "/Young modulus' is 0; give the modulus in Pa, or set Type = orthotropic (with Young "
-    "moduli, Poisson ratios and Shear moduli) or Type = stiffness (with Stiffness "
-    "coefficients)";
+    "moduli, Poisson ratios and Shear moduli) or Type = stiffness (with "
+    "Stiffness)";
   expect_contains(error_of({}, ""), "'Phases/matrix" + advice);
   expect_contains(error_of({"Phases/matrix/Young modulus=30e9"}, ""),
                   "'Phases/fibre" + advice);
   const auto matrix = checked({"Phases/Names=matrix", "Microstructure/Type=homogeneous",
                                "Phases/matrix/Young modulus=2e9"},
                               "");
-  EXPECT_EQ(matrix.phases.phases[0].density, 0.);
+  EXPECT_EQ(matrix.phases[0].density, 0.);
 }
 
 TEST(MicrostructureParameters, KeysWithoutEffectAreRefused)
@@ -48,7 +48,7 @@ TEST(MicrostructureParameters, KeysWithoutEffectAreRefused)
      "orthotropic"},
     {{fibre + "Shear moduli=1e9, 2e9, 3e9"}, "Type = orthotropic"},
     {{fibre + "Poisson ratios=0.1, 0.1, 0.1"}, "Type = orthotropic"},
-    {{fibre + "Stiffness coefficients=4e9, 1e9, 3e9, 2e9"}, "Type = stiffness"},
+    {{fibre + "Stiffness=4e9, 1e9, 3e9, 2e9"}, "Type = stiffness"},
     {{fibre + "Angle=0.5"}, "Type = orthotropic or stiffness"},
     {{fibre + "Type=stiffness"},
      "run.prm:8: Phases/fibre/Young modulus has no effect, as Phases/fibre/Type is "
@@ -76,7 +76,7 @@ TEST(MicrostructureParameters, AnglesInDegrees)
 {
   const auto warnings = [](const std::string &angle) {
     Settings settings = {"Phases/fibre/Type=stiffness", "Phases/fibre/Angle=" + angle,
-                         "Phases/fibre/Stiffness coefficients=4e9, 1e9, 3e9, 2e9"};
+                         "Phases/fibre/Stiffness=4e9, 1e9, 3e9, 2e9"};
     return make_microstructure(checked(settings, "subsection Phases\nsubsection matrix\n"
                                                  "set Young modulus = 1e9\nend\nend\n"))
       .warnings;

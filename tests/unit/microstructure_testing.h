@@ -39,7 +39,6 @@ inline MicrostructureParameters checked(const Settings &settings,
   Keys keys(raw);
   MicrostructureParameters().bind(keys);
   keys.apply();
-  MicrostructureParameters::check_keys(keys);
   MicrostructureParameters parameters;
   parameters.bind(keys);
   parameters.check();
@@ -49,6 +48,21 @@ inline MicrostructureParameters checked(const Settings &settings,
 inline std::string error_of(const Settings &settings, const std::string &text = table_1)
 {
   return user_error([&] { checked(settings, text); });
+}
+
+/** 64-bit FNV-1a of the numbers of cells and the phase indices. */
+inline std::uint64_t morphology_digest(const PhaseMap<2> &map)
+{
+  std::uint64_t state = 0xcbf29ce484222325u;
+  const auto add      = [&](const std::uint8_t byte) {
+    state = (state ^ byte) * 0x100000001b3u;
+  };
+  for (const unsigned int n : map.grid.cells)
+    for (unsigned int shift = 0; shift < 32; shift += 8)
+      add(static_cast<std::uint8_t>(n >> shift));
+  for (const std::uint8_t phase : map.id)
+    add(phase);
+  return state;
 }
 
 /** A key of the random fibres with its value. */

@@ -2,10 +2,9 @@
 #include "io_testing.h"
 
 #include "base/files.h"
+#include "morphology/fibre_sampler.h"
 #include "morphology/image_map.h"
 #include "morphology/random_fibres.h"
-#include "morphology/random_numbers.h"
-#include "morphology/statistics.h"
 
 #include <algorithm>
 
@@ -79,7 +78,7 @@ TEST(Rectangles, ReadFromCsv)
   const std::string file = folder / "r.csv";
   write_file(file, "# a comment\nx_left_mm,y_bottom_mm,width_mm,height_mm,phase\n"
                    "0.1,0,0.2,0.3,1\n\n0.2,0.1,0.2,0.1,2\n-0.5,0.9,0.6,5,1\n");
-  const auto map  = draw_rectangles(small_grid, read_rectangles(file, &small_grid));
+  const auto map  = draw_rectangles(small_grid, read_rectangles(file, small_grid));
   const auto rows = picture(map);
   EXPECT_EQ(rows[0], "#...................");
   EXPECT_EQ(rows[1], "....................");
@@ -93,7 +92,7 @@ TEST(Rectangles, WriteAndReadAgain)
   TemporaryFolder folder;
   const auto placed = place_random_fibres(paper_grid, FibrePlacement());
   write_rectangles(folder / "r.csv", placed.fibres);
-  const auto read = read_rectangles(folder / "r.csv", &paper_grid);
+  const auto read = read_rectangles(folder / "r.csv", paper_grid);
   EXPECT_EQ(read.size(), placed.fibres.size());
   EXPECT_EQ(draw_rectangles(paper_grid, read).id, placed.map.id);
 }
@@ -105,7 +104,7 @@ TEST(Rectangles, ErrorsNameFileAndLine)
   const std::string start = "x_left_mm,y_bottom_mm,width_mm,height_mm\n0,0,1,1\n";
   const auto error        = [&](const std::string &text) {
     write_file(file, text);
-    return user_error([&] { read_rectangles(file, &small_grid); });
+    return user_error([&] { read_rectangles(file, small_grid); });
   };
   expect_contains(error(start + "0,0,-1,1\n"), file + ":3: width_mm");
   expect_contains(error(start + "0,0,1,0\n"), file + ":3: height_mm");
@@ -120,11 +119,8 @@ TEST(Rectangles, ErrorsNameFileAndLine)
   expect_contains(error("x_left_mm,y_bottom_mm,width_mm,height_mm,colour\n"), "colour");
   const std::string phases = "x_left_mm,y_bottom_mm,width_mm,height_mm,phase\n";
   expect_contains(error(phases + "0,0,1,1,1.5\n"), file + ":2: phase");
-  expect_contains(user_error([&] { read_rectangles(folder / "none.csv"); }), "none.csv");
-  expect_contains(user_error([&] {
-                    draw_rectangles(small_grid, {{0., 0., 1e-3, 1e-3}, {1., 0., 1., 1.}});
-                  }),
-                  "number 2");
+  expect_contains(user_error([&] { read_rectangles(folder / "none.csv", small_grid); }),
+                  "none.csv");
 }
 
 namespace
@@ -146,6 +142,13 @@ Image make_image(const unsigned int width, const std::vector<int> &values)
   image.values = values;
   return image;
 }
+
+ImageMap read_picture(const UniformGrid<2> &grid,
+                      const std::string &file,
+                      const ImageReading &reading)
+{
+  return map_from_image(grid, read_image(file), reading, file);
+}
 } // namespace
 
 TEST(ImageMap, PicturesStandUpright)
@@ -153,11 +156,11 @@ TEST(ImageMap, PicturesStandUpright)
   TemporaryFolder folder;
   write_file(folder / "a.txt", "0 7 0\n7 7 0\n");
   const auto map =
-    read_phase_map(make_grid(3, 2, 1.), folder / "a.txt", {{}, 2, false}).map;
+    read_picture(make_grid(3, 2, 1.), folder / "a.txt", {{}, 2, false}).map;
   EXPECT_EQ(picture(map), (std::vector<std::string>{".#.", "##."}));
   // The values may be named in any order.
   const auto other =
-    read_phase_map(make_grid(3, 2, 1.), folder / "a.txt", {{7, 0}, 2, false}).map;
+    read_picture(make_grid(3, 2, 1.), folder / "a.txt", {{7, 0}, 2, false}).map;
   EXPECT_EQ(picture(other), (std::vector<std::string>{"#.#", "..#"}));
 }
 
@@ -167,7 +170,7 @@ TEST(ImageMap, TextOfAnyEditor)
   const std::string path = folder / "phases.txt";
   write_file(path, "\xef\xbb\xbf"
                    "0 0 1\r1 0 0\r\n");
-  EXPECT_EQ(picture(read_phase_map(make_grid(3, 2, 1e-4), path, {{}, 2, false}).map),
+  EXPECT_EQ(picture(read_picture(make_grid(3, 2, 1e-4), path, {{}, 2, false}).map),
             (std::vector<std::string>{"..#", "#.."}));
 }
 
@@ -278,7 +281,7 @@ TEST(ImageMap, DigitsWithoutBlanks)
   TemporaryFolder folder;
   const auto read = [&](const std::string &text, const unsigned int n_cells) {
     write_file(folder / "a.txt", text);
-    read_phase_map(make_grid(n_cells, 4, 1.), folder / "a.txt", {{}, 2, true});
+    read_picture(make_grid(n_cells, 4, 1.), folder / "a.txt", {{}, 2, true});
   };
   const auto error = [&](const std::string &text, const unsigned int n_cells) {
     return user_error([&] { read(text, n_cells); });
@@ -294,31 +297,6 @@ TEST(ImageMap, DigitsWithoutBlanks)
   EXPECT_NO_THROW(read("1\n2\n2\n1\n", 4));
   EXPECT_NO_THROW(read("9\n10\n10\n9\n", 4));
   EXPECT_NO_THROW(read("10\n20\n20\n10\n", 3));
-}
-
-TEST(Statistics, OfASmallMap)
-{
-  // .##..
-  // .#..#
-  // ##..#
-  const PhaseMap<2> map{make_grid(5, 3, 0.5),
-                        {1, 1, 0, 0, 1, /**/ 0, 1, 0, 0, 1, /**/ 0, 1, 1, 0, 0}};
-  const auto s = phase_statistics(map, 3);
-  EXPECT_EQ(s[1].n_cells, 7u);
-  EXPECT_DOUBLE_EQ(s[1].area_fraction, 7. / 15.);
-  EXPECT_EQ(s[1].n_regions, 2u);
-  EXPECT_EQ(s[0].n_regions, 2u);
-  EXPECT_DOUBLE_EQ(s[1].mean_chord_x, 0.5 * 7. / 5.);
-  EXPECT_DOUBLE_EQ(s[1].mean_chord_y, 0.5 * 7. / 4.);
-  EXPECT_DOUBLE_EQ(s[0].mean_chord_y, 0.5 * 8. / 4.);
-  EXPECT_EQ(s[2].n_cells, 0u);
-  EXPECT_EQ(s[2].mean_chord_x, 0.);
-  EXPECT_EQ(area_fractions(map, 2), (std::vector<double>{8. / 15., 7. / 15.}));
-  const auto along_x = two_point_probability(map, 1, 0, 2);
-  EXPECT_DOUBLE_EQ(along_x[0], 7. / 15.);
-  EXPECT_DOUBLE_EQ(along_x[1], 2. / 12.);
-  EXPECT_DOUBLE_EQ(along_x[2], 0. / 9.);
-  EXPECT_DOUBLE_EQ(two_point_probability(map, 1, 1, 1)[1], 3. / 10.);
 }
 
 TEST(CellBox, RefinedMap)

@@ -141,7 +141,7 @@ def program(programs, phases, solver):
         text = f"subsection Grid\n set Cells = {NX}, {NY}\n set Spacing = {HX}, {HY}\nend\n"
         text += "subsection Phases\n set Names = a, b, c\n"
         for name, d in zip("abc", STIFFNESS):
-            text += f" subsection {name}\n  set Type = stiffness\n  set Stiffness coefficients = " + \
+            text += f" subsection {name}\n  set Type = stiffness\n  set Stiffness = " + \
                 ", ".join(map(str, d)) + "\n end\n"
         text += "end\nsubsection Microstructure\n set Type = image\n set File = map.txt\n set Oblong pixels = true\nend\n"
         text += "subsection Homogenization\n set Boundary conditions = KUBC, SUBC, PBC\n"

@@ -77,7 +77,7 @@ def morphology(folder, phases):
     np.savetxt(os.path.join(folder, "map.txt"), phases[::-1], fmt="%d")  # an image: top row first
     text = f"subsection Grid\n set Cells = {NX}, {NY}\n set Spacing = {HX}, {HY}\nend\nsubsection Phases\n set Names = a, b, c\n"
     for name, d, density in zip("abc", STIFFNESS, DENSITY):
-        text += f" subsection {name}\n  set Type = stiffness\n  set Stiffness coefficients = {', '.join(map(str, d))}\n"
+        text += f" subsection {name}\n  set Type = stiffness\n  set Stiffness = {', '.join(map(str, d))}\n"
         text += f"  set Density = {density}\n end\n"
     text += "end\nsubsection Microstructure\n set Type = image\n set File = map.txt\n set Oblong pixels = true\nend\n"
     text += "subsection Homogenization\n set Boundary conditions = KUBC\n set Effective = KUBC\nend\n"

@@ -2,7 +2,6 @@
 #include "material/bounds.h"
 #include "material/mandel.h"
 #include "morphology/random_fibres.h"
-#include "morphology/statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -50,7 +50,7 @@ def write_coarse(rve, folder, times=1):
              "subsection Phases", "  set Names = " + ", ".join(names)]
     for name, stiffness in zip(names, phases):
         lines += [f"  subsection {name}", "    set Type = stiffness", f"    set Density = {density!r}",
-                  "    set Stiffness coefficients = " + ", ".join(repr(float(d)) for d in stiffness), "  end"]
+                  "    set Stiffness = " + ", ".join(repr(float(d)) for d in stiffness), "  end"]
     lines += ["end", "subsection Microstructure", "  set Type = image", "  set File = phases.txt",
               "  set Image values = " + ", ".join(str(k) for k in range(len(names))), "end", "subsection Homogenization",
               "  set Boundary conditions = KUBC, SUBC", "  set Write concentration = false", "end", ""]

@@ -3,7 +3,6 @@
 #include "base/text.h"
 #include "io/checksum.h"
 #include "io/hdf5/internal.h"
-#include "parameters/parameters.h"
 
 #include <algorithm>
 #include <atomic>

@@ -17,43 +17,35 @@ void Hdf5File::write_header(const std::string &format,
   write_attribute("/", "digest", digest);
 }
 
-Hdf5Header Hdf5File::check_header(const std::string &format,
-                                  const int max_version,
-                                  const int dim,
-                                  const std::string &hint) const
+std::string Hdf5File::check_header(const std::string &format,
+                                   const int max_version,
+                                   const int dim,
+                                   const std::string &hint) const
 {
-  Hdf5Header header;
   if (!has_attribute("/", "format"))
     fail("is not a file of format " + format + ": it has no attribute 'format'", hint);
-  header.format = read_attribute<std::string>("/", "format");
-  if (header.format != format)
-    fail("has the format " + header.format + " instead of " + format, hint);
-  header.version = read_attribute<int>("/", "format_version");
-  if (header.version < 1 || header.version > max_version)
-    fail("has version " + std::to_string(header.version) + " of the format " + format +
+  const auto found = read_attribute<std::string>("/", "format");
+  if (found != format)
+    fail("has the format " + found + " instead of " + format, hint);
+  const int file_version = read_attribute<int>("/", "format_version");
+  if (file_version < 1 || file_version > max_version)
+    fail("has version " + std::to_string(file_version) + " of the format " + format +
          ", but this program knows versions 1 to " + std::to_string(max_version));
-  header.dim = read_attribute<int>("/", "dim");
-  if (dim != 0 && header.dim != dim)
-    fail("is " + std::to_string(header.dim) + "D, but the run is " + std::to_string(dim) +
+  const int file_dim = read_attribute<int>("/", "dim");
+  if (dim != 0 && file_dim != dim)
+    fail("is " + std::to_string(file_dim) + "D, but the run is " + std::to_string(dim) +
            "D",
          hint);
-  header.program_version = read_attribute<std::string>("/", "program_version");
-  header.digest          = read_attribute<std::string>("/", "digest");
-  return header;
+  return read_attribute<std::string>("/", "digest");
 }
 
 std::string Hdf5File::change_note(const std::string &program) const
 {
-  switch (signature)
-    {
-    case Signature::valid:
-      return "";
-    case Signature::broken:
-      return file_path + " has changed since " + program +
-             " wrote it, by an edit or by damage; its numbers are used as they are";
-    case Signature::missing:
-      break;
-    }
+  if (signature == Signature::valid)
+    return "";
+  if (signature == Signature::broken)
+    return file_path + " has changed since " + program +
+           " wrote it, by an edit or by damage; its numbers are used as they are";
   return file_path +
          " has no checksum, as an earlier version or another program wrote it: "
          "whether it is as " +

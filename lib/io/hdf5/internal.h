@@ -14,27 +14,19 @@ namespace mesoslip
 {
 namespace hdf5
 {
-/** The type of T in memory. */
+/** The type of the numbers T in memory. */
 template <typename T>
 hid_t native_type()
 {
-  if constexpr (std::is_same_v<T, double>)
-    return H5T_NATIVE_DOUBLE;
-  else if constexpr (std::is_same_v<T, float>)
-    return H5T_NATIVE_FLOAT;
-  else if constexpr (std::is_same_v<T, int>)
-    return H5T_NATIVE_INT;
-  else if constexpr (std::is_same_v<T, unsigned int>)
-    return H5T_NATIVE_UINT;
-  else if constexpr (std::is_same_v<T, std::int64_t>)
-    return H5T_NATIVE_INT64;
-  else if constexpr (std::is_same_v<T, std::uint64_t>)
-    return H5T_NATIVE_UINT64;
+  static_assert(std::is_arithmetic_v<T>, "no type of numbers");
+  if constexpr (std::is_floating_point_v<T>)
+    return sizeof(T) == 4 ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE;
+  else if constexpr (std::is_signed_v<T>)
+    return sizeof(T) == 4 ? H5T_NATIVE_INT32 : H5T_NATIVE_INT64;
   else
-    {
-      static_assert(std::is_same_v<T, std::uint8_t>, "no type of values");
-      return H5T_NATIVE_UINT8;
-    }
+    return sizeof(T) == 1   ? H5T_NATIVE_UINT8
+           : sizeof(T) == 4 ? H5T_NATIVE_UINT32
+                            : H5T_NATIVE_UINT64;
 }
 
 /** Extents as the library wants them. */
@@ -86,6 +78,12 @@ std::string not_finite(const T *values, const std::size_t n)
   return "";
 }
 
+/** Whether T is a std::vector of values. */
+template <typename T>
+constexpr bool is_vector = false;
+template <typename T>
+constexpr bool is_vector<std::vector<T>> = true;
+
 /** What an object of a file is called in messages. */
 inline std::string dataset_text(const std::string &name)
 {
@@ -98,19 +96,6 @@ inline std::string attribute_text(const std::string &object, const std::string &
   return "the attribute '" + name + "' of " + object;
 }
 
-/** Takes values and vectors of values apart: of what type they are. */
-template <typename T>
-struct ValueOf
-{
-  using Type                      = T;
-  static constexpr bool is_vector = false;
-};
-template <typename T>
-struct ValueOf<std::vector<T>>
-{
-  using Type                      = T;
-  static constexpr bool is_vector = true;
-};
 } // namespace hdf5
 } // namespace mesoslip
 

@@ -7,63 +7,6 @@ using hdf5::attribute_text, hdf5::dataset_text;
 
 namespace
 {
-/** Dataset or attribute: all its values or, of a dataset, what is selected. */
-struct Source
-{
-  Source(const hid_t object, const Shape &shape, const Hdf5Handle *selection)
-    : object(object)
-    , is_attribute(H5Iget_type(object) == H5I_ATTR)
-    , type(is_attribute ? H5Aget_type(object) : H5Dget_type(object))
-    , memory(hdf5::make_space(shape))
-    , n(hdf5::product(shape))
-    , file_space(selection == nullptr ? H5S_ALL : static_cast<hid_t>(*selection))
-  {
-  }
-
-  // The space in memory is of the same rank as the selection: otherwise HDF5 maps every
-  // number by itself.
-  bool read(const hid_t memory_type, void *values) const
-  {
-    return (is_attribute ? H5Aread(object, memory_type, values)
-                         : H5Dread(object, memory_type, memory, file_space, H5P_DEFAULT,
-                                   values)) >= 0;
-  }
-
-  /** Numbers. */
-  template <typename T>
-  bool read(std::vector<T> &values) const
-  {
-    values.resize(n);
-    return read(hdf5::native_type<T>(), values.data());
-  }
-
-  /** Texts of fixed or variable length. */
-  bool read(std::vector<std::string> &texts) const
-  {
-    if (H5Tis_variable_str(type) > 0)
-      {
-        std::vector<char *> found(n, nullptr);
-        const bool done = read(type, found.data());
-        for (const char *text : found)
-          texts.emplace_back(text == nullptr ? "" : text);
-        H5Dvlen_reclaim(type, memory, H5P_DEFAULT, found.data());
-        return done;
-      }
-    const std::size_t length = H5Tget_size(type);
-    std::string all(length * n, '\0');
-    const bool done = read(type, all.data());
-    for (std::size_t i = 0; i < n; ++i)
-      texts.emplace_back(all.substr(i * length, length).c_str()); // up to the first zero
-    return done;
-  }
-
-  const hid_t object;
-  const bool is_attribute;
-  const Hdf5Handle type, memory;
-  const std::size_t n;
-  const hid_t file_space;
-};
-
 bool same_shape(const Shape &shape, const Shape &expected)
 {
   return std::equal(
@@ -74,8 +17,6 @@ bool same_shape(const Shape &shape, const Shape &expected)
 
 Hdf5Handle Hdf5File::open_dataset(const std::string &name, const std::string &hint) const
 {
-  if (!exists(name))
-    fail(dataset_text(name) + " is missing", hint);
   Hdf5Handle object = open_object(name, hint);
   if (H5Iget_type(object) != H5I_DATASET)
     fail(name + " is not a dataset", hint);
@@ -104,28 +45,54 @@ std::vector<T> Hdf5File::read_values(const Hdf5Handle &object,
                                      const Shape &shape,
                                      const Hdf5Handle *selection) const
 {
-  constexpr bool texts = std::is_same_v<T, std::string>;
-  const Source source(object, shape, selection);
-  const auto kind = H5Tget_class(source.type);
+  constexpr bool texts    = std::is_same_v<T, std::string>;
+  const bool is_attribute = H5Iget_type(object) == H5I_ATTR;
+  const Hdf5Handle type(is_attribute ? H5Aget_type(object) : H5Dget_type(object));
+  const auto kind = H5Tget_class(type);
   if (texts && kind != H5T_STRING)
     fail(text + " is not a text or a list of texts");
   if (!texts && kind != H5T_INTEGER && kind != H5T_FLOAT)
     fail(text + " does not hold numbers");
   if (std::is_integral_v<T> && kind == H5T_FLOAT)
     fail(text + " does not hold whole numbers");
-  std::vector<T> values;
-  if (source.n == 0)
-    return values;
-  if (!source.read(values))
-    fail(text + " cannot be read: the file is truncated or damaged");
-  if constexpr (texts)
+
+  const std::size_t n = hdf5::product(shape);
+  // The space in memory is of the same rank as the selection: otherwise HDF5 maps every
+  // number by itself.
+  const Hdf5Handle memory = hdf5::make_space(shape);
+  const auto read_as      = [&](const hid_t memory_type, void *values) {
+    const hid_t space = selection == nullptr ? H5S_ALL : static_cast<hid_t>(*selection);
+    if (n > 0 && (is_attribute ? H5Aread(object, memory_type, values)
+                                    : H5Dread(object, memory_type, memory, space, H5P_DEFAULT,
+                                              values)) < 0)
+      fail(text + " cannot be read: the file is truncated or damaged");
+  };
+  std::vector<T> values(n);
+  if constexpr (!texts)
     {
-      if (!std::all_of(values.begin(), values.end(), is_utf8))
-        fail(text + " holds a text that is not UTF-8");
+      read_as(hdf5::native_type<T>(), values.data());
+      if (const std::string found = hdf5::not_finite(values.data(), n); !found.empty())
+        fail(text + " holds " + found);
     }
-  else if (const std::string found = hdf5::not_finite(values.data(), source.n);
-           !found.empty())
-    fail(text + " holds " + found);
+  else if (H5Tis_variable_str(type) > 0)
+    {
+      std::vector<char *> found(n, nullptr);
+      read_as(type, found.data());
+      for (std::size_t i = 0; i < n; ++i)
+        values[i] = found[i] == nullptr ? "" : found[i];
+      H5Dvlen_reclaim(type, memory, H5P_DEFAULT, found.data());
+    }
+  else
+    {
+      const std::size_t length = H5Tget_size(type);
+      std::string all(length * n, '\0');
+      read_as(type, all.data());
+      for (std::size_t i = 0; i < n; ++i)
+        values[i] = all.substr(i * length, length).c_str(); // up to the first zero
+    }
+  if constexpr (texts)
+    if (!std::all_of(values.begin(), values.end(), is_utf8))
+      fail(text + " holds a text that is not UTF-8");
   return values;
 }
 
@@ -181,12 +148,12 @@ T Hdf5File::read_attribute(const std::string &object,
   const Hdf5Handle attribute(H5Aopen(owner, name.c_str(), H5P_DEFAULT));
   if (!attribute.valid())
     fail(text + " cannot be opened: the file is damaged", hint);
-  const auto values = read_values<typename hdf5::ValueOf<T>::Type>(
-    attribute, text, shape_of(attribute, text));
-  if constexpr (hdf5::ValueOf<T>::is_vector)
-    return values;
+  const Shape extents = shape_of(attribute, text);
+  if constexpr (hdf5::is_vector<T>)
+    return read_values<typename T::value_type>(attribute, text, extents);
   else
     {
+      const auto values = read_values<T>(attribute, text, extents);
       if (values.size() != 1)
         fail(text + " has " + std::to_string(values.size()) + " values instead of one");
       return values.front();

@@ -9,23 +9,41 @@ using hdf5::attribute_text, hdf5::dataset_text;
 
 namespace
 {
-/** Texts as they are stored: UTF-8 of the length of the longest, filled up with zeros. */
-struct FixedTexts
+/**
+ * Values as the library takes them; texts become UTF-8 of the length of the longest,
+ * filled up with zeros. @throws NumericalFailure for a number that is not finite.
+ */
+struct Encoded
 {
-  FixedTexts(const std::string *texts, const std::size_t n)
-    : type(H5Tcopy(H5T_C_S1))
+  template <typename T>
+  Encoded(const std::string &text, const T *values, const std::size_t n)
+    : data(values)
   {
-    std::size_t longest = 1;
-    for (std::size_t i = 0; i < n; ++i)
-      longest = std::max(longest, texts[i].size());
-    H5Tset_size(type, longest);
-    H5Tset_cset(type, H5T_CSET_UTF8);
-    H5Tset_strpad(type, H5T_STR_NULLPAD);
-    for (std::size_t i = 0; i < n; ++i)
-      characters += texts[i] + std::string(longest - texts[i].size(), '\0');
+    if constexpr (std::is_same_v<T, std::string>)
+      {
+        std::size_t longest = 1;
+        for (std::size_t i = 0; i < n; ++i)
+          longest = std::max(longest, values[i].size());
+        type = Hdf5Handle(H5Tcopy(H5T_C_S1));
+        H5Tset_size(type, longest);
+        H5Tset_cset(type, H5T_CSET_UTF8);
+        H5Tset_strpad(type, H5T_STR_NULLPAD);
+        for (std::size_t i = 0; i < n; ++i)
+          characters += values[i] + std::string(longest - values[i].size(), '\0');
+        data = characters.data();
+      }
+    else
+      {
+        type = Hdf5Handle(H5Tcopy(hdf5::native_type<T>()));
+        if (const std::string found = hdf5::not_finite(values, n); !found.empty())
+          throw NumericalFailure(
+            text + " would hold " + found +
+            "; look for an input that is far too large, and at its unit");
+      }
   }
 
   Hdf5Handle type;
+  const void *data;
   std::string characters;
 };
 
@@ -63,47 +81,21 @@ void Hdf5File::remove(const std::string &name)
 }
 
 template <typename T>
-void Hdf5File::write_values(const std::string &text,
-                            const std::size_t n,
-                            const T *values,
-                            const RawWriter &write)
-{
-  Assert(writable && file.valid(), dealii::ExcMessage("the file is not being written"));
-  bool done = false;
-  if constexpr (std::is_same_v<T, std::string>)
-    {
-      const FixedTexts texts(values, n);
-      done = write(texts.type, texts.characters.data());
-    }
-  else
-    {
-      const std::string found = hdf5::not_finite(values, n);
-      if (!found.empty())
-        throw NumericalFailure(
-          file_path + ": " + text + " would hold " + found +
-          "; look for an input that is far too large, and at its unit");
-      done = write(hdf5::native_type<T>(), values);
-    }
-  if (!done)
-    fail_writing(text + " cannot be written");
-}
-
-template <typename T>
 void Hdf5File::write(const std::string &name, const Shape &shape, const T *data)
 {
+  Assert(writable && file.valid(), dealii::ExcMessage("the file is not being written"));
   const std::size_t n = hdf5::product(shape);
-  const auto write    = [&](const hid_t type, const void *values) {
-    remove(name);
-    const Hdf5Handle space = hdf5::make_space(shape), links = link_properties(),
-                     properties = creation_properties();
-    Hdf5Handle dataset(
-         H5Dcreate2(file, name.c_str(), type, space, links, properties, H5P_DEFAULT));
-    return dataset.valid() &&
-           (n == 0 ||
-            H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0) &&
-           dataset.close();
-  };
-  write_values(dataset_text(name), n, data, write);
+  const Encoded values(file_path + ": " + dataset_text(name), data, n);
+  remove(name);
+  const Hdf5Handle space = hdf5::make_space(shape), links = link_properties(),
+                   properties = creation_properties();
+  Hdf5Handle dataset(
+    H5Dcreate2(file, name.c_str(), values.type, space, links, properties, H5P_DEFAULT));
+  if (!dataset.valid() ||
+      (n > 0 &&
+       H5Dwrite(dataset, values.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data) < 0) ||
+      !dataset.close())
+    fail_writing(dataset_text(name) + " cannot be written");
 }
 
 template <typename T>
@@ -121,28 +113,26 @@ void Hdf5File::write_attribute(const std::string &object,
                                const std::string &name,
                                const T &value)
 {
-  constexpr bool is_vector = hdf5::ValueOf<T>::is_vector;
-  const typename hdf5::ValueOf<T>::Type *values;
-  Shape shape;
-  if constexpr (is_vector)
-    {
-      values = value.data();
-      shape  = {value.size()};
-    }
-  else
-    values = &value;
-  const std::size_t n = hdf5::product(shape);
-  const auto write    = [&](const hid_t type, const void *data) {
+  const std::string text = attribute_text(object, name);
+  const auto write_them  = [&](const Shape &shape, const auto *values) {
+    const std::size_t n = hdf5::product(shape);
+    const Encoded encoded(file_path + ": " + text, values, n);
     create_group(object);
     const Hdf5Handle owner = open_object(object, ""), space = hdf5::make_space(shape);
     if (H5Aexists(owner, name.c_str()) > 0)
       H5Adelete(owner, name.c_str());
     Hdf5Handle attribute(
-         H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT));
-    return attribute.valid() && (n == 0 || H5Awrite(attribute, type, data) >= 0) &&
-           attribute.close();
+       H5Acreate2(owner, name.c_str(), encoded.type, space, H5P_DEFAULT, H5P_DEFAULT));
+    if (!attribute.valid() ||
+        (n > 0 && H5Awrite(attribute, encoded.type, encoded.data) < 0) ||
+        !attribute.close())
+      fail_writing(text + " cannot be written");
   };
-  write_values(attribute_text(object, name), n, values, write);
+  Assert(writable && file.valid(), dealii::ExcMessage("the file is not being written"));
+  if constexpr (hdf5::is_vector<T>)
+    write_them({value.size()}, value.data());
+  else
+    write_them({}, &value);
 }
 
 void Hdf5File::reserve_rows(const std::string &name, const Shape &shape)
@@ -176,23 +166,23 @@ void Hdf5File::write_row(const std::string &name,
                          const std::size_t row,
                          const std::vector<double> &values)
 {
+  const Encoded encoded(file_path + ": " + dataset_text(name), values.data(),
+                        values.size());
   // Straight to the disk, past the buffer for chunks.
   const Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS));
   H5Pset_chunk_cache(access, 0, 0, 0.);
-  const auto write = [&](const hid_t type, const void *data) {
-    Hdf5Handle dataset(H5Dopen2(file, name.c_str(), access));
-    Shape count = shape_of(dataset, dataset_text(name)), offset(count.size(), 0);
-    AssertThrow(row < count[0], dealii::ExcIndexRange(row, 0, count[0]));
-    count[0]  = 1;
-    offset[0] = row;
-    AssertThrow(values.size() == hdf5::product(count),
-                dealii::ExcDimensionMismatch(values.size(), hdf5::product(count)));
-    const Hdf5Handle memory = hdf5::make_space(count),
-                     space  = hdf5::select_block(dataset, offset, count);
-    return H5Dwrite(dataset, type, memory, space, H5P_DEFAULT, data) >= 0 &&
-           dataset.close();
-  };
-  write_values(dataset_text(name), values.size(), values.data(), write);
+  Hdf5Handle dataset(H5Dopen2(file, name.c_str(), access));
+  Shape count = shape_of(dataset, dataset_text(name)), offset(count.size(), 0);
+  AssertThrow(row < count[0], dealii::ExcIndexRange(row, 0, count[0]));
+  count[0]  = 1;
+  offset[0] = row;
+  AssertThrow(values.size() == hdf5::product(count),
+              dealii::ExcDimensionMismatch(values.size(), hdf5::product(count)));
+  const Hdf5Handle memory = hdf5::make_space(count),
+                   space  = hdf5::select_block(dataset, offset, count);
+  if (H5Dwrite(dataset, encoded.type, memory, space, H5P_DEFAULT, encoded.data) < 0 ||
+      !dataset.close())
+    fail_writing(dataset_text(name) + " cannot be written");
 }
 
 #define MESOSLIP_INSTANTIATE(T)                                                        \
