@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(TOP, "applications", "studies"))
+sys.path.insert(0, os.path.join(TOP, "applications", "tools", "studies"))
 
 from fits import median_and_range  # noqa: E402
 from study import Study  # noqa: E402

@@ -47,7 +47,7 @@ def timed(name, scene, short, full, found, tolerance):
 def reuse(bench):
     """rve.h5 and the steps of a chain, made and found up to date."""
     rve = [os.path.join(bench.programs, "rve_homogenization"), prm(shortcuts.RVE), "--quiet", "--output", os.path.join(bench.runs, "reused")]
-    chain = [sys.executable, os.path.join(TOP, "applications", "run_chain.py"), prm("examples/image"), "--programs", bench.programs,
+    chain = [sys.executable, os.path.join(TOP, "applications", "tools", "run_chain.py"), prm("examples/image"), "--programs", bench.programs,
              "--no-report", "--output", os.path.join(bench.runs, "chain")]
     rows = []
     for name, scene, command, again in (("rve.h5 reused", "the pin's, KUBC and SUBC", rve, ["--set", "Homogenization/Reuse=false"]),

@@ -14,7 +14,7 @@ import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 REFERENCE = os.path.join(HERE, "chain", "reference.json")
-RUNNER = os.path.join(HERE, "..", "..", "applications", "run_chain.py")
+RUNNER = os.path.join(HERE, "..", "..", "applications", "tools", "run_chain.py")
 
 # Numbers of summary.json that are compared; regression values, not truths.
 KEYS = {

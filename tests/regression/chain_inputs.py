@@ -64,7 +64,7 @@ class Chain:
         return path
 
     def command(self, *options):
-        return [sys.executable, os.path.join(TOP, "applications", "run_chain.py"), self.source, "--output", self.target,
+        return [sys.executable, os.path.join(TOP, "applications", "tools", "run_chain.py"), self.source, "--output", self.target,
                 "--programs", self.programs, "--no-report", *options]
 
     def run(self, *options):

@@ -6,7 +6,7 @@ import subprocess
 import sys
 import tempfile
 
-SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "applications", "completion.bash")
+SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "applications", "tools", "completion.bash")
 
 
 def offered(programs, folder, *words):

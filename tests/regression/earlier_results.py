@@ -18,8 +18,8 @@ import numpy as np
 from scenes import PHASES, SMALL_RVE as RVE
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(TOP, "applications", "python"))
-sys.path.insert(1, os.path.join(TOP, "applications", "report"))
+sys.path.insert(0, os.path.join(TOP, "applications", "tools", "python"))
+sys.path.insert(1, os.path.join(TOP, "applications", "tools", "report"))
 import mesoslip
 from data import Chain
 

@@ -12,7 +12,7 @@ import h5py
 import numpy as np
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(TOP, "applications", "python"))
+sys.path.insert(0, os.path.join(TOP, "applications", "tools", "python"))
 import mesoslip
 
 IMAGE = os.path.join(TOP, "prm", "examples", "image")
@@ -89,7 +89,7 @@ def expect(error, words, action):
 
 def check_example(run_folder, folder):
     picture = os.path.join(folder, "friction.png")
-    script = os.path.join(TOP, "applications", "python", "examples", "redraw_friction.py")
+    script = os.path.join(TOP, "applications", "tools", "python", "examples", "redraw_friction.py")
     subprocess.run([sys.executable, script, run_folder, picture], check=True)
     assert os.path.getsize(picture) > 2e4
 
@@ -97,7 +97,7 @@ def check_example(run_folder, folder):
 def check_installed(rve, folder):
     """pip install, without network: the module opens the same numbers, and has the version of the programs."""
     # pip builds beside the sources; Debian's h5py does not tell pip that it is there.
-    source = shutil.copytree(os.path.join(TOP, "applications", "python"), os.path.join(folder, "source"))
+    source = shutil.copytree(os.path.join(TOP, "applications", "tools", "python"), os.path.join(folder, "source"))
     python = os.path.join(folder, "venv", "bin", "python")
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", "--system-site-packages", os.path.join(folder, "venv")], check=True)
     subprocess.run([sys.executable, "-m", "pip", "--quiet", "--python", python, "install", "--no-deps", "--no-index",

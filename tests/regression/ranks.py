@@ -18,7 +18,7 @@ from comparison import Comparison
 from rank_scenes import ENSEMBLE_RANKS, FILES, RUNS
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(HERE, "..", "..", "applications", "studies"))
+sys.path.insert(0, os.path.join(HERE, "..", "..", "applications", "tools", "studies"))
 from study import Study  # noqa: E402
 
 # What tells of a process and not of the body; and the state of each rank, which resume.py looks at.

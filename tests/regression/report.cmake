@@ -6,7 +6,7 @@ if(MESOSLIP_PYTHON)
   if(MESOSLIP_PYTHON_MISSES EQUAL 0)
     add_test(NAME regression/report
              COMMAND ${MESOSLIP_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/report.py
-                     ${CMAKE_SOURCE_DIR}/applications/report/make_report.py)
+                     ${CMAKE_SOURCE_DIR}/applications/tools/report/make_report.py)
     set_tests_properties(regression/report PROPERTIES LABELS regression TIMEOUT 300)
   else()
     message(STATUS "mesoslip: python3 lacks h5py, numpy or matplotlib; regression/report is left out")

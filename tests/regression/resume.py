@@ -22,7 +22,7 @@ from comparison import content_of_h5
 from scenes import PHASES
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-RUN_CHAIN = os.path.join(HERE, "..", "..", "applications", "run_chain.py")
+RUN_CHAIN = os.path.join(HERE, "..", "..", "applications", "tools", "run_chain.py")
 CHECKPOINT = "contact_dynamics.checkpoint"
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 # Of summary.json: what the clock says.

@@ -9,7 +9,7 @@ if(MESOSLIP_PYTHON)
   if(MESOSLIP_PYTHON_MISSES EQUAL 0)
     add_test(NAME regression/browser
              COMMAND ${MESOSLIP_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/browser.py
-                     ${CMAKE_SOURCE_DIR}/applications/report/make_report.py)
+                     ${CMAKE_SOURCE_DIR}/applications/tools/report/make_report.py)
     set_tests_properties(regression/browser PROPERTIES LABELS regression TIMEOUT 300 SKIP_RETURN_CODE 77)
   endif()
 endif()

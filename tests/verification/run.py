@@ -11,8 +11,8 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
-sys.path[:0] = [HERE, os.path.join(TOP, "tests", "stability"), os.path.join(TOP, "applications", "studies"),
-                os.path.join(TOP, "applications", "report")]
+sys.path[:0] = [HERE, os.path.join(TOP, "tests", "stability"), os.path.join(TOP, "applications", "tools", "studies"),
+                os.path.join(TOP, "applications", "tools", "report")]
 
 import numpy as np  # noqa: E402
 import problems  # noqa: E402

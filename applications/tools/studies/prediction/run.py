@@ -18,7 +18,7 @@ import rules  # noqa: E402
 import seeds  # noqa: E402
 from study import Study, parse_arguments  # noqa: E402
 
-TOP = os.path.normpath(os.path.join(HERE, "..", "..", ".."))
+TOP = os.path.normpath(os.path.join(HERE, "..", "..", "..", ".."))
 PRM = os.path.join(TOP, "prm", "prediction")
 
 

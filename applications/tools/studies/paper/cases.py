@@ -3,7 +3,7 @@
 import dataclasses
 import os
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
+TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", ".."))
 DYNAMICS = "contact_dynamics"
 
 RVE_SEEDS = (1, 2, 3, 4, 5, 6)  # 1, 2, 4 and 6 are the numbers of the heterogeneous models in table 2

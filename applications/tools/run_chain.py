@@ -60,8 +60,8 @@ def parse_arguments():
 
 def find_programs():
     """Built beside these scripts, installed with them, or in the search path."""
-    build = os.path.normpath(os.path.join(HERE, "..", "build", "applications"))
-    installed = os.path.normpath(os.path.join(HERE, "..", "..", "..", "bin"))
+    build = os.path.normpath(os.path.join(HERE, "..", "..", "build", "applications"))
+    installed = os.path.normpath(os.path.join(HERE, "..", "..", "..", "..", "bin"))
     for folder in (build, installed, os.path.dirname(shutil.which(PROGRAMS[0]) or "")):
         if os.path.isfile(os.path.join(folder, PROGRAMS[0])):
             return folder
@@ -69,7 +69,7 @@ def find_programs():
 
 
 def find_folder(arguments):
-    top = os.path.dirname(HERE)
+    top = os.path.dirname(os.path.dirname(HERE))
     if arguments.folder is None:
         return os.path.join(top, "prm", "pin"), os.path.join(top, "results")
     for start in (arguments.origin, top, os.path.join(top, "prm")):

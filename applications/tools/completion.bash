@@ -1,5 +1,5 @@
 # Bash completion of the three programs: options, .prm files, and the keys after --set.
-# Load it with: source applications/completion.bash     (an installed mesoslip is found by itself)
+# Load it with: source applications/tools/completion.bash     (an installed mesoslip is found by itself)
 
 # All keys of a program as Section/Key=, from its own --print-parameters; with a .prm also those of the probes and phases named there.
 _mesoslip_keys() {

@@ -1,4 +1,4 @@
-"""What the parts read from a run: data.Run of applications/report, and the numbers that the paper gives."""
+"""What the parts read from a run: data.Run of applications/tools/report, and the numbers that the paper gives."""
 
 import numpy as np
 

@@ -209,7 +209,7 @@ def _text(value):
 def parse_arguments(description, default_output, parts, add_options=None):
     """The command line that all studies share: which `parts` (names, default all) to run, and where.
     `add_options(parser)` adds what only this study knows."""
-    top = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+    top = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="*", metavar="part", help="of " + ", ".join(parts) + " (default: all)")
     parser.add_argument("--output", metavar="DIR", default=os.path.join(top, "results", default_output),
