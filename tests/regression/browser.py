@@ -1,6 +1,6 @@
 """report.html in a headless browser, as wide as a desk and as a phone, and printed.
 
-    browser.py .../make_report.py [folder for the screenshots]
+    browser.py <folder with the programs, not used> [folder for the screenshots]
 
 The page has to render with all its figures, ask nobody for anything, log no error and fit the width of a phone. Without
 chromium the test is skipped (exit status 77).
@@ -163,7 +163,7 @@ def main():
         shots = sys.argv[2] if len(sys.argv) > 2 else root
         os.makedirs(shots, exist_ok=True)
         report.write_chain(os.path.join(root, "chain"))
-        report.report(os.path.abspath(sys.argv[1]), root, os.path.join(root, "chain"))
+        report.report(root, os.path.join(root, "chain"))
         browser = Browser(program, os.path.join(root, "profile"))
         try:
             url = "file://" + os.path.join(root, "report.html")

@@ -100,8 +100,8 @@ logarithm. Data: [convergence.csv](verification/convergence.csv).
 * Error over cost, with extrapolated limits: [work and precision](performance/work_precision.md).
 * Numbers of the paper: [paper](paper/README.md).
 * Localized stress of the statically compressed pin against the direct solution, below 1 % in the interior: `verification/static_localization`.
-* Stiffness of random phase maps against a dense finite element code written apart in Python, to 1e-8: `verification/independent_finite_elements`.
-* Modes of random phase maps under every kind of top against a dense eigenproblem written apart in Python, to 1e-8: `verification/independent_modes`.
+* Stiffness and modes of random phase maps, under every kind of condition and top, against a dense finite element code written
+  apart in Python, to 1e-8: `verification/independent_finite_elements`.
 * Largest strains against those of a column that is compressed alone and of a free body in equilibrium: `verification/large_strains`.
 
 ## Not covered

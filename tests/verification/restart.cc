@@ -126,84 +126,6 @@ BodySetup with_pressure()
   setup.choose_time_step(0.9);
   return setup;
 }
-
-void expect_equal(const std::vector<double> &a,
-                  const std::vector<double> &b,
-                  const std::string &what)
-{
-  EXPECT_FALSE(a.empty()) << what;
-  EXPECT_TRUE(a == b) << what;
-}
-
-void expect_equal_contact(const Body &a, const Body &b)
-{
-  const ContactHistory &x = a.contact_recorder.history(),
-                       &y = b.contact_recorder.history();
-  EXPECT_TRUE(x.step == y.step);
-  expect_equal(x.time, y.time, "time");
-  expect_equal(x.normal_force, y.normal_force, "normal force");
-  expect_equal(x.tangential_force, y.tangential_force, "tangential force");
-  expect_equal(x.sticking, y.sticking, "sticking");
-  expect_equal(x.slipping, y.slipping, "slipping");
-  expect_equal(x.separated, y.separated, "separated");
-  expect_equal(x.friction_energy, y.friction_energy, "friction energy");
-  expect_equal(x.impact_energy, y.impact_energy, "impact energy");
-  expect_equal(x.flat_work, y.flat_work, "flat work");
-  expect_equal(x.nodes[0].ux, y.nodes[0].ux, "u_x");
-  expect_equal(x.nodes[0].uy, y.nodes[0].uy, "u_y");
-  expect_equal(x.nodes[0].vx, y.nodes[0].vx, "v_x");
-  expect_equal(x.nodes[0].vy, y.nodes[0].vy, "v_y");
-  expect_equal(x.nodes[0].normal_force, y.nodes[0].normal_force, "node's pressure");
-  expect_equal(x.nodes[0].tangential_force, y.nodes[0].tangential_force,
-               "node's friction");
-  const std::vector<NodeCounts> &v = a.node_statistics.blocks(),
-                                &w = b.node_statistics.blocks();
-  ASSERT_EQ(v.size(), w.size());
-  for (std::size_t k = 0; k < v.size(); ++k)
-    {
-      const NodeCounts &p = v[k], &q = w[k];
-      EXPECT_TRUE(p.first_step == q.first_step && p.n_steps == q.n_steps) << k;
-      EXPECT_TRUE(p.stick == q.stick && p.slip == q.slip && p.landings == q.landings)
-        << k;
-    }
-}
-
-void expect_equal_observations(ObservedBody &a, ObservedBody &b)
-{
-  expect_equal(std::vector<double>(a.u.begin(), a.u.begin() + a.u.size()),
-               std::vector<double>(b.u.begin(), b.u.begin() + b.u.size()), "u");
-  expect_equal(std::vector<double>(a.w.begin(), a.w.begin() + a.w.size()),
-               std::vector<double>(b.w.begin(), b.w.begin() + b.w.size()), "w");
-  expect_equal_contact(a, b);
-  const TopHistory &s = a.top_recorder.history(), &t = b.top_recorder.history();
-  expect_equal(s.normal_force, t.normal_force, "top's normal force");
-  expect_equal(s.tangential_force, t.tangential_force, "top's tangential force");
-  expect_equal(s.displacement, t.displacement, "top's displacement");
-  expect_equal(s.work, t.work, "top's work");
-  EXPECT_EQ(a.top.work(), b.top.work());
-  const EnergyHistory &e = a.energy->local_history(), &f = b.energy->local_history();
-  expect_equal(e.time, f.time, "energy's time");
-  expect_equal(e.kinetic, f.kinetic, "kinetic");
-  expect_equal(e.elastic, f.elastic, "elastic");
-  expect_equal(e.potential, f.potential, "potential");
-  expect_equal(e.external_work, f.external_work, "external work");
-  expect_equal(e.friction, f.friction, "friction");
-  expect_equal(e.impact, f.impact, "impact");
-  expect_equal(e.damping, f.damping, "damping");
-  expect_equal(e.scheme, f.scheme, "scheme");
-  EXPECT_EQ(e.initial, f.initial);
-  const auto p = a.probes.gather(), q = b.probes.gather();
-  for (std::size_t k = 0; k < 2; ++k)
-    {
-      EXPECT_TRUE(p[k].name == q[k].name && p[k].on_contact == q[k].on_contact);
-      expect_equal(p[k].time, q[k].time, "probe's time");
-      expect_equal(p[k].displacement, q[k].displacement, "probe's displacement");
-      expect_equal(p[k].velocity, q[k].velocity, "probe's velocity");
-      expect_equal(p[k].strain, q[k].strain, "probe's strain");
-      expect_equal(p[k].stress, q[k].stress, "probe's stress");
-      EXPECT_TRUE(p[k].traction == q[k].traction && p[k].traction.empty() == (k == 0));
-    }
-}
 } // namespace
 
 TEST(Restart, ContinuesBitByBit)
@@ -231,10 +153,8 @@ TEST(Restart, ContinuesBitByBit)
           EXPECT_EQ(second.stepper.step_number(), n);
           second.run_to(end);
           second.node_statistics.finish(second.contact);
-          expect_equal_observations(whole, second);
-          EXPECT_EQ(save_state(whole.monitor), save_state(second.monitor));
-          EXPECT_EQ(save_state(whole.watch), save_state(second.watch));
-          EXPECT_EQ(save_state(whole.statistics), save_state(second.statistics));
+          // Fields, histories, statistics, probes, energies and all that judges them.
+          EXPECT_TRUE(save_state(whole) == save_state(second));
         }
     }
 }
@@ -296,40 +216,17 @@ TEST(Restart, LimitCycleIsJudgedAlike)
   EXPECT_TRUE(reached && withdrawn);
 }
 
-namespace
-{
-/** The state after @p n steps. */
-std::string state_after(const BodySetup &setup, const std::uint64_t n)
-{
-  ObservedBody body(setup);
-  body.run_to(n);
-  return save_state(body);
-}
-
-bool is_refused(const std::string &state, const BodySetup &setup)
-{
-  ObservedBody body(setup);
-  try
-    {
-      load_state(state, body, "test");
-    }
-  catch (const mesoslip::UserError &)
-    {
-      return true;
-    }
-  return false;
-}
-} // namespace
-
 TEST(Restart, StatesThatDoNotFitAreRefused)
 {
-  const BodySetup setup   = with_pressure();
-  const std::string state = state_after(setup, 100);
-  EXPECT_FALSE(is_refused(state, setup));
-  BodySetup wider = setup;
-  wider.cells     = {{10, 6}};
-  wider.ids.assign(60, 0);
-  EXPECT_TRUE(is_refused(state, wider));
+  BodySetup setup = with_pressure();
+  ObservedBody body(setup);
+  body.run_to(100);
+  const std::string state = save_state(body);
+  load_state(state, body, "test");
+  setup.cells = {{10, 6}};
+  setup.ids.assign(60, 0);
+  ObservedBody wider(setup);
+  EXPECT_THROW(load_state(state, wider, "test"), UserError);
 }
 
 TEST(Restart, TheRunExercisesTheState)
