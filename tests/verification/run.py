@@ -14,10 +14,11 @@ TOP = os.path.dirname(os.path.dirname(HERE))
 sys.path[:0] = [HERE, os.path.join(TOP, "tests", "stability"), os.path.join(TOP, "applications", "tools", "studies"),
                 os.path.join(TOP, "applications", "tools", "report")]
 
+import mesh_pin  # noqa: E402
 import numpy as np  # noqa: E402
 import problems  # noqa: E402
 from figures import RUN_COLOURS, plt  # noqa: E402  (figures chooses the backend)
-from study import parse_arguments  # noqa: E402
+from study import Study, parse_arguments  # noqa: E402
 from study_page import number, table  # noqa: E402
 
 EXECUTABLES = ("unit_contact", "unit_elasticity", "unit_localization", "verification_dynamics", "verification_homogenization",
@@ -105,7 +106,7 @@ def check_names(folder):
         raise SystemExit(f"verification: there is no test '{missing}'; correct tests/verification/problems.py")
 
 
-def write(measured):
+def write(measured, pin):
     doc = os.path.join(TOP, "doc")
     convergence(measured, os.path.join(doc, "verification", "convergence.png"))
     with open(os.path.join(doc, "verification", "convergence.csv"), "w", newline="", encoding="utf-8") as file:
@@ -119,7 +120,9 @@ def write(measured):
               for predicted, names in problems.ORDERS.items() for test, series in measured.series if series in names]
     with open(os.path.join(doc, "verification.md"), "w", encoding="utf-8") as file:
         file.write(problems.PAGE.format(problems=table(["problem", "what has to come out", "test", "observed"], rows),
-                                        orders=table(["series", "predicted order", "observed"], orders)))
+                                        orders=table(["series", "predicted order", "observed"], orders),
+                                        pin=table(["", *(f"{n} rank{'s' * (n > 1)}" for n in mesh_pin.RANKS)],
+                                                  [[what, *(f"{value:.0e}" for value in values)] for what, values in pin.items()])))
 
 
 def main():
@@ -130,7 +133,8 @@ def main():
     check_names(tests)
     measured = Measured()
     measured.add(tests_of(tests))
-    write(measured)
+    study = Study(arguments.output, arguments.programs, jobs=1, keep=arguments.keep)
+    write(measured, mesh_pin.differences(study))
     print("doc/verification.md")
 
 
