@@ -163,12 +163,3 @@ TEST(Rectangle, EnergyBoundedWithoutTrend)
   for (std::size_t n = 0; n < e.time.size(); ++n)
     ASSERT_NEAR(e.kinetic[n] + e.elastic[n], total, 1e-12 * total);
 }
-
-int main(int argc, char **argv)
-{
-  MPI_Init(&argc, &argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  const int result = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return result;
-}

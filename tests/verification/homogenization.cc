@@ -308,14 +308,3 @@ TEST(Ensemble, StatisticsOfASample)
   EXPECT_NEAR(s.half_width, 2.3646242516 * 2.138089935 / std::sqrt(8.), 1e-8);
   EXPECT_NEAR(s.relative_error, 2. * 2.138089935 / (std::sqrt(8.) * 5.), 1e-9);
 }
-
-int main(int argc, char **argv)
-{
-  MPI_Init(&argc, &argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  if (argc > 1)
-    n_random_cases = static_cast<unsigned int>(std::stoul(argv[1]));
-  const int result = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return result;
-}

@@ -243,12 +243,3 @@ TEST(Restart, TheRunExercisesTheState)
   EXPECT_GT(landings, 0.f);
   EXPECT_GT(body.energy->local_history().damping.back(), 0.);
 }
-
-int main(int argc, char **argv)
-{
-  MPI_Init(&argc, &argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  const int result = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return result;
-}

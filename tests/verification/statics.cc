@@ -306,12 +306,3 @@ TEST(StaticContact, ImpossibleSupports)
   c.parameters.friction.gap = 1e-6;
   EXPECT_NE(sentence(c).find("Flat/Gap"), std::string::npos);
 }
-
-int main(int argc, char **argv)
-{
-  MPI_Init(&argc, &argv);
-  testing::InitGoogleTest(&argc, argv);
-  const int status = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return status;
-}
