@@ -18,6 +18,7 @@ subsection Body
   set Size = 0.002, 0.001
 end
 """
+STATIC = "set Analysis = static contact\n" + BODY
 CONTACT = BODY + """
 subsection Time
   set End time = 1e-6
@@ -83,6 +84,10 @@ CASES = [
     ("contact_dynamics", CONTACT, ["Body/Density=1e-9", "Body/Size=1e-15, 1e-15"], ["Time/End time", "1.384e+38 steps", "kg/m^3"]),
     ("contact_dynamics", CONTACT, ["Body/Stiffness=1e-320, 0, 1e-320, 1e-320"], ["Body", "no frequency of vibration", "in Pa"]),
     ("contact_dynamics", BODY, ["Analysis=static contact", "Friction/Coefficient=5", "Top/Kind=pressure", "Top/Lateral held=true"], ["tips", "Friction/Coefficient", "half the width"]),
+    ("contact_dynamics", STATIC, ["Top/Kind=held"], ["Top/Kind"]),
+    ("contact_dynamics", STATIC, ["Top/Kind=pressure", "Flat/Velocity=1"], ["Nothing holds the body"]),
+    ("contact_dynamics", STATIC, ["Top/Kind=pressure", "Top/Pressure=-1"], ["Top/Pressure"]),
+    ("contact_dynamics", STATIC, ["Top/Kind=pressure", "Flat/Gap=1e-6"], ["Flat/Gap"]),
     ("contact_dynamics", CONTACT, ["--output", "case.prm"], ["case.prm", "not a folder", "--output"]),
     ("contact_dynamics", CONTACT, ["--output", "case.prm/below"], ["case.prm", "not a folder", "--output"]),
 ]

@@ -1,8 +1,6 @@
 #include "../measured.h"
 #include "body/mesh/mesh_body.h"
 #include "homogenization_testing.h"
-#include "material/bounds.h"
-#include "material/mandel.h"
 #include "material/rotation.h"
 #include "morphology/microstructure_parameters.h"
 
@@ -80,26 +78,6 @@ TEST(Homogenization, EqualShearModuli)
   EXPECT_NEAR((scaled[3] - scaled[2]) / (scaled[2] - scaled[1]), 1., 0.03);
   EXPECT_NEAR((scaled[2] - scaled[1]) / (scaled[1] - scaled[0]), 1., 0.03);
   EXPECT_LT(errors.back(), 1e-4);
-}
-
-TEST(Homogenization, OrderOfTheConditions)
-{
-  for (const double hy : {1e-4, 2.5e-4})
-    {
-      Volume volume = make_volume(31, 22, matrix_and_fibre(), 1e-4, hy);
-      make_random(volume);
-      std::vector<Phase<2>> phases(2);
-      for (unsigned int p = 0; p < 2; ++p)
-        phases[p].stiffness = volume.stiffness[p];
-      const std::vector<double> fractions = {volume.fraction(0), volume.fraction(1)};
-      const auto r                        = respond(volume);
-      const std::vector<VoigtMatrix<2>> ascending = {
-        reuss_bound(phases, fractions), r[1].stiffness, r[2].stiffness, r[0].stiffness,
-        voigt_bound(phases, fractions)};
-      for (unsigned int k = 0; k < 4; ++k)
-        EXPECT_GT(order_margin<2>(ascending[k], ascending[k + 1]), 0.)
-          << k << " seed " << seed;
-    }
 }
 
 TEST(Homogenization, IdentitiesOfEverySolve)
@@ -244,20 +222,6 @@ TEST(Homogenization, RefinementSoftens)
             EXPECT_LT(responses[k].stiffness(e, e), previous[k].stiffness(e, e));
           }
       previous = responses;
-    }
-}
-
-TEST(Homogenization, LoadCasesOnSeveralRanks)
-{
-  Volume volume = make_volume(40, 23, matrix_and_fibre());
-  make_random(volume);
-  const auto shared = respond(volume, 1e-8, StaticSolverKind::multigrid, MPI_COMM_WORLD);
-  const auto alone  = respond(volume, 1e-8);
-  for (unsigned int k = 0; k < shared.size(); ++k)
-    {
-      EXPECT_LT(distance(shared[k].stiffness, alone[k].stiffness), 1e-13);
-      for (unsigned int n = 0; n < 3; ++n)
-        EXPECT_EQ(shared[k].reports[n].iterations, alone[k].reports[n].iterations);
     }
 }
 
