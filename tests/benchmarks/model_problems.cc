@@ -99,7 +99,7 @@ Outcome mode(const Choice &choice, const unsigned int repetitions)
   const unsigned int interval = std::max(1l, std::lround(period / 40. / setup.step.dt));
   result.cpu_seconds          = repeat(repetitions, [&]() {
     HeldBelow bottom(setup.step);
-    SlidingBody body(setup, MPI_COMM_SELF, &bottom);
+    Body body(setup, MPI_COMM_SELF, &bottom);
     body.u = discrete.shape;
     std::vector<double> q;
     double seconds = 0.;
@@ -129,7 +129,7 @@ Outcome bar(const Choice &choice, const unsigned int repetitions)
   result.errors         = {1. - impact.balanced, impact.duration / exact_duration - 1.};
   setup.energy_interval = 0;
   result.cpu_seconds    = repeat(repetitions, [&]() {
-    SlidingBody body(setup);
+    Body body(setup);
     throw_down(body);
     return cpu_seconds([&]() { body.run(result.steps); });
   });
@@ -152,7 +152,7 @@ Outcome growth(const Choice &choice, const unsigned int repetitions)
   result.errors      = {seen.rate.real() / exact.real() - 1.,
                         seen.rate.imag() / exact.imag() - 1.};
   result.cpu_seconds = repeat(repetitions, [&]() {
-    SlidingBody body(setup);
+    Body body(setup);
     start_sliding(body, layer, exact);
     return cpu_seconds([&]() { body.run(result.steps); });
   });

@@ -1,6 +1,7 @@
 #include "../measured.h"
 #include "body/mesh/mesh_body.h"
 #include "homogenization_testing.h"
+#include "material/bounds.h"
 #include "material/rotation.h"
 #include "morphology/microstructure_parameters.h"
 

@@ -112,8 +112,9 @@ inline VoigtMatrix<2> stiffness(const Volume &volume, const BoundaryCondition co
       for (int step = 0; step < 4; ++step)
         u += T * factors.solve(transposed * (f - K * u));
     }
-  const Eigen::Matrix<Real, 3, 3> products =
-    (stresses ? f.transpose() * u : u.transpose() * (K * u)) / (nx * hx * ny * hy);
+  // Twice the energies: loads times displacements, or strains times forces.
+  const Fields forces                      = stresses ? f : Fields(K * u);
+  const Eigen::Matrix<Real, 3, 3> products = forces.transpose() * u / (nx * hx * ny * hy);
   return (stresses ? products.inverse().eval() : products).cast<double>();
 }
 } // namespace independent_statics

@@ -40,11 +40,11 @@ class Run:
             reason = "missing" if not os.path.isfile(path) else f"unreadable ({error})"
             self.notes.append(f"{path} is {reason}; its figures are left out")
 
-    def get(self, dataset):
-        """Array of a dataset, or None."""
+    def get(self, dataset, rows=...):
+        """Array of a dataset (or of some of its rows), or None."""
         try:
-            if self.file is not None and isinstance(self.file.get(dataset), h5py.Dataset):
-                return np.asarray(self.file[dataset][...])
+            data = self.file.get(dataset) if self.file is not None else None
+            return np.asarray(data[rows]) if isinstance(data, h5py.Dataset) else None
         except (OSError, KeyError, RuntimeError) as error:
             self.notes.append(f"{self.folder}: {dataset} is unreadable ({error})")
         return None
@@ -52,12 +52,9 @@ class Run:
     def last(self, dataset):
         """Last row of a dataset that may be too large to read as a whole, or None."""
         try:
-            data = self.file.get(dataset) if self.file is not None else None
-            if isinstance(data, h5py.Dataset) and data.shape and data.shape[0] > 0:
-                return np.asarray(data[-1])
-        except (OSError, KeyError, RuntimeError) as error:
-            self.notes.append(f"{self.folder}: {dataset} is unreadable ({error})")
-        return None
+            return self.get(dataset, -1)
+        except (IndexError, ValueError):  # there is no row
+            return None
 
     def need(self, *datasets):
         """Arrays of datasets, non-empty; Missing names the first one that is not there."""

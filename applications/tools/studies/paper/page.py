@@ -1,12 +1,8 @@
 """The page doc/paper/README.md: a fragment a part, with its pictures, put together from what there is."""
 
-import os
 import re
-import sys
 
-sys.path.append(os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "report")))
-
-import matplotlib.pyplot as plt  # noqa: E402
+import pages
 
 INTRODUCTION = """# The paper's tables and figures
 
@@ -29,11 +25,10 @@ def fixed(value, digits=3):
 
 
 class Fragment:
-    """What one part says: Markdown in `folder`/fragments, pictures in the page's folder."""
+    """What one part says, and its pictures in the folder of the page."""
 
-    def __init__(self, key, title, doc, folder):
-        self.key, self.doc, self.folder = key, doc, os.path.join(folder, "fragments")
-        self.lines = [f"## {title}", ""]
+    def __init__(self, key, title, page):
+        self.key, self.page, self.lines = key, page, [f"## {title}", ""]
 
     def text(self, text):
         self.lines += [text, ""]
@@ -42,8 +37,7 @@ class Fragment:
         self.text("*Reading.* " + text)
 
     def table(self, header, rows):
-        self.lines += ["| " + " | ".join(header) + " |", "| --- |" + " ---: |" * (len(header) - 1)]
-        self.lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows] + [""]
+        self.text(pages.table(header, rows, right=True))
 
     def compare(self, rows, digits=3):
         """Rows (quantity, paper, ours) of numbers; ours may be None."""
@@ -52,27 +46,8 @@ class Fragment:
                     for what, paper, ours in rows])
 
     def figure(self, figure, caption, suffix="", dpi=110):
-        name = self.key + suffix + ".png"
-        os.makedirs(self.doc, exist_ok=True)
-        figure.savefig(os.path.join(self.doc, name), dpi=dpi, pil_kwargs={"optimize": True})
-        plt.close(figure)
-        self.lines += [f"![{re.split(r'[.:;] (?=[A-Z])', caption)[0].rstrip('.')}]({name})", "", f"*{caption}*", ""]
+        name = pages.save_picture(figure, self.page.folder, self.key + suffix + ".png", dpi=dpi, pil_kwargs={"optimize": True})
+        self.text(f"![{re.split(r'[.:;] (?=[A-Z])', caption)[0].rstrip('.')}]({name})\n\n*{caption}*")
 
     def save(self):
-        os.makedirs(self.folder, exist_ok=True)
-        with open(os.path.join(self.folder, self.key + ".md"), "w", encoding="utf-8") as file:
-            file.write("\n".join(self.lines).rstrip() + "\n")
-
-
-def assemble(parts, doc, folder):
-    """The page of all fragments there are, in the order of parts {key: title}; returns the keys without one."""
-    text, missing = [INTRODUCTION], []
-    for key in parts:
-        try:
-            with open(os.path.join(folder, "fragments", key + ".md"), encoding="utf-8") as file:
-                text.append(file.read())
-        except OSError:
-            missing.append(key)
-    with open(os.path.join(doc, "README.md"), "w", encoding="utf-8") as file:
-        file.write("\n".join(text))
-    return missing
+        self.page.text(self.key, "\n".join(self.lines))

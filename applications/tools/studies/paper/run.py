@@ -23,7 +23,8 @@ import tables  # noqa: E402
 from cases import TOP, Cases  # noqa: E402
 from data import Missing  # noqa: E402
 from measures import Runs  # noqa: E402
-from page import Fragment, assemble  # noqa: E402
+from page import INTRODUCTION, Fragment  # noqa: E402
+from pages import Page  # noqa: E402
 from study import Study, parse_arguments  # noqa: E402
 
 
@@ -64,16 +65,16 @@ def make(study, keys, doc, extra=None):
     """Runs and writes the parts named; returns the sentences on what could not be made."""
     cases = Cases(study, extra)
     names = {key: PARTS[key].runs(cases) for key in keys}
-    runs, missing = Runs(study.run()), []
+    runs, missing, page = Runs(study.run()), [], Page(doc, os.path.join(study.folder, "fragments"))
     for key in keys:
-        fragment = Fragment(key, PARTS[key].title, doc, study.folder)
+        fragment = Fragment(key, PARTS[key].title, page)
         try:
             PARTS[key].write(fragment, runs, names[key])
         except Missing as reason:
             missing.append(f"{key}: {reason}")
             continue
         fragment.save()
-    missing += [f"{key}: not run yet" for key in assemble(PARTS, doc, study.folder) if key not in keys]
+    missing += [f"{key}: not run yet" for key in page.write(INTRODUCTION, PARTS) if key not in keys]
     return missing
 
 

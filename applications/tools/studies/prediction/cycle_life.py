@@ -9,7 +9,7 @@ from measures import measure
 from open_choices import PAPER_STIFFNESS
 from regime_map import CELLS
 from seeds import COARSE, LOADS
-from tables import markdown
+from pages import table
 
 LOAD = LOADS[0]
 ENTRIES = ("D11", "D12", "D22", "D33")
@@ -78,7 +78,7 @@ def section(found):
     return ["## How long the cycle of regime 1 lasts",
             f"Eq. (10) but for the entries named, {LOAD.label}, {END * 1e3:g} ms. The stiffness of the shipped pin differs most in D22, {SHIPPED['D22'] / 1e9:.1f} GPa; "
             "the last rows have its other entries.",
-            markdown(["stiffness [GPa]", "h [mm]", "first mode along y [kHz]", "twice the main frequency [kHz]", "μ_inter, 2 to 3 ms", "9 to 10 ms",
+            table(["stiffness [GPa]", "h [mm]", "first mode along y [kHz]", "twice the main frequency [kHz]", "μ_inter, 2 to 3 ms", "9 to 10 ms",
                       "M separated, 9 to 10 ms"], rows),
             "![cycle](regimes/cycle_life.png)",
             "From D22 = 47.5 GPa on, 0.5 to 1 % above eq. (10), the cycle is unstable, on both grids: it is left over some milliseconds, the sooner the larger D22, "

@@ -8,7 +8,7 @@ import growth
 import regime_map
 import seeds
 from growth import AT
-from tables import markdown, write_csv
+from pages import table, write_csv
 
 SHOWN = (5e6, 20e6)  # Pa; ramped runs of the map beside the fastest modes
 
@@ -44,7 +44,7 @@ def regimes_section(found, runs):
     return ["## Growth of steady sliding",
             f"Eigenvalues of the pin of eq. (10) that slides steadily, on cells of {cell_size(growth.CELLS)} (`sliding_modes.py`; converges at second order to the exact dispersion "
             "relation of the layer). They depend neither on P nor on V. All modes that grow at one of these δ, each followed over δ by the overlap of its shape; growth in 1/s:",
-            markdown(["kHz at 1500 ns"] + [f"δ = {d * 1e9:g} ns" for d in growth.DELTAS], rows),
+            table(["kHz at 1500 ns"] + [f"δ = {d * 1e9:g} ns" for d in growth.DELTAS], rows),
             "![growth](regimes/growth.png)",
             f"At 1500 ns the fastest mode, at {kilohertz(fastest):.2f} kHz, grows by {fastest.real:.0f} 1/s. That near 41.6 kHz, the paper's main frequency, grows by {slow.real:.0f} 1/s: a time "
             f"constant of {1e3 / slow.real:.1f} ms, and the fastest grows {fastest.real / slow.real:.0f} times as fast. What a run of 1 ms shows near 41 kHz is therefore mostly what the start put "
@@ -74,7 +74,7 @@ def _other_bodies(found):
     rows = [[f"{line[k].real:.1f} at {kilohertz(line[k]):.3f}" for line in columns.values()] for k in range(len(start))]
     return ["The modes that grow at 1500 ns, growth in 1/s at kHz: of eq. (10); in a run of `contact_dynamics` whose pressure grows for 1 ms, "
             f"from {growth.WINDOW[0] * 1e3:g} to {growth.WINDOW[1] * 1e3:g} ms, while all nodes slide (matrix pencil method on u_x of M); on finer cells; and with the mean stiffness of the "
-            "ten morphologies:", markdown(list(columns), rows)]
+            "ten morphologies:", table(list(columns), rows)]
 
 
 def fastest_branches(found):
@@ -98,7 +98,7 @@ def _beside_runs(found, runs):
             rows.append([f"{delta * 1e9:g}", f"{kilohertz(fastest):.1f}", f"{fastest.real:.0f}", *(f"{m.frequency / 1e3:.1f}" for _, m in late)])
     return ["A start with a ramp leaves the choice to growth. Main frequencies of such runs of the map from "
             f"{regime_map.LATE[0] * 1e3:g} to {regime_map.LATE[1] * 1e3:g} ms beside the fastest mode:",
-            markdown(["δ [ns]", "fastest mode [kHz]", "its growth [1/s]", *(f"run at {p / 1e6:g} MPa [kHz]" for p in SHOWN)], rows),
+            table(["δ [ns]", "fastest mode [kHz]", "its growth [1/s]", *(f"run at {p / 1e6:g} MPa [kHz]" for p in SHOWN)], rows),
             "The dominant frequency of the transient runs, near 124 kHz at 1500 ns, is that of the fastest mode, and so is that near 180 kHz at smaller δ; once nodes stick or leave the flat "
             "it shifts by some per cent. Where growth is slowest, at 3000 ns, the mode near 41.6 kHz that the ramp excited is still the largest after 3 ms."]
 
@@ -128,7 +128,7 @@ def prediction_section(data, keys, runs):
             f"two modes near 124 kHz, {_apart(found.mean[AT]):.1f} kHz apart, are not mixed; the last row is the fastest mode of each, "
             "whichever it is. *δ\\**: where the homogeneous mode grows as that of the morphology (by the slope over δ at 1500 ns; for the fastest along its curve). "
             "And Spearman's rank correlation over the morphologies of the growth rate with mu_inter:",
-            markdown(["kHz, homogeneous", "kHz, morphologies", "overlap", "growth, homogeneous [1/s]", "growth, morphologies [1/s]", "deviation",
+            table(["kHz, homogeneous", "kHz, morphologies", "overlap", "growth, homogeneous [1/s]", "growth, morphologies [1/s]", "deviation",
                       "δ* [ns]", "deviation"] + [f"correlation, {load.label}, {w}" for load, w in keys], rows),
             f"The fastest mode is that near {' or '.join(f'{kilohertz(found.mean[AT][k]):.0f} kHz ({n})' for k, n in near.items() if n)} (number of morphologies); "
             f"{counts[0]} to {counts[-1]} modes grow in each. "

@@ -52,7 +52,7 @@ def measure(folder, begin, end):
         shares = np.array([file[f"contact/blocks/{state}"][:][(block_ends > begin * (1 + 1e-9)) &
                                                               (block_ends <= end * (1 + 1e-9))].mean(axis=0)
                            for state in ("slip", "stick", "separated")])
-    width = summary_width(folder)
+        width = file["grid"].attrs["cells"][0] * file["grid"].attrs["spacing"][0]  # of the contact line (m)
     power = summary["pressure"] * width * abs(summary["flat_velocity"])
     edges = np.linspace(begin, min(end, time[-1]), BLOCKS + 1)
     blocks = np.diff(np.interp(edges, time, energy)) / np.diff(edges) / power
@@ -64,13 +64,6 @@ def measure(folder, begin, end):
                     frequency=frequency, amplitude=amplitude, shares=tuple(shares.mean(axis=1)),
                     middle=tuple(shares[:, shares.shape[1] // 2]), velocity=(velocity.min(), velocity.max()),
                     lift=displacement[:, 1].max())
-
-
-def summary_width(folder):
-    """Length of the contact line (m)."""
-    with h5py.File(os.path.join(folder, "dynamics.h5"), "r") as file:
-        grid = file["grid"].attrs
-        return float(grid["cells"][0] * grid["spacing"][0])
 
 
 def main_line(time, values):

@@ -5,12 +5,13 @@ import os
 import numpy as np
 
 import delta_rules
-import figures
+import diagrams
 import growth_page
 import rules
 import seeds
 from measures import measure
-from tables import MEASURE_COLUMNS, markdown, measure_row, write_csv
+from pages import table, write_csv
+from tables import MEASURE_COLUMNS, measure_row
 
 
 def write(folder, data):
@@ -28,9 +29,9 @@ def write(folder, data):
     write_csv(pictures, "rules.csv", ["load", "window", "rule", "seed", "delta* [s]"],
               [[key[0].label, key[1], name, s, f"{d:.5g}"] for key in keys for name, (_, _, deltas) in tried[key].items() for s, d in deltas.items()])
     growth_page.write_morphologies(pictures, data.growth)
-    figures.mu_over_delta(pictures, sweeps, {key: list(found.values()) for key, found in runs.items()})
+    diagrams.mu_over_delta(pictures, sweeps, {key: list(found.values()) for key, found in runs.items()})
     for key in keys:
-        figures.rule_errors(pictures, {name: e["mu"] for name, e in errors[key].items()}, key)
+        diagrams.rule_errors(pictures, {name: e["mu"] for name, e in errors[key].items()}, key)
     sections = [*_head(data), *_short(data, keys, errors, runs, sweeps, tried), *_theory(), *_scatter(data, keys, sweeps, runs), *growth_page.prediction_section(data, keys, runs), *_rules(keys, tried, errors, runs),
                 *_verdict(keys, errors, runs, data)]
     with open(os.path.join(folder, "prediction.md"), "w", encoding="utf-8") as file:
@@ -139,7 +140,7 @@ def _scatter(data, keys, sweeps, runs):
     header = ["load", "window", "μ_inter, morphologies", "their deviation", "their standard error in time", "homogeneous, δ = 1500 ns",
               "deviation with own stiffness", "difference of means", "slip, morphologies", "slip, homogeneous", "kHz, morphologies",
               "kHz, homogeneous"]
-    return ["## Morphologies and the homogeneous pin", markdown(header, rows),
+    return ["## Morphologies and the homogeneous pin", table(header, rows),
             "*Deviation with own stiffness*: homogeneous pins, each with the effective stiffness of one morphology. It is what the scatter of the "
             "stiffness alone does. The heterogeneous frequencies are listed with the number of morphologies.",
             "![mu over delta](prediction/mu_over_delta.png)", *_fine(data, runs)]
@@ -157,7 +158,7 @@ def _fine(data, runs):
     rows = [row for row in rows if row]
     header = ["load", "window", "morphologies", "μ_inter, 0.1 mm", "0.2 mm", "rms difference", "homogeneous, δ = 1500 ns, 0.1 mm", "0.2 mm", "δ* [ns], 0.1 mm", "0.2 mm"]
     return ["The same bodies on the morphologies' own cells of 0.1 mm, beside those of 0.2 mm (*rms difference*: morphology by morphology):",
-            markdown(header, rows)] if rows else []
+            table(header, rows)] if rows else []
 
 
 def _fine_row(data, load, window, coarse):
@@ -200,7 +201,7 @@ def _rules(keys, tried, errors, runs):
                          f"{mu[0]:+.4f} ± {mu[2]:.4f}", f"{delta_rules.rms(errors[key][name]['mu']):.4f} ({low:.4f} to {high:.4f})",
                          f"{np.sum(np.abs(errors[key][name]['frequency']) < 0.05)} of {len(stars)}", f"{delta_rules.rms(errors[key][name]['slip']):.3f}"])
         result += [f"### {key[0].label}, {key[1]}",
-                   markdown(["rule", "needs", "cost", "morphologies", "δ* [ns]", "error of μ_inter", "its rms", "frequency within 5 %", "rms error, slip"], rows),
+                   table(["rule", "needs", "cost", "morphologies", "δ* [ns]", "error of μ_inter", "its rms", "frequency within 5 %", "rms error, slip"], rows),
                    f"![rules](prediction/rules_{key[0].key}_{key[1]}.png)"]
     return result
 
@@ -221,5 +222,5 @@ def _verdict(keys, errors, runs, data):
     return ["## What is gained",
             "The best predictive rule beside the naive choice δ* = δ. *Gain*: by how much its error is smaller, morphology by morphology; the rule was picked "
             "on these same morphologies, which flatters it. *Coarse run itself*: mu_inter of the heterogeneous pin on cells of 0.4 mm, no homogeneous pin.",
-            markdown(["load", "window", "deviation over morphologies", "rms error of δ* = δ", "best rule", "its rms error", "gain",
+            table(["load", "window", "deviation over morphologies", "rms error of δ* = δ", "best rule", "its rms error", "gain",
                       "rms error of the coarse run itself"], rows)]

@@ -6,13 +6,14 @@ import os
 import numpy as np
 
 import cycle_life
-import figures
+import diagrams
 import growth_page
 import open_choices
 import regime_map
 import rules
 import seeds
-from tables import MEASURE_COLUMNS, markdown, measure_row, short, write_csv
+from pages import table, write_csv
+from tables import MEASURE_COLUMNS, measure_row, short
 
 AT_REST = tuple(start for start in regime_map.STARTS if start not in regime_map.PUSHES)
 EQUAL = 1e-11
@@ -72,11 +73,11 @@ def write(folder, found, choice_results, lives, data):
     write_csv(pictures, "open_choices.csv", ["choice", "window"] + MEASURE_COLUMNS,
               [[n, w, *measure_row(m)] for n, pair in choices.items() for w, m in zip(("early", "late"), pair)])
     growth_page.write_branches(pictures, data.growth)
-    figures.growth_over_delta(pictures, data.growth)
-    figures.regime_maps(pictures, found, AT_REST, "regime_map_rest.png")
-    figures.regime_maps(pictures, found, tuple(regime_map.PUSHES), "regime_map_pushed.png")
-    figures.search(pictures, found)
-    figures.cycle_life(pictures, cycle_life.over_d22(lives), cycle_life.windows() + 0.5 * cycle_life.WINDOW)
+    diagrams.growth_over_delta(pictures, data.growth)
+    diagrams.regime_maps(pictures, found, AT_REST, "regime_map_rest.png")
+    diagrams.regime_maps(pictures, found, tuple(regime_map.PUSHES), "regime_map_pushed.png")
+    diagrams.search(pictures, found)
+    diagrams.cycle_life(pictures, cycle_life.over_d22(lives), cycle_life.windows() + 0.5 * cycle_life.WINDOW)
     write_csv(pictures, "cycle_life.csv", ["cells along x [-]", *(f"{entry} [Pa]" for entry in cycle_life.ENTRIES), "from [s]"] + MEASURE_COLUMNS,
               [[case.cells[0], *(f"{value:.6g}" for value in case.stiffness.values()), f"{begin:g}", *measure_row(m)] for case, line in lives.items() for begin, m in zip(cycle_life.windows(), line)])
     with open(os.path.join(folder, "regimes.md"), "w", encoding="utf-8") as file:
@@ -161,11 +162,11 @@ def _search(found):
     largest = max((pair[w].middle[2], point, w) for point, pair in found.items() for w in (0, 1))
     return ["## Search for regime 2",
             "The paper's regime 2: M slips 20 % and is separated 80 % of the time, mu_inter 0.17 to 0.18, 39.6 kHz. Runs of the map that meet it:",
-            markdown(["mark of regime 2"] + [f"{w[0] * 1e3:g} to {w[1] * 1e3:g} ms" for w in (regime_map.EARLY, regime_map.LATE)], counts(found)),
+            table(["mark of regime 2"] + [f"{w[0] * 1e3:g} to {w[1] * 1e3:g} ms" for w in (regime_map.EARLY, regime_map.LATE)], counts(found)),
             "![search](regimes/regime2_search.png)",
             f"The largest separation of M in any run is {100 * largest[0]:.0f} % (P = {largest[1][0] / 1e6:g} MPa at 2 m/s, δ = {largest[1][1] * 1e9:g} ns, {largest[1][2]}). Early values above mu = 0.25 are "
             "those of hard pushes: friction takes the energy of the push as well. Nearest to regime 2:",
-            markdown(["P [MPa]", "δ [ns]", "start", "window", "μ_inter", "kHz", "M slips / separated [%]"], rows)]
+            table(["P [MPa]", "δ [ns]", "start", "window", "μ_inter", "kHz", "M slips / separated [%]"], rows)]
 
 
 def _coexistence(found):
@@ -177,7 +178,7 @@ def _coexistence(found):
     return ["## States that depend on the start",
             f"At {len(states)} of {points} points (P, δ) the late mu_inter differs between starts by more than 0.01 and four standard errors. "
             "Some are coexisting cycles; with the ramped start and slow growth others are not at their end after 3 ms. The largest differences:",
-            markdown(["P [MPa]", "δ [ns]", *regime_map.STARTS], rows)]
+            table(["P [MPa]", "δ [ns]", *regime_map.STARTS], rows)]
 
 
 def _over_delta(data):
@@ -190,7 +191,7 @@ def _over_delta(data):
     return ["## mu_inter over delta, as in fig. 11",
             f"mu_inter (M separated, %). At once, cells of {56 / seeds.COARSE[0]:g} mm, early 0.25 to 1 ms, late {seeds.LATE[0] * 1e3:g} to {seeds.LATE[1] * 1e3:g} ms. The paper says of its curve that the slope changes sign at 300 Δt = 1500 ns, "
             "which it puts down to the change from regime 2 to regime 1. Here a pushed pin keeps its regime over all delta and mu_inter falls; from rest "
-            "mu_inter rises, up to steady sliding:", markdown(header, rows)]
+            "mu_inter rises, up to steady sliding:", table(header, rows)]
 
 
 def _choices(choices):
@@ -204,7 +205,7 @@ def _choices(choices):
             f"One changed at a time from the first row, on cells of 0.4 mm; early 0.25 to 1 ms, late {open_choices.LATE[0] * 1e3:g} to {open_choices.LATE[1] * 1e3:g} ms. The velocity of M along x follows "
             "from the paper's relative velocity, 1.2 to 2.8 m/s (fig. 5); the lift is that of fig. 4. With u_x free on top nothing holds the "
             "pin: it is carried away with the flat.",
-            markdown(["choice", "window", "μ_inter", "kHz", "M slips / separated [%]", "velocity of M [m/s]", "lift [µm]"], rows)]
+            table(["choice", "window", "μ_inter", "kHz", "M slips / separated [%]", "velocity of M [m/s]", "lift [µm]"], rows)]
 
 
 def _placements(results):
@@ -212,5 +213,5 @@ def _placements(results):
             for (label, _), (area, line, differences) in zip(open_choices.PLACEMENTS.values(), open_choices.placements(results).values())]
     return ["## Placement of the fibres",
             f"Means over seeds {min(open_choices.PLACEMENT_SEEDS)} to {max(open_choices.PLACEMENT_SEEDS)}; the stiffness is the mean of KUBC and SUBC, its difference from eq. (10) in %:",
-            markdown(["placement", "area [%]", "contact line [%]", "D11", "D12", "D22", "D33"], rows),
+            table(["placement", "area [%]", "contact line [%]", "D11", "D12", "D22", "D33"], rows),
             "With all fibres inside hardly any reaches the contact, which the paper's element A does."]

@@ -1,21 +1,4 @@
-"""Markdown tables and CSV files of the prediction study."""
-
-import csv
-import os
-
-
-def markdown(header, rows):
-    lines = ["| " + " | ".join(header) + " |", "|" + " --- |" * len(header)]
-    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
-
-
-def write_csv(folder, name, header, rows):
-    os.makedirs(folder, exist_ok=True)
-    with open(os.path.join(folder, name), "w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(header)
-        writer.writerows(rows)
-
+"""Columns of what was measured in the runs of the prediction study."""
 
 MEASURE_COLUMNS = ["mu_inter [-]", "standard error [-]", "mu_app [-]", "main frequency [Hz]", "amplitude [m]", "slip [-]", "stick [-]",
                    "separated [-]", "M slip [-]", "M stick [-]", "M separated [-]", "M velocity min [m/s]",

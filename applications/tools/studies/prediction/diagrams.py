@@ -1,16 +1,11 @@
 """Pictures of the prediction study; each function writes one PNG."""
 
-import os
+import matplotlib.pyplot as plt
+import numpy as np
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-from PIL import Image  # noqa: E402
-
-import growth  # noqa: E402
-import regime_map  # noqa: E402
+import growth
+import regime_map
+from pages import save_picture
 
 BLUE, ORANGE, GREEN, PINK, SKY, YELLOW, GREY = (
     "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#6b7280")
@@ -23,13 +18,7 @@ PAPER_LABELS = {1: (0.5, 0.31), 2: (0.8, 0.27)}  # where their names stand, off 
 
 
 def save(figure, folder, name):
-    os.makedirs(folder, exist_ok=True)
-    path = os.path.join(folder, name)
-    figure.savefig(path, dpi=90)
-    plt.close(figure)
-    with Image.open(path) as image:  # few colours: a third of the size
-        image.convert("RGB").quantize(96).save(path, optimize=True)
-    return name
+    return save_picture(figure, folder, name, colours=96, dpi=90)
 
 
 def growth_over_delta(folder, found):
