@@ -7,8 +7,8 @@ import h5py
 import numpy as np
 
 # What a run that is stopped has to say (lib/sliding/transient/failure_report.cc).
-STOPPED = re.compile(r"(?P<cause>likely cause: .*|(Flat|Top)/Expression .*?) in step (?P<step>\d+) at t = (?P<time>\S+) s, "
-                     r"(?P<place>node \(\d+, \d+\)|which spoiled the run)")
+STOPPED = re.compile(r"(?P<cause>likely cause: .*|(Flat|Top)/Expression .*?) in step (?P<step>\d+) at t = (?P<time>\S+) s\b")
+PLACE = re.compile(r"node \(\d+, \d+\)|cell \(\d+, \d+\) around|which spoiled the run")
 BLOWN_UP = re.compile(r"its energy is (\S+) J/m where at most (\S+) J/m")
 ROUND_OFF = 1e-9  # of the largest energy; what the balance may miss with a sample in every step
 
@@ -34,7 +34,7 @@ class Verdict:
             self.outcome = "broken: not finite: " + ", ".join(spoiled)
 
     def _stopped(self):
-        found = STOPPED.search(self.message)
+        found = STOPPED.search(self.message) if PLACE.search(self.message) else None
         self.outcome = "stopped" if found else f"broken: no step, time, place and cause in '{self.message}'"
         if found:
             self.step = int(found["step"])
