@@ -6,7 +6,7 @@ import sys
 
 import shortcuts
 from common import TOP, cpu_seconds, prm, require_ended
-from fits import median_and_range
+from fits import median
 
 REPETITIONS = 3
 
@@ -37,7 +37,7 @@ def row_of(shortcut, k, results):
 def timed(name, scene, short, full, found, tolerance):
     row = {"shortcut": name, "scene": scene}
     for which, seconds in (("short", short), ("full", full)):
-        row[which + "_s"], row[which + "_low"], row[which + "_high"] = median_and_range(seconds)
+        row.update({which + "_s": median(seconds), which + "_low": min(seconds), which + "_high": max(seconds)})
     row["ratio"] = row["full_s"] / row["short_s"]
     row["saved"] = 1 - row["short_s"] / row["full_s"]
     row["difference"], row["differs_at_most"] = found, tolerance

@@ -59,7 +59,7 @@ def test_statistics():
     rows = [{"e": 0.02, "c": 1.0}, {"e": -0.004, "c": 3.0}, {"e": 0.001, "c": 9.0}, {"e": math.nan, "c": 0.1}]
     assert fits.cheapest(rows, "e", "c", 0.01)["c"] == 3.0
     assert fits.cheapest(rows, "e", "c", 1e-4) is None
-    assert fits.median_and_range([3.0, 1.0, 2.0]) == (2.0, 1.0, 3.0)
+    assert fits.spread("s", [3.0, 1.0, 2.0]) == {"s": 2.0, "s_low": 1.0, "s_high": 3.0}
 
 
 def test_limit_of_the_pin():

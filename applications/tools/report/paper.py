@@ -1,25 +1,26 @@
 """What the paper (Peillex, Baillet, Berthier 2008) reports, with the place it is found at, and how the
 numbers of a chain are set beside it."""
 
-# Pa, eq. (10): Voigt xx, yy, xy.
-STIFFNESS = [[36.54e9, 9.1e9, 0.0], [9.1e9, 47.26e9, 0.0], [0.0, 0.0, 13.785e9]]
+import paper_values as values
 
-# (homogeneous, heterogeneous) by regime: value and source.
+D11, D12, D22, D33 = (values.STIFFNESS[entry] for entry in ("D11", "D12", "D22", "D33"))
+STIFFNESS = [[D11, D12, 0.0], [D12, D22, 0.0], [0.0, 0.0, D33]]  # Voigt xx, yy, xy
+
+# Value and source by regime.
 INTERFACE_FRICTION = {
-    1: {"homogeneous": (0.220, "table 2, δ = 1500 ns"), "heterogeneous": (0.2145, "table 2, mean of 4")},
-    2: {"homogeneous": (0.175, "table 3, δ = 1500 ns"), "heterogeneous": (0.173, "table 3, No. 1")},
+    1: {"homogeneous": (values.TABLE_2["homogeneous"][1500], "table 2, δ = 1500 ns"),
+        "heterogeneous": (sum(values.TABLE_2["heterogeneous"].values()) / 4, "table 2, mean of 4")},
+    2: {"homogeneous": (values.TABLE_3["homogeneous"][1500], "table 3, δ = 1500 ns"),
+        "heterogeneous": (values.TABLE_3["heterogeneous"][1], "table 3, No. 1")},
 }
-APPARENT_FRICTION = {1: (0.21, "fig. 6"), 2: (0.17, "fig. 6")}
-MAIN_FREQUENCY = {1: (41200.0, "fig. 6"), 2: (39600.0, "fig. 6")}
+APPARENT_FRICTION = {regime: (value, "fig. 6") for regime, value in values.MEAN_APPARENT_FRICTION.items()}
+MAIN_FREQUENCY = {regime: (value, "fig. 6") for regime, value in values.MAIN_FREQUENCY.items()}
+SLIP_SHARE = {regime: (share, "section 2.4") for regime, share in values.SLIP.items()}
+SEPARATION_SHARE = {regime: (1 - share, "section 2.4") for regime, share in values.SLIP.items()}
 PRESSURE = {1: 0.5e6, 2: 0.4e6}  # Pa, sections 3.6.1 and 3.6.2
-SLIP_SHARE = {1: (0.70, "section 2.4"), 2: (0.20, "section 2.4")}
-SEPARATION_SHARE = {1: (0.30, "section 2.4"), 2: (0.80, "section 2.4")}
-
-MODES = [(40000.0, "fig. 8(a), contact surface free"),
-         (41580.0, "fig. 8(b), contact surface held in y")]
-
-# Pa, table 4 at P = 0.5 MPa: static contact analysis; the larger one is the fibres'.
-STATIC_PRESSURES = {"fibre": 2.0e6, "matrix": 0.33e6}
+MODES = [(values.MODES["free"], "fig. 8(a), contact surface free"),
+         (values.MODES["held"], "fig. 8(b), contact surface held in y")]
+STATIC_PRESSURES = values.TABLE_4["SCA"]  # at P = 0.5 MPa; the larger one is the fibres'
 
 PIN = (0.056, 0.016)  # m, section 3.1
 
@@ -64,33 +65,23 @@ def comparison(run):
 
 def modes(run):
     """The paper's two first modes beside the computed frequency nearest to each. The summary lists the
-    frequencies by boundary condition, {"free": [...], "held": [...]}, or as one list."""
+    frequencies by boundary condition, {"free": [...], "held": [...]}, or as one list, of which only the nearer mode is this run's."""
     frequencies = run.summary.get("frequencies")
     cases = frequencies if isinstance(frequencies, dict) else {"": frequencies}
     rows = []
     for name, listed in cases.items():
         listed = [f for f in listed if isinstance(f, (int, float))] if isinstance(listed, list) else []
-        found = []
-        for value, source in MODES:
-            nearest = min(listed, key=lambda f: abs(f - value)) if listed else None
-            right = name in ("", "free" if "free" in source else "held")
-            if right and nearest is not None and abs(nearest - value) < 0.1 * value:
-                found.append(("Mode of vibration", nearest, value, "Hz", source))
-        # One list is of one case: only the nearer mode is this run's.
-        rows += sorted(found, key=lambda row: abs(row[1] - row[2]))[:1]
+        found = [("Mode of vibration", min(listed, key=lambda f: abs(f - value)), value, "Hz", source) for value, source in MODES
+                 if listed and name in ("", "free" if "free" in source else "held")]
+        rows += sorted((row for row in found if abs(row[1] - row[2]) < 0.1 * row[2]), key=lambda row: abs(row[1] - row[2]))[:1]
     return rows
 
 
 def static_pressures(run):
     """Rows for the contact pressures of the phases, as a static contact analysis reports them."""
     pressures = run.summary.get("phase_contact_pressures")
-    if isinstance(pressures, list):
-        pressures = {str(entry.get("name")): entry.get("pressure") for entry in pressures
-                     if isinstance(entry, dict)}
-    if not isinstance(pressures, dict) or not pressures:
-        return []
-    numbers = {name: float(value) for name, value in pressures.items()
-               if isinstance(value, (int, float))}
+    numbers = {name: float(value) for name, value in pressures.items() if isinstance(value, (int, float))} \
+        if isinstance(pressures, dict) else {}
     if not numbers:
         return []
     stiffest = max(numbers, key=numbers.get)

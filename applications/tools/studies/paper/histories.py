@@ -94,17 +94,9 @@ def energy(fragment, runs, names):
     fragment.figure(figure, "Dissipated frictional energy. EPS: all nodes slide at constant speed under uniform pressure.")
 
 
-def _by_phase_runs(cases, mu_homo, deltas):
+def by_phase_runs(mu_homo, deltas, cases):
     return [cases.heterogeneous(PUSHED, P1, 1, by_phase=True),
             *[cases.homogeneous(PUSHED, P1, delta, mu_homo) for delta in deltas]]
-
-
-def figure_12_runs(cases):
-    return _by_phase_runs(cases, 0.2, (1500, 2500))
-
-
-def figure_13_runs(cases):
-    return _by_phase_runs(cases, 0.23, (1500, 4000))
 
 
 def by_phase(fragment, runs, names):

@@ -9,7 +9,7 @@ INTRODUCTION = """# The paper's tables and figures
 Peillex, Baillet, Berthier, *Homogenization in non linear dynamics due to frictional contact*, Int. J. Solids Structures (2008): every table
 and figure with a number or a curve, beside what mesoslip computes. `./run.sh paper` makes this page; the runs are the files of
 [prm/paper](../../prm/paper) with the changes named. Only the paper's numbers are typed in
-(`applications/tools/studies/paper/paper_values.py`); nothing is read off its figures. "Difference" is ours against the paper's.
+(`applications/tools/report/paper_values.py`); nothing is read off its figures. "Difference" is ours against the paper's.
 
 How the paper was read, and why, is in [limits](../limits.md).
 """

@@ -5,6 +5,7 @@ writes doc/paper/README.md with its pictures. With parts named only these are ru
 import dataclasses
 import os
 import sys
+from functools import partial
 from typing import Callable
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -17,6 +18,7 @@ import homogenization  # noqa: E402
 import localization  # noqa: E402
 import motion  # noqa: E402
 import overview  # noqa: E402
+import paper_values  # noqa: E402
 import readings  # noqa: E402
 import static_contact  # noqa: E402
 import tables  # noqa: E402
@@ -50,10 +52,10 @@ PARTS = {
     "figure-11": Part("Figure 11: friction against regularization time", contact_stress.sweep_runs, contact_stress.sweep),
     "table-3": Part("Table 3: heterogeneous and homogeneous models, P = 0.4 MPa", tables.table_3_runs, tables.table_3),
     "table-4": Part("Table 4: static contact and homogenized coefficient", static_contact.runs, static_contact.table),
-    "table-5": Part("Table 5: friction by phase, mu_homo = 0.2", tables.table_5_runs, tables.table_5),
-    "figure-12": Part("Figure 12: apparent friction, mu_homo = 0.2", histories.figure_12_runs, histories.by_phase),
-    "table-6": Part("Table 6: friction by phase, mu_homo = 0.23", tables.table_6_runs, tables.table_6),
-    "figure-13": Part("Figure 13: apparent friction, mu_homo = 0.23", histories.figure_13_runs, histories.by_phase),
+    "table-5": Part("Table 5: friction by phase, mu_homo = 0.2", partial(tables.by_phase_runs, paper_values.TABLE_5), partial(tables.by_phase, 5)),
+    "figure-12": Part("Figure 12: apparent friction, mu_homo = 0.2", partial(histories.by_phase_runs, 0.2, (1500, 2500)), histories.by_phase),
+    "table-6": Part("Table 6: friction by phase, mu_homo = 0.23", partial(tables.by_phase_runs, paper_values.TABLE_6), partial(tables.by_phase, 6)),
+    "figure-13": Part("Figure 13: apparent friction, mu_homo = 0.23", partial(histories.by_phase_runs, 0.23, (1500, 4000)), histories.by_phase),
     "figure-14": Part("Figure 14: stress in element A", localization.runs, localization.element_a),
     "figure-15": Part("Figure 15: stress in element B", localization.runs, localization.element_b),
     "figure-16": Part("Figure 16: mean von Mises stress", localization.field_runs, localization.mean_von_mises),

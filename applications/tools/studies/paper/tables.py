@@ -91,29 +91,13 @@ def _change(regimes):
     return " and ".join(found) or "at none of these"
 
 
-def _by_phase_rows(cases, table):
+def by_phase_runs(table, cases):
     rows = [Row("heterogeneous 1, 0.3 and 0.12, 1500 ns", paper.BY_PHASE, cases.heterogeneous(PUSHED, P1, 1, by_phase=True))]
     return rows + [Row(f"homogeneous, {mu_homo:g}, {delta} ns", value, cases.homogeneous(PUSHED, P1, delta, mu_homo))
                    for (mu_homo, delta), value in table.items()]
 
 
-def table_5_runs(cases):
-    return _by_phase_rows(cases, paper.TABLE_5)
-
-
-def table_6_runs(cases):
-    return _by_phase_rows(cases, paper.TABLE_6)
-
-
-def _by_phase(fragment, runs, rows, number):
+def by_phase(number, fragment, runs, rows):
     _write(fragment, runs, rows, f"Global interface friction coefficients of table {number}.")
     fragment.reading("P = 0.5 MPa as printed, pushed at 0.5 m/s. Coefficients by phase: 0.3 at fibres, 0.12 at the matrix; a node between both takes the mean weighted with "
                      "the stiffness.")
-
-
-def table_5(fragment, runs, rows):
-    _by_phase(fragment, runs, rows, 5)
-
-
-def table_6(fragment, runs, rows):
-    _by_phase(fragment, runs, rows, 6)
