@@ -309,13 +309,13 @@ TEST(Momentum, IsWhatTheForcesAtTopAndBottomSay)
             y += setup.step.dt * (c.normal_force[n] - t.normal_force[n] - mass * 2e5);
             size += setup.step.dt * t.normal_force[n];
           }
-        for (const unsigned int c : {0U, 1U})
+        for (const unsigned int axis : {0U, 1U})
           {
             NodalField<double> unit = body.w;
             unit.set_zero();
             for (unsigned int j = 0; j < unit.n_rows(); ++j)
-              std::fill_n(unit.row(c, j), unit.n_columns() - periodic, 1.);
-            (c == 0 ? px : py) = mass_product(body.material, unit, body.w);
+              std::fill_n(unit.row(axis, j), unit.n_columns() - periodic, 1.);
+            (axis == 0 ? px : py) = mass_product(body.material, unit, body.w);
           }
         py += setup.top.platen_mass * body.w.row(1, body.w.n_rows() - 1)[0];
         EXPECT_NEAR(px, x, 1e-12 * size);
