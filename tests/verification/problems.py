@@ -96,9 +96,10 @@ logarithm. Data: [convergence.csv](verification/convergence.csv).
 
 ## The paper's pin on a mesh of deal.II
 
-Largest differences, over the largest value, between ML on a mesh of deal.II that METIS divides and multigrid on the grid, through the
-programs with `prm/paper` at its full 560 x 160 cells. They have to be below 1e-8: stiffnesses are of second order in the tolerance of the
-solver (1e-8), forces of the static contact of first order. Five minutes of CPU time; `regression/ranks` does the same with smaller bodies.
+Largest differences, over the largest value, between ML on a mesh of deal.II that METIS divides and multigrid on the
+grid, through the programs with `prm/paper` at its full 560 x 160 cells. They have to be below 1e-8: stiffnesses are
+of second order in the tolerance of the solver (1e-8), forces of the static contact of first order. Five minutes of
+CPU time; `regression/ranks` does the same with smaller bodies.
 
 {pin}
 
@@ -108,8 +109,8 @@ solver (1e-8), forces of the static contact of first order. Five minutes of CPU 
 * Error over cost, with extrapolated limits: [work and precision](performance/work_precision.md).
 * Numbers of the paper: [paper](paper/README.md).
 * Localized stress of the statically compressed pin against the direct solution, below 1 % in the interior: `verification/static_localization`.
-* Stiffness and modes of random phase maps, under every kind of condition and top, against a dense finite element code written
-  apart in Python, to 1e-8: `verification/independent_finite_elements`.
+* Stiffness and modes of random phase maps, under every kind of condition and top, against a dense finite element code
+  written apart in Python, to 1e-8: `verification/independent_finite_elements`.
 * Largest strains against those of a column that is compressed alone and of a free body in equilibrium: `verification/large_strains`.
 
 ## Not covered
