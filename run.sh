@@ -6,8 +6,8 @@ cd "$(dirname "$(readlink -f "$0")")"
 . cmake/setup.sh
 
 # Studies are scripts of their own.
-script=applications/run_chain.py
-for study in "applications/studies/${1:-none}/run.py" "tests/${1:-none}/run.py"; do
+script=applications/tools/run_chain.py
+for study in "applications/tools/studies/${1:-none}/run.py" "tests/${1:-none}/run.py"; do
   if [ -f "$study" ]; then
     script=$study
     shift
@@ -26,5 +26,5 @@ cmake_options=()
 programs=(rve_homogenization contact_dynamics stress_localization)
 [ "$script" != tests/benchmarks/run.py ] || programs+=(model_problems scaling_benchmark)
 build build "${programs[@]}"
-[ "$script" != applications/run_chain.py ] || set -- --from "$caller" "$@"
+[ "$script" != applications/tools/run_chain.py ] || set -- --from "$caller" "$@"
 exec "$python" "$script" --programs build/applications "$@"

@@ -7,6 +7,7 @@ include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mesoslip)
 set(data_dir ${CMAKE_INSTALL_DATADIR}/mesoslip)
+set(tools ${CMAKE_SOURCE_DIR}/applications/tools)
 
 get_property(topics GLOBAL PROPERTY mesoslip_topics)
 list(TRANSFORM topics PREPEND mesoslip_ OUTPUT_VARIABLE libraries)
@@ -18,14 +19,12 @@ install(TARGETS rve_homogenization contact_dynamics stress_localization
         RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 # Scripts keep their places beside one another: run_chain.py uses chain/ and calls report/make_report.py.
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/applications/chain ${CMAKE_SOURCE_DIR}/applications/report ${CMAKE_SOURCE_DIR}/applications/python
-        DESTINATION ${data_dir}/applications FILES_MATCHING PATTERN "*.py" PATTERN "*.toml")
-install(PROGRAMS ${CMAKE_SOURCE_DIR}/applications/run_chain.py DESTINATION ${data_dir}/applications)
+install(DIRECTORY ${tools}/chain ${tools}/report ${tools}/python DESTINATION ${data_dir}/applications/tools
+        FILES_MATCHING PATTERN "*.py" PATTERN "*.toml")
+install(PROGRAMS ${tools}/run_chain.py DESTINATION ${data_dir}/applications/tools)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/prm DESTINATION ${data_dir})
-install(FILES ${CMAKE_SOURCE_DIR}/applications/completion.bash
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME contact_dynamics)
-foreach(program rve_homogenization stress_localization)
-  install(FILES ${CMAKE_SOURCE_DIR}/applications/completion.bash
+foreach(program rve_homogenization contact_dynamics stress_localization)
+  install(FILES ${tools}/completion.bash
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${program})
 endforeach()
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CITATION.cff

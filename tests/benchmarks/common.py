@@ -9,9 +9,9 @@ import subprocess
 import sys
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(TOP, "applications", "studies"))
+sys.path.insert(0, os.path.join(TOP, "applications", "tools", "studies"))
 
-from fits import median_and_range  # noqa: E402
+from fits import spread  # noqa: E402
 from study import Study  # noqa: E402
 
 
@@ -136,5 +136,4 @@ def add_repeated(study, name, repetitions, *arguments, **options):
 def repeated(results, name, repetitions):
     """(first result, {cpu_s, cpu_s_low, cpu_s_high}) of what add_repeated asked for."""
     runs = [results[f"{name}.{k + 1}"] for k in range(repetitions)]
-    median, low, high = median_and_range([run.cpu_seconds for run in runs])
-    return runs[0], {"cpu_s": median, "cpu_s_low": low, "cpu_s_high": high}
+    return runs[0], spread("cpu_s", [run.cpu_seconds for run in runs])

@@ -64,7 +64,11 @@ def cheapest(rows, error, cost, target):
     return min(good, key=lambda row: row[cost]) if good else None
 
 
-def median_and_range(values):
-    """(median, lowest, highest) of repetitions; the median is one of them."""
-    ordered = sorted(values)
-    return ordered[len(ordered) // 2], ordered[0], ordered[-1]
+def median(values):
+    """One of the values."""
+    return sorted(values)[len(values) // 2]
+
+
+def spread(name, values):
+    """{name: median, name_low, name_high} of repetitions."""
+    return {name: median(values), name + "_low": min(values), name + "_high": max(values)}

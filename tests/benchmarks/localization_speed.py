@@ -1,7 +1,7 @@
 """Localization against the memory: averaging beside copying in the same run, reading, peak memory against snapshots."""
 
 from common import add_repeated, prm, require_ended
-from fits import median_and_range
+from fits import spread
 
 PIN = (560, 160)
 COPY = [2 ** 20, 2 ** 23, 2 ** 28]  # bytes of each of the two arrays
@@ -51,7 +51,7 @@ def row_of(results, ratio, count, fields, copy):
                            ("cpu_s", [run.cpu_seconds for run in runs]),
                            ("waiting_s", [part(run, "Waiting for snapshots") for run in runs]),
                            ("averaging_s", [part(run, "Averaging") for run in runs])):
-        row[column], row[column + "_low"], row[column + "_high"] = median_and_range(values)
+        row.update(spread(column, values))
     averaged = fields == "all fields"
     rate = TRAFFIC[ratio] * PIN[0] * PIN[1] * count / row["averaging_s"] if averaged else 0.0
     row["ms_a_snapshot"] = 1e3 * row["averaging_s"] / count

@@ -1,5 +1,7 @@
-"""Studies of the program model_problems: a sweep over cells, time step and beta2, and its diagram."""
+"""Studies of the program model_problems, problems whose answers are known: a mode of a rectangle, a bar that hits a wall, growth of
+steady sliding. Each is a sweep over cells, time step and beta2, and its diagram."""
 
+from common import prm
 from fits import cheapest, fitted_order
 from plots import curve, legend, logarithmic, panels
 
@@ -7,11 +9,14 @@ from plots import curve, legend, logarithmic, panels
 CURVES = [(0.95, 0.5), (0.475, 0.5), (0.2375, 0.5), (0.95, 0.6), (0.95, 1.0)]
 
 
-def sweep(bench, problem, sizes, note, curves=None):
+# Lowest mode with a horizontal wave, sides u_x = 0, top u_x = 0, bottom u_y = 0 (doc/theory.md, section 10).
+LENGTH, HEIGHT, C_T = 0.024, 0.016, 2560.0
+
+
+def sweep(bench, problem, sizes, note):
     """Rows of all sizes and curves, written to PROBLEM.csv. The fewest cells run first."""
-    choices = [f"{n}:{share}:{beta2}" for n in sizes for share, beta2 in curves or CURVES]
     repetitions = 3
-    rows = bench.tool("model_problems", problem, repetitions, *choices)
+    rows = bench.tool("model_problems", problem, repetitions, *(f"{n}:{share}:{beta2}" for n in sizes for share, beta2 in CURVES))
     bench.write(problem, rows, note, repetitions=repetitions)
     return rows
 
@@ -50,3 +55,58 @@ def conclusions(rows, error, quantity):
                       if best else "none of these", "error": abs(best[error]) if best else "",
                       "cpu_s": best["cpu_s"] if best else ""})
     return found
+
+
+def bar(bench):
+    """Energy lost in the impact and time of contact."""
+    rows = sweep(bench, "bar", [50, 100, 200] if bench.quick else [50, 100, 200, 400, 800], "bar of 10 m with c = 30 m/s hits a rigid "
+                 "wall at 10 m/s; energy_lost: share of the energy before; cpu_s: time loop of 2 s")
+    draw(bench, "bar", rows, [
+        ("energy_lost", "energy lost in %", "energy of one impact"),
+        ("contact_time_error", "error of the time of contact in %", "time of contact")])
+    bench.write("bar-cheapest", conclusions(rows, "energy_lost", "energy of an impact")
+                + conclusions(rows, "contact_time_error", "time of contact"), "least cost for a target")
+
+
+def sliding_growth(bench):
+    """Growth of a perturbation of steady sliding with the regularized law, against the dispersion relation."""
+    rows = sweep(bench, "growth", [20, 40] if bench.quick else [5, 7, 10, 14, 20, 28, 40, 56, 80], "growth rate (1/s) and frequency of the "
+                 "fastest wave, k H = 1, mu = 0.25, delta = 1.5 us, beta = 4.4 ns; cpu_s: time loop of 0.4 ms")
+    draw(bench, "growth", rows, [
+        ("growth_error", "error of the growth rate in %", "growth rate"),
+        ("frequency_error", "error of the frequency in %", "frequency")])
+    bench.write("growth-cheapest", conclusions(rows, "growth_error", "growth rate")
+                + conclusions(rows, "frequency_error", "frequency of the growth"), "least cost for a target")
+
+
+def modes(bench):
+    """The frequency of a mode seen in five periods, and what the modal analysis says at the same cells."""
+    sizes = [8, 16, 32] if bench.quick else [8, 16, 32, 64, 128]
+    rows = sweep(bench, "mode", sizes, "frequency of the slowest shear mode of a 24 x 16 mm rectangle from five periods; cpu_s: time loop "
+                 "alone")
+    modal_analysis(bench, sizes[:4])
+    damped = [choice for choice in CURVES if choice[1] > 0.5]
+    draw(bench, "mode", rows, [
+        ("frequency_error", "error of the frequency in %", "frequency"),
+        ("amplitude_lost", "amplitude lost in a period in %", r"amplitude (nothing is lost with $\beta_2$ = 0.5)", damped)])
+    undamped = [row for row in rows if row["beta2"] == 0.5]
+    bench.write("mode-cheapest", conclusions(undamped, "frequency_error", "frequency"), "least cost for a target, without loss of amplitude")
+
+
+def modal_analysis(bench, sizes):
+    """mode-modal.csv: the program's modal analysis of the same body."""
+    study = bench.study("modes")
+    modulus = 1900 * C_T ** 2
+    stiffness = [modulus * 8 / 3, modulus * 2 / 3, modulus * 8 / 3, modulus]  # nu = 0.2
+    for n in sizes:
+        study.add(f"modal-{n}", "contact_dynamics", prm("examples/modal.prm"), {
+            "Body/Stiffness": stiffness, "Body/Density": 1900, "Body/Size": [LENGTH, HEIGHT],
+            "Body/Cells": [3 * n // 2, n], "Sides/Left": "u_x", "Sides/Right": "u_x", "Top/Kind": "pressure",
+            "Top/Lateral held": True, "Modal/Bottom": "held in y", "Modal/Number of modes": 4})
+    exact = C_T / 2 * ((1 / LENGTH) ** 2 + (1 / (2 * HEIGHT)) ** 2) ** 0.5
+    results, rows = study.run(), []
+    for n in sizes:
+        found = results[f"modal-{n}"].summary["frequencies"]["held"]
+        nearest = min(found, key=lambda f: abs(f - exact))
+        rows.append({"n": n, "frequency_error": nearest / exact - 1, "cpu_s": results[f"modal-{n}"].cpu_seconds})
+    bench.write("mode-modal", rows, "the same mode by modal analysis; cpu_s: whole program")

@@ -66,24 +66,6 @@ Outcome outcome(const BodySetup &setup, const double end)
           {}};
 }
 
-/** Circular frequency and decay rate (1/s) of samples q from q_(n+1) = z1 q_n - z2
- * q_(n-1), by least squares. */
-std::array<double, 2> frequency_and_decay(const std::vector<double> &q,
-                                          const double interval)
-{
-  Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d r = Eigen::Vector2d::Zero();
-  for (std::size_t n = 1; n + 1 < q.size(); ++n)
-    {
-      const Eigen::Vector2d row(q[n], q[n - 1]);
-      A += row * row.transpose();
-      r += row * q[n + 1];
-    }
-  const Eigen::Vector2d z = A.inverse() * r;
-  return {{std::acos(0.5 * z(0) / std::sqrt(-z(1))) / interval,
-           -0.5 * std::log(-z(1)) / interval}};
-}
-
 /** Five periods of the slowest shear mode, from rest; the error is that of its frequency.
  */
 Outcome mode(const Choice &choice, const unsigned int repetitions)
@@ -99,7 +81,7 @@ Outcome mode(const Choice &choice, const unsigned int repetitions)
   const unsigned int interval = std::max(1l, std::lround(period / 40. / setup.step.dt));
   result.cpu_seconds          = repeat(repetitions, [&]() {
     HeldBelow bottom(setup.step);
-    SlidingBody body(setup, MPI_COMM_SELF, &bottom);
+    Body body(setup, MPI_COMM_SELF, &bottom);
     body.u = discrete.shape;
     std::vector<double> q;
     double seconds = 0.;
@@ -129,7 +111,7 @@ Outcome bar(const Choice &choice, const unsigned int repetitions)
   result.errors         = {1. - impact.balanced, impact.duration / exact_duration - 1.};
   setup.energy_interval = 0;
   result.cpu_seconds    = repeat(repetitions, [&]() {
-    SlidingBody body(setup);
+    Body body(setup);
     throw_down(body);
     return cpu_seconds([&]() { body.run(result.steps); });
   });
@@ -152,7 +134,7 @@ Outcome growth(const Choice &choice, const unsigned int repetitions)
   result.errors      = {seen.rate.real() / exact.real() - 1.,
                         seen.rate.imag() / exact.imag() - 1.};
   result.cpu_seconds = repeat(repetitions, [&]() {
-    SlidingBody body(setup);
+    Body body(setup);
     start_sliding(body, layer, exact);
     return cpu_seconds([&]() { body.run(result.steps); });
   });

@@ -7,7 +7,7 @@ import numpy as np
 
 from common import TOP
 
-sys.path.insert(0, os.path.join(TOP, "applications", "report"))
+sys.path.insert(0, os.path.join(TOP, "applications", "tools", "report"))
 
 from matplotlib.ticker import FuncFormatter, LogFormatter  # noqa: E402
 

@@ -6,7 +6,7 @@ import sys
 
 import shortcuts
 from common import TOP, cpu_seconds, prm, require_ended
-from fits import median_and_range
+from fits import median
 
 REPETITIONS = 3
 
@@ -37,7 +37,7 @@ def row_of(shortcut, k, results):
 def timed(name, scene, short, full, found, tolerance):
     row = {"shortcut": name, "scene": scene}
     for which, seconds in (("short", short), ("full", full)):
-        row[which + "_s"], row[which + "_low"], row[which + "_high"] = median_and_range(seconds)
+        row.update({which + "_s": median(seconds), which + "_low": min(seconds), which + "_high": max(seconds)})
     row["ratio"] = row["full_s"] / row["short_s"]
     row["saved"] = 1 - row["short_s"] / row["full_s"]
     row["difference"], row["differs_at_most"] = found, tolerance
@@ -47,7 +47,7 @@ def timed(name, scene, short, full, found, tolerance):
 def reuse(bench):
     """rve.h5 and the steps of a chain, made and found up to date."""
     rve = [os.path.join(bench.programs, "rve_homogenization"), prm(shortcuts.RVE), "--quiet", "--output", os.path.join(bench.runs, "reused")]
-    chain = [sys.executable, os.path.join(TOP, "applications", "run_chain.py"), prm("examples/image"), "--programs", bench.programs,
+    chain = [sys.executable, os.path.join(TOP, "applications", "tools", "run_chain.py"), prm("examples/image"), "--programs", bench.programs,
              "--no-report", "--output", os.path.join(bench.runs, "chain")]
     rows = []
     for name, scene, command, again in (("rve.h5 reused", "the pin's, KUBC and SUBC", rve, ["--set", "Homogenization/Reuse=false"]),

@@ -3,7 +3,7 @@
 import numpy as np
 
 from common import prm
-from fits import median_and_range
+from fits import median
 from plots import curve, legend, logarithmic, panels
 
 SIDES = [32, 100, 178, 316, 562, 1000, 3162]
@@ -56,9 +56,9 @@ def fastest(results, name, count):
 
 def row_of(results, n):
     runs = [results[f"cells-{n}.{k + 1}"] for k in range(repetitions(n))]
-    median, low, high = median_and_range([run.cpu_seconds for run in runs])
+    cpu = [run.cpu_seconds for run in runs]
     return {"n": n, "cells": n * n, "iterations": sum(runs[0].summary["iterations"]["KUBC"]),
-            "program_cpu_s": low, "program_cpu_s_median": median, "program_cpu_s_high": high,
+            "program_cpu_s": min(cpu), "program_cpu_s_median": median(cpu), "program_cpu_s_high": max(cpu),
             "peak_memory_bytes": runs[0].summary["peak_memory_bytes"]}
 
 

@@ -4,7 +4,7 @@ included, and the same by Trilinos (deal.II mesh, ML) in the same run."""
 import os
 
 from common import add_repeated, cpu_seconds, prm, repeated, require_ended
-from fits import median_and_range
+from fits import median, spread
 from plots import curve, legend, panels
 
 CELL = 1e-4  # m
@@ -26,8 +26,7 @@ def run(bench):
     results = study.run()
     require_ended(results)
     # Linking of the libraries that deal.II brings, and MPI.
-    start = median_and_range([cpu_seconds([os.path.join(bench.programs, "rve_homogenization"), "--version"])
-                              for _ in range(REPETITIONS)])[0]
+    start = median([cpu_seconds([os.path.join(bench.programs, "rve_homogenization"), "--version"]) for _ in range(REPETITIONS)])
     rows = [{**row_of(results, name, case), "start_cpu_s": start} for name, case in cases.items()]
     bench.write("statics", rows, "load cases of the pin's fibres; each: iterations of the load cases; solve_s: load cases alone; "
                 "program_s: by its own clock; cpu_s: the whole process, of which start_cpu_s are linking and MPI", repetitions=f"{REPETITIONS}; 1 beyond 1e6 cells and for ML at contrast 1e4")
@@ -61,14 +60,12 @@ def case(size, contrast, conditions, tolerance=1e-8, solver="multigrid"):
 def row_of(results, name, case):
     first, cpu = repeated(results, name, case["repetitions"])
     runs = [results[f"{name}.{k + 1}"] for k in range(case["repetitions"])]
-    solve = [run.summary["seconds"]["Load cases"] for run in runs]
-    median, low, high = median_and_range(solve)
     iterations = {condition: first.summary["iterations"][condition] for condition in case["conditions"]}
     return {"case": name, "solver": case["solver"], "nx": case["size"][0], "ny": case["size"][1], "contrast": case["contrast"],
             "tolerance": case["tolerance"], "load_cases": 3 * len(iterations),
             **{condition: " ".join(str(n) for n in iterations.get(condition, [])) for condition in ALL},
-            "solve_s": median, "solve_s_low": low, "solve_s_high": high,
-            "program_s": median_and_range([run.summary["seconds"]["total"] for run in runs])[0], **cpu, "peak_memory_MB": 1e-6 * first.summary["peak_memory_bytes"]}
+            **spread("solve_s", [run.summary["seconds"]["Load cases"] for run in runs]),
+            "program_s": median([run.summary["seconds"]["total"] for run in runs]), **cpu, "peak_memory_MB": 1e-6 * first.summary["peak_memory_bytes"]}
 
 
 def mean_iterations(row, condition):

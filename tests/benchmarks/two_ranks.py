@@ -2,7 +2,7 @@
 which is the bound as it shares caches and memory without having to talk."""
 
 from common import prm, require_ended
-from fits import median_and_range
+from fits import spread
 
 PIN = (560, 160)
 MATERIALS = {"homogeneous": "pin/20-contact_dynamics-homogeneous.prm", "every fibre": "pin/30-contact_dynamics-heterogeneous.prm"}
@@ -41,8 +41,5 @@ def rate(study, material, layout, turn, end_time):
 
 
 def row_of(material, layout, rates):
-    row = {"material": material, "layout": layout}
     ratios = [found / one for found, one in zip(rates[material, layout], rates[material, "one rank"])]
-    for column, values in (("million_cells_per_s", rates[material, layout]), ("ratio", ratios)):
-        row[column], row[column + "_low"], row[column + "_high"] = median_and_range(values)
-    return row
+    return {"material": material, "layout": layout, **spread("million_cells_per_s", rates[material, layout]), **spread("ratio", ratios)}

@@ -5,16 +5,11 @@ if(MESOSLIP_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   set(has_libfuzzer TRUE)
 endif()
 
-add_library(fuzz_edits STATIC ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/byte_edits.cc)
-deal_ii_setup_target(fuzz_edits)
-mesoslip_warnings(fuzz_edits)
-target_link_libraries(fuzz_edits mesoslip_program)
-
 if(NOT has_libfuzzer)
   add_library(fuzz_replay STATIC ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/replay.cc)
   deal_ii_setup_target(fuzz_replay)
   mesoslip_warnings(fuzz_replay)
-  target_link_libraries(fuzz_replay fuzz_edits)
+  target_link_libraries(fuzz_replay mesoslip_program)
 endif()
 
 # mesoslip_fuzzer(<target> MUTATIONS <n> LIBS <library>...): so many in the test without libFuzzer
@@ -29,7 +24,7 @@ function(mesoslip_fuzzer target)
     # clang gives some templates of deal.II's Trilinos classes other names than GCC, which has built that library. They are of
     # bodies on meshes, which no fuzzer calls.
     target_link_options(${program} PRIVATE -fsanitize=fuzzer -Wl,--unresolved-symbols=ignore-all)
-    target_link_libraries(${program} fuzz_edits ${ARG_LIBS})
+    target_link_libraries(${program} ${ARG_LIBS})
     add_test(NAME fuzz/${target} COMMAND ${folder}/run.sh $<TARGET_FILE:${program}> 5)
   else()
     target_link_libraries(${program} fuzz_replay ${ARG_LIBS})

@@ -2,26 +2,19 @@
 // input>. Every input of the folder once, then so many changed ones, the same ones each
 // time. What it was at when it ended is in the file <last input>.
 #include "base/files.h"
-#include "byte_edits.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <random>
 #include <vector>
 
-using namespace mesoslip_tests;
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size);
 
 namespace
 {
-const std::uint8_t *bytes_of(const std::string &text)
-{
-  return reinterpret_cast<const std::uint8_t *>(text.data());
-}
-
 std::vector<std::string> read_inputs(const std::string &folder)
 {
   std::vector<std::string> paths, inputs;
@@ -33,24 +26,38 @@ std::vector<std::string> read_inputs(const std::string &folder)
   return inputs;
 }
 
-std::string random_bytes(const std::size_t n, std::mt19937 &generator)
-{
-  std::string bytes(n, '\0');
-  for (char &c : bytes)
-    c = static_cast<char>(generator());
-  return bytes;
-}
-
-/** A few edits, or another end. */
-std::string changed(const std::string &input, std::mt19937 &generator)
+/** Single bytes, bits and runs overwritten, pieces moved, another end; a few of these. */
+std::string changed(std::string input, std::mt19937 &generator)
 {
   constexpr std::size_t longest = 4096;
-  if (generator() % 2 == 0)
-    return input.substr(0, generator() % (input.size() + 1)) +
-           random_bytes(generator() % 64, generator);
-  const std::string random = random_bytes(4 + generator() % 28, generator);
-  Choices choices(bytes_of(random), random.size());
-  return edit_bytes(input, choices).substr(0, longest);
+  const auto byte               = [&]() { return static_cast<char>(generator()); };
+  for (unsigned long n = 1 + generator() % 6; n > 0 && !input.empty(); --n)
+    {
+      const std::size_t at   = generator() % input.size(),
+                        from = generator() % input.size();
+      const std::size_t most =
+        std::min<std::size_t>(generator() % 256, input.size() - at);
+      switch (generator() % 8)
+        {
+        case 0: // another end
+          input.resize(at);
+          for (unsigned long k = generator() % 64; k > 0; --k)
+            input += byte();
+          break;
+        case 1:
+          std::fill_n(input.begin() + static_cast<long>(at), most, byte());
+          break;
+        case 2:
+          input.replace(at, most, input.substr(from, most));
+          break;
+        case 3:
+          input[at] = static_cast<char>(input[at] ^ (1 << generator() % 8));
+          break;
+        default:
+          input[at] = byte();
+        }
+    }
+  return input.substr(0, longest);
 }
 } // namespace
 
@@ -63,7 +70,8 @@ int main(const int argc, char **argv)
     }
   const auto run = [&](const std::string &input) {
     mesoslip::write_file(argv[3], input);
-    LLVMFuzzerTestOneInput(bytes_of(input), input.size());
+    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t *>(input.data()),
+                           input.size());
   };
   const std::vector<std::string> inputs = read_inputs(argv[1]);
   for (const std::string &input : inputs)

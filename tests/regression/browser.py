@@ -1,15 +1,15 @@
 """report.html in a headless browser, as wide as a desk and as a phone, and printed.
 
-    browser.py .../make_report.py [folder for the screenshots]
+    browser.py <folder with the programs, not used> [folder for the screenshots]
 
 The page has to render with all its figures, ask nobody for anything, log no error and fit the width of a phone. Without
 chromium the test is skipped (exit status 77).
 """
 
-import base64
-import io
+import html
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -21,137 +21,86 @@ import numpy as np
 import report
 
 SKIPPED = 77
-VIEWS = {"desk": (1280, 900, False), "phone": (390, 844, True)}
+VIEWS = {"desk": (1280, 900), "phone": (390, 844)}
+# Ahead of the page: nothing but the page itself may be loaded, and what is complained about is kept.
+GUARD = """<meta http-equiv="Content-Security-Policy" content="default-src 'unsafe-inline' data:"><script>
+const said = [], error = console.error
+console.error = (...words) => said.push('console ' + words.join(' '))
+addEventListener('error', e => said.push('error ' + (e.message || e.target.src)), true)
+addEventListener('securitypolicyviolation', e => said.push('asks for ' + e.blockedURI))
+</script>"""
+# What the page looks like, for the page that it is embedded in; tables scroll up to their last column.
+MEASURE = """<script>
+addEventListener('load', () => {
+  const right = e => e.getBoundingClientRect().right, width = document.documentElement.clientWidth, images = [...document.images]
+  const tables = [...document.querySelectorAll('table')].map(t => {
+    const box = t.closest('.scroll'), cell = t.rows[0].cells[t.rows[0].cells.length - 1]
+    if (!box) return {words: t.textContent.slice(0, 40), box: 1e9, last: 0, wide: false}
+    box.scrollLeft = 1e6
+    const found = {words: t.textContent.slice(0, 40), box: right(box), last: right(cell), wide: box.scrollWidth > box.clientWidth + 1}
+    box.scrollLeft = 0
+    return found
+  })
+  parent.postMessage(JSON.stringify({said, tables, width: document.documentElement.scrollWidth, images: images.length,
+    broken: images.filter(i => !i.naturalWidth).length, text: document.body.innerText.length,
+    letter: parseFloat(getComputedStyle(document.body).fontSize),
+    wide: [...document.querySelectorAll('body *')].filter(e => !e.closest('.scroll') && right(e) > width + 1).map(e => e.tagName)}), '*')
+})
+</script>"""
+FRAME = """<body style="margin:0"><pre id="seen"></pre><iframe src="%s" width="%d" height="%d" style="border:0"></iframe>
+<script>addEventListener('message', e => document.getElementById('seen').textContent = e.data)</script>"""
 
 
 class Browser:
-    """Chromium, spoken to in its DevTools protocol: JSON ending in a zero, over two pipes."""
+    def __init__(self, program, folder):
+        self.program, self.folder = program, folder
 
-    def __init__(self, program, profile):
-        down, self.write_end = os.pipe()
-        self.read_end, up = os.pipe()
+    def call(self, url, *options):
+        done = subprocess.run([self.program, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars",
+                               "--virtual-time-budget=20000", "--user-data-dir=" + os.path.join(self.folder, "profile"), *options, url],
+                              cwd=self.folder, capture_output=True, text=True, timeout=120)
+        return done.stdout
 
-        def connect():
-            # The protocol's fixed descriptors; copies first, as the pipes may hold these numbers.
-            source, sink = os.dup(down), os.dup(up)
-            os.dup2(source, 3)
-            os.dup2(sink, 4)
-
-        self.process = subprocess.Popen(
-            [program, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--remote-debugging-pipe",
-             "--hide-scrollbars", "--user-data-dir=" + profile, "about:blank"],
-            preexec_fn=connect, close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(down)
-        os.close(up)
-        self.rest, self.last, self.events, self.session = b"", 0, [], None
-
-    def message(self):
-        while b"\0" not in self.rest:
-            chunk = os.read(self.read_end, 1 << 16)
-            if not chunk:
-                raise RuntimeError("chromium has ended")
-            self.rest += chunk
-        text, _, self.rest = self.rest.partition(b"\0")
-        return json.loads(text)
-
-    def call(self, method, **parameters):
-        self.last += 1
-        request = {"id": self.last, "method": method, "params": parameters}
-        if self.session:
-            request["sessionId"] = self.session
-        data = json.dumps(request).encode() + b"\0"
-        while data:
-            data = data[os.write(self.write_end, data):]
-        while True:
-            answer = self.message()
-            if answer.get("id") == self.last:
-                assert "error" not in answer, answer
-                return answer["result"]
-            self.events.append(answer)
-
-    def wait_for(self, event):
-        while not any(e.get("method") == event for e in self.events):
-            self.events.append(self.message())
-
-    def evaluate(self, expression):
-        return self.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)["result"]["value"]
-
-    def open(self, url, width, height, mobile):
-        if self.session is None:
-            target = self.call("Target.createTarget", url="about:blank")["targetId"]
-            self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-            for domain in ("Page", "Network", "Runtime", "Log"):
-                self.call(domain + ".enable")
-        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=mobile)
-        self.events = []
-        self.call("Page.navigate", url=url)
-        self.wait_for("Page.loadEventFired")
-        self.evaluate("Promise.all([...document.images].map(i => i.decode())).then(() => true)")
-
-    def close(self):
-        self.session = None
-        self.call("Browser.close")
-        self.process.wait(timeout=30)
+    def measure(self, page, name):
+        """What the page says of itself in a frame as wide as the view."""
+        guarded, frame = (os.path.join(self.folder, word + ".html") for word in ("guarded", "frame"))
+        with open(guarded, "w", encoding="utf-8") as file:
+            file.write(page.replace("<head>", "<head>" + GUARD, 1).replace("</body>", MEASURE + "</body>", 1))
+        with open(frame, "w", encoding="utf-8") as file:
+            file.write(FRAME % ("guarded.html", *VIEWS[name]))
+        seen = re.search(r'<pre id="seen">(.+?)</pre>', self.call("file://" + frame, "--dump-dom"), re.DOTALL)
+        assert seen, f"{name}: the page says nothing of itself"
+        return json.loads(html.unescape(seen[1]))
 
 
-def complaints(events, url):
-    """Errors on the console, exceptions, and requests for anything but the page itself."""
-    found = []
-    for event in events:
-        what, details = event.get("method"), event.get("params", {})
-        if what == "Network.requestWillBeSent" and not details["request"]["url"].startswith(("data:", url)):
-            found.append("asks for " + details["request"]["url"])
-        if what == "Runtime.exceptionThrown" or (what == "Log.entryAdded" and details["entry"]["level"] == "error") or (
-                what == "Runtime.consoleAPICalled" and details["type"] in ("error", "assert")):
-            found.append(json.dumps(details)[:300])
-    return found
-
-
-def check_tables(browser, name):
-    """Wide tables scroll in boxes of their own, up to their last column, and the page stays where it is."""
-    width, _, mobile = VIEWS[name]
-    tables = browser.evaluate("""[...document.querySelectorAll('table')].map(t => {
-      const box = t.closest('.scroll'), cell = t.rows[0].cells[t.rows[0].cells.length - 1];
-      if (!box) return {words: t.textContent.slice(0, 40), box: 1e9, last: 0, wide: false};
-      box.scrollLeft = 1e6;
-      const found = {words: t.textContent.slice(0, 40), box: box.getBoundingClientRect().right,
-                     last: cell.getBoundingClientRect().right, wide: box.scrollWidth > box.clientWidth + 1};
-      box.scrollLeft = 0;
-      return found;})""")
-    problems = [f"{name}: table ends at pixel {t['box']:.0f}, its last column at {t['last']:.0f} of {width}: {t['words']}"
-                for t in tables if t["box"] > width or t["last"] > t["box"] + 1]
-    if mobile and not any(t["wide"] for t in tables):
-        problems.append(f"{name}: no table of {len(tables)} is wider than the screen, so scrolling was not tested")
-    return problems
-
-
-def check_view(browser, url, name, folder):
-    width, height, mobile = VIEWS[name]
-    browser.open(url, width, height, mobile)
-    problems = [f"{name}: {complaint}" for complaint in complaints(browser.events, url)]
-    page = browser.evaluate("""({
-      width: document.documentElement.scrollWidth, height: document.documentElement.scrollHeight,
-      images: document.images.length, broken: [...document.images].filter(i => !i.naturalWidth).length,
-      wide: [...document.querySelectorAll('body *')].filter(e => !e.closest('.scroll') &&
-            e.getBoundingClientRect().right > document.documentElement.clientWidth + 1).map(e => e.tagName + ' ' +
-            e.textContent.slice(0, 40)),
-      letter: parseFloat(getComputedStyle(document.body).fontSize), text: document.body.innerText.length})""")
+def problems_of(page, name):
+    width = VIEWS[name][0]
+    problems = list(page["said"])
     if page["width"] > width:
-        problems.append(f"{name}: {page['width']} pixels wide on a screen of {width}: {page['wide'][:5]}")
+        problems.append(f"{page['width']} pixels wide on a screen of {width}: {page['wide'][:5]}")
     if page["images"] < 10 or page["broken"] or page["text"] < 2000 or page["letter"] < 14:
-        problems.append(f"{name}: not all there: {page}")
-    problems += check_tables(browser, name)
-    shot = base64.b64decode(browser.call(
-        "Page.captureScreenshot", format="png", captureBeyondViewport=True,
-        clip={"x": 0, "y": 0, "width": width, "height": min(page["height"], 6000), "scale": 1})["data"])
-    with open(os.path.join(folder, name + ".png"), "wb") as file:
-        file.write(shot)
-    pixels = matplotlib.image.imread(io.BytesIO(shot))[..., :3]
-    # Something in every screen of the page, and colours among it.
+        problems.append(f"not all there: {page['images']} images, {page['broken']} broken, {page['text']} letters of {page['letter']} pixels")
+    problems += [f"table ends at pixel {t['box']:.0f}, its last column at {t['last']:.0f} of {width}: {t['words']}"
+                 for t in page["tables"] if t["box"] > width or t["last"] > t["box"] + 1]
+    if name == "phone" and not any(t["wide"] for t in page["tables"]):
+        problems.append(f"no table of {len(page['tables'])} is wider than the screen, so scrolling was not tested")
+    return [f"{name}: {problem}" for problem in problems]
+
+
+def looks(browser, url, shots):
+    """A screenshot with colours and without a blank screen, and a PDF of some pages."""
+    width, height = VIEWS["desk"]
+    picture, pdf = (os.path.join(shots, name) for name in ("desk.png", "printed.pdf"))
+    browser.call(url, f"--window-size={width},{6 * height}", "--screenshot=" + picture)
+    pixels = matplotlib.image.imread(picture)[..., :3]
     blank = [k for k in range(0, pixels.shape[0] - height + 1, height) if pixels[k:k + height].std() < 0.02]
     if blank or np.ptp(pixels, axis=2).max() < 0.2:
-        problems.append(f"{name}: blank at pixels {blank} of {pixels.shape[0]}")
-    return problems
+        yield f"blank at pixels {blank} of {pixels.shape[0]}"
+    browser.call(url, "--print-to-pdf=" + pdf)
+    with open(pdf, "rb") as file:
+        pages = len(re.findall(rb"/Type /Page\b", file.read()))
+    if not 3 <= pages <= 40:
+        yield f"printed: {pages} pages"
 
 
 def main():
@@ -160,48 +109,17 @@ def main():
         print("skipped: the report is looked at with chromium, which is not installed")
         sys.exit(SKIPPED)
     with tempfile.TemporaryDirectory(prefix="mesoslip-browser-") as root:
-        shots = sys.argv[2] if len(sys.argv) > 2 else root
+        shots = os.path.abspath(sys.argv[2]) if len(sys.argv) > 2 else root
         os.makedirs(shots, exist_ok=True)
         report.write_chain(os.path.join(root, "chain"))
-        report.report(os.path.abspath(sys.argv[1]), root, os.path.join(root, "chain"))
-        browser = Browser(program, os.path.join(root, "profile"))
-        try:
-            url = "file://" + os.path.join(root, "report.html")
-            problems = [p for name in VIEWS for p in check_view(browser, url, name, shots)]
-            printed = base64.b64decode(browser.call("Page.printToPDF", preferCSSPageSize=True)["data"])
-            pages = printed.count(b"/Type /Page\n") or printed.count(b"/Type /Page ")
-            if not printed.startswith(b"%PDF") or not 3 <= pages <= 40:
-                problems.append(f"printed: {pages} pages")
-            with open(os.path.join(shots, "printed.pdf"), "wb") as file:
-                file.write(printed)
-            # The checks see what they look for.
-            with open(os.path.join(root, "report.html"), encoding="utf-8") as file:
-                page = file.read()
-            with open(os.path.join(root, "bad.html"), "w", encoding="utf-8") as file:
-                file.write(page.replace("<body>", "<body><p style='width:500px'>x</p><script>console.error(1)</script>"
-                                                  "<img src='http://localhost:9/x.png'>", 1))
-            bad = "file://" + os.path.join(root, "bad.html")
-            seen = " ".join(check_bad(browser, bad))
-            problems += [f"not seen: {word}" for word in ("asks for http", "console", "pixels wide") if word not in seen]
-        finally:
-            browser.close()
+        page, browser = report.report(root, os.path.join(root, "chain")), Browser(program, root)
+        problems = [p for name in VIEWS for p in problems_of(browser.measure(page, name), name)]
+        problems += looks(browser, "file://" + os.path.join(root, "report.html"), shots)
+        # The checks see what they look for.
+        bad = page.replace("<body>", "<body><p style='width:500px'>x</p><script>console.error(1)</script><img src='http://localhost:9/x.png'>", 1)
+        seen = " ".join(problems_of(browser.measure(bad, "phone"), "phone"))
+        problems += [f"not seen: {word}" for word in ("asks for http", "console", "pixels wide") if word not in seen]
     assert not problems, "\n".join(problems)
-    print(f"report.html: {', '.join(VIEWS)} and {pages} printed pages")
-
-
-def check_bad(browser, url):
-    """Complaints about a page that is wrong in every way, without waiting for its image."""
-    width, height, mobile = VIEWS["phone"]
-    browser.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=mobile)
-    browser.events = []
-    browser.call("Page.navigate", url=url)
-    browser.wait_for("Page.loadEventFired")
-    found = complaints(browser.events, url)
-    if any('"type": "error"' in complaint for complaint in found):
-        found.append("console")
-    if browser.evaluate("document.documentElement.scrollWidth") > width:
-        found.append("pixels wide")
-    return found
 
 
 if __name__ == "__main__":

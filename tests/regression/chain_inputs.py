@@ -10,7 +10,8 @@ import sys
 import tempfile
 import time
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+from scenes import TOOLS, Folder
+
 # Says that it was started, asked for its size or interrupted. Waits where "slow" or "ask" is in the .prm, and as the
 # programs do it ends at an interrupt some time after the first.
 PROGRAM = """#!/usr/bin/python3
@@ -45,26 +46,18 @@ if not asked:
 """
 
 
-class Chain:
+class Chain(Folder):
     """A folder of .prm files and what happens to it."""
 
-    def __init__(self, folder):
-        self.folder, self.programs = folder, os.path.join(folder, "programs")
-        self.source, self.target = os.path.join(folder, "in"), os.path.join(folder, "out")
-        os.makedirs(self.programs)
+    def __init__(self, path):
+        super().__init__(path)
+        self.programs, self.source, self.target = self("programs"), self("in"), self("out")
         for name in ("rve_homogenization", "contact_dynamics"):
-            self.write(os.path.join("programs", name), PROGRAM)
-            os.chmod(os.path.join(self.programs, name), 0o755)
-
-    def write(self, name, text):
-        path = os.path.join(self.folder, name)
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
-        return path
+            self.write("programs/" + name, PROGRAM)
+            os.chmod(self("programs", name), 0o755)
 
     def command(self, *options):
-        return [sys.executable, os.path.join(TOP, "applications", "run_chain.py"), self.source, "--output", self.target,
+        return [sys.executable, os.path.join(TOOLS, "run_chain.py"), self.source, "--output", self.target,
                 "--programs", self.programs, "--no-report", *options]
 
     def run(self, *options):
@@ -77,16 +70,12 @@ class Chain:
         return [line.split(":")[0] for line in done.stdout.splitlines() if ": done in" in line]
 
     def started(self):
-        path = os.path.join(self.target, "started.txt")
-        if not os.path.exists(path):
-            return []
-        with open(path, encoding="utf-8") as file:
-            return file.read().split("\n")[:-1]
+        return self.read("out", "started.txt").decode().splitlines() if os.path.exists(self("out", "started.txt")) else []
 
 
 def named_files(chain):
     """A file that a .prm names decides, whatever it is called and wherever it lies; others do not."""
-    elsewhere = chain.write("elsewhere/map.PNG", "0")
+    elsewhere = chain("elsewhere", "map.PNG")
     pictures = {"10-rve_homogenization-a": "in/G.PNG", "11-rve_homogenization-b": "in/maps/fine/p.dat", "12-rve_homogenization-c": elsewhere}
     for name, path in pictures.items():
         chain.write(path, "0")
@@ -126,9 +115,9 @@ def results_that_are_gone(chain):
 def refusals(chain):
     chain.write("in/10-rve_homogenization.prm", "set File = ../outside.png\n")
     cases = [("what lies outside", "../outside.png", {"outside.png": ""}, ())]
-    cases += [("a file as output", "a-file cannot be written", {"a-file": ""}, ("--output", os.path.join(chain.folder, "a-file")))]
+    cases += [("a file as output", "a-file cannot be written", {"a-file": ""}, ("--output", os.path.join(chain.path, "a-file")))]
     cases += [("no place for output", "/proc/mesoslip cannot be written", {"in/10-rve_homogenization.prm": ""}, ("--output", "/proc/mesoslip"))]
-    cases += [("no programs", "--programs", {}, ("--programs", chain.folder))]
+    cases += [("no programs", "--programs", {}, ("--programs", chain.path))]
     cases += [("no jobs", "--jobs", {}, ("--jobs", "0"))]
     for what, words, files, options in cases:
         for name, text in files.items():

@@ -9,10 +9,9 @@ permission are of another user.
 
 import os
 import subprocess
-import sys
 import tempfile
 
-from scenes import PHASES
+from scenes import PHASES, Folder, sets
 
 NOBODY = 65534
 FULL_DISK = r"""
@@ -78,61 +77,39 @@ RESULTS = {"rve_homogenization": "rve.h5", "contact_dynamics": "dynamics.h5"}
 TEXTS = {"rve_homogenization": RVE, "contact_dynamics": CONTACT}
 
 
-class Bench:
-    def __init__(self, programs, folder):
-        self.programs, self.folder, self.problems = programs, folder, []
-        for name, text in TEXTS.items():
-            with open(self.path(name + ".prm"), "w", encoding="utf-8") as file:
-                file.write(text)
-        with open(self.path("full.c"), "w", encoding="utf-8") as file:
-            file.write(FULL_DISK)
-        subprocess.run(["cc", "-shared", "-fPIC", "-w", self.path("full.c"), "-o", self.path("full.so"), "-ldl"], check=True)
+class Bench(Folder):
+    def __init__(self, folder):
+        super().__init__(folder, TEXTS)
+        self.problems = []
+        self.write("full.c", FULL_DISK)
+        subprocess.run(["cc", "-shared", "-fPIC", "-w", self("full.c"), "-o", self("full.so"), "-ldl"], check=True)
 
-    def path(self, *parts):
-        return os.path.join(self.folder, *parts)
+    def expect(self, what, status, words, *command, **keywords):
+        found, _, err = self.end(*command, **keywords)
+        missing = [word for word in words if word not in err]
+        if found != status or err.count("\n") != (status != 0) or missing:
+            self.problems.append(f"{what}: exit status {found}, {missing} missing in: {err[:400]}")
 
-    def run(self, program, output, *options, prepare=None, largest_file=None):
+    def job(self, what, status, words, program, output, *options, largest_file=None, **keywords):
         environment = dict(os.environ)
         if largest_file is not None:
-            environment.update(LD_PRELOAD=self.path("full.so"), FULL_FOLDER=self.path(output), FULL_BYTES=str(largest_file))
-        return subprocess.run([os.path.join(self.programs, program), program + ".prm", "--quiet", "--output", output,
-                               *options], cwd=self.folder, env=environment, text=True, capture_output=True,
-                              preexec_fn=prepare)
-
-    def expect(self, what, done, status, *words):
-        lines = done.stderr.strip().splitlines()
-        if done.returncode != status or len(lines) != (status != 0):
-            self.problems.append(f"{what}: exit status {done.returncode}, {len(lines)} lines: {done.stderr[:400]}")
-        self.problems += [f"{what}: '{word}' is missing in: {done.stderr[:400]}" for word in words
-                          if word not in done.stderr]
-
-
-def contents(folder):
-    found = {}
-    for name in os.listdir(folder):
-        with open(os.path.join(folder, name), "rb") as file:
-            found[name] = file.read()
-    return found
+            environment.update(LD_PRELOAD=self("full.so"), FULL_FOLDER=self(output), FULL_BYTES=str(largest_file))
+        self.expect(what, status, words, program, program + ".prm", "--quiet", "--output", output, *options, env=environment, **keywords)
 
 
 def fills_up(bench, program):
     """A run that fits, then the same into a folder where no file may grow that large."""
-    result = RESULTS[program]
-    bench.expect(f"{program} that fits", bench.run(program, program), 0)
+    result, again = RESULTS[program], sets(["Homogenization/Reuse=false"]) if "rve" in program else []
+    bench.job(f"{program} that fits", 0, [], program, program)
     assert not bench.problems, bench.problems
-    before = contents(bench.path(program))
-    again = ["--set", "Homogenization/Reuse=false"] if "rve" in program else []
-    for limit, word in ((1000, "No space left"), (len(before[result]) // 2, result),
-                        (len(before[result]) - 1000, result)):
+    size = os.path.getsize(bench(program, result))
+    for limit, word in ((1000, "No space left"), (size // 2, result), (size - 1000, result)):
         what = f"{program} with files of {limit} bytes at most"
-        done = bench.run(program, program, *again, largest_file=limit)
-        bench.expect(what, done, 2, "cannot be", word)
-        after = contents(bench.path(program))
-        if limit > 1000 and result in after:
-            bench.problems.append(f"{what}: there is a {result} though it could not be written")
-        if limit > 1000 and "summary.json" in after:
-            bench.problems.append(f"{what}: a failed run left a summary.json")
-    bench.expect(f"{program} that fits again", bench.run(program, program, *again), 0)
+        bench.job(what, 2, ["cannot be", word], program, program, *again, largest_file=limit)
+        left = {result, "summary.json"} & set(os.listdir(bench(program)))
+        if limit > 1000 and left:
+            bench.problems.append(f"{what}: left {left}")
+    bench.job(f"{program} that fits again", 0, [], program, program, *again)
 
 
 def become_nobody():
@@ -142,53 +119,44 @@ def become_nobody():
 
 
 def not_permitted(bench):
-    os.chmod(bench.folder, 0o755)
-    os.mkdir(bench.path("read-only"), 0o555)
+    os.chmod(bench.path, 0o755)
+    os.mkdir(bench("read-only"), 0o555)
     try:
-        bench.run("contact_dynamics", "x", "--version", prepare=become_nobody)
+        bench.end("contact_dynamics", "--version", preexec_fn=become_nobody)
     except PermissionError:
         print("the programs are where another user may not start them: folders without permission left out")
         return
-    for program in ("rve_homogenization", "contact_dynamics"):
+    for program in RESULTS:
         for output in ("read-only", "read-only/below"):
             for options in ([], ["--validate"]):
-                bench.expect(f"{program} --output {output} {options}",
-                             bench.run(program, output, *options, prepare=become_nobody), 2,
-                             output, "Permission denied", "--output")
-
-
-def no_temporary_folder(bench):
-    """Open MPI's is shared by all processes that start and end side by side: one may remove it under another."""
-    path = os.path.join(bench.programs, "contact_dynamics")
-    done = subprocess.run([path, "--version"], env=dict(os.environ, TMPDIR="/dev/null/none"), text=True, capture_output=True)
-    bench.expect("a start without a temporary folder", done, 0)
+                bench.job(f"{program} --output {output} {options}", 2, [output, "Permission denied", "--output"], program, output, *options,
+                          preexec_fn=become_nobody)
 
 
 def full_device(bench):
     """What is asked for only to be printed, and a log: without them the exit status is not that of success."""
-    path = lambda program: os.path.join(bench.programs, program)
     for program in RESULTS:
         for options in (["--help"], ["--version"], ["--print-parameters"], ["--validate", program + ".prm"]):
             with open("/dev/full", "w", encoding="utf-8") as full:
-                done = subprocess.run([path(program), *options], cwd=bench.folder, stdout=full, stderr=subprocess.PIPE, text=True)
-            bench.expect(f"{program} {options} > /dev/full", done, 2, "standard output cannot be written")
-    os.mkdir(bench.path("logless"))
-    os.symlink("/dev/full", bench.path("logless", "log.txt"))
-    bench.expect("a log on a full device", bench.run("contact_dynamics", "logless"), 2, "log.txt: cannot be written", "the results are")
-    if "summary.json" not in os.listdir(bench.path("logless")):
+                bench.expect(f"{program} {options} > /dev/full", 2, ["standard output cannot be written"], program, *options, stdout=full)
+    os.mkdir(bench("logless"))
+    os.symlink("/dev/full", bench("logless", "log.txt"))
+    bench.job("a log on a full device", 2, ["log.txt: cannot be written", "the results are"], "contact_dynamics", "logless")
+    if "summary.json" not in os.listdir(bench("logless")):
         bench.problems.append("a log on a full device: the results are not complete")
 
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        bench = Bench(os.path.abspath(sys.argv[1]), folder)
+        bench = Bench(folder)
         for program in RESULTS:
             fills_up(bench, program)
         full_device(bench)
         not_permitted(bench)
-        no_temporary_folder(bench)
+        # Open MPI's is shared by all processes that start and end side by side: one may remove it under another.
+        bench.expect("a start without a temporary folder", 0, [], "contact_dynamics", "--version",
+                     env=dict(os.environ, TMPDIR="/dev/null/none"))
     assert not bench.problems, "\n".join(bench.problems)
-    print("full disks, no temporary folder and folders without permission: refused or stopped, nothing lost")
 
 
 if __name__ == "__main__":

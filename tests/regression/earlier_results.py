@@ -15,15 +15,12 @@ import tempfile
 import h5py
 import numpy as np
 
-from scenes import PHASES, SMALL_RVE as RVE
+from scenes import PHASES, SMALL_RVE as RVE, TOOLS, Folder as AnyFolder
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(TOP, "applications", "python"))
-sys.path.insert(1, os.path.join(TOP, "applications", "report"))
+sys.path[:0] = [os.path.join(TOOLS, "python"), os.path.join(TOOLS, "report")]
 import mesoslip
 from data import Chain
 
-PROGRAMS = os.path.abspath(sys.argv[1])
 CONTACT = """
 subsection Body
   set RVE file = rve/rve.h5
@@ -44,27 +41,15 @@ end
 FAILS = ["--set", "Flat/Expression=sqrt(5e-6 - t)"]
 
 
-class Folder:
-    def __init__(self, path):
-        self.path = path
-        for name, text in (("rve_homogenization", RVE), ("contact_dynamics", CONTACT), ("stress_localization", LOCALIZATION)):
-            with open(self(name + ".prm"), "w", encoding="utf-8") as file:
-                file.write(text)
-
-    def __call__(self, *names):
-        return os.path.join(self.path, *names)
-
+class Folder(AnyFolder):
     def run(self, status, program, output, *options):
         executable = {"friction": "contact_dynamics", "modal": "contact_dynamics", "static contact": "contact_dynamics",
                       "picture": "rve_homogenization"}.get(program, program)
-        done = subprocess.run([os.path.join(PROGRAMS, executable), program + ".prm", "--output", output, *options], cwd=self.path,
-                              text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        assert done.returncode == status, f"{program} {options}: exit status {done.returncode}: {done.stdout}{done.stderr}"
-        return done.stdout + done.stderr
+        return super().run(status, executable, program + ".prm", "--output", output, *options)
 
-    def read(self, *names):
-        with open(self(*names), "rb") as file:
-            return file.read()
+    def restore(self, path, content):
+        with open(path, "wb") as file:
+            file.write(content)
 
 
 def check_failed_run(folder):
@@ -74,8 +59,7 @@ def check_failed_run(folder):
     results = {"dynamics.h5", "dynamics.xdmf", "energy.csv", "history.csv"}
     there = lambda: set(os.listdir(folder("run")))
     assert results < there(), there()
-    with open(folder("run", "notes.csv"), "w", encoding="utf-8") as file:
-        file.write("mine")
+    folder.write("run/notes.csv", "mine")
     before = {name: folder.read("run", name) for name in there()}
     folder.run(2, "contact_dynamics", "run", "--set", "Friction/Coefficient=-1")
     assert before == {name: folder.read("run", name) for name in there()}, "a run that was refused touched something"
@@ -191,8 +175,7 @@ def check_changed_files(folder):
     said = folder.run(3, "stress_localization", "local")
     assert "dynamics.h5 has changed since contact_dynamics wrote it" in said, said
     assert "localization.h5: the dataset /mean_von_mises would hold a value that is not finite" in said, said
-    with open(folder("run", "dynamics.h5"), "wb") as file:
-        file.write(run)
+    folder.restore(folder("run", "dynamics.h5"), run)
     said = folder.run(2, "stress_localization", "local", "--set", "Localization/Out-of-plane ratio=1e300")
     assert "Localization/Out-of-plane ratio" in said, said
     folder.run(0, "stress_localization", "local")
@@ -232,27 +215,23 @@ def check_foreign_files(folder):
             assert said.count("rve.h5 has no checksum") == 1, said
         with h5py.File(folder("other", "dynamics.h5")) as file:
             assert (file["history/contact_normal_force"][...] == expected).all()
-    with open(path, "wb") as file:
-        file.write(good)
+    folder.restore(path, good)
 
 
 def check_damage(folder):
     """No byte that is lost or flipped passes in silence: a warning, a refusal, or (in what HDF5 itself reads) its end."""
     path, chance = folder("rve", "rve.h5"), random.Random(1)
     good = folder.read("rve", "rve.h5")
-    command = [os.path.join(PROGRAMS, "contact_dynamics"), "contact_dynamics.prm", "--output", "other", "--validate"]
     for k in range(16):
         bad = bytearray(good[:chance.randrange(600, len(good))] if k < 4 else good)
         if k >= 4:
             bad[chance.randrange(513, len(bad))] ^= 1 << chance.randrange(8)
-        with open(path, "wb") as file:
-            file.write(bad)
-        done = subprocess.run(command, cwd=folder.path, text=True, capture_output=True)
-        said = done.stdout + done.stderr
-        assert done.returncode != 0 or "rve.h5 has changed since" in said, f"case {k}: {said}"
-        assert k >= 4 or done.returncode == 2 and "rve.h5" in said and said.count("\n") == 1, f"case {k}: {done.returncode} {said}"
-    with open(path, "wb") as file:
-        file.write(good)
+        folder.restore(path, bad)
+        status, out, err = folder.end("contact_dynamics", "contact_dynamics.prm", "--output", "other", "--validate")
+        said = out + err
+        assert status != 0 or "rve.h5 has changed since" in said, f"case {k}: {said}"
+        assert k >= 4 or status == 2 and "rve.h5" in said and said.count("\n") == 1, f"case {k}: {status} {said}"
+    folder.restore(path, good)
 
 
 def check_other_loads(folder):
@@ -290,10 +269,8 @@ end
 def check_inputs_in_output(folder):
     """An output folder that holds an input, by whatever name, or results of another kind is refused before it is touched."""
     for analysis in ("modal", "static contact"):
-        with open(folder(analysis + ".prm"), "w", encoding="utf-8") as file:
-            file.write(f"set Analysis = {analysis}\nsubsection Body\n  set RVE file = rve/rve.h5\nend\n")
-    with open(folder("friction.prm"), "w", encoding="utf-8") as file:
-        file.write("set Analysis = friction homogenization\nsubsection Friction homogenization\n  set Heterogeneous run = run\nend\n")
+        folder.write(analysis + ".prm", f"set Analysis = {analysis}\nsubsection Body\n  set RVE file = rve/rve.h5\nend\n")
+    folder.write("friction.prm", "set Analysis = friction homogenization\nsubsection Friction homogenization\n  set Heterogeneous run = run\nend\n")
     os.symlink("run", folder("link to run"))
     os.mkdir(folder("hard"))
     os.link(folder("rve", "rve.h5"), folder("hard", "rve.h5"))
@@ -316,10 +293,8 @@ def check_inputs_in_output(folder):
             assert state() == before, f"{program} --output {output} {options} {validate}: {state() ^ before}"
 
     # A picture is no result, and nobody else's log is lost beside it: --output . is fine.
-    os.mkdir(folder("picture"))
-    for name, text in (("picture.prm", PICTURE), ("picture/map.txt", "0 0 1 1\n1 1 0 0\n")):
-        with open(folder(name), "w", encoding="utf-8") as file:
-            file.write(text)
+    folder.write("picture.prm", PICTURE)
+    folder.write("picture/map.txt", "0 0 1 1\n1 1 0 0\n")
     for _ in range(2):
         folder.run(0, "picture", "picture")
     os.rename(folder("picture", "map.txt"), folder("picture", "log.txt"))
@@ -329,16 +304,10 @@ def check_inputs_in_output(folder):
 
 def main():
     with tempfile.TemporaryDirectory() as path:
-        folder = Folder(path)
-        check_failed_run(folder)
-        check_reuse(folder)
-        check_revision(folder)
-        check_output_that_fails(folder)
-        check_changed_files(folder)
-        check_foreign_files(folder)
-        check_damage(folder)
-        check_other_loads(folder)
-        check_inputs_in_output(folder)
+        folder = Folder(path, {"rve_homogenization": RVE, "contact_dynamics": CONTACT, "stress_localization": LOCALIZATION})
+        for check in (check_failed_run, check_reuse, check_revision, check_output_that_fails, check_changed_files, check_foreign_files,
+                      check_damage, check_other_loads, check_inputs_in_output):
+            check(folder)
 
 
 if __name__ == "__main__":

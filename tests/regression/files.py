@@ -16,7 +16,7 @@ import h5py
 import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(HERE, "..", "..", "applications", "studies"))
+sys.path.insert(0, os.path.join(HERE, "..", "..", "applications", "tools", "studies"))
 from study import Study  # noqa: E402
 
 CHAIN = os.path.join(HERE, "chain")

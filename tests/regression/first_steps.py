@@ -23,7 +23,7 @@ def guide():
 
 
 def run_chain(programs, folder, output, *options):
-    command = [sys.executable, "-B", os.path.join(TOP, "applications", "run_chain.py"), "--programs", programs, folder,
+    command = [sys.executable, "-B", os.path.join(TOP, "applications", "tools", "run_chain.py"), "--programs", programs, folder,
                "--output", output, *options]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     assert done.returncode == 0, done.stdout

@@ -35,7 +35,7 @@ def check_installed(prefix):
     for program in ("rve_homogenization", "contact_dynamics", "stress_localization"):
         assert program in call(os.path.join(prefix, "bin", program), "--version")
     share = os.path.join(prefix, "share", "mesoslip")
-    call(sys.executable, os.path.join(share, "applications", "run_chain.py"), os.path.join(share, "prm", "examples", "image"),
+    call(sys.executable, os.path.join(share, "applications", "tools", "run_chain.py"), os.path.join(share, "prm", "examples", "image"),
          "--output", os.path.join(prefix, "results"))
     assert os.path.getsize(os.path.join(prefix, "results", "report.html")) > 1e5
     # Nothing points back at the build.

@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(TOP, "applications", "studies", "paper"))
+sys.path.insert(0, os.path.join(TOP, "applications", "tools", "studies", "paper"))
 
 import run  # noqa: E402
 from study import Study  # noqa: E402

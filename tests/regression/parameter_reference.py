@@ -8,39 +8,22 @@
 import glob
 import os
 import re
-import subprocess
 import sys
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+from scenes import TOP, Folder
+
 PAGES = os.path.join(TOP, "doc", "parameters")
 PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
 MISSING_INPUT = re.compile(r"there is no (file|folder) (\S+)")
 
 
-def run(programs, name, *arguments):
-    return subprocess.run([os.path.join(programs, name), *arguments], text=True, cwd=TOP,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-
-
-def check_page(programs, name, update):
-    """A sentence when the page of a program is missing or stale, else nothing."""
-    done = run(programs, name, "--print-parameters")
-    if done.returncode != 0:
-        return [f"{name} --print-parameters: exit status {done.returncode}: {done.stderr.strip()}"]
-    path = os.path.join(PAGES, name + ".prm")
+def check_page(name, printed, update):
+    """A sentence when the page of a program is stale, else nothing."""
+    pages = Folder(PAGES)
     if update:
-        os.makedirs(PAGES, exist_ok=True)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(done.stdout)
-        return []
-    try:
-        with open(path, encoding="utf-8") as file:
-            page = file.read()
-    except OSError:
-        page = ""
-    if page == done.stdout:
-        return []
-    return [f"doc/parameters/{name}.prm differs from {name} --print-parameters; "
+        pages.write(name + ".prm", printed)
+    return [] if pages.read(name + ".prm").decode() == printed else [
+        f"doc/parameters/{name}.prm differs from {name} --print-parameters; "
             "parameter_reference.py <programs> --update renews it"]
 
 
@@ -48,10 +31,10 @@ NUMERIC = re.compile(r"\bnumbers?\b")
 UNIT = re.compile(r"\[[^\]]+\](?=;)")
 
 
-def check_keys(programs, name):
+def check_keys(name, printed):
     """A sentence for every key that does not say what it means and what it may be, and for numbers in which unit."""
     wrong, sections, words = [], [], []
-    for line in run(programs, name, "--print-parameters").stdout.splitlines():
+    for line in printed.splitlines():
         line = line.strip()
         if line.startswith("#"):
             words.append(line[1:].strip())
@@ -85,32 +68,30 @@ def is_left_by_a_run(path):
     return path.endswith(".h5") or "." not in os.path.basename(path)
 
 
-def check_file(programs, path):
+def check_file(path):
     shown = os.path.relpath(path, TOP)
     name = program_of(path)
     if name is None:
         return [f"{shown}: names no program, neither in its name nor in its comments"]
     # Names of sections and keys, and the form of the values.
-    done = run(programs, name, "--print-parameters", path)
-    if done.returncode != 0:
-        return [f"{shown}: {done.stderr.strip()}"]
+    status, _, said = Folder(TOP).end(name, "--print-parameters", path)
+    if status != 0:
+        return [f"{shown}: {said.strip()}"]
     # What the values mean together, as far as the inputs are there.
-    done = run(programs, name, "--validate", path)
-    missing = MISSING_INPUT.search(done.stderr)
-    if done.returncode == 0:
+    status, _, said = Folder(TOP).end(name, "--validate", path)
+    missing = MISSING_INPUT.search(said)
+    if status == 0 or status == 2 and missing and is_left_by_a_run(missing.group(2).rstrip(";,.")):
         return []
-    if done.returncode == 2 and missing and is_left_by_a_run(missing.group(2).rstrip(";,.")):
-        return []
-    return [f"{shown}: exit status {done.returncode}: {done.stderr.strip()}"]
+    return [f"{shown}: exit status {status}: {said.strip()}"]
 
 
 def main():
-    programs, update = os.path.abspath(sys.argv[1]), "--update" in sys.argv
-    problems = [p for name in PROGRAMS for p in check_page(programs, name, update) + check_keys(programs, name)]
+    printed = {name: Folder(TOP).run(0, name, "--print-parameters") for name in PROGRAMS}
+    problems = [p for name, text in printed.items() for p in check_page(name, text, "--update" in sys.argv) + check_keys(name, text)]
     files = sorted(glob.glob(os.path.join(TOP, "prm", "**", "*.prm"), recursive=True))
     assert files, "no .prm file under prm/"
     for path in files:
-        problems += check_file(programs, path)
+        problems += check_file(path)
     print("\n".join(problems) or f"{len(PROGRAMS)} pages and {len(files)} files")
     sys.exit(1 if problems else 0)
 

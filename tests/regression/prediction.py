@@ -11,7 +11,7 @@ import tempfile
 import numpy as np
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(TOP, "applications", "studies", "prediction"))
+sys.path.insert(0, os.path.join(TOP, "applications", "tools", "studies", "prediction"))
 
 import growth  # noqa: E402
 import measures  # noqa: E402

@@ -11,20 +11,17 @@ import tempfile
 import h5py
 import numpy as np
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(TOP, "applications", "python"))
+from scenes import TOOLS, TOP, Folder, sets
+
+sys.path.insert(0, os.path.join(TOOLS, "python"))
 import mesoslip
 
 IMAGE = os.path.join(TOP, "prm", "examples", "image")
 SHORT = {"Time/End time": "6e-5", "Snapshots/From": "4e-5", "Snapshots/Interval": "2e-6", "Observation/Blocks": "5"}
 
 
-def run(programs, program, folder, name, settings):
-    command = [os.path.join(programs, program), os.path.join(IMAGE, name + ".prm"), "--quiet",
-               "--output", os.path.join(folder, name)]
-    for key, value in settings.items():
-        command += ["--set", f"{key}={value}"]
-    subprocess.run(command, check=True)
+def run(program, folder, name, settings):
+    Folder(folder).run(0, program, os.path.join(IMAGE, name + ".prm"), "--quiet", "--output", name, *sets(settings))
     return os.path.join(folder, name)
 
 
@@ -89,7 +86,7 @@ def expect(error, words, action):
 
 def check_example(run_folder, folder):
     picture = os.path.join(folder, "friction.png")
-    script = os.path.join(TOP, "applications", "python", "examples", "redraw_friction.py")
+    script = os.path.join(TOOLS, "python", "examples", "redraw_friction.py")
     subprocess.run([sys.executable, script, run_folder, picture], check=True)
     assert os.path.getsize(picture) > 2e4
 
@@ -97,7 +94,7 @@ def check_example(run_folder, folder):
 def check_installed(rve, folder):
     """pip install, without network: the module opens the same numbers, and has the version of the programs."""
     # pip builds beside the sources; Debian's h5py does not tell pip that it is there.
-    source = shutil.copytree(os.path.join(TOP, "applications", "python"), os.path.join(folder, "source"))
+    source = shutil.copytree(os.path.join(TOOLS, "python"), os.path.join(folder, "source"))
     python = os.path.join(folder, "venv", "bin", "python")
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", "--system-site-packages", os.path.join(folder, "venv")], check=True)
     subprocess.run([sys.executable, "-m", "pip", "--quiet", "--python", python, "install", "--no-deps", "--no-index",
@@ -115,12 +112,11 @@ def check_installed(rve, folder):
 
 
 def main():
-    programs = os.path.abspath(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
-        rve = run(programs, "rve_homogenization", folder, "10-rve_homogenization", {})
+        rve = run("rve_homogenization", folder, "10-rve_homogenization", {})
         given = {"Body/RVE file": os.path.join(rve, "rve.h5")}
-        dynamics = run(programs, "contact_dynamics", folder, "20-contact_dynamics-homogeneous", {**given, **SHORT})
-        localization = run(programs, "stress_localization", folder, "40-stress_localization",
+        dynamics = run("contact_dynamics", folder, "20-contact_dynamics-homogeneous", {**given, **SHORT})
+        localization = run("stress_localization", folder, "40-stress_localization",
                            {"Input/RVE file": given["Body/RVE file"], "Input/Homogeneous run": os.path.join(dynamics, "dynamics.h5"),
                             "Input/Direct run": ""})
         check_rve(rve)

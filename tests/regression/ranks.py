@@ -4,10 +4,8 @@
 """
 
 import argparse
-import json
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 
@@ -16,18 +14,15 @@ import numpy as np
 
 from comparison import Comparison
 from rank_scenes import ENSEMBLE_RANKS, FILES, RUNS
+from scenes import TOOLS, Folder
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(HERE, "..", "..", "applications", "studies"))
+sys.path.insert(0, os.path.join(TOOLS, "studies"))
 from study import Study  # noqa: E402
 
 # What tells of a process and not of the body; and the state of each rank, which resume.py looks at.
 SKIPPED_FILES = r"\.study.*|study_stderr\.txt|\.lock|contact_dynamics\.checkpoint"
 SKIPPED_VALUES = r"(summary\.json:|rve\.h5:/summary:)(ranks$|seconds(/|$)|peak_memory_bytes$|cell_updates_per_second$)"
 SKIPPED_LINES = r"^\w+ [\d.]+, \d+ process(es)?, |^done in |^This analysis runs on one process, all others repeat it|^one process works, the others wait"
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-
-
 # What tells of the solver.
 SOLVER_FILES = r"|log\.txt|.*\.prm"
 SOLVER_VALUES = r"|iterations|residual|digest|friction_change|imbalance"
@@ -41,17 +36,14 @@ def comparison(tolerances, other_solver=False):
 def run_all(folder, programs, runs):
     """Each run on one rank first: the others may need its results."""
     study = Study(os.path.join(folder, "runs"), programs)
+    scene = Folder(folder, {run.name: run.text for run in runs})
     for name, text in FILES.items():
-        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
-            file.write(text)
+        scene.write(name, text)
     for run in runs:
-        prm = os.path.join(folder, run.name + ".prm")
-        with open(prm, "w", encoding="utf-8") as file:
-            file.write(run.text)
         settings = {key: value.replace("<files>", folder) if isinstance(value, str) else value
                     for key, value in run.settings.items()}
         for ranks in (1, *run.ranks):
-            study.add(f"{run.name}-{ranks}", run.program, prm, settings, ranks)
+            study.add(f"{run.name}-{ranks}", run.program, scene(run.name + ".prm"), settings, ranks)
     results, failed = study.run(), []
     for run in runs:
         for ranks in (1, *run.ranks):
@@ -112,42 +104,34 @@ def check_effective(path):
     """The stiffness of the composite is the mean over the members of the conditions that it is to stand for."""
     for effective, conditions in (("KUBC", ["KUBC"]), ("SUBC", ["SUBC"]), ("PBC", ["PBC"]), ("mean", ["KUBC", "SUBC"])):
         for ranks in (1, *ENSEMBLE_RANKS[effective]):
-            with open(os.path.join(path(f"ensemble-{effective}-{ranks}"), "summary.json"), encoding="utf-8") as file:
-                summary = json.load(file)
+            summary = Folder(path(f"ensemble-{effective}-{ranks}")).summary()
             expected = sum(np.array(summary["ensemble"][name]["mean"]) for name in conditions) / len(conditions)
             expected[[0, 1, 2, 2], [2, 2, 0, 1]] = 0.0  # Effective symmetry = orthotropic
             found = np.array(summary["stiffness"]["effective"])
             assert np.allclose(found, expected, rtol=1e-12, atol=0), (effective, ranks, found / expected)
 
 
-def start(programs, folder, ranks, program, *arguments):
-    done = subprocess.run(["mpirun", "--oversubscribe", "-np", str(ranks), os.path.join(programs, program), *arguments],
-                          cwd=folder, env=ENVIRONMENT, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    return done.returncode, done.stdout, done.stderr
-
-
-def check_reuse(programs, path):
+def check_reuse(path):
     """What one rank made is up to date on three, and the other way round."""
     for made_by, ranks in ((1, 3), (3, 1)):
         folder = path(f"ensemble-KUBC-{made_by}")
         before = os.stat(os.path.join(folder, "rve.h5")).st_mtime_ns
-        status, out, err = start(programs, folder, ranks, "rve_homogenization", os.path.join(folder, "parameters.prm"),
-                                 "--output", folder)
-        assert status == 0 and "rve.h5 is up to date" in out, out + err
+        said = Folder(folder).run(0, "rve_homogenization", "parameters.prm", "--output", folder, ranks=ranks)
+        assert "rve.h5 is up to date" in said, said
         assert os.stat(os.path.join(folder, "rve.h5")).st_mtime_ns == before, "rve.h5 was written again"
 
 
-def check_too_many_ranks(programs, path):
+def check_too_many_ranks(path):
     """13 rows of nodes allow 6 ranks: a sentence before anything is touched, the same with --validate."""
     with tempfile.TemporaryDirectory() as folder:
         prm = os.path.join(path("homogeneous-platen-1"), "parameters.prm")
         for options in ([], ["--validate"]):
-            status, _, err = start(programs, folder, 7, "contact_dynamics", prm, "--output", "run", *options)
+            status, _, err = Folder(folder).end("contact_dynamics", prm, "--output", "run", *options, ranks=7)
             said = [line for line in err.splitlines() if line.startswith("contact_dynamics: ")]
             assert status == 2 and len(said) == 1, (options, status, err)
             assert "13 rows of nodes" in said[0] and "at most 6" in said[0] and "instead of 7" in said[0], said
             assert os.listdir(folder) == [], os.listdir(folder)
-        assert start(programs, folder, 6, "contact_dynamics", prm, "--output", "run", "--validate")[0] == 0
+        Folder(folder).run(0, "contact_dynamics", prm, "--output", "run", "--validate", ranks=6)
 
 
 def main():
@@ -169,8 +153,8 @@ def main():
         if not arguments.only:
             check_that_differences_are_seen(temporary, path("ensemble-KUBC-1"))
             check_effective(path)
-            check_reuse(programs, path)
-            check_too_many_ranks(programs, path)
+            check_reuse(path)
+            check_too_many_ranks(path)
 
 
 if __name__ == "__main__":

@@ -3,15 +3,13 @@
     refused_statics.py <folder with the programs>
 """
 
-import json
 import math
 import os
 import shutil
-import subprocess
-import sys
 import tempfile
 
-PROGRAMS = sys.argv[1]
+from scenes import Folder, sets
+
 problems = []
 
 
@@ -25,33 +23,26 @@ def isotropic(modulus, ratio):
 
 def case(cells, a, b, rows):
     """A .prm and its map; rows from the top."""
-    with open("map.txt", "w", encoding="utf-8") as file:
-        file.writelines(" ".join(map(str, row)) + "\n" for row in rows)
-    with open("case.prm", "w", encoding="utf-8") as file:
-        file.write(f"subsection Grid\n set Cells = {cells}, {cells}\n set Spacing = 1e-4, 1e-4\nend\n"
-                   + "subsection Phases\n set Names = a, b\n" + phase("a", a) + phase("b", b) + "end\n"
-                   + "subsection Microstructure\n set Type = image\n set File = map.txt\nend\n")
+    folder = Folder(os.getcwd())
+    folder.write("map.txt", "".join(" ".join(map(str, row)) + "\n" for row in rows))
+    folder.write("case.prm", f"subsection Grid\n set Cells = {cells}, {cells}\n set Spacing = 1e-4, 1e-4\nend\n"
+                 + "subsection Phases\n set Names = a, b\n" + phase("a", a) + phase("b", b) + "end\n"
+                 + "subsection Microstructure\n set Type = image\n set File = map.txt\nend\n")
 
 
 def run(status, words, *settings):
     """Starts the program, compares exit status and words, returns summary.json (None: there is none)."""
-    options = [option for setting in settings for option in ("--set", "Homogenization/" + setting)]
     shutil.rmtree("out", ignore_errors=True)
-    done = subprocess.run([os.path.join(PROGRAMS, "rve_homogenization"), "case.prm", "--output", "out", "--quiet",
-                           "--set", "Homogenization/Reuse=false", *options],
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-    said = done.stdout
-    print(settings, done.returncode, said)
+    folder = Folder(os.getcwd())
+    said = folder.run(status, "rve_homogenization", "case.prm", "--output", "out", "--quiet",
+                      *sets("Homogenization/" + setting for setting in ("Reuse=false", *settings)))
+    print(settings, said)
     missing = [word for word in words if word not in said]
-    if done.returncode != status or missing or (not words and said):
-        problems.append(f"{settings}: exit status {done.returncode} instead of {status}, lacks {missing}: {said}")
+    if missing or (not words and said):
+        problems.append(f"{settings}: lacks {missing}: {said}")
     written = [name for name in ("summary.json", "rve.h5", "stiffness.csv") if os.path.exists("out/" + name)]
-    if len(written) != (0 if status else 3):
-        problems.append(f"{settings}: {written} written")
-    if status:
-        return None
-    with open("out/summary.json", encoding="utf-8") as file:
-        return json.load(file)
+    assert len(written) == (0 if status else 3), f"{settings}: {written} written"
+    return None if status else folder.summary("out")
 
 
 def square(n):

@@ -1,6 +1,6 @@
 """make_report.py on synthetic result folders: the complete chain, every subset, broken files.
 
-    report.py .../make_report.py [folder to keep the synthetic chain in]
+    report.py <folder with the programs, not used> [folder to keep the synthetic chain in]
 """
 
 import json
@@ -14,6 +14,7 @@ import tempfile
 import h5py
 import numpy as np
 
+MAKE_REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "applications", "tools", "report", "make_report.py")
 NX, NY, H = 140, 40, 4e-4
 FREQUENCY = 41321.0
 
@@ -173,12 +174,12 @@ def write_chain(root):
     write_localization(os.path.join(root, "localization"), ids)
 
 
-def report(program, root, *folders, status=0):
+def report(root, *folders, status=0):
     """The page, after checks that hold for every one."""
     output = os.path.join(root, "report.html")
     if os.path.exists(output):
         os.remove(output)
-    done = subprocess.run([sys.executable, "-B", program, "--output", output, *folders], capture_output=True,
+    done = subprocess.run([sys.executable, "-B", MAKE_REPORT, "--output", output, *folders], capture_output=True,
                           text=True, check=False)
     assert done.returncode == status, f"{folders}: status {done.returncode}\n{done.stderr}"
     assert "Traceback" not in done.stderr and "Warning" not in done.stderr, done.stderr
@@ -193,7 +194,6 @@ def report(program, root, *folders, status=0):
 
 
 def main():
-    program = os.path.abspath(sys.argv[1])
     root = tempfile.mkdtemp(prefix="mesoslip-report-")
     try:
         if len(sys.argv) > 2:
@@ -201,7 +201,7 @@ def main():
         write_chain(os.path.join(root, "chain"))
         folders = [os.path.join(root, "chain", name) for name in ("rve", "homogeneous", "heterogeneous", "localization")]
 
-        page = report(program, root, *folders)
+        page = report(root, *folders)
         assert "Left out" not in page, re.findall("Left out[^<]*", page)
         assert page.count("<img") == 16, page.count("<img")
         assert "0.2190" in page and "−0.5 %" in page, "mu_inter 0.219 against 0.220"
@@ -209,13 +209,13 @@ def main():
         assert "Beside the paper" in page
         own = os.path.join(root, "own")
         write_foreign_body(os.path.dirname(folders[0]), own)
-        page = report(program, root, own)
+        page = report(root, own)
         assert page.count("<img") == 16 and "Left out" not in page, "a folder of folders"
         text = re.sub(r"data:image[^\"]*|<pre>.*?</pre>", "", page, flags=re.DOTALL)
         assert "0.2190" in text and "36.90" in text
         assert not re.search(r"0\.2200|36\.54|regime 1,|figure 6|L2 below|Beside", text), "the paper's numbers beside another body"
 
-        alone = [report(program, root, folder) for folder in folders]
+        alone = [report(root, folder) for folder in folders]
         assert all("Tension is positive" in page for page in alone)
         assert alone[2].count("<img") == 9 and "Left out" not in alone[2], "a run alone has its own stiffnesses and phases"
         assert "Morphology" not in alone[3], "no morphology without an RVE"
@@ -227,7 +227,7 @@ def main():
             summary["ensemble"] = {"members": 7, "KUBC": {"mean": mean}, "SUBC": {"mean": mean}}
             stream.seek(0)
             json.dump(summary, stream)
-        page = report(program, root, folders[0])
+        page = report(root, folders[0])
         assert "KUBC, mean of 7" in page and "30.00" in page, "means of the ensemble"
         assert "36.90" not in page, "the first member stands for the ensemble"
         with open(os.path.join(folders[1], "summary.json"), "r+", encoding="utf-8") as stream:
@@ -236,11 +236,11 @@ def main():
             summary["warnings"] = ["T_G rests on 3 %", "the unit of <P> looks wrong"]
             stream.seek(0)
             json.dump(summary, stream)
-        page = report(program, root, folders[1])
+        page = report(root, folders[1])
         assert page.count("Warning: T_G rests on 3 %.") == 1 and "Warning: the unit of &lt;P&gt; looks wrong." in page
 
         # Analyses without a history.
-        page = report(program, root, *write_analyses(root))
+        page = report(root, *write_analyses(root))
         assert "Left out" not in page and page.count("<img") == 2, "modes and tractions"
         assert "0.1348" in page and "2.538 µs" in page, "the homogenized friction law"
         assert "41.59 kHz" in page and "41.58 kHz" in page, "the mode nearest to one of the paper's"
@@ -250,22 +250,22 @@ def main():
         shutil.copytree(folders[1], os.path.join(root, "cut"))
         with open(os.path.join(root, "cut", "dynamics.h5"), "r+b") as stream:
             stream.truncate(5000)
-        assert "unreadable" in report(program, root, os.path.join(root, "cut"))
+        assert "unreadable" in report(root, os.path.join(root, "cut"))
         with h5py.File(os.path.join(folders[1], "dynamics.h5"), "r+") as file:
             for name in ("/spectrum", "/history/apparent_friction", "/contact/blocks/stick"):
                 del file[name]
             del file["/phase_diagram/velocity"]
             file["/phase_diagram/velocity"] = np.full(3, np.nan)
             file["/contact/blocks/stick"] = np.zeros((0, 3))
-        page = report(program, root, folders[1])
+        page = report(root, folders[1])
         assert page.count("Left out") >= 4, page.count("Left out")
         write(os.path.join(root, "empty"), "dynamics.h5", {"program": "contact_dynamics"}, {})
-        report(program, root, os.path.join(root, "empty"), os.path.join(root, "no such folder"))
+        report(root, os.path.join(root, "empty"), os.path.join(root, "no such folder"))
         write(os.path.join(root, "other"), "other.h5", {"program": "something"}, {})
-        report(program, root, os.path.join(root, "other"), status=2)
+        report(root, os.path.join(root, "other"), status=2)
         with open(os.path.join(root, "other", "summary.json"), "w", encoding="utf-8") as stream:
             stream.write('{"program": ')
-        report(program, root, os.path.join(root, "other"), status=2)
+        report(root, os.path.join(root, "other"), status=2)
     finally:
         shutil.rmtree(root)
     print("report: complete, partial and broken chains are reported")

@@ -5,9 +5,9 @@
 
 import argparse
 import concurrent.futures
-import json
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -18,15 +18,13 @@ import time
 import h5py
 import numpy as np
 
-from comparison import content_of_h5
-from scenes import PHASES
+from comparison import Comparison
+from scenes import ENVIRONMENT, PHASES, PROGRAMS, TOOLS, Folder, sets
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-RUN_CHAIN = os.path.join(HERE, "..", "..", "applications", "run_chain.py")
+RUN_CHAIN = os.path.join(TOOLS, "run_chain.py")
 CHECKPOINT = "contact_dynamics.checkpoint"
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-# Of summary.json: what the clock says.
-TIMES = ("seconds", "peak_memory_bytes", "cell_updates_per_second")
+# What tells of a process and not of the body: log, checkpoint, and of the summary what the clock says.
+SKIPPED = rf"log\.txt|\.lock|{re.escape(CHECKPOINT)}", r"summary\.json:(seconds(/|$)|peak_memory_bytes$|cell_updates_per_second$)", "$^"
 
 RVE = PHASES + """
 subsection Grid
@@ -76,41 +74,22 @@ end
 """
 
 
-class Scene:
+class Scene(Folder):
     """A folder with the files of a run, and how to start it."""
 
-    def __init__(self, folder, programs):
-        self.folder, self.programs = folder, programs
-        for name, text in (("rve.prm", RVE), ("contact.prm", CONTACT)):
-            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
-                file.write(text)
-
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
     def start(self, output, options=(), ranks=1, program="contact_dynamics", prm="contact.prm"):
-        command = [os.path.join(self.programs, program), prm, "--output", output, "--quiet", *options]
-        if ranks > 1:
-            command = ["mpirun", "--oversubscribe", "-np", str(ranks), *command]
-        return subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, text=True,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-
-    def run(self, output, options=(), **keywords):
-        """Exit status and what was printed."""
-        child = self.start(output, options, **keywords)
-        out, err = child.communicate()
-        return child.returncode, out + err
+        return super().start(program, prm, "--output", output, "--quiet", *options, ranks=ranks)
 
     def expect(self, status, words, output, options=(), **keywords):
-        found, text = self.run(output, options, **keywords)
-        assert found == status, f"{output} {options}: exit status {found} instead of {status}: {text}"
+        child = self.start(output, options, **keywords)
+        text = "".join(child.communicate())
+        assert child.returncode == status, f"{output} {options}: exit status {child.returncode} instead of {status}: {text}"
         for word in words:
             assert word in text, f"{output} {options}: '{word}' is missing in: {text}"
-        return text
 
     def wait_for_checkpoint(self, output, child, after=None):
         """Until there is a checkpoint other than `after` (or the run has ended); returns what tells it apart."""
-        path = self.path(output, CHECKPOINT)
+        path = self(output, CHECKPOINT)
         while child.poll() is None:
             found = identity(path)
             if found not in (None, after):
@@ -118,13 +97,8 @@ class Scene:
             time.sleep(0.002)
         return None
 
-    def terminate(self, output):
-        with open(self.path(output, "terminate"), "w", encoding="utf-8"):
-            pass
-
     def log(self, output):
-        with open(self.path(output, "log.txt"), encoding="utf-8") as file:
-            return file.read()
+        return self.read(output, "log.txt").decode()
 
 
 def identity(path):
@@ -139,38 +113,10 @@ def options_of(material):
     return ["--set", f"Body/Material={material}"]
 
 
-def values_that_differ(one, two):
-    """Datasets and attributes of two HDF5 files."""
-    x, y = content_of_h5(one), content_of_h5(two)
-    return [key for key in sorted(x.keys() | y.keys())
-            if key not in x or key not in y or x[key].dtype != y[key].dtype or not np.array_equal(x[key], y[key])]
-
-
-def differences(one, two):
-    """What distinguishes the results in two folders."""
-    wrong = []
-    names = {name for folder in (one, two) for name in os.listdir(folder)} - {"log.txt", CHECKPOINT}
-    for name in sorted(names):
-        a, b = os.path.join(one, name), os.path.join(two, name)
-        if not os.path.exists(a) or not os.path.exists(b):
-            wrong.append(f"{name} is in one folder only")
-        elif name == "summary.json":
-            with open(a, encoding="utf-8") as f, open(b, encoding="utf-8") as g:
-                x, y = json.load(f), json.load(g)
-            wrong += [f"{name}: {key} is {x.get(key)} and {y.get(key)}" for key in sorted(x.keys() | y.keys())
-                      if key not in TIMES and x.get(key) != y.get(key)]
-        else:
-            with open(a, "rb") as f, open(b, "rb") as g:
-                # How a file of HDF5 is laid out depends on when it was written to.
-                different = values_that_differ(a, b) if name.endswith(".h5") else f.read() != g.read()
-                if different:
-                    wrong.append(f"{name} differs: {different}")
-    return wrong
-
-
-def expect_same(scene, reference, output, but="nothing"):
-    wrong = [w for w in differences(scene.path(reference), scene.path(output)) if but not in w]
-    assert not wrong, f"{output} is not like {reference}:\n" + "\n".join(wrong)
+def expect_same(scene, reference, output, but="$^"):
+    same = Comparison(f"{SKIPPED[0]}|{but}", *SKIPPED[1:])
+    wrong = same.differences(scene(reference), scene(output))
+    assert not wrong and same.n_compared > 100, f"{output} is not like {reference}:\n" + "\n".join(wrong)
 
 
 def stopped_and_resumed(scene, material, ranks):
@@ -182,29 +128,29 @@ def stopped_and_resumed(scene, material, ranks):
     output = name + "-stopped"
     child = scene.start(output, options, ranks=ranks)
     scene.wait_for_checkpoint(output, child)
-    scene.terminate(output)
+    scene.write(output + "/terminate", "")
     _, text = child.communicate()
     assert child.returncode == 130 and "--resume" in text, f"{output}: {child.returncode}, {text}"
-    assert not os.path.exists(scene.path(output, "summary.json")), f"{output} looks complete"
-    with h5py.File(scene.path(output, "dynamics.h5"), "r") as part, \
-            h5py.File(scene.path(name, "dynamics.h5"), "r") as whole:
+    assert not os.path.exists(scene(output, "summary.json")), f"{output} looks complete"
+    with h5py.File(scene(output, "dynamics.h5"), "r") as part, \
+            h5py.File(scene(name, "dynamics.h5"), "r") as whole:
         for key in ("history/top_displacement", "energy/kinetic", "probes/bulk/stress", "snapshots/displacement"):
             n = len(part[key])
             assert 0 < n < len(whole[key]) and np.array_equal(part[key][...], whole[key][:n]), f"{output}: {key}"
 
     more = options + ["--resume", "--set", "Performance/Wavefront=3"]
-    last = identity(scene.path(output, CHECKPOINT))
+    last = identity(scene(output, CHECKPOINT))
     child = scene.start(output, more, ranks=ranks)
     scene.wait_for_checkpoint(output, child, last)
     if ranks > 1:
-        scene.terminate(output)  # mpirun passes signals on when it finds the time: the run may be over by then
+        scene.write(output + "/terminate", "")  # mpirun passes signals on when it finds the time: the run may be over by then
     else:
         child.send_signal(signal.SIGTERM)
     _, text = child.communicate()
     assert child.returncode == 130, f"{output}: {child.returncode}, {text}"
     scene.expect(0, [], output, options + ["--resume", "--set", "Performance/Wavefront=2"], ranks=ranks)
     assert scene.log(output).count("Resumed at step") == 2, scene.log(output)
-    expect_same(scene, name, output, but="parameters.prm")
+    expect_same(scene, name, output, but=r"parameters\.prm")
 
 
 def ranks_of(child):
@@ -219,15 +165,15 @@ def kill_again_and_again(scene, material, lane, kills, seed, ranks=1):
     output, reference = f"{material}-{ranks}-killed-{lane}", f"{material}-{ranks}"
     options, done, finished, resumed = options_of(material), 0, 0, 0
     begin = time.monotonic()
-    while done < kills or finished == 0 or os.path.exists(scene.path(output)):
-        folder = os.path.exists(scene.path(output))
+    while done < kills or finished == 0 or os.path.exists(scene(output)):
+        folder = os.path.exists(scene(output))
         child = scene.start(output, options + (["--resume"] if folder else []), ranks=ranks)
         if done < kills:
             # In turns soon after the start and soon after a checkpoint, so that it goes on.
             if done % 2 == 0:
                 time.sleep(chance.uniform(0, 0.6))
             else:
-                scene.wait_for_checkpoint(output, child, identity(scene.path(output, CHECKPOINT)))
+                scene.wait_for_checkpoint(output, child, identity(scene(output, CHECKPOINT)))
                 time.sleep(chance.uniform(0, 0.05))
             if child.poll() is None:
                 for pid in ranks_of(child)[:1] if ranks > 1 else [child.pid]:
@@ -237,10 +183,10 @@ def kill_again_and_again(scene, material, lane, kills, seed, ranks=1):
         if child.returncode == 0:
             expect_same(scene, reference, output)
             resumed += scene.log(output).count("Resumed at step")
-            shutil.rmtree(scene.path(output))
+            shutil.rmtree(scene(output))
             finished += 1
         elif "killed while it wrote the file" in text:  # in the last millisecond, which is rare
-            shutil.rmtree(scene.path(output))
+            shutil.rmtree(scene(output))
         else:
             assert child.returncode == -9 or (ranks > 1 and "signal 9" in text), f"{output}: {child.returncode}, {text}"
     assert resumed > 0, f"{output}: never resumed"
@@ -258,48 +204,44 @@ def refusals(scene):
     scene.expect(2, ["in use"], "r", options + ["--resume"])
     child.kill()
     child.communicate()
-    with open(scene.path("r", CHECKPOINT), "rb") as file:
-        good = file.read()
-    os.remove(scene.path("r", ".lock"))  # a killed run's, which the next one clears away
-    before = sorted(os.listdir(scene.path("r")))
+    good = scene.read("r", CHECKPOINT)
+    os.remove(scene("r", ".lock"))  # a killed run's, which the next one clears away
+    before = sorted(os.listdir(scene("r")))
 
     resume = options + ["--resume"]
-    scene.expect(2, ["Friction/Coefficient is 0.4 instead of 0.25", "start again without --resume"], "r",
-                 resume + ["--set", "Friction/Coefficient=0.4"])
-    scene.expect(2, ["Body/Material is heterogeneous instead of homogeneous"], "r",
-                 options_of("heterogeneous") + ["--resume"])
-    scene.expect(2, ["Observation/Blocks is 7 instead of 200", "Observation/bulk/Position is 0, 0 instead of"], "r",
-                 resume + ["--set", "Observation/bulk/Position=0, 0", "--set", "Observation/Blocks=7"])
-    with open(scene.path("homogeneous-1", "summary.json"), encoding="utf-8") as file:
-        plain = json.load(file)["kernel"].startswith("x86-64 ")
-    if not plain:
-        scene.expect(2, ["Performance/Instruction set is x86-64 instead of x86-64-v"], "r",
-                     resume + ["--set", "Performance/Instruction set=x86-64"])
+    refused = [
+        (["Friction/Coefficient is 0.4 instead of 0.25", "start again without --resume"], ["Friction/Coefficient=0.4"]),
+        (["Body/Material is heterogeneous instead of homogeneous"], ["Body/Material=heterogeneous"]),
+        (["Observation/Blocks is 7 instead of 200", "Observation/bulk/Position is 0, 0 instead of"],
+         ["Observation/bulk/Position=0, 0", "Observation/Blocks=7"]),
+        (["End time lies before the checkpoint"], ["Time/End time=1e-8"])]
+    if not scene.summary("homogeneous-1")["kernel"].startswith("x86-64 "):
+        refused.append((["Performance/Instruction set is x86-64 instead of x86-64-v"], ["Performance/Instruction set=x86-64"]))
+    for words, settings in refused:
+        scene.expect(2, words, "r", ["--resume", *sets({"Body/Material": "homogeneous", **dict(x.split("=") for x in settings)})])
     scene.expect(2, ["Number of MPI ranks is 2 instead of 1"], "r", resume, ranks=2)
-    scene.expect(2, ["End time lies before the checkpoint"], "r", resume + ["--set", "Time/End time=1e-8"])
     scene.expect(2, ["nothing to resume", "does not exist"], "nowhere", resume)
     for spoilt, word in ((good[:-3], "truncated"), (good[:200] + b"x" + good[201:], "CRC-32"),
-                         (b"\x89HDF" + good[4:], "not a checkpoint")):
-        with open(scene.path("r", CHECKPOINT), "wb") as file:
+                         (b"\x89HDF" + good[4:], "not a checkpoint"), (good, "")):
+        with open(scene("r", CHECKPOINT), "wb") as file:
             file.write(spoilt)
-        scene.expect(2, [CHECKPOINT, word], "r", resume)
-    with open(scene.path("r", CHECKPOINT), "wb") as file:
-        file.write(good)
-    part = scene.path("r", "dynamics.h5.part")
-    os.rename(part, scene.path("elsewhere"))
+        if word:
+            scene.expect(2, [CHECKPOINT, word], "r", resume)
+    part = scene("r", "dynamics.h5.part")
+    os.rename(part, scene("elsewhere"))
     scene.expect(2, ["there is no file", "dynamics.h5", "start again without --resume"], "r", resume)
-    os.rename(scene.path("elsewhere"), part)
-    after = sorted(os.listdir(scene.path("r")))
+    os.rename(scene("elsewhere"), part)
+    after = sorted(os.listdir(scene("r")))
     assert after == before, f"a refusal changed the folder: {set(after) ^ set(before)}"
 
     # What only says how and how often is free to change.
     free = ["--set", "Checkpoints/Interval=0", "--set", "Performance/Wavefront=1", "--set", "Performance/Instruction set=auto"]
     scene.expect(0, [], "r", resume + free)
     # Complete: says so and does nothing, unless something else is asked for.
-    times = {name: identity(scene.path("r", name)) for name in os.listdir(scene.path("r")) if name != "log.txt"}
+    times = {name: identity(scene("r", name)) for name in os.listdir(scene("r")) if name != "log.txt"}
     scene.expect(0, [], "r", resume)
     assert "is complete: there is nothing to resume" in scene.log("r")
-    assert times == {name: identity(scene.path("r", name)) for name in times}, "a complete run was touched"
+    assert times == {name: identity(scene("r", name)) for name in times}, "a complete run was touched"
     assert not os.path.exists(part), "dynamics.h5.part of a complete run is left"
     scene.expect(2, ["Beta2 is 0.6 instead of 0.5"], "r", resume + ["--set", "Time/Beta2=0.6"])
     scene.expect(2, ["was complete at", "Checkpoints/Keep"], "r", resume + ["--set", "Time/End time=1.2e-3"])
@@ -314,15 +256,14 @@ def later_end(scene):
     scene.expect(0, [], "extended", short + keep)
     scene.expect(0, [], "extended", short[2:] + ["--set", "Time/End time=4.0e-4", "--resume"])
     # The number of blocks is a key of its own and differs; the snapshots, their times and all else are the same.
-    expect_same(scene, "long", "extended", but="parameters.prm")
+    expect_same(scene, "long", "extended", but=r"parameters\.prm")
 
 
 def other_programs(scene):
     """They keep no checkpoints and start from the beginning."""
     scene.expect(0, [], "rve-again", ["--resume"], program="rve_homogenization", prm="rve.prm")
     assert "starts from the beginning" in scene.log("rve-again")
-    with open(scene.path("modal.prm"), "w", encoding="utf-8") as file:
-        file.write("set Analysis = modal\nsubsection Body\n  set RVE file = rve/rve.h5\nend\n")
+    scene.write("modal.prm", "set Analysis = modal\nsubsection Body\n  set RVE file = rve/rve.h5\nend\n")
     scene.expect(0, [], "modal", ["--resume"], prm="modal.prm")
 
 
@@ -332,13 +273,10 @@ ON_RANKS = "import run_chain; from chain import step; step.LONG_RUN, step.ROWS_A
 
 def chain(scene, ranks):
     """Ctrl-C during ./run.sh, then ./run.sh --resume: runs that had not begun start, stopped ones go on."""
-    source, output = scene.path(f"chain-in-{ranks}"), f"chain-{ranks}"
-    os.mkdir(source)
-    for name, text in (("10-rve_homogenization", RVE), ("20-contact_dynamics", CONTACT)):
-        with open(os.path.join(source, name + ".prm"), "w", encoding="utf-8") as file:
-            file.write(text.replace("rve/rve.h5", "10-rve_homogenization/rve.h5"))
+    source, output = scene(f"chain-in-{ranks}"), f"chain-{ranks}"
+    Folder(source, {"10-rve_homogenization": RVE, "20-contact_dynamics": CONTACT.replace("rve/rve.h5", "10-rve_homogenization/rve.h5")})
     start = [RUN_CHAIN] if ranks == 1 else ["-c", ON_RANKS]
-    command = [sys.executable, "-B", *start, source, "--programs", scene.programs, "--output", scene.path(output),
+    command = [sys.executable, "-B", *start, source, "--programs", PROGRAMS, "--output", scene(output),
                "--no-report", "--resume", "--jobs", str(ranks)]
     call = {"text": True, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT,
             "env": dict(ENVIRONMENT, PYTHONPATH=os.path.dirname(RUN_CHAIN))}
@@ -362,7 +300,7 @@ def main():
     arguments = parser.parse_args()
     print(f"seed {arguments.seed}", flush=True)
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(4) as pool:
-        scene = Scene(folder, os.path.abspath(arguments.programs))
+        scene = Scene(folder, {"rve": RVE, "contact": CONTACT})
         scene.expect(0, [], "rve", program="rve_homogenization", prm="rve.prm")
         materials = ("homogeneous", "heterogeneous")
         parts = [(stopped_and_resumed, scene, m, r) for r in (2, 1) for m in materials]

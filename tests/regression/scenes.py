@@ -1,4 +1,14 @@
-"""Texts of .prm files that several tests run."""
+"""What tests of the programs share: texts of .prm files, and folders in which the programs run."""
+
+import json
+import os
+import subprocess
+import sys
+
+TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+TOOLS = os.path.join(TOP, "applications", "tools")
+PROGRAMS = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else ""
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 PHASES = """
 subsection Phases
@@ -26,3 +36,50 @@ subsection Microstructure
   end
 end
 """
+
+
+def sets(settings):
+    """{"Section/Key": value} or ["Section/Key=value"] as words of a command line."""
+    return ["--set=" + (item if isinstance(item, str) else "%s=%s" % item)
+            for item in (settings.items() if isinstance(settings, dict) else settings)]
+
+
+class Folder:
+    """A folder with files NAME.prm, in which programs run; called with names it is the path of what is in it."""
+
+    def __init__(self, path, texts=()):
+        self.path = path
+        for name, text in dict(texts).items():
+            self.write(name + ".prm", text)
+
+    def __call__(self, *names):
+        return os.path.join(self.path, *names)
+
+    def write(self, name, text):
+        os.makedirs(os.path.dirname(self(name)), exist_ok=True)
+        with open(self(name), "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+
+    def read(self, *names):
+        with open(self(*names), "rb") as file:
+            return file.read()
+
+    def summary(self, *names):
+        return json.loads(self.read(*names, "summary.json"))
+
+    def start(self, program, *words, ranks=1, **keywords):
+        mpirun = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
+        return subprocess.Popen([*mpirun, os.path.join(PROGRAMS, program), *words], **{
+            "cwd": self.path, "env": ENVIRONMENT, "text": True, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **keywords})
+
+    def end(self, program, *words, **keywords):
+        """Exit status, standard output and errors."""
+        child = self.start(program, *words, **keywords)
+        out, err = child.communicate()
+        return child.returncode, out, err
+
+    def run(self, status, program, *words, **keywords):
+        """What the program says, which has to end with the exit status."""
+        found, out, err = self.end(program, *words, **keywords)
+        assert found == status, f"{program} {words}: exit status {found} instead of {status}: {out}{err}"
+        return out + err

@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(TOP, "applications", "studies"))
+sys.path.insert(0, os.path.join(TOP, "applications", "tools", "studies"))
 
 from study import Study  # noqa: E402
 

@@ -5,11 +5,12 @@
 
 import os
 import pty
-import subprocess
-import sys
+import signal
 import tempfile
 
-# Some seconds of steps would be enough for several updates; the run is stopped when they were seen.
+from scenes import ENVIRONMENT, Folder
+
+# Lines of progress come every ten seconds or tenths; the run is stopped after some.
 PRM = """
 subsection Body
   set Cells = 280, 80
@@ -19,78 +20,44 @@ subsection Time
 end
 """
 CONTROLS = (b"\r", b"\033")
+COLOURED, PLAIN = b"\r\033[36mSliding", b"\rSliding"
 
 
-def chunks(master):
-    """What arrives at a terminal until the program has left it."""
+def output_of(folder, words, terminal, ranks=1, **environment):
+    """What the program writes until it has told its progress three times (once into a file), and its exit status."""
+    master, slave = pty.openpty() if terminal else os.pipe()
+    env = {k: v for k, v in ENVIRONMENT.items() if k != "NO_COLOR"} | environment
+    child = folder.start("contact_dynamics", *words, ranks=ranks, env=env, stdout=slave, stderr=slave)
+    os.close(slave)
+    output = b""
     while True:
         try:
             chunk = os.read(master, 4096)
-        except OSError:
-            return
+        except OSError:  # a terminal that the program has left
+            chunk = b""
         if not chunk:
-            return
-        yield chunk
-
-
-def run(command, folder, on_terminal, **environment):
-    """What the program writes in its first seconds, to a terminal or to a file."""
-    env = {k: v for k, v in os.environ.items() if k != "NO_COLOR"} | environment
-    if not on_terminal:
-        # Lines of progress come every ten seconds or tenths; the run is stopped after some.
-        process = subprocess.Popen(command, cwd=folder, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        output = b""
-        for line in process.stdout:
-            output += line
-            if b"Sliding" in line:
-                break
-        process.terminate()
-        output += process.stdout.read()
-        return output, process.wait()
-    master, slave = pty.openpty()
-    process = subprocess.Popen(command, cwd=folder, env=env, stdout=slave, stderr=subprocess.STDOUT, close_fds=True)
-    os.close(slave)
-    output = b""
-    for chunk in chunks(master):
+            return output, child.wait()
         output += chunk
-        if output.count(b"Sliding") >= 3:
-            break
-    process.terminate()
-    output += b"".join(chunks(master))
-    return output, process.wait()
+        if output.count(b"Sliding") >= (3 if terminal else 1):
+            child.send_signal(signal.SIGTERM)
 
 
 def main():
-    program = os.path.join(os.path.abspath(sys.argv[1]), "contact_dynamics")
-    problems = []
-    with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
-            file.write(PRM)
-        command = [program, "case.prm", "--output", "out"]
-        log = lambda: open(os.path.join(folder, "out", "log.txt"), "rb").read()
-
-        output, status = run(command, folder, on_terminal=False)
-        problems += [f"{control} in a file: {output}" for control in CONTROLS if control in output]
-        if b"Sliding" not in output or status != 130:
-            problems.append(f"no progress in a file, or exit status {status}: {output}")
-        problems += [f"{control} in log.txt: {log()}" for control in CONTROLS if control in log()]
-
-        # mpirun gives each process a terminal of its own, whatever it writes to itself.
-        mpi = dict(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-        output, _ = run(["mpirun", "--oversubscribe", "-np", "2", *command], folder, on_terminal=False, **mpi)
-        problems += [f"{control} under mpirun in a file: {output}" for control in CONTROLS if control in output]
-
-        output, status = run(command, folder, on_terminal=True)
-        if output.count(b"\r\033[36mSliding") < 3 or b"\033[0m" not in output or status != 130:
-            problems.append(f"no coloured progress in one line on a terminal, or exit status {status}: {output}")
-        problems += [f"{control} in log.txt after a terminal: {log()}" for control in CONTROLS if control in log()]
-
-        output, _ = run(command, folder, on_terminal=True, NO_COLOR="1")
-        if b"\033[36m" in output or output.count(b"\rSliding") < 3:
-            problems.append(f"NO_COLOR: {output}")
-
-        output, _ = run([program, "--print-parameters"], folder, on_terminal=False)
-        problems += [f"{control} in --print-parameters" for control in CONTROLS if control in output]
+    run, problems = ["case.prm", "--output", "out"], []
+    # Words, terminal or file, options of the start, how often what is there at least, what is not there, exit status.
+    cases = [("in a file", run, False, {}, {b"Sliding": 1}, CONTROLS, 130),
+             ("under mpirun in a file", run, False, {"ranks": 2}, {}, CONTROLS, None),  # which gives each process a terminal
+             ("on a terminal", run, True, {}, {COLOURED: 3, b"\033[0m": 1}, (), 130),
+             ("NO_COLOR", run, True, {"NO_COLOR": "1"}, {PLAIN: 3}, (b"\033[36m",), 130),
+             ("keys", ["--print-parameters"], False, {}, {b"subsection": 1}, CONTROLS, 0)]
+    with tempfile.TemporaryDirectory() as path:
+        folder = Folder(path, {"case": PRM})
+        for what, words, terminal, options, there, absent, status in cases:
+            output, found = output_of(folder, words, terminal, **options)
+            log = folder.read("out", "log.txt")
+            if status not in (None, found) or any(output.count(text) < n for text, n in there.items()) or any(
+                    text in output for text in absent) or any(text in log for text in CONTROLS):
+                problems.append(f"{what}: exit status {found}: {output}; log.txt: {log}")
     assert not problems, "\n".join(problems)
 
 

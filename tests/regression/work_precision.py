@@ -1,12 +1,11 @@
 """Helpers of the benchmarks on data whose answers are known.
 
-    work_precision.py <folder with the programs>
+    work_precision.py <folder with the programs, not used>
 """
 
 import math
 import os
 import sys
-import tempfile
 
 import numpy as np
 
@@ -14,11 +13,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(HERE, "..", "benchmarks"))
 
-import common  # noqa: E402
 import fits  # noqa: E402
 import pin  # noqa: E402
-import plots  # noqa: E402
-import step_scaling  # noqa: E402
 
 SIZES = [0.4, 0.2, 0.1, 0.05]
 
@@ -63,7 +59,7 @@ def test_statistics():
     rows = [{"e": 0.02, "c": 1.0}, {"e": -0.004, "c": 3.0}, {"e": 0.001, "c": 9.0}, {"e": math.nan, "c": 0.1}]
     assert fits.cheapest(rows, "e", "c", 0.01)["c"] == 3.0
     assert fits.cheapest(rows, "e", "c", 1e-4) is None
-    assert fits.median_and_range([3.0, 1.0, 2.0]) == (2.0, 1.0, 3.0)
+    assert fits.spread("s", [3.0, 1.0, 2.0]) == {"s": 2.0, "s_low": 1.0, "s_high": 3.0}
 
 
 def test_limit_of_the_pin():
@@ -77,52 +73,10 @@ def test_limit_of_the_pin():
     close(limit["per_ns"], 1e-3, 1e-9)
 
 
-def test_model_of_the_step():
-    """Work a cell, a row and a step are recovered; a slow memory takes over; ranks exchange rows; several steps in flight
-    share memory traffic and exchanges and cost half a row each."""
-    small = [{"nx": x, "ny": y, "seconds_low": 2e-9 * x * y + 1e-8 * y + 1e-6} for x, y in step_scaling.SMALL]
-    stream = [{"ranks": n, "bytes": b, "seconds_low": 2 * b / (100e9 if b < 1e6 else 8e9 / n)}
-              for n in (1, 2) for b in step_scaling.STREAM]
-    halos = [{"bytes": 32 * x * y, "seconds_low": 1e-6 + 32 * x * y / 5e9} for x, y in step_scaling.HALOS]
-    model = step_scaling.Model(small, stream, halos)
-    close(model.cell, 2e-9, 1e-15)
-    close(model.start, 1e-6, 1e-12)
-    close(model.step(100, 100), 2e-9 * 1e4 + 1e-6 + 1e-6, 1e-12)
-    close(model.step(3000, 3000), 64 * 9e6 / 8e9, 1e-9)
-    close(model.step(3000, 4000, ranks=2), 64 * 6e6 / 4e9 + 1e-6 + 96000 / 5e9, 1e-8)
-    # 16 steps in flight: work is what is left, of 7.5 rows more, and an exchange in 16 steps; 64 of them leave the cache.
-    close(model.step(300, 40000, in_flight=16, ranks=2),
-          2e-9 * 300 * 20007.5 + 1e-8 * 20007.5 + 1e-6 + 1e-6 / 16 + 9600 / 5e9, 1e-9)
-    close(model.step(3000, 3000, in_flight=64), 64 * 9e6 / 8e9, 1e-9)
-    close(model.step(1024, 32, ranks=2), 2e-9 * 1024 * 16 + 1.6e-7 + 1e-6 + 1e-6 + 32768 / 5e9, 1e-12)
-
-
-def test_files(programs):
-    rows = [{"n": 1, "error": 0.5, "choice": "a, b"}, {"n": 2, "error": 0.25, "choice": "c"}]
-    with tempfile.TemporaryDirectory() as folder:
-        bench = common.Bench(folder, programs, folder, 1, False, True)
-        bench.write("table", rows, "a test", ranks=2, repetitions=3)
-        found, facts = common.read_csv(os.path.join(folder, "table.csv"))
-        assert found == rows, found
-        assert facts["ranks"] == "2" and facts["repetitions"] == "3" and facts["compiler"] != "unknown", facts
-        pictures = []
-        for _ in range(2):
-            figure, (axes,) = plots.panels(1)
-            plots.logarithmic(axes, "seconds", "error in %")
-            plots.curve(axes, 0, [1, 2], [1.0, 0.1], "a", ([0.9, 0.09], [1.1, 0.11]))
-            plots.legend(axes)
-            bench.draw("picture", figure)
-            with open(os.path.join(folder, "picture.svg"), "rb") as file:
-                pictures.append(file.read())
-        assert len(pictures[0]) > 5000 and pictures[0] == pictures[1], "the picture is not the same twice"
-
-
 def main():
     test_orders()
     test_statistics()
     test_limit_of_the_pin()
-    test_model_of_the_step()
-    test_files(sys.argv[1])
 
 
 if __name__ == "__main__":

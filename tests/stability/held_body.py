@@ -8,7 +8,7 @@ import numpy as np
 import scipy.sparse as sparse
 import scipy.sparse.linalg as linalg
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "applications", "studies", "prediction"))
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "applications", "tools", "studies", "prediction"))
 
 from sliding_modes import SlidingPin  # noqa: E402
 

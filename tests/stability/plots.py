@@ -3,7 +3,7 @@
 import os
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "applications", "report"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "applications", "tools", "report"))
 import matplotlib.pyplot as plt  # noqa: E402  (figures chooses the backend)
 import numpy as np  # noqa: E402
 from figures import BLUE, GREEN, GREY, ORANGE, PINK, RUN_COLOURS, above  # noqa: E402

@@ -6,10 +6,10 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
-sys.path[:0] = [HERE, os.path.join(TOP, "applications", "studies")]
+sys.path[:0] = [HERE, os.path.join(TOP, "applications", "tools", "studies")]
 
 import sections  # noqa: E402
-from study_page import Page  # noqa: E402
+from pages import Page  # noqa: E402
 from study import Study, parse_arguments  # noqa: E402
 
 PARTS = {"limit": sections.limit_part, "stress": sections.stress_part, "long": sections.long_part,

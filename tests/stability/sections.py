@@ -7,7 +7,11 @@ import plots
 import refinement
 import sensitivity
 import stress
-from study_page import number, table
+from pages import number, save_picture, table, write_csv
+
+
+def picture(page, name, figure):
+    save_picture(figure, page.folder, name, colours=48, dpi=90, bbox_inches="tight")
 
 
 def span(values):
@@ -18,12 +22,12 @@ def span(values):
 
 def limit_part(study, page):
     sweep, limits = limit.sweep(study), limit.bisect(study)
-    page.picture("time_step.png", plots.time_step(sweep, limits))
+    picture(page, "time_step.png", plots.time_step(sweep, limits))
     headings = ["body", "beta2 [-]", "beta [s]", "predicted [s]", "largest stable [s]", "smallest unstable [s]", "observed / predicted [-]",
                 "observed / exact, as held [-]"]
-    page.csv("time_step.csv", headings, [[x.body, x.beta2, x.beta, x.predicted, x.low * x.predicted, x.high * x.predicted, x.observed,
+    write_csv(page.folder, "time_step.csv", headings, [[x.body, x.beta2, x.beta, x.predicted, x.low * x.predicted, x.high * x.predicted, x.observed,
                                           x.observed_over_held] for x in limits])
-    page.csv("time_step_sweep.csv", ["beta2 [-]", "time step / critical [-]", "outcome", "largest energy / put in [-]",
+    write_csv(page.folder, "time_step_sweep.csv", ["beta2 [-]", "time step / critical [-]", "outcome", "largest energy / put in [-]",
                                      "energy balance error [-]", "step of the stop [-]"],
              [[b, share, v.outcome, v.growth, v.residual, v.step] for (b, share), v in sweep.items()])
     rows = []
@@ -69,8 +73,8 @@ Data: [time_step.csv](time_step.csv), [time_step_sweep.csv](time_step_sweep.csv)
 
 def stress_part(study, page):
     verdicts = stress.run(study)
-    page.picture("energy.png", plots.energy_residuals(verdicts))
-    page.csv("stress.csv", ["group", "value", "unit", "outcome", "energy balance error [-]", "largest energy / put in [-]", "whole contact opened [-]",
+    picture(page, "energy.png", plots.energy_residuals(verdicts))
+    write_csv(page.folder, "stress.csv", ["group", "value", "unit", "outcome", "energy balance error [-]", "largest energy / put in [-]", "whole contact opened [-]",
                             "mu_inter [-]", "slip share [-]", "stick share [-]", "separated share [-]", "message"],
              [[group, value, unit, v.outcome, v.residual, v.growth, v.openings, v.summary.get("global_interface_friction_coefficient"),
                v.summary.get("slip_fraction"), v.summary.get("stick_fraction"), v.summary.get("separation_fraction"), v.message]
@@ -112,7 +116,7 @@ Error of the energy balance over the largest energy, one dot a run. Data: [stres
 def long_part(study, page):
     found = long_runs.run(study)
     curves = {case: long_runs.drift(folder) for case, (_, folder) in found.items()}
-    page.picture("million_steps.png", plots.drift(curves))
+    picture(page, "million_steps.png", plots.drift(curves))
     bounce = max(curves, key=lambda case: curves[case][1].max())
     travelled = long_runs.travel(found[bounce][1])
     headings = ["case", "error of the balance after 1e3", "1e4", "1e5", "1e6 steps", "slip share", "separated share"]
@@ -121,7 +125,7 @@ def long_part(study, page):
         residual = curves[case][1]
         rows.append([case] + [float(residual[min(k, residual.size - 1)]) for k in (1, 10, 100, 1000)]
                     + [verdict.summary["slip_fraction"], verdict.summary["separation_fraction"]])
-    page.csv("million_steps.csv", headings, rows)
+    write_csv(page.folder, "million_steps.csv", headings, rows)
     page.text("long", f"""
 ## A million steps
 
@@ -151,18 +155,18 @@ def refinement_part(study, page):
     nodes = {case: refinement.Node(result) for case, result in refinement.run(
         study, refinement.CELLS_MM, refinement.END, refinement.STEADY).items()}
     numbers = {case: node.numbers() for case, node in nodes.items()}
-    page.picture("figure_5.png", plots.figure_five({(d, h): node for (b, d, h), node in nodes.items() if b > 0}))
-    page.picture("refinement.png", plots.refinement_numbers(numbers))
+    picture(page, "figure_5.png", plots.figure_five({(d, h): node for (b, d, h), node in nodes.items() if b > 0}))
+    picture(page, "refinement.png", plots.refinement_numbers(numbers))
     names = list(next(iter(numbers.values())))
     rows = [[f"{beta * 1e9:g}", f"{delta * 1e9:g}", f"{h:g}"] + list(values.values()) for (beta, delta, h), values in numbers.items()]
-    page.csv("refinement.csv", ["beta [ns]", "delta [ns]", "h [mm]"] + names, rows)
+    write_csv(page.folder, "refinement.csv", ["beta [ns]", "delta [ns]", "h [mm]"] + names, rows)
     changes = [[f"beta = {b * 1e9:g} ns, delta = {d * 1e9:g} ns"] + [f"{change(numbers, (b, d), name):.1%}" for name in names]
                for b, d in dict.fromkeys((b, d) for b, d, _ in numbers)]
     late = refinement.run(study, refinement.LONG_MM, refinement.LONG_END, refinement.LONG_STEADY, "refinement-long")
     late_names = list(sensitivity.RESULTS)
     late_rows = [[f"{beta * 1e9:g}", f"{delta * 1e9:g}", f"{h:g}"] + [result.summary[sensitivity.RESULTS[name]] for name in late_names]
                  for (beta, delta, h), result in late.items()]
-    page.csv("refinement_long.csv", ["beta [ns]", "delta [ns]", "h [mm]"] + late_names, late_rows)
+    write_csv(page.folder, "refinement_long.csv", ["beta [ns]", "delta [ns]", "h [mm]"] + late_names, late_rows)
     waves, growth = refinement.growth_rates()
     rates = table(["beta (ns)", "delta (ns)"] + [f"{wave * 1e3:.3g} mm" for wave in waves],
                   [[f"{beta * 1e9:g}", f"{delta * 1e9:g}"] + [cell if cell is None else f"{cell:.0f}" for cell in row]
@@ -221,10 +225,10 @@ Data: [refinement.csv](refinement.csv), [refinement_long.csv](refinement_long.cs
 
 def sensitivity_part(study, page):
     found = sensitivity.run(study)
-    page.picture("sensitivity.png", plots.sensitivity(found, sensitivity.PAPER))
+    picture(page, "sensitivity.png", plots.sensitivity(found, sensitivity.PAPER))
     names = list(sensitivity.RESULTS)
     headings = ["parameter", "value"] + [x for name in names for x in (name, "+-")]
-    page.csv("sensitivity.csv", headings, [[p, value] + [x for name in names for x in row[name]] for (p, value), row in found.items()])
+    write_csv(page.folder, "sensitivity.csv", headings, [[p, value] + [x for name in names for x in row[name]] for (p, value), row in found.items()])
     rows = [[parameter, number(value)] + [f"{row[name][0]:.4g} +- {row[name][1]:.1g}" for name in names]
             for (parameter, value), row in found.items()]
     spans = []

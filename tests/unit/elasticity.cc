@@ -261,12 +261,3 @@ TEST(InstructionSet, NamedByEnvironment)
   EXPECT_THROW(resolve(InstructionSet::automatic), std::runtime_error);
   setenv("MESOSLIP_ISA", saved.c_str(), 1);
 }
-
-int main(int argc, char **argv)
-{
-  MPI_Init(&argc, &argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  const int result = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return result;
-}

@@ -264,12 +264,3 @@ TEST(RigidModes, AreCounted)
   EXPECT_NEAR(mode[0] - mode[2] * modes.y(2), 0., 1e-12);
   EXPECT_NEAR(mode[1] + mode[2] * modes.x(3), 0., 1e-12);
 }
-
-int main(int argc, char **argv)
-{
-  MPI_Init(&argc, &argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  const int result = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return result;
-}

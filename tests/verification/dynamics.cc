@@ -40,22 +40,6 @@ double error_at(const BodySetup &setup,
   return amplitudes(setup, mode, n_steps).back() -
          std::cos(omega * n_steps * setup.step.dt);
 }
-
-/** Decay rate from the last of q_(n+1) = z1 q_n - z2 q_(n-1), z2 = |z|^2, by least
- * squares. */
-double decay_rate(const std::vector<double> &q, const double dt)
-{
-  Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d r = Eigen::Vector2d::Zero();
-  for (std::size_t n = 1; n + 1 < q.size(); ++n)
-    {
-      const Eigen::Vector2d row(q[n], q[n - 1]);
-      A += row * row.transpose();
-      r += row * q[n + 1];
-    }
-  return -0.5 * std::log(-A.inverse().row(1).dot(r)) / dt;
-}
-
 } // namespace
 
 TEST(Rectangle, FrequenciesConvergeWithOrderTwo)
@@ -134,7 +118,7 @@ TEST(Rectangle, DecaysByBetaAndByBeta2)
         setup.step.beta  = beta;
         setup.choose_time_step(0.8);
         const double dt = setup.step.dt, W = omega * dt, xi = 0.5 * beta * omega;
-        const double found = decay_rate(amplitudes(setup, discrete, 600), dt);
+        const double found = frequency_and_decay(amplitudes(setup, discrete, 600), dt)[1];
         // The product of the two eigenvalues of the scheme, and what it stands for.
         const double exact = -0.5 * std::log1p(-2. * xi * W - (b - 0.5) * W * W) / dt;
         EXPECT_NEAR(found, exact, 1e-8 * omega) << "beta2 " << b << " beta " << beta;
@@ -162,13 +146,4 @@ TEST(Rectangle, EnergyBoundedWithoutTrend)
   const double total    = e.kinetic.front() + e.elastic.front();
   for (std::size_t n = 0; n < e.time.size(); ++n)
     ASSERT_NEAR(e.kinetic[n] + e.elastic[n], total, 1e-12 * total);
-}
-
-int main(int argc, char **argv)
-{
-  MPI_Init(&argc, &argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  const int result = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return result;
 }

@@ -220,17 +220,8 @@ struct DampingWork : StepObserver
         a.begin()[k] /= dt * dt;
       }
     const NodalField<double> f = elasticity_testing::reference_product(body.material, v);
-    std::vector<double> mass(v.n_columns());
-    for (unsigned int j = 0; j < v.n_rows(); ++j)
-      {
-        body.material.mass_row(j, mass.data());
-        for (unsigned int c = 0; c < 2; ++c)
-          for (unsigned int i = 0; i < v.n_columns(); ++i)
-            {
-              v_K_v += dt * f.row(c, j)[i] * v.row(c, j)[i];
-              a_M_a += dt * mass[i] * a.row(c, j)[i] * a.row(c, j)[i];
-            }
-      }
+    v_K_v += dt * std::inner_product(f.begin(), f.begin() + f.size(), v.begin(), 0.);
+    a_M_a += dt * mass_product(body.material, a, a);
   }
 
   const Body &body;
@@ -318,15 +309,13 @@ TEST(Momentum, IsWhatTheForcesAtTopAndBottomSay)
             y += setup.step.dt * (c.normal_force[n] - t.normal_force[n] - mass * 2e5);
             size += setup.step.dt * t.normal_force[n];
           }
-        std::vector<double> m(body.material.n_columns());
-        for (unsigned int j = 0; j < body.w.n_rows(); ++j)
+        for (const unsigned int axis : {0U, 1U})
           {
-            body.material.mass_row(j, m.data());
-            for (unsigned int i = 0; i < m.size() - periodic; ++i)
-              {
-                px += m[i] * body.w.row(0, j)[i];
-                py += m[i] * body.w.row(1, j)[i];
-              }
+            NodalField<double> unit = body.w;
+            unit.set_zero();
+            for (unsigned int j = 0; j < unit.n_rows(); ++j)
+              std::fill_n(unit.row(axis, j), unit.n_columns() - periodic, 1.);
+            (axis == 0 ? px : py) = mass_product(body.material, unit, body.w);
           }
         py += setup.top.platen_mass * body.w.row(1, body.w.n_rows() - 1)[0];
         EXPECT_NEAR(px, x, 1e-12 * size);

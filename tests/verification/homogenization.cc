@@ -2,7 +2,6 @@
 #include "body/mesh/mesh_body.h"
 #include "homogenization_testing.h"
 #include "material/bounds.h"
-#include "material/mandel.h"
 #include "material/rotation.h"
 #include "morphology/microstructure_parameters.h"
 
@@ -80,26 +79,6 @@ TEST(Homogenization, EqualShearModuli)
   EXPECT_NEAR((scaled[3] - scaled[2]) / (scaled[2] - scaled[1]), 1., 0.03);
   EXPECT_NEAR((scaled[2] - scaled[1]) / (scaled[1] - scaled[0]), 1., 0.03);
   EXPECT_LT(errors.back(), 1e-4);
-}
-
-TEST(Homogenization, OrderOfTheConditions)
-{
-  for (const double hy : {1e-4, 2.5e-4})
-    {
-      Volume volume = make_volume(31, 22, matrix_and_fibre(), 1e-4, hy);
-      make_random(volume);
-      std::vector<Phase<2>> phases(2);
-      for (unsigned int p = 0; p < 2; ++p)
-        phases[p].stiffness = volume.stiffness[p];
-      const std::vector<double> fractions = {volume.fraction(0), volume.fraction(1)};
-      const auto r                        = respond(volume);
-      const std::vector<VoigtMatrix<2>> ascending = {
-        reuss_bound(phases, fractions), r[1].stiffness, r[2].stiffness, r[0].stiffness,
-        voigt_bound(phases, fractions)};
-      for (unsigned int k = 0; k < 4; ++k)
-        EXPECT_GT(order_margin<2>(ascending[k], ascending[k + 1]), 0.)
-          << k << " seed " << seed;
-    }
 }
 
 TEST(Homogenization, IdentitiesOfEverySolve)
@@ -247,20 +226,6 @@ TEST(Homogenization, RefinementSoftens)
     }
 }
 
-TEST(Homogenization, LoadCasesOnSeveralRanks)
-{
-  Volume volume = make_volume(40, 23, matrix_and_fibre());
-  make_random(volume);
-  const auto shared = respond(volume, 1e-8, StaticSolverKind::multigrid, MPI_COMM_WORLD);
-  const auto alone  = respond(volume, 1e-8);
-  for (unsigned int k = 0; k < shared.size(); ++k)
-    {
-      EXPECT_LT(distance(shared[k].stiffness, alone[k].stiffness), 1e-13);
-      for (unsigned int n = 0; n < 3; ++n)
-        EXPECT_EQ(shared[k].reports[n].iterations, alone[k].reports[n].iterations);
-    }
-}
-
 // Four morphologies placed by the rule of prm/pin: each entry of eq. (10) within 3 %,
 // and the two boundary conditions within the 2.7 % that the paper reports.
 TEST(Homogenization, PaperPin)
@@ -307,15 +272,4 @@ TEST(Ensemble, StatisticsOfASample)
   EXPECT_NEAR(s.standard_deviation, 2.138089935, 1e-9);
   EXPECT_NEAR(s.half_width, 2.3646242516 * 2.138089935 / std::sqrt(8.), 1e-8);
   EXPECT_NEAR(s.relative_error, 2. * 2.138089935 / (std::sqrt(8.) * 5.), 1e-9);
-}
-
-int main(int argc, char **argv)
-{
-  MPI_Init(&argc, &argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  if (argc > 1)
-    n_random_cases = static_cast<unsigned int>(std::stoul(argv[1]));
-  const int result = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return result;
 }

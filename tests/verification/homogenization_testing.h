@@ -6,9 +6,11 @@
 #include "homogenization/response.h"
 #include "material/stiffness.h"
 
+#include <cstdlib>
 #include <mpi.h>
 
 #include <random>
+#include <string>
 #include <vector>
 
 /** Small volumes and what is known about them. */
@@ -18,8 +20,10 @@ using namespace mesoslip;
 
 constexpr unsigned int seed = 20081;
 
-/** Volumes of the random study: the first argument of the program. */
-inline unsigned int n_random_cases = 100;
+/** Volumes of the random study; the environment may ask for another number. */
+inline const unsigned int n_random_cases =
+  std::getenv("MESOSLIP_RANDOM_CASES") ? std::stoul(std::getenv("MESOSLIP_RANDOM_CASES"))
+                                       : 100;
 
 inline const std::vector<BoundaryCondition> all_conditions = {
   BoundaryCondition::KUBC, BoundaryCondition::SUBC, BoundaryCondition::PBC};

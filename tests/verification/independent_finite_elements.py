@@ -1,11 +1,13 @@
-"""Stiffnesses of random phase maps against a dense finite element code written apart, in numpy.
+"""Stiffnesses and modes of random phase maps against a dense finite element code written apart, in numpy.
 
     independent_finite_elements.py <folder with the programs>
 
-Q1 rectangles with 2x2 Gauss points, three phases (one orthotropic), cells that are not square, KUBC, SUBC
-and periodic: all entries agree to 1e-8 of the largest.
+Q1 rectangles with 2x2 Gauss points, three phases (one orthotropic), cells that are not square, lumped masses. KUBC, SUBC and
+periodic fluctuations with every solver: all entries of the stiffness agree to 1e-8 of the largest. Every kind of top, bottom free
+and held: frequencies agree to 1e-8, effective masses to 1e-6.
 """
 
+import csv
 import json
 import os
 import subprocess
@@ -16,154 +18,142 @@ import numpy as np
 
 SEED = 20081
 NX, NY, HX, HY = 13, 9, 1.0e-3, 0.6e-3
-STIFFNESS = [[32e9, 8e9, 32e9, 12e9], [260e9, 60e9, 250e9, 100e9], [5e9, 1e9, 20e9, 3e9]]  # D11 D12 D22 D33
+D11_D12_D22_D33 = [[32e9, 8e9, 32e9, 12e9], [260e9, 60e9, 250e9, 100e9], [5e9, 1e9, 20e9, 3e9]]
+STIFFNESS = np.array([[[a, b, 0], [b, c, 0], [0, 0, d]] for a, b, c, d in D11_D12_D22_D33])
+DENSITY = np.array([1770.0, 2500.0, 1100.0])
+PLATEN_MASS = 0.05  # kg/m; the body has about 0.12
+N_MODES = 6
+I, J = (a.ravel() for a in np.meshgrid(np.arange(NX + 1), np.arange(NY + 1)))  # columns and rows of the nodes
+NODES = np.arange(len(I)).reshape(NY + 1, NX + 1)
+# Of each cell: the degrees of freedom of the nodes (0,0), (1,0), (0,1), (1,1).
+CORNERS = np.stack([NODES[:-1, :-1], NODES[:-1, 1:], NODES[1:, :-1], NODES[1:, 1:]], axis=-1).reshape(-1, 4)
+DOFS = (2 * CORNERS[:, :, None] + np.arange(2)).reshape(-1, 8)
+BORDER = (I == 0) | (I == NX) | (J == 0) | (J == NY)
 
 
-def matrix(d):
-    return np.array([[d[0], d[1], 0], [d[1], d[2], 0], [0, 0, d[3]]])
+def strain_matrix(x, y):
+    """B at a point of the unit cell."""
+    B = np.zeros((3, 8))
+    B[0, 0::2] = B[2, 1::2] = np.array([y - 1, 1 - y, -y, y]) / HX
+    B[1, 1::2] = B[2, 0::2] = np.array([x - 1, -x, 1 - x, x]) / HY
+    return B
 
 
-def strain_matrices():
-    """B at the four Gauss points; nodes (0,0), (1,0), (0,1), (1,1)."""
-    g = 0.5 / np.sqrt(3)
-    for x, y in [(0.5 + a * g, 0.5 + b * g) for a in (-1, 1) for b in (-1, 1)]:
-        dx = np.array([-(1 - y), 1 - y, -y, y]) / HX
-        dy = np.array([-(1 - x), -x, 1 - x, x]) / HY
-        B = np.zeros((3, 8))
-        B[0, 0::2] = dx
-        B[1, 1::2] = dy
-        B[2, 0::2] = dy
-        B[2, 1::2] = dx
-        yield B
+GAUSS = [strain_matrix(x, y) for x in (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5) for y in (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)]
+MEAN = sum(GAUSS) / 4
 
 
-def cell_dofs(i, j, number):
-    nodes = [number(i, j), number(i + 1, j), number(i, j + 1), number(i + 1, j + 1)]
-    return np.array([2 * n + c for n in nodes for c in range(2)])
+def assemble(phases):
+    """Stiffness matrix and lumped masses of all nodes."""
+    K, mass = np.zeros((DOFS.max() + 1,) * 2), np.zeros(DOFS.max() + 1)
+    cells = sum(B.T @ STIFFNESS @ B for B in GAUSS) * HX * HY / 4
+    for dofs, phase in zip(DOFS, phases):
+        K[np.ix_(dofs, dofs)] += cells[phase]
+        mass[dofs] += DENSITY[phase] * HX * HY / 4
+    return K, mass
 
 
-def assemble(phases, number, n_nodes):
-    K = np.zeros((2 * n_nodes, 2 * n_nodes))
-    element = [sum(B.T @ matrix(d) @ B for B in strain_matrices()) * HX * HY / 4 for d in STIFFNESS]
-    for j in range(NY):
-        for i in range(NX):
-            dofs = cell_dofs(i, j, number)
-            K[np.ix_(dofs, dofs)] += element[phases[j, i]]
-    return K
+def columns(kept):
+    """Matrix from the degrees of freedom that are kept to all of them."""
+    return np.eye(len(kept))[:, kept]
 
 
-def means(phases, u, number):
-    """Volume means of strain and stress."""
-    mean_B = sum(strain_matrices()) / 4
-    strain, stress = np.zeros(3), np.zeros(3)
-    for j in range(NY):
-        for i in range(NX):
-            e = mean_B @ u[cell_dofs(i, j, number)]
-            strain += e / (NX * NY)
-            stress += matrix(STIFFNESS[phases[j, i]]) @ e / (NX * NY)
-    return strain, stress
+def effective(phases, condition):
+    """The stiffness under KUBC, SUBC or PBC: displacements are `given` plus T times the unknowns."""
+    K, _ = assemble(phases)
+    x, y = I * HX, J * HY
+    given = np.zeros((len(K), 3))
+    given[0::2], given[1::2] = np.stack([x, 0 * x, y / 2], axis=1), np.stack([0 * x, y, x / 2], axis=1)
+    loads = np.zeros((len(K), 3))
+    T = columns(~np.repeat(BORDER, 2))
+    if condition == "PBC":
+        T = columns(np.repeat((I < NX) & (J < NY), 2))
+        T = T[(2 * NODES[J % NY, I % NX][:, None] + np.arange(2)).ravel()]
+    if condition == "SUBC":
+        T = np.eye(len(K))
+        tx = ((I == NX) * 1.0 - (I == 0)) * HY * np.where((J == 0) | (J == NY), 0.5, 1)  # normals times lengths of the border
+        ty = ((J == NY) * 1.0 - (J == 0)) * HX * np.where((I == 0) | (I == NX), 0.5, 1)
+        loads[0::2], loads[1::2] = np.stack([tx, 0 * tx, ty], axis=1), np.stack([0 * tx, ty, tx], axis=1)
+        given = 0 * given
+    u = given + T @ np.linalg.lstsq(T.T @ K @ T, T.T @ (loads - K @ given), rcond=1e-12)[0]
+    strains = np.einsum("ij,cjk->cik", MEAN, u[DOFS])
+    stress = np.einsum("cij,cjk->ik", STIFFNESS[phases], strains) / len(DOFS)
+    return stress @ np.linalg.inv(strains.mean(axis=0))
 
 
-def plain(i, j):
-    return j * (NX + 1) + i
+def modes(phases, top, bottom):
+    """Frequencies (Hz) and effective masses along x and y, rigid motions left out. Under the platen the u_y of the top row are one
+    unknown, the last: T^t K T x = omega^2 (T^t M T + platen) x."""
+    K, mass = assemble(phases)
+    held = np.zeros((len(I), 2), bool)
+    held[J == NY] = [top != "free", top in ("held", "platen")]
+    held[J == 0, 1] = bottom == "held"
+    T = columns(~held.ravel())
+    if top == "platen":
+        T = np.hstack([T, np.stack([0 * J, J == NY], axis=1).reshape(-1, 1)])
+    K, M = T.T @ K @ T, T.T @ (mass[:, None] * T)
+    total = [mass[0::2].sum(), mass[1::2].sum()]
+    if top == "platen":
+        M[-1, -1] += PLATEN_MASS
+        total[1] += PLATEN_MASS
+    root = np.diag(1 / np.sqrt(np.diag(M)))
+    squares, vectors = np.linalg.eigh(root @ K @ root)
+    vibrating = squares > 1e-9 * squares[-1]
+    shapes = (root @ vectors)[:, vibrating]
+    rigid = [T[c::2].any(axis=0).astype(float) for c in (0, 1)]
+    return np.sqrt(squares[vibrating]) / (2 * np.pi), np.array([(r @ M @ shapes) ** 2 / t for r, t in zip(rigid, total)])
 
 
-def affine(k):
-    u = np.zeros(2 * (NX + 1) * (NY + 1))
-    for j in range(NY + 1):
-        for i in range(NX + 1):
-            x, y, n = i * HX, j * HY, plain(i, j)
-            u[2 * n] = [x, 0, y / 2][k]
-            u[2 * n + 1] = [0, y, x / 2][k]
-    return u
+def run(programs, folder, program, name, text, *options):
+    with open(os.path.join(folder, name + ".prm"), "w", encoding="utf-8") as file:
+        file.write(text)
+    subprocess.run([os.path.join(programs, program), name + ".prm", "--output", name, "--quiet", *options], cwd=folder, check=True)
 
 
-def kubc(phases):
-    n_nodes = (NX + 1) * (NY + 1)
-    K = assemble(phases, plain, n_nodes)
-    inner = np.array([2 * plain(i, j) + c for j in range(1, NY) for i in range(1, NX) for c in range(2)])
-    D = np.zeros((3, 3))
-    for k in range(3):
-        u = affine(k)
-        u[inner] = 0
-        u[inner] = np.linalg.solve(K[np.ix_(inner, inner)], -(K @ u)[inner])
-        D[:, k] = means(phases, u, plain)[1]
-    return D
-
-
-def subc(phases):
-    n_nodes = (NX + 1) * (NY + 1)
-    K = assemble(phases, plain, n_nodes)
-    S = np.zeros((3, 3))
-    for k in range(3):
-        sxx, syy, sxy = np.eye(3)[k]
-        f = np.zeros(2 * n_nodes)
-        for j in range(NY + 1):
-            w = HY * (0.5 if j in (0, NY) else 1)
-            for i, sign in ((0, -1), (NX, 1)):
-                f[2 * plain(i, j)] += sign * w * sxx
-                f[2 * plain(i, j) + 1] += sign * w * sxy
-        for i in range(NX + 1):
-            w = HX * (0.5 if i in (0, NX) else 1)
-            for j, sign in ((0, -1), (NY, 1)):
-                f[2 * plain(i, j)] += sign * w * sxy
-                f[2 * plain(i, j) + 1] += sign * w * syy
-        u = np.linalg.lstsq(K, f, rcond=1e-12)[0]
-        S[:, k] = means(phases, u, plain)[0]
-    return np.linalg.inv(S)
-
-
-def periodic(phases):
-    def wrapped(i, j):
-        return (j % NY) * NX + i % NX
-
-    K = assemble(phases, wrapped, NX * NY)
-    mean_B = sum(strain_matrices()) / 4
-    D = np.zeros((3, 3))
-    for k in range(3):
-        E = np.eye(3)[k]
-        f = np.zeros(2 * NX * NY)
-        for j in range(NY):
-            for i in range(NX):
-                f[cell_dofs(i, j, wrapped)] -= mean_B.T @ matrix(STIFFNESS[phases[j, i]]) @ E * HX * HY
-        u = np.zeros_like(f)
-        u[2:] = np.linalg.solve(K[2:, 2:], f[2:])
-        for j in range(NY):
-            for i in range(NX):
-                e = E + mean_B @ u[cell_dofs(i, j, wrapped)]
-                D[:, k] += matrix(STIFFNESS[phases[j, i]]) @ e / (NX * NY)
-    return D
-
-
-def program(programs, phases, solver):
-    with tempfile.TemporaryDirectory() as folder:
-        np.savetxt(os.path.join(folder, "map.txt"), phases[::-1], fmt="%d")  # an image: top row first
-        text = f"subsection Grid\n set Cells = {NX}, {NY}\n set Spacing = {HX}, {HY}\nend\n"
-        text += "subsection Phases\n set Names = a, b, c\n"
-        for name, d in zip("abc", STIFFNESS):
-            text += f" subsection {name}\n  set Type = stiffness\n  set Stiffness = " + \
-                ", ".join(map(str, d)) + "\n end\n"
-        text += "end\nsubsection Microstructure\n set Type = image\n set File = map.txt\n set Oblong pixels = true\nend\n"
-        text += "subsection Homogenization\n set Boundary conditions = KUBC, SUBC, PBC\n"
-        text += f" set Tolerance = 1e-11\n set Solver = {solver}\nend\n"
-        with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
-            file.write(text)
-        subprocess.run([os.path.join(programs, "rve_homogenization"), "case.prm", "--output", "out", "--quiet"],
-                       cwd=folder, check=True)
-        with open(os.path.join(folder, "out", "summary.json"), encoding="utf-8") as file:
-            return json.load(file)["stiffness"]
-
-
-def main():
-    print("seed", SEED)
-    phases = np.random.default_rng(SEED).choice(3, size=(NY, NX), p=[0.5, 0.3, 0.2])
-    expected = {"KUBC": kubc(phases), "SUBC": subc(phases), "PBC": periodic(phases)}
+def check_stiffness(programs, folder, phases):
+    np.savetxt(os.path.join(folder, "map.txt"), phases.reshape(NY, NX)[::-1], fmt="%d")  # an image: top row first
+    text = f"subsection Grid\n set Cells = {NX}, {NY}\n set Spacing = {HX}, {HY}\nend\nsubsection Phases\n set Names = a, b, c\n"
+    for name, d, density in zip("abc", D11_D12_D22_D33, DENSITY):
+        text += f" subsection {name}\n  set Type = stiffness\n  set Stiffness = {', '.join(map(str, d))}\n"
+        text += f"  set Density = {density}\n end\n"
+    text += "end\nsubsection Microstructure\n set Type = image\n set File = map.txt\n set Oblong pixels = true\nend\n"
+    text += "subsection Homogenization\n set Boundary conditions = KUBC, SUBC, PBC\n set Tolerance = 1e-11\nend\n"
+    expected = {condition: effective(phases, condition) for condition in ("KUBC", "SUBC", "PBC")}
     for solver in ("multigrid", "jacobi", "ml"):
-        found = program(sys.argv[1], phases, solver)
+        run(programs, folder, "rve_homogenization", "rve", text, "--set", f"Homogenization/Solver={solver}")
+        with open(os.path.join(folder, "rve", "summary.json"), encoding="utf-8") as file:
+            found = json.load(file)["stiffness"]
         for name, D in expected.items():
             error = np.abs(np.array(found[name]) - D).max() / np.abs(D).max()
             print(f"{solver:10s} {name}  {error:.1e}")
             assert error < 1e-8, f"{solver} {name}: {found[name]} instead of {D}"
+
+
+def check_modes(programs, folder, phases):
+    tops = {"platen": f"set Kind = platen\n set Platen mass = {PLATEN_MASS}", "held": "set Kind = held",
+            "lateral": "set Kind = pressure\n set Lateral held = true", "free": "set Kind = pressure"}
+    for top, keys in tops.items():
+        run(programs, folder, "contact_dynamics", top, "set Analysis = modal\nsubsection Body\n set Material = heterogeneous\n "
+            f"set RVE file = rve/rve.h5\nend\nsubsection Top\n {keys}\nend\nsubsection Modal\n set Number of modes = {N_MODES}\nend\n")
+        with open(os.path.join(folder, top, "modes.csv"), encoding="utf-8") as file:
+            table = list(csv.DictReader(file))
+        for bottom in ("free", "held"):
+            rows = [row for row in table if row["bottom"] == bottom]
+            frequencies, effective_masses = modes(phases, top, bottom)
+            found = np.array([float(row["frequency [Hz]"]) for row in rows])
+            error = np.abs(found / frequencies[:N_MODES] - 1).max()
+            shares = np.array([[float(row[f"effective_mass_{c} [-]"]) for row in rows] for c in "xy"])
+            difference = np.abs(shares - effective_masses[:, :N_MODES]).max()
+            print(f"top {top:8s} bottom {bottom:5s} {found[0]:10.1f} to {found[-1]:.1f} Hz: {error:.1e}, effective masses {difference:.1e}")
+            assert error < 1e-8 and difference < 1e-6, f"top {top}, bottom {bottom}: {found} instead of {frequencies[:N_MODES]}"
+
+
+def main():
+    print("seed", SEED)
+    phases = np.random.default_rng(SEED).choice(3, size=NX * NY, p=[0.5, 0.3, 0.2])
+    with tempfile.TemporaryDirectory() as folder:
+        check_stiffness(sys.argv[1], folder, phases)
+        check_modes(sys.argv[1], folder, phases)
 
 
 if __name__ == "__main__":

@@ -6,15 +6,15 @@ A column that is compressed alone, so that the largest strain is P / D22 when th
 compliance times the pressure in a static analysis with free sides: the summary says so, on two ranks as well.
 """
 
-import json
 import os
-import subprocess
 import sys
 import tempfile
 
 import numpy as np
 
-PROGRAMS = sys.argv[1]
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
+from scenes import Folder, sets  # noqa: E402
+
 D11, D12, D22, D33 = 36.54e9, 9.1e9, 47.26e9, 13.785e9
 CASE = """
 subsection Body
@@ -29,23 +29,12 @@ COLUMN = {"Time/End time": 1.2e-5, "Sides/Left": "u_x", "Sides/Right": "u_x", "T
 STATIC = {"Analysis": "static contact", "Top/Kind": "pressure", "Flat/Velocity": 0}
 
 
-def run(settings, ranks=1, validate=False):
+def run(settings, ranks=1):
     """Exit status, errors and warnings, summary."""
-    with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "case.prm"), "w", encoding="utf-8") as file:
-            file.write(CASE)
-        command = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
-        command += [os.path.join(PROGRAMS, "contact_dynamics"), "case.prm", "--output", "out", "--quiet"]
-        command += ["--validate"] * validate
-        for key, value in settings.items():
-            command += ["--set", f"{key}={value}"]
-        environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-        done = subprocess.run(command, cwd=folder, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        try:
-            with open(os.path.join(folder, "out", "summary.json"), encoding="utf-8") as file:
-                return done.returncode, done.stderr, json.load(file)
-        except OSError:
-            return done.returncode, done.stderr, {}
+    with tempfile.TemporaryDirectory() as path:
+        folder = Folder(path, {"case": CASE})
+        status, _, said = folder.end("contact_dynamics", "case.prm", "--output", "out", "--quiet", *sets(settings), ranks=ranks)
+        return status, said, folder.summary("out") if os.path.exists(folder("out", "summary.json")) else {}
 
 
 def near(found, expected, tolerance, what):

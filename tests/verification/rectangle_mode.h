@@ -57,21 +57,24 @@ inline BodySetup rectangle(const unsigned int n_vertical)
   return s;
 }
 
-/** a . M b */
-inline double mass_product(const UniformMaterial &material,
-                           const NodalField<double> &a,
-                           const NodalField<double> &b)
+/**
+ * Circular frequency and decay rate (1/s) of samples q from the last of q_(n+1) = z1 q_n -
+ * z2 q_(n-1), z2 = |z|^2, by least squares.
+ */
+inline std::array<double, 2> frequency_and_decay(const std::vector<double> &q,
+                                                 const double interval)
 {
-  std::vector<double> mass(material.n_columns());
-  double sum = 0.;
-  for (unsigned int j = 0; j < a.n_rows(); ++j)
+  Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d r = Eigen::Vector2d::Zero();
+  for (std::size_t n = 1; n + 1 < q.size(); ++n)
     {
-      material.mass_row(j, mass.data());
-      for (unsigned int c = 0; c < 2; ++c)
-        for (unsigned int i = 0; i < a.n_columns(); ++i)
-          sum += mass[i] * a.row(c, j)[i] * b.row(c, j)[i];
+      const Eigen::Vector2d row(q[n], q[n - 1]);
+      A += row * row.transpose();
+      r += row * q[n + 1];
     }
-  return sum;
+  const Eigen::Vector2d z = A.inverse() * r;
+  return {{std::acos(0.5 * z(0) / std::sqrt(-z(1))) / interval,
+           -0.5 * std::log(-z(1)) / interval}};
 }
 
 /**
@@ -102,11 +105,8 @@ inline DiscreteMode discrete_mode(const BodySetup &setup, const Mode &mode)
     for (unsigned int l = 0; l < 2; ++l)
       {
         M(k, l) = mass_product(material, basis[k], basis[l]);
-        K(k, l) = 0.;
-        for (unsigned int c = 0; c < 2; ++c)
-          for (unsigned int j = 0; j < material.n_rows(); ++j)
-            for (unsigned int i = 0; i < material.n_columns(); ++i)
-              K(k, l) += basis[k].row(c, j)[i] * image[l].row(c, j)[i];
+        K(k, l) = std::inner_product(basis[k].begin(), basis[k].begin() + basis[k].size(),
+                                     image[l].begin(), 0.);
       }
   if (mode.m == 0) // there is no second shape
     M(1, 1) = 1.;

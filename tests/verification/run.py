@@ -2,7 +2,6 @@
 """The page of the verification problems: runs the tests that hold them, collects what they measured, and writes
 doc/verification.md with a table, a picture of convergence and a CSV. A test that fails stops it."""
 
-import csv
 import json
 import os
 import subprocess
@@ -11,14 +10,15 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
-sys.path[:0] = [HERE, os.path.join(TOP, "tests", "stability"), os.path.join(TOP, "applications", "studies"),
-                os.path.join(TOP, "applications", "report")]
+sys.path[:0] = [HERE, os.path.join(TOP, "applications", "tools", "studies"),
+                os.path.join(TOP, "applications", "tools", "report")]
 
+import mesh_pin  # noqa: E402
 import numpy as np  # noqa: E402
 import problems  # noqa: E402
 from figures import RUN_COLOURS, plt  # noqa: E402  (figures chooses the backend)
-from study import parse_arguments  # noqa: E402
-from study_page import number, table  # noqa: E402
+from pages import number, table, write_csv  # noqa: E402
+from study import Study, parse_arguments  # noqa: E402
 
 EXECUTABLES = ("unit_contact", "unit_elasticity", "unit_localization", "verification_dynamics", "verification_homogenization",
                "verification_restart", "verification_sliding", "verification_statics")
@@ -105,21 +105,21 @@ def check_names(folder):
         raise SystemExit(f"verification: there is no test '{missing}'; correct tests/verification/problems.py")
 
 
-def write(measured):
+def write(measured, pin):
     doc = os.path.join(TOP, "doc")
     convergence(measured, os.path.join(doc, "verification", "convergence.png"))
-    with open(os.path.join(doc, "verification", "convergence.csv"), "w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["test", "series", "size [-]", "error [-]"])
-        writer.writerows([test, series, number(size, 6), number(value, 6)] for (test, series), values in measured.series.items()
-                         for size, value in sorted(values.items()))
+    write_csv(os.path.join(doc, "verification"), "convergence.csv", ["test", "series", "size [-]", "error [-]"],
+              [[test, series, number(size, 6), number(value, 6)] for (test, series), values in measured.series.items()
+               for size, value in sorted(values.items())])
     rows = [[problem, claim, "<br>".join(f"`{test}`" for test in tests), observed(measured, tests)]
             for problem, claim, tests in problems.PROBLEMS]
     orders = [[series, f"{predicted:g}", f"{measured.order((test, series)):.2f}"]
               for predicted, names in problems.ORDERS.items() for test, series in measured.series if series in names]
     with open(os.path.join(doc, "verification.md"), "w", encoding="utf-8") as file:
         file.write(problems.PAGE.format(problems=table(["problem", "what has to come out", "test", "observed"], rows),
-                                        orders=table(["series", "predicted order", "observed"], orders)))
+                                        orders=table(["series", "predicted order", "observed"], orders),
+                                        pin=table(["", *(f"{n} rank{'s' * (n > 1)}" for n in mesh_pin.RANKS)],
+                                                  [[what, *(f"{value:.0e}" for value in values)] for what, values in pin.items()])))
 
 
 def main():
@@ -130,7 +130,8 @@ def main():
     check_names(tests)
     measured = Measured()
     measured.add(tests_of(tests))
-    write(measured)
+    study = Study(arguments.output, arguments.programs, jobs=1, keep=arguments.keep)
+    write(measured, mesh_pin.differences(study))
     print("doc/verification.md")
 
 

@@ -260,12 +260,3 @@ TEST(Ranks, SameRunOnEveryNumberOfThem)
           }
       }
 }
-
-int main(int argc, char **argv)
-{
-  MPI_Init(&argc, &argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  const int result = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return result;
-}

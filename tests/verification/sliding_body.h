@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace verification
@@ -159,6 +160,23 @@ inline double relative_difference(const NodalField<double> &a,
       worst = std::max(worst, difference > 0. ? difference / size : 0.);
     }
   return worst;
+}
+
+/** a . M b */
+inline double mass_product(const UniformMaterial &material,
+                           const NodalField<double> &a,
+                           const NodalField<double> &b)
+{
+  std::vector<double> mass(material.n_columns());
+  double sum = 0.;
+  for (unsigned int j = 0; j < a.n_rows(); ++j)
+    {
+      material.mass_row(j, mass.data());
+      for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int i = 0; i < a.n_columns(); ++i)
+          sum += mass[i] * a.row(c, j)[i] * b.row(c, j)[i];
+    }
+  return sum;
 }
 
 /** log2 of the error ratio of each refinement by two. */

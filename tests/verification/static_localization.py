@@ -7,11 +7,12 @@ from 1.6 mm inside the edges. The pressures under fibres and matrix are near the
 """
 
 import csv
-import json
 import os
-import subprocess
 import sys
 import tempfile
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
+from scenes import Folder  # noqa: E402
 
 PIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "prm", "pin", "10-rve_homogenization.prm")
 COMPRESSION = """
@@ -41,29 +42,18 @@ end
 
 
 def main():
-    with tempfile.TemporaryDirectory() as folder:
-        def run(program, name, text):
-            if text is not None:
-                with open(os.path.join(folder, name + ".prm"), "w", encoding="utf-8") as file:
-                    file.write(text)
-            prm = PIN if text is None else name + ".prm"
-            subprocess.run([os.path.join(sys.argv[1], program), prm, "--output", name, "--quiet"], cwd=folder,
-                           check=True)
-
-        run("rve_homogenization", "rve", None)
-        run("contact_dynamics", "homogeneous", COMPRESSION % "Stiffness from = KUBC")
-        run("contact_dynamics", "heterogeneous", COMPRESSION % "Material = heterogeneous")
-        run("stress_localization", "localized", LOCALIZATION)
-
-        with open(os.path.join(folder, "localized", "field_errors.csv"), encoding="utf-8") as file:
+    with tempfile.TemporaryDirectory() as path:
+        folder = Folder(path, {"homogeneous": COMPRESSION % "Stiffness from = KUBC", "localized": LOCALIZATION,
+                               "heterogeneous": COMPRESSION % "Material = heterogeneous"})
+        for program, prm, name in (("rve_homogenization", PIN, "rve"), ("contact_dynamics", "homogeneous.prm", "homogeneous"),
+                                   ("contact_dynamics", "heterogeneous.prm", "heterogeneous"),
+                                   ("stress_localization", "localized.prm", "localized")):
+            folder.run(0, program, prm, "--output", name, "--quiet")
+        with open(folder("localized", "field_errors.csv"), encoding="utf-8") as file:
             errors = {(r["quantity"], r["region"]): r["relative L2 difference [-]"] for r in csv.DictReader(file)}
         error = float(errors["mean_sigma_yy", "interior"])
-        print(f"sigma_yy, interior: {100 * error:.2f} %")
+        print(f"sigma_yy, interior: {100 * error:.2f} %", folder.summary("heterogeneous")["phase_contact_pressures"])
         assert error < 0.01
-
-        with open(os.path.join(folder, "heterogeneous", "summary.json"), encoding="utf-8") as file:
-            pressures = json.load(file)["phase_contact_pressures"]
-        print(pressures)
 
 
 if __name__ == "__main__":

@@ -281,37 +281,3 @@ TEST(StaticContact, Gravity)
   const auto result              = c.run();
   EXPECT_NEAR(result.normal_force / (P * 4e-3 + 9.81e6 * 1770. * 8e-6), 1., 1e-8);
 }
-
-TEST(StaticContact, ImpossibleSupports)
-{
-  const auto sentence = [](const Case &c) {
-    try
-      {
-        c.run();
-      }
-    catch (const UserError &error)
-      {
-        return std::string(error.what());
-      }
-    return std::string();
-  };
-  Case c({{4e-3, 2e-3}}, {{8, 4}}, TopSetup::Kind::held);
-  EXPECT_NE(sentence(c).find("Top/Kind"), std::string::npos);
-  c.parameters.top.kind = TopSetup::Kind::pressure;
-  c.set_friction(0.1, 1.);
-  EXPECT_NE(sentence(c).find("Nothing holds the body"), std::string::npos);
-  c.parameters.top.pressure = LoadHistory(-1.);
-  EXPECT_NE(sentence(c).find("Top/Pressure"), std::string::npos);
-  c.parameters.top.pressure = LoadHistory(1.);
-  c.parameters.contact.gap  = 1e-6;
-  EXPECT_NE(sentence(c).find("Flat/Gap"), std::string::npos);
-}
-
-int main(int argc, char **argv)
-{
-  MPI_Init(&argc, &argv);
-  testing::InitGoogleTest(&argc, argv);
-  const int status = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return status;
-}

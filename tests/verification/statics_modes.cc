@@ -6,6 +6,7 @@
 #include "elasticity/uniform_grid_operator.h"
 #include "material/stiffness.h"
 #include "sliding/analyses/modal.h"
+#include "sliding_body.h"
 
 #include <gtest/gtest.h>
 
@@ -226,19 +227,11 @@ TEST(Modes, OfTwoPhasesAreOrthogonal)
   DofMask held = nothing_held(material);
   held.constrain_row(0, 24);
   const auto result = modes(material, held, 5);
-  std::vector<double> mass(material.n_columns());
   for (std::size_t p = 0; p < 5; ++p)
     for (std::size_t q = 0; q <= p; ++q)
       {
         const VibrationMode &a = result.modes[p], &b = result.modes[q];
-        double product = 0.;
-        for (unsigned int j = 0; j < material.n_rows(); ++j)
-          {
-            material.mass_row(j, mass.data());
-            for (unsigned int c = 0; c < 2; ++c)
-              for (unsigned int i = 0; i < material.n_columns(); ++i)
-                product += mass[i] * a.shape.row(c, j)[i] * b.shape.row(c, j)[i];
-          }
+        const double product = verification::mass_product(material, a.shape, b.shape);
         EXPECT_NEAR(product / std::sqrt(a.modal_mass * b.modal_mass), p == q ? 1. : 0.,
                     1e-7);
       }

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""Run a chain of .prm files, each program reading what those before it left.
+
+A folder holds files such as 10-rve_homogenization.prm and 20-contact_dynamics-homogeneous.prm: the name contains
+the program, the order is that of the names. All files beside them, and those in folders below that they name, are
+copied to the results folder; the output of NAME.prm goes to NAME/ beside it, so that a later file reads
+NAME/rve.h5. What is up to date (.prm, the files it names, program, and the runs before it) is skipped; runs that do
+not need one another go side by side. At the end stands report.html, and one of what is there already as soon as a
+core is idle.
+"""
+
+import argparse
+import functools
+import os
+import shutil
+import signal
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True  # leave no __pycache__ in a source tree
+
+from chain.inputs import ChainError, copy_inputs  # noqa: E402
+from chain.runner import INTERRUPTED, Runner  # noqa: E402
+from chain.step import PROGRAMS, Step  # noqa: E402
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def write_report(steps, target, words="Report"):
+    script = os.path.join(HERE, "report", "make_report.py")
+    page = os.path.join(target, "report.html")
+    folders = [s.output for s in steps if os.path.exists(os.path.join(s.output, "summary.json"))]
+    if not folders or not os.path.exists(script):
+        return 0
+    status = subprocess.call([sys.executable, script, "--output", page, *folders])
+    if status >= 0:  # not by a signal
+        print(f"{words}: {page}" if status == 0 else f"run.sh: the report could not be written to {page}")
+    return status
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(prog="./run.sh", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", help="folder with .prm files, or the name of one in prm/; "
+                        "without it the paper's pin, prm/pin")
+    parser.add_argument("--output", metavar="DIR", help="results folder (default: results, or results/<folder>)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs side by side (default: all cores)")
+    parser.add_argument("--ranks", type=int, help="MPI ranks of each run (default: one, but all cores for a long contact run "
+                        "that comes last)")
+    parser.add_argument("--resume", action="store_true", help="continue interrupted runs from their checkpoints")
+    parser.add_argument("--no-report", action="store_true", help="do not write report.html")
+    parser.add_argument("--programs", metavar="DIR", help="folder of the three programs (default: where they are built or installed)")
+    parser.add_argument("--from", dest="origin", default=os.getcwd(), help=argparse.SUPPRESS)
+    arguments = parser.parse_args()
+    if arguments.jobs < 1 or (arguments.ranks is not None and arguments.ranks < 1):
+        raise ChainError("--jobs and --ranks have to be at least 1")
+    arguments.programs = os.path.abspath(arguments.programs or find_programs())
+    return arguments
+
+
+def find_programs():
+    """Built beside these scripts, installed with them, or in the search path."""
+    build = os.path.normpath(os.path.join(HERE, "..", "..", "build", "applications"))
+    installed = os.path.normpath(os.path.join(HERE, "..", "..", "..", "..", "bin"))
+    for folder in (build, installed, os.path.dirname(shutil.which(PROGRAMS[0]) or "")):
+        if os.path.isfile(os.path.join(folder, PROGRAMS[0])):
+            return folder
+    return build
+
+
+def find_folder(arguments):
+    top = os.path.dirname(os.path.dirname(HERE))
+    if arguments.folder is None:
+        return os.path.join(top, "prm", "pin"), os.path.join(top, "results")
+    for start in (arguments.origin, top, os.path.join(top, "prm")):
+        folder = os.path.normpath(os.path.join(start, arguments.folder))
+        if os.path.isdir(folder):
+            return folder, os.path.join(top, "results", os.path.basename(folder))
+    raise ChainError(f"there is no folder '{arguments.folder}', neither here nor in prm/")
+
+
+def on_signal(*_):
+    raise KeyboardInterrupt
+
+
+def run():
+    """The exit status."""
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, on_signal)
+    arguments = parse_arguments()
+    source, target = find_folder(arguments)
+    if arguments.output:
+        target = os.path.normpath(os.path.join(arguments.origin, arguments.output))
+    names = copy_inputs(source, target)
+    if not names:
+        raise ChainError(f"no .prm file in {source}")
+    steps = []
+    for name in names:
+        steps.append(Step(name, target, arguments.programs, steps))
+    report = None if arguments.no_report else functools.partial(write_report, steps, target)
+    preview = report and functools.partial(report, "Report so far")
+    status = Runner(steps, arguments.jobs, arguments.ranks, arguments.resume, preview).run()
+    return status or (report() if report else 0)
+
+
+def main():
+    try:
+        status = run()
+    except ChainError as error:
+        print(f"run.sh: {error}", file=sys.stderr)
+        status = 2
+    except KeyboardInterrupt:
+        status = INTERRUPTED
+    if status == INTERRUPTED:
+        print("stopped; the same command with --resume goes on from here")
+    sys.exit(status)
+
+
+if __name__ == "__main__":
+    main()

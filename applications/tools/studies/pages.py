@@ -1,0 +1,67 @@
+"""Pages of studies: tables in Markdown and CSV, pictures, and a text for each part, joined into one page."""
+
+import csv
+import os
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from PIL import Image  # noqa: E402
+
+
+def number(value, digits=3):
+    """A number as a reader wants it; texts stay, None is a dash."""
+    return "-" if value is None else f"{value:.{digits}g}" if isinstance(value, float) else str(value)
+
+
+def table(headings, rows, right=False):
+    """Markdown; `right`: all columns but the first are aligned to the right."""
+    lines = ["| " + " | ".join(headings) + " |", "|" + " --- |" + (" ---: |" if right else " --- |") * (len(headings) - 1)]
+    return "\n".join(lines + ["| " + " | ".join(number(cell).replace("|", "\\|") for cell in row) + " |" for row in rows])
+
+
+def write_csv(folder, name, headings, rows):
+    os.makedirs(folder, exist_ok=True)
+    with open(os.path.join(folder, name), "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(headings)
+        writer.writerows([["" if cell is None else cell for cell in row] for row in rows])
+
+
+def save_picture(figure, folder, name, colours=None, **options):
+    """A PNG; with few `colours` it takes a third of the place."""
+    os.makedirs(folder, exist_ok=True)
+    path = os.path.join(folder, name)
+    figure.savefig(path, **options)
+    plt.close(figure)
+    if colours:
+        with Image.open(path) as image:
+            image.convert("RGB").quantize(colours).save(path, optimize=True)
+    return name
+
+
+class Page:
+    """README.md in `folder`, beside pictures and CSV; the texts of the parts are kept in `parts`, so that a run of some parts
+    leaves the others as they are."""
+
+    def __init__(self, folder, parts):
+        self.folder, self.parts = folder, parts
+
+    def text(self, part, content):
+        os.makedirs(self.parts, exist_ok=True)
+        with open(os.path.join(self.parts, part + ".md"), "w", encoding="utf-8") as file:
+            file.write(content.strip() + "\n")
+
+    def write(self, introduction, order):
+        """Returns the parts that have no text yet."""
+        texts, missing = [introduction.strip() + "\n"], []
+        for part in order:
+            try:
+                with open(os.path.join(self.parts, part + ".md"), encoding="utf-8") as file:
+                    texts.append(file.read())
+            except OSError:
+                missing.append(part)
+        with open(os.path.join(self.folder, "README.md"), "w", encoding="utf-8") as file:
+            file.write("\n".join(texts))
+        return missing

@@ -1,0 +1,108 @@
+"""Histories: figures 6, 7, 12 and 13."""
+
+import numpy as np
+
+import paper_values as paper
+from cases import P1, P2, PUSHED
+from figures import BLACK, BLUE, ORANGE, above, panels
+from measures import frequency, mu, mu_text
+from page import fixed, relative
+
+PERIODS_SHOWN, PERIODS_AVERAGED = 6, 5
+
+
+def regime_runs(cases):
+    """Regime 1 at 0.5 MPa, regime 2 at 0.4 MPa."""
+    return [cases.homogeneous(PUSHED, P1), cases.homogeneous(PUSHED, P2)]
+
+
+REGIME_LABELS = ("regime 1 (0.5 MPa)", "regime 2 (0.4 MPa)")
+
+
+def regimes(fragment, runs, names):
+    found = [runs[name] for name in names]
+    rows = []
+    for what, reference, ours in (
+            ("mean apparent friction", paper.MEAN_APPARENT_FRICTION,
+             lambda run: run.number("mean_apparent_friction_coefficient")),
+            ("main frequency in Hz", paper.MAIN_FREQUENCY, frequency)):
+        digits = 0 if "Hz" in what else 3
+        for number, run in zip((1, 2), found):
+            rows.append((f"{what}, regime {number}", fixed(reference[number], digits), fixed(ours(run), digits),
+                         relative(ours(run), reference[number])))
+    fragment.table(["", "paper", "ours", "difference"], rows)
+    fragment.reading("Homogeneous pin, eq. (10), δ = 1500 ns, pressures as printed, pushed at 0.5 m/s. The apparent friction coefficient is the ratio of the forces at the top at every "
+                     "instant; its mean need not be mu_inter, since instants of small normal force count as much as others. Its swings follow from the paper's speeds: 0.8 m/s of the "
+                     "contact in the first mode is a shear stress of ρ c_T 0.8 m/s = 4 MPa at the top, eight times P.")
+    fragment.figure(_apparent(found, REGIME_LABELS, (BLUE, ORANGE)),
+                    "Apparent friction coefficient in both regimes: transient, last periods, means over five periods (thick: over the steady part).")
+
+
+def _apparent(found, labels, colours):
+    """Three panels: the start, the last periods, and means over a few periods."""
+    figure, (start, last, means) = panels(3, 7.2)
+    for run, label, colour in zip(found, labels, colours):
+        time, friction = run.need("/history/time", "/history/apparent_friction")
+        period = 1 / (frequency(run) or paper.MAIN_FREQUENCY[1])
+        shown = time < paper.STEADY_FROM
+        start.plot(1e3 * time[shown], friction[shown], color=colour, lw=1)
+        shown = time > time[-1] - PERIODS_SHOWN * period
+        last.plot(1e6 * (time[shown] - time[shown][0]), friction[shown], color=colour, lw=1.2)
+        means.plot(*_averaged(time, friction, PERIODS_AVERAGED * period), color=colour, lw=1.2)
+        mean, begin = run.number("mean_apparent_friction_coefficient"), run.steady_from()
+        means.plot([1e3 * begin, 1e3 * time[-1]], [mean, mean], color=colour, lw=3.5, alpha=0.35, solid_capstyle="butt")
+        start.plot([], [], color=colour, lw=2, label=f"{label}: mean {mean:.3f}")
+    start.set_xlabel("time in ms, transient")
+    last.set_xlabel("time in µs, last periods")
+    means.set_xlabel(f"time in ms, means over {PERIODS_AVERAGED} periods")
+    for axes in (start, last, means):
+        axes.set_ylabel(r"$\mu_\mathrm{app}$")
+        axes.margins(x=0)
+    above(start, columns=1)
+    return figure
+
+
+def _averaged(time, values, width):
+    """Running means over `width` (s), time in ms."""
+    n = min(len(values), max(1, int(round(width / (time[1] - time[0])))))
+    sums = np.concatenate([[0.0], np.cumsum(values)])
+    means = (sums[n:] - sums[:-n]) / n
+    stride = max(1, len(means) // 3000)
+    return 1e3 * time[n // 2: n // 2 + len(means): stride], means[::stride]
+
+
+def energy(fragment, runs, names):
+    found = [runs[name] for name in names]
+    rows = [(f"mu_inter, regime {number}", fixed(paper.INTERFACE_FRICTION[number]), mu_text(run),
+             relative(mu(run), paper.INTERFACE_FRICTION[number])) for number, run in zip((1, 2), found)]
+    fragment.table(["", "paper", "ours", "difference"], rows)
+    fragment.reading("As in figure 6. Energies are divided by the pressure times the contact length, so that both pressures share one line EPS; the "
+                     "slope over V is mu_inter, by least squares over whole periods of the steady part.")
+    figure, (axes,) = panels(1, 3.6)
+    end = 0.0
+    for run, label, colour in zip(found, REGIME_LABELS, (BLUE, ORANGE)):
+        time, friction = run.need("/history/time", "/history/friction_energy")
+        x = run.need("/contact/x")
+        scale = run.number("pressure") * (x[-1] - x[0])
+        axes.plot(1e3 * time, 1e6 * friction / scale, color=colour, lw=2, label=f"{label}: {mu(run):.3f}")
+        end = max(end, time[-1])
+    mu_local, speed = found[0].number("friction_coefficient"), found[0].number("flat_velocity")
+    axes.plot([0, 1e3 * end], [0, 1e6 * mu_local * speed * end], color=BLACK, lw=1.2, ls="--", label="EPS: 0.250")
+    axes.set(xlabel="time in ms", ylabel=r"$E_\mathrm{friction}/(P\,S)$ in µm")
+    axes.margins(x=0)
+    above(axes, columns=1)
+    fragment.figure(figure, "Dissipated frictional energy. EPS: all nodes slide at constant speed under uniform pressure.")
+
+
+def by_phase_runs(mu_homo, deltas, cases):
+    return [cases.heterogeneous(PUSHED, P1, 1, by_phase=True),
+            *[cases.homogeneous(PUSHED, P1, delta, mu_homo) for delta in deltas]]
+
+
+def by_phase(fragment, runs, names):
+    found = [runs[name] for name in names]
+    labels = ["heterogeneous 1, 0.3 and 0.12, δ = 1500 ns"]
+    labels += [f"homogeneous, {run.number('friction_coefficient'):g}, δ = {1e9 * run.number('regularization_time'):.0f} ns" for run in found[1:]]
+    fragment.text("The paper prints no number for the curves; the interface coefficients of the same runs are in the table above.")
+    fragment.figure(_apparent(found, labels, (BLACK, BLUE, ORANGE)),
+                    "Apparent friction coefficient: transient, last periods, means over five periods (thick: over the steady part).")

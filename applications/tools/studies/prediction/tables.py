@@ -1,0 +1,18 @@
+"""Columns of what was measured in the runs of the prediction study."""
+
+MEASURE_COLUMNS = ["mu_inter [-]", "standard error [-]", "mu_app [-]", "main frequency [Hz]", "amplitude [m]", "slip [-]", "stick [-]",
+                   "separated [-]", "M slip [-]", "M stick [-]", "M separated [-]", "M velocity min [m/s]",
+                   "M velocity max [m/s]", "M lift [m]"]
+
+
+def measure_row(m):
+    """Values of MEASURE_COLUMNS, to five digits."""
+    values = [m.mu, m.mu_error, m.mu_app, m.frequency, m.amplitude, *m.shares, *m.middle, *m.velocity, m.lift]
+    return [f"{float(v):.5g}" for v in values]
+
+
+def short(m):
+    """mu_inter +- 95 %, frequency, shares of M, range of the relative velocity, lift: as strings for a page."""
+    frequency = "–" if m.slides and m.amplitude < 1e-8 else f"{m.frequency / 1e3:.1f}"
+    return [f"{m.mu:.3f} ± {2 * m.mu_error:.3f}", frequency, f"{100 * m.middle[0]:.0f} / {100 * abs(m.middle[2]):.0f}",
+            f"{m.velocity[0]:+.2f} to {m.velocity[1]:+.2f}", f"{max(0, m.lift) * 1e6:.2f}"]

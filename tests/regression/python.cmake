@@ -1,0 +1,33 @@
+# The programs as a user runs them, and the scripts around them: <label>/<name>.py <folder with the programs>.
+find_program(MESOSLIP_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
+find_program(MESOSLIP_DOXYGEN doxygen)
+if(NOT MESOSLIP_PYTHON)
+  return()
+endif()
+execute_process(COMMAND ${MESOSLIP_PYTHON} -c "import h5py, matplotlib, numpy, scipy"
+                RESULT_VARIABLE missing ERROR_QUIET OUTPUT_QUIET)
+if(missing)
+  message(STATUS "mesoslip: python3 lacks h5py, matplotlib, numpy or scipy; the tests of the programs are left out")
+  return()
+endif()
+
+# mesoslip_python_tests(<label> <processors> <name>...); exit status 77: what the test needs is not installed.
+function(mesoslip_python_tests label processors)
+  foreach(name ${ARGN})
+    add_test(NAME ${label}/${name} COMMAND ${MESOSLIP_PYTHON} -B ${CMAKE_SOURCE_DIR}/tests/${label}/${name}.py
+             ${CMAKE_BINARY_DIR}/applications)
+    set_tests_properties(${label}/${name} PROPERTIES LABELS ${label} TIMEOUT 600 PROCESSORS ${processors} SKIP_RETURN_CODE 77)
+  endforeach()
+endfunction()
+
+mesoslip_python_tests(regression 1 chain_inputs bad_input earlier_results dependencies refused_statics links verification_page completion
+                      python_module parameter_reference prediction report shortcuts profile_rows studies terminal disk browser
+                      work_precision)
+mesoslip_python_tests(regression 2 chain files resume ranks steady_part first_steps package paper other_processors xdmf)
+mesoslip_python_tests(verification 1 independent_finite_elements static_localization stability)
+mesoslip_python_tests(verification 2 large_strains)
+if(MESOSLIP_DOXYGEN)
+  mesoslip_python_tests(regression 1 doxygen)
+else()
+  message(STATUS "mesoslip: no doxygen; regression/doxygen is left out")
+endif()

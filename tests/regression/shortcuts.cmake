@@ -1,5 +1,0 @@
-if(MESOSLIP_PYTHON)
-  mesoslip_python_test(regression shortcuts)
-  mesoslip_python_test(regression profile_rows)
-  mesoslip_python_test(regression studies)
-endif()
