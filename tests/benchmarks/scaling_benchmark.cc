@@ -193,11 +193,11 @@ void step(const unsigned int nx, const unsigned int ny, const unsigned int in_fl
 {
   {
     // What any run brings along does not count as memory of the grid.
-    SlidingBody small(sliding_body(16, 16, 1), MPI_COMM_WORLD);
+    Body small(sliding_body(16, 16, 1), MPI_COMM_WORLD);
     small.run(10);
   }
   const double before = resident_bytes();
-  SlidingBody body(sliding_body(nx, ny, in_flight), MPI_COMM_WORLD);
+  Body body(sliding_body(nx, ny, in_flight), MPI_COMM_WORLD);
   const double n_cells       = double(nx) * ny;
   const unsigned int depth   = body.stepper.steps_at_once();
   const unsigned int n_steps = std::max(1., std::round(1.5e6 / n_cells / depth)) * depth;
