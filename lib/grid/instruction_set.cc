@@ -14,7 +14,7 @@ const char *const set_names[] = {"auto",
 #ifdef __x86_64__
                                  "x86-64",
 #else
-                                  "generic",
+                                 "generic",
 #endif
                                  "x86-64-v3", "x86-64-v4"};
 } // namespace

@@ -71,7 +71,8 @@ NodeRows partition_rows(const unsigned int n_columns,
                         const SweepOptions &options)
 {
   return partition_rows(n_rows, communicator,
-                        choose_steps_at_once(n_columns, n_rows, n_mpi_processes(communicator),
+                        choose_steps_at_once(n_columns, n_rows,
+                                             n_mpi_processes(communicator),
                                              options.steps_at_once));
 }
 

@@ -63,7 +63,7 @@ private:
 };
 
 template <typename Number>
-void row_kernels(const kernels::Choice &choice, const std::string &name)
+void row_kernels(kernels::Choice choice, const std::string &name)
 {
   static kernels::Constants<Number> c;
   for (auto &coefficient : c.coefficient)
@@ -76,10 +76,9 @@ void row_kernels(const kernels::Choice &choice, const std::string &name)
   c.c_old   = 0.2f;
   c.scale_x = c.scale_y = 1.1f;
   c.gravity_x = c.gravity_y = c.scaled_gravity_x = c.scaled_gravity_y = 0.3f;
-  std::vector<std::uint8_t> classes(4 * n, 0);
-  for (unsigned int k = 0; k < classes.size(); ++k)
-    classes[k] =
-      choice.material == kernels::MaterialVariant::two ? k * k % 7 % 2 : k * k % 31;
+  std::vector<std::uint8_t> phases(4 * n, 0);
+  for (unsigned int k = 0; k < phases.size(); ++k)
+    phases[k] = choice.n_phases == 2 ? k * k % 7 % 2 : k * k % 31;
   kernels::Kernels<Number> functions;
   kernels::baseline::select(choice, functions);
   for (const bool periodic : {false, true})
@@ -102,8 +101,8 @@ void row_kernels(const kernels::Choice &choice, const std::string &name)
           r.fx = rows(3), r.fy = rows(3), r.factor_x = rows(3), r.factor_y = rows(3);
           r.mass   = rows(3);
           r.stride = r.f_stride = r.factor_stride = r.mass_stride = 2 * n;
-          r.classes                                               = classes.data();
-          r.class_stride                                          = n;
+          r.phases                                                = phases.data();
+          r.phase_stride                                          = n;
           function(c, r);
           x.digest(name);
         }
@@ -111,18 +110,16 @@ void row_kernels(const kernels::Choice &choice, const std::string &name)
 
 void all_row_kernels()
 {
-  using kernels::MaterialVariant;
-  for (const auto material :
-       {MaterialVariant::homogeneous, MaterialVariant::two, MaterialVariant::any})
+  for (const unsigned int n_phases : {1, 2, 31})
     for (unsigned int terms = 0; terms < 8; ++terms)
       {
         kernels::Choice choice;
-        choice.material    = material;
+        choice.n_phases    = n_phases;
         choice.anisotropic = terms & 1;
         choice.damping     = terms & 2;
         choice.gravity     = terms & 4;
         const std::string name =
-          " row " + std::to_string(static_cast<int>(material)) + std::to_string(terms);
+          " row " + std::to_string(n_phases) + " " + std::to_string(terms);
         row_kernels<double>(choice, "double" + name);
         row_kernels<float>(choice, "float" + name);
       }
@@ -138,9 +135,16 @@ void contact_kernel()
   Numbers<double> x(25 * 2 * n);
   unsigned int k  = 0;
   const auto next = [&]() { return x.row(k++); };
-  ContactArrays a = {n,      next(), next(), next(), next(), next(), next(), next(),
-                     next(), next(), next(), next(), next(), next(), next(), next(),
-                     next(), next(), next(), next(), next(), next(), next()};
+  ContactArrays a;
+  a.n = n;
+  for (const double **components : {a.force, a.inverse_mass})
+    for (const unsigned int c : {0, 1})
+      components[c] = next();
+  for (double **components : {a.u, a.w})
+    for (const unsigned int c : {0, 1})
+      components[c] = next();
+  for (double *&column : a.column)
+    column = next();
   ContactSums sums;
   for (unsigned int step = 0; step < 5; ++step)
     contact_kernels::baseline::advance(a, {1e-1, 0.7, 1e-3}, sums);
