@@ -50,8 +50,8 @@ void add_friction(RunConditions &conditions, const ContactParameters &parameters
 
 RunConditions ContactParameters::stated_conditions() const
 {
-  using Kind           = TopSetup::Kind;
-  const bool transient = analysis == ContactAnalysis::transient;
+  using Kind               = TopSetup::Kind;
+  const bool transient     = analysis == ContactAnalysis::transient;
   RunConditions conditions = {
     {"analysis", transient ? "transient" : "static contact"},
     {"material", body.heterogeneous ? "heterogeneous" : "homogeneous"},
