@@ -58,6 +58,7 @@ enum class MaterialVariant
   any
 };
 
+/** Phases that the table of stiffnesses has rows for. */
 constexpr unsigned int n_table_rows = 256;
 
 /** What does not change from row to row. */
@@ -129,6 +130,7 @@ struct Rows
   std::size_t phase_stride   = 0; ///< numbers from one cell row to the next
 };
 
+/** A kernel: advances the nodes of one row or computes their forces. */
 template <typename Number>
 using RowFunction = void (*)(const Constants<Number> &, const Rows<Number> &);
 

@@ -143,10 +143,10 @@ std::string PhaseParameters::text() const
       std::string names;
       std::ostringstream values;
       values.precision(5);
-      for (const auto &[row, column, name] : stiffness_entries)
+      for (const auto &[row, column, entry] : stiffness_entries)
         if (!short_form || row == column || column < 2)
           {
-            names += std::string(names.empty() ? "" : ", ") + name;
+            names += std::string(names.empty() ? "" : ", ") + entry;
             values << (row + column == 0 ? "" : ", ") << D(row, column);
           }
       text << names << " = " << values.str() << " GPa";

@@ -4,7 +4,8 @@ mesoslip_warnings(io_program)
 deal_ii_setup_target(io_program)
 target_link_libraries(io_program mesoslip_program)
 
-mesoslip_test(unit io LIBS mesoslip_program)
+# It starts mpirun, which a process with MPI cannot.
+mesoslip_test(unit io NO_MPI LIBS mesoslip_program)
 target_sources(unit_io PRIVATE
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_command_line.cc
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_files.cc
@@ -14,5 +15,5 @@ target_sources(unit_io PRIVATE
 target_compile_definitions(unit_io PRIVATE
   IO_PROGRAM="$<TARGET_FILE:io_program>" MPIEXEC="${MPIEXEC_EXECUTABLE}")
 add_dependencies(unit_io io_program)
-# It starts mpirun, to which the settings of one process do not apply.
+# The settings of one process do not apply to mpirun.
 set_tests_properties(unit/io PROPERTIES ENVIRONMENT "")

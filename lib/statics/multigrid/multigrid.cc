@@ -60,7 +60,7 @@ void Multigrid<Number>::build_interpolations()
   Assert(can_coarsen(material.grid()), dealii::ExcMessage("too few cells"));
   Conductor conductor = finest_conductor(material);
   Axis x = finest_x, y = finest_y;
-  while (interpolations.empty() || x.n_nodes() * y.n_nodes() > max_bottom_nodes)
+  do
     {
       const bool halve_x = can_halve(x.n_cells()), halve_y = can_halve(y.n_cells());
       if (!halve_x && !halve_y)
@@ -70,6 +70,7 @@ void Multigrid<Number>::build_interpolations()
       y         = interpolations.back().coarse_y;
       conductor = interpolations.back().coarse_conductor(conductor);
     }
+  while (x.n_nodes() * y.n_nodes() > max_bottom_nodes);
 
   from_finest = Transfer<Number>(interpolations[0]);
   first       = Level<Number>(interpolations[0]);
