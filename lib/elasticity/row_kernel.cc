@@ -83,12 +83,14 @@ static void select_terms(const bool *wanted, Kernels<Number> &kernels)
 {
   if constexpr (sizeof...(terms) == 3)
     select_last<Number, variant, terms...>(kernels);
-  else if constexpr (sizeof...(terms) > 0 && sizeof(Number) == sizeof(float))
-    select_terms<Number, variant, terms..., false>(wanted + 1, kernels); // no time step
-  else if (*wanted)
-    select_terms<Number, variant, terms..., true>(wanted + 1, kernels);
   else
-    select_terms<Number, variant, terms..., false>(wanted + 1, kernels);
+    {
+      // In single precision there are products only, no time step.
+      if constexpr (sizeof...(terms) == 0 || sizeof(Number) > sizeof(float))
+        if (*wanted)
+          return select_terms<Number, variant, terms..., true>(wanted + 1, kernels);
+      select_terms<Number, variant, terms..., false>(wanted + 1, kernels);
+    }
 }
 
 template <typename Number>

@@ -30,7 +30,7 @@ double mean_defect(const std::vector<double> &concentration)
   VoigtMatrix<2> sum = VoigtMatrix<2>::Zero();
   for (std::size_t k = 0; k < concentration.size(); k += 9)
     sum += Eigen::Map<const VoigtMatrix<2>>(concentration.data() + k);
-  const double n_cells = static_cast<double>(concentration.size() / 9);
+  const double n_cells = static_cast<double>(concentration.size()) / 9.;
   return (sum / n_cells - VoigtMatrix<2>::Identity()).cwiseAbs().maxCoeff();
 }
 

@@ -99,7 +99,7 @@ StrainRow StrainInterpolation::source_row(const unsigned int j)
   NodalField<double> &strain = same_columns ? kept : scratch;
   const unsigned int in      = same_columns ? place : 0;
   const std::size_t n        = source.cells[0];
-  const double *lower        = displacement + 2 * j * (n + 1);
+  const double *lower        = displacement + 2UL * j * (n + 1);
   strain_row(lower, lower + 2 * (n + 1), n, 0.5 / source.spacing[0],
              0.5 / source.spacing[1], strain.row(0, in), strain.row(1, in),
              strain.row(2, in));

@@ -135,7 +135,7 @@ private:
   void compare_motion(const Parts &parts);
 
   /** Keeps the largest difference. */
-  void include(double difference, const char *quantity);
+  void include(double found, const char *of);
 
   LimitCycleCriterion criterion;
   CycleRecord record;

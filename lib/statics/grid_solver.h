@@ -26,10 +26,11 @@ namespace mesoslip
 class GridSolver : public StaticSolver
 {
 public:
-  /** Sets up what does not depend on the constraints. @p material must outlive it. */
+  /** Sets up what does not depend on the constraints. @p material must outlive it. A @p
+   * limit of the iterations takes the place of that of the kind. */
   explicit GridSolver(const UniformMaterial &material,
                       const StaticSolverKind kind = StaticSolverKind::multigrid,
-                      const std::optional<unsigned int> &max_iterations = {});
+                      const std::optional<unsigned int> &limit = {});
 
   /** Costs about as much as two solves, nothing if the mask has not changed. Throws
    *  std::invalid_argument if it has another size than the grid. */

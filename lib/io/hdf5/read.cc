@@ -1,6 +1,8 @@
 #include "base/text.h"
 #include "io/hdf5/internal.h"
 
+#include <cstring>
+
 namespace mesoslip
 {
 using hdf5::attribute_text, hdf5::dataset_text;
@@ -88,7 +90,7 @@ std::vector<T> Hdf5File::read_values(const Hdf5Handle &object,
       std::string all(length * n, '\0');
       read_as(type, all.data());
       for (std::size_t i = 0; i < n; ++i)
-        values[i] = all.substr(i * length, length).c_str(); // up to the first zero
+        values[i].assign(&all[i * length], strnlen(&all[i * length], length));
     }
   if constexpr (texts)
     if (!std::all_of(values.begin(), values.end(), is_utf8))

@@ -59,8 +59,8 @@ std::vector<CellRegion> comparison_regions(const UniformGrid<2> &grid,
     }
   for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
     {
-      const double x      = (cell % grid.cells[0] + 0.5) * grid.spacing[0],
-                   y      = (cell / grid.cells[0] + 0.5) * grid.spacing[1];
+      const std::size_t i = cell % grid.cells[0], j = cell / grid.cells[0];
+      const double x = (i + 0.5) * grid.spacing[0], y = (j + 0.5) * grid.spacing[1];
       const bool inner    = std::min(x, grid.extent(0) - x) >= edge_distance;
       const bool surface  = y < surface_depth;
       const bool interior = inner && std::min(y, grid.extent(1) - y) >= edge_distance;

@@ -11,7 +11,7 @@ namespace
 std::array<double, 2> mean_and_deviation(const std::vector<double> &values,
                                          const unsigned int c)
 {
-  const double n = static_cast<double>(values.size() / 3);
+  const double n = static_cast<double>(values.size()) / 3.;
   double mean = 0., squares = 0.;
   for (std::size_t k = c; k < values.size(); k += 3)
     mean += values[k];

@@ -22,7 +22,7 @@ namespace mesoslip
 namespace
 {
 // A million years on a machine of today.
-constexpr double most_steps = 1e18;
+constexpr double largest_step_number = 1e18;
 
 // mu_inter rests on the samples for statistics from there to the end: three at least,
 // unless the run is too short for it anyway.
@@ -94,7 +94,7 @@ TransientAnalysis::TransientAnalysis(const ContactParameters &p, const Keys &key
 {
   check_ranks(body.grid);
   const double n_steps = largest_number_of_steps(parameters, material);
-  if (!(n_steps <= most_steps))
+  if (!(n_steps <= largest_step_number))
     throw UserError("Time/End time: " + to_text(parameters.time.end_time) + " s are " +
                     quantity_text(n_steps, "") +
                     " steps, more than any run can do; are Body/Size in m, the stiffness "

@@ -17,7 +17,7 @@ SlidingSetup TransientRun::sliding_setup(const ContactParameters &parameters,
                                          const BodyDescription &body,
                                          const TimeStepChoice &time)
 {
-  SlidingSetup setup                 = parameters;
+  SlidingSetup setup                 = static_cast<const SlidingSetup &>(parameters);
   setup.step                         = time.step;
   setup.contact.friction_coefficient = body.node_friction;
   setup.steps_per_block =

@@ -74,13 +74,13 @@ Eigen::Matrix<double, 8, 8> finest_cell_matrix(const VoigtMatrix<2> &stiffness,
   return B.transpose() * D * B;
 }
 
-Galerkin::Galerkin(const UniformMaterial &the_material,
-                   const std::vector<Interpolation> &the_interpolations,
-                   const std::vector<ConstrainedUnknowns> &the_constraints)
-  : material(the_material)
-  , interpolations(the_interpolations)
-  , constrained(the_constraints)
-  , cell_height(the_material.grid().spacing[1] / the_material.grid().spacing[0])
+Galerkin::Galerkin(const UniformMaterial &material,
+                   const std::vector<Interpolation> &interpolations,
+                   const std::vector<ConstrainedUnknowns> &constrained)
+  : material(material)
+  , interpolations(interpolations)
+  , constrained(constrained)
+  , cell_height(material.grid().spacing[1] / material.grid().spacing[0])
 {
   for (const ElasticPhase<2> &phase : material.phases())
     coefficients.push_back(finest_coefficients(phase.stiffness, cell_height));
