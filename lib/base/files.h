@@ -23,7 +23,7 @@ void write_file(const std::string &path,
                 const std::vector<std::string> &pieces,
                 const bool durable = false);
 
-/** The same for one text. */
+/** Replaces a file by @p text, not durably. @throws UserError */
 void write_file(const std::string &path, const std::string &text);
 
 /** "No such file or directory" for the current errno. */

@@ -67,7 +67,7 @@ public:
 
   NodalField<double> &u; ///< displacement (m), own and ghost rows
   NodalField<double> &w; ///< velocity of the scheme (m/s)
-  const NodeRows rows;   ///< of this rank
+  const NodeRows rows;   ///< node rows that this rank owns, and its ghost rows
 
   /** In each row the first nodes that are no duplicates of others. */
   const unsigned int n_distinct;

@@ -25,7 +25,9 @@ struct SteppedBody
   SurfaceCondition<2> *bottom = nullptr;
   SurfaceCondition<2> *top    = nullptr; ///< see bottom
 
-  NodeRows rows         = NodeRows::all(material.n_rows()); ///< of this rank
+  /** Node rows that this rank owns, and its ghost rows. */
+  NodeRows rows = NodeRows::all(material.n_rows());
+
   Halo *halo            = nullptr;       ///< needed where a rank has neighbours
   MPI_Comm communicator = MPI_COMM_SELF; ///< of the ranks that share the grid
 };

@@ -21,7 +21,7 @@ void serialize(Archive &archive, Phase<2> &phase, const unsigned int)
 /** The body that slides: geometry, materials and friction coefficients. */
 struct BodyDescription
 {
-  UniformGrid<2> grid;                ///< of the body
+  UniformGrid<2> grid;                ///< number of cells, their size and origin (m)
   std::vector<Phase<2>> phases;       ///< a single one if homogeneous
   std::vector<std::uint8_t> phase_id; ///< of each cell, x fastest; empty if homogeneous
   std::vector<double> node_friction;  ///< Coulomb coefficient of the bottom nodes

@@ -111,7 +111,7 @@ public:
   /** @} */
 
   std::string digest;  ///< of what determines the content
-  UniformGrid<2> grid; ///< of the body
+  UniformGrid<2> grid; ///< the cells of the body: number, size and origin (m)
 
   /** Under what the run was made; nothing if the file is older and does not tell. */
   std::optional<RunConditions> conditions;

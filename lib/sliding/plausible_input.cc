@@ -121,8 +121,7 @@ private:
     PlausibleRange range{key, value, unit};
     range.lowest = lowest;
     range.if_low = if_low;
-    if (!std::isnan(value)) // of an expression: told by itself
-      ranges.push_back(range);
+    add(range);
   }
 
   void add_highest(const std::string &key,
@@ -134,7 +133,12 @@ private:
     PlausibleRange range{key, value, unit};
     range.highest = highest;
     range.if_high = if_high;
-    if (!std::isnan(value)) // of an expression: told by itself
+    add(range);
+  }
+
+  void add(const PlausibleRange &range)
+  {
+    if (!std::isnan(range.value)) // of an expression: told by itself
       ranges.push_back(range);
   }
 

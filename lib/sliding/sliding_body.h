@@ -51,7 +51,7 @@ public:
   const UniformMaterial &material;     ///< of all cells
   const SlidingSetup setup;            ///< completed: widths, periodicity
   const MPI_Comm communicator;         ///< of the ranks that share the body
-  const NodeRows rows;                 ///< of this rank
+  const NodeRows rows;                 ///< node rows of this rank, and ghost rows
   NodalField<double> u;                ///< displacement (m), own and ghost rows
   NodalField<double> w;                ///< velocity of the scheme (m/s)
   ContactSurface<2> contact;           ///< the bottom
