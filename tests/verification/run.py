@@ -17,7 +17,7 @@ import mesh_pin  # noqa: E402
 import numpy as np  # noqa: E402
 import problems  # noqa: E402
 from figures import RUN_COLOURS, plt  # noqa: E402  (figures chooses the backend)
-from pages import number, table, write_csv  # noqa: E402
+from pages import number, table, write_csv, write_page  # noqa: E402
 from study import Study, parse_arguments  # noqa: E402
 
 EXECUTABLES = ("unit_contact", "unit_elasticity", "unit_localization", "verification_dynamics", "verification_homogenization",
@@ -115,11 +115,11 @@ def write(measured, pin):
             for problem, claim, tests in problems.PROBLEMS]
     orders = [[series, f"{predicted:g}", f"{measured.order((test, series)):.2f}"]
               for predicted, names in problems.ORDERS.items() for test, series in measured.series if series in names]
-    with open(os.path.join(doc, "verification.md"), "w", encoding="utf-8") as file:
-        file.write(problems.PAGE.format(problems=table(["problem", "what has to come out", "test", "observed"], rows),
-                                        orders=table(["series", "predicted order", "observed"], orders),
-                                        pin=table(["", *(f"{n} rank{'s' * (n > 1)}" for n in mesh_pin.RANKS)],
-                                                  [[what, *(f"{value:.0e}" for value in values)] for what, values in pin.items()])))
+    write_page(doc, "verification.md", problems.PAGE.format(
+        problems=table(["problem", "what has to come out", "test", "observed"], rows),
+        orders=table(["series", "predicted order", "observed"], orders),
+        pin=table(["", *(f"{n} rank{'s' * (n > 1)}" for n in mesh_pin.RANKS)],
+                  [[what, *(f"{value:.0e}" for value in values)] for what, values in pin.items()])))
 
 
 def main():

@@ -2,6 +2,7 @@
 
 import csv
 import os
+import textwrap
 
 import matplotlib
 
@@ -41,6 +42,25 @@ def save_picture(figure, folder, name, colours=None, **options):
     return name
 
 
+def wrapped(text, width=120):
+    """Markdown whose paragraphs and items have no longer lines; tables, headings, pictures and code stay."""
+    lines, in_code = [], False
+    for line in text.split("\n"):
+        in_code ^= line.startswith("```")
+        if len(line) <= width or in_code or line.lstrip().startswith(("|", "#", "!", "    ")):
+            lines.append(line)
+        else:
+            indent = " " * (len(line) - len(line.lstrip(" *")))
+            lines += textwrap.wrap(line, width, subsequent_indent=indent if line.lstrip(" ").startswith("* ") else "",
+                                   break_long_words=False, break_on_hyphens=False)
+    return "\n".join(lines)
+
+
+def write_page(folder, name, text):
+    with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+        file.write(wrapped(text))
+
+
 class Page:
     """README.md in `folder`, beside pictures and CSV; the texts of the parts are kept in `parts`, so that a run of some parts
     leaves the others as they are."""
@@ -62,6 +82,5 @@ class Page:
                     texts.append(file.read())
             except OSError:
                 missing.append(part)
-        with open(os.path.join(self.folder, "README.md"), "w", encoding="utf-8") as file:
-            file.write("\n".join(texts))
+        write_page(self.folder, "README.md", "\n".join(texts))
         return missing

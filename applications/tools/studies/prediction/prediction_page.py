@@ -10,7 +10,7 @@ import growth_page
 import rules
 import seeds
 from measures import measure
-from pages import table, write_csv
+from pages import table, write_csv, write_page
 from tables import MEASURE_COLUMNS, measure_row
 
 
@@ -34,8 +34,7 @@ def write(folder, data):
         diagrams.rule_errors(pictures, {name: e["mu"] for name, e in errors[key].items()}, key)
     sections = [*_head(data), *_short(data, keys, errors, runs, sweeps, tried), *_theory(), *_scatter(data, keys, sweeps, runs), *growth_page.prediction_section(data, keys, runs), *_rules(keys, tried, errors, runs),
                 *_verdict(keys, errors, runs, data)]
-    with open(os.path.join(folder, "prediction.md"), "w", encoding="utf-8") as file:
-        file.write("\n\n".join(sections) + "\n")
+    write_page(folder, "prediction.md", "\n\n".join(sections) + "\n")
 
 
 def _head(data):

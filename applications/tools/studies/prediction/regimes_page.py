@@ -12,7 +12,7 @@ import open_choices
 import regime_map
 import rules
 import seeds
-from pages import table, write_csv
+from pages import table, write_csv, write_page
 from tables import MEASURE_COLUMNS, measure_row, short
 
 AT_REST = tuple(start for start in regime_map.STARTS if start not in regime_map.PUSHES)
@@ -80,8 +80,7 @@ def write(folder, found, choice_results, lives, data):
     diagrams.cycle_life(pictures, cycle_life.over_d22(lives), cycle_life.windows() + 0.5 * cycle_life.WINDOW)
     write_csv(pictures, "cycle_life.csv", ["cells along x [-]", *(f"{entry} [Pa]" for entry in cycle_life.ENTRIES), "from [s]"] + MEASURE_COLUMNS,
               [[case.cells[0], *(f"{value:.6g}" for value in case.stiffness.values()), f"{begin:g}", *measure_row(m)] for case, line in lives.items() for begin, m in zip(cycle_life.windows(), line)])
-    with open(os.path.join(folder, "regimes.md"), "w", encoding="utf-8") as file:
-        file.write("\n\n".join(_sections(found, choices, choice_results, lives, data)) + "\n")
+    write_page(folder, "regimes.md", "\n\n".join(_sections(found, choices, choice_results, lives, data)) + "\n")
 
 
 def _sections(found, choices, choice_results, lives, data):
