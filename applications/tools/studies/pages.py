@@ -2,6 +2,7 @@
 
 import csv
 import os
+import re
 import textwrap
 
 import matplotlib
@@ -50,9 +51,8 @@ def wrapped(text, width=120):
         if len(line) <= width or in_code or line.lstrip().startswith(("|", "#", "!", "    ")):
             lines.append(line)
         else:
-            indent = " " * (len(line) - len(line.lstrip(" *")))
-            lines += textwrap.wrap(line, width, subsequent_indent=indent if line.lstrip(" ").startswith("* ") else "",
-                                   break_long_words=False, break_on_hyphens=False)
+            indent = " " * len(re.match(r" *(\* )?", line)[0])
+            lines += textwrap.wrap(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
     return "\n".join(lines)
 
 
