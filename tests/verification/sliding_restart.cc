@@ -6,6 +6,7 @@
 #include "dynamics/stability_monitor.h"
 #include "observation/probe_recorder.h"
 #include "observation/steady_record.h"
+#include "observation/steady_state.h"
 
 #include <gtest/gtest.h>
 
