@@ -3,10 +3,7 @@
 import math
 
 import numpy as np
-
-# Student's t, two-sided 95 %, by degrees of freedom; between them the larger one.
-T95 = [(1, 12.706), (2, 4.303), (3, 3.182), (4, 2.776), (5, 2.571), (6, 2.447), (7, 2.365), (8, 2.306), (9, 2.262),
-       (10, 2.228), (12, 2.179), (15, 2.131), (20, 2.086), (30, 2.042), (60, 2.000), (120, 1.980)]
+from scipy import stats
 
 
 def fitted_order(sizes, errors):
@@ -33,8 +30,7 @@ def half_width(samples):
     n = len(samples)
     if n < 2:
         return math.inf
-    t = next((value for freedom, value in reversed(T95) if freedom <= n - 1))
-    return float(t * np.std(samples, ddof=1) / math.sqrt(n))
+    return float(stats.t.ppf(0.975, n - 1) * stats.sem(samples))
 
 
 def block_rates(time, integral, begin, end, blocks):
@@ -62,6 +58,19 @@ def cheapest(rows, error, cost, target):
     """The row of least cost whose |error| is at most `target`, or None. NaN is never good enough."""
     good = [row for row in rows if abs(row[error]) <= target]
     return min(good, key=lambda row: row[cost]) if good else None
+
+
+TARGETS = (0.01, 0.001)
+
+
+def least_costs(rows, error, quantity, choice, otherwise=lambda target: "none of these"):
+    """Rows of a NAME-cheapest.csv: what costs least for each target, `choice` being its words."""
+    found = []
+    for target in TARGETS:
+        best = cheapest(rows, error, "cpu_s", target)
+        found.append({"quantity": quantity, "target": target, "choice": choice(best) if best else otherwise(target),
+                      "error": abs(best[error]) if best else "", "cpu_s": best["cpu_s"] if best else ""})
+    return found
 
 
 def median(values):

@@ -2,7 +2,7 @@
 steady sliding. Each is a sweep over cells, time step and beta2, and its diagram."""
 
 from common import prm
-from fits import cheapest, fitted_order
+from fits import fitted_order, least_costs
 from plots import curve, legend, logarithmic, panels
 
 # Share of the critical time step and beta2: one curve each.
@@ -47,14 +47,8 @@ def draw(bench, name, rows, shown):
 
 
 def conclusions(rows, error, quantity):
-    found = []
-    for target in (0.01, 0.001):
-        best = cheapest(rows, error, "cpu_s", target)
-        found.append({"quantity": quantity, "target": target,
-                      "choice": f"{best['n']:.0f} cells over the height, {best['share']:g} dt_crit, beta2 {best['beta2']:g}"
-                      if best else "none of these", "error": abs(best[error]) if best else "",
-                      "cpu_s": best["cpu_s"] if best else ""})
-    return found
+    return least_costs(rows, error, quantity, lambda best: f"{best['n']:.0f} cells over the height, {best['share']:g} dt_crit, "
+                                                           f"beta2 {best['beta2']:g}")
 
 
 def bar(bench):

@@ -11,7 +11,7 @@
 #include "../verification/impact_bar.h"
 #include "../verification/rectangle_mode.h"
 #include "../verification/sliding_layer.h"
-#include "guarded_main.h"
+#include "measuring.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -8,7 +8,7 @@ import numpy as np
 
 import pin_diagrams
 from common import FROM_REST, prm
-from fits import block_rates, cheapest, half_width, main_frequency
+from fits import block_rates, half_width, least_costs, main_frequency
 
 END, FROM = 3e-3, 2e-3  # s; high modes grow until about 1 ms and settle until about 1.5 ms
 # Blocks of time for the scatter. Two modes at 124 and 120 kHz beat with 4.0 kHz: a block is one beat; shorter ones would
@@ -155,17 +155,10 @@ def continuum(rows):
 
 
 def conclusions(rows):
-    found = []
-    for quantity in QUANTITIES:
-        for target in (0.01, 0.001):
-            own = [row for row in rows if row["material"] == "homogeneous"]
-            best = cheapest(own, quantity + "_error", "cpu_s", target)
-            found.append({"quantity": quantity, "target": target,
-                          "choice": f"h = {best['h_mm']:g} mm, {best['share']:g} dt_crit = {1e9 * best['dt_s']:.3g} ns, "
-                                    f"beta2 {best['beta2']:g}"
-                          if best else "none of these", "error": abs(best[quantity + "_error"]) if best else "",
-                          "cpu_s": best["cpu_s"] if best else ""})
-    return found
+    own = [row for row in rows if row["material"] == "homogeneous"]
+    return [found for quantity in QUANTITIES for found in least_costs(
+        own, quantity + "_error", quantity,
+        lambda best: f"h = {best['h_mm']:g} mm, {best['share']:g} dt_crit = {1e9 * best['dt_s']:.3g} ns, beta2 {best['beta2']:g}")]
 
 
 def homogenization(rows):

@@ -20,7 +20,7 @@
  * observers. Times are wall-clock: median, lowest and highest of the repetitions.
  */
 #include "../verification/sliding_body.h"
-#include "guarded_main.h"
+#include "measuring.h"
 
 #include "grid/halo.h"
 
@@ -28,7 +28,8 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <functional>
+#include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -40,41 +41,30 @@ namespace
 // Many and short: on a machine that others use some of them run undisturbed.
 constexpr unsigned int repetitions = 41;
 
-int rank()
-{
-  int r = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &r);
-  return r;
-}
-
-/** Seconds of @p run, ascending; all ranks start together. */
 std::vector<double> measure(const std::function<void()> &run)
 {
-  run();
-  std::vector<double> seconds;
-  for (unsigned int r = 0; r < repetitions; ++r)
-    {
-      MPI_Barrier(MPI_COMM_WORLD);
-      const double begin = MPI_Wtime();
-      run();
-      MPI_Barrier(MPI_COMM_WORLD);
-      seconds.push_back(MPI_Wtime() - begin);
-    }
-  std::sort(seconds.begin(), seconds.end());
-  return seconds;
+  return mesoslip::measure(run, repetitions);
 }
 
-/** Median, lowest, highest, each times @p factor. */
-void print_times(const std::vector<double> &seconds, const double factor)
+/** A line: what was measured; median, lowest, highest of the times, each times @p factor.
+ */
+void print(const std::string &what,
+           const std::vector<double> &seconds,
+           const double factor)
 {
-  std::printf("%.6g,%.6g,%.6g\n", factor * seconds[seconds.size() / 2],
-              factor * seconds.front(), factor * seconds.back());
+  if (rank() == 0)
+    std::printf("%s,%.6g,%.6g,%.6g\n", what.c_str(), factor * seconds[seconds.size() / 2],
+                factor * seconds.front(), factor * seconds.back());
   std::fflush(stdout);
 }
 
+/** The numbers between the colons of an argument. */
+using Sizes = std::vector<unsigned long>;
+
 /** Reads and writes every number once, four arrays at a time, as the stepper does. */
-void stream(const std::size_t bytes)
+void stream(const Sizes &sizes)
 {
+  const std::size_t bytes = sizes[0];
   // Not a power of two apart, as no rows of a grid should be.
   const std::size_t n = bytes / sizeof(double) / 4, apart = n + 72;
   std::vector<double> values(4 * apart, 1.);
@@ -90,15 +80,12 @@ void stream(const std::size_t bytes)
   });
   if (values[values.size() / 2] != 1.)
     throw std::runtime_error("stream lost its numbers");
-  if (rank() == 0)
-    {
-      std::printf("%zu,", bytes);
-      print_times(seconds, 1. / sweeps);
-    }
+  print(std::to_string(bytes), seconds, 1. / sweeps);
 }
 
-void copy(const std::size_t bytes)
+void copy(const Sizes &sizes)
 {
+  const std::size_t bytes = sizes[0];
   const std::vector<char> from(bytes, 1);
   std::vector<char> to(bytes);
   const unsigned int sweeps = std::max<std::size_t>(1, 20000000 / bytes);
@@ -108,16 +95,13 @@ void copy(const std::size_t bytes)
   });
   if (to[bytes / 2] != 1)
     throw std::runtime_error("copy lost its numbers");
-  if (rank() == 0)
-    {
-      std::printf("%zu,", bytes);
-      print_times(seconds, 1. / sweeps);
-    }
+  print(std::to_string(bytes), seconds, 1. / sweeps);
 }
 
 /** One message to the other rank and one back, twenty times. */
-void message(const std::size_t bytes)
+void message(const Sizes &sizes)
 {
+  const std::size_t bytes = sizes[0];
   std::vector<char> buffer(bytes);
   constexpr unsigned int trips = 20;
   const int other              = 1 - rank();
@@ -130,15 +114,12 @@ void message(const std::size_t bytes)
           MPI_Recv(buffer.data(), bytes, MPI_BYTE, other, 0, MPI_COMM_WORLD,
                              MPI_STATUS_IGNORE);
   });
-  if (rank() == 0)
-    {
-      std::printf("%zu,", bytes);
-      print_times(seconds, 0.5 / trips);
-    }
+  print(std::to_string(bytes), seconds, 0.5 / trips);
 }
 
-void exchange(const unsigned int n_columns, const unsigned int n_rows)
+void exchange(const Sizes &sizes)
 {
+  const unsigned int n_columns = sizes[0], n_rows = sizes[1];
   NodalField<double> u(n_columns, 2 * n_rows), w(n_columns, 2 * n_rows);
   MPIHalo halo(n_columns, n_rows, MPI_COMM_WORLD);
   const auto block = [&](const unsigned int first) {
@@ -154,11 +135,7 @@ void exchange(const unsigned int n_columns, const unsigned int n_rows)
         halo.receive(side, block(n_rows));
       }
   });
-  if (rank() == 0)
-    {
-      std::printf("%lu,", 4 * sizeof(double) * n_columns * n_rows);
-      print_times(seconds, 1. / trips);
-    }
+  print(std::to_string(4 * sizeof(double) * n_columns * n_rows), seconds, 1. / trips);
 }
 
 /** Resident memory of this process (bytes); Linux. */
@@ -189,7 +166,7 @@ sliding_body(const unsigned int nx, const unsigned int ny, const unsigned int in
   return setup;
 }
 
-void step(const unsigned int nx, const unsigned int ny, const unsigned int in_flight)
+void step(const Sizes &sizes)
 {
   {
     // What any run brings along does not count as memory of the grid.
@@ -197,73 +174,59 @@ void step(const unsigned int nx, const unsigned int ny, const unsigned int in_fl
     small.run(10);
   }
   const double before = resident_bytes();
-  Body body(sliding_body(nx, ny, in_flight), MPI_COMM_WORLD);
-  const double n_cells       = double(nx) * ny;
+  Body body(sliding_body(sizes[0], sizes[1], sizes[2]), MPI_COMM_WORLD);
+  const double n_cells       = double(sizes[0]) * sizes[1];
   const unsigned int depth   = body.stepper.steps_at_once();
   const unsigned int n_steps = std::max(1., std::round(1.5e6 / n_cells / depth)) * depth;
   const auto seconds         = measure([&]() { body.run(n_steps); });
   double bytes = resident_bytes() - before, all = 0.;
   MPI_Reduce(&bytes, &all, 1, MPI_DOUBLE, MPI_SUM, 0, MPI_COMM_WORLD);
-  if (rank() == 0)
-    {
-      int ranks = 1;
-      MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-      std::printf("%u,%u,%u,%d,%.0f,", nx, ny, depth, ranks, all);
-      print_times(seconds, 1. / n_steps);
-    }
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  std::ostringstream what;
+  what << sizes[0] << ',' << sizes[1] << ',' << depth << ',' << ranks << ','
+       << std::lround(all);
+  print(what.str(), seconds, 1. / n_steps);
 }
 
-void header(const char *columns)
+Sizes sizes_of(std::string text)
 {
-  if (rank() == 0)
-    std::printf("%s,seconds,seconds_low,seconds_high\n", columns);
+  std::replace(text.begin(), text.end(), ':', ' ');
+  std::istringstream words(text);
+  Sizes sizes;
+  for (unsigned long n = 0; words >> n;)
+    sizes.push_back(n);
+  return sizes;
 }
+
+struct Benchmark
+{
+  const char *columns; ///< before the times
+  std::size_t n_sizes; ///< in an argument
+  void (*run)(const Sizes &);
+};
 
 int run(const int argc, char **argv)
 {
-  const std::string what = argc > 2 ? argv[1] : "";
-  if (what == "stream")
-    {
-      header("bytes");
-      for (int k = 2; k < argc; ++k)
-        stream(std::stoul(argv[k]));
-    }
-  else if (what == "copy")
-    {
-      header("bytes");
-      for (int k = 2; k < argc; ++k)
-        copy(std::stoul(argv[k]));
-    }
-  else if (what == "message")
-    {
-      header("bytes");
-      for (int k = 2; k < argc; ++k)
-        message(std::stoul(argv[k]));
-    }
-  else if (what == "halo")
-    {
-      header("bytes");
-      for (int k = 2; k < argc; ++k)
-        {
-          unsigned int n_columns = 0, n_rows = 0;
-          if (std::sscanf(argv[k], "%u:%u", &n_columns, &n_rows) != 2)
-            throw std::runtime_error(std::string("not columns:rows: ") + argv[k]);
-          exchange(n_columns, n_rows);
-        }
-    }
-  else if (what == "step")
-    {
-      header("nx,ny,in_flight,ranks,bytes");
-      for (int k = 2; k < argc; ++k)
-        {
-          unsigned int nx = 0, ny = 0, depth = 0;
-          if (std::sscanf(argv[k], "%u:%u:%u", &nx, &ny, &depth) != 3)
-            throw std::runtime_error(std::string("not cells:cells:steps: ") + argv[k]);
-          step(nx, ny, depth);
-        }
-    }
-  else
+  const std::map<std::string, Benchmark> benchmarks = {
+    {"stream", {"bytes", 1, stream}},
+    {"copy", {"bytes", 1, copy}},
+    {"message", {"bytes", 1, message}},
+    {"halo", {"bytes", 2, exchange}},
+    {"step", {"nx,ny,in_flight,ranks,bytes", 3, step}}};
+  const auto chosen = benchmarks.find(argc > 2 ? argv[1] : "");
+  if (chosen == benchmarks.end())
     throw std::runtime_error("what? stream, copy, message, halo or step");
+  const Benchmark &benchmark = chosen->second;
+  if (rank() == 0)
+    std::printf("%s,seconds,seconds_low,seconds_high\n", benchmark.columns);
+  for (int k = 2; k < argc; ++k)
+    {
+      const Sizes sizes = sizes_of(argv[k]);
+      if (sizes.size() != benchmark.n_sizes)
+        throw std::runtime_error(std::string("not as many sizes as needed: ") + argv[k]);
+      benchmark.run(sizes);
+    }
   return 0;
 }
 } // namespace

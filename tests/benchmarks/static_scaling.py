@@ -1,4 +1,4 @@
-"""Static solves against cells and ranks: time, iterations and memory, and a model of work and bandwidth."""
+"""Static solves against cells: time, iterations and memory, and a model of work and bandwidth."""
 
 import numpy as np
 
@@ -18,10 +18,7 @@ def run(bench):
     sides = SIDES[:5] if bench.quick else SIDES
     for n in sides:
         for k in range(repetitions(n)):
-            add(study, f"cells-{n}.{k + 1}", n, CONDITIONS)
-    for ranks in (1, 2):
-        for k in range(REPETITIONS):
-            add(study, f"ranks-{ranks}.{k + 1}", 316, "KUBC, SUBC", ranks)
+            add(study, f"cells-{n}.{k + 1}", n)
     results = study.run()
     rows = [row_of(results, n) for n in sides]
     for row in rows[1:]:  # the smallest grid is the start of the program
@@ -30,12 +27,6 @@ def run(bench):
     predict(rows)
     bench.write("static-scaling", rows, "KUBC of random fibres, n x n cells, three load cases to 1e-8; seconds: CPU, fastest "
                 "run, less what the smallest grid takes", repetitions=f"{REPETITIONS}, one at 1e7 cells")
-    shared = [{"ranks": ranks, "seconds": fastest(results, f"ranks-{ranks}", REPETITIONS), "load_cases": 6} for ranks in (1, 2)]
-    for row in shared:
-        row["speedup"] = shared[0]["seconds"] / row["seconds"]
-        row["predicted_speedup"] = 6 / -(-6 // row["ranks"])
-    bench.write("static-ranks", shared, "KUBC and SUBC, 316 x 316 cells: six load cases shared among ranks", ranks="1 and 2",
-                repetitions=REPETITIONS)
     draw(bench, rows)
 
 
@@ -43,15 +34,11 @@ def repetitions(n):
     return 1 if n > 2000 else REPETITIONS
 
 
-def add(study, name, n, conditions, ranks=1):
+def add(study, name, n):
     study.add(name, "rve_homogenization", prm("examples/homogenization.prm"), {
-        "Grid/Cells": [n, n], "Grid/Size": [1e-4 * n, 1e-4 * n], "Homogenization/Boundary conditions": conditions,
+        "Grid/Cells": [n, n], "Grid/Size": [1e-4 * n, 1e-4 * n], "Homogenization/Boundary conditions": CONDITIONS,
         "Microstructure/Random fibres/Cut by border": True, "Homogenization/Effective": "KUBC",
-        "Homogenization/Write concentration": False, "Homogenization/Reuse": False, "Ensemble/Members": 1}, ranks)
-
-
-def fastest(results, name, count):
-    return min(results[f"{name}.{k + 1}"].summary["seconds"]["Load cases"] for k in range(count))
+        "Homogenization/Write concentration": False, "Homogenization/Reuse": False, "Ensemble/Members": 1})
 
 
 def row_of(results, n):

@@ -13,6 +13,7 @@
 #include "dynamics/explicit_stepper.h"
 #include "grid/halo.h"
 #include "grid/row_partition.h"
+#include "measuring.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <functional>
-#include <mpi.h>
 #include <random>
 #include <string>
 #include <vector>
@@ -32,52 +31,28 @@ namespace
 {
 constexpr double dt = 5e-9, beta = 4.4e-9, beta2 = 0.5, spacing = 1e-4;
 
-int rank()
-{
-  int r = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &r);
-  return r;
-}
-
-struct Rates
-{
-  double median, lowest, highest;
-};
-
-/** @p run does @p n_steps steps on @p n_cells cells. */
-Rates measure(const std::function<void()> &run,
-              const double n_cells,
+/** Prints million cell updates a second by @p n_steps steps of so many @p seconds,
+ * ascending; returns the median. */
+double report(const std::string &what,
+              const std::array<unsigned int, 2> cells,
               const unsigned int n_steps,
-              const unsigned int repetitions)
+              const std::vector<double> &seconds)
 {
-  run();
-  std::vector<double> rates;
-  for (unsigned int r = 0; r < repetitions; ++r)
-    {
-      MPI_Barrier(MPI_COMM_WORLD);
-      const double start = MPI_Wtime();
-      run();
-      MPI_Barrier(MPI_COMM_WORLD);
-      rates.push_back(1e-6 * n_cells * n_steps / (MPI_Wtime() - start));
-    }
-  std::sort(rates.begin(), rates.end());
-  return {rates[rates.size() / 2], rates.front(), rates.back()};
-}
-
-void report(const char *what, const std::array<unsigned int, 2> cells, const Rates &r)
-{
+  const auto rate = [&](const double time) {
+    return 1e-6 * cells[0] * cells[1] * n_steps / time;
+  };
+  const double median = rate(seconds[(seconds.size() - 1) / 2]);
   if (rank() == 0)
-    std::printf("%5u x %4u  %-62s %7.1f  [%.1f, %.1f]\n", cells[0], cells[1], what,
-                r.median, r.lowest, r.highest);
+    std::printf("%5u x %4u  %-62s %7.1f  [%.1f, %.1f]\n", cells[0], cells[1],
+                what.c_str(), median, rate(seconds.back()), rate(seconds.front()));
   std::fflush(stdout);
+  return median;
 }
 
 UniformMaterial make_material(const std::array<unsigned int, 2> cells,
                               const unsigned int n_classes)
 {
-  UniformGrid<2> grid;
-  grid.cells   = cells;
-  grid.spacing = {{spacing, spacing}};
+  const UniformGrid<2> grid{cells, {{spacing, spacing}}};
   VoigtMatrix<2> D;
   D << 33.3e9, 8.3e9, 0, 8.3e9, 33.3e9, 0, 0, 0, 12.5e9;
   std::vector<ElasticPhase<2>> classes;
@@ -119,11 +94,8 @@ double fused(const std::array<unsigned int, 2> cells,
   const unsigned int depth = stepper.steps_at_once();
   const unsigned int n_steps =
     static_cast<unsigned int>(std::max(1., std::round(3e7 / n_cells / depth))) * depth;
-  const Rates r =
-    measure([&]() { stepper.advance(n_steps); }, n_cells, n_steps, repetitions);
-  report((stepper.kernel_name() + ", steps at once " + std::to_string(depth)).c_str(),
-         cells, r);
-  return r.median;
+  return report(stepper.kernel_name() + ", steps at once " + std::to_string(depth), cells,
+                n_steps, measure([&]() { stepper.advance(n_steps); }, repetitions));
 }
 
 /** The loop of a general code on the same grid. */
@@ -154,9 +126,8 @@ double baseline(const std::array<unsigned int, 2> cells, const unsigned int repe
         u.add(dt, w);
       }
   };
-  const Rates r = measure(run, double(cells[0]) * cells[1], n_steps, repetitions);
-  report("baseline: Trilinos CSR product, vector updates", cells, r);
-  return r.median;
+  return report("baseline: Trilinos CSR product, vector updates", cells, n_steps,
+                measure(run, repetitions));
 }
 
 std::string processor()

@@ -2,7 +2,7 @@
 the tolerance of three solvers."""
 
 from common import add_repeated, prm, repeated
-from fits import cheapest, fitted_order, richardson
+from fits import fitted_order, least_costs, richardson
 from plots import curve, legend, logarithmic, panels
 
 CONDITIONS = ["KUBC", "PBC", "SUBC"]
@@ -118,15 +118,9 @@ def conclude(bench, grids, solves):
     for condition in CONDITIONS:
         own = [row for row in grids if row["condition"] == condition]
         order = fitted_order([row["h_mm"] for row in own[-3:]], [row["largest_error"] for row in own[-3:]])
-        for target in (0.01, 0.001):
-            best = cheapest(own, "largest_error", "cpu_s", target)
-            finest = own[-1]
-            needed = finest["h_mm"] * (target / finest["largest_error"]) ** (1 / order)
-            found.append({"quantity": f"diagonal of D, {condition}", "target": target,
-                          "choice": f"h = {best['h_mm']:g} mm" if best else f"about h = {needed:.2g} mm (extrapolated)",
-                          "error": best["largest_error"] if best else "", "cpu_s": best["cpu_s"] if best else ""})
-    for target in (0.01, 0.001):
-        best = cheapest(solves, "largest_error", "cpu_s", target)
-        found.append({"quantity": "solver, same grid", "target": target, "error": best["largest_error"],
-                      "choice": f"{best['solver']}, tolerance {best['tolerance']:g}", "cpu_s": best["cpu_s"]})
+        finest = own[-1]
+        found += least_costs(
+            own, "largest_error", f"diagonal of D, {condition}", lambda best: f"h = {best['h_mm']:g} mm",
+            lambda target: f"about h = {finest['h_mm'] * (target / finest['largest_error']) ** (1 / order):.2g} mm (extrapolated)")
+    found += least_costs(solves, "largest_error", "solver, same grid", lambda best: f"{best['solver']}, tolerance {best['tolerance']:g}")
     bench.write("stiffness-cheapest", found, "least cost for a target")

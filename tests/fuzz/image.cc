@@ -44,9 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
   const std::string &path = file.fill(bytes);
   accepted_or_refused([&]() {
     const Image image = read_image(path);
-    UniformGrid<2> grid;
-    grid.cells   = {{image.width, image.height}};
-    grid.spacing = {{1., 1.}};
+    const UniformGrid<2> grid{{{image.width, image.height}}, {{1., 1.}}};
     if (image.values.size() < 10000)
       map_from_image(grid, image, {{}, 2, false}, path);
   });

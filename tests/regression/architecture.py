@@ -9,7 +9,8 @@ import html
 import os
 import re
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+from scenes import TOP
+
 PATH = os.path.join(TOP, "doc", "architecture.svg")
 COLUMN, LINE, GAP = 150, 13, 60
 

@@ -1,29 +1,17 @@
-"""Bad input ends with exit status 2 and one sentence that names what is wrong.
-
-    bad_input.py <folder with the programs>
-"""
+"""Bad input ends with exit status 2 and one sentence that names what is wrong."""
 
 import os
 import tempfile
 
-from scenes import PHASES, SMALL_GRID, SMALL_RVE as RVE, Folder, sets
+from scenes import PHASES, SMALL_GRID, SMALL_RVE as RVE, Folder, prm, sets
 
-IMAGE = PHASES + SMALL_GRID + "subsection Microstructure\n  set Type = image\nend\n"
-HOMOGENEOUS = PHASES + SMALL_GRID + "subsection Microstructure\n  set Type = homogeneous\nend\n"
+IMAGE = PHASES + SMALL_GRID + prm({"Microstructure/Type": "image"})
+HOMOGENEOUS = PHASES + SMALL_GRID + prm({"Microstructure/Type": "homogeneous"})
 MODAL = "set Analysis = modal\n"
-LOCAL = "subsection Input\n  set RVE file = rve.h5\nend\n"
-BODY = """
-subsection Body
-  set Cells = 20, 10
-  set Size = 0.002, 0.001
-end
-"""
+LOCAL = prm({"Input/RVE file": "rve.h5"})
+BODY = prm({"Body/Cells": "20, 10", "Body/Size": "0.002, 0.001"})
 STATIC = "set Analysis = static contact\n" + BODY
-CONTACT = BODY + """
-subsection Time
-  set End time = 1e-6
-end
-"""
+CONTACT = BODY + prm({"Time/End time": 1e-6})
 
 # program, text of the .prm, settings or other options, words that have to be in the sentence
 CASES = [
@@ -182,7 +170,7 @@ VALIDATED = [
      ["of 1.6 x 1.6 mm, 32 x 16 mm", "0.008 ms from the flat to the top, the run 1 ms", "of memory"], ["ends before"]),
     ("contact_dynamics", CONTACT, [*MATERIAL, "Body/Size=32, 16"],  # ends before the top has felt anything: 16 m at 2000 m/s
      ["of 1.6 x 1.6 m, 32 x 16 m\n", "8 ms from the flat", "it ends before", "Body/Size"], []),
-    ("contact_dynamics", "# a pin" + CONTACT.replace("\n", "\r"), [], ["20 x 10 cells"], []),
+    ("contact_dynamics", "# a pin\r" + CONTACT.replace("\n", "\r"), [], ["20 x 10 cells"], []),
     *(("contact_dynamics", text, settings, [], ["arning"]) for text, settings in (
         (CONTACT, []), (BODY, ["Analysis=modal"]), (BODY, ["Analysis=static contact"]), (CONTACT, ["Flat/Ramp=smooth", "Flat/Ramp time=1e-6"]),
         (CONTACT, ["Flat/Expression=2*cos(2*pi*1e6*t)"]), (CONTACT, ["Top/Kind=held", "Top/Pressure=0"]))),

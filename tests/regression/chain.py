@@ -5,15 +5,15 @@
 
 import json
 import os
-import subprocess
 import sys
 import tempfile
 
 import h5py
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-REFERENCE = os.path.join(HERE, "chain", "reference.json")
-RUNNER = os.path.join(HERE, "..", "..", "applications", "tools", "run_chain.py")
+from scenes import TOP, Folder, run_chain
+
+CHAIN = os.path.join(TOP, "tests", "regression", "chain")
+REFERENCE = os.path.join(CHAIN, "reference.json")
 
 # Numbers of summary.json that are compared; regression values, not truths.
 KEYS = {
@@ -30,20 +30,9 @@ KEYS = {
 ZERO = {"non_orthotropy": 1e-12}
 
 
-def run_chain(programs, output):
-    command = [sys.executable, "-B", RUNNER, os.path.join(HERE, "chain"), "--programs", programs, "--output", output, "--jobs", "2"]
-    done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    assert done.returncode == 0, done.stdout
-    return done.stdout
-
-
 def summaries(folder):
-    found = {}
-    for name, keys in KEYS.items():
-        with open(os.path.join(folder, name, "summary.json"), encoding="utf-8") as file:
-            summary = json.load(file)
-        found[name] = {key: summary[key] for key in keys}
-    return found
+    whole = {name: Folder(folder).summary(name) for name in KEYS}
+    return {name: {key: whole[name][key] for key in keys} for name, keys in KEYS.items()}
 
 
 def differences(a, b, tolerance, path=""):
@@ -72,9 +61,8 @@ def one_line_a_key(found):
 
 
 def main():
-    programs = sys.argv[1]
     with tempfile.TemporaryDirectory() as folder:
-        run_chain(programs, folder)
+        run_chain(CHAIN, "--output", folder, "--jobs", "2")
         found = summaries(folder)
         if "--update" in sys.argv:
             with open(REFERENCE, "w", encoding="utf-8") as file:
@@ -85,19 +73,17 @@ def main():
             wrong = differences(json.load(file), found, 1e-6)
         assert not wrong, "\n".join(["differs from reference.json (chain.py --update renews it):"] + wrong)
 
-        again = run_chain(programs, folder)
+        again = run_chain(CHAIN, "--output", folder, "--jobs", "2")
         assert again.count("up to date") == len(KEYS), again
 
         # A result that was changed, or of which one bit has flipped, is made again.
         path = os.path.join(folder, "10-rve_homogenization", "rve.h5")
-        with open(path, "rb") as file:
-            before = file.read()
+        before = Folder(folder).read(path)
         with h5py.File(path, "r+") as file:
             file["stiffness/effective"][0, 0] *= 2
-        again = run_chain(programs, folder)
+        again = run_chain(CHAIN, "--output", folder, "--jobs", "2")
         assert again.count("up to date") == len(KEYS) - 1 and "10-rve_homogenization: done" in again, again
-        with open(path, "rb") as file:
-            assert file.read() == before, "rve.h5 was not made again"
+        assert Folder(folder).read(path) == before, "rve.h5 was not made again"
 
 
 if __name__ == "__main__":

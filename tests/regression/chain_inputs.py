@@ -1,7 +1,4 @@
-"""What makes a chain run again, what it refuses, and how it stops, with programs that only say when they are started.
-
-    chain_inputs.py <folder with the programs>
-"""
+"""What makes a chain run again, what it refuses, and how it stops, with programs that only say when they are started."""
 
 import os
 import signal

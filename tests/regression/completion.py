@@ -5,7 +5,7 @@ import os
 import subprocess
 import tempfile
 
-from scenes import PROGRAMS, TOOLS, Folder
+from scenes import PROGRAMS, TOOLS, Folder, prm
 
 LINE = f"""
 source {TOOLS}/completion.bash
@@ -13,7 +13,7 @@ COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
 _mesoslip "$1"
 printf '%s\\n' "${{COMPREPLY[@]}}"
 """
-PROBE = "subsection Observation\n  set Probes = spot\n  subsection spot\n    set Position = 0.01, 0.01\n  end\nend\n"
+PROBE = prm({"Observation/Probes": "spot", "Observation/spot/Position": "0.01, 0.01"})
 # Words, and the completions of the last one.
 CASES = [
     ([""], ["one.prm", "two.prm", "a pin.prm"]),

@@ -7,8 +7,7 @@ import sys
 
 import architecture
 from architecture import includes
-
-TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+from scenes import TOP
 
 # From below: a topic includes only topics that stand before it.
 with open(os.path.join(TOP, "lib", "CMakeLists.txt"), encoding="utf-8") as lists:

@@ -1,7 +1,5 @@
 """Disks that are full or may not be written to: one sentence, exit status 2, and what was there stays there.
 
-    disk.py <folder with the programs>
-
 No file of the results may exceed a limit: a library loaded beforehand answers such writes as a full disk does. (The
 limit of the file size that the system offers would stop MPI.) Root writes everywhere, so the runs in a folder without
 permission are of another user.
@@ -11,7 +9,7 @@ import os
 import subprocess
 import tempfile
 
-from scenes import PHASES, Folder, sets
+from scenes import Folder, prm, rve, sets
 
 NOBODY = 65534
 FULL_DISK = r"""
@@ -49,30 +47,8 @@ ssize_t writev(int fd, const struct iovec *v, int k)
   return full(fd, -1, n) ? -1 : NEXT(writev)(fd, v, k);
 }
 """
-RVE = PHASES + """
-subsection Grid
-  set Cells = 60, 40
-  set Size = 0.006, 0.004
-end
-subsection Microstructure
-  subsection Random fibres
-    set Minimum height = 4e-4
-    set Maximum height = 6e-4
-  end
-end
-"""
-CONTACT = """
-subsection Body
-  set Cells = 60, 40
-  set Size = 0.006, 0.004
-end
-subsection Time
-  set End time = 2e-6
-end
-subsection Snapshots
-  set Interval = 1e-7
-end
-"""
+RVE = rve("60, 40", "0.006, 0.004", 4e-4, 6e-4)
+CONTACT = prm({"Body/Cells": "60, 40", "Body/Size": "0.006, 0.004", "Time/End time": 2e-6, "Snapshots/Interval": 1e-7})
 RESULTS = {"rve_homogenization": "rve.h5", "contact_dynamics": "dynamics.h5"}
 TEXTS = {"rve_homogenization": RVE, "contact_dynamics": CONTACT}
 

@@ -6,7 +6,7 @@ import subprocess
 import sys
 import tempfile
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+from scenes import TOP, Folder
 
 
 def warnings(folder, more=""):
@@ -22,10 +22,8 @@ def warnings(folder, more=""):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         # The check finds what it is for.
-        header = os.path.join(folder, "bare.h")
-        with open(header, "w", encoding="utf-8") as file:
-            file.write("/** Documented. */\nstruct Bare\n{\n  int member;\n};\n")
-        assert "Member member" in warnings(folder, f"INPUT = {header}\n"), "an undocumented member passes"
+        Folder(folder).write("bare.h", "/** Documented. */\nstruct Bare\n{\n  int member;\n};\n")
+        assert "Member member" in warnings(folder, f"INPUT = {folder}/bare.h\n"), "an undocumented member passes"
 
         found = warnings(folder)
     print(found or "no warnings")

@@ -1,8 +1,5 @@
 """Runs in a folder with results of an earlier one, which go when a run begins; nothing else is lost, and neither inputs nor
-results of another program or analysis are replaced. Files that were changed or damaged since are told apart.
-
-    earlier_results.py <folder with the programs>
-"""
+results of another program or analysis are replaced. Files that were changed or damaged since are told apart."""
 
 import os
 import random
@@ -15,29 +12,16 @@ import tempfile
 import h5py
 import numpy as np
 
-from scenes import PHASES, SMALL_RVE as RVE, TOOLS, Folder as AnyFolder
+from scenes import PHASES, SMALL_RVE as RVE, TOOLS, Folder as AnyFolder, prm
 
 sys.path[:0] = [os.path.join(TOOLS, "python"), os.path.join(TOOLS, "report")]
 import mesoslip
 from data import Chain
 
-CONTACT = """
-subsection Body
-  set RVE file = rve/rve.h5
-end
-subsection Time
-  set End time = 1e-5
-end
-subsection Snapshots
-  set Interval = 1e-6
-end
-"""
-LOCALIZATION = """
-subsection Input
-  set RVE file = rve/rve.h5
-  set Homogeneous run = run/dynamics.h5
-end
-"""
+CONTACT = prm({"Body/RVE file": "rve/rve.h5", "Time/End time": 1e-5, "Snapshots/Interval": 1e-6})
+LOCALIZATION = prm({"Input/RVE file": "rve/rve.h5", "Input/Homogeneous run": "run/dynamics.h5"})
+PICTURE = PHASES + prm({"Grid/Cells": "4, 2", "Grid/Size": "4e-3, 2e-3", "Microstructure/Type": "image",
+                        "Microstructure/File": "picture/map.txt"})
 FAILS = ["--set", "Flat/Expression=sqrt(5e-6 - t)"]
 
 
@@ -215,6 +199,14 @@ def check_foreign_files(folder):
             assert said.count("rve.h5 has no checksum") == 1, said
         with h5py.File(folder("other", "dynamics.h5")) as file:
             assert (file["history/contact_normal_force"][...] == expected).all()
+    for name, value, words in (("stiffness/effective", h5py.SoftLink("/nowhere"), "/stiffness/effective cannot be opened"),
+                               ("phase/density", h5py.Empty("d"), "/phase/density holds nothing")):
+        folder.restore(path, good)
+        with h5py.File(path, "r+") as file:
+            del file[name]
+            file[name] = value
+        said = folder.run(2, "contact_dynamics", "other")
+        assert words in said, said
     folder.restore(path, good)
 
 
@@ -248,29 +240,20 @@ def check_other_loads(folder):
         differences = local.summary["differences_of_the_runs"]
     assert [d["condition"] for d in differences if d["of_load"]] == ["velocity", "friction_coefficient"], differences
     folder.run(0, "contact_dynamics", "het", "--set", "Body/Material=heterogeneous", "--set", "Friction/Regularization time=1e-6")
-    said = folder.run(0, "stress_localization", "local", *direct)
+    said = folder.run(0, "stress_localization", "local", *direct, "--set", "Window/From=0")
     assert "warning: the homogeneous run" not in said, said
     said = folder.run(2, "stress_localization", "local", "--set", "Input/Homogeneous run=het/dynamics.h5")
     assert "is one of a heterogeneous body" in said, said
-
-
-PICTURE = PHASES + """
-subsection Grid
-  set Cells = 4, 2
-  set Size = 4e-3, 2e-3
-end
-subsection Microstructure
-  set Type = image
-  set File = picture/map.txt
-end
-"""
+    with h5py.File(folder("het", "dynamics.h5"), "r+") as file:
+        del file["run"]
+    assert "dynamics.h5 does not tell its loads" in folder.run(0, "stress_localization", "local", *direct, "--set", "Window/From=0")
 
 
 def check_inputs_in_output(folder):
     """An output folder that holds an input, by whatever name, or results of another kind is refused before it is touched."""
     for analysis in ("modal", "static contact"):
-        folder.write(analysis + ".prm", f"set Analysis = {analysis}\nsubsection Body\n  set RVE file = rve/rve.h5\nend\n")
-    folder.write("friction.prm", "set Analysis = friction homogenization\nsubsection Friction homogenization\n  set Heterogeneous run = run\nend\n")
+        folder.write(analysis + ".prm", prm({"Analysis": analysis, "Body/RVE file": "rve/rve.h5"}))
+    folder.write("friction.prm", prm({"Analysis": "friction homogenization", "Friction homogenization/Heterogeneous run": "run"}))
     os.symlink("run", folder("link to run"))
     os.mkdir(folder("hard"))
     os.link(folder("rve", "rve.h5"), folder("hard", "rve.h5"))

@@ -1,32 +1,27 @@
-"""What the programs leave: units of every dataset, XDMF that ParaView reads, tables, logs, warnings.
-
-    files.py <folder with the programs>
-"""
+"""What the programs leave: units of every dataset, XDMF that ParaView reads, tables, logs, warnings."""
 
 import csv
 import glob
 import os
 import re
-import subprocess
-import sys
 import tempfile
 import xml.etree.ElementTree as xml
 
 import h5py
 import numpy as np
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(HERE, "..", "..", "applications", "tools", "studies"))
-from study import Study  # noqa: E402
+from scenes import PROGRAMS, TOP, Folder, prm
 
-CHAIN = os.path.join(HERE, "chain")
+from study import Study
+
+CHAIN = os.path.join(TOP, "tests", "regression", "chain")
 SMALL = {"Time/End time": 4e-6, "Snapshots/From": 1e-6, "Observation/Energy interval": 10}
-STATIC = "set Analysis = static contact\nsubsection Body\n  set Material = heterogeneous\nend\n"
-MODAL = STATIC.replace("static contact", "modal") + "subsection Modal\n  set Number of modes = 2\nend\n"
+STATIC = prm({"Analysis": "static contact", "Body/Material": "heterogeneous"})
+MODAL = prm({"Analysis": "modal", "Body/Material": "heterogeneous", "Modal/Number of modes": 2})
 
 
-def run_chain(folder, programs):
-    study = Study(folder, programs)
+def run_chain(folder):
+    study = Study(folder, PROGRAMS)
     study.add("rve", "rve_homogenization", os.path.join(CHAIN, "10-rve_homogenization.prm"))
     for name, number in [("homogeneous", 20), ("heterogeneous", 30)]:
         prm = os.path.join(CHAIN, f"{number}-contact_dynamics-{name}.prm")
@@ -41,10 +36,7 @@ def run_chain(folder, programs):
               {"Body/RVE file": "{rve}/rve.h5", "Flat/Velocity": 0, "Observation/Energy interval": 1,
                "Observation/Steady from": 1.5e-5})
     for name, text in (("statics", STATIC), ("modal", MODAL)):
-        prm = os.path.join(folder, name + ".prm")
-        with open(prm, "w", encoding="utf-8") as file:
-            file.write(text)
-        study.add(name, "contact_dynamics", prm, {"Body/RVE file": "{rve}/rve.h5"})
+        study.add(name, "contact_dynamics", Folder(folder, {name: text})(name + ".prm"), {"Body/RVE file": "{rve}/rve.h5"})
     study.add("local", "stress_localization", os.path.join(CHAIN, "40-stress_localization.prm"),
               {"Input/RVE file": "{rve}/rve.h5", "Input/Homogeneous run": "{homogeneous}/dynamics.h5",
                "Input/Direct run": "{heterogeneous}/dynamics.h5", "Window/From": 1e-6})
@@ -52,6 +44,10 @@ def run_chain(folder, programs):
     for name, result in results.items():
         assert result.status == 0, f"{name}: {result.message}"
     return results
+
+
+def log_of(result):
+    return Folder(result.folder).read("log.txt").decode()
 
 
 def check_units(folder):
@@ -99,8 +95,7 @@ def check_localization(results):
     assert summary["phases"] == ["matrix", "fibre"]
     assert set(summary["field_errors"]["mean_von_mises"]) == {
         "all", "surface", "bulk", "interior", "surface_inner", "matrix", "matrix_interior", "fibre", "fibre_interior"}
-    with open(os.path.join(results["local"].folder, "log.txt"), encoding="utf-8") as file:
-        log = file.read()
+    log = log_of(results["local"])
     assert "snapshots of the homogeneous run" in log
     assert not re.search(r"\d\.\d{9,}", log), "numbers with more digits than anyone reads:\n" + log
 
@@ -124,15 +119,13 @@ def check_phase_means(results):
         assert abs(mean - 1.0) < 1e-9, (condition, mean)
 
 
-def check_reused(results, programs):
+def check_reused(results):
     """A second run reads rve.h5 and prints the same table."""
-    done = subprocess.run([os.path.join(programs, "rve_homogenization"), os.path.join(CHAIN, "10-rve_homogenization.prm"),
-                           "--output", results["rve"].folder], stdout=subprocess.PIPE, text=True, check=True)
-    with open(os.path.join(results["rve"].folder, "log.txt"), encoding="utf-8") as file:
-        log = file.read()
-    assert "up to date" in done.stdout, done.stdout
-    rows = re.findall(r"^(KUBC|SUBC|PBC|effective) +([\d. -]+)$", done.stdout, re.MULTILINE)
-    assert len(rows) == 4, done.stdout
+    said = Folder(CHAIN).run(0, "rve_homogenization", "10-rve_homogenization.prm", "--output", results["rve"].folder)
+    log = log_of(results["rve"])
+    assert "up to date" in said, said
+    rows = re.findall(r"^(KUBC|SUBC|PBC|effective) +([\d. -]+)$", said, re.MULTILINE)
+    assert len(rows) == 4, said
     for name, numbers in rows:
         assert f"{name} " in log and numbers.strip() in log
     effective = results["rve"].summary["stiffness"]["effective"]
@@ -163,8 +156,7 @@ def check_contact_duration(results):
     """4 microseconds after the start nearly every node still presses on the flat."""
     summary = results["homogeneous"].summary
     share, warning = summary["mean_contact_duration_node_share"], summary["mean_contact_duration_warning"]
-    with open(os.path.join(results["homogeneous"].folder, "log.txt"), encoding="utf-8") as file:
-        log = file.read()
+    log = log_of(results["homogeneous"])
     assert 0 <= share < 0.5, share
     if summary["mean_contact_duration"] is not None:
         assert f"{100 * share:.3g} % of the contact nodes" in warning and warning in log, (share, warning)
@@ -173,9 +165,8 @@ def check_contact_duration(results):
 
 
 def main():
-    programs = os.path.abspath(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
-        results = run_chain(folder, programs)
+        results = run_chain(folder)
         check_units(folder)
         check_xdmf(folder)
         check_localization(results)
@@ -184,7 +175,7 @@ def main():
         check_contact_duration(results)
         check_dense_snapshots(results)
         check_energy_scale(results)
-        check_reused(results, programs)
+        check_reused(results)
     print(f"files: {len(results)} runs")
 
 

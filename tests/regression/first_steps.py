@@ -5,29 +5,15 @@ stresses with the edits that it names."""
 import os
 import re
 import shutil
-import subprocess
-import sys
 import tempfile
 
 import h5py
 import numpy as np
 from PIL import Image
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+from scenes import TOP, Folder, run_chain
+
 NUMBER = re.compile(r"^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
-
-
-def guide():
-    with open(os.path.join(TOP, "doc", "first_steps.md"), encoding="utf-8") as file:
-        return file.read()
-
-
-def run_chain(programs, folder, output, *options):
-    command = [sys.executable, "-B", os.path.join(TOP, "applications", "tools", "run_chain.py"), "--programs", programs, folder,
-               "--output", output, *options]
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-    assert done.returncode == 0, done.stdout
-    return done.stdout
 
 
 def tokens(line):
@@ -59,13 +45,13 @@ def check_outputs(text, printed):
     assert errors and not left_out, "the guide leaves out:\n" + "\n".join(left_out)
 
 
-def check_validation(programs, text):
+def check_validation(text):
     """The block below the command with --validate is all that it prints."""
     found = re.search(r"^ {4}build/applications/(\w+) --validate (\S+)\n\n((?: {4}\S.*\n)+)", text, re.MULTILINE)
     assert found, "the guide's --validate is not found"
     program, prm, said = found.groups()
-    done = subprocess.run([os.path.join(programs, program), "--validate", prm], cwd=TOP, stdout=subprocess.PIPE, text=True, check=True)
-    said, printed = [line.strip() for line in said.splitlines()], done.stdout.splitlines()
+    printed = Folder(TOP).run(0, program, "--validate", prm).splitlines()
+    said = [line.strip() for line in said.splitlines()]
     assert len(said) == len(printed) and all(map(same, said, printed)), f"the guide says\n{said}\nprinted is\n{printed}"
 
 
@@ -96,14 +82,12 @@ def own_picture(text, folder):
     Image.fromarray(phase.astype("uint8")).save(os.path.join(mine, "grains.png"))
     edits = re.findall(r"^ {6}set (\w+)\s*= (.*)$", text[text.index("**Your own picture.**"):], re.MULTILINE)
     assert [key for key, _ in edits] == ["Cells", "Size", "File"], edits
-    path = os.path.join(mine, "10-rve_homogenization.prm")
-    with open(path, encoding="utf-8") as file:
-        prm = file.read()
+    path, name = Folder(mine), "10-rve_homogenization.prm"
+    prm = path.read(name).decode()
     for key, value in edits:
         prm, count = re.subn(rf"set {key}(\s*)= .*", rf"set {key}\1= {value}", prm)
         assert count == 1, key
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(prm)
+    path.write(name, prm)
     return mine, phase
 
 
@@ -119,15 +103,14 @@ def check_own(results, phase):
 
 
 def main():
-    programs = os.path.abspath(sys.argv[1])
-    text = guide()
+    text = Folder(TOP).read("doc", "first_steps.md").decode()
     with tempfile.TemporaryDirectory() as folder:
-        check_validation(programs, text)
+        check_validation(text)
         results = os.path.join(folder, "image")
-        check_outputs(text, run_chain(programs, os.path.join(TOP, "prm", "examples", "image"), results, "--no-report"))
+        check_outputs(text, run_chain(os.path.join(TOP, "prm", "examples", "image"), "--output", results, "--no-report"))
         check_table(text, results)
         mine, phase = own_picture(text, folder)
-        run_chain(programs, mine, os.path.join(folder, "results"))
+        run_chain(mine, "--output", os.path.join(folder, "results"))
         check_own(os.path.join(folder, "results"), phase)
     print("ok")
 

@@ -7,7 +7,8 @@ import subprocess
 import sys
 import urllib.parse
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+from scenes import TOP, Folder
+
 LINK = re.compile(r"!?\[[^\]]*\]\(\s*<?([^)>\s]+)>?(?:\s+\"[^\"]*\")?\s*\)|^\[[^\]]+\]:\s*(\S+)", re.MULTILINE)
 HTML_LINK = re.compile(r"<(?:a|img)\b[^>]*?\b(?:href|src)=\"([^\"]+)\"")
 CODE = re.compile(r"^(```|~~~).*?^\1|^(?: {4}|\t).*?$|`[^`\n]+`", re.MULTILINE | re.DOTALL)
@@ -75,11 +76,7 @@ def check_itself():
 def main():
     check_itself()
     files = tracked()
-    texts = {}
-    for name in files:
-        if name.endswith(".md") and os.path.exists(os.path.join(TOP, name)):
-            with open(os.path.join(TOP, name), encoding="utf-8") as file:
-                texts[name] = file.read()
+    texts = {name: Folder(TOP).read(name).decode() for name in files if name.endswith(".md") and os.path.exists(os.path.join(TOP, name))}
     found = list(problems(files, texts))
     print("\n".join(found) or f"{len(texts)} files: {sum(len(links(t)) for t in texts.values())} links, all valid")
     sys.exit(1 if found else 0)

@@ -10,7 +10,8 @@ import subprocess
 import sys
 import tempfile
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+from scenes import TOP
+
 HERE, CROSS, EMULATOR = "g++", "aarch64-linux-gnu-g++", "qemu-aarch64"
 SOURCES = ["tests/regression/other_processors.cc", "lib/elasticity/row_kernel.cc", "lib/statics/multigrid/kernels/kernels_table.cc",
            "lib/contact/contact_kernel.cc"]

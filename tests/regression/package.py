@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+from scenes import PROGRAMS, TOP, Folder
 
 
 def call(*command):
@@ -41,15 +41,13 @@ def check_installed(prefix):
     # Nothing points back at the build.
     for folder, _, names in os.walk(os.path.join(prefix, "lib", "cmake")):
         for name in names:
-            with open(os.path.join(folder, name), encoding="utf-8") as file:
-                assert TOP not in file.read(), f"{name} names the source folder"
+            assert TOP.encode() not in Folder(folder).read(name), f"{name} names the source folder"
 
 
 def main():
-    build = os.path.dirname(os.path.abspath(sys.argv[1]))
     with tempfile.TemporaryDirectory() as scratch:
         prefix, example = os.path.join(scratch, "installed"), os.path.join(scratch, "example")
-        call("cmake", "--install", build, "--prefix", prefix)
+        call("cmake", "--install", os.path.dirname(PROGRAMS), "--prefix", prefix)
         call("cmake", "-S", os.path.join(TOP, "doc", "extending"), "-B", example, "-G", "Ninja",
              f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
         call("cmake", "--build", example)

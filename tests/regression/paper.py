@@ -13,8 +13,9 @@ import subprocess
 import sys
 import tempfile
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(TOP, "applications", "tools", "studies", "paper"))
+from scenes import PROGRAMS, TOOLS, TOP
+
+sys.path.insert(0, os.path.join(TOOLS, "studies", "paper"))
 
 import run  # noqa: E402
 from study import Study  # noqa: E402
@@ -40,9 +41,9 @@ COARSE = {
 SOME = ["equation-10", "figure-2", "figure-9", "table-4", "figure-14"]  # all programs and analyses but the modes
 
 
-def page_failures(programs, folder, parts):
+def page_failures(folder, parts):
     """What goes wrong when the parts are run and written on a coarse grid."""
-    study, doc = Study(os.path.join(folder, "runs"), programs), os.path.join(folder, "doc")
+    study, doc = Study(os.path.join(folder, "runs"), PROGRAMS), os.path.join(folder, "doc")
     run.overview.PICTURE = os.path.join(folder, "pin.png")
     found = [sentence for sentence in run.make(study, parts, doc, COARSE) if "not run yet" not in sentence]
     with open(os.path.join(doc, "README.md"), encoding="utf-8") as file:
@@ -54,14 +55,14 @@ def page_failures(programs, folder, parts):
     return found + (["the page holds a nan"] if re.search(r"\bnan\b", page) else [])
 
 
-def settings_failures(programs):
+def settings_failures():
     """Which settings a program refuses, and which files of prm/paper no run uses."""
-    study = Study(os.path.join(TOP, "results", "paper"), programs)
+    study = Study(os.path.join(TOP, "results", "paper"), PROGRAMS)
     for part in run.PARTS.values():
         part.runs(run.Cases(study))
     found, kinds = [], {(case.prm, *case.settings): case for case in study.cases.values()}
     for case in kinds.values():  # runs that differ in values alone are of one kind
-        command = [os.path.join(programs, case.program), case.prm, "--print-parameters"]
+        command = [os.path.join(PROGRAMS, case.program), case.prm, "--print-parameters"]
         for key, value in case.settings.items():
             command += ["--set", f"{key}={value}"]
         done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
@@ -72,11 +73,10 @@ def settings_failures(programs):
 
 
 def main():
-    programs = os.path.abspath(sys.argv[1])
     found = [f"run.sh paper has no part {key}" for key in WANTED if key not in run.PARTS]
-    found += settings_failures(programs)
+    found += settings_failures()
     with tempfile.TemporaryDirectory() as folder:
-        found += page_failures(programs, folder, list(run.PARTS) if "--all" in sys.argv else SOME)
+        found += page_failures(folder, list(run.PARTS) if "--all" in sys.argv else SOME)
     for sentence in found:
         print(sentence)
     return 1 if found else 0

@@ -56,8 +56,7 @@ def check_keys(name, printed):
 
 def program_of(path):
     """The program in a file's name, or the first that its comments name."""
-    with open(path, encoding="utf-8") as file:
-        text = file.read()
+    text = Folder(TOP).read(path).decode()
     named = [p for p in PROGRAMS if p in os.path.basename(path)]
     named += sorted((p for p in PROGRAMS if p in text), key=text.index)
     return named[0] if named else None

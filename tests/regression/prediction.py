@@ -1,17 +1,14 @@
-"""The parts of the prediction study against exact answers; growth of steady sliding also against a run.
-
-    prediction.py <folder with the programs>
-"""
+"""The parts of the prediction study against exact answers; growth of steady sliding also against a run."""
 
 import os
-import subprocess
 import sys
 import tempfile
 
 import numpy as np
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(TOP, "applications", "tools", "studies", "prediction"))
+from scenes import TOOLS, TOP, Folder, sets
+
+sys.path.insert(0, os.path.join(TOOLS, "studies", "prediction"))
 
 import growth  # noqa: E402
 import measures  # noqa: E402
@@ -104,13 +101,12 @@ def fastest_mode_of_the_pin():
         close("its frequency", s.imag / 2e3 / np.pi, frequency, 1e-4)
 
 
-def growth_of_a_run(programs):
+def growth_of_a_run():
     """contact_dynamics after a slow ramp, all nodes sliding: growth and frequency of the fastest mode and of that near 41.6 kHz."""
     delta, cells, begin, end = 2.5e-6, (28, 8), 1.1e-3, 3e-3
     settings = {**growth.RAMPED, "Body/Cells": "28, 8", "Friction/Regularization time": delta, "Time/End time": end}
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([os.path.join(programs, "contact_dynamics"), os.path.join(TOP, "prm", "prediction", "contact_dynamics-homogeneous.prm"),
-                        "--output", folder, "--quiet", *(f"--set={key}={value}" for key, value in settings.items())], check=True)
+        Folder(TOP).run(0, "contact_dynamics", "prm/prediction/contact_dynamics-homogeneous.prm", "--output", folder, "--quiet", *sets(settings))
         seen = measures.sliding_rates(folder, begin, end)
     modes = sliding_search.search(growth.homogeneous_pin(np.array(PAPER), delta, cells), 2 * np.pi * 200e3).eigenvalues
     for s in (modes[0], modes[np.argmin(abs(modes.imag - 2 * np.pi * 41.6e3))]):
@@ -151,4 +147,4 @@ if __name__ == "__main__":
     spectrum()
     search_is_complete()
     fastest_mode_of_the_pin()
-    growth_of_a_run(sys.argv[1])
+    growth_of_a_run()

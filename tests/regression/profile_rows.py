@@ -1,7 +1,4 @@
-"""--profile of the three programs: what there is to be told apart, and rows that sum to the row that they are in.
-
-    profile_rows.py <folder with the programs>
-"""
+"""--profile of the three programs: what there is to be told apart, and rows that sum to the row that they are in."""
 
 import os
 import re

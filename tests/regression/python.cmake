@@ -11,6 +11,12 @@ if(missing)
   return()
 endif()
 
+# A program without physics, to test from outside what all programs share.
+add_executable(io_program ${CMAKE_CURRENT_LIST_DIR}/io_program.cc)
+mesoslip_warnings(io_program)
+deal_ii_setup_target(io_program)
+target_link_libraries(io_program mesoslip_program)
+
 # mesoslip_python_tests(<label> <processors> <name>...); exit status 77: what the test needs is not installed.
 function(mesoslip_python_tests label processors)
   foreach(name ${ARGN})
@@ -23,7 +29,7 @@ endfunction()
 mesoslip_python_tests(regression 1 chain_inputs bad_input earlier_results dependencies refused_statics links verification_page completion
                       python_module parameter_reference prediction report shortcuts profile_rows studies terminal disk browser
                       work_precision)
-mesoslip_python_tests(regression 2 chain files resume ranks steady_part first_steps package paper other_processors xdmf)
+mesoslip_python_tests(regression 2 chain files resume ranks steady_part first_steps command_line package paper other_processors xdmf)
 mesoslip_python_tests(verification 1 independent_finite_elements static_localization stability)
 mesoslip_python_tests(verification 2 large_strains)
 if(MESOSLIP_DOXYGEN)

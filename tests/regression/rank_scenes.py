@@ -3,6 +3,8 @@
 import dataclasses
 import re
 
+from scenes import PHASES, prm
+
 # One rank works, or all do the same: one other number of ranks is enough.
 ALL, FEW, NONE = (2, 3, 5), (3,), ()
 ENSEMBLE_RANKS = {"KUBC": ALL, "SUBC": (2, 3), "PBC": (2, 3), "mean": ALL}
@@ -31,69 +33,16 @@ class Run:
         self.needs = {self.reference} - {""} | {name for text in texts for name in re.findall(r"\{([^}]+)-1\}", text)}
 
 
-VOLUME = """
-subsection Grid
-  set Cells = 20, 12
-  set Size = 0.002, 0.0012
-end
-subsection Phases
-  subsection matrix
-    set Young modulus = 30e9
-    set Density = 1770
-  end
-  subsection fibre
-    set Young modulus = 240e9
-    set Poisson ratio = 0.2
-    set Density = 1770
-    set Friction coefficient = 0.1
-  end
-end
-subsection Homogenization
-  set Boundary conditions = KUBC, SUBC, PBC
-end
-"""
-RANDOM = VOLUME + """
-subsection Microstructure
-  subsection Random fibres
-    set Minimum height = 2e-4
-    set Maximum height = 4e-4
-    set Cut by border = true
-  end
-end
-"""
-ALONE = """
-subsection Body
-  set RVE file = here
-end
-"""
-BODY = ALONE + """
-subsection Time
-  set End time = 2e-6
-  set Time step = 5e-9
-end
-subsection Observation
-  set Energy interval = 7
-  set Probes = contact, between, top
-  subsection contact
-    set Position = 0.00105, 0.00005
-  end
-  subsection between
-    set Position = 0.00105, 0.00062
-  end
-  subsection top
-    set Position = 0.0003, 0.0012
-  end
-end
-subsection Snapshots
-  set From = 1e-6
-  set Interval = 1e-7
-end
-"""
-LOCALIZATION = """
-subsection Input
-  set RVE file = here
-end
-"""
+VOLUME = PHASES + prm({"Grid/Cells": "20, 12", "Grid/Size": "0.002, 0.0012", "Phases/fibre/Friction coefficient": 0.1,
+                       "Homogenization/Boundary conditions": "KUBC, SUBC, PBC"})
+RANDOM = VOLUME + prm({"Microstructure/Random fibres/Minimum height": 2e-4, "Microstructure/Random fibres/Maximum height": 4e-4,
+                       "Microstructure/Random fibres/Cut by border": "true"})
+ALONE = prm({"Body/RVE file": "here"})
+BODY = ALONE + prm({
+    "Time/End time": 2e-6, "Time/Time step": 5e-9, "Observation/Energy interval": 7, "Observation/Probes": "contact, between, top",
+    "Observation/contact/Position": "0.00105, 0.00005", "Observation/between/Position": "0.00105, 0.00062",
+    "Observation/top/Position": "0.0003, 0.0012", "Snapshots/From": 1e-6, "Snapshots/Interval": 1e-7})
+LOCALIZATION = prm({"Input/RVE file": "here"})
 
 # Energies are summed over the slabs of the ranks: round-off of the terms, which are below 0.01 J/m here, and in the
 # residual that of their difference. Two to four parts in 1e16 were measured.

@@ -6,7 +6,6 @@
 import argparse
 import os
 import shutil
-import sys
 import tempfile
 
 import h5py
@@ -14,10 +13,8 @@ import numpy as np
 
 from comparison import Comparison
 from rank_scenes import ENSEMBLE_RANKS, FILES, RUNS
-from scenes import TOOLS, Folder
-
-sys.path.insert(0, os.path.join(TOOLS, "studies"))
-from study import Study  # noqa: E402
+from scenes import PROGRAMS, Folder
+from study import Study
 
 # What tells of a process and not of the body; and the state of each rank, which resume.py looks at.
 SKIPPED_FILES = r"\.study.*|study_stderr\.txt|\.lock|contact_dynamics\.checkpoint"
@@ -33,9 +30,9 @@ def comparison(tolerances, other_solver=False):
                       tolerances)
 
 
-def run_all(folder, programs, runs):
+def run_all(folder, runs):
     """Each run on one rank first: the others may need its results."""
-    study = Study(os.path.join(folder, "runs"), programs)
+    study = Study(os.path.join(folder, "runs"), PROGRAMS)
     scene = Folder(folder, {run.name: run.text for run in runs})
     for name, text in FILES.items():
         scene.write(name, text)
@@ -78,18 +75,12 @@ def check_that_differences_are_seen(folder, one):
 
     def in_text(name, old, new):
         def change(other):
-            with open(os.path.join(other, name), encoding="utf-8") as file:
-                text = file.read()
+            text = Folder(other).read(name).decode()
             assert old in text, (name, old)
-            with open(os.path.join(other, name), "w", encoding="utf-8") as file:
-                file.write(text.replace(old, new, 1))
+            Folder(other).write(name, text.replace(old, new, 1))
         return change
 
-    def new_kind(other):
-        with open(os.path.join(other, "new.bin"), "wb") as file:
-            file.write(b"1")
-
-    changes = [in_dataset, in_attribute, new_kind, in_text("summary.json", '"members": 4', '"members": 5'),
+    changes = [in_dataset, in_attribute, lambda other: Folder(other).write("new.bin", "1"), in_text("summary.json", '"members": 4', '"members": 5'),
                in_text("summary.json", '"members"', '"member"'), in_text("ensemble.csv", "KUBC,D11,", "KUBC,D11,1"),
                in_text("log.txt", "effective  ", "effective 1"), in_text("rve.xdmf", "rve.h5", "rve.h6"),
                lambda other: os.remove(os.path.join(other, "stiffness.csv"))]
@@ -140,14 +131,13 @@ def main():
     parser.add_argument("--only", default="", metavar="PART", help="runs with this in their names, and what they need")
     parser.add_argument("--folder", help="keep the runs there")
     arguments = parser.parse_args()
-    programs = os.path.abspath(arguments.programs)
     needed = {need for run in RUNS if arguments.only in run.name for need in run.needs}
     needed |= {need for run in RUNS if run.name in needed for need in run.needs}
     runs = [run for run in RUNS if arguments.only in run.name or run.name in needed]
     with tempfile.TemporaryDirectory() as temporary:
         folder = os.path.abspath(arguments.folder or temporary)
         os.makedirs(folder, exist_ok=True)
-        path = run_all(folder, programs, runs)
+        path = run_all(folder, runs)
         problems = compare_all(runs, path)
         assert not problems, "\n" + "\n".join(problems)
         if not arguments.only:

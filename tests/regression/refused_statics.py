@@ -1,7 +1,4 @@
-"""Static solves that fail, and results that cannot be trusted: what the program says, and whether its advice helps.
-
-    refused_statics.py <folder with the programs>
-"""
+"""Static solves that fail, and results that cannot be trusted: what the program says, and whether its advice helps."""
 
 import math
 import os

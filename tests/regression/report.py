@@ -14,15 +14,15 @@ import tempfile
 import h5py
 import numpy as np
 
-MAKE_REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "applications", "tools", "report", "make_report.py")
+from scenes import TOOLS, Folder
+
+MAKE_REPORT = os.path.join(TOOLS, "report", "make_report.py")
 NX, NY, H = 140, 40, 4e-4
 FREQUENCY = 41321.0
 
 
 def write(folder, name, summary, datasets, attributes=None):
-    os.makedirs(folder, exist_ok=True)
-    with open(os.path.join(folder, "summary.json"), "w", encoding="utf-8") as stream:
-        json.dump(summary, stream)
+    Folder(folder).write("summary.json", json.dumps(summary))
     with h5py.File(os.path.join(folder, name), "w") as file:
         grid = file.create_group("grid")
         grid.attrs["cells"], grid.attrs["spacing"], grid.attrs["origin"] = [NX, NY], [H, H], [0.0, 0.0]
@@ -30,6 +30,10 @@ def write(folder, name, summary, datasets, attributes=None):
             file[path] = data
         for path, (key, value) in (attributes or {}).items():
             file[path].attrs[key] = value
+
+
+def add_to_summary(folder, **more):
+    Folder(folder).write("summary.json", json.dumps({**Folder(folder).summary(), **more}))
 
 
 def morphology():
@@ -150,9 +154,7 @@ def write_analyses(root):
                           "mean_contact_duration": 5.1e-5, "delta": 2.538e-6, "delta_calibrated": None}]}
     write(os.path.join(root, "modal"), "modal.h5", modal, modes)
     write(os.path.join(root, "static"), "dynamics.h5", static, tractions)
-    os.makedirs(os.path.join(root, "law"), exist_ok=True)
-    with open(os.path.join(root, "law", "summary.json"), "w", encoding="utf-8") as stream:
-        json.dump(law, stream)
+    Folder(root).write("law/summary.json", json.dumps(law))
     return [os.path.join(root, name) for name in ("modal", "static", "law")]
 
 
@@ -186,8 +188,7 @@ def report(root, *folders, status=0):
     if status:
         assert done.stderr and not os.path.exists(output)
         return ""
-    with open(output, encoding="utf-8") as stream:
-        page = stream.read()
+    page = Folder(root).read("report.html").decode()
     assert page.endswith("</html>\n") and "Traceback" not in page
     assert not re.search(r'(src|href)="(?!data:|#)', page), "the page is not self-contained"
     return page
@@ -221,21 +222,13 @@ def main():
         assert "Morphology" not in alone[3], "no morphology without an RVE"
 
         # Of an ensemble the means, in the heading and in the numbers; warnings of the runs.
-        with open(os.path.join(folders[0], "summary.json"), "r+", encoding="utf-8") as stream:
-            summary = json.load(stream)
-            mean = (1e9 * np.array([[30.0, 9.0, 0], [9.0, 40.0, 0], [0, 0, 12.0]])).tolist()
-            summary["ensemble"] = {"members": 7, "KUBC": {"mean": mean}, "SUBC": {"mean": mean}}
-            stream.seek(0)
-            json.dump(summary, stream)
+        mean = (1e9 * np.array([[30.0, 9.0, 0], [9.0, 40.0, 0], [0, 0, 12.0]])).tolist()
+        add_to_summary(folders[0], ensemble={"members": 7, "KUBC": {"mean": mean}, "SUBC": {"mean": mean}})
         page = report(root, folders[0])
         assert "KUBC, mean of 7" in page and "30.00" in page, "means of the ensemble"
         assert "36.90" not in page, "the first member stands for the ensemble"
-        with open(os.path.join(folders[1], "summary.json"), "r+", encoding="utf-8") as stream:
-            summary = json.load(stream)
-            summary["mean_contact_duration_warning"] = "T_G rests on 3 %"
-            summary["warnings"] = ["T_G rests on 3 %", "the unit of <P> looks wrong"]
-            stream.seek(0)
-            json.dump(summary, stream)
+        add_to_summary(folders[1], mean_contact_duration_warning="T_G rests on 3 %",
+                       warnings=["T_G rests on 3 %", "the unit of <P> looks wrong"])
         page = report(root, folders[1])
         assert page.count("Warning: T_G rests on 3 %.") == 1 and "Warning: the unit of &lt;P&gt; looks wrong." in page
 
@@ -263,8 +256,7 @@ def main():
         report(root, os.path.join(root, "empty"), os.path.join(root, "no such folder"))
         write(os.path.join(root, "other"), "other.h5", {"program": "something"}, {})
         report(root, os.path.join(root, "other"), status=2)
-        with open(os.path.join(root, "other", "summary.json"), "w", encoding="utf-8") as stream:
-            stream.write('{"program": ')
+        Folder(root).write("other/summary.json", '{"program": ')
         report(root, os.path.join(root, "other"), status=2)
     finally:
         shutil.rmtree(root)

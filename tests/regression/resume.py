@@ -19,59 +19,20 @@ import h5py
 import numpy as np
 
 from comparison import Comparison
-from scenes import ENVIRONMENT, PHASES, PROGRAMS, TOOLS, Folder, sets
+from scenes import ENVIRONMENT, PROGRAMS, TOOLS, Folder, prm, rve, sets
 
 RUN_CHAIN = os.path.join(TOOLS, "run_chain.py")
 CHECKPOINT = "contact_dynamics.checkpoint"
 # What tells of a process and not of the body: log, checkpoint, and of the summary what the clock says.
 SKIPPED = rf"log\.txt|\.lock|{re.escape(CHECKPOINT)}", r"summary\.json:(seconds(/|$)|peak_memory_bytes$|cell_updates_per_second$)", "$^"
 
-RVE = PHASES + """
-subsection Grid
-  set Cells = 60, 24
-  set Size = 0.006, 0.0024
-end
-subsection Microstructure
-  subsection Random fibres
-    set Minimum height = 2e-4
-    set Maximum height = 6e-4
-    set Cut by border = true
-  end
-end
-"""
+RVE = rve("60, 24", "0.006, 0.0024", 2e-4, 6e-4, **{"Microstructure/Random fibres/Cut by border": "true"})
 # Everything that has a state: histories, energy, probes, snapshots, blocks, a platen that is held.
-CONTACT = """
-subsection Body
-  set RVE file = rve/rve.h5
-end
-subsection Time
-  set End time = 1.0003e-3
-  set Time step = 5e-9
-end
-subsection Top
-  set Hold from = 6e-4
-  set Platen mass = 0.02
-end
-subsection Friction
-  set Law = slip rate
-end
-subsection Observation
-  set Energy interval = 30
-  set Probes = contact, bulk
-  subsection contact
-    set Position = 0.00305, 0.00005
-  end
-  subsection bulk
-    set Position = 0.00305, 0.00125
-  end
-end
-subsection Snapshots
-  set Interval = 6.6e-6
-end
-subsection Checkpoints
-  set Interval = 1e-5
-end
-"""
+CONTACT = prm({
+    "Body/RVE file": "rve/rve.h5", "Time/End time": 1.0003e-3, "Time/Time step": 5e-9, "Top/Hold from": 6e-4, "Top/Platen mass": 0.02,
+    "Friction/Law": "slip rate", "Observation/Energy interval": 30, "Observation/Probes": "contact, bulk",
+    "Observation/contact/Position": "0.00305, 0.00005", "Observation/bulk/Position": "0.00305, 0.00125", "Snapshots/Interval": 6.6e-6,
+    "Checkpoints/Interval": 1e-5})
 
 
 class Scene(Folder):
@@ -263,7 +224,7 @@ def other_programs(scene):
     """They keep no checkpoints and start from the beginning."""
     scene.expect(0, [], "rve-again", ["--resume"], program="rve_homogenization", prm="rve.prm")
     assert "starts from the beginning" in scene.log("rve-again")
-    scene.write("modal.prm", "set Analysis = modal\nsubsection Body\n  set RVE file = rve/rve.h5\nend\n")
+    scene.write("modal.prm", prm({"Analysis": "modal", "Body/RVE file": "rve/rve.h5"}))
     scene.expect(0, [], "modal", ["--resume"], prm="modal.prm")
 
 

@@ -1,4 +1,5 @@
-"""What tests of the programs share: texts of .prm files, and folders in which the programs run."""
+"""What tests of the programs and scripts share: where things are, texts of .prm files, and folders in which the programs run. With it
+the modules of applications/tools/studies can be imported."""
 
 import json
 import os
@@ -8,40 +9,45 @@ import sys
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 TOOLS = os.path.join(TOP, "applications", "tools")
 PROGRAMS = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else ""
+sys.path.append(os.path.join(TOOLS, "studies"))
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
-PHASES = """
-subsection Phases
-  subsection matrix
-    set Young modulus = 30e9
-    set Density = 1770
-  end
-  subsection fibre
-    set Young modulus = 240e9
-    set Density = 1770
-  end
-end
-"""
-SMALL_GRID = """
-subsection Grid
-  set Cells = 20, 10
-  set Size = 0.002, 0.001
-end
-"""
-SMALL_RVE = PHASES + SMALL_GRID + """
-subsection Microstructure
-  subsection Random fibres
-    set Minimum height = 2e-4
-    set Maximum height = 4e-4
-  end
-end
-"""
+
+def prm(settings):
+    """The text of a .prm file for {"Section/Key": value}."""
+    text = ""
+    for path, value in settings.items():
+        *sections, key = path.split("/")
+        text += "".join(f"subsection {name}\n" for name in sections) + f"set {key} = {value}\n" + "end\n" * len(sections)
+    return text
+
+
+PHASES = prm({"Phases/matrix/Young modulus": "30e9", "Phases/matrix/Density": 1770, "Phases/fibre/Young modulus": "240e9",
+              "Phases/fibre/Density": 1770})
+SMALL_GRID = prm({"Grid/Cells": "20, 10", "Grid/Size": "0.002, 0.001"})
+
+
+def rve(cells, size, lowest, highest, **more):
+    """Random fibres from `lowest` to `highest` (m)."""
+    return PHASES + prm({"Grid/Cells": cells, "Grid/Size": size, "Microstructure/Random fibres/Minimum height": lowest,
+                         "Microstructure/Random fibres/Maximum height": highest, **more})
+
+
+SMALL_RVE = rve("20, 10", "0.002, 0.001", 2e-4, 4e-4)
 
 
 def sets(settings):
     """{"Section/Key": value} or ["Section/Key=value"] as words of a command line."""
     return ["--set=" + (item if isinstance(item, str) else "%s=%s" % item)
             for item in (settings.items() if isinstance(settings, dict) else settings)]
+
+
+def run_chain(*arguments):
+    """What applications/tools/run_chain.py says."""
+    done = subprocess.run([sys.executable, "-B", os.path.join(TOOLS, "run_chain.py"), "--programs", PROGRAMS, *arguments], text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    assert done.returncode == 0, done.stdout
+    return done.stdout
 
 
 class Folder:

@@ -1,7 +1,4 @@
-"""Shortcuts change no answer: each with and without, on small grids.
-
-    shortcuts.py <folder with the programs>
-"""
+"""Shortcuts change no answer: each with and without, on small grids."""
 
 import os
 import sys
@@ -10,9 +7,9 @@ import tempfile
 import h5py
 import numpy as np
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(HERE, "..", "benchmarks"))
+from scenes import TOP
+
+sys.path.insert(0, os.path.join(TOP, "tests", "benchmarks"))
 
 import shortcuts as benchmark  # noqa: E402
 from common import Study  # noqa: E402

@@ -1,7 +1,4 @@
-"""What a transient run says about its steady part, against numpy on its own histories, and that it does not depend on how dense these are.
-
-    steady_part.py <folder with the programs>
-"""
+"""What a transient run says about its steady part, against numpy on its own histories, and that it does not depend on how dense these are."""
 
 import math
 import os
@@ -10,23 +7,10 @@ import tempfile
 import h5py
 import numpy as np
 
-from scenes import Folder, sets
+from scenes import Folder, prm, sets
 
 # The paper's pin on cells of 1 mm, which vibrates at 124 and 221 kHz: 45 and 25 steps a period.
-PIN = """
-subsection Body
-  set Cells = 56, 16
-end
-subsection Time
-  set End time = 2e-3
-end
-subsection Flat
-  set Velocity = 2
-end
-subsection Top
-  set Pressure = 5e6
-end
-"""
+PIN = prm({"Body/Cells": "56, 16", "Time/End time": 2e-3, "Flat/Velocity": 2, "Top/Pressure": 5e6})
 LENGTH, PRESSURE, VELOCITY, MU = 0.056, 5e6, 2., 0.25
 SPARSE = "spectra computed from them would show frequencies that are not there"
 

@@ -1,17 +1,12 @@
 #!/usr/bin/env python3
-"""Studies repeat what changed, and with `keep` not what only other programs would change.
-
-    studies.py <folder with the programs, not used>
-"""
+"""Studies repeat what changed, and with `keep` not what only other programs would change."""
 
 import os
-import sys
 import tempfile
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(TOP, "applications", "tools", "studies"))
+from scenes import Folder
 
-from study import Study  # noqa: E402
+from study import Study
 
 # A stand-in for the three programs: counts its runs in the output folder, `--output DIR` being its second and third words.
 PROGRAM = """#!/bin/sh
@@ -21,10 +16,8 @@ echo run >> "$3/runs"; echo '{{"build": {build}}}' > "$3/summary.json"
 
 
 def build(programs, number):
-    path = os.path.join(programs, "contact_dynamics")
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(PROGRAM.format(build=number))
-    os.chmod(path, 0o755)
+    Folder(programs).write("contact_dynamics", PROGRAM.format(build=number))
+    os.chmod(os.path.join(programs, "contact_dynamics"), 0o755)
 
 
 def runs(folder, programs, settings=None, keep=False):
@@ -35,17 +28,12 @@ def runs(folder, programs, settings=None, keep=False):
     study.add("second", "contact_dynamics", prm, {"Body/RVE file": "{first}/rve.h5"})
     results = study.run()
     assert [result.status for result in results.values()] == [0, 0]
-    counts = []
-    for name in results:
-        with open(os.path.join(results[name].folder, "runs"), encoding="utf-8") as file:
-            counts.append(len(file.readlines()))
-    return counts
+    return [Folder(result.folder).read("runs").count(b"\n") for result in results.values()]
 
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "file.prm"), "w", encoding="utf-8"):
-            pass
+        Folder(folder, {"file": ""})
         build(folder, 1)
         assert runs(folder, folder) == [1, 1]
         assert runs(folder, folder) == [1, 1], "nothing changed"

@@ -1,24 +1,14 @@
-"""Colours and carriage returns go to terminals only.
-
-    terminal.py <folder with the programs>
-"""
+"""Colours and carriage returns go to terminals only."""
 
 import os
 import pty
 import signal
 import tempfile
 
-from scenes import ENVIRONMENT, Folder
+from scenes import ENVIRONMENT, Folder, prm
 
 # Lines of progress come every ten seconds or tenths; the run is stopped after some.
-PRM = """
-subsection Body
-  set Cells = 280, 80
-end
-subsection Time
-  set End time = 1e-2
-end
-"""
+PRM = prm({"Body/Cells": "280, 80", "Time/End time": 1e-2})
 CONTROLS = (b"\r", b"\033")
 COLOURED, PLAIN = b"\r\033[36mSliding", b"\rSliding"
 

@@ -1,7 +1,5 @@
 """ParaView opens what the programs leave: times, size of the body, and every value as in the HDF5 files.
 
-    xdmf.py <folder with the programs>
-
 Without pvpython (Debian: python3-paraview) the test is skipped (exit status 77).
 """
 
@@ -61,7 +59,7 @@ def check(name, seen, path, shown):
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        run_chain(folder, os.path.abspath(sys.argv[1]))
+        run_chain(folder)
         paths = [os.path.join(folder, name) for name, _, _ in SHOWN]
         for (name, hdf5, shown), seen in zip(SHOWN, read_with_paraview(folder, paths)):
             check(name, seen, os.path.join(os.path.dirname(os.path.join(folder, name)), hdf5), shown)

@@ -29,9 +29,7 @@ TEST(Element, EigenvaluesOfTheSquare)
 {
   // omega^2 rho h^2 of one cell with quarter masses.
   const double lambda = 1.7, mu = 0.9, rho = 2.1, h = 0.3;
-  UniformGrid<2> grid;
-  grid.cells   = {{1, 1}};
-  grid.spacing = {{h, h}};
+  const UniformGrid<2> grid{{{1, 1}}, {{h, h}}};
   const UniformMaterial material(grid, {{plane_strain(lambda, mu), rho}});
   const UniformGridOperator K(material);
   ElementMatrix matrix;
@@ -88,9 +86,7 @@ TEST(UniformGridOperator, EqualsDenseElements)
                 ASSERT_EQ(f.row(0, 0)[i], 0.) << "padding must stay zero";
 
               NodalField<float> u_float(u.n_columns(), u.n_rows()), f_float(u_float);
-              for (unsigned int c = 0; c < 2; ++c)
-                for (unsigned int j = 0; j < u.n_rows(); ++j)
-                  std::copy_n(u.row(c, j), u.n_columns(), u_float.row(c, j));
+              u_float.convert_from(u);
               K.vmult(f_float, u_float);
               ASSERT_LT(largest_difference(reference, f_float), 2e-5);
             }
@@ -236,9 +232,7 @@ TEST(UniformMaterial, MassAndChecks)
       EXPECT_NEAR(sum, cells, 1e-13);
       EXPECT_NEAR(material.total_mass(), cells, 1e-13);
     }
-  UniformGrid<2> grid;
-  grid.cells   = {{2, 1}};
-  grid.spacing = {{1., 1.}};
+  const UniformGrid<2> grid{{{2, 1}}, {{1., 1.}}};
   const ElasticPhase<2> good{plane_strain(1., 1.), 1.};
   ElasticPhase<2> no_mass = good, indefinite = good;
   no_mass.density            = 0.;

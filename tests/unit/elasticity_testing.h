@@ -19,26 +19,28 @@ using namespace mesoslip;
 
 constexpr unsigned int seed = 20240611;
 
-using ElementMatrix = Eigen::Matrix<double, 8, 8>;
+template <typename Number>
+using CellMatrix    = Eigen::Matrix<Number, 8, 8>;
+using ElementMatrix = CellMatrix<double>;
 
 /** Q1 rectangle by 2x2 Gauss points; unknowns node by node, x fastest. */
-inline ElementMatrix
-element_matrix(const VoigtMatrix<2> &D, const double hx, const double hy)
+template <typename Number = double>
+CellMatrix<Number>
+element_matrix(const VoigtMatrix<2> &D, const Number hx, const Number hy)
 {
-  ElementMatrix K = ElementMatrix::Zero();
-  const double g  = 0.5 / std::sqrt(3.);
-  for (const double X : {-g, g})
-    for (const double Y : {-g, g})
+  CellMatrix<Number> K = CellMatrix<Number>::Zero();
+  const Number g       = Number(0.5) / std::sqrt(Number(3));
+  for (const Number X : {-g, g})
+    for (const Number Y : {-g, g})
       {
-        Eigen::Matrix<double, 3, 8> B = Eigen::Matrix<double, 3, 8>::Zero();
+        Eigen::Matrix<Number, 3, 8> B = Eigen::Matrix<Number, 3, 8>::Zero();
         for (int n = 0; n < 4; ++n)
           {
-            const double sx = n % 2 ? 1. : -1., sy = n / 2 ? 1. : -1.;
-            const double dx = sx * (0.5 + sy * Y) / hx, dy = sy * (0.5 + sx * X) / hy;
-            B(0, 2 * n) = B(2, 2 * n + 1) = dx;
-            B(1, 2 * n + 1) = B(2, 2 * n) = dy;
+            const Number sx = n % 2 ? 1 : -1, sy = n / 2 ? 1 : -1;
+            B(0, 2 * n) = B(2, 2 * n + 1) = sx * (Number(0.5) + sy * Y) / hx;
+            B(1, 2 * n + 1) = B(2, 2 * n) = sy * (Number(0.5) + sx * X) / hy;
           }
-        K += B.transpose() * D * B * hx * hy / 4.;
+        K += B.transpose() * D.cast<Number>() * B * (hx * hy / 4);
       }
   return K;
 }
@@ -50,17 +52,30 @@ inline VoigtMatrix<2> plane_strain(const double lambda, const double mu)
   return D;
 }
 
+/** Random numbers, the same ones for a seed. */
 class Random
 {
 public:
-  double operator()(const double low = -1., const double high = 1.)
+  explicit Random(const unsigned int seed = elasticity_testing::seed)
+    : generator(seed)
   {
-    return std::uniform_real_distribution<double>(low, high)(generator);
   }
 
-  unsigned int integer(const unsigned int n)
+  double operator()(const double lower = -1., const double upper = 1.)
   {
-    return std::uniform_int_distribution<unsigned int>(0, n - 1)(generator);
+    return std::uniform_real_distribution<double>(lower, upper)(generator);
+  }
+
+  /** Uniform logarithm. */
+  double scale(const double lower, const double upper)
+  {
+    return std::exp((*this)(std::log(lower), std::log(upper)));
+  }
+
+  /** Both ends included. */
+  unsigned int integer(const unsigned int lower, const unsigned int upper)
+  {
+    return std::uniform_int_distribution<unsigned int>(lower, upper)(generator);
   }
 
   VoigtMatrix<2> stiffness(const bool anisotropic)
@@ -74,6 +89,16 @@ public:
     return D;
   }
 
+  /** Positive definite, whatever else. */
+  VoigtMatrix<2> any_stiffness(const double modulus)
+  {
+    VoigtMatrix<2> L = VoigtMatrix<2>::Zero();
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c <= r; ++c)
+        L(r, c) = r == c ? scale(0.1, 1.) : (*this)();
+    return modulus * L * L.transpose();
+  }
+
   void fill(NodalField<double> &field)
   {
     for (unsigned int c = 0; c < 2; ++c)
@@ -83,7 +108,7 @@ public:
   }
 
 private:
-  std::mt19937 generator{seed};
+  std::mt19937_64 generator;
 };
 
 /** A random material with classes 0 .. n_classes - 1. */
@@ -94,9 +119,7 @@ inline UniformMaterial random_material(Random &random,
                                        const bool uniform_density,
                                        const Periodicity periodicity = Periodicity())
 {
-  UniformGrid<2> grid;
-  grid.cells   = cells;
-  grid.spacing = {{0.7, 0.9}};
+  const UniformGrid<2> grid{cells, {{0.7, 0.9}}};
   std::vector<ElasticPhase<2>> classes(n_classes);
   for (ElasticPhase<2> &c : classes)
     c = {random.stiffness(anisotropic), uniform_density ? 1.3 : random(1., 2.)};
@@ -104,7 +127,7 @@ inline UniformMaterial random_material(Random &random,
   if (n_classes > 1)
     {
       for (std::size_t i = 0; i < grid.n_cells(); ++i)
-        ids.push_back(random.integer(n_classes));
+        ids.push_back(random.integer(0, n_classes - 1));
       ids.back() = n_classes - 1;
     }
   return UniformMaterial(grid, classes, ids, periodicity);

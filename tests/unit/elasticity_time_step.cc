@@ -62,9 +62,7 @@ TEST(CriticalTimeStep, Formula)
 
 TEST(CriticalTimeStep, ElementBoundOfTheSquare)
 {
-  UniformGrid<2> grid;
-  grid.cells          = {{4, 4}};
-  grid.spacing        = {{0.1, 0.1}};
+  const UniformGrid<2> grid{{{4, 4}}, {{0.1, 0.1}}};
   const double lambda = 2., mu = 1., rho = 3.;
   EXPECT_NEAR(
     element_frequency_bound(UniformMaterial(grid, {{plane_strain(lambda, mu), rho}})),
@@ -93,9 +91,7 @@ TEST(CriticalTimeStep, LanczosAgainstDenseEigenvalues)
 TEST(CriticalTimeStep, FineHomogeneousGrid)
 {
   // An infinite mesh of squares has 2 c_L / h.
-  UniformGrid<2> grid;
-  grid.cells          = {{120, 80}};
-  grid.spacing        = {{1e-4, 1e-4}};
+  const UniformGrid<2> grid{{{120, 80}}, {{1e-4, 1e-4}}};
   const double lambda = 8.3e9, mu = 12.5e9, rho = 1500.;
   const UniformMaterial material(grid, {{plane_strain(lambda, mu), rho}});
   const double limit = 2. * std::sqrt((lambda + 2. * mu) / rho) / 1e-4;
@@ -108,19 +104,21 @@ TEST(CriticalTimeStep, FineHomogeneousGrid)
 TEST(CriticalTimeStep, ObservedStability)
 {
   Random random;
-  for (const double beta : {0., 0.05})
-    for (const double beta2 : {0.5, 1.})
-      {
-        const UniformMaterial material =
-          random_material(random, {{13, 9}}, 2, false, false);
-        const double exact =
-          critical_time_step(dense_largest_frequency(material), beta2, beta);
-        StepParameters p;
-        p.beta  = beta;
-        p.beta2 = beta2;
-        p.dt    = 0.9999 * critical_time_step(material, beta2, beta);
-        EXPECT_TRUE(stays_bounded(material, p));
-        p.dt = 1.01 * exact;
-        EXPECT_FALSE(stays_bounded(material, p));
-      }
+  for (const auto &cells : {std::array<unsigned int, 2>{{1, 1}}, {{13, 9}}})
+    for (const double beta : {0., 0.05})
+      for (const double beta2 : {0.5, 0.7, 1.})
+        {
+          const UniformMaterial material =
+            random_material(random, cells, 2, false, false);
+          const double exact =
+            critical_time_step(dense_largest_frequency(material), beta2, beta);
+          StepParameters p;
+          p.beta  = beta;
+          p.beta2 = beta2;
+          p.dt    = 0.9999 * critical_time_step(material, beta2, beta);
+          EXPECT_TRUE(stays_bounded(material, p)) << beta2 << " " << beta;
+          EXPECT_GT(p.dt, 0.99 * exact);
+          p.dt = 1.01 * exact;
+          EXPECT_FALSE(stays_bounded(material, p)) << beta2 << " " << beta;
+        }
 }

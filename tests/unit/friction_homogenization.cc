@@ -26,11 +26,10 @@ class FrictionHomogenization : public testing::Test
 protected:
   FrictionHomogenization()
   {
-    body.grid.cells   = {{10, 4}};
-    body.grid.spacing = {{1e-4, 1e-4}};
-    body.phases       = {{"matrix", isotropic_stiffness<2>(30e9, 0.2), 1770., 0.12},
-                         {"fibre", isotropic_stiffness<2>(240e9, 0.2), 1770., 0.3}};
-    body.rve_digest   = "abc";
+    body.grid       = {{{10, 4}}, {{1e-4, 1e-4}}};
+    body.phases     = {{"matrix", isotropic_stiffness<2>(30e9, 0.2), 1770., 0.12},
+                       {"fibre", isotropic_stiffness<2>(240e9, 0.2), 1770., 0.3}};
+    body.rve_digest = "abc";
     body.phase_id.assign(40, 0);
     for (const std::size_t k : {2, 7, 12, 17}) // in rows 0 and 1
       body.phase_id[k] = 1;
@@ -217,8 +216,8 @@ TEST_F(FrictionHomogenization, ChoosesStaticContactIfThereIsOne)
   EXPECT_EQ(none.duration, "heterogeneous");
 
   parameters.pressures = "static contact";
-  expect_contains(user_error([&]() { chosen_estimate(estimates, parameters, input); }),
-                  "Static contact is empty");
+  expect_error("Static contact is empty",
+               [&] { chosen_estimate(estimates, parameters, input); });
 }
 
 TEST_F(FrictionHomogenization, OneCoefficientForAllPhases)
@@ -299,13 +298,13 @@ TEST_F(FrictionHomogenization, WithoutLandingsOrBelowTheLimit)
   EXPECT_EQ(friction_estimates(read()).size(), 5u)
     << "T_G of the homogeneous run is left";
   homogeneous["mean_contact_duration"] = nullptr;
-  expect_contains(user_error([this]() { friction_estimates(read()); }), "T_G");
+  expect_error("T_G", [this]() { friction_estimates(read()); });
 
   homogeneous["mean_contact_duration"]                   = T_homogeneous;
   heterogeneous["global_interface_friction_coefficient"] = 0.23;
   const auto input                                       = read();
   const auto estimates                                   = friction_estimates(input);
   EXPECT_FALSE(find(estimates, "static contact", "homogeneous").delta);
-  expect_contains(user_error([&]() { chosen_estimate(estimates, parameters, input); }),
-                  "is not below mu_homo");
+  expect_error("is not below mu_homo",
+               [&] { chosen_estimate(estimates, parameters, input); });
 }

@@ -1,18 +1,12 @@
-// Parameters, timer, progress, digest: what needs no files.
+// Parameters and what else needs no files.
 #include "io_testing.h"
 
-#include "base/digest.h"
 #include "base/files.h"
 #include "base/text.h"
-#include "base/timer.h"
 #include "parameters/keys.h"
-#include "program/progress.h"
 
-#include <chrono>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <sstream>
-#include <thread>
 
 using namespace mesoslip;
 using namespace mesoslip_tests;
@@ -87,9 +81,8 @@ TEST(Parameters, ReadsWhatIsSet)
   EXPECT_EQ(values.kind, "two words");
   EXPECT_TRUE(values.big);
   EXPECT_EQ(values.file, "/some/where/a/b.png");
-  expect_contains(
-    user_error([&]() { require_readable_file("A: ", values.file, "draw it"); }),
-    "A: there is no file /some/where/a/b.png; draw it");
+  expect_error("A: there is no file /some/where/a/b.png; draw it",
+               [&] { require_readable_file("A: ", values.file, "draw it"); });
   EXPECT_THROW(keys.value("Undeclared"), std::logic_error);
 }
 
@@ -195,8 +188,8 @@ TEST(Parameters, NamesWhatIsNoParameterFile)
 TEST(Parameters, OtherEncodingsThanUtf8AreNamed)
 {
   const auto parse = [](const std::string &text) { RawParameters::parse(text, "a.prm"); };
-  expect_contains(user_error([&]() { parse("# x\nset Names = Tr\xe4ger"); }),
-                  "a.prm:2: the line is not UTF-8");
+  expect_error("a.prm:2: the line is not UTF-8",
+               [&] { parse("# x\nset Names = Tr\xe4ger"); });
   parse("set Names = Tr\u00e4ger # Tr\xe4ger"); // comments may be anything
 }
 
@@ -223,10 +216,10 @@ TEST(Parameters, NamesOfSubsectionsCanBeTyped)
   };
   EXPECT_EQ(read("a, b c"), (std::vector<std::string>{"a", "b c"}));
   for (const std::string name : {"b  c", "b\tc", "a/b", "a =", "a\"", ".", "..", ""})
-    expect_contains(user_error([&]() { read("x, " + name); }),
-                    "Names: '" + name +
-                      "' cannot be the name of a phase; use letters, "
-                      "digits and single blanks");
+    expect_error("Names: '" + name +
+                   "' cannot be the name of a phase; use letters, "
+                   "digits and single blanks",
+                 [&] { read("x, " + name); });
 }
 
 TEST(Parameters, ConditionsAndRenamedKeys)
@@ -255,15 +248,6 @@ TEST(Parameters, ConditionsAndRenamedKeys)
             "run.prm:1: Solver = assembled is called 'ml' now; set Solver = ml");
 }
 
-TEST(Digest, IsTheSameEverywhere)
-{
-  // FNV-1a of the bytes "a" and its length as eight little-endian bytes, from Python.
-  EXPECT_EQ(Digest().hex(), "cbf29ce484222325");
-  EXPECT_EQ(Digest().add("a").hex(), "dedf9f982e43402d");
-  EXPECT_NE(Digest().add("ab").add("c").hex(), Digest().add("a").add("bc").hex());
-  EXPECT_NE(Digest().add(0.).hex(), Digest().add(-0.).hex());
-}
-
 TEST(TextOfNumbers, ReadsBack)
 {
   for (const double x : {1. / 3., 4.4e-9, 5e-324, -0., 1e22})
@@ -272,74 +256,4 @@ TEST(TextOfNumbers, ReadsBack)
       ASSERT_TRUE(parse_number(to_text(x), back));
       EXPECT_EQ(x, back);
     }
-}
-
-TEST(TimerTest, NestsAndShowsTheRest)
-{
-  Timer timer;
-  for (int i = 0; i < 3; ++i)
-    {
-      const auto outer = timer.scope("Outer");
-      const auto inner = timer.scope("Inner");
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-  nlohmann::json json = timer.json();
-  EXPECT_EQ(json.size(), 3u);
-  EXPECT_GE(json["Outer/Inner"].get<double>(), 0.006);
-  EXPECT_GE(json["Outer"].get<double>(), json["Outer/Inner"].get<double>());
-  EXPECT_GE(json["total"].get<double>(), json["Outer"].get<double>());
-  std::ostringstream table;
-  timer.print(table);
-  expect_contains(table.str(), "\n    Inner ");
-  expect_contains(table.str(), "\n    other ");
-}
-
-TEST(TimerTest, TheRestMayHaveAName)
-{
-  Timer timer;
-  {
-    const auto outer = timer.scope("Outer", "Own work");
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    const auto inner = timer.scope("Inner");
-  }
-  nlohmann::json json = timer.json();
-  EXPECT_EQ(json.size(), 4u);
-  EXPECT_GE(json["Outer/Own work"].get<double>(), 0.002);
-  EXPECT_NEAR(json["Outer/Own work"].get<double>() + json["Outer/Inner"].get<double>(),
-              json["Outer"].get<double>(), 1e-15);
-  std::ostringstream table;
-  timer.print(table);
-  expect_contains(table.str(), "\n    Own work ");
-}
-
-TEST(ProgressTest, ShowsOneLineOnATerminalAndNothingWhenOff)
-{
-  std::ostringstream out, silent, plain;
-  Progress terminal(out, Progress::Mode::terminal);
-  Progress off(silent, Progress::Mode::off), lines(plain, Progress::Mode::plain);
-  terminal.start("steps", 200, 1000000);
-  off.start("steps", 200);
-  lines.start("steps", 200);
-  terminal.update(1, 1e-9);
-  EXPECT_EQ(out.str(), "");
-  std::this_thread::sleep_for(std::chrono::milliseconds(250));
-  terminal.update(50, 1e-6);
-  off.update(50, 1e-6);
-  lines.update(50, 1e-6);
-  expect_contains(out.str(), "\r");
-  expect_contains(out.str(), "steps  25.0 %  t = 1e-06 s");
-  expect_contains(out.str(), "M cell updates/s  remaining ");
-  terminal.finish();
-  expect_contains(out.str(), "\r\033[K");
-  EXPECT_EQ(silent.str(), "");
-  EXPECT_EQ(plain.str(), "") << "a quarter of a second is too short for a line";
-  EXPECT_EQ(duration_text(7507.), "2 h 05 min");
-  EXPECT_EQ(duration_text(4.24), "4.2 s");
-}
-
-TEST(Errors, SayWhere)
-{
-  const NumericalFailure failure("the velocity is not finite", 12, 1.5e-6, "node (3, 4)");
-  EXPECT_STREQ(failure.what(),
-               "the velocity is not finite in step 12 at t = 1.5e-06 s, node (3, 4)");
 }

@@ -1,24 +1,14 @@
-// Tables, XDMF, checkpoints, locks.
+// Tables, checkpoints, whole files.
 #include "io_testing.h"
 
 #include "base/archive.h"
 #include "base/files.h"
 #include "io/checkpoint.h"
 #include "io/table.h"
-#include "io/xdmf.h"
-#include "program/lock.h"
-
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
 
 #include <boost/serialization/vector.hpp>
 
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <limits>
-#include <memory>
-#include <sys/wait.h>
 
 using namespace mesoslip;
 using namespace mesoslip_tests;
@@ -43,8 +33,8 @@ TEST(Tables, ReadBackUnchanged)
     few.flush();
   }
   EXPECT_EQ(read_file(path), "time [s],\"a, \"\"b\"\" [m]\"\n7,\n");
-  expect_contains(user_error([&]() { CsvTable::read(path).numbers("a, \"b\" [m]"); }),
-                  "t.csv:2: column 'a, \"b\" [m]' holds ''");
+  expect_error("t.csv:2: column 'a, \"b\" [m]' holds ''",
+               [&] { CsvTable::read(path).numbers("a, \"b\" [m]"); });
 }
 
 TEST(Tables, NameWhatIsWrong)
@@ -63,59 +53,8 @@ TEST(Tables, NameWhatIsWrong)
                   "there is no column 'x'; the heading line has y, z");
   expect_contains(message("x\n\"1\n"), "r.csv:2: a quotation mark is not closed");
   expect_contains(message("\n"), "is empty");
-  expect_contains(user_error([&]() { CsvTable::read(folder / "no.csv"); }),
-                  "there is no file");
-  expect_contains(user_error([&]() { CsvTable::read(folder.path); }), "is a folder");
-}
-
-TEST(Xdmf, NamesDatasetsAndExtents)
-{
-  const TemporaryFolder folder;
-  XdmfGrid grid;
-  grid.cells   = {{4, 3, 0}};
-  grid.spacing = {{0.1, 0.2, 0.}};
-  grid.origin  = {{1., 2., 0.}};
-  XdmfField displacement;
-  displacement.name        = "displacement";
-  displacement.file        = "d.h5";
-  displacement.dataset     = "/snapshots/displacement";
-  displacement.components  = 2;
-  displacement.time_series = true;
-  XdmfField phase;
-  phase.name    = "phase <&>";
-  phase.file    = "d.h5";
-  phase.dataset = "/phase/id";
-  phase.centre  = XdmfField::Centre::cell;
-  phase.number  = XdmfField::Number::uint8;
-  write_xdmf(folder / "d.xdmf", grid, {displacement}, {0.5, 1. / 3.});
-  boost::property_tree::ptree tree;
-  read_xml(folder / "d.xdmf", tree);
-  const auto &series = tree.get_child("Xdmf.Domain.Grid");
-  EXPECT_EQ(series.count("Grid"), 2u);
-  const auto &last = series.rbegin()->second;
-  EXPECT_EQ(last.get<std::string>("Time.<xmlattr>.Value"), "0.3333333333333333");
-  EXPECT_EQ(last.get<std::string>("Topology.<xmlattr>.Dimensions"), "1 4 5");
-  EXPECT_EQ(last.get<std::string>("Geometry.DataItem"), "0 2 1");
-  EXPECT_EQ(last.get<std::string>("Attribute.<xmlattr>.AttributeType"), "Vector");
-  const auto &slab = last.get_child("Attribute.DataItem");
-  EXPECT_EQ(slab.get<std::string>("<xmlattr>.Dimensions"), "1 4 5 2");
-  EXPECT_EQ(slab.get<std::string>("DataItem"), "1 0 0 0  1 1 1 1  1 4 5 2");
-  EXPECT_EQ(slab.rbegin()->second.get<std::string>("<xmlattr>.Dimensions"), "2 4 5 2");
-  EXPECT_EQ(slab.rbegin()->second.data(), "d.h5:/snapshots/displacement");
-
-  XdmfField stress  = phase;
-  stress.name       = "stress";
-  stress.components = 3;
-  write_xdmf(folder / "c.xdmf", grid, {phase, stress}, {0.5});
-  boost::property_tree::ptree cells;
-  read_xml(folder / "c.xdmf", cells);
-  const auto &only = cells.get_child("Xdmf.Domain.Grid.Grid");
-  EXPECT_EQ(only.get<std::string>("Topology.<xmlattr>.Dimensions"), "2 4 5");
-  EXPECT_EQ(only.get<std::string>("Attribute.<xmlattr>.Name"), "phase <&>");
-  EXPECT_EQ(only.get<std::string>("Attribute.DataItem.<xmlattr>.Dimensions"), "1 3 4");
-  EXPECT_EQ(only.rbegin()->second.get<std::string>("<xmlattr>.Name"), "stress_2");
-  EXPECT_EQ(only.rbegin()->second.get<std::string>("DataItem.DataItem"),
-            "0 0 2  1 1 1  3 4 1");
+  expect_error("there is no file", [&] { CsvTable::read(folder / "no.csv"); });
+  expect_error("is a folder", [&] { CsvTable::read(folder.path); });
 }
 
 TEST(Checkpoints, ComeBackOrSayWhyNot)
@@ -168,31 +107,8 @@ TEST(Archives, SayWhenTheyAreDamaged)
   EXPECT_EQ(back, values);
   for (const std::string &bytes :
        {std::string(), state.substr(0, 30), state.substr(0, 200)})
-    expect_contains(user_error([&]() { load_state(bytes, back, "file"); }),
-                    "file is damaged: the state in it cannot be read");
-}
-
-TEST(Lock, IsHeldByRunningProcessesOnly)
-{
-  const TemporaryFolder folder;
-  {
-    const FolderLock lock(folder.path);
-    expect_contains(user_error([&]() { FolderLock another(folder.path); }),
-                    "(process " + std::to_string(getpid()) + ")");
-  }
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path));
-
-  // A process that dies without cleaning up leaves the file, but not the lock.
-  const pid_t child = fork();
-  if (child == 0)
-    {
-      new FolderLock(folder.path);
-      _exit(0);
-    }
-  int status = 0;
-  waitpid(child, &status, 0);
-  EXPECT_TRUE(std::filesystem::exists(folder / ".lock"));
-  EXPECT_NO_THROW(FolderLock(folder.path));
+    expect_error("file is damaged: the state in it cannot be read",
+                 [&] { load_state(bytes, back, "file"); });
 }
 
 TEST(Files, AreReplacedInOneGo)
@@ -202,6 +118,5 @@ TEST(Files, AreReplacedInOneGo)
   write_file(folder / "a", std::string("t\0o", 3));
   EXPECT_EQ(read_file(folder / "a"), std::string("t\0o", 3));
   EXPECT_FALSE(std::filesystem::exists(folder / "a.part"));
-  expect_contains(user_error([&]() { write_file(folder / "no/a", ""); }),
-                  "cannot be written");
+  expect_error("cannot be written", [&] { write_file(folder / "no/a", ""); });
 }

@@ -153,12 +153,11 @@ TEST(Images, NameWhatIsWrong)
   write_png(folder / "g.png", PNG_FORMAT_GRAY, {0, 128, 255, 7, 7, 255});
   write_png(folder / "a.png", PNG_FORMAT_GA,
             {0, 255, 9, 255, 9, 255, 7, 255, 7, 255, 9, 254});
-  expect_contains(user_error([&]() { read_image(folder / "a.png"); }),
-                  "has transparent pixels");
+  expect_error("has transparent pixels", [&] { read_image(folder / "a.png"); });
   const std::string png = read_file(folder / "g.png");
   expect_contains(message(png.substr(0, png.size() / 2)), "i.txt");
   expect_contains(message(png.substr(1)), "neither a PNG nor a text file");
-  expect_contains(user_error([&]() { read_image(folder.path); }), "is a folder");
+  expect_error("is a folder", [&] { read_image(folder.path); });
   expect_contains(message("0011\n1100\n"), "i.txt:1: value 1 is '0011', a number that");
   expect_contains(message(png_of_row(16, 2, "", "abcdef")), "colours of 16 bits");
   // One colour or grey may be called transparent.

@@ -52,6 +52,18 @@ inline std::string user_error(const std::function<void()> &action)
   return "";
 }
 
+/** Expects that @p text contains @p part. */
+inline void expect_contains(const std::string &text, const std::string &part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is not in: " << text;
+}
+
+/** Expects a UserError of @p action whose sentence contains @p part. */
+inline void expect_error(const std::string &part, const std::function<void()> &action)
+{
+  expect_contains(user_error(action), part);
+}
+
 /** @p bytes with the number @p now in the place of @p before, which has to be there. */
 inline std::string with_number(std::string bytes, const double before, const double now)
 {
@@ -63,12 +75,6 @@ inline std::string with_number(std::string bytes, const double before, const dou
   else
     std::memcpy(bytes.data() + position, &now, sizeof(now));
   return bytes;
-}
-
-/** Expects that @p text contains @p part. */
-inline void expect_contains(const std::string &text, const std::string &part)
-{
-  EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is not in: " << text;
 }
 } // namespace mesoslip_tests
 

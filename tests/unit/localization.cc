@@ -6,12 +6,36 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using namespace mesoslip_tests;
 
 namespace
 {
+/** Expects the strain of @p u, interpolated to @p target, to be that function of the
+ * centres of the cells. */
+void expect_strain(const UniformGrid<2> &source,
+                   const UniformGrid<2> &target,
+                   const std::vector<double> &u,
+                   const std::function<VoigtVector<2>(double, double)> &expected)
+{
+  StrainInterpolation interpolation(source, target);
+  interpolation.set_displacement(u.data());
+  for (unsigned int j = 0; j < target.cells[1]; ++j)
+    {
+      const StrainRow row = interpolation.row(j);
+      for (unsigned int i = 0; i < target.cells[0]; ++i)
+        {
+          const auto strain =
+            expected((i + 0.5) * target.spacing[0], (j + 0.5) * target.spacing[1]);
+          for (unsigned int c = 0; c < 3; ++c)
+            EXPECT_NEAR(row[c][i], strain[c], 1e-15);
+        }
+    }
+}
+
 /** Largest error of the interpolated strain in a displacement with quadratic strain. */
 double interpolation_error(const unsigned int n_coarse, const bool edges)
 {
@@ -73,19 +97,8 @@ TEST(StrainInterpolation, UniformStrainAndRigidMotion)
       EXPECT_NEAR(mean[0], 1e-3, 1e-15);
       EXPECT_NEAR(mean[1], -2e-3, 1e-15);
       EXPECT_NEAR(mean[2], 5e-4, 1e-15);
-      const auto target = make_grid(6, 4);
-      StrainInterpolation interpolation(source, target);
-      interpolation.set_displacement(u.data());
-      for (unsigned int j = 0; j < target.cells[1]; ++j)
-        {
-          const StrainRow row = interpolation.row(j);
-          for (unsigned int i = 0; i < target.cells[0]; ++i)
-            {
-              EXPECT_NEAR(row[0][i], 1e-3, 1e-15);
-              EXPECT_NEAR(row[1][i], -2e-3, 1e-15);
-              EXPECT_NEAR(row[2][i], 5e-4, 1e-15);
-            }
-        }
+      expect_strain(source, make_grid(6, 4), u,
+                    [](double, double) { return VoigtVector<2>(1e-3, -2e-3, 5e-4); });
     }
 }
 
@@ -95,24 +108,12 @@ TEST(StrainInterpolation, LinearStrainIsExactFromCoarseToFine)
   const double a = 0.3, b = -0.2, c = 0.4;
   for (const auto &source : {make_grid(6, 4), make_grid(4, 3), make_grid(12, 12)})
     {
-      const auto u      = nodal(source, [&](const double x, const double y) {
+      const auto u = nodal(source, [&](const double x, const double y) {
         return std::array<double, 2>{{a * x * x + b * x * y, c * y * y}};
       });
-      const auto target = make_grid(12, 12);
-      StrainInterpolation interpolation(source, target);
-      interpolation.set_displacement(u.data());
-      for (unsigned int j = 0; j < 12; ++j)
-        {
-          const StrainRow row = interpolation.row(j);
-          for (unsigned int i = 0; i < 12; ++i)
-            {
-              const double x = (i + 0.5) * target.spacing[0],
-                           y = (j + 0.5) * target.spacing[1];
-              EXPECT_NEAR(row[0][i], 2. * a * x + b * y, 1e-15);
-              EXPECT_NEAR(row[1][i], 2. * c * y, 1e-15);
-              EXPECT_NEAR(row[2][i], b * x, 1e-15);
-            }
-        }
+      expect_strain(source, make_grid(12, 12), u, [&](const double x, const double y) {
+        return VoigtVector<2>(2. * a * x + b * y, 2. * c * y, b * x);
+      });
     }
 }
 
@@ -144,12 +145,8 @@ TEST(StrainInterpolation, RowsKeptForOthersAreThoseOfTheDisplacement)
           StrainInterpolation fresh(source, target);
           fresh.set_displacement(u.data());
           const StrainRow expected = fresh.row(j), found = interpolation.row(j);
-          for (unsigned int i = 0; i < 12; ++i)
-            {
-              EXPECT_EQ(found[0][i], expected[0][i]);
-              EXPECT_EQ(found[1][i], expected[1][i]);
-              EXPECT_EQ(found[2][i], expected[2][i]);
-            }
+          for (unsigned int c = 0; c < 3; ++c)
+            EXPECT_TRUE(std::equal(found[c], found[c] + 12, expected[c]));
         }
     }
 }
@@ -168,12 +165,8 @@ TEST(StrainInterpolation, MeanIsTheMeanOfTheCells)
   for (unsigned int j = 0; j < 5; ++j)
     {
       const StrainRow row = interpolation.row(j);
-      for (unsigned int i = 0; i < 7; ++i)
-        {
-          sum[0] += row[0][i] / 35.;
-          sum[1] += row[1][i] / 35.;
-          sum[2] += row[2][i] / 35.;
-        }
+      for (unsigned int c = 0; c < 3; ++c)
+        sum[c] += std::accumulate(row[c], row[c] + 7, 0.) / 35.;
     }
   const auto mean = mean_strain(grid, u.data());
   for (unsigned int c = 0; c < 3; ++c)

@@ -24,10 +24,7 @@ using namespace mesoslip;
 
 inline UniformGrid<2> make_grid(const unsigned int nx, const unsigned int ny)
 {
-  UniformGrid<2> grid;
-  grid.cells   = {{nx, ny}};
-  grid.spacing = {{6e-3 / nx, 4e-3 / ny}};
-  return grid;
+  return {{{nx, ny}}, {{6e-3 / nx, 4e-3 / ny}}};
 }
 
 /** Displacement [ny + 1][nx + 1][2] of a function of (x, y). */
@@ -166,17 +163,6 @@ write_run(const std::string &path,
   file.close();
 }
 
-/** Everything asked for, all of the time. */
-inline LocalizationParameters request(const std::string &folder)
-{
-  constexpr double automatic = std::numeric_limits<double>::quiet_NaN();
-  LocalizationParameters parameters;
-  parameters.rve_file        = folder + "/rve.h5";
-  parameters.homogeneous_run = folder + "/homogeneous.h5";
-  parameters.from = parameters.to = automatic;
-  return parameters;
-}
-
 /** The result; adds warnings and notes to @p told. */
 inline LocalizationResult localize(const LocalizationParameters &parameters,
                                    std::string *told = nullptr)
@@ -204,6 +190,14 @@ struct Case
               {probe("A", 1.)});
   }
 
+  /** The tensors L of the RVE file are replaced by the identity. */
+  void write_identity()
+  {
+    for (std::size_t k = 0; k < rve.L.size(); ++k)
+      rve.L[k] = k % 9 % 4 == 0 ? 1. : 0.;
+    rve.write(folder / "rve.h5");
+  }
+
   /** Displacement of the strain, times @p factor. */
   std::vector<double> state(const UniformGrid<2> &grid, const double factor = 1.) const
   {
@@ -224,9 +218,14 @@ struct Case
     return p;
   }
 
+  /** Everything asked for, all of the time. */
   LocalizationParameters request() const
   {
-    return mesoslip_tests::request(folder.path);
+    LocalizationParameters parameters;
+    parameters.rve_file        = folder / "rve.h5";
+    parameters.homogeneous_run = folder / "homogeneous.h5";
+    parameters.from = parameters.to = std::numeric_limits<double>::quiet_NaN();
+    return parameters;
   }
 };
 } // namespace mesoslip_tests

@@ -13,19 +13,6 @@ using namespace mesoslip_tests;
 
 namespace
 {
-UniformGrid<2> make_grid(const unsigned int n_x, const unsigned int n_y, const double h)
-{
-  UniformGrid<2> grid;
-  grid.cells   = {{n_x, n_y}};
-  grid.spacing = {{h, h}};
-  return grid;
-}
-
-const UniformGrid<2> paper_grid = make_grid(560, 160, 1e-4);
-
-/** A 20 x 10 grid of 0.1 mm: 2 mm by 1 mm. */
-const UniformGrid<2> small_grid = make_grid(20, 10, 1e-4);
-
 /** Whether the cells of all fibres are @p gap cells apart in x or in y, pair by pair. */
 bool all_apart(const UniformGrid<2> &grid,
                const std::vector<Rectangle> &fibres,

@@ -29,6 +29,17 @@ subsection Phases
 end
 )";
 
+inline UniformGrid<2>
+make_grid(const unsigned int n_x, const unsigned int n_y, const double h)
+{
+  return {{{n_x, n_y}}, {{h, h}}};
+}
+
+inline const UniformGrid<2> paper_grid = make_grid(560, 160, 1e-4);
+
+/** A 20 x 10 grid of 0.1 mm: 2 mm by 1 mm. */
+inline const UniformGrid<2> small_grid = make_grid(20, 10, 1e-4);
+
 /** What a program does with a .prm and --set options, up to check(). */
 inline MicrostructureParameters checked(const Settings &settings,
                                         const std::string &text = table_1)

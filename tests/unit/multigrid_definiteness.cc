@@ -14,24 +14,12 @@ using namespace multigrid_testing;
 
 namespace
 {
-/** Uniform and logarithmic draws. */
-struct Draw
+/** Materials, and numbers. */
+struct Draw : elasticity_testing::Random
 {
-  std::mt19937_64 random{seed};
-
-  double uniform(const double lower, const double upper)
+  Draw()
+    : Random(multigrid_testing::seed)
   {
-    return std::uniform_real_distribution<double>(lower, upper)(random);
-  }
-
-  double scale(const double lower, const double upper)
-  {
-    return std::exp(uniform(std::log(lower), std::log(upper)));
-  }
-
-  unsigned int integer(const unsigned int lower, const unsigned int upper)
-  {
-    return std::uniform_int_distribution<unsigned int>(lower, upper)(random);
   }
 
   /** Isotropic up to nu = 0.4999, turned orthotropic, or anything positive definite. */
@@ -46,13 +34,9 @@ struct Draw
         return rotate_stiffness(
           stiffness_from_coefficients<2>(
             {100. * modulus, 0.3 * modulus, modulus, scale(0.1, 10.) * modulus}),
-          uniform(0., M_PI));
+          (*this)(0., M_PI));
       default:
-        VoigtMatrix<2> L = VoigtMatrix<2>::Zero();
-        for (int r = 0; r < 3; ++r)
-          for (int c = 0; c <= r; ++c)
-            L(r, c) = r == c ? scale(0.1, 1.) : uniform(-1., 1.);
-        return modulus * L * L.transpose();
+        return any_stiffness(modulus);
       }
   }
 

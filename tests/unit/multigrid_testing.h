@@ -1,6 +1,8 @@
 #ifndef mesoslip_tests_unit_multigrid_testing_h
 #define mesoslip_tests_unit_multigrid_testing_h
 
+#include "elasticity_testing.h"
+
 #include "elasticity/dof_mask.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "elasticity/uniform_material.h"
@@ -25,10 +27,7 @@ inline UniformGrid<2> make_grid(const unsigned int nx,
                                 const double hx = 1e-4,
                                 const double hy = 1e-4)
 {
-  UniformGrid<2> grid;
-  grid.cells   = {{nx, ny}};
-  grid.spacing = {{hx, hy}};
-  return grid;
+  return {{{nx, ny}}, {{hx, hy}}};
 }
 
 /** Vertical fibres one cell wide, 12 to 36 cells tall, 10 % of the area. */
@@ -114,15 +113,9 @@ inline NodalField<double> balanced_forces(const UniformMaterial &material)
 /** Largest difference over largest entry. */
 inline double difference(const NodalField<double> &a, const NodalField<double> &b)
 {
-  double largest = 0., apart = 0.;
-  for (unsigned int c = 0; c < 2; ++c)
-    for (unsigned int j = 0; j < a.n_rows(); ++j)
-      for (unsigned int i = 0; i < a.n_columns(); ++i)
-        {
-          largest = std::max(largest, std::fabs(b.row(c, j)[i]));
-          apart   = std::max(apart, std::fabs(a.row(c, j)[i] - b.row(c, j)[i]));
-        }
-  return apart / largest;
+  const NodalField<double> zero(b.n_columns(), b.n_rows());
+  return elasticity_testing::largest_difference(a, b) /
+         elasticity_testing::largest_difference(b, zero);
 }
 } // namespace multigrid_testing
 

@@ -15,16 +15,9 @@ TEST(Bar, HitsTheWallAndLeaves)
   body.run(std::lround(2. / dt));
   const ContactHistory &h = body.contact_recorder.history();
 
-  double first = 0., last = 0., impulse = 0.;
-  for (std::size_t k = 0; k < h.time.size(); ++k)
-    {
-      impulse += h.normal_force[k] * dt;
-      if (h.normal_force[k] > 0.)
-        {
-          first = first == 0. ? h.time[k] : first;
-          last  = h.time[k];
-        }
-    }
+  const auto [first, last] = contact_span(h);
+  const double impulse =
+    dt * std::accumulate(h.normal_force.begin(), h.normal_force.end(), 0.);
   EXPECT_NEAR(first, 0.5, 2. * dt);
   // The front that ends the contact is spread over a few cells.
   EXPECT_NEAR(last, 0.5 + 2. * length / c, 25. * dt);

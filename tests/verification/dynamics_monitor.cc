@@ -104,10 +104,7 @@ constexpr unsigned int n_x = 7, n_y = 5;
 
 UniformGrid<2> deformed_grid()
 {
-  UniformGrid<2> grid;
-  grid.cells   = {{n_x, n_y}};
-  grid.spacing = {{0.1, 0.2}};
-  return grid;
+  return {{{n_x, n_y}}, {{0.1, 0.2}}};
 }
 
 /** u = (a x + b y, c x + d y). */
@@ -162,27 +159,4 @@ TEST(Deformation, NamesTheCell)
   EXPECT_EQ(found.jacobian.value, -HUGE_VAL);
   EXPECT_EQ(found.strain.column, 2u) << "the first of the four beside the node";
   EXPECT_EQ(found.strain.row, 1u);
-}
-
-// The rows of ranks, one after the other.
-TEST(Deformation, OfSlabs)
-{
-  NodalField<double> u = linear_field(0.01, 0., 0., 0.);
-  u.row(1, 3)[4]       = 0.02;
-  const auto whole     = deformation(u);
-  NodeRows lower{n_y + 1, 0, 3}, upper{n_y + 1, 3, n_y + 1};
-  Deformation best;
-  for (const NodeRows &rows : {lower, upper})
-    {
-      NodalField<double> slab(n_x + 1, rows.n_local());
-      for (unsigned int j = rows.first(); j < rows.last(); ++j)
-        for (unsigned int c = 0; c < 2; ++c)
-          std::copy_n(u.row(c, j), n_x + 1, slab.row(c, rows.local(j)));
-      const auto found = largest_deformation(deformed_grid(), rows, slab, MPI_COMM_SELF);
-      if (found.strain.value > best.strain.value)
-        best = found;
-    }
-  EXPECT_EQ(best.strain.value, whole.strain.value);
-  EXPECT_EQ(best.strain.row, whole.strain.row);
-  EXPECT_EQ(best.strain.column, whole.strain.column);
 }

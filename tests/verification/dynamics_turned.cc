@@ -20,7 +20,7 @@ BodySetup upright(Random &random)
   for (unsigned int k = 0; k < 3; ++k)
     s.classes.push_back({1e10 * random.stiffness(true), random(1000., 3000.)});
   for (unsigned int k = 0; k < nx * ny; ++k)
-    s.ids.push_back(random.integer(3));
+    s.ids.push_back(random.integer(0, 2));
   s.step.beta2 = 0.6;
   s.step.beta  = 1e-8;
   s.choose_time_step(0.9);

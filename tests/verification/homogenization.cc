@@ -234,9 +234,7 @@ TEST(Homogenization, PaperPin)
     stiffness_from_coefficients<2>({36.54e9, 9.1e9, 47.26e9, 13.785e9});
   std::array<VoigtMatrix<2>, 2> mean;
   mean[0] = mean[1] = VoigtMatrix<2>::Zero();
-  UniformGrid<2> grid;
-  grid.cells   = {{560, 160}};
-  grid.spacing = {{1e-4, 1e-4}};
+  const UniformGrid<2> grid{{{560, 160}}, {{1e-4, 1e-4}}};
   for (unsigned int member = 0; member < 4; ++member)
     {
       FibrePlacement placement;
@@ -262,6 +260,19 @@ TEST(Homogenization, PaperPin)
       EXPECT_NEAR(subc, ref, 0.03 * ref);
       EXPECT_NEAR(kubc, subc, 0.027 * ref);
     }
+}
+
+// One that holds for all morphologies is said once, others with the seeds they are about.
+TEST(Ensemble, WarningsNameTheirMorphologies)
+{
+  std::vector<EnsembleMember> members(3);
+  for (unsigned int k = 0; k < 3; ++k)
+    {
+      members[k].seed     = 3 + k;
+      members[k].warnings = {"all", k == 0 ? "one" : "two"};
+    }
+  EXPECT_EQ(morphology_warnings(members),
+            (std::vector<std::string>{"all", "one (seed 3)", "two (seeds 4, 5)"}));
 }
 
 TEST(Ensemble, StatisticsOfASample)

@@ -64,8 +64,7 @@ inline Volume make_volume(const unsigned int nx,
                           const double hy = 1e-4)
 {
   Volume volume;
-  volume.grid.cells   = {{nx, ny}};
-  volume.grid.spacing = {{hx, hy}};
+  volume.grid = {{{nx, ny}}, {{hx, hy}}};
   volume.id.assign(static_cast<std::size_t>(nx) * ny, 0);
   volume.stiffness = stiffness;
   return volume;

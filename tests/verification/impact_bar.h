@@ -36,6 +36,16 @@ inline double mechanical(const EnergyHistory &e, const std::size_t n)
   return e.kinetic[n] + e.elastic[n] + e.potential[n];
 }
 
+/** Times (s) of the first and the last force. */
+inline std::array<double, 2> contact_span(const ContactHistory &h)
+{
+  std::array<double, 2> span = {};
+  for (std::size_t k = 0; k < h.time.size(); ++k)
+    if (h.normal_force[k] > 0.)
+      span = {{span[0] == 0. ? h.time[k] : span[0], h.time[k]}};
+  return span;
+}
+
 /** What is left after the impact; energies as shares of those before it. */
 struct Impact
 {
@@ -52,16 +62,9 @@ inline Impact impact(const BodySetup &setup)
   Body body(setup);
   throw_down(body);
   body.run(std::lround(2. / body.setup.step.dt));
-  const EnergyHistory e   = body.energy->reduce();
-  const ContactHistory &h = body.contact_recorder.history();
-  double first = 0., last = 0.;
-  for (std::size_t k = 0; k < h.time.size(); ++k)
-    if (h.normal_force[k] > 0.)
-      {
-        first = first == 0. ? h.time[k] : first;
-        last  = h.time[k];
-      }
-
+  const EnergyHistory e           = body.energy->reduce();
+  const ContactHistory &h         = body.contact_recorder.history();
+  const auto [first, last]        = contact_span(h);
   const double beta2              = setup.step.beta2;
   const NodalField<double> before = body.w;
   double natural                  = body.stepper.elastic_energy();

@@ -1,20 +1,19 @@
 """Stiffnesses and modes of random phase maps against a dense finite element code written apart, in numpy.
 
-    independent_finite_elements.py <folder with the programs>
-
 Q1 rectangles with 2x2 Gauss points, three phases (one orthotropic), cells that are not square, lumped masses. KUBC, SUBC and
 periodic fluctuations with every solver: all entries of the stiffness agree to 1e-8 of the largest. Every kind of top, bottom free
 and held: frequencies agree to 1e-8, effective masses to 1e-6.
 """
 
 import csv
-import json
 import os
-import subprocess
 import sys
 import tempfile
 
 import numpy as np
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
+from scenes import Folder, prm  # noqa: E402
 
 SEED = 20081
 NX, NY, HX, HY = 13, 9, 1.0e-3, 0.6e-3
@@ -104,39 +103,35 @@ def modes(phases, top, bottom):
     return np.sqrt(squares[vibrating]) / (2 * np.pi), np.array([(r @ M @ shapes) ** 2 / t for r, t in zip(rigid, total)])
 
 
-def run(programs, folder, program, name, text, *options):
-    with open(os.path.join(folder, name + ".prm"), "w", encoding="utf-8") as file:
-        file.write(text)
-    subprocess.run([os.path.join(programs, program), name + ".prm", "--output", name, "--quiet", *options], cwd=folder, check=True)
+def run(folder, program, name, settings):
+    folder.write(name + ".prm", prm(settings))
+    folder.run(0, program, name + ".prm", "--output", name, "--quiet")
 
 
-def check_stiffness(programs, folder, phases):
-    np.savetxt(os.path.join(folder, "map.txt"), phases.reshape(NY, NX)[::-1], fmt="%d")  # an image: top row first
-    text = f"subsection Grid\n set Cells = {NX}, {NY}\n set Spacing = {HX}, {HY}\nend\nsubsection Phases\n set Names = a, b, c\n"
+def check_stiffness(folder, phases):
+    np.savetxt(folder("map.txt"), phases.reshape(NY, NX)[::-1], fmt="%d")  # an image: top row first
+    settings = {"Grid/Cells": f"{NX}, {NY}", "Grid/Spacing": f"{HX}, {HY}", "Phases/Names": "a, b, c", "Microstructure/Type": "image",
+                "Microstructure/File": "map.txt", "Microstructure/Oblong pixels": "true",
+                "Homogenization/Boundary conditions": "KUBC, SUBC, PBC", "Homogenization/Tolerance": 1e-11}
     for name, d, density in zip("abc", D11_D12_D22_D33, DENSITY):
-        text += f" subsection {name}\n  set Type = stiffness\n  set Stiffness = {', '.join(map(str, d))}\n"
-        text += f"  set Density = {density}\n end\n"
-    text += "end\nsubsection Microstructure\n set Type = image\n set File = map.txt\n set Oblong pixels = true\nend\n"
-    text += "subsection Homogenization\n set Boundary conditions = KUBC, SUBC, PBC\n set Tolerance = 1e-11\nend\n"
+        settings |= {f"Phases/{name}/Type": "stiffness", f"Phases/{name}/Stiffness": ", ".join(map(str, d)), f"Phases/{name}/Density": density}
     expected = {condition: effective(phases, condition) for condition in ("KUBC", "SUBC", "PBC")}
     for solver in ("multigrid", "jacobi", "ml"):
-        run(programs, folder, "rve_homogenization", "rve", text, "--set", f"Homogenization/Solver={solver}")
-        with open(os.path.join(folder, "rve", "summary.json"), encoding="utf-8") as file:
-            found = json.load(file)["stiffness"]
+        run(folder, "rve_homogenization", "rve", {**settings, "Homogenization/Solver": solver})
+        found = folder.summary("rve")["stiffness"]
         for name, D in expected.items():
             error = np.abs(np.array(found[name]) - D).max() / np.abs(D).max()
             print(f"{solver:10s} {name}  {error:.1e}")
             assert error < 1e-8, f"{solver} {name}: {found[name]} instead of {D}"
 
 
-def check_modes(programs, folder, phases):
-    tops = {"platen": f"set Kind = platen\n set Platen mass = {PLATEN_MASS}", "held": "set Kind = held",
-            "lateral": "set Kind = pressure\n set Lateral held = true", "free": "set Kind = pressure"}
-    for top, keys in tops.items():
-        run(programs, folder, "contact_dynamics", top, "set Analysis = modal\nsubsection Body\n set Material = heterogeneous\n "
-            f"set RVE file = rve/rve.h5\nend\nsubsection Top\n {keys}\nend\nsubsection Modal\n set Number of modes = {N_MODES}\nend\n")
-        with open(os.path.join(folder, top, "modes.csv"), encoding="utf-8") as file:
-            table = list(csv.DictReader(file))
+def check_modes(folder, phases):
+    tops = {"platen": {"Top/Kind": "platen", "Top/Platen mass": PLATEN_MASS}, "held": {"Top/Kind": "held"},
+            "lateral": {"Top/Kind": "pressure", "Top/Lateral held": "true"}, "free": {"Top/Kind": "pressure"}}
+    for top, settings in tops.items():
+        run(folder, "contact_dynamics", top, {"Analysis": "modal", "Body/Material": "heterogeneous", "Body/RVE file": "rve/rve.h5",
+                                              "Modal/Number of modes": N_MODES, **settings})
+        table = list(csv.DictReader(folder.read(top, "modes.csv").decode().splitlines()))
         for bottom in ("free", "held"):
             rows = [row for row in table if row["bottom"] == bottom]
             frequencies, effective_masses = modes(phases, top, bottom)
@@ -151,9 +146,9 @@ def check_modes(programs, folder, phases):
 def main():
     print("seed", SEED)
     phases = np.random.default_rng(SEED).choice(3, size=NX * NY, p=[0.5, 0.3, 0.2])
-    with tempfile.TemporaryDirectory() as folder:
-        check_stiffness(sys.argv[1], folder, phases)
-        check_modes(sys.argv[1], folder, phases)
+    with tempfile.TemporaryDirectory() as path:
+        for check in (check_stiffness, check_modes):
+            check(Folder(path), phases)
 
 
 if __name__ == "__main__":

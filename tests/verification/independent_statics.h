@@ -1,6 +1,7 @@
 #ifndef mesoslip_tests_verification_independent_statics_h
 #define mesoslip_tests_verification_independent_statics_h
 
+#include "../unit/elasticity_testing.h"
 #include "homogenization_testing.h"
 
 #include <Eigen/Dense>
@@ -18,34 +19,14 @@ using Real   = long double;
 using Fields = Eigen::Matrix<Real, Eigen::Dynamic, 3>; ///< of the three load cases
 using Sparse = Eigen::SparseMatrix<Real>;
 
-/** Stiffness of a cell with the corners (0,0), (1,0), (0,1), (1,1). */
-inline Eigen::Matrix<Real, 8, 8>
-cell_matrix(const VoigtMatrix<2> &C, const Real hx, const Real hy)
-{
-  Eigen::Matrix<Real, 8, 8> K = Eigen::Matrix<Real, 8, 8>::Zero();
-  const Real g                = 0.5L / std::sqrt(3.L);
-  for (const Real x : {0.5L - g, 0.5L + g})
-    for (const Real y : {0.5L - g, 0.5L + g})
-      {
-        const Real dx[] = {y - 1., 1. - y, -y, y}, dy[] = {x - 1., -x, 1. - x, x};
-        Eigen::Matrix<Real, 3, 8> B = Eigen::Matrix<Real, 3, 8>::Zero();
-        for (int n = 0; n < 4; ++n)
-          {
-            B(0, 2 * n) = B(2, 2 * n + 1) = dx[n] / hx;
-            B(1, 2 * n + 1) = B(2, 2 * n) = dy[n] / hy;
-          }
-        K += B.transpose() * C.cast<Real>() * B * (0.25L * hx * hy);
-      }
-  return K;
-}
-
 /** Stiffness matrix of all nodes, two components each. */
 inline Sparse assemble(const Volume &volume)
 {
   const int nx = volume.grid.cells[0], ny = volume.grid.cells[1];
-  std::vector<Eigen::Matrix<Real, 8, 8>> cells;
+  std::vector<elasticity_testing::CellMatrix<Real>> cells;
   for (const VoigtMatrix<2> &C : volume.stiffness)
-    cells.push_back(cell_matrix(C, volume.grid.spacing[0], volume.grid.spacing[1]));
+    cells.push_back(elasticity_testing::element_matrix<Real>(C, volume.grid.spacing[0],
+                                                             volume.grid.spacing[1]));
   std::vector<Eigen::Triplet<Real>> entries;
   const auto dof = [&](const int cell, const int k) {
     return 2 * ((cell / nx + k / 4) * (nx + 1) + cell % nx + k / 2 % 2) + k % 2;

@@ -1,7 +1,5 @@
 """Strains that are not small are told, and a cell that is inside out ends a run.
 
-    large_strains.py <folder with the programs>
-
 A column that is compressed alone, so that the largest strain is P / D22 when the pressure grows slowly, and the
 compliance times the pressure in a static analysis with free sides: the summary says so, on two ranks as well.
 """
@@ -13,18 +11,10 @@ import tempfile
 import numpy as np
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from scenes import Folder, sets  # noqa: E402
+from scenes import Folder, prm, sets  # noqa: E402
 
 D11, D12, D22, D33 = 36.54e9, 9.1e9, 47.26e9, 13.785e9
-CASE = """
-subsection Body
-  set Cells = 20, 10
-  set Size = 0.002, 0.001
-end
-subsection Friction
-  set Coefficient = 0
-end
-"""
+CASE = prm({"Body/Cells": "20, 10", "Body/Size": "0.002, 0.001", "Friction/Coefficient": 0})
 COLUMN = {"Time/End time": 1.2e-5, "Sides/Left": "u_x", "Sides/Right": "u_x", "Top/Ramp": "smooth", "Top/Ramp time": 1e-5}
 STATIC = {"Analysis": "static contact", "Top/Kind": "pressure", "Flat/Velocity": 0}
 

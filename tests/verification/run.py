@@ -21,7 +21,7 @@ from pages import number, table, write_csv, write_page  # noqa: E402
 from study import Study, parse_arguments  # noqa: E402
 
 EXECUTABLES = ("unit_contact", "unit_elasticity", "unit_localization", "verification_dynamics", "verification_homogenization",
-               "verification_restart", "verification_sliding", "verification_statics")
+               "verification_sliding", "verification_statics")
 
 
 class Measured:

@@ -29,9 +29,7 @@ struct BodySetup : SlidingSetup
 
   UniformMaterial material() const
   {
-    UniformGrid<2> grid;
-    grid.cells   = cells;
-    grid.spacing = spacing;
+    const UniformGrid<2> grid{cells, spacing};
     return UniformMaterial(grid, classes, ids, Periodicity{periodic, false});
   }
 

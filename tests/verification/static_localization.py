@@ -1,7 +1,5 @@
 """Static compression of the paper's pin: localized stress against the heterogeneous solution.
 
-    static_localization.py <folder with the programs>
-
 sigma_yy by cells with the KUBC tensor, the homogeneous body having the KUBC stiffness: below 1 % (relative L2)
 from 1.6 mm inside the edges. The pressures under fibres and matrix are near the paper's table 4 (2 and 0.33 MPa).
 """
@@ -12,43 +10,22 @@ import sys
 import tempfile
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from scenes import Folder  # noqa: E402
+from scenes import Folder, prm  # noqa: E402
 
 PIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "prm", "pin", "10-rve_homogenization.prm")
-COMPRESSION = """
-set Analysis = static contact
-subsection Body
-  set RVE file = rve/rve.h5
-  set %s
-end
-subsection Top
-  set Kind = platen
-  set Pressure = 5e5
-end
-subsection Friction
-  set Coefficient = 0
-end
-"""
-LOCALIZATION = """
-subsection Input
-  set RVE file = rve/rve.h5
-  set Homogeneous run = homogeneous/dynamics.h5
-  set Direct run = heterogeneous/dynamics.h5
-end
-subsection Comparison
-  set Edge distance = 1.6e-3
-end
-"""
+COMPRESSION = {"Analysis": "static contact", "Body/RVE file": "rve/rve.h5", "Top/Kind": "platen", "Top/Pressure": 5e5, "Friction/Coefficient": 0}
+LOCALIZATION = {"Input/RVE file": "rve/rve.h5", "Input/Homogeneous run": "homogeneous/dynamics.h5",
+                "Input/Direct run": "heterogeneous/dynamics.h5", "Comparison/Edge distance": 1.6e-3}
 
 
 def main():
     with tempfile.TemporaryDirectory() as path:
-        folder = Folder(path, {"homogeneous": COMPRESSION % "Stiffness from = KUBC", "localized": LOCALIZATION,
-                               "heterogeneous": COMPRESSION % "Material = heterogeneous"})
-        for program, prm, name in (("rve_homogenization", PIN, "rve"), ("contact_dynamics", "homogeneous.prm", "homogeneous"),
+        folder = Folder(path, {"homogeneous": prm({**COMPRESSION, "Body/Stiffness from": "KUBC"}), "localized": prm(LOCALIZATION),
+                               "heterogeneous": prm({**COMPRESSION, "Body/Material": "heterogeneous"})})
+        for program, file, name in (("rve_homogenization", PIN, "rve"), ("contact_dynamics", "homogeneous.prm", "homogeneous"),
                                    ("contact_dynamics", "heterogeneous.prm", "heterogeneous"),
                                    ("stress_localization", "localized.prm", "localized")):
-            folder.run(0, program, prm, "--output", name, "--quiet")
+            folder.run(0, program, file, "--output", name, "--quiet")
         with open(folder("localized", "field_errors.csv"), encoding="utf-8") as file:
             errors = {(r["quantity"], r["region"]): r["relative L2 difference [-]"] for r in csv.DictReader(file)}
         error = float(errors["mean_sigma_yy", "interior"])

@@ -31,8 +31,7 @@ struct Case
        const std::array<unsigned int, 2> &cells,
        const TopSetup::Kind top)
   {
-    body.grid.cells         = cells;
-    body.grid.spacing       = {{size[0] / cells[0], size[1] / cells[1]}};
+    body.grid               = {cells, {{size[0] / cells[0], size[1] / cells[1]}}};
     body.phases             = {phase(30e9, 0.2)};
     parameters.top.kind     = top;
     parameters.top.pressure = LoadHistory(P);

@@ -6,7 +6,6 @@
 #include "elasticity/uniform_grid_operator.h"
 #include "material/stiffness.h"
 #include "sliding/analyses/modal.h"
-#include "sliding_body.h"
 
 #include <gtest/gtest.h>
 
@@ -36,9 +35,7 @@ UniformMaterial isotropic_body(const std::array<double, 2> &size,
                                const std::array<unsigned int, 2> &cells,
                                const bool periodic = false)
 {
-  UniformGrid<2> grid;
-  grid.cells   = cells;
-  grid.spacing = {{size[0] / cells[0], size[1] / cells[1]}};
+  const UniformGrid<2> grid{cells, {{size[0] / cells[0], size[1] / cells[1]}}};
   return UniformMaterial(grid, {{isotropic_stiffness<2>(E, nu), density}}, {},
                          {periodic, false});
 }
@@ -212,33 +209,6 @@ TEST(Modes, OfAColumnUnderAPlatenWithMass)
     }
 }
 
-TEST(Modes, OfTwoPhasesAreOrthogonal)
-{
-  UniformGrid<2> grid;
-  grid.cells   = {{40, 24}};
-  grid.spacing = {{1e-4, 1e-4}};
-  std::vector<std::uint8_t> id(grid.n_cells());
-  for (std::size_t k = 0; k < id.size(); ++k)
-    id[k] = k % 7 == 2 || k % 11 == 5;
-  const UniformMaterial material(grid,
-                                 {{isotropic_stiffness<2>(30e9, 0.2), 1700.},
-                                  {isotropic_stiffness<2>(240e9, 0.3), 2500.}},
-                                 id);
-  DofMask held = nothing_held(material);
-  held.constrain_row(0, 24);
-  const auto result = modes(material, held, 5);
-  for (std::size_t p = 0; p < 5; ++p)
-    for (std::size_t q = 0; q <= p; ++q)
-      {
-        const VibrationMode &a = result.modes[p], &b = result.modes[q];
-        const double product = verification::mass_product(material, a.shape, b.shape);
-        EXPECT_NEAR(product / std::sqrt(a.modal_mass * b.modal_mass), p == q ? 1. : 0.,
-                    1e-7);
-      }
-  for (const VibrationMode &mode : result.modes)
-    EXPECT_LT(mode.residual, 1e-6);
-}
-
 // 40,037 and 41,589 Hz at h = 0.1 mm; the error falls as h^2. The platen of a run moves
 // along y, which changes the modes that are even in x: 54,842 Hz for 55,817 Hz under a
 // top that is held, and one more at 81,018 Hz.
@@ -246,8 +216,7 @@ TEST(Modes, OfThePaperPin)
 {
   ContactParameters parameters;
   BodyDescription body;
-  body.grid.cells   = {{140, 40}};
-  body.grid.spacing = {{4e-4, 4e-4}};
+  body.grid = {{{140, 40}}, {{4e-4, 4e-4}}};
   Phase<2> phase;
   phase.stiffness = stiffness_from_coefficients<2>({36.54e9, 9.1e9, 47.26e9, 13.785e9});
   phase.density   = 1770.;

@@ -1,10 +1,9 @@
 // Lists of rectangles, images and statistics of morphologies.
-#include "io_testing.h"
+#include "microstructure_testing.h"
 
 #include "base/files.h"
 #include "morphology/fibre_sampler.h"
 #include "morphology/image_map.h"
-#include "morphology/random_fibres.h"
 
 #include <algorithm>
 
@@ -13,19 +12,6 @@ using namespace mesoslip_tests;
 
 namespace
 {
-UniformGrid<2> make_grid(const unsigned int n_x, const unsigned int n_y, const double h)
-{
-  UniformGrid<2> grid;
-  grid.cells   = {{n_x, n_y}};
-  grid.spacing = {{h, h}};
-  return grid;
-}
-
-const UniformGrid<2> paper_grid = make_grid(560, 160, 1e-4);
-
-/** A 20 x 10 grid of 0.1 mm: 2 mm by 1 mm. */
-const UniformGrid<2> small_grid = make_grid(20, 10, 1e-4);
-
 /** '#' for phase 1, '.' for phase 0, top row first. */
 std::vector<std::string> picture(const PhaseMap<2> &map)
 {
@@ -119,8 +105,7 @@ TEST(Rectangles, ErrorsNameFileAndLine)
   expect_contains(error("x_left_mm,y_bottom_mm,width_mm,height_mm,colour\n"), "colour");
   const std::string phases = "x_left_mm,y_bottom_mm,width_mm,height_mm,phase\n";
   expect_contains(error(phases + "0,0,1,1,1.5\n"), file + ":2: phase");
-  expect_contains(user_error([&] { read_rectangles(folder / "none.csv", small_grid); }),
-                  "none.csv");
+  expect_error("none.csv", [&] { read_rectangles(folder / "none.csv", small_grid); });
 }
 
 namespace

@@ -10,8 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 using namespace verification;
 
 namespace
@@ -128,6 +126,9 @@ TEST(Restart, ContinuesBitByBit)
       ObservedBody whole(setup);
       whole.run_to(end);
       whole.node_statistics.finish(whole.contact);
+      const ContactHistory &h = whole.contact_recorder.history();
+      for (const auto *values : {&h.sticking, &h.slipping, &h.impact_energy})
+        EXPECT_GT(largest(*values), 0.) << "the run does not exercise the state";
       // Before and after the platen is held; around samples; the first and the last step.
       for (const std::uint64_t n : {1, 83, 84, 85, 148, 150, 151, 207, 399})
         {
@@ -151,63 +152,6 @@ TEST(Restart, ContinuesBitByBit)
     }
 }
 
-namespace
-{
-/** Three nodes whose vibration grows, settles, and later grows again; from sample first.
- */
-ContactHistory vibration(const std::size_t first, const std::size_t end)
-{
-  ContactHistory h;
-  h.nodes.resize(3);
-  for (std::size_t k = first; k < end; ++k)
-    {
-      const double t = 1e-5 + 2e-8 * static_cast<double>(k);
-      const double a = t > 7e-4 ? 1e-6 + 8e-3 * (t - 7e-4) : 1e-6 * std::tanh(1e4 * t);
-      h.step.push_back(k);
-      h.time.push_back(t);
-      for (unsigned int node = 0; node < 3; ++node)
-        h.nodes[node].ux.push_back(2e-6 + node * 1e-7 + a * std::sin(2.6e5 * t + node));
-      h.friction_energy.push_back(1e5 * t + 0.01 * std::sin(2.6e5 * t));
-      h.normal_force.push_back(5e4);
-      h.tangential_force.push_back(1e4 * (1. + 0.1 * std::sin(2.6e5 * t)));
-      h.sticking.push_back(1.);
-      h.slipping.push_back(2.);
-    }
-  return h;
-}
-
-std::vector<double> judgement(const LimitCycleDetector &d)
-{
-  return {d.reached() ? 1. : 0., d.reached_at(), d.steady_from(), d.period()};
-}
-} // namespace
-
-TEST(Restart, LimitCycleIsJudgedAlike)
-{
-  // While it grows, when it has settled, after the judgement was withdrawn.
-  bool reached = false, withdrawn = false;
-  for (const std::size_t end : {3000, 30001, 50000})
-    {
-      LimitCycleWatch whole(LimitCycleCriterion(), 3, 0, MPI_COMM_SELF);
-      whole.update(vibration(0, end), nullptr);
-      withdrawn = withdrawn || (reached && !whole.detector().reached());
-      reached   = reached || whole.detector().reached();
-      for (const std::size_t n : {std::size_t(1), end / 7, end - 1, end})
-        {
-          SCOPED_TRACE(std::to_string(n) + " of " + std::to_string(end));
-          LimitCycleWatch first(LimitCycleCriterion(), 3, 0, MPI_COMM_SELF);
-          first.update(vibration(0, n), nullptr);
-          LimitCycleWatch second(LimitCycleCriterion(), 3, 0, MPI_COMM_SELF);
-          load_state(save_state(first), second, "test");
-          second.update(vibration(n, end), nullptr);
-          EXPECT_EQ(second.detector().description(), whole.detector().description());
-          EXPECT_EQ(judgement(second.detector()), judgement(whole.detector()));
-          EXPECT_EQ(save_state(second), save_state(whole));
-        }
-    }
-  EXPECT_TRUE(reached && withdrawn);
-}
-
 TEST(Restart, StatesThatDoNotFitAreRefused)
 {
   BodySetup setup = with_pressure();
@@ -219,19 +163,4 @@ TEST(Restart, StatesThatDoNotFitAreRefused)
   setup.ids.assign(60, 0);
   ObservedBody wider(setup);
   EXPECT_THROW(load_state(state, wider, "test"), UserError);
-}
-
-TEST(Restart, TheRunExercisesTheState)
-{
-  ObservedBody body(with_pressure());
-  body.run_to(400);
-  const ContactHistory &h = body.contact_recorder.history();
-  for (const auto *values : {&h.sticking, &h.slipping, &h.separated, &h.impact_energy})
-    EXPECT_GT(*std::max_element(values->begin(), values->end()), 0.);
-  float landings = 0.f;
-  for (const NodeCounts &block : body.node_statistics.blocks())
-    for (const float n : block.landings)
-      landings += n;
-  EXPECT_GT(landings, 0.f);
-  EXPECT_GT(body.energy->local_history().damping.back(), 0.);
 }

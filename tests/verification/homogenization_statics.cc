@@ -10,6 +10,7 @@
 #include <sstream>
 
 using namespace homogenization_testing;
+using elasticity_testing::Random;
 
 namespace
 {
@@ -19,33 +20,8 @@ struct Case
   std::string text;
 };
 
-class Draw
-{
-public:
-  explicit Draw(const unsigned int seed)
-    : generator(seed)
-  {
-  }
-  double operator()(const double lower, const double upper)
-  {
-    return std::uniform_real_distribution<double>(lower, upper)(generator);
-  }
-  unsigned int integer(const unsigned int lower, const unsigned int upper)
-  {
-    return std::uniform_int_distribution<unsigned int>(lower, upper)(generator);
-  }
-  /** Uniform logarithm. */
-  double scale(const double lower, const double upper)
-  {
-    return std::exp((*this)(std::log(lower), std::log(upper)));
-  }
-
-private:
-  std::mt19937_64 generator;
-};
-
 /** Poisson's ratios up to 0.4999, rotated orthotropy, or any positive definite matrix. */
-VoigtMatrix<2> random_stiffness(Draw &draw, const double modulus, std::ostream &text)
+VoigtMatrix<2> random_stiffness(Random &draw, const double modulus, std::ostream &text)
 {
   const unsigned int kind = draw.integer(0, 5);
   if (kind < 4)
@@ -62,15 +38,11 @@ VoigtMatrix<2> random_stiffness(Draw &draw, const double modulus, std::ostream &
                                 {modulus * ratio, 0.3 * modulus, modulus, 0.4 * modulus}),
                               angle);
     }
-  VoigtMatrix<2> L = VoigtMatrix<2>::Zero();
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c <= r; ++c)
-      L(r, c) = r == c ? draw.scale(0.1, 1.) : draw(-1., 1.);
   text << " any " << modulus;
-  return modulus * L * L.transpose();
+  return draw.any_stiffness(modulus);
 }
 
-void fill(Volume &volume, Draw &draw, std::ostream &text)
+void fill(Volume &volume, Random &draw, std::ostream &text)
 {
   const unsigned int nx = volume.grid.cells[0], ny = volume.grid.cells[1];
   const unsigned int kind = draw.integer(0, 4);
@@ -102,7 +74,7 @@ void fill(Volume &volume, Draw &draw, std::ostream &text)
 
 Case random_case(const unsigned int seed)
 {
-  Draw draw(seed);
+  Random draw(seed);
   std::ostringstream text;
   const unsigned int nx = std::lround(draw.scale(0.6, 64.)),
                      ny = std::lround(draw.scale(0.6, 64.));
@@ -217,7 +189,7 @@ Case noise(const std::string &text,
   Case c;
   c.text   = text + " seed 1";
   c.volume = make_volume(nx, ny, stiffness, 1e-4, 1e-4 * flat);
-  Draw draw(1);
+  Random draw(1);
   for (std::uint8_t &phase : c.volume.id)
     phase = draw(0., 1.) < share;
   return c;
@@ -314,6 +286,8 @@ TEST(RandomStatics, EnergiesAreOfSecondOrder)
           EXPECT_NEAR(errors.mean, errors.residual, 0.1 * errors.residual);
         }
       // A hundredth of the tolerance: 1e-4 of one error where the other one has 1e-2.
-      EXPECT_LT(tight.energy / loose.energy, std::pow(tight.mean / loose.mean, 1.5));
+      // Both solutions have round-off of about 1e-13.
+      EXPECT_LT(tight.energy,
+                loose.energy * std::pow(tight.mean / loose.mean, 1.5) + 3e-13);
     }
 }

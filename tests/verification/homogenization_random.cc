@@ -1,3 +1,4 @@
+#include "../unit/elasticity_testing.h"
 #include "homogenization_testing.h"
 #include "material/bounds.h"
 #include "material/mandel.h"
@@ -8,36 +9,11 @@
 #include <algorithm>
 
 using namespace homogenization_testing;
+using elasticity_testing::Random;
 
 namespace
 {
 constexpr unsigned int n_members = 25;
-
-/** Numbers of one member; the member's number is the seed. */
-struct Draw
-{
-  explicit Draw(const unsigned int member)
-    : generator(member)
-  {
-  }
-
-  double operator()(const double lower, const double upper)
-  {
-    return std::uniform_real_distribution<double>(lower, upper)(generator);
-  }
-
-  unsigned int integer(const unsigned int lower, const unsigned int upper)
-  {
-    return std::uniform_int_distribution<unsigned int>(lower, upper)(generator);
-  }
-
-  bool coin()
-  {
-    return integer(0, 1) == 1;
-  }
-
-  std::mt19937_64 generator;
-};
 
 struct Morphology
 {
@@ -47,21 +23,22 @@ struct Morphology
 };
 
 /** Random grid, fibres and rules. */
-Morphology random_morphology(Draw &draw)
+Morphology random_morphology(Random &draw)
 {
+  const auto coin = [&]() { return draw.integer(0, 1) == 1; };
   Morphology m;
-  m.grid.cells    = {{draw.integer(30, 60), draw.integer(20, 40)}};
-  m.grid.spacing  = {{draw(0.5e-4, 2e-4), draw(0.5e-4, 2e-4)}};
+  m.grid          = {{{draw.integer(30, 60), draw.integer(20, 40)}},
+                     {{draw(0.5e-4, 2e-4), draw(0.5e-4, 2e-4)}}};
   const double hx = m.grid.spacing[0], hy = m.grid.spacing[1];
   m.rules.seed          = draw.integer(1, 1000000);
   m.rules.width         = draw.integer(1, 3) * hx;
   m.rules.min_height    = draw.integer(2, 5) * hy;
   m.rules.max_height    = m.rules.min_height + draw.integer(0, 8) * hy;
   m.rules.area_fraction = draw(0.05, 0.25);
-  m.rules.fraction_rule = draw.coin() ? FractionRule::actual : FractionRule::nominal;
-  m.rules.allow_overlap = draw.coin();
-  m.rules.cut_by_border = draw.coin();
-  m.rules.align_to_grid = draw.coin();
+  m.rules.fraction_rule = coin() ? FractionRule::actual : FractionRule::nominal;
+  m.rules.allow_overlap = coin();
+  m.rules.cut_by_border = coin();
+  m.rules.align_to_grid = coin();
   m.fibres              = place_random_fibres(m.grid, m.rules);
   return m;
 }
@@ -87,7 +64,7 @@ TEST(RandomMicrostructures, KeepTheirRules)
   for (unsigned int member = 1; member <= 8 * n_members; ++member)
     {
       SCOPED_TRACE("seed " + std::to_string(member));
-      Draw draw(member);
+      Random draw(member);
       const Morphology m = random_morphology(draw);
       ASSERT_TRUE(m.fibres.target_reached);
       // A fibre more or less, or with the last one trimmed, a row of cells of one.
@@ -111,7 +88,7 @@ TEST(RandomMicrostructures, KeepOrderAndIdentities)
   for (unsigned int member = 1; member <= n_members; ++member)
     {
       SCOPED_TRACE("seed " + std::to_string(member));
-      Draw draw(member);
+      Random draw(member);
       const Morphology m = random_morphology(draw);
       Volume volume;
       volume.grid      = m.grid;

@@ -5,11 +5,9 @@
 
 #include <deal.II/lac/solver_control.h>
 
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <thread>
 
 /**
  * A program without any physics, to test from outside what all programs share. The key
@@ -40,7 +38,7 @@ public:
     double fraction = 1. / 3., size = std::nan("");
     keys.bind("Dimension", dimension, 2, 3, "Space dimension [-]");
     keys.bind("Behaviour", behaviour,
-              {"succeed", "nan", "fail", "logic", "wait", "one rank", "solver"},
+              {"succeed", "nan", "fail", "logic", "one rank", "solver"},
               "What the run does");
     {
       const auto section = keys.section("Time step");
@@ -88,17 +86,8 @@ void Nothing::run(RunContext &context)
     throw dealii::SolverControl::NoConvergence(7, 0.5);
   if (behaviour == "one rank" && context.rank() == context.n_ranks() - 1)
     throw UserError("only this rank is in trouble");
-  if (behaviour != "wait")
-    return;
-  context.progress().start("waiting", 1000);
-  for (unsigned int step = 1; step <= 1000; ++step)
-    {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      context.progress().update(step, 1.e-6 * step);
-      if (context.stop_requested())
-        throw Interrupted("stopped after step " + std::to_string(step));
-    }
 }
+
 std::unique_ptr<Analysis> build(Keys &keys)
 {
   auto nothing = std::make_unique<Nothing>();

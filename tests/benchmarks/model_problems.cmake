@@ -1,1 +1,0 @@
-mesoslip_benchmark(model_problems LIBS mesoslip_sliding)

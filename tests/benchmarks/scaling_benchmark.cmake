@@ -1,1 +1,0 @@
-mesoslip_benchmark(scaling_benchmark LIBS mesoslip_sliding)

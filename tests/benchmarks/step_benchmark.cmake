@@ -1,1 +1,0 @@
-mesoslip_benchmark(step_benchmark LIBS mesoslip_sliding)

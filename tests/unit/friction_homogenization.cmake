@@ -1,1 +1,0 @@
-mesoslip_test(unit friction_homogenization LIBS mesoslip_sliding)

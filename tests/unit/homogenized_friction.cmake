@@ -1,1 +1,0 @@
-mesoslip_test(unit homogenized_friction LIBS mesoslip_homogenization)

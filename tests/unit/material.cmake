@@ -1,1 +1,0 @@
-mesoslip_test(unit material LIBS mesoslip_material)

@@ -1,1 +1,0 @@
-mesoslip_test(verification restart LIBS mesoslip_sliding)
