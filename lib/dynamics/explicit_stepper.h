@@ -1,11 +1,10 @@
 #ifndef mesoslip_dynamics_explicit_stepper_h
 #define mesoslip_dynamics_explicit_stepper_h
 
-#include "dynamics/step_masses.h"
 #include "dynamics/stepper.h"
 #include "dynamics/temporal_blocking.h"
 #include "elasticity/uniform_grid_operator.h"
-#include "grid/sweep_options.h"
+#include "grid/row_partition.h"
 
 namespace mesoslip
 {

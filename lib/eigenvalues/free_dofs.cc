@@ -39,6 +39,12 @@ void FreeDofs::add(const unsigned int c, const NodeIndex &node, const double mas
   masses.push_back(mass);
 }
 
+void FreeDofs::vmult(Vector &dst, const Vector &src) const
+{
+  for (std::size_t k = 0; k < size(); ++k)
+    dst[k] = masses[k] * src[k];
+}
+
 double FreeDofs::mass_product(const Vector &x, const Vector &y) const
 {
   double sum = 0.;

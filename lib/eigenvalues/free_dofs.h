@@ -46,11 +46,8 @@ public:
     return with_platen ? size() - 1 : none;
   }
 
-  /** Lumped mass (kg/m). */
-  double mass(const std::size_t k) const
-  {
-    return masses[k];
-  }
+  /** dst = M src, the lumped mass (kg/m) times a vector, as ARPACK wants it. */
+  void vmult(Vector &dst, const Vector &src) const;
 
   /** Direction of degree of freedom @p k, 0: x, 1: y. */
   unsigned int component(const std::size_t k) const

@@ -5,7 +5,7 @@
 #include "elasticity/uniform_grid_operator.h"
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
-#include "statics/multigrid/constrained_unknowns.h"
+#include "statics/multigrid/axis.h"
 #include "statics/multigrid/interpolation.h"
 #include "statics/multigrid/line_smoother.h"
 #include "statics/multigrid/rigid_modes.h"

@@ -177,7 +177,7 @@ void Multigrid<Number>::set_constrained(const DofMask &mask)
 {
   constrained.assign(1, ConstrainedUnknowns(mask, finest_x, finest_y));
   for (const Interpolation &interpolation : interpolations)
-    constrained.emplace_back(constrained.back(), interpolation);
+    constrained.emplace_back(constrained.back(), interpolation.x, interpolation.y);
 
   Stencil<Number> stencil(interpolations[0].coarse_x, interpolations[0].coarse_y);
   std::vector<Stencil<double>> stencils;

@@ -1,7 +1,5 @@
 #include "statics/multigrid/rigid_modes.h"
 
-#include "elasticity/rigid_motions.h"
-
 #include <cmath>
 
 namespace mesoslip::multigrid
@@ -15,19 +13,10 @@ RigidModes::RigidModes(const UniformMaterial &material, const DofMask &mask)
     centre[d] = 0.5 * (n_nodes[d] - 1);
 
   // Measured by the size of the grid, motions are vectors of comparable components.
-  const double size    = std::hypot(n_nodes[0], n_nodes[1] * aspect);
-  Eigen::Matrix3d hold = Eigen::Matrix3d::Zero();
-  if (periodic.x || periodic.y)
-    hold(2, 2) = 1.;
-  for (unsigned int j = 0; j < mask.n_rows(); ++j)
-    for (unsigned int i = 0; i < mask.n_columns(); ++i)
-      {
-        const Eigen::Vector3d u(1., 0., -y(j) / size), v(0., 1., x(i) / size);
-        if (mask.is_constrained(0, {i, j}))
-          hold += u * u.transpose();
-        if (mask.is_constrained(1, {i, j}))
-          hold += v * v.transpose();
-      }
+  const double size = std::hypot(n_nodes[0], n_nodes[1] * aspect);
+  const auto place  = [&](const NodeIndex &node) {
+    return std::array<double, 2>{{x(node.i) / size, y(node.j) / size}};
+  };
   // x and y sum to zero over the nodes, so the three motions are orthogonal.
   const double n           = static_cast<double>(n_nodes[0]) * n_nodes[1];
   const auto second_moment = [](const double m) { return (m * m - 1.) / 12.; };
@@ -36,7 +25,7 @@ RigidModes::RigidModes(const UniformMaterial &material, const DofMask &mask)
   const Eigen::Vector3d norms(n, n, moment / (size * size));
 
   std::vector<Eigen::Vector3d> basis;
-  for (Eigen::Vector3d mode : motions_left_by(hold))
+  for (Eigen::Vector3d mode : motions_left_by(mask, !periodic.x && !periodic.y, place))
     {
       for (const Eigen::Vector3d &other : basis)
         mode -= other * (other.cwiseProduct(norms).dot(mode));

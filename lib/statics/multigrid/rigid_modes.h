@@ -5,8 +5,45 @@
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
 
+#include <Eigen/Dense>
+
+#include <algorithm>
 #include <array>
 #include <vector>
+
+namespace mesoslip
+{
+/**
+ * The rigid motions (a, b, r) in the plane, where a point (x, y) moves by (a - r y,
+ * b + r x), that @p mask leaves: eigenvectors for the eigenvalue zero of the sum of m m^T
+ * over all constrained components, with m = (1, 0, -y) or (0, 1, x). Place (node) gives
+ * x and y, measured such that they are of order one.
+ */
+template <typename Place>
+std::vector<Eigen::Vector3d>
+motions_left_by(const DofMask &mask, const bool can_rotate, const Place &place)
+{
+  Eigen::Matrix3d hold = Eigen::Matrix3d::Zero();
+  if (!can_rotate)
+    hold(2, 2) = 1.;
+  for (unsigned int j = 0; j < mask.n_rows(); ++j)
+    for (unsigned int i = 0; i < mask.n_columns(); ++i)
+      {
+        const auto [x, y] = place(NodeIndex{i, j});
+        const Eigen::Vector3d u(1., 0., -y), v(0., 1., x);
+        if (mask.is_constrained(0, {i, j}))
+          hold += u * u.transpose();
+        if (mask.is_constrained(1, {i, j}))
+          hold += v * v.transpose();
+      }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(hold);
+  std::vector<Eigen::Vector3d> motions;
+  for (int k = 0; k < 3; ++k)
+    if (!(eigen.eigenvalues()[k] > 1e-10 * std::max(1., eigen.eigenvalues()[2])))
+      motions.emplace_back(eigen.eigenvectors().col(k));
+  return motions;
+}
+} // namespace mesoslip
 
 namespace mesoslip::multigrid
 {

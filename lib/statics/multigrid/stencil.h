@@ -3,7 +3,6 @@
 
 #include "grid/nodal_field.h"
 #include "statics/multigrid/axis.h"
-#include "statics/multigrid/constrained_unknowns.h"
 #include "statics/multigrid/kernels/kernels.h"
 
 #include <Eigen/Core>
