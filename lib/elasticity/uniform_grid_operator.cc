@@ -5,15 +5,6 @@
 
 namespace mesoslip
 {
-template <typename Number>
-UniformGridOperator::Precision<Number>::Precision(const UniformMaterial &material,
-                                                  const InstructionSet isa)
-  : kernels(material, isa)
-  , sweep(material, kernels)
-  , rows(material.n_columns(), kernels.functions.rows_at_once)
-{
-}
-
 UniformGridOperator::UniformGridOperator(const UniformMaterial &material,
                                          const InstructionSet isa)
   : UniformGridOperator(material, NodeRows::all(material.n_rows()), isa)

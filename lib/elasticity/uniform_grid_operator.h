@@ -64,7 +64,12 @@ private:
   template <typename Number>
   struct Precision
   {
-    Precision(const UniformMaterial &material, const InstructionSet isa);
+    Precision(const UniformMaterial &material, const InstructionSet isa)
+      : kernels(material, isa)
+      , sweep(material, kernels)
+      , rows(material.n_columns(), kernels.functions.rows_at_once)
+    {
+    }
 
     RowKernels<Number> kernels;
     RowSweep<Number> sweep;

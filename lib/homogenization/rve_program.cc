@@ -244,7 +244,7 @@ void RveHomogenization::run(RunContext &context)
   catch (const NotConverged &e)
     {
       throw NumericalFailure(std::string(e.what()) + "; " +
-                             advice(e.reason(), parameters.solver));
+                             advice(e.reason, parameters.solver));
     }
   if (!context.root())
     return;
