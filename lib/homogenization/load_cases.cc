@@ -168,12 +168,9 @@ void bring_field_to_root(NodalField<double> &u, const int owner, const MPI_Comm 
       else if (rank == 0)
         MPI_Recv(u.row(c, j), n_columns, MPI_DOUBLE, owner, 0, comm, MPI_STATUS_IGNORE);
 }
-} // namespace
 
-namespace
-{
 const std::array<std::string, 3> condition_names = {{"KUBC", "SUBC", "PBC"}};
-}
+} // namespace
 
 std::string to_string(const BoundaryCondition condition)
 {
