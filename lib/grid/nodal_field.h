@@ -171,10 +171,10 @@ private:
   {
     using value_type = Number;
 
-    template <typename>
+    template <typename> /** The allocator of other numbers, which is the same. */
     struct rebind
     {
-      using other = Allocator;
+      using other = Allocator; ///< for the container
     };
 
     Number *allocate(const std::size_t n)

@@ -71,7 +71,15 @@ private:
       , r(x)
     {
     }
-    void set_stencil(Stencil<T> &&operator_of_level);
+    void set_stencil(Stencil<T> &&operator_of_level)
+    {
+      stencil = std::move(operator_of_level);
+      smoother =
+        LineSmoother<3, T>(x.n_columns(), x.n_rows(), [this](const unsigned int j) {
+          return LineBlocks<T>{stencil.row(centre, j), stencil.row(east, j),
+                               stencil.row(north, j), stencil.component_stride()};
+        });
+    }
 
     Stencil<T> stencil;
     LineSmoother<3, T> smoother;
@@ -80,7 +88,6 @@ private:
   };
 
   void build_interpolations();
-  void build_finest_smoother();
   void build_bottom(const DofMask &mask);
   void finest_residual(NodalField<Number> &x, const NodalField<Number> &b);
   void visit_first();
