@@ -1,7 +1,7 @@
 #ifndef checkerboard_h
 #define checkerboard_h
 
-#include <grid/phase_map.h>
+#include <grid/uniform_grid.h>
 
 /** Squares of @p side cells, phases 0 and 1 in turn, phase 0 in the lower left corner. */
 inline mesoslip::PhaseMap<2> checkerboard(const mesoslip::UniformGrid<2> &grid,

@@ -27,6 +27,17 @@ std::vector<std::string> gather(const MPI_Comm communicator, const std::string &
 
 /** Gives rank r the text r of rank 0. */
 std::string scatter(const MPI_Comm communicator, const std::vector<std::string> &texts);
+
+/** Whether mpirun (of Open MPI, or one with PMI) started this process. */
+bool started_by_mpirun();
+
+/**
+ * What a process without mpirun does not need of Open MPI is left out of its start; call
+ * before MPI_Init. No daemon for ranks that are spawned: a quarter of the time to start,
+ * and it outlives a run that is killed. No session folder: processes that start and end
+ * side by side share one and remove it under each other (one start of 200 fails).
+ */
+void prepare_mpi_of_one_process();
 } // namespace mesoslip
 
 #endif

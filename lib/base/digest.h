@@ -1,7 +1,12 @@
 #ifndef mesoslip_base_digest_h
 #define mesoslip_base_digest_h
 
+#include "base/files.h"
+
+#include <cinttypes>
 #include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -15,20 +20,55 @@ class Digest
 {
 public:
   /** A text, with its length. */
-  Digest &add(const std::string_view text);
+  Digest &add(const std::string_view text)
+  {
+    add_bytes(text.data(), text.size());
+    add_number(text.size()); // separates this text from the next
+    return *this;
+  }
 
   /** All bits count: -0 and 0 differ. */
-  Digest &add(const double number);
+  Digest &add(const double number)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &number, sizeof(bits));
+    add_number(bits);
+    return *this;
+  }
 
   /** The content of a file, not its name. @throws UserError if it cannot be read. */
-  Digest &add_file(const std::string &path);
+  Digest &add_file(const std::string &path)
+  {
+    return add(read_file(path));
+  }
 
   /** 16 hexadecimal digits. */
-  std::string hex() const;
+  std::string hex() const
+  {
+    char text[17];
+    std::snprintf(text, sizeof(text), "%016" PRIx64, state);
+    return text;
+  }
 
 private:
-  void add_bytes(const void *data, const std::size_t n);
-  void add_number(std::uint64_t number);
+  void add_bytes(const void *data, const std::size_t n)
+  {
+    const unsigned char *bytes = static_cast<const unsigned char *>(data);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        state ^= bytes[i];
+        state *= 0x100000001b3u;
+      }
+  }
+
+  void add_number(std::uint64_t number)
+  {
+    for (int i = 0; i < 8; ++i, number >>= 8)
+      {
+        const unsigned char byte = number & 0xff; // in this order on all machines
+        add_bytes(&byte, 1);
+      }
+  }
 
   std::uint64_t state = 0xcbf29ce484222325u;
 };

@@ -2,7 +2,7 @@
 
 #include "body/grid_body.h"
 #include "body/mesh/mesh_body.h"
-#include "elasticity/rigid_motions.h"
+#include "statics/multigrid/rigid_modes.h"
 
 namespace mesoslip
 {
@@ -49,22 +49,9 @@ free_rigid_motions(const ElasticBody<2> &body, const DofMask &mask, const bool c
       {p[0] / width - 0.5, (p[1] - 0.5 * body.extent(1)) / width}};
   };
   const Periodicity periodic = body.periodicity();
-  Eigen::Matrix3d hold       = Eigen::Matrix3d::Zero();
-  if (periodic.x || periodic.y || !can_rotate)
-    hold(2, 2) = 1.;
-  for (unsigned int c = 0; c < 2; ++c)
-    for (unsigned int j = 0; j < body.n_rows(); ++j)
-      for (unsigned int i = 0; i < body.n_columns(); ++i)
-        if (mask.is_constrained(c, {i, j}))
-          {
-            const auto [x, y] = position({i, j});
-            const Eigen::Vector3d m =
-              c == 0 ? Eigen::Vector3d(1., 0., -y) : Eigen::Vector3d(0., 1., x);
-            hold += m * m.transpose();
-          }
-
   std::vector<NodalField<double>> motions;
-  for (const Eigen::Vector3d &a : motions_left_by(hold))
+  for (const Eigen::Vector3d &a :
+       motions_left_by(mask, can_rotate && !periodic.x && !periodic.y, position))
     {
       NodalField<double> motion = body.zero_field();
       for (unsigned int j = 0; j < body.n_rows(); ++j)

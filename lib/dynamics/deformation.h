@@ -2,7 +2,7 @@
 #define mesoslip_dynamics_deformation_h
 
 #include "grid/nodal_field.h"
-#include "grid/node_rows.h"
+#include "grid/row_partition.h"
 #include "grid/uniform_grid.h"
 
 #include <limits>

@@ -2,7 +2,6 @@
 #define mesoslip_dynamics_energy_audit_h
 
 #include "base/serialize_members.h"
-#include "dynamics/step_observer.h"
 #include "dynamics/stepper.h"
 #include "grid/row_partition.h"
 

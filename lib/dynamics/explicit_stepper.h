@@ -1,11 +1,14 @@
 #ifndef mesoslip_dynamics_explicit_stepper_h
 #define mesoslip_dynamics_explicit_stepper_h
 
-#include "dynamics/step_masses.h"
 #include "dynamics/stepper.h"
 #include "dynamics/temporal_blocking.h"
 #include "elasticity/uniform_grid_operator.h"
-#include "grid/sweep_options.h"
+#include "grid/row_partition.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace mesoslip
 {
@@ -34,16 +37,75 @@ public:
   /** Throws std::invalid_argument if something does not fit. */
   explicit ExplicitStepper(const SteppedBody &body,
                            const SideConstraints &sides = {},
-                           const SweepOptions &options  = {});
+                           const SweepOptions &options  = {})
+    : Stepper<2>(body.parameters,
+                 body.u,
+                 body.w,
+                 body.rows,
+                 checked(body, sides).n_columns() -
+                   (body.material.periodicity().x ? 1 : 0),
+                 body.rows.has_upper_ghost() ? std::optional<NodeIndex>()
+                                             : NodeIndex{0, body.rows.n_global - 1},
+                 body.communicator)
+    , material(body.material)
+    , isa(resolve(options.isa))
+    , free_surface(body.parameters)
+    , kernels(make_kernels(material, body.parameters, isa))
+    , masses(material, body.rows, body.parameters, sides)
+    , op(material, body.rows)
+    , sweeps(with_free_surfaces(body), kernels, masses, max_steps(body, options))
+  {
+  }
 
-  void advance(const std::uint64_t n_steps) override;
-  void multiply(NodalField<double> &Kx, NodalField<double> &x) const override;
-  double elastic_energy() const override;
-  void mass_row(const unsigned int j, double *mass) const override;
-  Deformation deformation() const override;
+  void advance(const std::uint64_t n_steps) override
+  {
+    const std::uint64_t end   = n_done + n_steps;
+    const auto steps_of_sweep = [&](const std::uint64_t from) {
+      const std::uint64_t left   = end - from;
+      const std::uint64_t blocks = (left + sweeps.max_steps() - 1) / sweeps.max_steps();
+      return static_cast<unsigned int>(left > 0 ? (left + blocks - 1) / blocks : 0);
+    };
+
+    unsigned int n = steps_of_sweep(n_done);
+    if (n > 0)
+      sweeps.send(n);
+    while (n > 0)
+      {
+        const unsigned int n_next = steps_of_sweep(n_done + n);
+        sweeps.run(n_done, n, n_next);
+        n_done += n;
+        n = n_next;
+      }
+  }
+
+  void multiply(NodalField<double> &Kx, NodalField<double> &x) const override
+  {
+    update_ghost_rows(x, rows, communicator);
+    op.vmult(Kx, x);
+  }
+
+  double elastic_energy() const override
+  {
+    update_ghost_rows(u, rows, communicator);
+    return op.elastic_energy(u);
+  }
+
+  void mass_row(const unsigned int j, double *mass) const override
+  {
+    material.mass_row(j, mass);
+  }
+
+  Deformation deformation() const override
+  {
+    update_ghost_rows(u, rows, communicator);
+    return largest_deformation(material.grid(), rows, u, communicator);
+  }
 
   /** Kernel variant and instruction set. */
-  std::string kernel_name() const override;
+  std::string kernel_name() const override
+  {
+    return to_string(isa) + " " + kernels::name(kernels.choice);
+  }
 
   /** Steps that advance() does in one sweep. */
   unsigned int steps_at_once() const
@@ -52,7 +114,71 @@ public:
   }
 
 private:
-  SteppedBody with_free_surfaces(SteppedBody body);
+  /** The material, once everything is known to fit it. */
+  static const UniformMaterial &checked(const SteppedBody &body,
+                                        const SideConstraints &sides)
+  {
+    const UniformMaterial &material = body.material;
+    const NodeRows &rows            = body.rows;
+    const StepParameters &p         = body.parameters;
+    if (!(p.dt > 0.) || !(p.beta2 > 0.) || !(p.beta >= 0.))
+      throw std::invalid_argument(
+        "the time step and beta2 must be positive, beta not negative");
+    if (material.periodicity().y)
+      throw std::invalid_argument(
+        "the stepper has a bottom and a top: no periodicity in y");
+    for (const NodalField<double> *field : {&body.u, &body.w})
+      if (field->n_columns() != material.n_columns() || field->n_rows() != rows.n_local())
+        throw std::invalid_argument("the state of the stepper does not fit its grid");
+    const bool neighbours    = rows.has_lower_ghost() || rows.has_upper_ghost();
+    const unsigned int least = neighbours ? std::max(2u, rows.ghosts) : 1;
+    if (rows.n_global != material.n_rows() || rows.end > rows.n_global ||
+        rows.begin + least > rows.end || (neighbours && rows.ghosts == 0))
+      throw std::invalid_argument("the rows of the stepper do not fit its grid");
+    if (neighbours && body.halo == nullptr)
+      throw std::invalid_argument("a slab with neighbours needs a halo");
+    const auto held = [](const std::array<bool, 2> &side) { return side[0] || side[1]; };
+    if (material.periodicity().x && (held(sides.left_held) || held(sides.right_held)))
+      throw std::invalid_argument("the sides of a grid periodic in x cannot be held");
+    return material;
+  }
+
+  static RowKernels<double> make_kernels(const UniformMaterial &material,
+                                         const StepParameters &parameters,
+                                         const InstructionSet isa)
+  {
+    RowKernels<double> kernels(material, isa, parameters.beta != 0.,
+                               parameters.acceleration != std::array<double, 2>{});
+    auto &c         = *kernels.constants;
+    const double hx = material.grid().spacing[0], hy = material.grid().spacing[1];
+    c.beta      = parameters.beta;
+    c.c_new     = parameters.dt * (parameters.beta2 + 0.5);
+    c.c_old     = -parameters.dt * (parameters.beta2 - 0.5);
+    c.gravity_x = parameters.acceleration[0];
+    c.gravity_y = parameters.acceleration[1];
+    // Stepping kernels have forces times 2/h.
+    c.scaled_gravity_x = parameters.acceleration[0] * 2. / hx;
+    c.scaled_gravity_y = parameters.acceleration[1] * 2. / hy;
+    return kernels;
+  }
+
+  /** Time steps in a sweep: with neighbours as many as there are ghost rows. */
+  static unsigned int max_steps(const SteppedBody &body, const SweepOptions &options)
+  {
+    const NodeRows &rows = body.rows;
+    if (rows.has_lower_ghost() || rows.has_upper_ghost())
+      return rows.ghosts;
+    return choose_steps_at_once(body.material.n_columns(), rows.n_global, 1,
+                                options.steps_at_once);
+  }
+
+  SteppedBody with_free_surfaces(SteppedBody body)
+  {
+    for (SurfaceCondition<2> **surface : {&body.bottom, &body.top})
+      if (*surface == nullptr)
+        *surface = &free_surface;
+    return body;
+  }
 
   const UniformMaterial &material;
   const InstructionSet isa;

@@ -2,18 +2,45 @@
 #define mesoslip_dynamics_stepper_h
 
 #include "dynamics/deformation.h"
-#include "dynamics/step_parameters.h"
 #include "grid/nodal_field.h"
-#include "grid/node_rows.h"
+#include "grid/row_partition.h"
 
 #include <mpi.h>
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace mesoslip
 {
+class Timer;
+
+/** Constants of the beta2 scheme and of the bulk. */
+struct StepParameters
+{
+  /** Time step (s). */
+  double dt = 0.;
+
+  /** 1/2: leapfrog, order two; up to 1: numerically damped. */
+  double beta2 = 0.5;
+
+  /** Stiffness-proportional damping C = beta K (s); zero costs nothing. */
+  double beta = 0.;
+
+  /** Body acceleration (m/s^2); zero costs nothing. */
+  std::array<double, 2> acceleration = {};
+};
+
+/** Components of the leftmost and rightmost column whose acceleration is kept at zero. */
+struct SideConstraints
+{
+  std::array<bool, 2> left_held  = {}; ///< x and y of the leftmost column
+  std::array<bool, 2> right_held = {}; ///< x and y of the rightmost column
+};
+
 /**
  * Explicit time integration of a body, as the time loop and its observers see it:
  * whatever the nodes lie on, u and w of this rank's nodes are the rows of a field, and
@@ -98,6 +125,46 @@ protected:
 
   std::uint64_t n_done = 0; ///< see step_number()
 };
+
+/**
+ * Something that looks at the whole body now and then. Between two steps that somebody
+ * wants to see, the stepper is free to advance many steps at a time.
+ */
+class StepObserver
+{
+public:
+  virtual ~StepObserver() = default;
+
+  /** The first step >= @p n around which this observer wants to be called. */
+  virtual std::uint64_t next_step(const std::uint64_t n) const = 0;
+
+  /** The fields hold u_n and w_n. */
+  virtual void before_step(const std::uint64_t n) = 0;
+
+  /** The fields hold u_(n+1) and w_(n+1). */
+  virtual void after_step(const std::uint64_t)
+  {
+  }
+};
+
+/** The first multiple of @p interval that is >= @p n. */
+inline std::uint64_t next_multiple(const std::uint64_t n, const std::uint64_t interval)
+{
+  return (n + interval - 1) / interval * interval;
+}
+
+/**
+ * Advances @p stepper until step @p n_end, calling the observers around the steps that
+ * they ask for and @p keep_going every @p control_interval steps (and at the end).
+ * With a @p timer the steps are timed. Returns the number of the next step: less than @p
+ * n_end when @p keep_going said false.
+ */
+std::uint64_t run_time_loop(Stepper<2> &stepper,
+                            const std::vector<StepObserver *> &observers,
+                            const std::uint64_t n_end,
+                            const std::uint64_t control_interval,
+                            const std::function<bool(const std::uint64_t)> &keep_going,
+                            Timer *timer = nullptr);
 } // namespace mesoslip
 
 #endif

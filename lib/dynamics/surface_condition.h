@@ -1,7 +1,7 @@
 #ifndef mesoslip_dynamics_surface_condition_h
 #define mesoslip_dynamics_surface_condition_h
 
-#include "dynamics/step_parameters.h"
+#include "dynamics/stepper.h"
 
 #include <array>
 #include <cstddef>
@@ -64,15 +64,28 @@ class FreeSurface : public SurfaceCondition<dim>
 {
 public:
   /** Time step and beta2 are taken from @p parameters. */
-  explicit FreeSurface(const StepParameters &parameters);
+  explicit FreeSurface(const StepParameters &parameters)
+    : dt(parameters.dt)
+    , c_new(parameters.dt * (parameters.beta2 + 0.5))
+    , c_old(-parameters.dt * (parameters.beta2 - 0.5))
+  {
+  }
 
   /** w_(n+1) from the internal forces alone. */
-  void advance(const SurfaceView<dim> &surface) override;
+  void advance(const SurfaceView<dim> &surface) override
+  {
+    for (unsigned int c = 0; c < dim; ++c)
+      for (std::size_t i = 0; i < surface.n; ++i)
+        {
+          double &w          = surface.w[c][i];
+          const double w_old = w;
+          w -= dt * surface.inverse_mass[c][i] * surface.force[c][i];
+          surface.u[c][i] += c_new * w + c_old * w_old;
+        }
+  }
 
 private:
-  double dt;
-  double c_new;
-  double c_old;
+  const double dt, c_new, c_old;
 };
 } // namespace mesoslip
 

@@ -1,4 +1,4 @@
-#include "dynamics/time_loop.h"
+#include "dynamics/stepper.h"
 
 #include "base/timer.h"
 

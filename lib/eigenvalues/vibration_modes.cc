@@ -16,18 +16,6 @@ namespace
 {
 using Vector = FreeDofs::Vector;
 
-/** The lumped mass, as ARPACK wants it. */
-struct MassMatrix
-{
-  const FreeDofs &dofs;
-
-  void vmult(Vector &dst, const Vector &src) const
-  {
-    for (std::size_t k = 0; k < dofs.size(); ++k)
-      dst[k] = dofs.mass(k) * src[k];
-  }
-};
-
 /** The rigid motions that nothing holds, orthonormal with respect to the mass. */
 std::vector<Vector>
 orthonormal_motions(const ElasticBody<2> &body, DofMask mask, const FreeDofs &dofs)
@@ -62,10 +50,8 @@ public:
   InverseStiffness(const ElasticBody<2> &body,
                    const DofMask &mask,
                    const FreeDofs &dofs,
-                   const MassMatrix &mass,
                    const VibrationModesOptions &options)
     : dofs(dofs)
-    , mass(mass)
     , options(options)
     , rigid(orthonormal_motions(body, mask, dofs))
     , solver(body.make_solver())
@@ -83,7 +69,7 @@ public:
     Vector load(src), motion(src.size());
     for (const Vector &r : rigid)
       {
-        mass.vmult(motion, r);
+        dofs.vmult(motion, r);
         load.add(-(r * src), motion);
       }
     dofs.scatter(force, load);
@@ -139,7 +125,6 @@ private:
   }
 
   const FreeDofs &dofs;
-  const MassMatrix &mass;
   const VibrationModesOptions &options;
   const std::vector<Vector> rigid;
   std::unique_ptr<StaticSolver> solver;
@@ -151,7 +136,6 @@ private:
 /** Rayleigh quotient, residual, normalisation and masses of an eigenvector. */
 VibrationMode finish_mode(const Vector &eigenvector,
                           const FreeDofs &dofs,
-                          const MassMatrix &mass,
                           const ElasticBody<2> &body,
                           const double platen_mass)
 {
@@ -162,7 +146,7 @@ VibrationMode finish_mode(const Vector &eigenvector,
   dofs.scatter(mode.shape, eigenvector);
   body.vmult(field, mode.shape);
   dofs.gather_forces(Ku, field);
-  mass.vmult(Mu, eigenvector);
+  dofs.vmult(Mu, eigenvector);
   const double uMu = eigenvector * Mu, omega2 = eigenvector * Ku / uMu;
   mode.frequency = std::sqrt(std::max(0., omega2)) / (2. * M_PI);
 
@@ -197,11 +181,11 @@ VibrationMode finish_mode(const Vector &eigenvector,
 }
 
 /** The eigenvectors of the lowest eigenvalues, in no particular order. */
-std::vector<Vector> lowest_eigenvectors(const MassMatrix &mass,
+std::vector<Vector> lowest_eigenvectors(const FreeDofs &dofs,
                                         const InverseStiffness &inverse,
-                                        const std::size_t n_dofs,
                                         const unsigned int n_modes)
 {
+  const std::size_t n_dofs = dofs.size();
   const unsigned int n_lanczos =
     static_cast<unsigned int>(std::min<std::size_t>(2 * n_modes + 10, n_dofs - 1));
   Vector start(n_dofs);
@@ -218,7 +202,7 @@ std::vector<Vector> lowest_eigenvectors(const MassMatrix &mass,
     control, dealii::ArpackSolver::AdditionalData(
                n_lanczos, dealii::ArpackSolver::largest_magnitude, true));
   arpack.set_initial_vector(start);
-  arpack.solve(mass, mass, inverse, values, vectors, n_modes);
+  arpack.solve(dofs, dofs, inverse, values, vectors, n_modes);
   return vectors;
 }
 } // namespace
@@ -241,13 +225,11 @@ VibrationModes vibration_modes(const ElasticBody<2> &body,
 {
   check_number_of_modes(body, mask, options);
   const FreeDofs dofs(body, mask, options.platen_mass);
-  const MassMatrix mass{dofs};
-  const InverseStiffness inverse(body, mask, dofs, mass, options);
+  const InverseStiffness inverse(body, mask, dofs, options);
 
   VibrationModes result;
-  for (const Vector &x : lowest_eigenvectors(mass, inverse, dofs.size(), options.n_modes))
-    result.modes.push_back(
-      finish_mode(x, dofs, mass, body, options.platen_mass.value_or(0.)));
+  for (const Vector &x : lowest_eigenvectors(dofs, inverse, options.n_modes))
+    result.modes.push_back(finish_mode(x, dofs, body, options.platen_mass.value_or(0.)));
   std::sort(result.modes.begin(), result.modes.end(),
             [](const VibrationMode &a, const VibrationMode &b) {
               return a.frequency < b.frequency;

@@ -52,6 +52,44 @@ static void finish(const Constants<Number> &c, const Rows<Number> &r)
     }
 }
 
+static void strain(const double *__restrict__ lower,
+                   const double *__restrict__ upper,
+                   const std::size_t component_offset,
+                   const unsigned int n_cells,
+                   const double half_inverse_hx,
+                   const double half_inverse_hy,
+                   double *__restrict__ exx,
+                   double *__restrict__ eyy,
+                   double *__restrict__ gxy)
+{
+  const double *__restrict__ lower_y = lower + component_offset;
+  const double *__restrict__ upper_y = upper + component_offset;
+  for (unsigned int i = 0; i < n_cells; ++i)
+    {
+      exx[i] = (lower[i + 1] - lower[i] + (upper[i + 1] - upper[i])) * half_inverse_hx;
+      eyy[i] =
+        (upper_y[i + 1] - lower_y[i + 1] + (upper_y[i] - lower_y[i])) * half_inverse_hy;
+      gxy[i] =
+        (upper[i + 1] - lower[i + 1] + (upper[i] - lower[i])) * half_inverse_hy +
+        (lower_y[i + 1] - lower_y[i] + (upper_y[i + 1] - upper_y[i])) * half_inverse_hx;
+    }
+}
+
+static double dot(const double *a, const double *b, const unsigned int n)
+{
+  constexpr unsigned int vl = Simd<double>::length;
+  vdouble sum{};
+  unsigned int i = 0;
+  for (; i + vl <= n; i += vl)
+    sum = fma(load(a + i), load(b + i), sum);
+  double result = 0.;
+  for (unsigned int l = 0; l < vl; ++l)
+    result += sum[l];
+  for (; i < n; ++i)
+    result += a[i] * b[i];
+  return result;
+}
+
 template <typename Number,
           MaterialVariant variant,
           bool anisotropic,
@@ -66,6 +104,8 @@ static void select_last(Kernels<Number> &kernels)
         &Kernel<Number, variant, anisotropic, damping, gravity, true, 1>::run;
       kernels.step[1] =
         &Kernel<Number, variant, anisotropic, damping, gravity, true, n>::run;
+      kernels.strain = &strain;
+      kernels.dot    = &dot;
     }
   kernels.store[0] =
     &Kernel<Number, variant, anisotropic, damping, gravity, false, 1>::run;
@@ -129,41 +169,4 @@ void select(Choice &choice, Kernels<float> &kernels)
   select_material(choice, kernels);
 }
 
-void strain(const double *__restrict__ lower,
-            const double *__restrict__ upper,
-            const std::size_t component_offset,
-            const unsigned int n_cells,
-            const double half_inverse_hx,
-            const double half_inverse_hy,
-            double *__restrict__ exx,
-            double *__restrict__ eyy,
-            double *__restrict__ gxy)
-{
-  const double *__restrict__ lower_y = lower + component_offset;
-  const double *__restrict__ upper_y = upper + component_offset;
-  for (unsigned int i = 0; i < n_cells; ++i)
-    {
-      exx[i] = (lower[i + 1] - lower[i] + (upper[i + 1] - upper[i])) * half_inverse_hx;
-      eyy[i] =
-        (upper_y[i + 1] - lower_y[i + 1] + (upper_y[i] - lower_y[i])) * half_inverse_hy;
-      gxy[i] =
-        (upper[i + 1] - lower[i + 1] + (upper[i] - lower[i])) * half_inverse_hy +
-        (lower_y[i + 1] - lower_y[i] + (upper_y[i + 1] - upper_y[i])) * half_inverse_hx;
-    }
-}
-
-double dot(const double *a, const double *b, const unsigned int n)
-{
-  constexpr unsigned int vl = Simd<double>::length;
-  vdouble sum{};
-  unsigned int i = 0;
-  for (; i + vl <= n; i += vl)
-    sum = fma(load(a + i), load(b + i), sum);
-  double result = 0.;
-  for (unsigned int l = 0; l < vl; ++l)
-    result += sum[l];
-  for (; i < n; ++i)
-    result += a[i] * b[i];
-  return result;
-}
 } // namespace mesoslip::kernels::MESOSLIP_VARIANT

@@ -160,23 +160,27 @@ struct Kernels
   RowFunction<Number> finish = nullptr;
 
   unsigned int rows_at_once = 1; ///< that a call may treat
+
+  /** Mean strains of the cells between two node rows (double only). */
+  void (*strain)(const double *lower,
+                 const double *upper,
+                 std::size_t component_offset,
+                 unsigned int n_cells,
+                 double half_inverse_hx,
+                 double half_inverse_hy,
+                 double *exx,
+                 double *eyy,
+                 double *gxy) = nullptr;
+
+  /** a.b of n numbers (double only). */
+  double (*dot)(const double *a, const double *b, unsigned int n) = nullptr;
 };
 
-#define MESOSLIP_DECLARE_KERNELS(name)                          \
-  namespace name                                                \
-  {                                                             \
-  void select(Choice &choice, Kernels<double> &kernels);        \
-  void select(Choice &choice, Kernels<float> &kernels);         \
-  void strain(const double *lower,                              \
-              const double *upper,                              \
-              std::size_t component_offset,                     \
-              unsigned int n_cells,                             \
-              double half_inverse_hx,                           \
-              double half_inverse_hy,                           \
-              double *exx,                                      \
-              double *eyy,                                      \
-              double *gxy);                                     \
-  double dot(const double *a, const double *b, unsigned int n); \
+#define MESOSLIP_DECLARE_KERNELS(name)                   \
+  namespace name                                         \
+  {                                                      \
+  void select(Choice &choice, Kernels<double> &kernels); \
+  void select(Choice &choice, Kernels<float> &kernels);  \
   }
 
 MESOSLIP_FOR_EACH_VARIANT(MESOSLIP_DECLARE_KERNELS)

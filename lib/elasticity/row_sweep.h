@@ -6,6 +6,7 @@
 #include "grid/instruction_set.h"
 #include "grid/nodal_field.h"
 
+#include <initializer_list>
 #include <memory>
 #include <string>
 
@@ -45,26 +46,71 @@ class RowSweep
 {
 public:
   /** @p material and @p kernels must outlive it. */
-  RowSweep(const UniformMaterial &material, const RowKernels<Number> &kernels);
+  RowSweep(const UniformMaterial &material, const RowKernels<Number> &kernels)
+    : the_material(material)
+    , the_kernels(kernels)
+    , buffers(material.n_columns(), 2)
+  {
+  }
 
   /** Nothing below the next row. */
-  void reset();
+  void reset()
+  {
+    buffers.set_zero();
+  }
 
   /**
    * @p n = 1 or rows_at_once node rows of internal forces into @p rows.fx, fy. @p rows
    * has its state and output pointers set; @p cell_row is the (global) cell row above the
    * first node row.
    */
-  void store(kernels::Rows<Number> rows, const unsigned int cell_row, const bool several);
+  void store(kernels::Rows<Number> rows, const unsigned int cell_row, const bool several)
+  {
+    complete(rows, cell_row);
+    the_kernels.functions.store[several](*the_kernels.constants, rows);
+    duplicate({rows.fx, rows.fy}, rows.f_stride, several);
+  }
 
   /** The same, stepping in time in place. */
-  void step(kernels::Rows<Number> rows, const unsigned int cell_row, const bool several);
+  void step(kernels::Rows<Number> rows, const unsigned int cell_row, const bool several)
+  {
+    complete(rows, cell_row);
+    the_kernels.functions.step[several](*the_kernels.constants, rows);
+    duplicate({rows.ux, rows.uy, rows.wx, rows.wy}, rows.stride, several);
+  }
 
   /** Internal forces on the top row, above which there is nothing. */
-  void finish(kernels::Rows<Number> rows);
+  void finish(kernels::Rows<Number> rows)
+  {
+    complete(rows, 0);
+    the_kernels.functions.finish(*the_kernels.constants, rows);
+    duplicate({rows.fx, rows.fy}, 0, false);
+  }
 
 private:
-  void complete(kernels::Rows<Number> &rows, const unsigned int cell_row);
+  void complete(kernels::Rows<Number> &rows, const unsigned int cell_row)
+  {
+    rows.qx  = buffers.row(0, 0);
+    rows.qy  = buffers.row(1, 0);
+    rows.sxy = buffers.row(0, 1);
+    rows.syy = buffers.row(1, 1);
+    if (!the_material.is_homogeneous())
+      {
+        rows.phases       = the_material.phase_row(cell_row);
+        rows.phase_stride = the_material.phase_row(1) - the_material.phase_row(0);
+      }
+  }
+
+  /** Sets the duplicate column of a periodic grid. */
+  void duplicate(const std::initializer_list<Number *> arrays,
+                 const std::size_t stride,
+                 const bool several) const
+  {
+    const unsigned int n = several ? the_kernels.functions.rows_at_once : 1;
+    for (Number *row : arrays)
+      for (unsigned int k = 0; the_kernels.constants->periodic && k < n; ++k)
+        row[k * stride + the_kernels.constants->n_cells] = row[k * stride];
+  }
 
   const UniformMaterial &the_material;
   const RowKernels<Number> &the_kernels;
@@ -73,8 +119,6 @@ private:
 
 extern template struct RowKernels<double>;
 extern template struct RowKernels<float>;
-extern template class RowSweep<double>;
-extern template class RowSweep<float>;
 } // namespace mesoslip
 
 #endif

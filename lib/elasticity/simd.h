@@ -227,6 +227,18 @@ MESOSLIP_INLINE vfloat gather(const float *table, const vint32 index)
 #else
 constexpr bool has_lookup = false;
 
+#  ifdef __AVX2__
+// GCC 12 keeps the loop below as one of stores and loads.
+MESOSLIP_INLINE vdouble gather(const double *table, const vint64 index)
+{
+  return vdouble{table[index[0]], table[index[1]], table[index[2]], table[index[3]]};
+}
+
+MESOSLIP_INLINE vfloat gather(const float *table, const vint32 index)
+{
+  return (vfloat)_mm256_i32gather_ps(table, (__m256i)index, 4);
+}
+#  else
 template <typename Number, typename Index>
 MESOSLIP_INLINE typename Simd<Number>::Vector gather(const Number *table,
                                                      const Index index)
@@ -236,4 +248,5 @@ MESOSLIP_INLINE typename Simd<Number>::Vector gather(const Number *table,
     result[l] = table[index[l]];
   return result;
 }
+#  endif
 #endif

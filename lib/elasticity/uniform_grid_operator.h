@@ -1,10 +1,10 @@
 #ifndef mesoslip_elasticity_uniform_grid_operator_h
 #define mesoslip_elasticity_uniform_grid_operator_h
 
-#include "elasticity/uniform_material.h"
+#include "elasticity/row_sweep.h"
 #include "grid/instruction_set.h"
 #include "grid/nodal_field.h"
-#include "grid/node_rows.h"
+#include "grid/row_partition.h"
 
 #include <memory>
 
@@ -35,17 +35,6 @@ public:
                       const NodeRows &rows,
                       const InstructionSet isa = InstructionSet::automatic);
 
-  ~UniformGridOperator();
-
-  /** Takes over kernels and buffers. */
-  UniformGridOperator(UniformGridOperator &&) noexcept;
-
-  /** The material of the whole grid. */
-  const UniformMaterial &material() const;
-
-  /** Rows of this rank. */
-  const NodeRows &rows() const;
-
   /** dst = K src. @p dst and @p src must be different fields. Number: double, float. */
   template <typename Number>
   void vmult(NodalField<Number> &dst, const NodalField<Number> &src) const;
@@ -71,8 +60,36 @@ public:
               double *gxy) const;
 
 private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation;
+  /** Everything one precision needs; made when that precision is first used. */
+  template <typename Number>
+  struct Precision
+  {
+    Precision(const UniformMaterial &material, const InstructionSet isa)
+      : kernels(material, isa)
+      , sweep(material, kernels)
+      , rows(material.n_columns(), kernels.functions.rows_at_once)
+    {
+    }
+
+    RowKernels<Number> kernels;
+    RowSweep<Number> sweep;
+    NodalField<Number> rows; ///< of forces, where no field is to keep them
+  };
+
+  template <typename Number>
+  Precision<Number> &precision() const;
+  template <typename Number>
+  void check(const NodalField<Number> &field) const;
+  template <typename Number, typename Consume>
+  void traverse(NodalField<Number> *dst,
+                const NodalField<Number> &src,
+                const Consume &consume) const;
+
+  const UniformMaterial &material;
+  const NodeRows rows;
+  const InstructionSet isa;
+  mutable std::unique_ptr<Precision<double>> in_double;
+  mutable std::unique_ptr<Precision<float>> in_float;
 };
 } // namespace mesoslip
 

@@ -53,30 +53,22 @@ InstructionSet instruction_set(const std::string &name)
                            names);
 }
 
-namespace
-{
-InstructionSet from_environment(const std::vector<InstructionSet> &available)
-{
-  const char *name = std::getenv("MESOSLIP_ISA");
-  if (name == nullptr || *name == '\0')
-    return available.back();
-  try
-    {
-      const InstructionSet isa = instruction_set(name);
-      return isa == InstructionSet::automatic ? available.back() : isa;
-    }
-  catch (const std::runtime_error &e)
-    {
-      throw std::runtime_error(std::string("MESOSLIP_ISA: ") + e.what());
-    }
-}
-} // namespace
-
 InstructionSet resolve(const InstructionSet requested)
 {
   const std::vector<InstructionSet> available = available_instruction_sets();
-  const InstructionSet isa =
-    requested == InstructionSet::automatic ? from_environment(available) : requested;
+  InstructionSet isa                          = requested;
+  const char *name                            = std::getenv("MESOSLIP_ISA");
+  if (isa == InstructionSet::automatic && name != nullptr && *name != '\0')
+    try
+      {
+        isa = instruction_set(name);
+      }
+    catch (const std::runtime_error &e)
+      {
+        throw std::runtime_error(std::string("MESOSLIP_ISA: ") + e.what());
+      }
+  if (isa == InstructionSet::automatic)
+    return available.back();
   if (std::find(available.begin(), available.end(), isa) == available.end())
     throw std::runtime_error("this processor cannot run the instruction set " +
                              to_string(isa));

@@ -1,17 +1,28 @@
 #ifndef mesoslip_grid_nodal_field_h
 #define mesoslip_grid_nodal_field_h
 
-#include "grid/line_memory.h"
-
 #include <deal.II/base/exceptions.h>
 
 #include <boost/serialization/array_wrapper.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdlib>
 #include <stdexcept>
+#include <vector>
 
 namespace mesoslip
 {
+namespace internal
+{
+/**
+ * At least @p bytes of memory that begin on a cache line. All pages of a large piece are
+ * asked for at once: one by one, when first written, they take twice as long.
+ * @throws std::bad_alloc
+ */
+void *line_memory(const std::size_t bytes);
+} // namespace internal
+
 /** Numbers in the widest vector of the row kernels. */
 template <typename Number>
 constexpr unsigned int lanes = 64 / sizeof(Number);
@@ -155,6 +166,38 @@ public:
   }
 
 private:
+  /** Of numbers that begin on a cache line. */
+  struct Allocator
+  {
+    using value_type = Number;
+
+    template <typename> /** The allocator of other numbers, which is the same. */
+    struct rebind
+    {
+      using other = Allocator; ///< for the container
+    };
+
+    Number *allocate(const std::size_t n)
+    {
+      return static_cast<Number *>(internal::line_memory(n * sizeof(Number)));
+    }
+
+    void deallocate(Number *memory, const std::size_t)
+    {
+      std::free(memory);
+    }
+
+    friend bool operator==(const Allocator &, const Allocator &)
+    {
+      return true;
+    }
+
+    friend bool operator!=(const Allocator &, const Allocator &)
+    {
+      return false;
+    }
+  };
+
   std::size_t offset(const unsigned int c, const int j) const
   {
     AssertIndexRange(c, components);
@@ -167,7 +210,7 @@ private:
   unsigned int rows        = 0;
   unsigned int columns     = 0;
   std::size_t array_stride = 0;
-  LineVector<Number> data;
+  std::vector<Number, Allocator> data;
 };
 
 extern template class NodalField<double>;

@@ -3,6 +3,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace mesoslip
 {
@@ -56,6 +59,26 @@ struct UniformGrid
     return cells == other.cells && spacing == other.spacing && origin == other.origin;
   }
 };
+
+/**
+ * The morphology on a uniform grid: one phase index for each cell, x fastest,
+ * `id.size() == grid.n_cells()`.
+ */
+template <int dim>
+struct PhaseMap
+{
+  UniformGrid<dim> grid;        ///< the cells
+  std::vector<std::uint8_t> id; ///< of each cell, x fastest
+};
+
+/** "560 x 160": two numbers of cells or pixels. */
+std::string numbers_text(const unsigned int width, const unsigned int height);
+
+/** "0.1 x 0.2 mm": two lengths (m) with the unit that suits the larger one. */
+std::string lengths_text(const double width, const double height);
+
+/** "560 x 160 cells of 0.1 x 0.1 mm, 56 x 16 mm"; lengths in km, m, mm or um. */
+std::string size_text(const UniformGrid<2> &grid);
 } // namespace mesoslip
 
 #endif

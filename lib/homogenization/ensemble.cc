@@ -2,52 +2,124 @@
 
 #include "base/errors.h"
 
+#include <Eigen/Dense>
+
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace mesoslip
 {
-EntryStatistics entry_statistics(const std::vector<double> &values,
-                                 const double confidence)
+namespace
 {
-  EntryStatistics s;
-  const double n = values.size();
-  for (const double value : values)
-    s.mean += value / n;
-  if (values.size() < 2)
-    return s;
-  double square = 0.;
-  for (const double value : values)
-    square += (value - s.mean) * (value - s.mean);
-  s.standard_deviation = std::sqrt(square / (n - 1.));
-  const boost::math::students_t student(n - 1.);
-  s.half_width = boost::math::quantile(student, 0.5 * (1. + confidence)) *
-                 s.standard_deviation / std::sqrt(n);
-  if (s.mean != 0.)
-    s.relative_error = 2. * s.standard_deviation / (std::sqrt(n) * std::fabs(s.mean));
-  return s;
+/** Five digits are what the other programs and the pages count on. */
+constexpr double tell_above = 1e-5;
+
+/** A percent is about what the moduli of phases are known to: what is not sure to that is
+ * no result. */
+constexpr double refuse_above = 1e-2;
+
+/** The means over two phases follow from the stiffness through the difference of the
+ * phases, which magnifies its error. */
+constexpr double refuse_phase_means_above = 0.1;
+
+/** Dropped entries and differences of conditions that are worth a sentence. */
+constexpr double largest_dropped = 0.01, largest_factor = 2.;
+
+bool is_positive_definite(const VoigtMatrix<2> &D)
+{
+  // In the scale of its diagonal, as moduli may differ by more than the digits of a
+  // number.
+  const VoigtVector<2> scale  = D.diagonal().cwiseSqrt().cwiseInverse();
+  const VoigtMatrix<2> scaled = scale.asDiagonal() * D * scale.asDiagonal();
+  return scaled.allFinite() &&
+         Eigen::LLT<VoigtMatrix<2>>(scaled).info() == Eigen::Success;
 }
+
+[[noreturn]] void refuse(const std::string &condition, const std::string &what)
+{
+  throw NumericalFailure(condition + ": " + what +
+                         "; lower Homogenization/Tolerance, try another "
+                         "Homogenization/Solver, or give the phases "
+                         "moduli that differ less");
+}
+
+std::string gigapascals(const double modulus)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << modulus * 1e-9 << " GPa";
+  return text.str();
+}
+
+std::string dropped_entries(const VoigtMatrix<2> &D)
+{
+  std::ostringstream text;
+  text.precision(3);
+  for (unsigned int i = 0; i < 2; ++i)
+    {
+      const double share = std::fabs(D(i, 2)) / std::sqrt(D(i, i) * D(2, 2));
+      if (!(share > largest_dropped))
+        continue;
+      text << (text.tellp() > 0 ? " and " : "") << "D" << i + 1
+           << "3 = " << gigapascals(D(i, 2)) << " (" << 100. * share
+           << " % of the root of D" << i + 1 << i + 1 << " D33)";
+    }
+  return text.str().empty() ? std::string()
+                            : "The effective stiffness lacks " + text.str() +
+                                ", which Homogenization/Effective symmetry = orthotropic "
+                                "drops: set it to full, or "
+                                "turn the morphology so that x and y are its axes";
+}
+
+std::string conditions_apart(const VoigtMatrix<2> &kubc, const VoigtMatrix<2> &subc)
+{
+  // Stationary values of the ratio of the two energies over all strains.
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> ratios(
+    kubc, subc, Eigen::EigenvaluesOnly);
+  const double factor = std::max(ratios.eigenvalues()[2], 1. / ratios.eigenvalues()[0]);
+  if (factor <= largest_factor)
+    return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << "The effective stiffness is the mean of KUBC and SUBC, of which the energies "
+          "differ by up to the factor "
+       << factor << " (";
+  for (unsigned int i = 0; i < 3; ++i)
+    text << (i > 0 ? "; " : "") << "D" << i + 1 << i + 1 << " = "
+         << gigapascals(kubc(i, i)) << " and " << gigapascals(subc(i, i));
+  text << "): it says little about the composite; set Homogenization/Effective to one "
+          "condition, such as PBC, or "
+          "take a larger volume";
+  return text.str();
+}
+} // namespace
 
 StiffnessStatistics stiffness_statistics(const std::vector<EnsembleMember> &members,
                                          const std::size_t condition,
                                          const double confidence)
 {
-  StiffnessStatistics statistics;
-  std::vector<double> values(members.size());
+  StiffnessStatistics s;
+  const double n = members.size();
+  for (const EnsembleMember &member : members)
+    s.mean += member.responses[condition].stiffness / n;
+  if (members.size() < 2)
+    return s;
+  VoigtMatrix<2> squares = VoigtMatrix<2>::Zero();
+  for (const EnsembleMember &member : members)
+    squares += (member.responses[condition].stiffness - s.mean).cwiseAbs2();
+  s.standard_deviation = (squares / (n - 1.)).cwiseSqrt();
+  const boost::math::students_t student(n - 1.);
+  s.half_width = boost::math::quantile(student, 0.5 * (1. + confidence)) *
+                 s.standard_deviation / std::sqrt(n);
   for (unsigned int e = 0; e < 9; ++e)
-    {
-      for (std::size_t m = 0; m < members.size(); ++m)
-        values[m] = members[m].responses[condition].stiffness.data()[e];
-      const EntryStatistics s                 = entry_statistics(values, confidence);
-      statistics.mean.data()[e]               = s.mean;
-      statistics.standard_deviation.data()[e] = s.standard_deviation;
-      statistics.half_width.data()[e]         = s.half_width;
-      statistics.relative_error.data()[e]     = s.relative_error;
-    }
-  return statistics;
+    if (const double mean = std::fabs(s.mean.data()[e]); mean != 0.)
+      s.relative_error.data()[e] =
+        2. * s.standard_deviation.data()[e] / (std::sqrt(n) * mean);
+  return s;
 }
 
 std::vector<std::string> morphology_warnings(const std::vector<EnsembleMember> &members)
@@ -116,5 +188,63 @@ std::vector<BoundaryCondition> effective_conditions(const RveParameters &paramet
                    condition) == 0)
       return parameters.conditions;
   return both;
+}
+
+std::string check_response(const HomogenizedResponse &r, const double tolerance)
+{
+  const bool stresses         = r.condition == BoundaryCondition::SUBC;
+  const char *const tensor    = stresses ? "B" : "L";
+  const std::string condition = to_string(r.condition);
+  std::ostringstream text;
+  text.precision(1);
+  text << std::scientific;
+  if (!is_positive_definite(r.stiffness))
+    refuse(condition, "the stiffness is not positive definite");
+  if (r.two_phase_residual && !(*r.two_phase_residual <= refuse_phase_means_above))
+    {
+      text << "the means over the two phases contradict the stiffness by "
+           << *r.two_phase_residual << ", more than " << refuse_phase_means_above;
+      refuse(condition, text.str());
+    }
+  text << "the stiffness from the energy and the one from the mean "
+       << (stresses ? "strain" : "stress") << " differ by " << r.hill_mandel_residual
+       << ", <" << tensor << "> from I by " << r.mean_residual;
+  if (!(r.hill_mandel_residual <= refuse_above) || !(r.mean_residual <= refuse_above))
+    {
+      text << ", more than " << refuse_above;
+      refuse(condition, text.str());
+    }
+  const double error = std::max(r.hill_mandel_residual, r.mean_residual);
+  if (error <= tell_above)
+    return {};
+  // Of 3000 random solutions, one was off by 35 times its residual.
+  text << ", so about " << static_cast<int>(-std::log10(error)) - 1
+       << " digits hold, in the tensors " << tensor
+       << " as well; lower Homogenization/Tolerance (now " << tolerance << ")";
+  return condition + ": " + text.str();
+}
+
+std::vector<std::string> result_warnings(const std::vector<EnsembleMember> &members,
+                                         const RveParameters &parameters)
+{
+  std::vector<std::string> sentences;
+  for (const EnsembleMember &member : members)
+    for (const HomogenizedResponse &response : member.responses)
+      {
+        const std::string sentence = check_response(response, parameters.tolerance);
+        if (!sentence.empty())
+          sentences.push_back(
+            sentence +
+            (members.size() > 1 ? " (seed " + std::to_string(member.seed) + ")" : ""));
+      }
+  const VoigtMatrix<2> kubc = mean_stiffness(members, {BoundaryCondition::KUBC}),
+                       subc = mean_stiffness(members, {BoundaryCondition::SUBC});
+  if (!parameters.effective_full)
+    sentences.push_back(
+      dropped_entries(mean_stiffness(members, effective_conditions(parameters))));
+  if (parameters.effective == "mean" && kubc(0, 0) > 0. && subc(0, 0) > 0.)
+    sentences.push_back(conditions_apart(kubc, subc));
+  sentences.erase(std::remove(sentences.begin(), sentences.end(), ""), sentences.end());
+  return sentences;
 }
 } // namespace mesoslip

@@ -27,31 +27,21 @@ struct EnsembleMember
   }
 };
 
-/** Statistics of one entry of the stiffness over the members. */
-struct EntryStatistics
-{
-  double mean               = 0.; ///< Pa
-  double standard_deviation = 0.; ///< Pa, of a member; 0 for a single one
-  double half_width = 0.; ///< Pa, of the confidence interval of the mean (Student)
-
-  /** 2 s / (sqrt(n) mean), Kanit et al. (2003); 0 for a single member. */
-  double relative_error = 0.;
-};
-
-/** EntryStatistics of all entries of the stiffness, as matrices. */
+/** Statistics of the entries of the stiffness over the members. */
 struct StiffnessStatistics
 {
-  VoigtMatrix<2> mean;               ///< Pa
-  VoigtMatrix<2> standard_deviation; ///< Pa
-  VoigtMatrix<2> half_width;         ///< Pa
-  VoigtMatrix<2> relative_error;     ///< as in EntryStatistics
+  VoigtMatrix<2> mean               = VoigtMatrix<2>::Zero(); ///< Pa
+  VoigtMatrix<2> standard_deviation = VoigtMatrix<2>::Zero(); ///< Pa, of a member
+
+  /** Pa, of the confidence interval of the mean (Student). */
+  VoigtMatrix<2> half_width = VoigtMatrix<2>::Zero();
+
+  /** 2 s / (sqrt(n) mean), Kanit et al. (2003) [-]. */
+  VoigtMatrix<2> relative_error = VoigtMatrix<2>::Zero();
 };
 
-/** Statistics of a sample of numbers. */
-EntryStatistics entry_statistics(const std::vector<double> &values,
-                                 const double confidence);
-
-/** Statistics of all entries for the boundary condition number @p condition. */
+/** Statistics for the boundary condition number @p condition; of a single member the mean
+ * alone, all others are zero. */
 StiffnessStatistics stiffness_statistics(const std::vector<EnsembleMember> &members,
                                          const std::size_t condition,
                                          const double confidence);
@@ -73,6 +63,22 @@ VoigtMatrix<2> mean_stiffness(const std::vector<EnsembleMember> &members,
 /** Over which conditions the effective stiffness is the mean: the chosen one, or KUBC and
  * SUBC, or all if those two are not both there. */
 std::vector<BoundaryCondition> effective_conditions(const RveParameters &parameters);
+
+/**
+ * What the residuals say of a result: a sentence when fewer than five digits of the mean
+ * stress (SUBC: strain) and of the concentration tensors hold, else nothing.
+ * @throws NumericalFailure when not even two hold, or when the stiffness is not positive
+ * definite: this is no result.
+ */
+std::string check_response(const HomogenizedResponse &response, const double tolerance);
+
+/**
+ * check_response() of all members, with their seeds if there are several, and what the
+ * effective stiffness hides: entries D13 and D23 that orthotropy drops, KUBC and SUBC of
+ * which the mean is taken although they are far apart.
+ */
+std::vector<std::string> result_warnings(const std::vector<EnsembleMember> &members,
+                                         const RveParameters &parameters);
 } // namespace mesoslip
 
 #endif

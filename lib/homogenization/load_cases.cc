@@ -11,14 +11,6 @@ namespace mesoslip
 {
 namespace
 {
-void add(NodalField<double> &x, const NodalField<double> &y, const double factor)
-{
-  for (unsigned int c = 0; c < 2; ++c)
-    for (unsigned int j = 0; j < x.n_rows(); ++j)
-      for (unsigned int i = 0; i < x.n_columns(); ++i)
-        x.row(c, j)[i] += factor * y.row(c, j)[i];
-}
-
 /** Mean stiffness (Pa) of the cells. */
 VoigtMatrix<2> voigt_mean(const ElasticBody<2> &body)
 {
@@ -97,7 +89,7 @@ public:
       {
         static const char *const names[] = {"xx", "yy", "xy"};
         throw NotConverged(to_string(condition) + " " + names[k] + ": " + e.what(),
-                           e.reason());
+                           e.reason);
       }
   }
 
@@ -128,7 +120,10 @@ private:
     for (std::size_t n = 0; n < force.size(); ++n)
       force.begin()[n] *= -1.;
     const SolverReport report = solver->solve(fluctuation, force, tolerance);
-    add(u, fluctuation, 1.);
+    for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int j = 0; j < u.n_rows(); ++j)
+        for (unsigned int i = 0; i < u.n_columns(); ++i)
+          u.row(c, j)[i] += fluctuation.row(c, j)[i];
     return report;
   }
 
@@ -173,12 +168,9 @@ void bring_field_to_root(NodalField<double> &u, const int owner, const MPI_Comm 
       else if (rank == 0)
         MPI_Recv(u.row(c, j), n_columns, MPI_DOUBLE, owner, 0, comm, MPI_STATUS_IGNORE);
 }
-} // namespace
 
-namespace
-{
 const std::array<std::string, 3> condition_names = {{"KUBC", "SUBC", "PBC"}};
-}
+} // namespace
 
 std::string to_string(const BoundaryCondition condition)
 {

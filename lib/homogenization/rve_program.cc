@@ -5,8 +5,8 @@
 #include "base/exchange.h"
 #include "base/version.h"
 #include "exchange/rve_file.h"
-#include "grid/size_text.h"
-#include "homogenization/response_check.h"
+#include "grid/uniform_grid.h"
+#include "homogenization/ensemble.h"
 #include "homogenization/rve_output.h"
 #include "material/engineering_constants.h"
 #include "material/plausibility.h"
@@ -244,7 +244,7 @@ void RveHomogenization::run(RunContext &context)
   catch (const NotConverged &e)
     {
       throw NumericalFailure(std::string(e.what()) + "; " +
-                             advice(e.reason(), parameters.solver));
+                             advice(e.reason, parameters.solver));
     }
   if (!context.root())
     return;

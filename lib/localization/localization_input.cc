@@ -1,7 +1,7 @@
 #include "localization/localization_input.h"
 
 #include "base/errors.h"
-#include "grid/size_text.h"
+#include "grid/uniform_grid.h"
 #include "localization/comparison/run_comparison.h"
 #include "material/engineering_constants.h"
 #include "material/plausibility.h"

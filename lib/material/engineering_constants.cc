@@ -1,7 +1,5 @@
 #include "material/engineering_constants.h"
 
-#include "material/mandel.h"
-#include "material/rotation.h"
 #include "material/stiffness.h"
 
 #include <Eigen/LU>
@@ -111,14 +109,15 @@ std::vector<EngineeringConstant> engineering_constants(const VoigtMatrix<dim> &s
   check_stiffness<dim>(stiffness);
   Constants constants = axis_constants(VoigtMatrix<dim>(stiffness.inverse()));
   const IsotropicProjection isotropic = closest_isotropic<dim>(stiffness);
-  constants.push_back({"E_iso", "Pa", isotropic.young_modulus,
-                       "Young's modulus (3D) of the closest isotropic solid"});
-  constants.push_back({"nu_iso", "1", isotropic.poisson_ratio,
-                       "Poisson's ratio (3D) of the closest isotropic solid"});
-  constants.push_back({"G_iso", "Pa", isotropic.shear_modulus,
-                       "shear modulus of the closest isotropic solid"});
-  constants.push_back({"anisotropy", "1", isotropic.relative_distance,
-                       "relative distance to the closest isotropic solid"});
+  constants.insert(constants.end(),
+                   {{"E_iso", "Pa", isotropic.young_modulus,
+                     "Young's modulus (3D) of the closest isotropic solid"},
+                    {"nu_iso", "1", isotropic.poisson_ratio,
+                     "Poisson's ratio (3D) of the closest isotropic solid"},
+                    {"G_iso", "Pa", isotropic.shear_modulus,
+                     "shear modulus of the closest isotropic solid"},
+                    {"anisotropy", "1", isotropic.relative_distance,
+                     "relative distance to the closest isotropic solid"}});
   if constexpr (dim == 2)
     {
       const OrthotropicProjection orthotropic = closest_orthotropic(stiffness);

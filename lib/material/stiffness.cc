@@ -1,7 +1,5 @@
 #include "material/stiffness.h"
 
-#include "material/mandel.h"
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
@@ -29,6 +27,26 @@ void require_positive(const char *name, const double value)
     fail(name, " is ", value, " and must be a positive number");
 }
 
+template <int dim>
+VoigtVector<dim> mandel_scale()
+{
+  VoigtVector<dim> scale = VoigtVector<dim>::Ones();
+  scale.template tail<n_voigt<dim> - dim>().setConstant(std::sqrt(2.));
+  return scale;
+}
+
+/** Turns stresses and strains in Mandel's notation; orthogonal. */
+VoigtMatrix<2> mandel_rotation(const double angle)
+{
+  const double c  = std::cos(angle);
+  const double s  = std::sin(angle);
+  const double cs = std::sqrt(2.) * c * s;
+  VoigtMatrix<2> Q;
+  Q << c * c, s * s, -cs, //
+    s * s, c * c, cs,     //
+    cs, -cs, c * c - s * s;
+  return Q;
+}
 } // namespace
 
 template <int dim>
@@ -123,6 +141,41 @@ void check_stiffness(const VoigtMatrix<dim> &stiffness)
          " Pa");
 }
 
+template <int dim>
+VoigtMatrix<dim> stiffness_to_mandel(const VoigtMatrix<dim> &voigt)
+{
+  const VoigtVector<dim> scale = mandel_scale<dim>();
+  return scale.asDiagonal() * voigt * scale.asDiagonal();
+}
+
+template <int dim>
+VoigtMatrix<dim> stiffness_from_mandel(const VoigtMatrix<dim> &mandel)
+{
+  const VoigtVector<dim> scale = mandel_scale<dim>().cwiseInverse();
+  return scale.asDiagonal() * mandel * scale.asDiagonal();
+}
+
+template <int dim>
+VoigtVector<dim> stiffness_eigenvalues(const VoigtMatrix<dim> &stiffness)
+{
+  const VoigtMatrix<dim> mandel = stiffness_to_mandel<dim>(stiffness);
+  const VoigtMatrix<dim> even   = 0.5 * (mandel + mandel.transpose());
+  return Eigen::SelfAdjointEigenSolver<VoigtMatrix<dim>>(even, Eigen::EigenvaluesOnly)
+    .eigenvalues();
+}
+
+template <int dim>
+double stiffness_norm(const VoigtMatrix<dim> &stiffness)
+{
+  return stiffness_to_mandel<dim>(stiffness).norm();
+}
+
+VoigtMatrix<2> rotate_stiffness(const VoigtMatrix<2> &stiffness, const double angle)
+{
+  const VoigtMatrix<2> Q = mandel_rotation(angle);
+  return stiffness_from_mandel<2>(Q * stiffness_to_mandel<2>(stiffness) * Q.transpose());
+}
+
 template VoigtMatrix<2> isotropic_stiffness<2>(const double, const double);
 template VoigtMatrix<3> isotropic_stiffness<3>(const double, const double);
 template VoigtMatrix<2> orthotropic_stiffness<2>(const OrthotropicConstants &);
@@ -131,4 +184,12 @@ template VoigtMatrix<2> stiffness_from_coefficients<2>(const std::vector<double>
 template VoigtMatrix<3> stiffness_from_coefficients<3>(const std::vector<double> &);
 template void check_stiffness<2>(const VoigtMatrix<2> &);
 template void check_stiffness<3>(const VoigtMatrix<3> &);
+template VoigtMatrix<2> stiffness_to_mandel<2>(const VoigtMatrix<2> &);
+template VoigtMatrix<3> stiffness_to_mandel<3>(const VoigtMatrix<3> &);
+template VoigtMatrix<2> stiffness_from_mandel<2>(const VoigtMatrix<2> &);
+template VoigtMatrix<3> stiffness_from_mandel<3>(const VoigtMatrix<3> &);
+template VoigtVector<2> stiffness_eigenvalues<2>(const VoigtMatrix<2> &);
+template VoigtVector<3> stiffness_eigenvalues<3>(const VoigtMatrix<3> &);
+template double stiffness_norm<2>(const VoigtMatrix<2> &);
+template double stiffness_norm<3>(const VoigtMatrix<3> &);
 } // namespace mesoslip

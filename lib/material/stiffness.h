@@ -58,6 +58,31 @@ VoigtMatrix<dim> stiffness_from_coefficients(const std::vector<double> &coeffici
 template <int dim>
 void check_stiffness(const VoigtMatrix<dim> &stiffness);
 
+/**
+ * Mandel's notation scales shear by sqrt(2), so that stress and strain live in the same
+ * orthonormal basis: norms, eigenvalues and rotations of tensors are those of the
+ * matrices. Voigt matrices with engineering shear lack all three.
+ */
+template <int dim>
+VoigtMatrix<dim> stiffness_to_mandel(const VoigtMatrix<dim> &voigt);
+
+/** Inverse of stiffness_to_mandel(). */
+template <int dim>
+VoigtMatrix<dim> stiffness_from_mandel(const VoigtMatrix<dim> &mandel);
+
+/** The tensor's own eigenvalues (Pa), ascending; the antisymmetric part is ignored. */
+template <int dim>
+VoigtVector<dim> stiffness_eigenvalues(const VoigtMatrix<dim> &stiffness);
+
+/** Frobenius norm of the tensor (Pa), independent of the axes. */
+template <int dim>
+double stiffness_norm(const VoigtMatrix<dim> &stiffness);
+
+/**
+ * The stiffness of the same solid turned counter-clockwise by @p angle (rad) about z,
+ * in the old axes. A quarter turn swaps xx and yy.
+ */
+VoigtMatrix<2> rotate_stiffness(const VoigtMatrix<2> &stiffness, const double angle);
 } // namespace mesoslip
 
 #endif

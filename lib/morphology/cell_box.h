@@ -1,7 +1,7 @@
 #ifndef mesoslip_morphology_cell_box_h
 #define mesoslip_morphology_cell_box_h
 
-#include "grid/phase_map.h"
+#include "grid/uniform_grid.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "morphology/image_map.h"
 
 #include "base/errors.h"
-#include "grid/size_text.h"
+#include "grid/uniform_grid.h"
 #include "parameters/parameters.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #ifndef mesoslip_morphology_image_map_h
 #define mesoslip_morphology_image_map_h
 
-#include "grid/phase_map.h"
+#include "grid/uniform_grid.h"
 #include "io/image.h"
 
 #include <optional>

@@ -1,5 +1,5 @@
 #include "base/errors.h"
-#include "grid/size_text.h"
+#include "grid/uniform_grid.h"
 #include "morphology/image_map.h"
 #include "morphology/microstructure_parameters.h"
 #include "parameters/parameters.h"

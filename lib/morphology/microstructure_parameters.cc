@@ -1,7 +1,7 @@
 #include "morphology/microstructure_parameters.h"
 
 #include "base/errors.h"
-#include "grid/size_text.h"
+#include "grid/uniform_grid.h"
 #include "parameters/keys.h"
 #include "program/resources.h"
 

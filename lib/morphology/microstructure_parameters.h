@@ -1,7 +1,7 @@
 #ifndef mesoslip_morphology_microstructure_parameters_h
 #define mesoslip_morphology_microstructure_parameters_h
 
-#include "grid/phase_map.h"
+#include "grid/uniform_grid.h"
 #include "material/phase.h"
 #include "morphology/image_map.h"
 #include "morphology/phase_parameters.h"

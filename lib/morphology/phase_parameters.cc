@@ -1,7 +1,6 @@
 #include "morphology/phase_parameters.h"
 
 #include "base/errors.h"
-#include "material/rotation.h"
 #include "material/stiffness.h"
 #include "parameters/keys.h"
 

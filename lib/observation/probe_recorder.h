@@ -3,10 +3,10 @@
 
 #include "base/serialize_members.h"
 #include "contact/contact_surface.h"
-#include "dynamics/step_observer.h"
+#include "dynamics/stepper.h"
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
-#include "grid/node_rows.h"
+#include "grid/row_partition.h"
 
 #include <array>
 #include <mpi.h>

@@ -1,9 +1,9 @@
 #ifndef mesoslip_observation_snapshot_recorder_h
 #define mesoslip_observation_snapshot_recorder_h
 
-#include "dynamics/step_observer.h"
+#include "dynamics/stepper.h"
 #include "grid/nodal_field.h"
-#include "grid/node_rows.h"
+#include "grid/row_partition.h"
 
 #include <functional>
 #include <mpi.h>

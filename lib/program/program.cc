@@ -3,7 +3,6 @@
 #include "base/collective.h"
 #include "base/errors.h"
 #include "base/files.h"
-#include "base/mpi_start.h"
 #include "base/version.h"
 #include "io/hdf5_file.h"
 #include "parameters/keys.h"

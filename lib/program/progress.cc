@@ -1,6 +1,6 @@
 #include "program/progress.h"
 
-#include "base/mpi_start.h"
+#include "base/collective.h"
 
 #include <algorithm>
 #include <cmath>

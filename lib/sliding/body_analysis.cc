@@ -3,7 +3,7 @@
 #include "base/collective.h"
 #include "base/errors.h"
 #include "base/exchange.h"
-#include "grid/size_text.h"
+#include "grid/uniform_grid.h"
 #include "material/plausibility.h"
 #include "parameters/parameters.h"
 #include "program/run_context.h"

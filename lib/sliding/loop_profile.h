@@ -1,7 +1,7 @@
 #ifndef mesoslip_sliding_loop_profile_h
 #define mesoslip_sliding_loop_profile_h
 
-#include "dynamics/step_observer.h"
+#include "dynamics/stepper.h"
 #include "dynamics/surface_condition.h"
 #include "grid/halo.h"
 

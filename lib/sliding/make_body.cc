@@ -2,7 +2,7 @@
 
 #include "base/errors.h"
 #include "exchange/rve_file.h"
-#include "grid/size_text.h"
+#include "grid/uniform_grid.h"
 #include "material/stiffness.h"
 #include "parameters/parameters.h"
 #include "sliding/transient/run_plan.h"

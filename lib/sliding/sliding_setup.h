@@ -2,9 +2,9 @@
 #define mesoslip_sliding_sliding_setup_h
 
 #include "contact/contact_surface.h"
-#include "dynamics/step_parameters.h"
+#include "dynamics/stepper.h"
 #include "dynamics/top_surface.h"
-#include "grid/sweep_options.h"
+#include "grid/row_partition.h"
 
 #include <cstdint>
 #include <vector>

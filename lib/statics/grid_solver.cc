@@ -27,44 +27,6 @@ std::string failure_text(const NotConverged::Reason reason, const SolverReport &
 }
 } // namespace
 
-template <typename N>
-GridSolver::Cycle<N>::Cycle(const UniformMaterial &material,
-                            const UniformGridOperator &stiffness,
-                            const DofMask &mask)
-  : multigrid(material, stiffness)
-  , b(material.n_columns(), material.n_rows())
-  , z(b)
-{
-  multigrid.set_constrained(mask);
-}
-
-template <typename N>
-void GridSolver::Cycle<N>::apply()
-{
-  multigrid.vmult(z, b);
-}
-
-GridSolver::Diagonal::Diagonal(const UniformGridOperator &stiffness, const DofMask &mask)
-  : inverse(mask.n_columns(), mask.n_rows())
-  , b(inverse)
-  , z(inverse)
-{
-  stiffness.diagonal(inverse);
-  for (unsigned int c = 0; c < 2; ++c)
-    for (unsigned int j = 0; j < mask.n_rows(); ++j)
-      for (unsigned int i = 0; i < mask.n_columns(); ++i)
-        {
-          double &d = inverse.row(c, j)[i];
-          d         = mask.is_constrained(c, {i, j}) ? 0. : 1. / d;
-        }
-}
-
-void GridSolver::Diagonal::apply()
-{
-  for (std::size_t k = 0; k < z.size(); ++k)
-    z.begin()[k] = inverse.begin()[k] * b.begin()[k];
-}
-
 GridSolver::GridSolver(const UniformMaterial &material,
                        const StaticSolverKind kind,
                        const std::optional<unsigned int> &limit)

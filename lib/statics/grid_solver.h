@@ -50,8 +50,20 @@ private:
     using Number = N;
     Cycle(const UniformMaterial &material,
           const UniformGridOperator &stiffness,
-          const DofMask &mask);
-    void apply(); ///< z = M^-1 b
+          const DofMask &mask)
+      : multigrid(material, stiffness)
+      , b(material.n_columns(), material.n_rows())
+      , z(b)
+    {
+      multigrid.set_constrained(mask);
+    }
+
+    /** z = M^-1 b */
+    void apply()
+    {
+      multigrid.vmult(z, b);
+    }
+
     multigrid::Multigrid<Number> multigrid;
     NodalField<Number> b, z;
   };
@@ -60,8 +72,28 @@ private:
   struct Diagonal
   {
     using Number = double;
-    Diagonal(const UniformGridOperator &stiffness, const DofMask &mask);
-    void apply(); ///< z = D^-1 b
+    Diagonal(const UniformGridOperator &stiffness, const DofMask &mask)
+      : inverse(mask.n_columns(), mask.n_rows())
+      , b(inverse)
+      , z(inverse)
+    {
+      stiffness.diagonal(inverse);
+      for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int j = 0; j < mask.n_rows(); ++j)
+          for (unsigned int i = 0; i < mask.n_columns(); ++i)
+            {
+              double &d = inverse.row(c, j)[i];
+              d         = mask.is_constrained(c, {i, j}) ? 0. : 1. / d;
+            }
+    }
+
+    /** z = D^-1 b */
+    void apply()
+    {
+      for (std::size_t k = 0; k < z.size(); ++k)
+        z.begin()[k] = inverse.begin()[k] * b.begin()[k];
+    }
+
     NodalField<double> inverse, b, z;
   };
 

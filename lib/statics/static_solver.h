@@ -42,21 +42,13 @@ public:
   };
 
   /** @p text says what happened, without advice. */
-  explicit NotConverged(const std::string &text,
-                        const Reason the_reason = Reason::iterations)
+  explicit NotConverged(const std::string &text, const Reason reason = Reason::iterations)
     : std::runtime_error(text)
-    , why(the_reason)
+    , reason(reason)
   {
   }
 
-  /** Why it ended. */
-  Reason reason() const
-  {
-    return why;
-  }
-
-private:
-  Reason why;
+  const Reason reason; ///< why it ended
 };
 
 /**

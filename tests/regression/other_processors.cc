@@ -124,9 +124,12 @@ void all_row_kernels()
         row_kernels<float>(choice, "float" + name);
       }
   Numbers<double> x(8 * 2 * n);
-  kernels::baseline::strain(x.row(0), x.row(1), 4 * n, n - 1, 0.3, 0.4, x.row(4),
-                            x.row(5), x.row(6));
-  x.row(7)[0] = kernels::baseline::dot(x.row(0), x.row(1), n - 1);
+  kernels::Choice choice;
+  kernels::Kernels<double> functions;
+  kernels::baseline::select(choice, functions);
+  functions.strain(x.row(0), x.row(1), 4 * n, n - 1, 0.3, 0.4, x.row(4), x.row(5),
+                   x.row(6));
+  x.row(7)[0] = functions.dot(x.row(0), x.row(1), n - 1);
   x.digest("strain and dot");
 }
 

@@ -1,6 +1,5 @@
 #include "elasticity/uniform_grid_operator.h"
 #include "elasticity_testing.h"
-#include "grid/line_memory.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -12,16 +11,17 @@
 
 using namespace elasticity_testing;
 
-TEST(LineMemory, BeginsOnACacheLineAndIsZero)
+TEST(NodalField, RowsBeginOnACacheLineAndAreZero)
 {
   // Small ones, and large ones whose pages are asked for at once.
-  for (const std::size_t n : {0u, 1u, 7u, 8191u, 8192u, 100001u, 1000000u})
+  for (const unsigned int n : {0u, 1u, 7u, 8191u, 8192u, 100001u, 1000000u})
     {
       // Memory that is taken again is not clean.
-      EXPECT_EQ(LineVector<double>(n, 1.).size(), n);
-      const LineVector<double> numbers(n);
-      EXPECT_EQ(reinterpret_cast<std::uintptr_t>(numbers.data()) % 64, 0u) << n;
-      EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 0.), static_cast<long>(n));
+      NodalField<double>(n, 1).row(0, 0)[0] = 1.;
+      const NodalField<double> field(n, 1);
+      EXPECT_EQ(reinterpret_cast<std::uintptr_t>(field.row(0, 0)) % 64, 0u) << n;
+      EXPECT_EQ(std::count(field.begin(), field.begin() + field.size(), 0.),
+                static_cast<long>(field.size()));
     }
 }
 

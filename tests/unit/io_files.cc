@@ -1,7 +1,7 @@
 // Tables, checkpoints, whole files.
 #include "io_testing.h"
 
-#include "base/archive.h"
+#include "base/exchange.h"
 #include "base/files.h"
 #include "io/checkpoint.h"
 #include "io/table.h"

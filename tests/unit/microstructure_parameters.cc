@@ -2,7 +2,6 @@
 #include "microstructure_testing.h"
 
 #include "base/files.h"
-#include "material/rotation.h"
 #include "material/stiffness.h"
 
 #include <cmath>

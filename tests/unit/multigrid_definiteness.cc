@@ -1,5 +1,5 @@
 // Whether the preconditioner is positive definite, by dense matrices.
-#include "material/rotation.h"
+#include "material/stiffness.h"
 #include "multigrid_testing.h"
 #include "statics/grid_solver.h"
 #include "statics/multigrid/galerkin.h"

@@ -1,5 +1,5 @@
 #include "../unit/elasticity_testing.h"
-#include "material/rotation.h"
+#include "material/stiffness.h"
 #include "sliding_body.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "body/mesh/mesh_body.h"
 #include "homogenization_testing.h"
 #include "material/bounds.h"
-#include "material/rotation.h"
+#include "material/stiffness.h"
 #include "morphology/microstructure_parameters.h"
 
 #include <Eigen/Dense>
@@ -278,9 +278,16 @@ TEST(Ensemble, WarningsNameTheirMorphologies)
 TEST(Ensemble, StatisticsOfASample)
 {
   // Mean 5, deviation sqrt(32/7); Student's 97.5 % quantile for 7 degrees is 2.364624.
-  const EntryStatistics s = entry_statistics({2, 4, 4, 4, 5, 5, 7, 9}, 0.95);
-  EXPECT_DOUBLE_EQ(s.mean, 5.);
-  EXPECT_NEAR(s.standard_deviation, 2.138089935, 1e-9);
-  EXPECT_NEAR(s.half_width, 2.3646242516 * 2.138089935 / std::sqrt(8.), 1e-8);
-  EXPECT_NEAR(s.relative_error, 2. * 2.138089935 / (std::sqrt(8.) * 5.), 1e-9);
+  std::vector<EnsembleMember> members;
+  for (const double value : {2, 4, 4, 4, 5, 5, 7, 9})
+    {
+      members.emplace_back().responses.resize(1);
+      members.back().responses[0].stiffness(0, 2) = value;
+    }
+  const StiffnessStatistics s = stiffness_statistics(members, 0, 0.95);
+  EXPECT_DOUBLE_EQ(s.mean(0, 2), 5.);
+  EXPECT_NEAR(s.standard_deviation(0, 2), 2.138089935, 1e-9);
+  EXPECT_NEAR(s.half_width(0, 2), 2.3646242516 * 2.138089935 / std::sqrt(8.), 1e-8);
+  EXPECT_NEAR(s.relative_error(0, 2), 2. * 2.138089935 / (std::sqrt(8.) * 5.), 1e-9);
+  EXPECT_EQ(s.relative_error(0, 0), 0.);
 }

@@ -1,8 +1,8 @@
 #include "independent_statics.h"
 
 #include "base/errors.h"
-#include "homogenization/response_check.h"
-#include "material/rotation.h"
+#include "homogenization/ensemble.h"
+#include "material/stiffness.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #define mesoslip_tests_verification_sliding_body_h
 
 #include "dynamics/critical_time_step.h"
-#include "dynamics/time_loop.h"
+#include "dynamics/stepper.h"
 #include "material/stiffness.h"
 #include "sliding/sliding_body.h"
 

@@ -2,7 +2,7 @@
 // as if nothing had happened.
 #include "sliding_body.h"
 
-#include "base/archive.h"
+#include "base/exchange.h"
 #include "dynamics/stability_monitor.h"
 #include "observation/probe_recorder.h"
 #include "observation/steady_record.h"

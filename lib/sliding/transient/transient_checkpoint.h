@@ -1,7 +1,7 @@
 #ifndef mesoslip_sliding_transient_transient_checkpoint_h
 #define mesoslip_sliding_transient_transient_checkpoint_h
 
-#include "base/archive.h"
+#include "base/exchange.h"
 #include "base/serialize_members.h"
 #include "sliding/contact_parameters.h"
 

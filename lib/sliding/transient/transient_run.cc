@@ -1,8 +1,7 @@
 #include "sliding/transient/transient_run.h"
 
-#include "base/archive.h"
 #include "base/exchange.h"
-#include "dynamics/time_loop.h"
+#include "dynamics/stepper.h"
 #include "material/plausibility.h"
 #include "parameters/parameters.h"
 #include "program/run_context.h"

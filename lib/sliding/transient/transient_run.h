@@ -1,7 +1,6 @@
 #ifndef mesoslip_sliding_transient_transient_run_h
 #define mesoslip_sliding_transient_transient_run_h
 
-#include "dynamics/deformation_watch.h"
 #include "dynamics/stability_monitor.h"
 #include "observation/probe_recorder.h"
 #include "observation/snapshot_recorder.h"

@@ -1,6 +1,9 @@
 #ifndef mesoslip_statics_multigrid_axis_h
 #define mesoslip_statics_multigrid_axis_h
 
+#include "elasticity/dof_mask.h"
+
+#include <cstdint>
 #include <vector>
 
 namespace mesoslip::multigrid
@@ -35,7 +38,15 @@ struct Axis
 
   /** Cells of equal width @p spacing. */
   static Axis
-  uniform(const unsigned int n_cells, const double spacing, const bool periodic);
+  uniform(const unsigned int n_cells, const double spacing, const bool periodic)
+  {
+    Axis axis;
+    axis.periodic = periodic;
+    axis.position.resize(n_cells + 1);
+    for (unsigned int i = 0; i <= n_cells; ++i)
+      axis.position[i] = i * spacing;
+    return axis;
+  }
 };
 
 /**
@@ -50,7 +61,13 @@ public:
   AxisCoarsening() = default;
 
   /** Coarse cells of two fine ones if @p halve, else the same grid. */
-  AxisCoarsening(const Axis &fine, const bool halve);
+  AxisCoarsening(const Axis &fine, const bool halve)
+    : is_halved(halve)
+    , coarse_cells(halve ? (fine.n_cells() + 1) / 2 : fine.n_cells())
+    , regular_cells(!halve ? 0
+                           : (fine.n_cells() % 2 == 0 ? coarse_cells : coarse_cells - 2))
+  {
+  }
 
   /** Number of coarse cells along this direction. */
   unsigned int n_coarse_cells() const
@@ -86,12 +103,101 @@ public:
   }
 
   /** Positions of the coarse nodes. */
-  Axis coarse(const Axis &fine) const;
+  Axis coarse(const Axis &fine) const
+  {
+    Axis axis;
+    axis.periodic = fine.periodic;
+    axis.position.resize(coarse_cells + 1);
+    for (unsigned int k = 0; k <= coarse_cells; ++k)
+      axis.position[k] = fine.position[start(k)];
+    return axis;
+  }
 
 private:
   bool is_halved             = false;
   unsigned int coarse_cells  = 0;
   unsigned int regular_cells = 0;
+};
+
+/**
+ * The unknowns of one grid that stay zero, by node rows. On coarse grids a node is
+ * constrained like the fine node at its place; its rotation if both displacements are.
+ */
+class ConstrainedUnknowns
+{
+public:
+  /** Constrained components of one node of a row. */
+  struct Node
+  {
+    unsigned int column; ///< of the node
+    std::uint8_t bits;   ///< bit c: component c (0, 1: displacement, 2: rotation)
+
+    /** Whether component @p c is constrained. */
+    bool has(const unsigned int c) const
+    {
+      return (bits >> c & 1U) != 0;
+    }
+  };
+
+  ConstrainedUnknowns() = default;
+
+  /** Of the finest grid; duplicate columns and rows of periodic sides are left out. */
+  ConstrainedUnknowns(const DofMask &mask, const Axis &x, const Axis &y)
+    : rows(y.n_nodes())
+  {
+    for (unsigned int j = 0; j < y.n_nodes(); ++j)
+      for (unsigned int i = 0; i < x.n_nodes(); ++i)
+        {
+          const unsigned int duplicate_i =
+                               x.periodic && i == 0 ? mask.n_columns() - 1 : i,
+                             duplicate_j = y.periodic && j == 0 ? mask.n_rows() - 1 : j;
+          const unsigned int bits = mask.bits({i, j}) | mask.bits({duplicate_i, j}) |
+                                    mask.bits({i, duplicate_j}) |
+                                    mask.bits({duplicate_i, duplicate_j});
+          if (bits != 0)
+            rows[j].push_back({i, static_cast<std::uint8_t>(bits == 3 ? 7 : bits)});
+        }
+  }
+
+  /** Of the next coarser grid, the columns and rows of which lie so on the fine ones. */
+  ConstrainedUnknowns(const ConstrainedUnknowns &fine,
+                      const AxisCoarsening &x,
+                      const AxisCoarsening &y)
+    // Where y is periodic, the last coarse row is the first one.
+    : rows(y.n_coarse_cells() + (y.start(y.n_coarse_cells()) < fine.rows.size() ? 1 : 0))
+  {
+    for (unsigned int J = 0; J < rows.size(); ++J)
+      {
+        unsigned int I = 0;
+        for (const Node &node : fine.rows[y.start(J)])
+          {
+            while (I <= x.n_coarse_cells() && x.start(I) < node.column)
+              ++I;
+            if (I <= x.n_coarse_cells() && x.start(I) == node.column)
+              rows[J].push_back({I, node.bits});
+          }
+      }
+  }
+
+  /** Those of row @p j in ascending columns. */
+  const std::vector<Node> &row(const unsigned int j) const
+  {
+    return rows[j];
+  }
+
+  /** Sets the constrained unknowns of a field to zero. */
+  template <typename Field>
+  void clear(Field &field, const unsigned int n_components) const
+  {
+    for (unsigned int j = 0; j < rows.size(); ++j)
+      for (const Node &node : rows[j])
+        for (unsigned int c = 0; c < n_components; ++c)
+          if (node.has(c))
+            field.row(c, j)[node.column] = 0;
+  }
+
+private:
+  std::vector<std::vector<Node>> rows;
 };
 } // namespace mesoslip::multigrid
 

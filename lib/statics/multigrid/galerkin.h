@@ -3,7 +3,7 @@
 
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
-#include "statics/multigrid/constrained_unknowns.h"
+#include "statics/multigrid/axis.h"
 #include "statics/multigrid/interpolation.h"
 #include "statics/multigrid/stencil.h"
 

@@ -4,7 +4,7 @@
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
 #include "statics/multigrid/axis.h"
-#include "statics/multigrid/kernels/patch.h"
+#include "statics/multigrid/kernels/kernels.h"
 
 #include <array>
 #include <functional>

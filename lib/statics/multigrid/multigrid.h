@@ -5,7 +5,7 @@
 #include "elasticity/uniform_grid_operator.h"
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
-#include "statics/multigrid/constrained_unknowns.h"
+#include "statics/multigrid/axis.h"
 #include "statics/multigrid/interpolation.h"
 #include "statics/multigrid/line_smoother.h"
 #include "statics/multigrid/rigid_modes.h"
@@ -71,7 +71,15 @@ private:
       , r(x)
     {
     }
-    void set_stencil(Stencil<T> &&operator_of_level);
+    void set_stencil(Stencil<T> &&operator_of_level)
+    {
+      stencil = std::move(operator_of_level);
+      smoother =
+        LineSmoother<3, T>(x.n_columns(), x.n_rows(), [this](const unsigned int j) {
+          return LineBlocks<T>{stencil.row(centre, j), stencil.row(east, j),
+                               stencil.row(north, j), stencil.component_stride()};
+        });
+    }
 
     Stencil<T> stencil;
     LineSmoother<3, T> smoother;
@@ -80,7 +88,6 @@ private:
   };
 
   void build_interpolations();
-  void build_finest_smoother();
   void build_bottom(const DofMask &mask);
   void finest_residual(NodalField<Number> &x, const NodalField<Number> &b);
   void visit_first();

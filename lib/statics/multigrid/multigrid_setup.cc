@@ -118,26 +118,6 @@ private:
 } // namespace
 
 template <typename Number>
-void Multigrid<Number>::build_finest_smoother()
-{
-  FinestBlocks<Number> blocks(material, finest_x, finest_y, constrained[0]);
-  finest_smoother =
-    LineSmoother<2, Number>(finest_x.n_nodes(), finest_y.n_nodes(),
-                            [&blocks](const unsigned int j) { return blocks(j); });
-}
-
-template <typename Number>
-template <typename T>
-void Multigrid<Number>::Level<T>::set_stencil(Stencil<T> &&operator_of_level)
-{
-  stencil  = std::move(operator_of_level);
-  smoother = LineSmoother<3, T>(x.n_columns(), x.n_rows(), [this](const unsigned int j) {
-    return LineBlocks<T>{stencil.row(centre, j), stencil.row(east, j),
-                         stencil.row(north, j), stencil.component_stride()};
-  });
-}
-
-template <typename Number>
 void Multigrid<Number>::build_bottom(const DofMask &mask)
 {
   const Axis &x = interpolations.back().coarse_x;
@@ -177,7 +157,7 @@ void Multigrid<Number>::set_constrained(const DofMask &mask)
 {
   constrained.assign(1, ConstrainedUnknowns(mask, finest_x, finest_y));
   for (const Interpolation &interpolation : interpolations)
-    constrained.emplace_back(constrained.back(), interpolation);
+    constrained.emplace_back(constrained.back(), interpolation.x, interpolation.y);
 
   Stencil<Number> stencil(interpolations[0].coarse_x, interpolations[0].coarse_y);
   std::vector<Stencil<double>> stencils;
@@ -185,7 +165,10 @@ void Multigrid<Number>::set_constrained(const DofMask &mask)
     stencils.emplace_back(interpolations[l].coarse_x, interpolations[l].coarse_y);
   Galerkin(material, interpolations, constrained).compute(stencil, stencils);
 
-  build_finest_smoother();
+  FinestBlocks<Number> blocks(material, finest_x, finest_y, constrained[0]);
+  finest_smoother =
+    LineSmoother<2, Number>(finest_x.n_nodes(), finest_y.n_nodes(),
+                            [&blocks](const unsigned int j) { return blocks(j); });
   first.set_stencil(std::move(stencil));
   for (unsigned int l = 2; l <= bottom(); ++l)
     rest[l - 2].set_stencil(std::move(stencils[l - 2]));

@@ -10,8 +10,6 @@ namespace mesoslip::multigrid::MESOSLIP_VARIANT
 #include "statics/multigrid/kernels/line_kernels_impl.h"
 //
 #include "statics/multigrid/kernels/galerkin_impl.h"
-//
-#include "statics/multigrid/kernels/vector_kernels_impl.h"
 
 template <typename Number>
 static GridKernels<Number> grid_kernels_of()

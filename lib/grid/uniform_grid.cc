@@ -1,4 +1,4 @@
-#include "grid/size_text.h"
+#include "grid/uniform_grid.h"
 
 #include <algorithm>
 #include <sstream>
