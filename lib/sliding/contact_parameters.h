@@ -124,14 +124,11 @@ struct ContactParameters : SlidingSetup
   StaticSolverKind static_solver =
     StaticSolverKind::multigrid; ///< for static contact and modes
 
-  /** Binds the keys of all sections. @throws UserError naming the key. */
+  /**
+   * Binds the keys of all sections. @throws UserError naming the key, also for keys that
+   * others leave without effect
+   */
   void bind(Keys &keys);
-
-  /** @throws UserError for keys that others leave without effect. */
-  static void check_keys(const Keys &keys);
-
-  /** @throws UserError naming the key. */
-  void check() const;
 
   /**
    * The conditions of a transient run or a static contact analysis; time step and steady
