@@ -13,12 +13,12 @@ constexpr long most_steps = 1000000000;
 
 void bind_probes(Keys &keys,
                  const std::vector<std::string> &names,
-                 std::vector<ProbeParameters> &probes)
+                 std::vector<ProbeRecorder::Point> &probes)
 {
   for (const std::string &name : names)
     {
       const auto section = keys.section(name);
-      ProbeParameters probe;
+      ProbeRecorder::Point probe;
       std::vector<double> position;
       probe.name = name;
       keys.bind_list("Position", position, Range::any(),
@@ -110,17 +110,16 @@ void bind_control(Keys &keys, ContactParameters &p)
   p.sweep.isa = instruction_set(set_name);
 }
 
-std::string yes_or_no(const bool value)
+const char *yes_or_no(const bool value)
 {
   return value ? "yes" : "no";
 }
 
-/** "free", "u_x", "u_y" or "both", as in the parameters. */
-std::string side_text(const std::array<bool, 2> &held)
+/** As in the parameters. */
+const char *side_text(const std::array<bool, 2> &held)
 {
-  if (held[0] && held[1])
-    return "both";
-  return held[0] ? "u_x" : held[1] ? "u_y" : "free";
+  const char *const names[] = {"free", "u_x", "u_y", "both"};
+  return names[(held[0] ? 1 : 0) + (held[1] ? 2 : 0)];
 }
 
 void add_load(RunConditions &conditions, const std::string &name, const LoadHistory &load)
@@ -177,12 +176,12 @@ void ContactParameters::bind_observation(Keys &keys)
                       "regime; auto: the middle [m]");
     keys.bind("Stop at limit cycle", o.stop_at_limit_cycle,
               "End the run before End time when its second half was a limit cycle");
-    keys.bind("Limit cycle tolerance", o.limit_cycle_tolerance, Range::positive(),
+    keys.bind("Limit cycle tolerance", o.limit_cycle.tolerance, Range::positive(),
               "Largest relative difference among the windows of a limit cycle [-]");
-    keys.bind("Limit cycle periods", o.limit_cycle_periods, 1, 1000,
+    keys.bind("Limit cycle periods", o.limit_cycle.periods, 1, 1000,
               "Periods of the main frequency that a window has at least [-]");
     keys.bind(
-      "Limit cycle windows", o.limit_cycle_windows, 2, 1000,
+      "Limit cycle windows", o.limit_cycle.windows, 2, 1000,
       "Number of equal windows, together the second half of the run, that have to "
       "agree [-]");
     keys.bind_names("Probes", probes, "probe",
@@ -219,20 +218,19 @@ void ContactParameters::bind_analyses(Keys &keys)
 
 RunConditions ContactParameters::stated_conditions() const
 {
-  using Kind               = TopSetup::Kind;
-  const bool transient     = analysis == ContactAnalysis::transient;
-  RunConditions conditions = {
-    {"analysis", transient ? "transient" : "static contact"},
-    {"material", body.heterogeneous ? "heterogeneous" : "homogeneous"},
-    {"top", top.kind == Kind::pressure ? "pressure"
-            : top.kind == Kind::platen ? "platen"
-                                       : "held"},
-    {"lateral_held", yes_or_no(top.kind != Kind::pressure || top.lateral_held)},
-    {"left_side", side_text(sides.left_held)},
-    {"right_side", side_text(sides.right_held)},
-    {"periodic", yes_or_no(periodic)},
-    {"acceleration_x", step.acceleration[0]},
-    {"acceleration_y", step.acceleration[1]}};
+  using Kind                = TopSetup::Kind;
+  const char *const kinds[] = {"pressure", "platen", "held"};
+  const bool transient      = analysis == ContactAnalysis::transient;
+  RunConditions conditions  = {
+     {"analysis", transient ? "transient" : "static contact"},
+     {"material", body.heterogeneous ? "heterogeneous" : "homogeneous"},
+     {"top", kinds[static_cast<std::size_t>(top.kind)]},
+     {"lateral_held", yes_or_no(top.kind != Kind::pressure || top.lateral_held)},
+     {"left_side", side_text(sides.left_held)},
+     {"right_side", side_text(sides.right_held)},
+     {"periodic", yes_or_no(periodic)},
+     {"acceleration_x", step.acceleration[0]},
+     {"acceleration_y", step.acceleration[1]}};
   add_load(conditions, "pressure", top.pressure);
   add_load(conditions, "velocity", contact.flat_velocity);
   add_friction(conditions, *this);

@@ -177,10 +177,10 @@ void bind_sides(Keys &keys, ContactParameters &p)
   const auto section  = keys.section("Sides");
   const auto bind_one = [&](const std::string &key, const std::string &side,
                             std::array<bool, 2> &held) {
-    std::string value = "free";
+    unsigned int value = 0;
     keys.bind(key, value, {"free", "u_x", "u_y", "both"},
               "Displacement components that are zero on the " + side + " side");
-    held = {{value == "u_x" || value == "both", value == "u_y" || value == "both"}};
+    held = {{(value & 1) != 0, (value & 2) != 0}};
   };
   bind_one("Left", "left", p.sides.left_held);
   bind_one("Right", "right", p.sides.right_held);
