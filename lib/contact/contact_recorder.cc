@@ -40,8 +40,8 @@ template <int dim>
 void ContactRecorder<dim>::after(const SurfaceView<dim> &surface,
                                  ContactSurface<dim> &contact)
 {
-  const ContactSums &sums = contact.sums();
-  const ContactWork &work = contact.work();
+  const ContactSums &sums  = contact.sums();
+  const BoundaryWork &work = contact.work();
   samples.step.push_back(surface.step);
   samples.time.push_back(surface.time);
   samples.normal_force.push_back(sums.normal_force);
@@ -51,7 +51,6 @@ void ContactRecorder<dim>::after(const SurfaceView<dim> &surface,
   samples.separated.push_back(contact.n_distinct_nodes() - sums.sticking - sums.slipping);
   samples.friction_energy.push_back(work.friction);
   samples.impact_energy.push_back(work.impact);
-  samples.flat_work.push_back(work.flat);
 
   constexpr unsigned int normal = dim - 1;
   for (std::size_t k = 0; k < nodes.size(); ++k)

@@ -43,7 +43,6 @@ struct ContactHistory
   std::vector<double> separated;        ///< numbers of nodes
   std::vector<double> friction_energy;  ///< J/m
   std::vector<double> impact_energy;    ///< J/m
-  std::vector<double> flat_work;        ///< J/m
   std::vector<MonitoredNode> nodes;     ///< those that are monitored
 
   /** Of boost::serialization. */
@@ -51,7 +50,7 @@ struct ContactHistory
   void serialize(Archive &archive, const unsigned int)
   {
     archive &step &time &normal_force &tangential_force &sticking &slipping &separated;
-    archive &friction_energy &impact_energy &flat_work &nodes;
+    archive &friction_energy &impact_energy &nodes;
   }
 };
 

@@ -3,9 +3,11 @@
 
 #include "contact/contact_kernel.h"
 #include "contact/friction_law.h"
+#include "dynamics/energy_audit.h"
 #include "dynamics/surface_condition.h"
 #include "grid/instruction_set.h"
 #include "grid/nodal_field.h"
+#include "grid/uniform_grid.h"
 #include "parameters/load_history.h"
 
 #include <cstdint>
@@ -16,6 +18,14 @@ namespace mesoslip
 /** The step of the contact row compiled for an instruction set; all give the same bits.
  *  Throws std::runtime_error if the processor lacks it. */
 ContactFunction contact_function(const InstructionSet isa = InstructionSet::automatic);
+
+/** Width (m) of the bottom of @p grid that belongs to a node; half a cell at the ends. */
+inline double
+tributary_width(const UniformGrid<2> &grid, const unsigned int node, const bool periodic)
+{
+  const bool end = !periodic && (node == 0 || node == grid.cells[0]);
+  return grid.spacing[0] * (end ? 0.5 : 1.);
+}
 
 /** The rigid flat. */
 struct ContactSetup
@@ -33,21 +43,6 @@ struct ContactSetup
 
   /** The last node duplicates the first. */
   bool periodic = false;
-};
-
-/** Energies since the start (J/m), every step counted. */
-struct ContactWork
-{
-  double friction = 0.; ///< dissipated by friction, eq. (8)
-  double impact   = 0.; ///< taken from the body by the normal forces
-  double flat     = 0.; ///< done by the moving flat on the system
-
-  /** Of boost::serialization. */
-  template <class Archive>
-  void serialize(Archive &archive, const unsigned int)
-  {
-    archive &friction &impact &flat;
-  }
 };
 
 /** Number of steps that each node stuck or slipped in, and in which contact began. */
@@ -107,8 +102,8 @@ public:
   /** Contact forces by forward increment Lagrange multipliers, then the step. */
   void advance(const SurfaceView<dim> &surface) override;
 
-  /** Energies since the start, of all nodes. */
-  const ContactWork &work() const
+  /** Energies since the start, of all nodes; external is the work of the moving flat. */
+  const BoundaryWork &work() const
   {
     return total;
   }
@@ -144,7 +139,8 @@ public:
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &values &started &total;
+    archive &values &started;
+    serialize_members<3>(archive, total);
   }
 
 private:
@@ -171,7 +167,7 @@ private:
 
   NodalField<double> values; ///< one row, a component for each Column
   bool started = false;
-  ContactWork total;
+  BoundaryWork total;
   ContactSums last;
   std::vector<ContactObserver<dim> *> observers;
 };

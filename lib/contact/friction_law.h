@@ -1,6 +1,7 @@
 #ifndef mesoslip_contact_friction_law_h
 #define mesoslip_contact_friction_law_h
 
+#include <cmath>
 #include <memory>
 
 namespace mesoslip
@@ -22,10 +23,18 @@ struct SlidingNodes
 struct Relaxation
 {
   /** A step of length @p dt (s) with the time @p delta (s); 0: f follows its target. */
-  Relaxation(double dt, double delta);
+  Relaxation(const double dt, const double delta)
+  {
+    if (!(delta > 0.))
+      return;
+    // From 1 - exp(-x), which keeps its digits for small x.
+    const double x = dt / delta, relaxed = -std::expm1(-x);
+    decay = 1. - relaxed;
+    lag   = x > 0. ? relaxed / x : 1.;
+  }
 
-  double decay; ///< exp(-dt / delta)
-  double lag;   ///< (1 - decay) delta / dt
+  double decay = 0.; ///< exp(-dt / delta)
+  double lag   = 0.; ///< (1 - decay) delta / dt
 };
 
 /** What a NodeLaw may change: one value a node. */
@@ -67,14 +76,25 @@ class SlipRateRegularization : public NodeLaw
 public:
   /** @param length L (m); @param reference_velocity V_ref (m/s), so that delta stays
    * finite at rest. */
-  SlipRateRegularization(double length, double reference_velocity);
+  SlipRateRegularization(const double length, const double reference_velocity)
+    : length(length)
+    , reference_velocity(reference_velocity)
+  {
+  }
 
   void update(const SlidingNodes &nodes,
-              double dt,
-              const NodeFriction &friction) const override;
+              const double dt,
+              const NodeFriction &friction) const override
+  {
+    for (unsigned int i = 0; i < nodes.n; ++i)
+      {
+        const double slip_rate = std::fabs(nodes.flat_velocity - nodes.velocity[i]);
+        friction.set(i, Relaxation(dt, length / (slip_rate + reference_velocity)));
+      }
+  }
 
 private:
-  double length, reference_velocity;
+  const double length, reference_velocity;
 };
 
 /**

@@ -1,10 +1,12 @@
 #include "contact/static_contact_solver.h"
 
-#include "contact/anderson_acceleration.h"
+#include "material/plausibility.h"
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <deque>
 
 namespace mesoslip
 {
@@ -17,6 +19,48 @@ double stiffest(const ElasticBody<2> &body)
     D = std::max(D, phase.stiffness(1, 1));
   return D;
 }
+
+/**
+ * Anderson's acceleration of a fixed-point iteration x = g(x) (D. G. Anderson, J. ACM 12,
+ * 1965): the next x combines the last few g(x) so that their residuals, combined alike,
+ * are least. On a linear g it is as good as GMRES.
+ */
+class AndersonAcceleration
+{
+public:
+  /** Forgets everything, because g is another function now. */
+  void reset()
+  {
+    residuals.clear();
+    images.clear();
+  }
+
+  /** The next x from @p x and @p g = g(x). */
+  Eigen::VectorXd next(const Eigen::VectorXd &x, const Eigen::VectorXd &g)
+  {
+    residuals.emplace_back(g - x);
+    images.push_back(g);
+    if (images.size() > depth + 1)
+      {
+        residuals.pop_front();
+        images.pop_front();
+      }
+    const Eigen::Index m = static_cast<Eigen::Index>(images.size()) - 1;
+    if (m == 0)
+      return g;
+    Eigen::MatrixXd dr(x.size(), m), dg(x.size(), m);
+    for (Eigen::Index k = 0; k < m; ++k)
+      {
+        dr.col(k) = residuals[k + 1] - residuals[k];
+        dg.col(k) = images[k + 1] - images[k];
+      }
+    return g - dg * dr.colPivHouseholderQr().solve(residuals.back());
+  }
+
+private:
+  static constexpr std::size_t depth = 10; ///< former iterates that are kept
+  std::deque<Eigen::VectorXd> residuals, images;
+};
 
 /** The iteration and its state. */
 class ActiveSetIteration
@@ -41,8 +85,10 @@ public:
     , tangential(Eigen::VectorXd::Zero(n_nodes))
     , direction(n_nodes, problem.sliding)
   {
-    solution.state.assign(n_nodes, ContactState::slip);
-    choose_first_states();
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      solution.state.push_back(problem.constrained.is_constrained(1, nodes[i])
+                                 ? ContactState::held
+                                 : at_rest(i));
   }
 
   StaticContactSolution run()
@@ -54,14 +100,9 @@ public:
            !(solution.residual <= options.tolerance))
       {
         if (solution.iterations == options.max_iterations)
-          {
-            std::ostringstream what;
-            what << "no equilibrium was found; "
-                 << (changed ? "contact states still change" : "")
-                 << (changed ? ", " : "") << "friction forces change by " << change
-                 << " of the contact force";
-            fail(what.str());
-          }
+          fail("no equilibrium was found; ",
+               changed ? "contact states still change, " : "",
+               "friction forces change by ", change, " of the contact force");
         if (options.before_iteration)
           options.before_iteration(solution.iterations);
         set_forces();
@@ -96,13 +137,18 @@ public:
   }
 
 private:
-  void choose_first_states()
+  /** Of a node that touches the flat and has not moved. */
+  ContactState at_rest(const unsigned int i) const
   {
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      if (problem.constrained.is_constrained(1, nodes[i]))
-        solution.state[i] = ContactState::held;
-      else if (problem.sliding == 0 && problem.friction_coefficient[i] > 0.)
-        solution.state[i] = ContactState::stick;
+    return problem.sliding == 0 && problem.friction_coefficient[i] > 0.
+             ? ContactState::stick
+             : ContactState::slip;
+  }
+
+  bool touches(const unsigned int i) const
+  {
+    return solution.state[i] == ContactState::stick ||
+           solution.state[i] == ContactState::slip;
   }
 
   void hold_contact()
@@ -123,10 +169,9 @@ private:
     };
     for (unsigned int i = 0; i < n_nodes; ++i)
       {
-        const ContactState state = solution.state[i];
-        if (state == ContactState::stick || state == ContactState::slip)
+        if (touches(i))
           put(1, i);
-        if (state == ContactState::stick)
+        if (solution.state[i] == ContactState::stick)
           put(0, i);
       }
     solver->set_constrained(constrained);
@@ -141,17 +186,18 @@ private:
 
   // Of the free degrees of freedom, relative to all nodal forces; Ku is up to date after
   // it.
-  double residual_norm(NodalField<double> &r) const
+  double residual_norm()
   {
     double free = 0., all = 0.;
     for (unsigned int c = 0; c < 2; ++c)
       for (unsigned int j = 0; j < body.n_rows(); ++j)
         for (unsigned int i = 0; i < body.n_columns(); ++i)
           {
-            const double internal = Ku.row(c, j)[i];
-            double &x             = r.row(c, j)[i];
-            x =
-              constrained.is_constrained(c, {i, j}) ? 0. : force.row(c, j)[i] - internal;
+            const NodeIndex node  = {i, j};
+            const double internal = Ku(c, node);
+            const double x =
+              constrained.is_constrained(c, node) ? 0. : force(c, node) - internal;
+            residual(c, node) = x;
             free += x * x;
             all += internal * internal;
           }
@@ -163,11 +209,11 @@ private:
   void solve(const double tolerance)
   {
     NodalField<double> &u = problem.displacement;
-    for (unsigned int k = 0; k < 4; ++k)
+    for (unsigned int k = 0;; ++k)
       {
         body.vmult(Ku, u);
-        solution.residual = residual_norm(residual);
-        if (solution.residual <= tolerance)
+        solution.residual = residual_norm();
+        if (solution.residual <= tolerance || k == 4)
           return;
         correction.set_zero();
         solution.solver_iterations +=
@@ -178,20 +224,17 @@ private:
         for (std::size_t n = 0; n < u.size(); ++n)
           u.begin()[n] += correction.begin()[n];
       }
-    body.vmult(Ku, u);
-    solution.residual = residual_norm(residual);
   }
 
   void evaluate_reactions()
   {
     for (unsigned int i = 0; i < n_nodes; ++i)
       {
-        const ContactState state = solution.state[i];
-        const bool touches = state == ContactState::stick || state == ContactState::slip;
-        normal[i]          = touches ? Ku(1, nodes[i]) - problem.force(1, nodes[i]) : 0.;
-        tangential[i]      = state == ContactState::stick
-                               ? Ku(0, nodes[i]) - problem.force(0, nodes[i])
-                               : (state == ContactState::slip ? friction[i] : 0.);
+        normal[i]     = touches(i) ? Ku(1, nodes[i]) - problem.force(1, nodes[i]) : 0.;
+        tangential[i] = solution.state[i] == ContactState::stick
+                          ? Ku(0, nodes[i]) - problem.force(0, nodes[i])
+                        : touches(i) ? friction[i]
+                                     : 0.;
       }
   }
 
@@ -208,14 +251,11 @@ private:
       {
         if (uy >= -negligible / scale)
           return state;
-        // Lands at rest, on a resting flat.
-        return problem.sliding != 0 || problem.friction_coefficient[i] == 0.
-                 ? ContactState::slip
-                 : ContactState::stick;
+        return at_rest(i);
       }
     if (normal[i] < -negligible)
       return ContactState::separated;
-    if (problem.sliding != 0 || problem.friction_coefficient[i] == 0.)
+    if (at_rest(i) == ContactState::slip)
       return ContactState::slip;
     // Resting flat: friction opposes the displacement and stays below its limit.
     const double trial = tangential[i] - scale * ux;
@@ -236,13 +276,12 @@ private:
                             solution.state[i] == ContactState::slip;
         if (state == solution.state[i] && !turned)
           continue;
-        changed = true;
-        if (state == ContactState::slip)
-          friction[i] =
-            direction[i] * problem.friction_coefficient[i] * std::max(0., normal[i]);
-        else
-          friction[i] = 0.;
+        changed           = true;
         solution.state[i] = state;
+        friction[i] =
+          state == ContactState::slip
+            ? direction[i] * problem.friction_coefficient[i] * std::max(0., normal[i])
+            : 0.;
       }
     return changed;
   }
@@ -259,11 +298,11 @@ private:
     return change;
   }
 
-  void fail(const std::string &what) const
+  template <typename... Parts>
+  [[noreturn]] void fail(const Parts &...what) const
   {
-    std::ostringstream text;
-    text << "static contact: " << what << " (iteration " << solution.iterations << ")";
-    throw NotConverged(text.str());
+    throw NotConverged(brief_text(6, "static contact: ", what..., " (iteration ",
+                                  solution.iterations, ")"));
   }
 
   void require_contact() const
@@ -291,7 +330,7 @@ private:
   NodalField<double> force, Ku, residual, correction;
   Eigen::VectorXd friction, normal, tangential;
   std::vector<int> direction; ///< of the friction force at nodes that slip
-  AndersonAcceleration acceleration{10};
+  AndersonAcceleration acceleration;
   StaticContactSolution solution;
 };
 } // namespace

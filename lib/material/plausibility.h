@@ -4,6 +4,7 @@
 #include "material/phase.h"
 
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,16 @@ std::vector<std::string> implausible(const std::vector<PlausibleRange> &ranges);
 
 /** "1500 s": four digits and the unit. */
 std::string quantity_text(const double value, const std::string &unit);
+
+/** @p parts one after the other, numbers with up to @p digits significant digits. */
+template <typename... Parts>
+std::string brief_text(const int digits, const Parts &...parts)
+{
+  std::ostringstream text;
+  text.precision(digits);
+  (text << ... << parts);
+  return text.str();
+}
 
 /** Of a density: 25 (foam) to 25,000 kg/m^3; 0, one that is not given, is plausible. */
 PlausibleRange plausible_density(const std::string &key, const double density);

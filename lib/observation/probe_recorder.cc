@@ -10,36 +10,29 @@ namespace mesoslip
 {
 ProbeRecorder::ProbeRecorder(const std::vector<Point> &points,
                              const UniformMaterial &material,
-                             const NodeRows &rows,
-                             const StepParameters &step,
-                             NodalField<double> &u,
-                             NodalField<double> &w,
+                             const Stepper<2> &stepper,
                              const ContactSurface<2> &contact,
-                             const std::uint64_t interval,
-                             const MPI_Comm communicator)
+                             const std::uint64_t interval)
   : material(material)
-  , rows(rows)
-  , step(step)
-  , u(u)
-  , w(w)
+  , stepper(stepper)
+  , rows(stepper.rows)
   , contact(contact)
   , interval(interval)
-  , communicator(communicator)
 {
-  int between = 0;
-  for (const Point &point : points)
+  int between   = 0;
+  const auto &h = material.grid().spacing;
+  for (Point point : points)
     {
+      for (unsigned int d = 0; d < 2 && point.nearest_node; ++d)
+        point.position[d] = std::round(point.position[d] / h[d]) * h[d];
       const Place place = locate(point.position);
       places.push_back(place);
-      ProbeHistory history;
-      history.name     = point.name;
-      history.position = point.position;
-      history.phase    = material.phase_of(place.i, place.j);
-      histories.push_back(history);
+      histories.push_back(
+        {point.name, point.position, material.phase_of(place.i, place.j)});
       if (place.owned && place.j + 1 == rows.end && rows.has_upper_ghost())
         between = 1;
     }
-  MPI_Allreduce(MPI_IN_PLACE, &between, 1, MPI_INT, MPI_MAX, communicator);
+  MPI_Allreduce(MPI_IN_PLACE, &between, 1, MPI_INT, MPI_MAX, stepper.communicator);
   needs_ghosts = between != 0;
 }
 
@@ -67,9 +60,7 @@ void ProbeRecorder::sample_contact(const Place &place,
   if (place.j > 0 || place.xi[1] >= 1e-6)
     return;
   const unsigned int node = place.i + (place.xi[0] > 0.5 ? 1 : 0);
-  const bool end =
-    !material.periodicity().x && (node == 0 || node + 1 == material.n_columns());
-  const double width = material.grid().spacing[0] * (end ? 0.5 : 1.);
+  const double width = tributary_width(material.grid(), node, material.periodicity().x);
   traction.insert(traction.end(), {contact.tangential_force()[node] / width,
                                    contact.normal_force()[node] / width});
 }
@@ -97,8 +88,9 @@ VoigtVector<2> ProbeRecorder::strain(const Place &place) const
   double gradient[2][2];
   for (unsigned int c = 0; c < 2; ++c)
     {
-      const double *lower = u.row(c, j) + place.i, *upper = u.row(c, j + 1) + place.i;
-      gradient[c][0] = ((1. - place.xi[1]) * (lower[1] - lower[0]) +
+      const double *lower = stepper.u.row(c, j) + place.i,
+                   *upper = stepper.u.row(c, j + 1) + place.i;
+      gradient[c][0]      = ((1. - place.xi[1]) * (lower[1] - lower[0]) +
                         place.xi[1] * (upper[1] - upper[0])) /
                        h[0];
       gradient[c][1] = ((1. - place.xi[0]) * (upper[0] - lower[0]) +
@@ -108,28 +100,31 @@ VoigtVector<2> ProbeRecorder::strain(const Place &place) const
   return VoigtVector<2>(gradient[0][0], gradient[1][1], gradient[0][1] + gradient[1][0]);
 }
 
+void ProbeRecorder::update_ghosts(NodalField<double> &field) const
+{
+  if (needs_ghosts)
+    update_ghost_rows(field, rows, stepper.communicator);
+}
+
 void ProbeRecorder::before_step(const std::uint64_t n)
 {
   if (n % interval != 0 || places.empty())
     return;
-  if (needs_ghosts)
-    {
-      update_ghost_rows(u, rows, communicator);
-      update_ghost_rows(w, rows, communicator);
-    }
+  update_ghosts(stepper.u);
+  update_ghosts(stepper.w);
   for (std::size_t k = 0; k < places.size(); ++k)
     if (places[k].owned)
       {
         ProbeHistory &history  = histories[k];
-        const auto value       = interpolate(u, places[k]);
+        const auto value       = interpolate(stepper.u, places[k]);
         const VoigtVector<2> e = strain(places[k]);
         const VoigtVector<2> s = material.phases()[history.phase].stiffness * e;
-        history.time.push_back(n * step.dt);
+        history.time.push_back(n * stepper.parameters.dt);
         history.displacement.insert(history.displacement.end(), value.begin(),
                                     value.end());
         history.strain.insert(history.strain.end(), e.data(), e.data() + 3);
         history.stress.insert(history.stress.end(), s.data(), s.data() + 3);
-        places[k].w_before = interpolate(w, places[k]);
+        places[k].w_before = interpolate(stepper.w, places[k]);
       }
 }
 
@@ -138,15 +133,15 @@ void ProbeRecorder::after_step(const std::uint64_t n)
 {
   if (n % interval != 0 || places.empty())
     return;
-  if (needs_ghosts)
-    update_ghost_rows(w, rows, communicator);
+  update_ghosts(stepper.w);
+  const double beta2 = stepper.parameters.beta2;
   for (std::size_t k = 0; k < places.size(); ++k)
     if (places[k].owned)
       {
-        const auto w_after = interpolate(w, places[k]);
+        const auto w_after = interpolate(stepper.w, places[k]);
         for (unsigned int c = 0; c < 2; ++c)
-          histories[k].velocity.push_back((1. - step.beta2) * places[k].w_before[c] +
-                                          step.beta2 * w_after[c]);
+          histories[k].velocity.push_back((1. - beta2) * places[k].w_before[c] +
+                                          beta2 * w_after[c]);
         sample_contact(places[k], histories[k].traction);
       }
 }
@@ -154,13 +149,13 @@ void ProbeRecorder::after_step(const std::uint64_t n)
 std::vector<ProbeHistory> ProbeRecorder::gather() const
 {
   int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
+  MPI_Comm_rank(stepper.communicator, &rank);
   std::vector<ProbeHistory> all = histories;
   for (std::size_t k = 0; k < all.size(); ++k)
     {
       int owner = places[k].owned ? rank : -1;
-      MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MAX, communicator);
-      bring_object_to_root(communicator, static_cast<ProbeSamples &>(all[k]), owner);
+      MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MAX, stepper.communicator);
+      bring_object_to_root(stepper.communicator, all[k], owner);
     }
   if (rank != 0)
     all.clear();

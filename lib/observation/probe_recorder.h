@@ -6,39 +6,35 @@
 #include "dynamics/stepper.h"
 #include "elasticity/uniform_material.h"
 #include "grid/nodal_field.h"
-#include "grid/row_partition.h"
 
 #include <array>
-#include <mpi.h>
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
-/** What a probe saw: one value (or pair, or triple) a sample. */
-struct ProbeSamples
+/**
+ * A probe and what it saw: one value (or pair, or triple) a sample. Every rank knows name,
+ * place and phase, its owner the samples.
+ */
+struct ProbeHistory
 {
-  std::vector<double> time;         ///< s
-  std::vector<double> displacement; ///< [k][2] (m)
-  std::vector<double> velocity;     ///< [k][2] (m/s)
-  std::vector<double> strain;       ///< [k][3], Voigt
-  std::vector<double> stress;       ///< [k][3] (Pa)
-  std::vector<double> traction;     ///< tangential, pressure [k][2] (Pa); on the contact
+  std::string name;                      ///< as in the .prm
+  std::array<double, 2> position   = {}; ///< from the lower left corner (m)
+  unsigned int phase               = 0;  ///< of the cell that it lies in
+  std::vector<double> time         = {}; ///< s
+  std::vector<double> displacement = {}; ///< [k][2] (m)
+  std::vector<double> velocity     = {}; ///< [k][2] (m/s)
+  std::vector<double> strain       = {}; ///< [k][3], Voigt
+  std::vector<double> stress       = {}; ///< [k][3] (Pa)
+  std::vector<double> traction = {}; ///< tangential, pressure [k][2] (Pa); on the contact
 
-  /** Saves or restores the samples (Boost.Serialization). */
+  /** Saves or restores the probe (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<6>(archive, *this);
+    serialize_members<9>(archive, *this);
   }
-};
-
-/** A probe and its samples. Every rank knows the first, its owner the second. */
-struct ProbeHistory : ProbeSamples
-{
-  std::string name;                    ///< as in the .prm
-  std::array<double, 2> position = {}; ///< from the lower left corner (m)
-  unsigned int phase             = 0;  ///< class of the cell that it lies in
 };
 
 /**
@@ -49,23 +45,20 @@ struct ProbeHistory : ProbeSamples
 class ProbeRecorder : public StepObserver
 {
 public:
-  /** A point wanted, from the lower left corner (m). */
+  /** A point that is watched. */
   struct Point
   {
-    std::string name;                    ///< as in the .prm
-    std::array<double, 2> position = {}; ///< m
+    std::string name;                       ///< as in the .prm
+    std::array<double, 2> position = {};    ///< from the lower left corner (m)
+    bool nearest_node              = false; ///< move the position to a node
   };
 
   /** References are kept. Points have to lie in the body. */
   ProbeRecorder(const std::vector<Point> &points,
                 const UniformMaterial &material,
-                const NodeRows &rows,
-                const StepParameters &step,
-                NodalField<double> &u,
-                NodalField<double> &w,
+                const Stepper<2> &stepper,
                 const ContactSurface<2> &contact,
-                const std::uint64_t interval,
-                const MPI_Comm communicator);
+                const std::uint64_t interval);
 
   std::uint64_t next_step(const std::uint64_t n) const override
   {
@@ -101,18 +94,17 @@ private:
 
   VoigtVector<2> strain(const Place &place) const;
 
+  /** If a probe lies between two ranks. Collective. */
+  void update_ghosts(NodalField<double> &field) const;
+
   /** Appends the traction of the nearest contact node, if the place is on the contact. */
   void sample_contact(const Place &place, std::vector<double> &traction) const;
 
   const UniformMaterial &material;
-  const NodeRows rows;
-  const StepParameters step;
-  NodalField<double> &u;
-  NodalField<double> &w;
+  const Stepper<2> &stepper;
+  const NodeRows &rows;
   const ContactSurface<2> &contact;
   const std::uint64_t interval;
-  const MPI_Comm communicator;
-
   std::vector<Place> places;
   bool needs_ghosts = false; ///< a probe lies between two ranks
   std::vector<ProbeHistory> histories;

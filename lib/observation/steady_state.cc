@@ -1,5 +1,6 @@
 #include "observation/steady_state.h"
 
+#include "material/plausibility.h"
 #include "observation/spectrum.h"
 
 #include <deal.II/base/exceptions.h>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 
 namespace mesoslip
 {
@@ -79,14 +79,14 @@ void gather(const std::vector<double> &part,
 }
 } // namespace
 
-template <typename Function>
 std::vector<double> LimitCycleDetector::of_parts(const Parts &parts,
-                                                 const Function &value) const
+                                                 const RecordFunction value,
+                                                 const std::size_t column) const
 {
   std::vector<double> values;
-  for (unsigned int k = 0; k < criterion.windows; ++k)
-    values.push_back(
-      value(parts.first + k * parts.length, parts.first + (k + 1) * parts.length));
+  for (std::size_t k = 0; k < criterion.windows; ++k)
+    values.push_back((record.*value)(column, parts.first + k * parts.length,
+                                     parts.first + (k + 1) * parts.length));
   return values;
 }
 
@@ -148,7 +148,10 @@ void LimitCycleDetector::check()
   const auto compared = parts(first);
   if (!compared)
     return;
-  compare(*compared);
+  difference = 0.;
+  quantity   = "nothing";
+  compare_resultants(*compared);
+  compare_motion(*compared);
   if (reached())
     {
       if (!(difference <= withdrawal * criterion.tolerance))
@@ -195,14 +198,6 @@ LimitCycleDetector::parts(const std::size_t first) const
   return Parts{record.size() - criterion.windows * length, length};
 }
 
-void LimitCycleDetector::compare(const Parts &parts)
-{
-  difference = 0.;
-  quantity   = "nothing";
-  compare_resultants(parts);
-  compare_motion(parts);
-}
-
 void LimitCycleDetector::include(const double found, const char *of)
 {
   if (found <= difference)
@@ -214,15 +209,12 @@ void LimitCycleDetector::include(const double found, const char *of)
 void LimitCycleDetector::compare_resultants(const Parts &parts)
 {
   const auto means = [&](const Column column) {
-    return of_parts(parts, [&](const std::size_t first, const std::size_t last) {
-      return record.mean(column, first, last);
-    });
+    return of_parts(parts, &CycleRecord::mean, column);
   };
-  const std::vector<double> friction =
-    of_parts(parts, [&](const std::size_t first, const std::size_t last) {
-      const double pressing = record.mean(normal_force, first, last);
-      return pressing > 0. ? record.mean(tangential_force, first, last) / pressing : 0.;
-    });
+  const std::vector<double> pressing = means(normal_force);
+  std::vector<double> friction       = means(tangential_force);
+  for (std::size_t k = 0; k < friction.size(); ++k)
+    friction[k] = pressing[k] > 0. ? friction[k] / pressing[k] : 0.;
   const std::vector<double> elastic = means(elastic_energy);
   include(
     relative_spread(means(power), negligible * criterion.reference_power * sample_step()),
@@ -241,14 +233,10 @@ void LimitCycleDetector::compare_motion(const Parts &parts)
   double of_amplitude = 0.;
   for (std::size_t c = first_displacement; c < record.n_columns(); ++c)
     {
-      const std::vector<double> mean =
-        of_parts(parts, [&](const std::size_t first, const std::size_t last) {
-          return record.mean(c, first, last);
-        });
-      const std::vector<double> amplitude =
-        of_parts(parts, [&](const std::size_t first, const std::size_t last) {
-          return std::sqrt(record.variance(c, first, last));
-        });
+      const std::vector<double> mean = of_parts(parts, &CycleRecord::mean, c);
+      std::vector<double> amplitude  = of_parts(parts, &CycleRecord::variance, c);
+      for (double &value : amplitude)
+        value = std::sqrt(value);
       include(relative_spread(mean, mean_of(amplitude)), "a mean displacement");
       of_amplitude = std::max(of_amplitude, relative_spread(amplitude));
       sliding = sliding && mean_of(amplitude) <= negligible * std::fabs(mean_of(mean)) &&
@@ -260,36 +248,33 @@ void LimitCycleDetector::compare_motion(const Parts &parts)
 
 std::string LimitCycleDetector::description() const
 {
-  std::ostringstream text;
   const std::size_t n_nodes =
     record.size() > 0 ? record.n_columns() - first_displacement : 0;
-  text << "limit cycle: motion of " << n_nodes
-       << " contact nodes, frictional power, apparent "
-       << "friction, contact shares and energies of " << criterion.windows
-       << " equal parts (of at least " << criterion.periods
-       << " periods) of the second half of the run agree within "
-       << 100. * criterion.tolerance << " %; ";
-  text.precision(4);
-  if (reached())
-    text << (sliding ? "steady sliding" : "reached") << " at t = " << time_reached
-         << " s, steady from " << start << " s, period " << vibration_period << " s";
-  else
-    {
-      text << "not reached by t = " << last_time << " s";
-      if (difference >= 0.)
-        text << " (" << quantity << " differs by " << 100. * difference << " %)";
-    }
-  return text.str();
+  return brief_text(
+           6, "limit cycle: motion of ", n_nodes,
+           " contact nodes, frictional power, apparent friction, contact shares and "
+           "energies of ",
+           criterion.windows, " equal parts (of at least ", criterion.periods,
+           " periods) of the second half of the run agree within ",
+           100. * criterion.tolerance, " %; ") +
+         (reached()
+            ? brief_text(4, sliding ? "steady sliding" : "reached",
+                         " at t = ", time_reached, " s, steady from ", start,
+                         " s, period ", vibration_period, " s")
+            : brief_text(4, "not reached by t = ", last_time, " s",
+                         difference >= 0. ? brief_text(4, " (", quantity, " differs by ",
+                                                       100. * difference, " %)")
+                                          : ""));
 }
 
 LimitCycleWatch::LimitCycleWatch(const LimitCycleCriterion &criterion,
                                  const unsigned int n_nodes,
                                  const unsigned int energy_interval,
                                  const MPI_Comm communicator)
-  : n_nodes(n_nodes)
+  : LimitCycleDetector(criterion)
+  , n_nodes(n_nodes)
   , energy_interval(energy_interval)
   , communicator(communicator)
-  , cycle_detector(criterion)
 {
 }
 
@@ -317,7 +302,7 @@ bool LimitCycleWatch::update(const ContactHistory &fresh, const EnergyAudit *ene
           sample.kinetic_energy = kinetic_energy[e];
           sample.elastic_energy = elastic_energy[e];
         }
-      if (!cycle_detector.add(sample))
+      if (!add(sample))
         return false;
     }
   return true;

@@ -3,7 +3,7 @@
 
 #include "contact/contact_recorder.h"
 #include "dynamics/energy_audit.h"
-#include "observation/cycle_record.h"
+#include "observation/steady_record.h"
 
 #include <boost/serialization/string.hpp>
 
@@ -125,13 +125,18 @@ private:
   /** Nothing if the parts of the bins from @p first on would be too short. */
   std::optional<Parts> parts(std::size_t first) const;
 
-  /** The value of each part, of a function of its first and behind its last bin. */
-  template <typename Function>
-  std::vector<double> of_parts(const Parts &parts, const Function &value) const;
+  /** CycleRecord::mean() or variance() of a column, first and behind the last bin. */
+  using RecordFunction = double (CycleRecord::*)(std::size_t,
+                                                 std::size_t,
+                                                 std::size_t) const;
 
-  /** Sets difference, quantity and sliding. */
-  void compare(const Parts &parts);
+  /** The value of each part. */
+  std::vector<double> of_parts(const Parts &parts,
+                               const RecordFunction value,
+                               const std::size_t column) const;
+
   void compare_resultants(const Parts &parts);
+  /** Also whether the body slides steadily. */
   void compare_motion(const Parts &parts);
 
   /** Keeps the largest difference. */
@@ -154,8 +159,8 @@ private:
   double start        = 0.; ///< of the steady part
 };
 
-/** Tells a LimitCycleDetector what a run has observed so far. Only rank 0 knows more. */
-class LimitCycleWatch
+/** A detector that is told what a run observes. Only that of rank 0 knows more. */
+class LimitCycleWatch : public LimitCycleDetector
 {
 public:
   /** @p n_nodes: distinct contact nodes; @p energy_interval: steps between energies. */
@@ -171,23 +176,17 @@ public:
    */
   bool update(const ContactHistory &fresh, const EnergyAudit *energy);
 
-  /** With all that update() has passed on. */
-  const LimitCycleDetector &detector() const
-  {
-    return cycle_detector;
-  }
-
   /** Saves or restores the state between two steps (Boost.Serialization). */
   template <class Archive>
-  void serialize(Archive &archive, const unsigned int)
+  void serialize(Archive &archive, const unsigned int version)
   {
-    archive &cycle_detector &kinetic_energy &elastic_energy;
+    LimitCycleDetector::serialize(archive, version);
+    archive &kinetic_energy &elastic_energy;
   }
 
 private:
   const unsigned int n_nodes, energy_interval;
   const MPI_Comm communicator;
-  LimitCycleDetector cycle_detector;
   /** Of all ranks, samples so far. */
   std::vector<double> kinetic_energy, elastic_energy;
 };

@@ -1,6 +1,8 @@
-#include "base/errors.h"
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace mesoslip
 {
@@ -11,27 +13,22 @@ constexpr long most_steps = 1000000000;
 
 void bind_probes(Keys &keys,
                  const std::vector<std::string> &names,
-                 std::vector<ProbeParameters> &probes)
+                 std::vector<ProbeRecorder::Point> &probes)
 {
   for (const std::string &name : names)
     {
       const auto section = keys.section(name);
-      ProbeParameters probe;
+      ProbeRecorder::Point probe;
       std::vector<double> position;
       probe.name = name;
       keys.bind_list("Position", position, Range::any(),
                      "x and y from the lower left corner; has to be given [m]", 0, 2);
       keys.bind("Nearest node", probe.nearest_node, "Move the probe to the nearest node");
-      if (keys.are_read() && position.empty())
-        throw UserError(keys.path("Position") +
-                        " is missing; give x and y of the probe from the lower left "
-                        "corner in m, in a subsection " +
-                        name);
-      if (position.size() == 1)
-        throw UserError(keys.path("Position") +
-                        ": one number found, two (x, y) are needed");
-      for (std::size_t d = 0; d < position.size(); ++d)
-        probe.position[d] = position[d];
+      keys.require(position.size() == 2, "Position",
+                   "a number is missing; give x and y of the probe from the lower left "
+                   "corner in m, in a subsection " +
+                     name);
+      std::copy(position.begin(), position.end(), probe.position.begin());
       probes.push_back(probe);
     }
 }
@@ -112,6 +109,46 @@ void bind_control(Keys &keys, ContactParameters &p)
             "Homogenization/Solver of rve_homogenization");
   p.sweep.isa = instruction_set(set_name);
 }
+
+const char *yes_or_no(const bool value)
+{
+  return value ? "yes" : "no";
+}
+
+/** As in the parameters. */
+const char *side_text(const std::array<bool, 2> &held)
+{
+  const char *const names[] = {"free", "u_x", "u_y", "both"};
+  return names[(held[0] ? 1 : 0) + (held[1] ? 2 : 0)];
+}
+
+void add_load(RunConditions &conditions, const std::string &name, const LoadHistory &load)
+{
+  conditions[name + "_history"] = load.shape();
+  if (!load.is_expression())
+    conditions[name] = load.amplitude();
+  if (load.duration() > 0.)
+    conditions[name + "_ramp_time"] = load.duration();
+}
+
+void add_friction(RunConditions &conditions, const ContactParameters &parameters)
+{
+  const FrictionParameters &friction = parameters.friction;
+  conditions["gap"]                  = parameters.contact.gap;
+  conditions["coefficient_from"] = friction.coefficient_by_phase ? "phases" : "constant";
+  if (friction.coefficient_by_phase)
+    conditions["node_rule"] = friction.node_rule;
+  else
+    conditions["friction_coefficient"] = friction.coefficient;
+  conditions["friction_law"] = friction.law_name;
+  if (friction.law_name == "slip rate")
+    {
+      conditions["slip_length"]        = friction.slip_length;
+      conditions["reference_velocity"] = friction.reference_velocity;
+    }
+  else
+    conditions["regularization_time"] = parameters.contact.law.time;
+}
 } // namespace
 
 void ContactParameters::bind_observation(Keys &keys)
@@ -139,12 +176,12 @@ void ContactParameters::bind_observation(Keys &keys)
                       "regime; auto: the middle [m]");
     keys.bind("Stop at limit cycle", o.stop_at_limit_cycle,
               "End the run before End time when its second half was a limit cycle");
-    keys.bind("Limit cycle tolerance", o.limit_cycle_tolerance, Range::positive(),
+    keys.bind("Limit cycle tolerance", o.limit_cycle.tolerance, Range::positive(),
               "Largest relative difference among the windows of a limit cycle [-]");
-    keys.bind("Limit cycle periods", o.limit_cycle_periods, 1, 1000,
+    keys.bind("Limit cycle periods", o.limit_cycle.periods, 1, 1000,
               "Periods of the main frequency that a window has at least [-]");
     keys.bind(
-      "Limit cycle windows", o.limit_cycle_windows, 2, 1000,
+      "Limit cycle windows", o.limit_cycle.windows, 2, 1000,
       "Number of equal windows, together the second half of the run, that have to "
       "agree [-]");
     keys.bind_names("Probes", probes, "probe",
@@ -153,6 +190,11 @@ void ContactParameters::bind_observation(Keys &keys)
     keys.bind("Probe interval", o.probe_interval, 1, most_steps,
               "Time steps between samples of the probes [-]");
     bind_probes(keys, probes, o.probes);
+    // Probes and snapshots may be switched off on purpose in a file that is otherwise
+    // complete; then the other keys stay.
+    keys.only_if(!probes.empty() || keys.is_typed("Observation/Probes"),
+                 {"Probe interval"}, "there are no probes",
+                 "name some in Observation/Probes");
   }
   const auto section = keys.section("Snapshots");
   keys.bind("From", o.snapshots_from, Range::non_negative(),
@@ -162,6 +204,9 @@ void ContactParameters::bind_observation(Keys &keys)
   keys.bind("Interval", o.snapshots_interval, Range::non_negative(),
             "Time between snapshots of the displacement of all nodes, which "
             "stress_localization needs; 0: none [s]");
+  keys.only_if(keys.is_typed("Snapshots/Interval"), {"From", "To"},
+               "Snapshots/Interval is 0 and there are no snapshots",
+               "set Snapshots/Interval");
 }
 
 void ContactParameters::bind_analyses(Keys &keys)
@@ -169,5 +214,37 @@ void ContactParameters::bind_analyses(Keys &keys)
   bind_statics(keys, *this);
   bind_homogenization(keys, homogenization);
   bind_control(keys, *this);
+}
+
+RunConditions ContactParameters::stated_conditions() const
+{
+  using Kind                = TopSetup::Kind;
+  const char *const kinds[] = {"pressure", "platen", "held"};
+  const bool transient      = analysis == ContactAnalysis::transient;
+  RunConditions conditions  = {
+     {"analysis", transient ? "transient" : "static contact"},
+     {"material", body.heterogeneous ? "heterogeneous" : "homogeneous"},
+     {"top", kinds[static_cast<std::size_t>(top.kind)]},
+     {"lateral_held", yes_or_no(top.kind != Kind::pressure || top.lateral_held)},
+     {"left_side", side_text(sides.left_held)},
+     {"right_side", side_text(sides.right_held)},
+     {"periodic", yes_or_no(periodic)},
+     {"acceleration_x", step.acceleration[0]},
+     {"acceleration_y", step.acceleration[1]}};
+  add_load(conditions, "pressure", top.pressure);
+  add_load(conditions, "velocity", contact.flat_velocity);
+  add_friction(conditions, *this);
+  if (top.kind == Kind::platen)
+    conditions["platen_mass"] = top.platen_mass;
+  if (std::isfinite(top.hold_from))
+    conditions["hold_from"] = top.hold_from;
+  if (transient)
+    {
+      conditions["initial_velocity_x"] = body.initial_velocity[0];
+      conditions["initial_velocity_y"] = body.initial_velocity[1];
+      conditions["beta2"]              = step.beta2;
+      conditions["rayleigh_beta"]      = step.beta;
+    }
+  return conditions;
 }
 } // namespace mesoslip

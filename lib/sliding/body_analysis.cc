@@ -5,15 +5,13 @@
 #include "base/exchange.h"
 #include "grid/uniform_grid.h"
 #include "material/plausibility.h"
-#include "parameters/parameters.h"
 #include "program/run_context.h"
-#include "sliding/plausible_input.h"
-#include "sliding/transient/run_plan.h"
+#include "sliding/run_plan.h"
+#include "statics/static_solver.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <sstream>
 
 namespace mesoslip
 {
@@ -27,19 +25,9 @@ BodyDescription make_body_on_root(const ContactParameters &parameters)
   return body;
 }
 
-/** As few digits as a reader wants. */
-template <typename... Parts>
-std::string brief(const Parts &...parts)
-{
-  std::ostringstream text;
-  text.precision(4);
-  (text << ... << parts);
-  return text.str();
-}
-
 void check_probes(const ObservationParameters &observation, const UniformGrid<2> &grid)
 {
-  for (const ProbeParameters &probe : observation.probes)
+  for (const ProbeRecorder::Point &probe : observation.probes)
     for (unsigned int d = 0; d < 2; ++d)
       if (!(probe.position[d] >= 0. &&
             probe.position[d] <= grid.extent(d) * (1. + 1e-12)))
@@ -52,8 +40,29 @@ void check_probes(const ObservationParameters &observation, const UniformGrid<2>
     throw UserError("Observation/Reference x: " + to_text(x) +
                     " m lies outside the body, 0 to " + to_text(grid.extent(0)) + " m");
 }
-
 } // namespace
+
+std::function<void(unsigned int)> stop_or_report(RunContext &context,
+                                                 const std::string &activity)
+{
+  return [&context, activity](const unsigned int n) {
+    if (context.stop_requested())
+      throw Interrupted("stopped on request in " + activity + " " +
+                        std::to_string(n + 1) + "; there is no result yet");
+  };
+}
+
+void with_advice(const std::string &advice, const std::function<void()> &action)
+{
+  try
+    {
+      action();
+    }
+  catch (const NotConverged &e)
+    {
+      throw NumericalFailure(std::string(e.what()) + "; " + advice);
+    }
+}
 
 BodyAnalysis::BodyAnalysis(const ContactParameters &p)
   : parameters(p)
@@ -80,9 +89,9 @@ std::vector<std::string> BodyAnalysis::body_lines() const
     "Material: " +
       (parameters.body.heterogeneous
          ? "heterogeneous, the phases " + names
-         : brief("homogeneous, D11, D12, D22, D33 = ", 1e-9 * D(0, 0), ", ",
-                 1e-9 * D(0, 1), ", ", 1e-9 * D(1, 1), ", ", 1e-9 * D(2, 2), " GPa, ",
-                 body.phases[0].density, " kg/m^3")) +
+         : brief_text(4, "homogeneous, D11, D12, D22, D33 = ", 1e-9 * D(0, 0), ", ",
+                      1e-9 * D(0, 1), ", ", 1e-9 * D(1, 1), ", ", 1e-9 * D(2, 2),
+                      " GPa, ", body.phases[0].density, " kg/m^3")) +
       (file.empty() ? ", from Body/Stiffness and Density (no RVE file)" : " of " + file)};
   if (parameters.friction.coefficient_by_phase)
     lines.push_back("Friction coefficients of the phases: " + coefficients);
@@ -93,31 +102,30 @@ std::vector<std::string> BodyAnalysis::body_warnings() const
 {
   const std::string &file            = parameters.body.rve_file;
   const std::string size             = file.empty() ? "Body/Size" : "the size in " + file;
-  const bool by_phase                = parameters.friction.coefficient_by_phase;
+  const FrictionParameters &friction = parameters.friction;
   std::vector<PlausibleRange> ranges = {
     plausible_length(size + " along x", body.grid.extent(0)),
     plausible_length(size + " along y", body.grid.extent(1))};
+  if (!friction.coefficient_by_phase)
+    ranges.push_back(plausible_friction("Friction/Coefficient", friction.coefficient));
   for (const Phase<2> &phase : body.phases)
-    ranges.push_back(plausible_density(
-      file.empty() ? "Body/Density" : "the density of phase '" + phase.name + "'",
-      phase.density));
-  if (!by_phase)
-    ranges.push_back(
-      plausible_friction("Friction/Coefficient", parameters.friction.coefficient));
-  for (const Phase<2> &phase : body.phases)
-    if (by_phase)
-      ranges.push_back(
-        plausible_friction("the friction coefficient of phase '" + phase.name + "'",
-                           phase.friction_coefficient));
-  std::vector<std::string> warnings = body.warnings;
-  const auto add                    = [&warnings](const std::vector<std::string> &more) {
-    warnings.insert(warnings.end(), more.begin(), more.end());
-  };
-  add(implausible(ranges));
-  if (const std::string stiffness = stiffness_warning(body.phases); !stiffness.empty())
-    add({stiffness});
+    {
+      const std::string of_phase = " of phase '" + phase.name + "'";
+      ranges.push_back(plausible_density(
+        file.empty() ? "Body/Density" : "the density" + of_phase, phase.density));
+      if (friction.coefficient_by_phase)
+        ranges.push_back(plausible_friction("the friction coefficient" + of_phase,
+                                            phase.friction_coefficient));
+    }
   if (parameters.analysis == ContactAnalysis::static_contact)
-    add(implausible_static_load(parameters, material));
+    ranges.push_back(plausible_pressure(
+      "Top/Pressure", std::fabs(parameters.top.pressure.amplitude()), material));
+
+  std::vector<std::string> warnings = body.warnings;
+  for (const std::string &sentence : implausible(ranges))
+    warnings.push_back(sentence);
+  if (const std::string stiffness = stiffness_warning(body.phases); !stiffness.empty())
+    warnings.push_back(stiffness);
   return warnings;
 }
 

@@ -1,14 +1,46 @@
 #ifndef mesoslip_sliding_body_analysis_h
 #define mesoslip_sliding_body_analysis_h
 
+#include "elasticity/dof_mask.h"
+#include "elasticity/uniform_material.h"
+#include "exchange/body_description.h"
 #include "program/program.h"
-#include "sliding/make_body.h"
+#include "sliding/contact_parameters.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
+/**
+ * The body that parameters and RVE file describe, if there is the memory for its fields.
+ * The coefficient of a bottom node follows from those of the two cells beside it by
+ * FrictionParameters::node_rule: their mean weighted with the stiffness D22 (as the
+ * pressure is shared when both cells are compressed alike, eq. 18), the plain mean, the
+ * largest or the smallest.
+ * @throws UserError naming key or file
+ */
+BodyDescription make_body(const ContactParameters &parameters);
+
+/** The grid of the body with the materials of its cells. @throws UserError */
+UniformMaterial make_material(const BodyDescription &body, const bool periodic);
+
+/** What sides and top hold, of a platen u_x and u_y. */
+DofMask held_by_supports(const UniformMaterial &material,
+                         const SideConstraints &sides,
+                         const TopSetup &top);
+
+/**
+ * To be called between the solves of the static analyses, which leave nothing behind when
+ * stopped. @throws Interrupted
+ */
+std::function<void(unsigned int)> stop_or_report(RunContext &context,
+                                                 const std::string &activity);
+
+/** Runs @p action. @throws NumericalFailure instead of NotConverged, with @p advice. */
+void with_advice(const std::string &advice, const std::function<void()> &action);
+
 /** What the analyses of a body on the flat have in common. */
 class BodyAnalysis : public Analysis
 {

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "parameters/keys.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -12,16 +13,6 @@ namespace
 {
 /** Upper end of the range of numbers of cells. */
 constexpr long most_cells = 1000000000;
-
-/** x and y, or nothing. */
-template <typename Number>
-std::array<Number, 2> pair(const std::string &key, const std::vector<Number> &values)
-{
-  if (values.size() == 1)
-    throw UserError(key + ": one number found, two (x, y) are needed");
-  return values.empty() ? std::array<Number, 2>{}
-                        : std::array<Number, 2>{{values[0], values[1]}};
-}
 
 void bind_body(Keys &keys, ContactParameters &p)
 {
@@ -62,10 +53,22 @@ void bind_body(Keys &keys, ContactParameters &p)
             "Velocity of the whole body at the start [m/s]");
   keys.bind("Acceleration", p.step.acceleration, Range::any(),
             "Acceleration that acts on the whole body, such as gravity [m/s^2]");
-  body.size         = pair("Body/Size", size);
-  const auto number = pair("Body/Cells", cells);
-  body.cells        = {
-           {static_cast<unsigned int>(number[0]), static_cast<unsigned int>(number[1])}};
+  const std::string two = "one number found, two (x, y) are needed";
+  keys.require(size.size() != 1, "Size", two);
+  keys.require(cells.size() != 1, "Cells", two);
+  std::copy(size.begin(), size.end(), body.size.begin());
+  std::copy(cells.begin(), cells.end(), body.cells.begin());
+  keys.require(body.stiffness.size() != 5, "Stiffness",
+               "5 numbers found; give D11, D12, D22, D33 or all six");
+  const bool from_file = !body.rve_file.empty();
+  keys.require(from_file || !body.heterogeneous, "RVE file",
+               "it is empty, but a heterogeneous body takes its phases and morphology "
+               "from there; run rve_homogenization and name its rve.h5");
+  keys.only_if(!from_file, {"Stiffness", "Density"},
+               "the materials are those of Body/RVE file", "leave Body/RVE file empty");
+  keys.only_if(from_file, {"Stiffness from"}, "Body/RVE file is empty",
+               "name an rve.h5 there");
+  keys.only_with("Material", {"homogeneous"}, {"Stiffness from"});
 }
 
 void bind_time(Keys &keys, ContactParameters &p)
@@ -91,6 +94,10 @@ void bind_time(Keys &keys, ContactParameters &p)
   keys.bind("Check time step", p.time.check_time_step,
             "Refuse a Time step above the critical one; false is for studies of unstable "
             "runs");
+  keys.only_with("Time step", {"auto"}, {"Safety factor"});
+  keys.require(!(p.step.dt > p.time.end_time), "Time step",
+               to_text(p.step.dt) + " s is longer than End time, " +
+                 to_text(p.time.end_time) + " s");
 }
 
 /** The key of an amplitude is bound already. */
@@ -113,6 +120,10 @@ LoadHistory bind_history(Keys &keys,
               " as an expression in the time t (s), instead of a ramp, e.g. "
               "2*cos(2*pi*1000*t) [" +
               unit + "]");
+  keys.only_if(expression.empty(), {"Ramp", "Ramp time"},
+               keys.path("Expression") + " gives the load at all times",
+               "leave " + keys.path("Expression") + " empty");
+  keys.only_with("Ramp", {"linear", "smooth"}, {"Ramp time"});
   if (expression.empty())
     return {amplitude, ramp, time};
   try
@@ -154,6 +165,11 @@ void bind_loads(Keys &keys, ContactParameters &p)
                     "Time from which on the top stays where it is; auto: never [s]");
   if (!std::isnan(hold_from))
     p.top.hold_from = hold_from;
+  keys.only_with("Kind", {"pressure"}, {"Lateral held"});
+  keys.only_with("Kind", {"platen"}, {"Platen mass"});
+  // The pressure of a held top only scales what the judgement of the limit cycle neglects.
+  keys.only_with("Kind", {"pressure", "platen"},
+                 {"Ramp", "Ramp time", "Expression", "Hold from"});
 }
 
 void bind_sides(Keys &keys, ContactParameters &p)
@@ -161,15 +177,22 @@ void bind_sides(Keys &keys, ContactParameters &p)
   const auto section  = keys.section("Sides");
   const auto bind_one = [&](const std::string &key, const std::string &side,
                             std::array<bool, 2> &held) {
-    std::string value = "free";
+    unsigned int value = 0;
     keys.bind(key, value, {"free", "u_x", "u_y", "both"},
               "Displacement components that are zero on the " + side + " side");
-    held = {{value == "u_x" || value == "both", value == "u_y" || value == "both"}};
+    held = {{(value & 1) != 0, (value & 2) != 0}};
   };
   bind_one("Left", "left", p.sides.left_held);
   bind_one("Right", "right", p.sides.right_held);
   keys.bind("Periodic", p.periodic,
             "Periodic in x: the nodes of the left and the right side are the same");
+  const std::array<bool, 2> &left = p.sides.left_held, &right = p.sides.right_held;
+  keys.require(!p.periodic || !(left[0] || left[1] || right[0] || right[1]), "Periodic",
+               "it is true, so Left and Right have to be free");
+  keys.require(p.top.kind != TopSetup::Kind::platen || !(left[1] || right[1]),
+               left[1] ? "Left" : "Right",
+               "u_y is held, but the platen of Top/Kind moves the corner; hold u_x only, "
+               "or set Top/Kind = pressure or held");
 }
 
 void bind_friction(Keys &keys, FrictionParameters &friction, FrictionLaw &law)
@@ -198,11 +221,40 @@ void bind_friction(Keys &keys, FrictionParameters &friction, FrictionLaw &law)
     "Friction coefficient of a node between cells of two phases: their mean weighted "
     "with the stiffness D22, in proportion to which they share the pressure, the "
     "plain mean, or one of the two");
+  keys.only_with("Law", {"constant time"}, {"Regularization time"});
+  keys.only_with("Law", {"slip rate"}, {"Length", "Reference velocity"});
+  keys.only_with("Coefficient from", {"constant"}, {"Coefficient"});
+  keys.only_with("Coefficient from", {"phases"}, {"Node rule"});
   if (friction.law_name == "coulomb")
     law.time = 0.;
   if (friction.law_name == "slip rate")
     law.node_law = std::make_shared<SlipRateRegularization>(friction.slip_length,
                                                             friction.reference_velocity);
+}
+
+/** What each analysis makes use of. */
+void check_analysis(const Keys &keys)
+{
+  const auto only_with = [&](const std::vector<std::string> &analyses,
+                             const std::vector<std::string> &paths) {
+    keys.only_with("Analysis", analyses, paths);
+  };
+  only_with({"transient"},
+            {"Body/Initial velocity", "Time/", "Flat/Ramp", "Flat/Ramp time",
+             "Flat/Expression", "Top/Ramp", "Top/Ramp time", "Top/Expression",
+             "Friction/Law", "Friction/Regularization time", "Friction/Length",
+             "Friction/Reference velocity", "Observation/", "Snapshots/", "Checkpoints/",
+             "Performance/Wavefront", "Performance/Instruction set"});
+  only_with({"transient", "modal"}, {"Top/Platen mass", "Top/Hold from"});
+  only_with({"transient", "static contact"},
+            {"Body/Acceleration", "Flat/", "Top/Pressure", "Friction/"});
+  only_with({"transient", "modal", "static contact"},
+            {"Body/Material", "Body/Stiffness from", "Body/Stiffness", "Body/Density",
+             "Body/Size", "Body/Cells", "Top/", "Sides/"});
+  only_with({"modal", "static contact"}, {"Performance/Static solver"});
+  only_with({"modal"}, {"Modal/"});
+  only_with({"static contact"}, {"Static contact/"});
+  only_with({"friction homogenization"}, {"Friction homogenization/"});
 }
 } // namespace
 
@@ -229,5 +281,7 @@ void ContactParameters::bind(Keys &keys)
   bind_friction(keys, friction, contact.law);
   bind_observation(keys);
   bind_analyses(keys);
+  keys.renamed("Performance/Static solver = assembled", "ml");
+  check_analysis(keys);
 }
 } // namespace mesoslip

@@ -4,7 +4,9 @@
 #include "contact/static_contact_solver.h"
 #include "eigenvalues/vibration_modes.h"
 #include "exchange/run_conditions.h"
-#include "sliding/sliding_setup.h"
+#include "observation/probe_recorder.h"
+#include "observation/steady_state.h"
+#include "sliding/sliding_body.h"
 #include "statics/static_solver.h"
 
 #include <array>
@@ -63,29 +65,19 @@ struct FrictionParameters
     "stiffness"; ///< stiffness, mean, largest or smallest; see make_body()
 };
 
-/** A point that is watched. */
-struct ProbeParameters
-{
-  std::string name;                       ///< of its subsection
-  std::array<double, 2> position = {};    ///< from the lower left corner (m)
-  bool nearest_node              = false; ///< move the position to a node
-};
-
 /** Sections Observation and Snapshots, besides the intervals of the SlidingSetup. */
 struct ObservationParameters
 {
-  unsigned int blocks              = 200;       ///< of contact states over the run
-  double steady_from               = automatic; ///< s
-  double reference_x               = automatic; ///< m
-  bool stop_at_limit_cycle         = false;     ///< end early
-  double limit_cycle_tolerance     = 0.02; ///< largest relative difference of the windows
-  unsigned int limit_cycle_periods = 3;    ///< in a window, at least
-  unsigned int limit_cycle_windows = 3;    ///< windows that are compared
-  unsigned int probe_interval      = 10;   ///< steps
-  std::vector<ProbeParameters> probes;     ///< in the order of the .prm
-  double snapshots_from     = 0.;          ///< s
-  double snapshots_to       = automatic;   ///< s
-  double snapshots_interval = 0.;          ///< s; 0: none
+  unsigned int blocks      = 200;           ///< of contact states over the run
+  double steady_from       = automatic;     ///< s
+  double reference_x       = automatic;     ///< m
+  bool stop_at_limit_cycle = false;         ///< end early
+  LimitCycleCriterion limit_cycle;          ///< but for the reference power
+  unsigned int probe_interval = 10;         ///< steps
+  std::vector<ProbeRecorder::Point> probes; ///< in the order of the .prm
+  double snapshots_from     = 0.;           ///< s
+  double snapshots_to       = automatic;    ///< s
+  double snapshots_interval = 0.;           ///< s; 0: none
 };
 
 /** Section Friction homogenization. */
@@ -124,14 +116,11 @@ struct ContactParameters : SlidingSetup
   StaticSolverKind static_solver =
     StaticSolverKind::multigrid; ///< for static contact and modes
 
-  /** Binds the keys of all sections. @throws UserError naming the key. */
+  /**
+   * Binds the keys of all sections. @throws UserError naming the key, also for keys that
+   * others leave without effect
+   */
   void bind(Keys &keys);
-
-  /** @throws UserError for keys that others leave without effect. */
-  static void check_keys(const Keys &keys);
-
-  /** @throws UserError naming the key. */
-  void check() const;
 
   /**
    * The conditions of a transient run or a static contact analysis; time step and steady

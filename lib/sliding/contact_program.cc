@@ -1,6 +1,5 @@
 #include "sliding/contact_program.h"
 
-#include "parameters/keys.h"
 #include "sliding/analyses/friction_homogenization.h"
 #include "sliding/analyses/modal.h"
 #include "sliding/analyses/static_contact.h"
@@ -14,7 +13,6 @@ std::unique_ptr<Analysis> build(Keys &keys)
 {
   ContactParameters parameters;
   parameters.bind(keys);
-  parameters.check();
   switch (parameters.analysis)
     {
     case ContactAnalysis::modal:
@@ -33,11 +31,6 @@ Application contact_dynamics_program()
 {
   return {"contact_dynamics",
           "Explicit dynamics of an elastic body that rubs on a moving rigid flat.",
-          [](Keys &keys) {
-            ContactParameters().bind(keys);
-            keys.renamed("Performance/Static solver = assembled", "ml");
-            ContactParameters::check_keys(keys);
-          },
-          build};
+          [](Keys &keys) { ContactParameters().bind(keys); }, build};
 }
 } // namespace mesoslip

@@ -1,6 +1,7 @@
 #ifndef mesoslip_sliding_loop_profile_h
 #define mesoslip_sliding_loop_profile_h
 
+#include "base/timer.h"
 #include "dynamics/stepper.h"
 #include "dynamics/surface_condition.h"
 #include "grid/halo.h"
@@ -10,8 +11,85 @@
 
 namespace mesoslip
 {
-class Timer;
+/** A @p Part of the time loop with its clock; derived classes time each call. */
+template <class Part>
+class Timed : public Part
+{
+public:
+  using Interface = Part; ///< of what is timed
 
+  /** @p part and @p timer have to outlive it. */
+  Timed(Part &part, const char *name, Timer &timer)
+    : part(part)
+    , name(name)
+    , timer(timer)
+  {
+  }
+
+protected:
+  Part &part;             ///< what is timed
+  const char *const name; ///< of the section
+  Timer &timer;           ///< gets the times
+};
+
+/** A boundary condition. */
+struct TimedSurface : Timed<SurfaceCondition<2>>
+{
+  using Timed::Timed;
+
+  void advance(const SurfaceView<2> &surface) override
+  {
+    const auto scope = timer.scope(name);
+    part.advance(surface);
+  }
+};
+
+/** Sending to and waiting for neighbours. */
+struct TimedHalo : Timed<Halo>
+{
+  using Timed::Timed;
+
+  void send(const Side side, const RowBlock &own) override
+  {
+    const auto scope = timer.scope(name);
+    part.send(side, own);
+  }
+
+  void receive(const Side side, const RowBlock &ghosts) override
+  {
+    const auto scope = timer.scope(name);
+    part.receive(side, ghosts);
+  }
+
+  /** Every few rows: too often for a clock. */
+  void progress() override
+  {
+    part.progress();
+  }
+};
+
+/** An observer. */
+struct TimedObserver : Timed<StepObserver>
+{
+  using Timed::Timed;
+
+  std::uint64_t next_step(const std::uint64_t n) const override
+  {
+    return part.next_step(n);
+  }
+
+  void before_step(const std::uint64_t n) override
+  {
+    const auto scope = timer.scope(name);
+    part.before_step(n);
+  }
+
+  void after_step(const std::uint64_t n) override
+  {
+    const auto scope = timer.scope(name);
+    part.after_step(n);
+  }
+};
 /**
  * Puts clocks around what the time loop calls: boundary conditions, exchange between ranks,
  * observers. Each call costs some 50 ns, two or more a step, so only on request; without
@@ -22,27 +100,24 @@ class LoopProfile
 public:
   /** @p timer may be null; otherwise it has to outlive the profile. */
   explicit LoopProfile(Timer *timer)
-    : clock(timer)
+    : timer(timer)
   {
   }
 
-  /** @p surface, timed as @p name. The result lives as long as both. */
-  SurfaceCondition<2> *timed(SurfaceCondition<2> &surface, const char *name);
-
-  /** The same for sending to and waiting for neighbours. */
-  Halo *timed(Halo &halo, const char *name);
-
-  /** The same for an observer. */
-  StepObserver *timed(StepObserver &observer, const char *name);
-
-  /** Null if nothing is timed. */
-  Timer *timer() const
+  /** @p part, timed as @p name. The result lives as long as both. */
+  template <class TimedPart>
+  typename TimedPart::Interface *timed(typename TimedPart::Interface &part,
+                                       const char *name)
   {
-    return clock;
+    if (timer == nullptr)
+      return &part;
+    wrappers.push_back(std::make_shared<TimedPart>(part, name, *timer));
+    return static_cast<TimedPart *>(wrappers.back().get());
   }
+
+  Timer *const timer; ///< null if nothing is timed
 
 private:
-  Timer *clock;
   std::vector<std::shared_ptr<void>> wrappers;
 };
 } // namespace mesoslip

@@ -1,11 +1,10 @@
-#include "sliding/make_body.h"
-
 #include "base/errors.h"
+#include "base/files.h"
 #include "exchange/rve_file.h"
 #include "grid/uniform_grid.h"
 #include "material/stiffness.h"
-#include "parameters/parameters.h"
-#include "sliding/transient/run_plan.h"
+#include "sliding/body_analysis.h"
+#include "sliding/run_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,11 +142,23 @@ UniformMaterial make_material(const BodyDescription &body, const bool periodic)
     }
 }
 
-double
-tributary_width(const UniformGrid<2> &grid, const unsigned int node, const bool periodic)
+DofMask held_by_supports(const UniformMaterial &material,
+                         const SideConstraints &sides,
+                         const TopSetup &top)
 {
-  const bool end = !periodic && (node == 0 || node == grid.cells[0]);
-  return grid.spacing[0] * (end ? 0.5 : 1.);
+  const unsigned int last_column = material.n_columns() - 1,
+                     last_row    = material.n_rows() - 1;
+  DofMask held(last_column + 1, last_row + 1);
+  for (unsigned int c = 0; c < 2; ++c)
+    {
+      if (sides.left_held[c])
+        held.constrain_column(c, 0);
+      if (sides.right_held[c])
+        held.constrain_column(c, last_column);
+      if (top.kind != TopSetup::Kind::pressure || (c == 0 && top.lateral_held))
+        held.constrain_row(c, last_row);
+    }
+  return held;
 }
 
 BodyDescription make_body(const ContactParameters &parameters)
@@ -156,7 +167,11 @@ BodyDescription make_body(const ContactParameters &parameters)
   BodyDescription body;
   std::optional<RveFile> rve;
   if (!given.rve_file.empty())
-    rve.emplace(given.rve_file);
+    {
+      require_readable_file("Body/RVE file: ", given.rve_file,
+                            "run rve_homogenization first");
+      rve.emplace(given.rve_file);
+    }
   body.grid = make_grid(given, rve ? &*rve : nullptr);
   require_memory(field_memory(parameters.analysis, body.grid));
   if (rve)

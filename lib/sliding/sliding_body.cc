@@ -34,16 +34,17 @@ SlidingBody::SlidingBody(const UniformMaterial &material,
   , top_recorder(setup.history_interval)
   , halo(material.n_columns(), rows.ghosts, communicator)
   , profile(timer)
-  , stepper(
-      {material, setup.step, u, w,
-       bottom != nullptr ? bottom : profile.timed(contact, "Contact and its histories"),
-       profile.timed(top, "Top and its histories"), rows,
-       rows.end - rows.begin < rows.n_global
-         ? profile.timed(halo, "Exchange between ranks")
-         : nullptr,
-       communicator},
-      setup.sides,
-      setup.sweep)
+  , stepper({material, setup.step, u, w,
+             bottom != nullptr
+               ? bottom
+               : profile.timed<TimedSurface>(contact, "Contact and its histories"),
+             profile.timed<TimedSurface>(top, "Top and its histories"), rows,
+             rows.end - rows.begin < rows.n_global
+               ? profile.timed<TimedHalo>(halo, "Exchange between ranks")
+               : nullptr,
+             communicator},
+            setup.sides,
+            setup.sweep)
 {
   contact.observe(node_statistics);
   contact.observe(contact_recorder);
@@ -56,7 +57,8 @@ SlidingBody::SlidingBody(const UniformMaterial &material,
 
 BoundaryWork SlidingBody::boundary_work() const
 {
-  return {top.work() + contact.work().flat, contact.work().friction,
-          contact.work().impact};
+  BoundaryWork work = contact.work();
+  work.external     = top.work() + work.external;
+  return work;
 }
 } // namespace mesoslip

@@ -4,15 +4,40 @@
 #include "contact/contact_recorder.h"
 #include "dynamics/energy_audit.h"
 #include "dynamics/explicit_stepper.h"
+#include "dynamics/top_surface.h"
 #include "grid/halo.h"
 #include "grid/row_partition.h"
 #include "sliding/loop_profile.h"
-#include "sliding/sliding_setup.h"
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace mesoslip
 {
+/** What a body on the flat is made of besides its material. */
+struct SlidingSetup
+{
+  StepParameters step;   ///< time step, beta2, damping, body acceleration
+  SideConstraints sides; ///< components constrained on the left and right side
+  ContactSetup contact;  ///< the flat
+  TopSetup top;          ///< the load
+  SweepOptions sweep;    ///< instruction set, temporal blocking
+  bool periodic = false; ///< in x
+
+  /** Histories of contact and top have a sample every so many steps; 0: none. */
+  unsigned int history_interval = 1;
+
+  /** Contact nodes whose motion and tractions are kept with the histories. */
+  std::vector<unsigned int> monitored_nodes;
+
+  /** Steps in a block of the node statistics; 0: one block for the whole run. */
+  std::uint64_t steps_per_block = 0;
+
+  /** The energy balance has a sample every so many steps; 0: none. */
+  unsigned int energy_interval = 0;
+};
+
 /**
  * A body on the moving flat, with load, histories and energies: everything of a run but
  * files, signals and checkpoints. Each rank holds a slab of rows; the contact is on rank

@@ -19,7 +19,7 @@ void apply(Keys &keys)
   Parameters().bind(keys);
   keys.apply();
   Parameters().bind(keys); // judges the conditions between keys
-  if constexpr (!std::is_same_v<Parameters, RveParameters>)
+  if constexpr (std::is_same_v<Parameters, LocalizationParameters>)
     Parameters::check_keys(keys);
 }
 
@@ -51,7 +51,8 @@ void read_as(const RawParameters &raw, const bool print)
     check_printed<Parameters>(keys);
   Parameters parameters;
   parameters.bind(keys);
-  parameters.check();
+  if constexpr (!std::is_same_v<Parameters, ContactParameters>)
+    parameters.check();
 }
 } // namespace
 

@@ -34,7 +34,7 @@ TEST(Block, ThrownOnAPlane)
         // All the energy goes into friction but for what the last step of b > 1/2 takes.
         EXPECT_NEAR(block.contact.work().friction, 0.5 * mass * v * v,
                     2e-4 * mass * v * v);
-        EXPECT_EQ(block.contact.work().flat, 0.);
+        EXPECT_EQ(block.contact.work().external, 0.);
       }
 }
 

@@ -1,6 +1,4 @@
-#include "observation/contact_shares.h"
-#include "observation/friction_summary.h"
-#include "observation/phase_diagram.h"
+#include "observation/contact_statistics.h"
 #include "observation/spectrum.h"
 
 #include "base/errors.h"

@@ -27,13 +27,9 @@ struct ObservedBody : Body
         [](const Runaway &, std::uint64_t) { throw std::runtime_error("blown up"); })
     , probes({{"inside", {{0.9e-3, 0.7e-3}}}, {"contact", {{0.5e-3, 0.}}}},
              material,
-             rows,
-             setup.step,
-             u,
-             w,
+             stepper,
              contact,
-             5,
-             MPI_COMM_SELF)
+             5)
     , watch(LimitCycleCriterion(), 10, setup.energy_interval, MPI_COMM_SELF)
     , statistics(recent_interval, setup.step.dt, setup.contact.flat_velocity, 16)
     , recent_contact(recent_interval, setup.monitored_nodes, setup.step)

@@ -4,12 +4,11 @@
 #include "base/errors.h"
 #include "io/json.h"
 #include "io/table.h"
-#include "parameters/parameters.h"
+#include "material/plausibility.h"
 #include "program/run_context.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace mesoslip
 {
@@ -107,27 +106,18 @@ void log_estimates(const FrictionHomogenizationInput &input,
                    const std::vector<FrictionEstimate> &estimates,
                    RunContext &context)
 {
-  std::ostringstream head;
-  head.precision(4);
-  head << "Heterogeneous run: mu_inter = " << input.heterogeneous.mu_inter;
-  if (input.homogeneous)
-    head << "; homogeneous run: mu_inter = " << input.homogeneous->mu_inter;
-  context.log(head.str());
+  context.log(brief_text(4,
+                         "Heterogeneous run: mu_inter = ", input.heterogeneous.mu_inter,
+                         input.homogeneous ? "; homogeneous run: mu_inter = " : "") +
+              (input.homogeneous ? quantity_text(input.homogeneous->mu_inter, "") : ""));
   for (const FrictionEstimate &e : estimates)
-    {
-      std::ostringstream line;
-      line.precision(4);
-      line << "  pressures by " << e.pressures << ", T_G of the " << e.duration
-           << " run (" << 1e9 * e.contact_duration << " ns): mu_homo = " << e.mu_homo
-           << ", delta = ";
-      if (e.delta)
-        line << 1e9 * *e.delta << " ns";
-      else
-        line << "none, mu_inter is not below mu_homo";
-      if (e.calibrated)
-        line << " (calibrated: " << 1e9 * *e.calibrated << " ns)";
-      context.log(line.str());
-    }
+    context.log(brief_text(
+      4, "  pressures by ", e.pressures, ", T_G of the ", e.duration, " run (",
+      1e9 * e.contact_duration, " ns): mu_homo = ", e.mu_homo, ", delta = ",
+      e.delta ? quantity_text(1e9 * *e.delta, "ns")
+              : "none, mu_inter is not below mu_homo",
+      e.calibrated ? " (calibrated: " + quantity_text(1e9 * *e.calibrated, "ns") + ")"
+                   : ""));
 }
 } // namespace
 
@@ -174,16 +164,15 @@ std::string node_warning(const FrictionHomogenizationInput &input)
   const double nodes = by_statics ? *input.static_mu_of_nodes : input.mu_of_nodes;
   if (!(std::fabs(nodes - phases) > 0.02 * phases))
     return "";
-  std::ostringstream text;
-  text.precision(4);
-  text << "the contact nodes of the heterogeneous run, with the coefficients that "
-          "Friction/Node rule gave them, have mu_homo = "
-       << nodes << " instead of " << phases
-       << " of the phases, because phases are hardly wider than cells; refine "
-          "Body/Cells, or set Pressures from = nodes"
-       << (by_statics ? " in static contact" : "")
-       << " for a model that is equivalent to that run";
-  return text.str();
+  return brief_text(
+    4,
+    "the contact nodes of the heterogeneous run, with the coefficients that "
+    "Friction/Node rule gave them, have mu_homo = ",
+    nodes, " instead of ", phases,
+    " of the phases, because phases are hardly wider than cells; refine Body/Cells, or "
+    "set Pressures from = nodes",
+    by_statics ? " in static contact" : "",
+    " for a model that is equivalent to that run");
 }
 
 std::string duration_warning(const FrictionHomogenizationInput &input,
@@ -236,27 +225,24 @@ FrictionHomogenizationAnalysis::FrictionHomogenizationAnalysis(const ContactPara
 void FrictionHomogenizationAnalysis::run(RunContext &context)
 {
   context.remove_results({"friction_homogenization.csv"});
-  on_root(context.communicator(), [&]() { run_on_root(context); });
-}
+  on_root(context.communicator(), [&]() {
+    for (const std::string &warning : input.warnings)
+      context.warn(warning);
+    log_estimates(input, estimates, context);
+    if (const std::string of_nodes = node_warning(input); !of_nodes.empty())
+      context.warn(of_nodes);
+    write_table(estimates, context.file("friction_homogenization.csv"));
 
-void FrictionHomogenizationAnalysis::run_on_root(RunContext &context) const
-{
-  for (const std::string &warning : input.warnings)
-    context.warn(warning);
-  log_estimates(input, estimates, context);
-  if (const std::string of_nodes = node_warning(input); !of_nodes.empty())
-    context.warn(of_nodes);
-  write_table(estimates, context.file("friction_homogenization.csv"));
-
-  const FrictionEstimate &chosen = chosen_estimate(estimates, parameters, input);
-  const double delta        = *(parameters.calibrate ? chosen.calibrated : chosen.delta);
-  const std::string warning = duration_warning(input, chosen);
-  if (!warning.empty())
-    context.warn(warning);
-  context.log("For the .prm of the homogeneous model:");
-  context.log(
-    "subsection Friction\n  set Coefficient         = " + to_text(chosen.mu_homo) +
-    "\n  set Regularization time = " + to_text(delta) + "\nend");
-  write_summary(input, estimates, chosen.mu_homo, delta, warning, context.summary());
+    const FrictionEstimate &chosen = chosen_estimate(estimates, parameters, input);
+    const double delta = *(parameters.calibrate ? chosen.calibrated : chosen.delta);
+    const std::string warning = duration_warning(input, chosen);
+    if (!warning.empty())
+      context.warn(warning);
+    context.log("For the .prm of the homogeneous model:");
+    context.log(
+      "subsection Friction\n  set Coefficient         = " + to_text(chosen.mu_homo) +
+      "\n  set Regularization time = " + to_text(delta) + "\nend");
+    write_summary(input, estimates, chosen.mu_homo, delta, warning, context.summary());
+  });
 }
 } // namespace mesoslip

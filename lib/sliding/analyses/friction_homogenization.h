@@ -6,12 +6,42 @@
 #include "program/program.h"
 #include "sliding/contact_parameters.h"
 
+#include <nlohmann/json.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
+/** summary.json of a finished run. Errors name the key that gave the folder, and the
+ * file. */
+class RunSummary
+{
+public:
+  /** @p given by @p key: "Friction homogenization/Heterogeneous run". @throws UserError */
+  RunSummary(const std::string &key, const std::string &given);
+
+  /** @throws UserError unless the run was a contact_dynamics @p analysis. */
+  void require_analysis(const std::string &analysis) const;
+
+  /** The number of that name, in the object @p of; nothing if it is missing or null. */
+  std::optional<double> find_number(const std::string &name,
+                                    const std::string &of = "") const;
+
+  /** A text of the file, empty when there is none of that name. */
+  std::string text(const std::string &name) const;
+
+  /** Path of another file in the folder. */
+  std::string file(const std::string &name) const;
+
+  const std::string key;    ///< that gave the folder
+  const std::string folder; ///< of the run
+
+private:
+  nlohmann::json json;
+};
+
 /** A transient run as far as eq. (13) is concerned. */
 struct FrictionRun
 {
@@ -110,8 +140,6 @@ public:
   void run(RunContext &context) override;
 
 private:
-  void run_on_root(RunContext &context) const;
-
   const FrictionHomogenizationParameters parameters;
   FrictionHomogenizationInput input;       ///< on rank 0
   std::vector<FrictionEstimate> estimates; ///< on rank 0

@@ -1,16 +1,27 @@
 #include "base/errors.h"
+#include "base/files.h"
 #include "exchange/dynamics_file.h"
 #include "exchange/rve_file.h"
 #include "material/engineering_constants.h"
 #include "sliding/analyses/friction_homogenization.h"
-#include "sliding/analyses/run_summary.h"
 #include "sliding/analyses/static_contact.h"
+
+#include <filesystem>
 
 namespace mesoslip
 {
 namespace
 {
 const std::string section = "Friction homogenization/";
+
+/** A file in the folder stands for the folder, as elsewhere. */
+std::string folder_of(const std::string &given)
+{
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(given, ignored)
+           ? std::filesystem::path(given).parent_path().string()
+           : given;
+}
 
 /** Positive, or nothing. */
 std::optional<double> if_positive(const std::optional<double> &value)
@@ -32,10 +43,14 @@ FrictionRun read_run(const RunSummary &summary,
   summary.require_analysis("transient");
   const std::string why = summary.text("global_interface_friction_warning");
   FrictionRun run;
-  run.folder   = summary.folder();
-  run.mu_inter = summary.number(
-    "global_interface_friction_coefficient",
-    why.empty() ? "the run has no steady part; give it a longer Time/End time" : why);
+  run.folder           = summary.folder;
+  const std::string mu = "global_interface_friction_coefficient";
+  const auto mu_inter  = summary.find_number(mu);
+  if (!mu_inter)
+    throw UserError(
+      summary.key + ": " + summary.file("summary.json") + " has no number " + mu + ": " +
+      (why.empty() ? "the run has no steady part; give it a longer Time/End time" : why));
+  run.mu_inter         = *mu_inter;
   run.contact_duration = if_positive(summary.find_number("mean_contact_duration"));
   run.duration_warning = summary.text("mean_contact_duration_warning");
   if (!file.conditions)
@@ -79,6 +94,7 @@ void set_friction_coefficients(BodyDescription &body,
   if (rve_file.empty())
     throw UserError("Body/RVE file is empty, but " + run.folder +
                     " took its friction coefficients from the phases of one; name it");
+  require_readable_file("Body/RVE file: ", rve_file, "run rve_homogenization first");
   const RveFile rve(rve_file);
   if (rve.digest != body.rve_digest)
     throw UserError("Body/RVE file: " + rve_file + " is not the one that " + run.folder +
@@ -134,13 +150,13 @@ void read_static_contact(const std::string &folder,
       key + ": " + folder +
       " is an analysis of another RVE file than the heterogeneous run's; run it "
       "again with the same Body/RVE file");
-  const auto found = summary.numbers("phase_contact_pressures");
   for (const std::string &name : input.phase_names)
     {
-      if (found.count(name) == 0)
+      const auto found = summary.find_number(name, "phase_contact_pressures");
+      if (!found)
         throw UserError(key + ": " + folder + " has no contact pressure of the phase " +
                         name + ", which is in contact in the heterogeneous run");
-      input.static_pressures.push_back(found.at(name));
+      input.static_pressures.push_back(*found);
     }
   const auto pressure = open_dynamics(summary).read<double>(
     "/static_contact/pressure", {any_extent}, "run the static contact analysis again");
@@ -148,6 +164,55 @@ void read_static_contact(const std::string &folder,
     input.static_mu_of_nodes = coefficient_of_nodes(body.node_friction, pressure);
 }
 } // namespace
+
+RunSummary::RunSummary(const std::string &key, const std::string &given)
+  : key(key)
+  , folder(folder_of(given))
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw UserError(key + ": there is no folder " + folder +
+                    "; run contact_dynamics first");
+  const std::string name = file("summary.json");
+  if (!std::filesystem::is_regular_file(name, ignored))
+    throw UserError(
+      key + ": " + folder +
+      " holds no summary.json, so the run has not finished; run contact_dynamics");
+  json = nlohmann::json::parse(read_file(name), nullptr, false);
+  if (!json.is_object())
+    throw UserError(key + ": " + name + " is no JSON object; run contact_dynamics again");
+}
+
+std::string RunSummary::file(const std::string &name) const
+{
+  return (std::filesystem::path(folder) / name).string();
+}
+
+std::string RunSummary::text(const std::string &name) const
+{
+  const auto found = json.find(name);
+  return found != json.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+void RunSummary::require_analysis(const std::string &analysis) const
+{
+  const std::string found = text("analysis");
+  if (found != analysis)
+    throw UserError(
+      key + ": " + folder + " holds " +
+      (found.empty() ? "no contact_dynamics run" : "the analysis '" + found + "'") +
+      ", but '" + analysis + "' is needed");
+}
+
+std::optional<double> RunSummary::find_number(const std::string &name,
+                                              const std::string &of) const
+{
+  const nlohmann::json object = of.empty() ? json : json.value(of, nlohmann::json());
+  const auto found            = object.find(name);
+  return found != object.end() && found->is_number()
+           ? std::optional<double>(found->get<double>())
+           : std::nullopt;
+}
 
 FrictionHomogenizationInput
 read_friction_homogenization(const FrictionHomogenizationParameters &parameters,

@@ -5,21 +5,26 @@
 #include "exchange/datasets.h"
 #include "exchange/dynamics_file.h"
 #include "io/table.h"
-#include "parameters/parameters.h"
+#include "material/plausibility.h"
 #include "program/run_context.h"
-#include "sliding/analyses/static_support.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 
 namespace mesoslip
 {
 namespace
 {
+/** One of the paper's boundary conditions and the modes under it. */
+struct ModalCase
+{
+  std::string bottom;   ///< "free" (BC1) or "held" (BC2: u_y = 0)
+  VibrationModes modes; ///< lowest first
+};
+
 std::vector<std::string> bottoms(const ContactParameters &parameters)
 {
   if (parameters.modal_bottom == "both")
@@ -61,12 +66,8 @@ void log_modes(const ModalCase &c, RunContext &context)
        ? "; " + std::to_string(all.n_rigid_motions) + " rigid motions at 0 Hz not listed"
        : ""));
   for (std::size_t k = 0; k < all.modes.size(); ++k)
-    {
-      std::ostringstream line;
-      line << "  mode " << k + 1 << std::fixed << std::setprecision(3) << std::setw(10)
-           << 1e-3 * all.modes[k].frequency << " kHz";
-      context.log(line.str());
-    }
+    context.log(brief_text(3, "  mode ", k + 1, std::fixed, std::setw(10),
+                           1e-3 * all.modes[k].frequency, " kHz"));
 }
 
 void write_table(const std::vector<ModalCase> &cases, const RunContext &context)
@@ -118,19 +119,6 @@ void write_file(const std::vector<ModalCase> &cases,
   file.show(shown, numbers);
   file.close();
 }
-
-void write_summary(const std::vector<ModalCase> &cases, nlohmann::json &json)
-{
-  for (const ModalCase &c : cases)
-    {
-      nlohmann::json frequencies = nlohmann::json::array();
-      for (const VibrationMode &mode : c.modes.modes)
-        frequencies.push_back(mode.frequency);
-      json["frequencies"][c.bottom]   = frequencies;
-      json["rigid_motions"][c.bottom] = c.modes.n_rigid_motions;
-      json["iterations"][c.bottom]    = c.modes.solver_iterations;
-    }
-}
 } // namespace
 
 DofMask modal_constraints(const ContactParameters &parameters,
@@ -168,13 +156,14 @@ ModalAnalysis::ModalAnalysis(const ContactParameters &p)
       }
 }
 
-std::vector<ModalCase> ModalAnalysis::compute_modes(RunContext &context) const
+void ModalAnalysis::run(RunContext &context)
 {
+  log_body(context);
+  context.remove_results({"modal.h5", "modal.xdmf", "modal-phases.xdmf", "modes.csv"});
   const auto elastic =
     make_body(material, parameters.static_solver, context.communicator());
   VibrationModesOptions options = modal_options(parameters);
   options.before_solve          = stop_or_report(context, "the static solve");
-
   std::vector<ModalCase> cases;
   for (const std::string &bottom : bottoms(parameters))
     {
@@ -184,14 +173,6 @@ std::vector<ModalCase> ModalAnalysis::compute_modes(RunContext &context) const
         cases.push_back({bottom, vibration_modes(*elastic, held, options)});
       });
     }
-  return cases;
-}
-
-void ModalAnalysis::run(RunContext &context)
-{
-  log_body(context);
-  context.remove_results({"modal.h5", "modal.xdmf", "modal-phases.xdmf", "modes.csv"});
-  const std::vector<ModalCase> cases = compute_modes(context);
   context.log("Top: " + top_text(top_at_start(parameters)) + ", as in a transient run" +
               (std::isfinite(parameters.top.hold_from) && parameters.top.hold_from > 0.
                  ? " before Top/Hold from"
@@ -204,6 +185,13 @@ void ModalAnalysis::run(RunContext &context)
   write_table(cases, context);
   write_file(cases, body, context);
   summarize_body("modal", context);
-  write_summary(cases, context.summary());
+  nlohmann::json &json = context.summary();
+  for (const auto &[bottom, found] : cases)
+    {
+      for (const VibrationMode &mode : found.modes)
+        json["frequencies"][bottom].push_back(mode.frequency);
+      json["rigid_motions"][bottom] = found.n_rigid_motions;
+      json["iterations"][bottom]    = found.solver_iterations;
+    }
 }
 } // namespace mesoslip

@@ -4,18 +4,8 @@
 #include "eigenvalues/vibration_modes.h"
 #include "sliding/body_analysis.h"
 
-#include <string>
-#include <vector>
-
 namespace mesoslip
 {
-/** One of the paper's boundary conditions and the modes under it. */
-struct ModalCase
-{
-  std::string bottom;   ///< "free" (BC1) or "held" (BC2: u_y = 0)
-  VibrationModes modes; ///< lowest first
-};
-
 /**
  * The degrees of freedom that sides, top and bottom hold; a platen's u_y is among them,
  * and modal_options() lets it move.
@@ -35,10 +25,6 @@ public:
   explicit ModalAnalysis(const ContactParameters &parameters);
 
   void run(RunContext &context) override;
-
-private:
-  /** Modes under the boundary conditions that section Modal asks for. */
-  std::vector<ModalCase> compute_modes(RunContext &context) const;
 };
 } // namespace mesoslip
 

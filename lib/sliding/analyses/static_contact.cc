@@ -3,8 +3,6 @@
 #include "base/errors.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "material/engineering_constants.h"
-#include "parameters/parameters.h"
-#include "sliding/analyses/static_support.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,87 +86,84 @@ std::vector<double> bottom_cell_pressures(const BodyDescription &body,
   return pressure;
 }
 
-void evaluate_phases(const BodyDescription &body,
-                     const double pressure,
+void evaluate_phases(const ContactParameters &parameters,
+                     const BodyDescription &body,
                      StaticContactResult &result)
 {
   const unsigned int nx = body.grid.cells[0];
-  std::vector<double> sum(body.phases.size(), 0.);
+  std::vector<double> sum(body.phases.size(), 0.), pressures;
   for (unsigned int i = 0; i < nx; ++i)
     sum[body.phase_of(i)] += result.cell_pressure[i] / nx;
-  result.surface_fraction               = body.fractions(nx);
-  const std::vector<double> repartition = static_pressure_repartition(
-    pressure, contact_phases(body.phases, result.surface_fraction));
+  result.surface_fraction          = body.fractions(nx);
+  std::vector<ContactPhase> phases = contact_phases(body.phases, result.surface_fraction);
+  const std::vector<double> repartition =
+    static_pressure_repartition(parameters.top.pressure.amplitude(), phases);
 
-  auto next = repartition.begin();
   for (std::size_t p = 0; p < body.phases.size(); ++p)
     {
-      const double f = result.surface_fraction[p];
-      result.phase_pressure.push_back(f > 0. ? std::optional<double>(sum[p] / f)
-                                             : std::nullopt);
-      result.repartition.push_back(f > 0. ? std::optional<double>(*next++)
-                                          : std::nullopt);
+      result.phase_pressure.emplace_back();
+      result.repartition.emplace_back();
+      if (const double f = result.surface_fraction[p]; f > 0.)
+        {
+          result.repartition.back()    = repartition[pressures.size()];
+          result.phase_pressure.back() = pressures.emplace_back(sum[p] / f);
+        }
     }
   const double total        = std::accumulate(sum.begin(), sum.end(), 0.);
   const double force        = result.normal_force / body.grid.extent(0);
   result.pressure_imbalance = std::fabs(total - force) / std::fabs(force);
-}
 
-/**
- * The pressure's resultant acts in the middle, the reaction at most half the width from
- * there, and their moment has to hold that of the friction between the flat and the top.
- */
-void require_no_tipping(const ContactParameters &parameters, const BodyDescription &body)
-{
-  const auto &left = parameters.sides.left_held, &right = parameters.sides.right_held;
-  if (parameters.top.kind != TopSetup::Kind::pressure || !parameters.top.lateral_held ||
-      parameters.periodic || left[0] || left[1] || right[0] || right[1] ||
-      sliding_direction(parameters) == 0 ||
-      parameters.step.acceleration != std::array<double, 2>{})
-    return;
-  const double least =
-    *std::min_element(body.node_friction.begin(), body.node_friction.end());
-  const double height = body.grid.extent(1), half = 0.5 * body.grid.extent(0);
-  if (least * height > half)
-    throw UserError("Friction/Coefficient: the friction of the sliding flat tips the "
-                    "body, as a coefficient of " +
-                    to_text(least) + " times the height of " + to_text(height) +
-                    " m is more than half the width, " + to_text(half) +
-                    " m: there is no equilibrium; reduce it, or set Top/Kind = platen");
+  if (!parameters.friction.coefficient_by_phase)
+    for (ContactPhase &phase : phases)
+      phase.friction_coefficient = parameters.friction.coefficient;
+  result.mu_homo             = homogenized_friction_coefficient(phases, pressures);
+  result.mu_homo_repartition = homogenized_friction_coefficient(phases);
 }
 } // namespace
 
 void check_static_contact(const ContactParameters &parameters,
                           const BodyDescription &body)
 {
-  const TopSetup &top = parameters.top;
-  if (top.kind == TopSetup::Kind::held)
-    throw UserError(
-      "Top/Kind is held, so nothing presses the body on the flat; use platen or "
-      "pressure for a static contact analysis");
-  if (!(top.pressure.amplitude() > 0.))
-    throw UserError("Top/Pressure is " + to_text(top.pressure.amplitude()) +
-                    " Pa; a static contact analysis needs a positive one");
-  if (parameters.contact.gap != 0.)
-    throw UserError(
-      "Flat/Gap is " + to_text(parameters.contact.gap) +
-      " m; a static contact analysis starts from a body that touches the flat, "
-      "set it to 0");
-  const auto &left = parameters.sides.left_held, &right = parameters.sides.right_held;
-  const bool platen = top.kind == TopSetup::Kind::platen;
-  if (platen && parameters.step.acceleration != std::array<double, 2>{})
-    throw UserError(
-      "Body/Acceleration is not zero, which a static contact analysis under a "
-      "platen does not take; use Top/Kind = pressure");
-  const bool rough = std::any_of(body.node_friction.begin(), body.node_friction.end(),
-                                 [](const double mu) { return mu > 0.; });
-  if (!platen && !top.lateral_held && !left[0] && !right[0] && rough &&
-      sliding_direction(parameters) != 0)
-    throw UserError(
-      "Nothing holds the body against the friction of the sliding flat: set "
-      "Top/Lateral held, hold a side in u_x, use a platen, Friction/Coefficient = 0 "
-      "or Flat/Velocity = 0");
-  require_no_tipping(parameters, body);
+  const auto require = [](const bool holds, const std::string &otherwise) {
+    if (!holds)
+      throw UserError(otherwise);
+  };
+  const TopSetup &top          = parameters.top;
+  const SideConstraints &sides = parameters.sides;
+  const auto [least, largest] =
+    std::minmax_element(body.node_friction.begin(), body.node_friction.end());
+  const bool platen = top.kind == TopSetup::Kind::platen,
+             slides = sliding_direction(parameters) != 0,
+             held_x = sides.left_held[0] || sides.right_held[0],
+             held_y = sides.left_held[1] || sides.right_held[1],
+             pulled = parameters.step.acceleration != std::array<double, 2>{};
+  require(top.kind != TopSetup::Kind::held,
+          "Top/Kind is held, so nothing presses the body on the flat; use platen or "
+          "pressure for a static contact analysis");
+  require(top.pressure.amplitude() > 0.,
+          "Top/Pressure is " + to_text(top.pressure.amplitude()) +
+            " Pa; a static contact analysis needs a positive one");
+  require(parameters.contact.gap == 0.,
+          "Flat/Gap is " + to_text(parameters.contact.gap) +
+            " m; a static contact analysis starts from a body that touches the flat, "
+            "set it to 0");
+  require(!platen || !pulled,
+          "Body/Acceleration is not zero, which a static contact analysis under a "
+          "platen does not take; use Top/Kind = pressure");
+  require(platen || top.lateral_held || held_x || !(*largest > 0.) || !slides,
+          "Nothing holds the body against the friction of the sliding flat: set "
+          "Top/Lateral held, hold a side in u_x, use a platen, Friction/Coefficient = 0 "
+          "or Flat/Velocity = 0");
+  // The pressure's resultant acts in the middle, the reaction at most half the width from
+  // there, and their moment has to hold that of the friction between the flat and the top.
+  const double height = body.grid.extent(1), half = 0.5 * body.grid.extent(0);
+  require(platen || !top.lateral_held || parameters.periodic || held_x || held_y ||
+            !slides || pulled || !(*least * height > half),
+          "Friction/Coefficient: the friction of the sliding flat tips the body, as a "
+          "coefficient of " +
+            to_text(*least) + " times the height of " + to_text(height) +
+            " m is more than half the width, " + to_text(half) +
+            " m: there is no equilibrium; reduce it, or set Top/Kind = platen");
 }
 
 std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
@@ -212,7 +207,7 @@ StaticContactResult compute_static_contact(const ContactParameters &parameters,
     }
   result.cell_pressure =
     bottom_cell_pressures(body, material, result.solution.displacement);
-  evaluate_phases(body, pressure, result);
+  evaluate_phases(parameters, body, result);
   return result;
 }
 } // namespace mesoslip

@@ -5,6 +5,8 @@
 #include "homogenization/homogenized_friction.h"
 #include "sliding/body_analysis.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <optional>
 #include <vector>
 
@@ -31,6 +33,9 @@ struct StaticContactResult
 
   /** Relative difference between the cells' pressures and the normal force. */
   double pressure_imbalance = 0.;
+
+  double mu_homo             = 0.; ///< of eq. (17) with the phases' pressures
+  double mu_homo_repartition = 0.; ///< of eq. (17) with the pressures of eq. (19)
 };
 
 /** @throws UserError if supports and loads allow no equilibrium. */
@@ -64,6 +69,24 @@ public:
   }
 
   void run(RunContext &context) override;
+
+private:
+  /** What to do when no equilibrium is found. */
+  std::string advice() const;
+
+  /** @throws NumericalFailure if a cell is inside out; the largest strain into the
+   * summary. */
+  void judge_strain(RunContext &context) const;
+
+  void log_result(RunContext &context) const;
+  void write_table(const RunContext &context) const;
+  void write_file(const RunContext &context) const;
+  void write_summary(nlohmann::json &json) const;
+
+  /** Number of distinct nodes in @p state. */
+  unsigned int count(const ContactState state) const;
+
+  StaticContactResult result;
 };
 } // namespace mesoslip
 

@@ -1,8 +1,10 @@
 #ifndef mesoslip_sliding_transient_dynamics_output_h
 #define mesoslip_sliding_transient_dynamics_output_h
 
+#include "dynamics/stepper.h"
+#include "dynamics/stepper.h"
 #include "exchange/dynamics_file.h"
-#include "sliding/transient/transient_summary.h"
+#include "sliding/transient/transient_result.h"
 
 #include <cstdint>
 #include <optional>
@@ -10,52 +12,59 @@
 
 namespace mesoslip
 {
-class RunContext;
-
 /**
  * dynamics.h5 of a run with its companions dynamics.xdmf (snapshots), history.csv and
- * energy.csv. Snapshots are written to dynamics.h5.part as the run goes on, everything
- * else at its end. For rank 0 only.
+ * energy.csv. Snapshots are observed and written to dynamics.h5.part as the run goes on,
+ * everything else at its end. Rank 0 writes.
  */
-class DynamicsOutput
+class DynamicsOutput : public StepObserver
 {
 public:
-  /** References are kept. */
+  /** Snapshots of @p time are those that @p parameters ask for; references are kept. */
   DynamicsOutput(RunContext &context,
                  const ContactParameters &parameters,
-                 const BodyDescription &body);
+                 const BodyDescription &body,
+                 const TimeStepChoice &time);
+
+  /** Whether the run has snapshots. */
+  bool has_snapshots() const
+  {
+    return !steps.empty();
+  }
 
   /**
-   * Makes place for snapshots at @p times (s), of which the first @p n_done are in the
-   * file already, of the run that is continued. @throws UserError if they are not.
+   * Makes place for the snapshots of @p of_stepper, of which the first @p n_done are in the
+   * file already, of the run that is continued. Collective. @throws UserError if they are
+   * not
    */
-  void begin_snapshots(const std::vector<double> &times, const std::uint64_t n_done);
+  void begin_snapshots(const Stepper<2> &of_stepper, const std::uint64_t n_done);
 
-  /** Writes the displacement @p u (m) at the next of the times. */
-  void add_snapshot(const NodalField<double> &u);
+  std::uint64_t next_step(const std::uint64_t n) const override;
 
-  /** Waits until the snapshots are on the disk; returns their number. */
+  /** Writes the displacement as the next snapshot. */
+  void before_step(const std::uint64_t n) override;
+
+  /** Waits until the snapshots are on the disk; returns their number. On rank 0. */
   std::uint64_t save_snapshots();
 
-  /** Writes dynamics.h5 and its companions, replacing older ones. */
-  void write(const TransientObservations &observed, const TransientSummary &summary);
+  /** Writes dynamics.h5 and its companions, replacing older ones. On rank 0. */
+  void write(const TransientResult &run);
 
 private:
-  void write_history(const TransientObservations &observed,
-                     const TransientSummary &summary);
+  void write_history(const TransientResult &run);
   void write_energy(const EnergyHistory &energy);
   void write_probe(const std::string &group, const ProbeHistory &probe);
-  void write_reference_node(const TransientObservations &observed);
-  void write_contact(const TransientObservations &observed,
-                     const TransientSummary &summary);
-  void write_blocks(const TransientObservations &observed);
+  void write_reference_node(const TransientResult &run);
+  void write_contact(const TransientResult &run);
+  void write_blocks(const TransientResult &run);
 
   RunContext &context;
-  const ContactParameters &parameters;
   const BodyDescription &body;
+  const double dt;
   std::optional<DynamicsFile> file;
-  std::vector<double> snapshot_times; ///< of all that are to be written (s)
-  std::size_t n_snapshots = 0;        ///< written so far
+  std::vector<std::uint64_t> steps;    ///< of all snapshots, those to come as well
+  const Stepper<2> *stepper = nullptr; ///< whose snapshots they are
+  std::size_t n_snapshots   = 0;       ///< written so far
 };
 } // namespace mesoslip
 

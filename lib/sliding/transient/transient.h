@@ -1,41 +1,12 @@
 #ifndef mesoslip_sliding_transient_transient_h
 #define mesoslip_sliding_transient_transient_h
 
-#include "contact/contact_recorder.h"
-#include "dynamics/energy_audit.h"
-#include "dynamics/top_surface.h"
-#include "observation/probe_recorder.h"
-#include "observation/steady_record.h"
 #include "sliding/body_analysis.h"
-#include "sliding/transient/run_plan.h"
-
-#include <memory>
+#include "sliding/run_plan.h"
 
 namespace mesoslip
 {
 class Keys;
-
-/** Everything a finished run has observed; complete on rank 0. */
-struct TransientObservations
-{
-  ContactHistory contact;           ///< sampled histories
-  TopHistory top;                   ///< sampled histories
-  SteadySeries series;              ///< for the statistics
-  std::vector<NodeCounts> blocks;   ///< contact states by node
-  EnergyHistory energy;             ///< terms of the balance
-  std::vector<ProbeHistory> probes; ///< in the order of the .prm
-
-  std::uint64_t steps_done    = 0;     ///< of the whole run
-  double dt                   = 0.;    ///< s
-  unsigned int reference_node = 0;     ///< number on the contact line
-  double loop_seconds         = 0.;    ///< wall-clock time of the time loop
-  bool interrupted            = false; ///< stopped on request
-  std::string kernel;                  ///< variant and instruction set
-  std::string limit_cycle;             ///< the criterion and what came of it
-  bool limit_cycle_reached = false;    ///< by the criterion
-  double steady_from       = 0.;       ///< s
-  double largest_strain    = 0.;       ///< norm of the mean strain of a cell
-};
 
 /**
  * Explicit dynamics of the body on the moving flat: runs, observes, and leaves
@@ -67,6 +38,24 @@ public:
   void run(RunContext &context) override;
 
 private:
+  /** @throws UserError if a run of @p n_steps has no samples from Steady from on. */
+  void check_steady_from(const double n_steps) const;
+
+  /**
+   * Snapshots that a run of @p n_steps takes, at most one a step.
+   * @throws UserError when they begin after the end
+   */
+  double n_snapshots(const double n_steps) const;
+
+  /** Bytes of all that a run of @p n_steps records every few steps. */
+  double history_bytes(const double n_steps) const;
+
+  /** Memory of the histories, which are kept until the end of a run. */
+  ResourceNeed history_memory(const double n_steps) const;
+
+  /** Disk space of dynamics.h5 and the checkpoints when it is largest. */
+  ResourceNeed disk_space(const double n_steps) const;
+
   const std::string identity; ///< lines "key = value"
   ResourceNeed disk;
 };

@@ -13,15 +13,9 @@ namespace mesoslip
 {
 namespace
 {
-CheckpointHeader header()
-{
-  CheckpointHeader header;
-  header.kind = "contact_dynamics";
-  // 1 had no friction target, 2 no samples for statistics, 3 other snapshots and histories,
-  // 4 the states beside the rest.
-  header.version = 5;
-  return header;
-}
+// 1 had no friction target, 2 no samples for statistics, 3 other snapshots and histories,
+// 4 the states beside the rest, 5 the samples of probes without their places.
+const CheckpointHeader header = {"contact_dynamics", 6};
 
 std::string place(const CheckpointPosition &position)
 {
@@ -41,11 +35,6 @@ TransientCheckpoint::TransientCheckpoint(RunContext &run_context,
 {
 }
 
-void TransientCheckpoint::read()
-{
-  load_state(read_checkpoint(path, header()), record, path);
-}
-
 TransientCheckpoint::Found TransientCheckpoint::look(const std::uint64_t n_steps)
 {
   const std::string from_the_start = ": starting from the beginning";
@@ -55,7 +44,7 @@ TransientCheckpoint::Found TransientCheckpoint::look(const std::uint64_t n_steps
                   from_the_start);
       return Found::nothing;
     }
-  read();
+  load_state(read_checkpoint(path, header), record, path);
   const CheckpointPosition &done = record.position;
   const std::string differences  = parameter_differences(identity, record.identity);
   if (!differences.empty())
@@ -99,7 +88,7 @@ void TransientCheckpoint::discard()
       return;
     try
       {
-        read();
+        load_state(read_checkpoint(path, header), record, path);
         if (!record.position.at_end)
           context.warn("the run that was stopped at " + place(record.position) +
                        " starts anew; --resume would have continued it");
@@ -119,21 +108,23 @@ bool TransientCheckpoint::due() const
                                        std::chrono::duration<double>(parameters.interval);
 }
 
+void TransientCheckpoint::write_record(const Record &now) const
+{
+  on_root(context.communicator(),
+          [&]() { write_checkpoint(path, header, {save_state(now)}); });
+}
+
 void TransientCheckpoint::write(const CheckpointPosition &position,
                                 const std::string &state)
 {
   const auto scope = context.timer().scope("Checkpoints");
-  Record now       = {identity, position, gather(context.communicator(), state)};
-  on_root(context.communicator(),
-          [&]() { write_checkpoint(path, header(), {save_state(now)}); });
+  write_record({identity, position, gather(context.communicator(), state)});
   last = std::chrono::steady_clock::now();
 }
 
 void TransientCheckpoint::complete(const CheckpointPosition &position)
 {
-  Record now = {identity, position, {}};
   if (!parameters.keep)
-    on_root(context.communicator(),
-            [&]() { write_checkpoint(path, header(), {save_state(now)}); });
+    write_record({identity, position, {}});
 }
 } // namespace mesoslip

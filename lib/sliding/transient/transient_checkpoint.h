@@ -103,7 +103,7 @@ private:
   };
 
   Found look(const std::uint64_t n_steps);
-  void read();
+  void write_record(const Record &now) const;
 
   RunContext &context;
   const CheckpointParameters parameters;

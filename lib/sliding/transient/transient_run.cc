@@ -1,15 +1,13 @@
 #include "sliding/transient/transient_run.h"
 
+#include "base/errors.h"
 #include "base/exchange.h"
 #include "dynamics/stepper.h"
 #include "material/plausibility.h"
-#include "parameters/parameters.h"
 #include "program/run_context.h"
-#include "sliding/transient/failure_report.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace mesoslip
 {
@@ -24,18 +22,40 @@ std::uint64_t control_interval(const UniformGrid<2> &grid)
                        64);
 }
 
-// With the begin of the statistics unless it is that of the limit cycle, which is in the
-// description.
-std::string limit_cycle_text(const LimitCycleDetector &detector,
-                             const double given,
-                             const double from)
+/** Column of the reference contact node M. */
+unsigned int reference_node(const ContactParameters &parameters,
+                            const UniformGrid<2> &grid)
 {
-  std::ostringstream text;
-  text.precision(4);
-  text << detector.description();
-  if (!detector.reached() || !std::isnan(given))
-    text << ", statistics from " << from << " s on";
-  return text.str();
+  const double wanted = parameters.observation.reference_x;
+  const double x      = std::isnan(wanted) ? 0.5 * grid.extent(0) : wanted;
+  return std::lround(std::clamp(x, 0., grid.extent(0)) / grid.spacing[0]);
+}
+
+SlidingSetup sliding_setup(const ContactParameters &parameters,
+                           const BodyDescription &body,
+                           const TimeStepChoice &time)
+{
+  SlidingSetup setup                 = static_cast<const SlidingSetup &>(parameters);
+  setup.step                         = time.step;
+  setup.contact.friction_coefficient = body.node_friction;
+  setup.steps_per_block =
+    std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
+  // The reference node and four more along the contact, for the judgement of the limit
+  // cycle.
+  setup.monitored_nodes = {reference_node(parameters, body.grid)};
+  for (const unsigned int sixth : {1, 2, 4, 5})
+    setup.monitored_nodes.push_back(sixth * body.grid.cells[0] / 6);
+  return setup;
+}
+
+LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
+                                          const UniformGrid<2> &grid)
+{
+  LimitCycleCriterion criterion = parameters.observation.limit_cycle;
+  criterion.reference_power =
+    std::fabs(parameters.top.pressure.amplitude() * grid.extent(0) *
+              parameters.contact.flat_velocity.amplitude());
+  return criterion;
 }
 } // namespace
 
@@ -79,9 +99,32 @@ TransientRun::TransientRun(const ContactParameters &parameters,
   set_initial_velocity();
   const ObservationParameters &observation = parameters.observation;
   if (!observation.probes.empty())
-    probes = std::make_unique<ProbeRecorder>(
-      probe_points(), material, body.rows, time.step, body.u, body.w, body.contact,
-      observation.probe_interval, context.communicator());
+    probes = std::make_unique<ProbeRecorder>(observation.probes, material, body.stepper,
+                                             body.contact, observation.probe_interval);
+}
+
+void TransientRun::set_initial_velocity()
+{
+  const NodeRows &rows             = body.rows;
+  NodalField<double> &w            = body.w;
+  const std::array<bool, 2> &left  = parameters.sides.left_held,
+                            &right = parameters.sides.right_held;
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int j = 0; j < rows.n_local(); ++j)
+      {
+        std::fill_n(w.row(c, j), w.n_columns(), parameters.body.initial_velocity[c]);
+        if (left[c])
+          w.row(c, j)[0] = 0.;
+        if (right[c])
+          w.row(c, j)[w.n_columns() - 1] = 0.;
+      }
+  // What the top holds does not move from the start.
+  const bool held[] = {transmits_tangential_force(parameters.top),
+                       parameters.top.kind == TopSetup::Kind::held};
+  if (rows.end == rows.n_global)
+    for (unsigned int c = 0; c < 2; ++c)
+      if (held[c])
+        std::fill_n(w.row(c, rows.local(rows.n_global - 1)), w.n_columns(), 0.);
 }
 
 void TransientRun::judge(const Deformation &found, const std::uint64_t n)
@@ -95,20 +138,15 @@ void TransientRun::judge(const Deformation &found, const std::uint64_t n)
   warned = warned || !warning.empty();
 }
 
-bool TransientRun::observe()
+TransientRun::Request TransientRun::request(const std::uint64_t n)
 {
   const ContactHistory fresh = recent_contact.take();
   statistics.add(fresh);
   statistics.add(recent_top.take());
-  return limit_cycle.update(fresh, body.energy.get());
-}
-
-TransientRun::Request TransientRun::request(const std::uint64_t n)
-{
-  if (!observe())
+  if (!limit_cycle.update(fresh, body.energy.get()))
     return Request::look;
   const bool reached =
-    parameters.observation.stop_at_limit_cycle && limit_cycle.detector().reached();
+    parameters.observation.stop_at_limit_cycle && limit_cycle.reached();
   if (reached || n >= time.n_steps)
     return Request::end;
   if (context.stop_requested_here())
@@ -116,22 +154,19 @@ TransientRun::Request TransientRun::request(const std::uint64_t n)
   return context.root() && checkpoint.due() ? Request::save : Request::go_on;
 }
 
-TransientRun::Request TransientRun::request_of_all(const std::uint64_t n)
-{
-  const auto scope = context.timer().scope("Limit cycle, requests");
-  Request wanted   = request(n);
-  MPI_Allreduce(MPI_IN_PLACE, &wanted, 1, MPI_INT, MPI_MAX, context.communicator());
-  if (wanted == Request::look)
-    monitor.check(n);
-  context.progress().update(n, n * time.step.dt);
-  return wanted;
-}
-
 bool TransientRun::control(const std::uint64_t n)
 {
-  const Request wanted = request_of_all(n);
-  interrupted          = wanted == Request::stop;
-  at_limit_cycle       = wanted == Request::end && n < time.n_steps;
+  const Request wanted = [&]() {
+    const auto scope = context.timer().scope("Limit cycle, requests");
+    Request largest  = request(n);
+    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_INT, MPI_MAX, context.communicator());
+    if (largest == Request::look)
+      monitor.check(n);
+    context.progress().update(n, n * time.step.dt);
+    return largest;
+  }();
+  interrupted    = wanted == Request::stop;
+  at_limit_cycle = wanted == Request::end && n < time.n_steps;
   if (wanted == Request::save || wanted == Request::stop)
     save();
   return wanted < Request::stop;
@@ -147,11 +182,16 @@ CheckpointPosition TransientRun::position() const
   return p;
 }
 
-void TransientRun::save()
+void TransientRun::count_time()
 {
   const auto now = std::chrono::steady_clock::now();
   loop_seconds += std::chrono::duration<double>(now - counted).count();
-  counted                     = now;
+  counted = now;
+}
+
+void TransientRun::save()
+{
+  count_time();
   CheckpointPosition position = this->position();
   on_root(context.communicator(),
           [&]() { position.snapshots = output.save_snapshots(); });
@@ -166,41 +206,23 @@ void TransientRun::restore()
               ", t = " + to_text(body.stepper.step_number() * time.step.dt) + " s");
 }
 
-std::unique_ptr<SnapshotRecorder> TransientRun::make_snapshots()
+TransientResult TransientRun::run()
 {
-  const ObservationParameters &o = parameters.observation;
-  if (!(o.snapshots_interval > 0.))
-    return nullptr;
-  // Beyond the last step there is none to be seen.
-  return std::make_unique<SnapshotRecorder>(
-    o.snapshots_from,
-    std::isnan(o.snapshots_to)
-      ? parameters.time.end_time
-      : std::min(o.snapshots_to, (time.n_steps + 1) * time.step.dt),
-    o.snapshots_interval, time.step.dt, body.u, body.rows, context.communicator(),
-    [this](const NodalField<double> &whole) {
-      const auto scope = context.timer().scope("Writing snapshots");
-      output.add_snapshot(whole);
-    });
-}
-
-TransientObservations TransientRun::run()
-{
-  std::vector<StepObserver *> observers = {
-    body.profile.timed(monitor, "Stability monitor"),
-    body.profile.timed(strains, "Strains")};
+  std::vector<StepObserver *> observers;
+  const auto observe_with = [&](StepObserver &observer, const char *name) {
+    observers.push_back(body.profile.timed<TimedObserver>(observer, name));
+  };
+  observe_with(monitor, "Stability monitor");
+  observe_with(strains, "Strains");
   if (body.energy)
-    observers.push_back(body.profile.timed(*body.energy, "Energies"));
+    observe_with(*body.energy, "Energies");
   if (probes)
-    observers.push_back(body.profile.timed(*probes, "Probes"));
-  const std::unique_ptr<SnapshotRecorder> snapshots = make_snapshots();
-  if (snapshots)
+    observe_with(*probes, "Probes");
+  if (output.has_snapshots())
     {
-      on_root(context.communicator(), [&]() {
-        output.begin_snapshots(snapshots->times(), checkpoint.position().snapshots);
-      });
-      observers.push_back(body.profile.timed(*snapshots, "Snapshots"));
-      monitor.guard(*snapshots);
+      output.begin_snapshots(body.stepper, checkpoint.position().snapshots);
+      observe_with(output, "Snapshots");
+      monitor.guard(output);
     }
 
   context.progress().start("Sliding", time.n_steps, description.grid.n_cells(),
@@ -211,27 +233,24 @@ TransientObservations TransientRun::run()
       const auto scope = context.timer().scope("Time loop");
       run_time_loop(
         body.stepper, observers, time.n_steps, control_interval(description.grid),
-        [this](const std::uint64_t n) { return control(n); }, body.profile.timer());
+        [this](const std::uint64_t n) { return control(n); }, body.profile.timer);
       monitor.check(body.stepper.step_number());
     }
   context.progress().finish();
   if (!interrupted && parameters.checkpoints.keep)
     save();
-  loop_seconds +=
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - counted).count();
+  count_time();
   return collect();
 }
 
-template <class T>
-T TransientRun::of_top(T object) const
+TransientResult TransientRun::collect()
 {
-  broadcast_object(context.communicator(), object, context.n_ranks() - 1);
-  return object;
-}
-
-TransientObservations TransientRun::collect()
-{
-  TransientObservations all;
+  // Of the rank that has the top.
+  const auto of_top = [this](auto object) {
+    broadcast_object(context.communicator(), object, context.n_ranks() - 1);
+    return object;
+  };
+  TransientResult all{parameters, description, time};
   body.node_statistics.finish(body.contact);
   strains.look(body.stepper.step_number());
   all.largest_strain = strains.largest_strain();
@@ -240,7 +259,7 @@ TransientObservations TransientRun::collect()
     context.warn("the strain was " + quantity_text(100. * all.largest_strain, "%") +
                  " earlier in the run, beyond small strains: its results cannot be "
                  "trusted");
-  all.contact = body.contact_recorder.history();
+  all.history = body.contact_recorder.history();
   all.blocks  = body.node_statistics.blocks();
   all.top     = of_top(body.top_recorder.history());
   all.series  = statistics.series();
@@ -252,17 +271,18 @@ TransientObservations TransientRun::collect()
     all.energy = body.energy->reduce();
   if (probes)
     all.probes = probes->gather();
-  all.steps_done                     = body.stepper.step_number();
-  all.dt                             = time.step.dt;
-  all.reference_node                 = reference_node(parameters, description.grid);
-  all.loop_seconds                   = loop_seconds;
-  all.interrupted                    = interrupted;
-  all.kernel                         = body.stepper.kernel_name();
-  const LimitCycleDetector &detector = limit_cycle.detector();
-  all.limit_cycle_reached            = detector.reached();
-  const double given                 = parameters.observation.steady_from;
-  all.steady_from                    = std::isnan(given) ? detector.steady_from() : given;
-  all.limit_cycle                    = limit_cycle_text(detector, given, all.steady_from);
+  all.steps_done     = body.stepper.step_number();
+  all.reference_node = reference_node(parameters, description.grid);
+  all.loop_seconds   = loop_seconds;
+  all.interrupted    = interrupted;
+  all.kernel         = body.stepper.kernel_name();
+
+  const double given      = parameters.observation.steady_from;
+  all.limit_cycle_reached = limit_cycle.reached();
+  all.steady_from         = std::isnan(given) ? limit_cycle.steady_from() : given;
+  all.limit_cycle         = limit_cycle.description();
+  if (!limit_cycle.reached() || !std::isnan(given)) // it says when a limit cycle begins
+    all.limit_cycle += brief_text(4, ", statistics from ", all.steady_from, " s on");
   return all;
 }
 } // namespace mesoslip

@@ -2,24 +2,17 @@
 #define mesoslip_sliding_transient_transient_run_h
 
 #include "dynamics/stability_monitor.h"
-#include "observation/probe_recorder.h"
-#include "observation/snapshot_recorder.h"
-#include "observation/steady_record.h"
 #include "observation/steady_state.h"
 #include "sliding/sliding_body.h"
 #include "sliding/transient/dynamics_output.h"
-#include "sliding/transient/transient.h"
 #include "sliding/transient/transient_checkpoint.h"
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <memory>
 
 namespace mesoslip
 {
-class RunContext;
-
 /**
  * One run: the body, its boundaries and its observers; everything that changes from step
  * to step, and when it is saved. All ranks call the members.
@@ -43,7 +36,7 @@ public:
    * Goes on until End time, the limit cycle or a request to stop, after which the state
    * is in the checkpoint. @throws NumericalFailure
    */
-  TransientObservations run();
+  TransientResult run();
 
   /** Puts the state into the checkpoint. */
   void save();
@@ -72,30 +65,17 @@ private:
     look  ///< something is not finite
   };
 
-  /** Column of the reference contact node M. */
-  static unsigned int reference_node(const ContactParameters &parameters,
-                                     const UniformGrid<2> &grid);
-  static SlidingSetup sliding_setup(const ContactParameters &parameters,
-                                    const BodyDescription &body,
-                                    const TimeStepChoice &time);
-  static LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
-                                                   const UniformGrid<2> &grid);
-  /** Positions of the probes, moved to the nearest node where that is wanted. */
-  std::vector<ProbeRecorder::Point> probe_points() const;
   /** Zero where the body is held. */
   void set_initial_velocity();
+  /** Ends the run if a cell is inside out, and warns once of large strains. */
   void judge(const Deformation &found, const std::uint64_t n);
-  /** Hands on the latest samples; false: one is not finite. Collective. */
-  bool observe();
+  /** Of this rank, after the latest samples were handed on. Collective. */
   Request request(const std::uint64_t n);
-  /** The greatest of all ranks, after looking and reporting. */
-  Request request_of_all(const std::uint64_t n);
+  /** Does what the ranks want; false: the run ends. */
   bool control(const std::uint64_t n);
-  std::unique_ptr<SnapshotRecorder> make_snapshots();
-  /** @p object of the rank that has the top. */
-  template <class T>
-  T of_top(T object) const;
-  TransientObservations collect();
+  /** Adds the wall-clock time since the last call to loop_seconds. */
+  void count_time();
+  TransientResult collect();
 
   const ContactParameters &parameters;
   const BodyDescription &description;

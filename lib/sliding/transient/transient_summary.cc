@@ -1,11 +1,8 @@
-#include "sliding/transient/transient_summary.h"
-
-#include "base/errors.h"
+#include "base/text.h"
 #include "io/json.h"
 #include "material/plausibility.h"
 #include "program/run_context.h"
-
-#include <sstream>
+#include "sliding/transient/transient_result.h"
 
 namespace mesoslip
 {
@@ -20,99 +17,85 @@ json value_of(const std::optional<Part> &part, Number Part::*const member)
   return part ? json((*part).*member) : json();
 }
 
-json shares_json(const ContactShares &shares)
+template <class Value>
+json null_unless(const bool condition, const Value &value)
 {
-  return {
-    {"slip", shares.slip}, {"stick", shares.stick}, {"separation", shares.separation}};
+  return condition ? json(value) : json();
 }
 
-std::string key_numbers(const TransientSummary &summary)
+std::string key_numbers(const TransientResult &run)
 {
-  std::ostringstream line;
-  line.precision(4);
-  if (summary.mu_inter)
-    {
-      line << "mu_inter = " << summary.mu_inter->value;
-      if (summary.mu_inter->batches > 1)
-        line << " +- " << summary.mu_inter->half_width << " (95 %)";
-      line << ", frictional power over " << summary.load_meaning << " = "
-           << summary.load_power << " W/m, from " << summary.mu_inter->begin << " to "
-           << summary.mu_inter->end << " s, ";
-    }
-  if (summary.frequencies)
-    line << "main frequency " << summary.frequencies->main_frequency / 1e3 << " kHz, ";
-  line << "slip " << 100. * summary.contact.shares.slip << " %, stick "
-       << 100. * summary.contact.shares.stick << " %, separated "
-       << 100. * summary.contact.shares.separation
-       << " %; middle node: " << summary.regime;
-  return line.str();
+  std::string text;
+  if (run.mu_inter)
+    text =
+      brief_text(4, "mu_inter = ", run.mu_inter->value,
+                 run.mu_inter->batches > 1
+                   ? brief_text(4, " +- ", run.mu_inter->half_width, " (95 %)")
+                   : "",
+                 ", frictional power over ", run.load_meaning, " = ", run.load_power,
+                 " W/m, from ", run.mu_inter->begin, " to ", run.mu_inter->end, " s, ");
+  if (run.frequencies)
+    text +=
+      brief_text(4, "main frequency ", run.frequencies->main_frequency / 1e3, " kHz, ");
+  const ContactShares &shares = run.contact.shares;
+  return brief_text(4, text, "slip ", 100. * shares.slip, " %, stick ",
+                    100. * shares.stick, " %, separated ", 100. * shares.separation,
+                    " %; middle node: ", run.regime);
 }
 
-std::string energy_balance(const TransientObservations &observed,
-                           const TransientSummary &summary,
-                           const unsigned int energy_interval)
+std::string energy_balance(const TransientResult &run)
 {
-  std::ostringstream text;
-  text.precision(3);
-  if (summary.energy_residual)
-    {
-      text << "Energy balance closes to " << *summary.energy_residual << " of "
-           << summary.residual_scale;
-      // What damping takes between two samples is known only in the mean.
-      if (energy_interval > 1 && !(*summary.energy_residual <= 1e-3))
-        text << "; it is sampled every " << energy_interval
-             << " steps, with Observation/Energy interval = 1 it closes to round-off";
-    }
-  else if (observed.energy.time.size() < 2)
-    text << "The energy balance is not checked: with Observation/Energy interval = "
-         << energy_interval << " the run of " << observed.steps_done
-         << " steps has no sample but that of the start";
-  else
-    text << "The energy balance is not checked: there is no energy in it";
-  return text.str();
+  const unsigned int interval = run.parameters.energy_interval;
+  if (run.energy_residual)
+    // What damping takes between two samples is known only in the mean.
+    return brief_text(3, "Energy balance closes to ", *run.energy_residual, " of ",
+                      run.residual_scale) +
+           (interval > 1 && !(*run.energy_residual <= 1e-3)
+              ? brief_text(3, "; it is sampled every ", interval,
+                           " steps, with Observation/Energy interval = 1 it closes to "
+                           "round-off")
+              : "");
+  const std::string unchecked = "The energy balance is not checked: ";
+  return run.energy.time.size() < 2
+           ? brief_text(3, unchecked, "with Observation/Energy interval = ", interval,
+                        " the run of ", run.steps_done,
+                        " steps has no sample but that of the start")
+           : unchecked + "there is no energy in it";
 }
 } // namespace
 
-void write_summary(const ContactParameters &parameters,
-                   const BodyDescription &body,
-                   const TimeStepChoice &time,
-                   const TransientObservations &observed,
-                   const TransientSummary &summary,
-                   RunContext &context)
+void TransientResult::write_summary(RunContext &context) const
 {
-  const double n_steps          = static_cast<double>(observed.steps_done),
-               n_cells          = static_cast<double>(body.grid.n_cells()),
-               seconds          = observed.loop_seconds;
-  const FrictionLaw &law        = parameters.contact.law;
-  const ContactSummary &contact = summary.contact;
-  const auto &mu                = summary.mu_inter;
-  const auto &mean              = mu ? mu : summary.mean_apparent_friction;
-  const auto null_unless        = [](const bool condition, const auto &value) {
-    return condition ? json(value) : json();
-  };
-  context.summary().update(
-    {{"kernel", observed.kernel},
-     {"steps", observed.steps_done},
+  const double n_steps   = static_cast<double>(steps_done),
+               n_cells   = static_cast<double>(body.grid.n_cells());
+  const FrictionLaw &law = parameters.contact.law;
+  const auto &mean       = mu_inter ? mu_inter : mean_apparent_friction;
+  json &summary          = context.summary();
+  summary.update(
+    {{"kernel", kernel},
+     {"steps", steps_done},
      {"time_step", time.step.dt},
      {"critical_time_step", time.critical},
      {"beta2", time.step.beta2},
      {"rayleigh_beta", time.step.beta},
-     {"simulated_time", observed.steps_done * time.step.dt},
-     {"cell_updates_per_second", seconds > 0. ? n_steps * n_cells / seconds : 0.},
+     {"simulated_time", steps_done * time.step.dt},
+     {"cell_updates_per_second",
+      loop_seconds > 0. ? n_steps * n_cells / loop_seconds : 0.},
      {"pressure", parameters.top.pressure.amplitude()},
      {"flat_velocity", parameters.contact.flat_velocity.amplitude()},
      {"regularization_time", null_unless(law.time > 0. && !law.node_law, law.time)},
      {"friction_coefficient", null_unless(!parameters.friction.coefficient_by_phase,
                                           parameters.friction.coefficient)},
-     {"global_interface_friction_coefficient", value_of(mu, &Estimate::value)},
+     {"global_interface_friction_coefficient", value_of(mu_inter, &Estimate::value)},
      {"global_interface_friction_coefficient_95",
-      null_unless(mu && mu->batches > 1, mu.value_or(Estimate()).half_width)},
-     {"global_interface_friction_load", null_unless(bool(mu), summary.load_power)},
+      null_unless(mu_inter && mu_inter->batches > 1,
+                  mu_inter.value_or(Estimate()).half_width)},
+     {"global_interface_friction_load", null_unless(bool(mu_inter), load_power)},
      {"global_interface_friction_load_meaning",
-      null_unless(bool(mu), summary.load_meaning)},
-     {"global_interface_friction_warning", text_or_null(summary.friction_warning)},
+      null_unless(bool(mu_inter), load_meaning)},
+     {"global_interface_friction_warning", text_or_null(friction_warning)},
      {"mean_apparent_friction_coefficient",
-      value_of(summary.mean_apparent_friction, &Estimate::value)},
+      value_of(mean_apparent_friction, &Estimate::value)},
      {"window_begin", value_of(mean, &Estimate::begin)},
      {"window_end", value_of(mean, &Estimate::end)},
      {"slip_fraction", contact.shares.slip},
@@ -121,28 +104,30 @@ void write_summary(const ContactParameters &parameters,
      {"mean_contact_duration",
       null_unless(contact.duration.complete(), contact.duration.mean)},
      {"mean_contact_duration_node_share", contact.duration.node_share},
-     {"mean_contact_duration_warning", text_or_null(summary.duration_warning)},
-     {"main_frequency", value_of(summary.frequencies, &SpectralSummary::main_frequency)},
-     {"regime", summary.regime},
-     {"friction_energy", summary.friction_energy},
-     {"largest_strain", observed.largest_strain},
-     {"energy_balance_residual", summary.energy_residual},
-     {"energy_balance_scale",
-      null_unless(bool(summary.energy_residual), summary.residual_scale)},
-     {"steady_from", observed.steady_from},
-     {"limit_cycle_reached", observed.limit_cycle_reached},
-     {"limit_cycle", observed.limit_cycle}});
-  if (!summary.regime.empty())
-    context.summary()["reference_node"] = shares_json(summary.reference_node);
-  context.log(observed.limit_cycle);
-  context.log(key_numbers(summary));
-  context.log("Largest strain " + quantity_text(100. * observed.largest_strain, "%"));
+     {"mean_contact_duration_warning", text_or_null(duration_warning)},
+     {"main_frequency", value_of(frequencies, &SpectralSummary::main_frequency)},
+     {"regime", regime},
+     {"friction_energy",
+      history.friction_energy.empty() ? 0. : history.friction_energy.back()},
+     {"largest_strain", largest_strain},
+     {"energy_balance_residual", energy_residual},
+     {"energy_balance_scale", null_unless(bool(energy_residual), residual_scale)},
+     {"steady_from", steady_from},
+     {"limit_cycle_reached", limit_cycle_reached},
+     {"limit_cycle", limit_cycle}});
+  if (!regime.empty())
+    summary["reference_node"] = {{"slip", reference_shares.slip},
+                                 {"stick", reference_shares.stick},
+                                 {"separation", reference_shares.separation}};
+  context.log(limit_cycle);
+  context.log(key_numbers(*this));
+  context.log("Largest strain " + quantity_text(100. * largest_strain, "%"));
   if (parameters.energy_interval > 0)
-    context.log(energy_balance(observed, summary, parameters.energy_interval));
-  for (const std::string &text : {summary.duration_warning, summary.friction_warning})
+    context.log(energy_balance(*this));
+  for (const std::string &text : {duration_warning, friction_warning})
     if (!text.empty())
       context.warn(text);
-  for (const std::string &text : summary.warnings)
+  for (const std::string &text : warnings)
     context.warn(text);
 }
 } // namespace mesoslip

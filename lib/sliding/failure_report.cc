@@ -1,12 +1,8 @@
-#include "sliding/transient/failure_report.h"
-
 #include "base/errors.h"
-#include "material/plausibility.h"
-#include "parameters/parameters.h"
+#include "sliding/run_plan.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace mesoslip
 {
@@ -29,7 +25,35 @@ struct LoadEstimate
   double strain;    ///< P / D22, v / c, or rho a H / D22 [-]
 };
 
-/** The load that alone strains the body most. */
+/** Ends the run if @p load, given as an expression, stopped being a number up to step
+ * @p n. */
+void require_finite(const LoadHistory &load,
+                    const std::string &key,
+                    const double dt,
+                    const std::uint64_t n)
+{
+  for (std::uint64_t step = 0; step <= n; ++step)
+    if (const double value = load(step * dt); !std::isfinite(value))
+      throw NumericalFailure(
+        key + " is " + (std::isnan(value) ? "not a number" : "infinite"), step, step * dt,
+        "which spoiled the run; write an expression that is finite at all times");
+}
+
+std::string likely_instability(const double energy, const TimeStepChoice &time)
+{
+  const double share = 100. * time.step.dt / time.critical;
+  const std::string step =
+    "the time step is " + quantity_text(share, "%") + " of the critical one";
+  if (share > 100.)
+    return step + "; use Time/Time step = auto or a smaller one";
+  if (!std::isfinite(energy))
+    return "loads that overflow (Top/Pressure, Flat/Velocity, Body/Initial velocity, "
+           "Acceleration), as " +
+           step;
+  return step + ", too close to it; reduce Time/Safety factor or Time step";
+}
+} // namespace
+
 std::string likely_cause(const ContactParameters &parameters,
                          const UniformMaterial &material)
 {
@@ -58,40 +82,6 @@ std::string likely_cause(const ContactParameters &parameters,
          quantity_text(100. * worst.strain, "%") + "; reduce it, or check its unit";
 }
 
-/** Ends the run if @p load, given as an expression, stopped being a number up to step
- * @p n. */
-void require_finite(const LoadHistory &load,
-                    const std::string &key,
-                    const double dt,
-                    const std::uint64_t n)
-{
-  for (std::uint64_t step = 0; step <= n; ++step)
-    if (const double value = load(step * dt); !std::isfinite(value))
-      throw NumericalFailure(
-        key + " is " + (std::isnan(value) ? "not a number" : "infinite"), step, step * dt,
-        "which spoiled the run; write an expression that is finite at all times");
-}
-
-std::string likely_instability(const double energy, const TimeStepChoice &time)
-{
-  std::ostringstream text;
-  text.precision(4);
-  const double share = 100. * time.step.dt / time.critical;
-  if (share > 100.)
-    text << "the time step is " << share
-         << " % of the critical one; use Time/Time step = auto or a smaller one";
-  else if (!std::isfinite(energy))
-    text << "loads that overflow (Top/Pressure, Flat/Velocity, Body/Initial velocity, "
-            "Acceleration), as the time step is "
-         << share << " % of the critical one";
-  else
-    text << "the time step is " << share
-         << " % of the critical one, too close to it; reduce Time/Safety factor or Time "
-            "step";
-  return text.str();
-}
-} // namespace
-
 std::string large_strain_warning(const Deformation &found,
                                  const ContactParameters &parameters,
                                  const UniformMaterial &material,
@@ -110,16 +100,12 @@ std::string large_strain_warning(const Deformation &found,
          likely_cause(parameters, material);
 }
 
-std::string inverted_cell_text(const Deformation &found,
-                               const ContactParameters &parameters,
-                               const UniformMaterial &material)
+std::string inverted_cell_text(const Deformation &found, const UniformGrid<2> &grid)
 {
-  if (found.jacobian.value > 0.)
-    return "";
-  return cell_text(found.jacobian, material.grid()) +
-         " is turned inside out (strains up to " +
-         quantity_text(100. * found.strain.value, "%") +
-         "); likely cause: " + likely_cause(parameters, material);
+  return found.jacobian.value > 0.
+           ? ""
+           : cell_text(found.jacobian, grid) + " is turned inside out (strains up to " +
+               quantity_text(100. * found.strain.value, "%") + ")";
 }
 
 void report_runaway(const Runaway &found,
@@ -129,21 +115,16 @@ void report_runaway(const Runaway &found,
 {
   require_finite(parameters.contact.flat_velocity, "Flat/Expression", time.step.dt, n);
   require_finite(parameters.top.pressure, "Top/Expression", time.step.dt, n);
-  std::ostringstream what, place;
-  what.precision(3);
-  what << "the run blew up: its energy is ";
-  if (std::isnan(found.energy))
-    what << "not a number,";
-  else
-    what << found.energy << " J/m";
-  what << " where at most " << found.put_in
-       << " J/m were put in; likely cause: " << likely_instability(found.energy, time)
-       << "; found";
-  place.precision(3);
-  place << "node (" << found.column << ", " << found.row << ") with u_"
-        << "xy"[found.component] << " = " << found.displacement << " m and a velocity of "
-        << found.velocity << " m/s";
-  throw NumericalFailure(what.str(), n, n * time.step.dt, place.str());
+  throw NumericalFailure(
+    brief_text(3, "the run blew up: its energy is ",
+               std::isnan(found.energy) ? "not a number,"
+                                        : brief_text(3, found.energy, " J/m"),
+               " where at most ", found.put_in, " J/m were put in; likely cause: ",
+               likely_instability(found.energy, time), "; found"),
+    n, n * time.step.dt,
+    brief_text(3, "node (", found.column, ", ", found.row, ") with u_",
+               "xy"[found.component], " = ", found.displacement, " m and a velocity of ",
+               found.velocity, " m/s"));
 }
 
 void require_upright_cells(const Deformation &found,
@@ -152,15 +133,15 @@ void require_upright_cells(const Deformation &found,
                            const ContactParameters &parameters,
                            const UniformMaterial &material)
 {
-  const std::string text = inverted_cell_text(found, parameters, material);
+  const std::string text = inverted_cell_text(found, material.grid());
   if (text.empty())
     return;
   // Of an unstable run the time step is the cause, whatever the loads are.
-  if (time.step.dt > time.critical)
-    throw NumericalFailure(
-      "the run blew up: " + text.substr(0, text.find("; likely cause")) +
-        "; likely cause: " + likely_instability(Runaway().energy, time) + "; found",
-      n, n * time.step.dt, "");
-  throw NumericalFailure(text + "; found", n, n * time.step.dt, "");
+  const bool unstable = time.step.dt > time.critical;
+  throw NumericalFailure(
+    (unstable ? "the run blew up: " : "") + text + "; likely cause: " +
+      (unstable ? likely_instability(0., time) : likely_cause(parameters, material)) +
+      "; found",
+    n, n * time.step.dt, "");
 }
 } // namespace mesoslip

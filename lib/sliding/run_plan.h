@@ -1,7 +1,10 @@
-#ifndef mesoslip_sliding_transient_run_plan_h
-#define mesoslip_sliding_transient_run_plan_h
+#ifndef mesoslip_sliding_run_plan_h
+#define mesoslip_sliding_run_plan_h
 
+#include "dynamics/deformation.h"
+#include "dynamics/stability_monitor.h"
 #include "elasticity/uniform_material.h"
+#include "material/plausibility.h"
 #include "parameters/load_history.h"
 #include "program/resources.h"
 #include "sliding/contact_parameters.h"
@@ -10,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace mesoslip
 {
@@ -45,6 +49,7 @@ struct BodyScales
   double stiffness  = 0.; ///< D22 (Pa)
   double wave_speed = 0.; ///< of pressure waves along y (m/s)
   double density    = 0.; ///< mean (kg/m^3)
+  double crossing   = 0.; ///< time in which such a wave crosses the height (s)
 };
 
 /** Time step and what it was chosen from. */
@@ -75,12 +80,6 @@ unsigned int statistics_interval(const UniformMaterial &material, const double d
 TimeStepChoice choose_time_step(const ContactParameters &parameters,
                                 const UniformMaterial &material);
 
-/**
- * Snapshots that a transient run of @p n_steps takes, at most one a step.
- * @throws UserError when they begin after the end
- */
-double n_snapshots(const ContactParameters &parameters, const double n_steps);
-
 /** Memory of the fields, to be checked before they are created. */
 ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid);
 
@@ -91,10 +90,6 @@ ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &
 double largest_number_of_steps(const ContactParameters &parameters,
                                const UniformMaterial &material);
 
-/** Time (s) in which a pressure wave crosses the height of the body, in its fastest
- * material. */
-double crossing_time(const UniformMaterial &material);
-
 /**
  * "Time/Rayleigh beta = ... makes <shortened> 20 times shorter than without damping; is
  * it in s?" where the critical time step of a single cell would be more than ten times
@@ -104,16 +99,57 @@ std::string damping_warning(const ContactParameters &parameters,
                             const UniformMaterial &material,
                             const std::string &shortened);
 
-/** Memory of the histories, which are kept until the end of a transient run. */
-ResourceNeed history_memory(const ContactParameters &parameters,
-                            const UniformMaterial &material,
-                            const double n_steps);
+/** Of a pressure (Pa) on the body: strains of 1e-9 to 0.01; 0 is plausible. */
+PlausibleRange plausible_pressure(const std::string &key,
+                                  const double pressure,
+                                  const UniformMaterial &material);
 
-/** Disk space of dynamics.h5 and the checkpoints of a transient run, when it is largest.
+/** "A wave takes 0.008 ms from the flat to the top, the run 1 ms". */
+std::string crossing_text(const ContactParameters &parameters,
+                          const UniformMaterial &material);
+
+/**
+ * Sentences on times, loads, velocities, friction law, damping and intervals of a
+ * transient run that look like another unit, loads given as expressions included; and on
+ * sliding with nothing that stops the waves of the grid.
  */
-ResourceNeed dynamics_file_size(const ContactParameters &parameters,
-                                const UniformMaterial &material,
-                                const double n_steps);
+std::vector<std::string> implausible_run(const ContactParameters &parameters,
+                                         const UniformMaterial &material);
+
+/** Largest norm of the strain, and rotation (rad), that the theory is good for. */
+constexpr double largest_small_strain = 0.05;
+
+/** A sentence if strain or rotation is beyond small, with the likely cause; or empty. */
+std::string large_strain_warning(const Deformation &found,
+                                 const ContactParameters &parameters,
+                                 const UniformMaterial &material,
+                                 const std::string &when);
+
+/** "cell (12, 0) around x = 1.25 mm, y = 0.05 mm is turned inside out ..."; or empty. */
+std::string inverted_cell_text(const Deformation &found, const UniformGrid<2> &grid);
+
+/** The load that alone strains the body most, in words. */
+std::string likely_cause(const ContactParameters &parameters,
+                         const UniformMaterial &material);
+
+/**
+ * Ends a run that has gone wrong before step @p n.
+ * @throws NumericalFailure with energy, likely cause, step, time and node.
+ */
+[[noreturn]] void report_runaway(const Runaway &found,
+                                 const std::uint64_t n,
+                                 const TimeStepChoice &time,
+                                 const ContactParameters &parameters);
+
+/**
+ * Ends a run in which a cell is inside out before step @p n.
+ * @throws NumericalFailure with likely cause, step, time and cell.
+ */
+void require_upright_cells(const Deformation &found,
+                           const std::uint64_t n,
+                           const TimeStepChoice &time,
+                           const ContactParameters &parameters,
+                           const UniformMaterial &material);
 } // namespace mesoslip
 
 #endif

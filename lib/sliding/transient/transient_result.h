@@ -1,0 +1,109 @@
+#ifndef mesoslip_sliding_transient_transient_result_h
+#define mesoslip_sliding_transient_transient_result_h
+
+#include "contact/contact_recorder.h"
+#include "dynamics/energy_audit.h"
+#include "dynamics/top_surface.h"
+#include "exchange/body_description.h"
+#include "observation/contact_statistics.h"
+#include "observation/probe_recorder.h"
+#include "observation/spectrum.h"
+#include "observation/steady_record.h"
+#include "sliding/run_plan.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+class RunContext;
+
+/** What a run has observed, complete on rank 0, and what follows from it. */
+struct TransientResult
+{
+  const ContactParameters &parameters; ///< of the run
+  const BodyDescription &body;         ///< that slid
+  const TimeStepChoice &time;          ///< of the run
+
+  /**
+   * @name Observed
+   * @{
+   */
+  ContactHistory history           = {};    ///< of the contact
+  TopHistory top                   = {};    ///< of the top
+  SteadySeries series              = {};    ///< for the statistics
+  std::vector<NodeCounts> blocks   = {};    ///< contact states by node
+  EnergyHistory energy             = {};    ///< terms of the balance
+  std::vector<ProbeHistory> probes = {};    ///< in the order of the .prm
+  std::uint64_t steps_done         = 0;     ///< of the whole run
+  unsigned int reference_node      = 0;     ///< number on the contact line
+  double loop_seconds              = 0.;    ///< wall-clock time of the time loop
+  bool interrupted                 = false; ///< stopped on request
+  std::string kernel               = {};    ///< variant and instruction set
+  std::string limit_cycle          = {};    ///< the criterion and what came of it
+  bool limit_cycle_reached         = false; ///< by the criterion
+  double steady_from               = 0.;    ///< s
+  double largest_strain            = 0.;    ///< norm of the mean strain of a cell
+  /** @} */
+
+  /**
+   * @name Evaluated from the steady part, absent where it has no meaning
+   * @{
+   */
+
+  /** Values of the series that a run, and for the spectrum its steady part, needs. */
+  static constexpr std::size_t least_samples = 16;
+
+  /** Ratio of tangential to normal force at the top (contact forces if it is free). */
+  std::vector<double> apparent_friction = {};
+
+  /** Whether there are enough samples for mu_inter and the mean of mu_app. */
+  bool has_statistics = false;
+
+  std::string load_meaning = {}; ///< what mu_inter is over; empty: no steady part
+  double load_power        = 0.; ///< of what mu_inter is over (W/m)
+
+  /** Eq. (9); none without statistics or without a load. */
+  std::optional<Estimate> mu_inter               = {};
+  std::optional<Estimate> mean_apparent_friction = {}; ///< paper, remark 1
+  ContactSummary contact                         = {}; ///< shares and durations
+  ContactShares reference_shares                 = {}; ///< of the reference node
+
+  /** Of the reference node, in words; empty without steps. */
+  std::string regime = {};
+  Spectrum spectrum  = {}; ///< of the reference node's u_x, cut at 1 MHz
+  /** None without a peak, or when most of the motion is faster than the series. */
+  std::optional<SpectralSummary> frequencies = {};
+  double hidden_share = 0.; ///< of the variance of u_x that the series does not show
+  double folded_share = 0.; ///< of the spectrum's power near the highest frequency
+  PhaseDiagram phase_diagram = {}; ///< of the reference node's motion along x
+
+  /**
+   * Largest residual of the energy balance as a share of the frictional work or, while
+   * that is below a tenth of the largest term of the balance, of that term. None with
+   * fewer than two samples, of which the first is the start.
+   */
+  std::optional<double> energy_residual = {};
+  std::string residual_scale            = {}; ///< that term: "the frictional work"
+
+  std::string duration_warning      = {}; ///< on T_G; empty: it can be relied on
+  std::string friction_warning      = {}; ///< on mu_inter; empty: nothing to say
+  std::vector<std::string> warnings = {}; ///< on everything else
+  /** @} */
+
+  /** Evaluates what was observed, with warnings on what is missing. On rank 0. */
+  void evaluate();
+
+  /** Fills summary.json and prints the key numbers. */
+  void write_summary(RunContext &context) const;
+
+private:
+  void evaluate_reference_node();
+  void evaluate_friction();
+  void evaluate_energy();
+  void add_remarks();
+};
+} // namespace mesoslip
+
+#endif
