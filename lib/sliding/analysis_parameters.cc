@@ -96,7 +96,8 @@ void bind_control(Keys &keys, ContactParameters &p)
   }
   const auto section   = keys.section("Performance");
   std::string set_name = "auto";
-  keys.bind("Wavefront", p.sweep.steps_at_once, 0, 64,
+  keys.renamed("Wavefront", "Temporal blocking");
+  keys.bind("Temporal blocking", p.sweep.steps_at_once, 0, 64,
             "Time steps that are done in one sweep over the grid (temporal blocking) on "
             "grids larger than the cache; 0: automatic, 1: none. Never changes a result "
             "[-]");

@@ -15,11 +15,12 @@ SlidingSetup completed(SlidingSetup setup, const UniformMaterial &material)
 }
 } // namespace
 
-SlidingBody::SlidingBody(const UniformMaterial &material,
-                         const SlidingSetup &given,
-                         const MPI_Comm communicator,
-                         SurfaceCondition<2> *bottom,
-                         Timer *timer)
+template <int dim>
+SlidingBody<dim>::SlidingBody(const UniformMaterial &material,
+                              const SlidingSetup &given,
+                              const MPI_Comm communicator,
+                              SurfaceCondition<dim> *bottom,
+                              Timer *timer)
   : material(material)
   , setup(completed(given, material))
   , communicator(communicator)
@@ -55,10 +56,13 @@ SlidingBody::SlidingBody(const UniformMaterial &material,
                                     [this]() { return boundary_work(); });
 }
 
-BoundaryWork SlidingBody::boundary_work() const
+template <int dim>
+BoundaryWork SlidingBody<dim>::boundary_work() const
 {
   BoundaryWork work = contact.work();
   work.external     = top.work() + work.external;
   return work;
 }
+
+template class SlidingBody<2>;
 } // namespace mesoslip

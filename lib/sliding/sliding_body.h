@@ -41,8 +41,9 @@ struct SlidingSetup
 /**
  * A body on the moving flat, with load, histories and energies: everything of a run but
  * files, signals and checkpoints. Each rank holds a slab of rows; the contact is on rank
- * 0, the top on the last one.
+ * 0, the top on the last one. The grid has rows, so there is an instance for dim = 2.
  */
+template <int dim>
 class SlidingBody
 {
 public:
@@ -52,9 +53,9 @@ public:
    */
   SlidingBody(const UniformMaterial &material,
               const SlidingSetup &given,
-              const MPI_Comm communicator = MPI_COMM_SELF,
-              SurfaceCondition<2> *bottom = nullptr,
-              Timer *timer                = nullptr);
+              const MPI_Comm communicator   = MPI_COMM_SELF,
+              SurfaceCondition<dim> *bottom = nullptr,
+              Timer *timer                  = nullptr);
 
   /** Work done on and dissipated at bottom and top since the start, of this rank. */
   BoundaryWork boundary_work() const;
@@ -73,21 +74,21 @@ public:
       archive &*energy;
   }
 
-  const UniformMaterial &material;     ///< of all cells
-  const SlidingSetup setup;            ///< completed: widths, periodicity
-  const MPI_Comm communicator;         ///< of the ranks that share the body
-  const NodeRows rows;                 ///< node rows of this rank, and ghost rows
-  NodalField<double> u;                ///< displacement (m), own and ghost rows
-  NodalField<double> w;                ///< velocity of the scheme (m/s)
-  ContactSurface<2> contact;           ///< the bottom
-  TopSurface<2> top;                   ///< the top
-  ContactRecorder<2> contact_recorder; ///< histories of the contact
-  NodeStatistics<2> node_statistics;   ///< states of the contact nodes
-  TopRecorder top_recorder;            ///< histories of the top
-  MPIHalo halo;                        ///< exchange with the ranks above and below
-  LoopProfile profile;                 ///< clocks around the parts of a step
-  ExplicitStepper stepper;             ///< the time integration
-  std::unique_ptr<EnergyAudit> energy; ///< null without an energy interval
+  const UniformMaterial &material;       ///< of all cells
+  const SlidingSetup setup;              ///< completed: widths, periodicity
+  const MPI_Comm communicator;           ///< of the ranks that share the body
+  const NodeRows rows;                   ///< node rows of this rank, and ghost rows
+  NodalField<double> u;                  ///< displacement (m), own and ghost rows
+  NodalField<double> w;                  ///< velocity of the scheme (m/s)
+  ContactSurface<dim> contact;           ///< the bottom
+  TopSurface<dim> top;                   ///< the top
+  ContactRecorder<dim> contact_recorder; ///< histories of the contact
+  NodeStatistics<dim> node_statistics;   ///< states of the contact nodes
+  TopRecorder top_recorder;              ///< histories of the top
+  MPIHalo halo;                          ///< exchange with the ranks above and below
+  LoopProfile profile;                   ///< clocks around the parts of a step
+  ExplicitStepper stepper;               ///< the time integration
+  std::unique_ptr<EnergyAudit> energy;   ///< null without an energy interval
 };
 } // namespace mesoslip
 

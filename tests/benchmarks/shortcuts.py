@@ -68,7 +68,7 @@ def shortcuts():
                 {"Observation/History interval": 1, "Observation/Energy interval": 1, "Observation/Probe interval": 1}, STATES),
         contact("observers now and then", "the same; histories and probes every 10, energies every 200 steps",
                 {}, {"Observation/History interval": 1, "Observation/Energy interval": 1, "Observation/Probe interval": 1}, STATES),
-        contact("several steps in flight", "homogeneous pin on 4480 x 1280 cells, 0.001 ms", {}, {"Performance/Wavefront": 1}, tolerance=0.0,
+        contact("several steps in flight", "homogeneous pin on 4480 x 1280 cells, 0.001 ms", {}, {"Performance/Temporal blocking": 1}, tolerance=0.0,
                 base={**FINE, "Body/Cells": [4480, 1280], "Time/End time": 1e-6, "Observation/Steady from": 5e-7}, small={"Body/Cells": [560, 160], "Time/End time": 1e-5}),
         contact("larger automatic dt", "homogeneous pin, 280 x 80 cells, 1.5 ms; the other: 5 ns, as in the paper", {},
                 {"Time/Time step": 5e-9}, MU, None, base=COARSE, small=SMALL_MOTION),

@@ -97,7 +97,7 @@ RUNS = [
     contact("heterogeneous-pressure", **HETEROGENEOUS, **{"Top/Kind": "pressure", "Top/Lateral held": True, "Sides/Left": "u_x",
                                                          "Friction/Law": "slip rate", "Friction/Node rule": "mean"}),
     contact("periodic-held", **{"Sides/Periodic": True, "Top/Kind": "held", "Body/Acceleration": [0, -1e7], "Time/Beta2": 0.6,
-                                "Flat/Gap": 1e-9, "Body/Cells": [40, 24], "Performance/Wavefront": 3}),
+                                "Flat/Gap": 1e-9, "Body/Cells": [40, 24], "Performance/Temporal blocking": 3}),
     contact("long-homogeneous", NONE, **LONG),
     contact("long-heterogeneous", NONE, **LONG, **HETEROGENEOUS),
     contact("modal", FEW, text=ALONE, **MODAL),

@@ -99,7 +99,7 @@ def stopped_and_resumed(scene, material, ranks):
             n = len(part[key])
             assert 0 < n < len(whole[key]) and np.array_equal(part[key][...], whole[key][:n]), f"{output}: {key}"
 
-    more = options + ["--resume", "--set", "Performance/Wavefront=3"]
+    more = options + ["--resume", "--set", "Performance/Temporal blocking=3"]
     last = identity(scene(output, CHECKPOINT))
     child = scene.start(output, more, ranks=ranks)
     scene.wait_for_checkpoint(output, child, last)
@@ -109,7 +109,7 @@ def stopped_and_resumed(scene, material, ranks):
         child.send_signal(signal.SIGTERM)
     _, text = child.communicate()
     assert child.returncode == 130, f"{output}: {child.returncode}, {text}"
-    scene.expect(0, [], output, options + ["--resume", "--set", "Performance/Wavefront=2"], ranks=ranks)
+    scene.expect(0, [], output, options + ["--resume", "--set", "Performance/Temporal blocking=2"], ranks=ranks)
     assert scene.log(output).count("Resumed at step") == 2, scene.log(output)
     expect_same(scene, name, output, but=r"parameters\.prm")
 
@@ -196,7 +196,7 @@ def refusals(scene):
     assert after == before, f"a refusal changed the folder: {set(after) ^ set(before)}"
 
     # What only says how and how often is free to change.
-    free = ["--set", "Checkpoints/Interval=0", "--set", "Performance/Wavefront=1", "--set", "Performance/Instruction set=auto"]
+    free = ["--set", "Checkpoints/Interval=0", "--set", "Performance/Temporal blocking=1", "--set", "Performance/Instruction set=auto"]
     scene.expect(0, [], "r", resume + free)
     # Complete: says so and does nothing, unless something else is asked for.
     times = {name: identity(scene("r", name)) for name in os.listdir(scene("r")) if name != "log.txt"}

@@ -53,14 +53,14 @@ struct OwnMaterial
 };
 
 /** A body with its material, and fields from functions. */
-class Body : OwnMaterial, public SlidingBody
+class Body : OwnMaterial, public SlidingBody<2>
 {
 public:
   explicit Body(const BodySetup &setup,
                 MPI_Comm communicator       = MPI_COMM_SELF,
                 SurfaceCondition<2> *bottom = nullptr)
     : OwnMaterial{setup.material()}
-    , SlidingBody(own_material, setup.with_friction(), communicator, bottom)
+    , SlidingBody<2>(own_material, setup.with_friction(), communicator, bottom)
     , setup(setup)
   {
   }

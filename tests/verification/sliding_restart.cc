@@ -58,7 +58,7 @@ struct ObservedBody : Body
   template <class Archive>
   void serialize(Archive &archive, const unsigned int version)
   {
-    SlidingBody::serialize(archive, version);
+    SlidingBody<2>::serialize(archive, version);
     archive &monitor &probes &watch &statistics;
   }
 

@@ -84,7 +84,7 @@ private:
   TransientCheckpoint &checkpoint;
   DynamicsOutput &output;
   RunContext &context;
-  SlidingBody body;
+  SlidingBody<2> body;
   ContactRecorder<2> recent_contact; ///< since the last control
   TopRecorder recent_top;            ///< since the last control
   StabilityMonitor monitor;
