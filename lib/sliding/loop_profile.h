@@ -37,6 +37,7 @@ struct TimedSurface : Timed<SurfaceCondition<2>>
 {
   using Timed::Timed;
 
+  /** One step of the boundary. */
   void advance(const SurfaceView<2> &surface) override
   {
     const auto scope = timer.scope(name);
@@ -49,12 +50,14 @@ struct TimedHalo : Timed<Halo>
 {
   using Timed::Timed;
 
+  /** Starts to send. */
   void send(const Side side, const RowBlock &own) override
   {
     const auto scope = timer.scope(name);
     part.send(side, own);
   }
 
+  /** Waits for the neighbour. */
   void receive(const Side side, const RowBlock &ghosts) override
   {
     const auto scope = timer.scope(name);
@@ -73,17 +76,20 @@ struct TimedObserver : Timed<StepObserver>
 {
   using Timed::Timed;
 
+  /** Is not timed. */
   std::uint64_t next_step(const std::uint64_t n) const override
   {
     return part.next_step(n);
   }
 
+  /** What is observed before a step. */
   void before_step(const std::uint64_t n) override
   {
     const auto scope = timer.scope(name);
     part.before_step(n);
   }
 
+  /** What is observed after a step. */
   void after_step(const std::uint64_t n) override
   {
     const auto scope = timer.scope(name);

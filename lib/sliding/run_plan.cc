@@ -2,7 +2,6 @@
 
 #include "base/errors.h"
 #include "dynamics/critical_time_step.h"
-#include "material/plausibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +15,51 @@ namespace
 double lower_bound(const UniformMaterial &material, const StepParameters &step)
 {
   return critical_time_step(element_frequency_bound(material), step.beta2, step.beta);
+}
+
+std::string cell_text(const CellExtreme &cell, const UniformGrid<2> &grid)
+{
+  return "cell (" + std::to_string(cell.column) + ", " + std::to_string(cell.row) +
+         ") around x = " +
+         quantity_text(1e3 * (cell.column + 0.5) * grid.spacing[0], "mm") +
+         ", y = " + quantity_text(1e3 * (cell.row + 0.5) * grid.spacing[1], "mm");
+}
+
+/** A load, and the strain that it alone causes in a body of that stiffness. */
+struct LoadEstimate
+{
+  const char *key;  ///< that gives it
+  double value;     ///< its largest size, in its unit
+  const char *unit; ///< Pa, m/s or m/s^2
+  double strain;    ///< P / D22, v / c, or rho a H / D22 [-]
+};
+
+/** Ends the run if @p load, given as an expression, stopped being a number up to step
+ * @p n. */
+void require_finite(const LoadHistory &load,
+                    const std::string &key,
+                    const double dt,
+                    const std::uint64_t n)
+{
+  for (std::uint64_t step = 0; step <= n; ++step)
+    if (const double value = load(step * dt); !std::isfinite(value))
+      throw NumericalFailure(
+        key + " is " + (std::isnan(value) ? "not a number" : "infinite"), step, step * dt,
+        "which spoiled the run; write an expression that is finite at all times");
+}
+
+std::string likely_instability(const double energy, const TimeStepChoice &time)
+{
+  const double share = 100. * time.step.dt / time.critical;
+  const std::string step =
+    "the time step is " + quantity_text(share, "%") + " of the critical one";
+  if (share > 100.)
+    return step + "; use Time/Time step = auto or a smaller one";
+  if (!std::isfinite(energy))
+    return "loads that overflow (Top/Pressure, Flat/Velocity, Body/Initial velocity, "
+           "Acceleration), as " +
+           step;
+  return step + ", too close to it; reduce Time/Safety factor or Time step";
 }
 } // namespace
 
@@ -126,5 +170,96 @@ ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &
   const bool stepping = analysis == ContactAnalysis::transient;
   return {(stepping ? 33. : 330.) * (grid.cells[0] + 1.) * (grid.cells[1] + 1.),
           "reduce Body/Cells"};
+}
+
+std::string likely_cause(const ContactParameters &parameters,
+                         const UniformMaterial &material)
+{
+  const auto size_of = [](const std::array<double, 2> &v) {
+    return std::hypot(v[0], v[1]);
+  };
+  const BodyScales body(material);
+  const bool pressed = parameters.top.kind != TopSetup::Kind::held;
+  const double pressure =
+    load_range(parameters.top.pressure, parameters.time.end_time).largest_size();
+  const double velocity      = size_of(parameters.body.initial_velocity);
+  const double acceleration  = size_of(parameters.step.acceleration);
+  const LoadEstimate loads[] = {
+    {"Top/Pressure", pressure, "Pa", pressed ? pressure / body.stiffness : 0.},
+    {"Body/Initial velocity", velocity, "m/s", velocity / body.wave_speed},
+    {"Body/Acceleration", acceleration, "m/s^2",
+     body.density * acceleration * material.grid().extent(1) / body.stiffness}};
+  const LoadEstimate &worst = *std::max_element(
+    std::begin(loads), std::end(loads),
+    [](const LoadEstimate &a, const LoadEstimate &b) { return a.strain < b.strain; });
+  if (!(worst.strain > 0.1 * largest_small_strain))
+    return "a body that is thrown or turns freely, as its loads alone strain it little; "
+           "hold it, or shorten the run";
+  return std::string(worst.key) + " = " + quantity_text(worst.value, worst.unit) +
+         ", which alone strains the body by about " +
+         quantity_text(100. * worst.strain, "%") + "; reduce it, or check its unit";
+}
+
+std::string large_strain_warning(const Deformation &found,
+                                 const ContactParameters &parameters,
+                                 const UniformMaterial &material,
+                                 const std::string &when)
+{
+  const bool strained = !(found.strain.value <= largest_small_strain);
+  if (!strained && found.rotation.value <= largest_small_strain)
+    return "";
+  const std::string limit = quantity_text(100. * largest_small_strain, "%");
+  return (strained ? "the strain is " + quantity_text(100. * found.strain.value, "%")
+                   : "the rotation is " + quantity_text(found.rotation.value, "rad")) +
+         when + " in " +
+         cell_text(strained ? found.strain : found.rotation, material.grid()) +
+         ", where the theory is that of small strains and rotations, up to " + limit +
+         " or so: results from there on cannot be trusted; likely cause: " +
+         likely_cause(parameters, material);
+}
+
+std::string inverted_cell_text(const Deformation &found, const UniformGrid<2> &grid)
+{
+  return found.jacobian.value > 0.
+           ? ""
+           : cell_text(found.jacobian, grid) + " is turned inside out (strains up to " +
+               quantity_text(100. * found.strain.value, "%") + ")";
+}
+
+void report_runaway(const Runaway &found,
+                    const std::uint64_t n,
+                    const TimeStepChoice &time,
+                    const ContactParameters &parameters)
+{
+  require_finite(parameters.contact.flat_velocity, "Flat/Expression", time.step.dt, n);
+  require_finite(parameters.top.pressure, "Top/Expression", time.step.dt, n);
+  throw NumericalFailure(
+    brief_text(3, "the run blew up: its energy is ",
+               std::isnan(found.energy) ? "not a number,"
+                                        : brief_text(3, found.energy, " J/m"),
+               " where at most ", found.put_in, " J/m were put in; likely cause: ",
+               likely_instability(found.energy, time), "; found"),
+    n, n * time.step.dt,
+    brief_text(3, "node (", found.column, ", ", found.row, ") with u_",
+               "xy"[found.component], " = ", found.displacement, " m and a velocity of ",
+               found.velocity, " m/s"));
+}
+
+void require_upright_cells(const Deformation &found,
+                           const std::uint64_t n,
+                           const TimeStepChoice &time,
+                           const ContactParameters &parameters,
+                           const UniformMaterial &material)
+{
+  const std::string text = inverted_cell_text(found, material.grid());
+  if (text.empty())
+    return;
+  // Of an unstable run the time step is the cause, whatever the loads are.
+  const bool unstable = time.step.dt > time.critical;
+  throw NumericalFailure(
+    (unstable ? "the run blew up: " : "") + text + "; likely cause: " +
+      (unstable ? likely_instability(0., time) : likely_cause(parameters, material)) +
+      "; found",
+    n, n * time.step.dt, "");
 }
 } // namespace mesoslip

@@ -6,7 +6,7 @@ import re
 import h5py
 import numpy as np
 
-# What a run that is stopped has to say (lib/sliding/failure_report.cc).
+# What a run that is stopped has to say (lib/sliding/run_plan.cc).
 STOPPED = re.compile(r"(?P<cause>likely cause: .*|(Flat|Top)/Expression .*?) in step (?P<step>\d+) at t = (?P<time>\S+) s\b")
 PLACE = re.compile(r"node \(\d+, \d+\)|cell \(\d+, \d+\) around|which spoiled the run")
 BLOWN_UP = re.compile(r"its energy is (\S+) J/m where at most (\S+) J/m")
