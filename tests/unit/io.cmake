@@ -5,7 +5,7 @@ deal_ii_setup_target(io_program)
 target_link_libraries(io_program mesoslip_program)
 
 # It starts mpirun, which a process with MPI cannot.
-mesoslip_test(unit io NO_MPI LIBS mesoslip_program)
+mesoslip_test(unit io NO_MPI LIBS mesoslip_exchange mesoslip_program)
 target_sources(unit_io PRIVATE
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_command_line.cc
   ${CMAKE_CURRENT_SOURCE_DIR}/unit/io_files.cc

@@ -2,7 +2,6 @@
 #include "io_testing.h"
 
 #include "base/files.h"
-#include "morphology/fibre_sampler.h"
 #include "morphology/image_map.h"
 #include "morphology/random_fibres.h"
 

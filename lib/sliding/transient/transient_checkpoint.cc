@@ -13,15 +13,9 @@ namespace mesoslip
 {
 namespace
 {
-CheckpointHeader header()
-{
-  CheckpointHeader header;
-  header.kind = "contact_dynamics";
-  // 1 had no friction target, 2 no samples for statistics, 3 other snapshots and histories,
-  // 4 the states beside the rest.
-  header.version = 5;
-  return header;
-}
+// Layout 1 had no friction target, 2 no samples for statistics, 3 other snapshots and
+// histories, 4 the states beside the rest.
+const char checkpoint_kind[] = "contact_dynamics, 2D, layout 5";
 
 std::string place(const CheckpointPosition &position)
 {
@@ -43,7 +37,7 @@ TransientCheckpoint::TransientCheckpoint(RunContext &run_context,
 
 void TransientCheckpoint::read()
 {
-  load_state(read_checkpoint(path, header()), record, path);
+  load_state(read_checkpoint(path, checkpoint_kind), record, path);
 }
 
 TransientCheckpoint::Found TransientCheckpoint::look(const std::uint64_t n_steps)
@@ -125,7 +119,7 @@ void TransientCheckpoint::write(const CheckpointPosition &position,
   const auto scope = context.timer().scope("Checkpoints");
   Record now       = {identity, position, gather(context.communicator(), state)};
   on_root(context.communicator(),
-          [&]() { write_checkpoint(path, header(), {save_state(now)}); });
+          [&]() { write_checkpoint(path, checkpoint_kind, save_state(now)); });
   last = std::chrono::steady_clock::now();
 }
 
@@ -134,6 +128,6 @@ void TransientCheckpoint::complete(const CheckpointPosition &position)
   Record now = {identity, position, {}};
   if (!parameters.keep)
     on_root(context.communicator(),
-            [&]() { write_checkpoint(path, header(), {save_state(now)}); });
+            [&]() { write_checkpoint(path, checkpoint_kind, save_state(now)); });
 }
 } // namespace mesoslip
