@@ -5,7 +5,7 @@
 #include "material/stiffness.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <stdexcept>
 
 namespace mesoslip
@@ -70,35 +70,23 @@ void write_table(const std::string &path,
 
 UniformGrid<2> read_grid(const Hdf5File &file, const std::string &program)
 {
-  using std::vector;
+  using Numbers          = std::array<double, 2>;
   const std::string hint = program + " writes it";
-  const auto cells   = file.read_attribute<vector<unsigned int>>("/grid", "cells", hint);
-  const auto spacing = file.read_attribute<vector<double>>("/grid", "spacing", hint);
-  const auto start   = file.read_attribute<vector<double>>("/grid", "origin", hint);
   UniformGrid<2> grid;
-  if (cells.size() != 2 || spacing.size() != 2 || start.size() != 2)
-    throw wrong(file, "/grid", "does not describe a grid in 2D", program);
+  grid.cells   = file.read_attribute<std::array<unsigned int, 2>>("/grid", "cells", hint);
+  grid.spacing = file.read_attribute<Numbers>("/grid", "spacing", hint);
+  grid.origin  = file.read_attribute<Numbers>("/grid", "origin", hint);
   for (unsigned int d = 0; d < 2; ++d)
-    {
-      grid.cells[d]   = cells[d];
-      grid.spacing[d] = spacing[d];
-      grid.origin[d]  = start[d];
-      if (cells[d] == 0 || cells[d] > 1000000 || !(spacing[d] > 0.) ||
-          !std::isfinite(spacing[d]) || !std::isfinite(start[d]))
-        throw wrong(file, "/grid", "has sizes that make no sense", program);
-    }
+    if (grid.cells[d] == 0 || grid.cells[d] > 1000000 || !(grid.spacing[d] > 0.))
+      throw wrong(file, "/grid", "has sizes that make no sense", program);
   return grid;
 }
 
 void write_grid(Hdf5File &file, const UniformGrid<2> &grid)
 {
-  const auto write = [&](const char *name, const auto &values) {
-    file.write_attribute("/grid", name, std::vector(values.begin(), values.end()));
-  };
-  file.create_group("/grid");
-  write("cells", grid.cells);
-  write("spacing", grid.spacing);
-  write("origin", grid.origin);
+  file.write_attribute("/grid", "cells", grid.cells);
+  file.write_attribute("/grid", "spacing", grid.spacing);
+  file.write_attribute("/grid", "origin", grid.origin);
 }
 
 void require_stiffness(const Hdf5File &file,
@@ -183,24 +171,5 @@ void write_phases(Hdf5File &file,
       write_dataset(file, group + phase_numbers[k].name, {n}, values,
                     phase_numbers[k].unit);
     }
-}
-
-XdmfGrid xdmf_grid(const UniformGrid<2> &grid)
-{
-  return {2,
-          {{grid.cells[0], grid.cells[1], 1}},
-          {{grid.origin[0], grid.origin[1], 0.}},
-          {{grid.spacing[0], grid.spacing[1], 1.}}};
-}
-
-XdmfField xdmf_phases(const std::string &file, const std::string &dataset)
-{
-  XdmfField field;
-  field.name    = "phase";
-  field.file    = file;
-  field.dataset = dataset;
-  field.centre  = XdmfField::Centre::cell;
-  field.number  = XdmfField::Number::uint8;
-  return field;
 }
 } // namespace mesoslip

@@ -3,7 +3,6 @@
 
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
-#include "io/xdmf.h"
 #include "material/phase.h"
 
 #include <limits>
@@ -85,12 +84,6 @@ void require_phases(const Hdf5File &file,
                     const std::vector<std::uint8_t> &id,
                     const std::size_t n,
                     const std::string &program);
-
-/** The grid for ParaView. */
-XdmfGrid xdmf_grid(const UniformGrid<2> &grid);
-
-/** Phase numbers of cells in the @p dataset of @p file for ParaView. */
-XdmfField xdmf_phases(const std::string &file, const std::string &dataset);
 /** @} */
 } // namespace mesoslip
 

@@ -3,7 +3,10 @@
 #include "base/digest.h"
 #include "base/errors.h"
 #include "exchange/datasets.h"
+#include "exchange/xdmf.h"
 #include "parameters/parameters.h"
+
+#include <cmath>
 
 namespace mesoslip
 {
@@ -38,6 +41,20 @@ std::string digest_of(const BodyDescription &body)
   return digest.hex();
 }
 } // namespace
+
+IndexRange entries_in(const std::vector<double> &times, const TimeWindow &window)
+{
+  // Not scaled by an end at infinity.
+  const auto slack = [](const double t) { return std::isfinite(t) ? 1e-9 * t : 0.; };
+  if (!(window.begin <= window.end))
+    return {};
+  const auto from = std::lower_bound(times.begin(), times.end(),
+                                     window.begin - std::fabs(slack(window.begin)));
+  const auto to =
+    std::upper_bound(from, times.end(), window.end + std::fabs(slack(window.end)));
+  return {static_cast<std::size_t>(from - times.begin()),
+          static_cast<std::size_t>(to - from)};
+}
 
 std::vector<double> interleaved(const NodalField<double> &u)
 {
@@ -122,19 +139,11 @@ void DynamicsFile::show(const std::vector<std::pair<std::string, std::string>> &
   const std::string prefix = path().substr(0, path().rfind('.'));
   std::vector<XdmfField> fields;
   for (const auto &[shown, dataset] : series)
-    {
-      XdmfField field;
-      field.name        = shown;
-      field.file        = name;
-      field.dataset     = dataset;
-      field.components  = 2;
-      field.time_series = true;
-      fields.push_back(field);
-    }
-  write_xdmf(prefix + ".xdmf", xdmf_grid(grid), fields, times);
+    fields.push_back({shown, dataset, XdmfField::Values::nodes, {2}});
+  write_xdmf(prefix + ".xdmf", name, grid, fields, times);
   if (exists(phases_name))
-    write_xdmf(prefix + "-phases.xdmf", xdmf_grid(grid),
-               {xdmf_phases(name, phases_name)});
+    write_xdmf(prefix + "-phases.xdmf", name, grid,
+               {{"phase", phases_name, XdmfField::Values::phases}});
 }
 
 std::string DynamicsFile::rve_digest() const
@@ -213,12 +222,7 @@ std::vector<std::string> DynamicsFile::probes() const
 
 std::array<double, 2> DynamicsFile::probe_position(const std::string &name) const
 {
-  const auto position =
-    read_attribute<std::vector<double>>("/probes/" + name, "position", probe_hint);
-  if (position.size() != 2)
-    throw UserError(path() + ": the position of the probe " + name +
-                    " does not have two coordinates");
-  return {{position[0], position[1]}};
+  return read_attribute<std::array<double, 2>>("/probes/" + name, "position", probe_hint);
 }
 
 ProbeSeries DynamicsFile::probe(const std::string &name,

@@ -3,12 +3,14 @@
 
 #include "exchange/body_description.h"
 #include "exchange/run_conditions.h"
-#include "exchange/time_window.h"
 #include "grid/nodal_field.h"
 #include "io/hdf5_file.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +18,29 @@
 
 namespace mesoslip
 {
+/** From begin to end (s), both included up to round-off. */
+struct TimeWindow
+{
+  double begin = -std::numeric_limits<double>::infinity(); ///< first time
+  double end   = std::numeric_limits<double>::infinity();  ///< last time
+
+  /** Times in both; begin > end if there are none. */
+  TimeWindow intersection(const TimeWindow &other) const
+  {
+    return {std::max(begin, other.begin), std::min(end, other.end)};
+  }
+};
+
+/** Entries first, ..., first + count - 1. */
+struct IndexRange
+{
+  std::size_t first = 0; ///< index of the first entry
+  std::size_t count = 0; ///< number of entries
+};
+
+/** The entries of ascending @p times that lie in the window. */
+IndexRange entries_in(const std::vector<double> &times, const TimeWindow &window);
+
 /** Strain or stress at a place over time. */
 struct ProbeSeries
 {

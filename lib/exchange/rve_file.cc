@@ -1,6 +1,7 @@
 #include "exchange/rve_file.h"
 
 #include "exchange/datasets.h"
+#include "exchange/xdmf.h"
 
 #include <filesystem>
 
@@ -16,28 +17,13 @@ std::string concentration_name(const std::string &condition)
 {
   return (condition == "SUBC" ? "/stress_concentration/" : "/concentration/") + condition;
 }
-
-XdmfField shown_tensors(const std::string &file, const std::string &dataset)
-{
-  XdmfField field;
-  field.name       = dataset.substr(1);
-  field.file       = file;
-  field.dataset    = dataset;
-  field.centre     = XdmfField::Centre::cell;
-  field.components = 9;
-  field.columns    = 3;
-  for (const std::string row : {"xx", "yy", "xy"})
-    for (const std::string column : {"xx", "yy", "xy"})
-      field.component_names.push_back(row + "_" + column);
-  return field;
-}
 } // namespace
 
 void RveFile::write(const std::string &path, const RveContent &content)
 {
-  const std::string name = std::filesystem::path(path).filename();
-  const Shape cells      = {content.grid.cells[1], content.grid.cells[0]};
-  Hdf5File file          = Hdf5File::create(path);
+  using Values      = XdmfField::Values;
+  const Shape cells = {content.grid.cells[1], content.grid.cells[0]};
+  Hdf5File file     = Hdf5File::create(path);
   file.write_header("mesoslip-rve", newest_rve_version, 2, content.digest);
   write_dataset(file, "/summary", {1}, std::vector<std::string>{content.summary});
   write_grid(file, content.grid);
@@ -46,15 +32,16 @@ void RveFile::write(const std::string &path, const RveContent &content)
   for (const auto &[of, D] : content.stiffness)
     write_dataset(file, "/stiffness/" + of, {3, 3},
                   std::vector<double>(D.data(), D.data() + D.size()), "Pa");
-  std::vector<XdmfField> shown = {xdmf_phases(name, "/phase/id")};
+  std::vector<XdmfField> shown = {{"phase", "/phase/id", Values::phases}};
   for (const auto &[of, tensors] : content.concentration)
     {
       const std::string dataset = concentration_name(of);
       write_dataset(file, dataset, {cells[0], cells[1], 3, 3}, *tensors);
-      shown.push_back(shown_tensors(name, dataset));
+      shown.push_back({dataset.substr(1), dataset, Values::cells, {3, 3}});
     }
   file.close();
-  write_xdmf(path.substr(0, path.rfind('.')) + ".xdmf", xdmf_grid(content.grid), shown);
+  write_xdmf(path.substr(0, path.rfind('.')) + ".xdmf",
+             std::filesystem::path(path).filename(), content.grid, shown);
 }
 
 RveFile::RveFile(const std::string &path)

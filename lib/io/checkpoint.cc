@@ -5,43 +5,38 @@
 
 #include <boost/crc.hpp>
 
+#include <cstdint>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 namespace mesoslip
 {
 namespace
 {
 /** What the first line of a file says of the state behind it, but for size and CRC. */
-std::string heading(const CheckpointHeader &header)
+std::string heading(const std::string &kind)
 {
   const std::uint16_t one = 1;
   const bool little       = *reinterpret_cast<const unsigned char *>(&one) == 1;
-  return "mesoslip-checkpoint of " + header.kind + ", " + std::to_string(header.dim) +
-         "D, layout " + std::to_string(header.version) + ", " +
-         (little ? "little" : "big") + " endian";
+  return "mesoslip-checkpoint of " + kind + ", " + (little ? "little" : "big") +
+         " endian";
 }
 
 /** Size and CRC of the state, as the first line ends. */
-std::string checksum(const std::vector<std::string> &pieces)
+std::string checksum(const std::string &state)
 {
   boost::crc_32_type crc;
-  std::size_t size = 0;
-  for (const std::string &piece : pieces)
-    {
-      crc.process_bytes(piece.data(), piece.size());
-      size += piece.size();
-    }
-  return ": " + std::to_string(size) + " bytes, CRC-32 " + std::to_string(crc.checksum());
+  crc.process_bytes(state.data(), state.size());
+  return ": " + std::to_string(state.size()) + " bytes, CRC-32 " +
+         std::to_string(crc.checksum());
 }
 } // namespace
 
-void write_checkpoint(const std::string &path,
-                      const CheckpointHeader &header,
-                      const std::vector<std::string> &pieces)
+void write_checkpoint(const std::string &path, const std::string &kind, std::string state)
 {
-  std::vector<std::string> all = {heading(header) + checksum(pieces) + "\n"};
-  all.insert(all.end(), pieces.begin(), pieces.end());
+  std::vector<std::string> all = {heading(kind) + checksum(state) + "\n"};
+  all.push_back(std::move(state));
   try
     {
       write_file(path, all, true);
@@ -53,23 +48,22 @@ void write_checkpoint(const std::string &path,
     }
 }
 
-std::string read_checkpoint(const std::string &path, const CheckpointHeader &expected)
+std::string read_checkpoint(const std::string &path, const std::string &kind)
 {
   if (!std::filesystem::exists(path))
     throw UserError(path + ": there is no checkpoint to resume from");
-  std::vector<std::string> pieces = {read_file(path)};
-  std::string &content            = pieces.front();
-  const std::string line          = content.substr(0, content.find('\n'));
-  const std::string wanted = heading(expected), found = line.substr(0, line.find(':'));
+  std::string content      = read_file(path);
+  const std::string line   = content.substr(0, content.find('\n'));
+  const std::string wanted = heading(kind), found = line.substr(0, line.find(':'));
   if (line.rfind("mesoslip-checkpoint ", 0) != 0)
     throw UserError(path + " is not a checkpoint of this version of mesoslip");
   if (found != wanted)
     throw UserError(path + " is a " + found + ", but this run needs a " + wanted);
   content.erase(0, line.size() + 1);
-  const std::string now = checksum(pieces);
+  const std::string now = checksum(content);
   if (wanted + now != line)
     throw UserError(path + " is truncated or damaged: the state was written as" +
                     line.substr(wanted.size() + 1) + " and has" + now.substr(1));
-  return std::move(content);
+  return content;
 }
 } // namespace mesoslip

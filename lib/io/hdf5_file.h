@@ -1,8 +1,6 @@
 #ifndef mesoslip_io_hdf5_file_h
 #define mesoslip_io_hdf5_file_h
 
-#include "io/checksum.h"
-
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -15,6 +13,14 @@ using Shape = std::vector<std::size_t>;
 
 /** Stands for "any" in an expected Shape. */
 constexpr std::size_t any_extent = static_cast<std::size_t>(-1);
+
+/** What the line at the begin of a file says of the bytes after it. */
+enum class Signature
+{
+  missing, ///< there is none: the file is older, or of another program
+  valid,   ///< they are those that were signed
+  broken   ///< they have changed
+};
 
 /** "[3][41][61][2]"; an any_extent prints as "[*]". */
 std::string to_text(const Shape &shape);
@@ -78,7 +84,7 @@ private:
  *
  * Every failure is a UserError that names file and dataset. The @p hint of a reading
  * function is added when the object is missing: "was rve_homogenization run with KUBC?".
- * The first bytes of a file are a checksum of the others (checksum.h), which open()
+ * The first bytes of a file are a checksum of the others (hdf5/internal.h), which open()
  * compares: see change_note(). Numbers that are not finite are not written:
  * NumericalFailure.
  * After a failure in writing (the disk is full) the file remains `<path>.part`, and a
@@ -149,12 +155,12 @@ public:
    * @name Attributes of a group or dataset
    * @{
    */
-  /** T: a type of values or a std::vector of it. */
+  /** T: a type of values, a std::vector of it, or a std::array of two numbers. */
   template <typename T>
   void
   write_attribute(const std::string &object, const std::string &name, const T &value);
 
-  /** T as for write_attribute(); missing or of another type: an error. */
+  /** T as for write_attribute(); missing or of another type or number: an error. */
   template <typename T>
   T read_attribute(const std::string &object,
                    const std::string &name,
@@ -175,10 +181,6 @@ public:
    * @{
    */
   /** Writes @p data, as many values as the shape says; replaces one of the same name. */
-  template <typename T>
-  void write(const std::string &name, const Shape &shape, const T *data);
-
-  /** The same for the values of a vector. */
   template <typename T>
   void write(const std::string &name, const Shape &shape, const std::vector<T> &data);
 

@@ -19,15 +19,6 @@ struct Image
 
   /** Digits of every number of a text with one number a row; 0: otherwise. */
   unsigned int digits = 0;
-
-  /** Value of pixel @p x from the left, @p y from the bottom. */
-  int operator()(const unsigned int x, const unsigned int y) const
-  {
-    return values[static_cast<std::size_t>(y) * width + x];
-  }
-
-  /** The values that occur, in ascending order. */
-  std::vector<int> distinct_values() const;
 };
 
 /**

@@ -24,6 +24,30 @@ std::string quoted_if_needed(const std::string &text)
     return text;
   return '"' + boost::algorithm::replace_all_copy(text, "\"", "\"\"") + '"';
 }
+
+/** The cells of one line; quoted ones may contain commas, "" stands for a quote. */
+std::vector<std::string> split_line(const std::string &line, const std::string &where)
+{
+  std::vector<std::string> cells(1);
+  bool inside = false;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (inside && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"')
+      {
+        cells.back() += '"';
+        ++i;
+      }
+    else if (line[i] == '"')
+      inside = !inside;
+    else if (line[i] == ',' && !inside)
+      cells.emplace_back();
+    else
+      cells.back() += line[i];
+  if (inside)
+    throw UserError(where + "a quotation mark is not closed");
+  for (std::string &cell : cells)
+    cell = trimmed(cell);
+  return cells;
+}
 } // namespace
 
 TableWriter::TableWriter(const std::string &file_path,
@@ -75,33 +99,6 @@ void TableWriter::flush()
   if (!out.flush())
     throw UserError(path + ": cannot be written (" + system_message() + ")");
 }
-
-namespace
-{
-/** The cells of one line; quoted ones may contain commas, "" stands for a quote. */
-std::vector<std::string> split_line(const std::string &line, const std::string &where)
-{
-  std::vector<std::string> cells(1);
-  bool inside = false;
-  for (std::size_t i = 0; i < line.size(); ++i)
-    if (inside && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"')
-      {
-        cells.back() += '"';
-        ++i;
-      }
-    else if (line[i] == '"')
-      inside = !inside;
-    else if (line[i] == ',' && !inside)
-      cells.emplace_back();
-    else
-      cells.back() += line[i];
-  if (inside)
-    throw UserError(where + "a quotation mark is not closed");
-  for (std::string &cell : cells)
-    cell = trimmed(cell);
-  return cells;
-}
-} // namespace
 
 CsvTable CsvTable::read(const std::string &path)
 {

@@ -2,7 +2,7 @@
 
 #include "base/errors.h"
 #include "grid/uniform_grid.h"
-#include "localization/comparison/run_comparison.h"
+#include "localization/comparison.h"
 #include "material/engineering_constants.h"
 #include "material/plausibility.h"
 #include "parameters/parameters.h"
@@ -219,15 +219,15 @@ void LocalizationInput::plan_probes()
         throw UserError("Probes/Of the run names '" + name + "', but the probes of " +
                         homogeneous.path() + " are: " + to_text(available) +
                         "; give its position under Probes/Further");
-      probes.push_back({name, homogeneous.probe_position(name), true, {}, 0, {}, {}});
+      probes.push_back({{name, homogeneous.probe_position(name)}, true, {}, {}});
     }
-  for (const ProbeRequest &probe : parameters.further_probes)
+  for (const LocalizedProbe &probe : parameters.further_probes)
     {
       for (const PlannedProbe &other : probes)
         if (other.name == probe.name)
           throw UserError("Probes/Further: the homogeneous run has a probe " +
                           probe.name + ", too; choose another name");
-      probes.push_back({probe.name, probe.position, false, {}, 0, {}, {}});
+      probes.push_back({probe, false, {}, {}});
     }
   for (PlannedProbe &probe : probes)
     complete(probe);
@@ -236,8 +236,9 @@ void LocalizationInput::plan_probes()
 /** Finds the cell of a probe and reads what was recorded of it. */
 void LocalizationInput::complete(PlannedProbe &probe)
 {
-  probe.cell        = cell_at(rve.grid, probe);
-  probe.cell_number = probe.cell[0] + std::size_t(probe.cell[1]) * rve.grid.cells[0];
+  probe.cell       = cell_at(rve.grid, probe);
+  probe.phase      = phase_id[number_of_cell(probe)];
+  probe.phase_name = rve.phases[probe.phase].name;
   if (!probe.recorded)
     return;
   if (parameters.local_strain)

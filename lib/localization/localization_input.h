@@ -1,7 +1,6 @@
 #ifndef mesoslip_localization_localization_input_h
 #define mesoslip_localization_localization_input_h
 
-#include "exchange/dynamics_file.h"
 #include "exchange/rve_file.h"
 #include "localization/localization_parameters.h"
 #include "localization/snapshot_pass.h"
@@ -13,16 +12,12 @@
 
 namespace mesoslip
 {
-/** A probe and where its series come from. */
-struct PlannedProbe
+/** A probe, without series yet, and where they come from. */
+struct PlannedProbe : LocalizedProbe
 {
-  std::string name;                    ///< as in the results
-  std::array<double, 2> position = {}; ///< from the lower left corner (m)
   /** Whether the homogeneous run recorded it; otherwise the snapshots are used. */
-  bool recorded           = false;
-  CellIndex cell          = {}; ///< of the RVE, which holds the position
-  std::size_t cell_number = 0;  ///< of the same cell, row by row
-  ProbeSeries strain;           ///< of a recorded probe, if its own strain is asked for
+  bool recorded = false;
+  ProbeSeries strain; ///< of a recorded probe, if its own strain is asked for
   ProbeSeries direct; ///< stress of the direct run's probe at the place; may be empty
 };
 
@@ -44,6 +39,12 @@ public:
 
   /** Files, snapshots and memory, for --validate. */
   void describe(std::ostream &out) const;
+
+  /** Number of the cell of a probe, row by row. */
+  std::size_t number_of_cell(const LocalizedProbe &probe) const
+  {
+    return probe.cell[0] + std::size_t(probe.cell[1]) * rve.grid.cells[0];
+  }
 
   /** Cells of the probes that are followed through the snapshots. */
   std::vector<CellIndex> followed_cells() const;

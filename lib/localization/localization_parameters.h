@@ -1,10 +1,8 @@
 #ifndef mesoslip_localization_localization_parameters_h
 #define mesoslip_localization_localization_parameters_h
 
-#include "exchange/time_window.h"
 #include "localization/stress_statistics.h"
 
-#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -12,13 +10,6 @@
 namespace mesoslip
 {
 class Keys;
-
-/** A place whose stress is followed through the snapshots. */
-struct ProbeRequest
-{
-  std::string name;                    ///< of its subsection
-  std::array<double, 2> position = {}; ///< from the lower left corner (m)
-};
 
 /** What stress_localization is asked for. */
 struct LocalizationParameters
@@ -47,7 +38,7 @@ struct LocalizationParameters
 
   /** Names of probes of the homogeneous run, or "all". */
   std::vector<std::string> run_probes = {"all"};
-  std::vector<ProbeRequest> further_probes; ///< places of one's own
+  std::vector<LocalizedProbe> further_probes; ///< places of one's own
 
   /** Cells whose centres are nearer to the contact are the surface (m). */
   double surface_depth = 0.4e-3;

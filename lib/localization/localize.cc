@@ -175,8 +175,7 @@ private:
   {
     if (!input.direct || probe.recorded)
       return probe.direct;
-    const std::uint8_t phase = input.phase_id[probe.cell_number];
-    return {direct_histories.time, stresses(input.rve.phases[phase].stiffness,
+    return {direct_histories.time, stresses(input.rve.phases[probe.phase].stiffness,
                                             direct_histories.cells[followed])};
   }
 
@@ -199,7 +198,7 @@ private:
 
   ProbeResult evaluate(const PlannedProbe &probe, ProbeSeries series, ProbeSeries direct)
   {
-    ProbeResult r;
+    ProbeResult r = {probe, {}};
     // Two static states are compared whatever their times.
     if (!direct.time.empty() && (series.time.size() > 1 || direct.time.size() > 1))
       restrict_to_common(series, direct, probe.name);
@@ -245,7 +244,7 @@ private:
       for (std::size_t k = 0; k < input.probes.size(); ++k)
         if (input.probes[k].recorded)
           {
-            const std::size_t cell = input.probes[k].cell_number;
+            const std::size_t cell = input.number_of_cell(input.probes[k]);
             const double of_field  = variant.fields.mean_stress[3 * cell + 1];
             const double of_probe  = variant.probes[k].statistics[1].mean;
             largest = std::max(largest, std::fabs(of_probe / of_field - 1.));

@@ -1,8 +1,7 @@
 #ifndef mesoslip_localization_localize_h
 #define mesoslip_localization_localize_h
 
-#include "localization/comparison/field_errors.h"
-#include "localization/comparison/series_comparison.h"
+#include "localization/comparison.h"
 #include "localization/localization_input.h"
 
 #include <functional>
@@ -11,12 +10,9 @@
 
 namespace mesoslip
 {
-/** Localized stress at the place of a probe over time. */
-struct ProbeResult
+/** A probe with its series, those of the direct run at the same times, and their comparison. */
+struct ProbeResult : LocalizedProbe
 {
-  std::vector<double> time;          ///< s
-  std::vector<double> stress;        ///< [k][3] (Pa)
-  std::vector<double> direct_stress; ///< the direct run's at the same times; may be empty
   std::array<ComponentStatistics, 3> statistics; ///< of xx, yy, xy
 };
 

@@ -1,14 +1,117 @@
 #include "localization/stress_statistics.h"
 
+#include "localization/target_clones.h"
+
 #include <cmath>
+
+#ifdef __SSE2__
+#  include <emmintrin.h>
+#endif
 
 namespace mesoslip
 {
 namespace
 {
+/**
+ * sum += sqrt(square). With errno to be set, the compiler does not vectorize roots; wider
+ * vectors would not be faster, the divider is the limit.
+ */
+void add_roots(const double *square, const std::size_t n, double *sum)
+{
+  std::size_t i = 0;
+#ifdef __SSE2__
+  for (; i + 2 <= n; i += 2)
+    _mm_storeu_pd(
+      sum + i, _mm_add_pd(_mm_loadu_pd(sum + i), _mm_sqrt_pd(_mm_loadu_pd(square + i))));
+#endif
+  for (; i < n; ++i)
+    sum[i] += std::sqrt(square[i]);
+}
+
+/** Squared von Mises stress. */
+MESOSLIP_CLONES
+void von_mises_squares(const double *__restrict__ xx,
+                       const double *__restrict__ yy,
+                       const double *__restrict__ xy,
+                       const double *__restrict__ ratio,
+                       const std::size_t n,
+                       double *__restrict__ square)
+{
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const double zz = ratio[i] * (xx[i] + yy[i]);
+      const double a = xx[i] - yy[i], b = yy[i] - zz, c = zz - xx[i];
+      square[i] = 0.5 * (a * a + b * b + c * c) + 3. * xy[i] * xy[i];
+    }
+}
+
+/**
+ * stress = M strain (e0, e1, e2); M is 9 arrays at distances of @p stride, row-major: array
+ * 3 r + c holds M(r, c) of all cells.
+ */
+MESOSLIP_CLONES
+void stress_row(const double *__restrict__ m,
+                const std::size_t stride,
+                const double *__restrict__ e0,
+                const double *__restrict__ e1,
+                const double *__restrict__ e2,
+                const std::size_t n,
+                double *__restrict__ s0,
+                double *__restrict__ s1,
+                double *__restrict__ s2)
+{
+  const double *m1 = m + 3 * stride, *m2 = m + 6 * stride;
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const double x = e0[i], y = e1[i], t = e2[i];
+      s0[i] = m[i] * x + m[i + stride] * y + m[i + 2 * stride] * t;
+      s1[i] = m1[i] * x + m1[i + stride] * y + m1[i + 2 * stride] * t;
+      s2[i] = m2[i] * x + m2[i + stride] * y + m2[i + 2 * stride] * t;
+    }
+}
+
+/** Running mean after the sample number 1 / @p inverse. */
+MESOSLIP_CLONES
+void add_mean_row(const double *__restrict__ value,
+                  const std::size_t n,
+                  const double inverse,
+                  double *__restrict__ mean)
+{
+  for (std::size_t i = 0; i < n; ++i)
+    mean[i] += inverse * (value[i] - mean[i]);
+}
+
+/** Running mean and sum of squared deviations from it (Welford). */
+MESOSLIP_CLONES
+void add_moments_row(const double *__restrict__ value,
+                     const std::size_t n,
+                     const double inverse,
+                     double *__restrict__ mean,
+                     double *__restrict__ squares)
+{
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const double before = value[i] - mean[i];
+      mean[i] += inverse * before;
+      squares[i] += before * (value[i] - mean[i]);
+    }
+}
+
 /** Arrays of a row of sums. */
 constexpr unsigned int von_mises_sum = 0, means = 1, squares = 4;
 } // namespace
+
+void add_von_mises_row(const double *xx,
+                       const double *yy,
+                       const double *xy,
+                       const double *ratio,
+                       const std::size_t n,
+                       double *work,
+                       double *sum)
+{
+  von_mises_squares(xx, yy, xy, ratio, n, work);
+  add_roots(work, n, sum);
+}
 
 StressMap::StressMap(const UniformGrid<2> &grid,
                      const std::vector<std::uint8_t> &phase,
@@ -37,19 +140,6 @@ VoigtMatrix<2> StressMap::matrix(const unsigned int i, const unsigned int j) con
   for (unsigned int k = 0; k < 9; ++k)
     result(k / 3, k % 3) = data.row(k, j)[i];
   return result;
-}
-
-const std::vector<StressField> &stress_fields()
-{
-  static const std::vector<StressField> all = {
-    {"mean_von_mises", &StressFields::mean_von_mises, {"mean_von_mises"}},
-    {"mean_stress",
-     &StressFields::mean_stress,
-     {"mean_sigma_xx", "mean_sigma_yy", "mean_sigma_xy"}},
-    {"deviation_stress",
-     &StressFields::deviation_stress,
-     {"deviation_sigma_xx", "deviation_sigma_yy", "deviation_sigma_xy"}}};
-  return all;
 }
 
 StressStatistics::StressStatistics(const StressMap &stress_map,

@@ -1,16 +1,32 @@
 #ifndef mesoslip_localization_stress_statistics_h
 #define mesoslip_localization_stress_statistics_h
 
+#include "exchange/localization_file.h"
 #include "grid/nodal_field.h"
-#include "grid/uniform_grid.h"
-#include "localization/row_kernels.h"
 #include "material/voigt.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace mesoslip
 {
+/** Strain of a row of cells: arrays of xx, yy and xy (engineering shear). */
+using StrainRow = std::array<const double *, 3>;
+
+/**
+ * Adds the von Mises stress to @p sum, with sigma_zz = ratio (sigma_xx + sigma_yy);
+ * @p work holds @p n numbers and is overwritten.
+ */
+void add_von_mises_row(const double *xx,
+                       const double *yy,
+                       const double *xy,
+                       const double *ratio,
+                       const std::size_t n,
+                       double *work,
+                       double *sum);
+
 /**
  * From the macroscopic strain of each cell to its local stress: sigma = C_phase L eps
  * (eqs 23 and 24). The product is formed once; with it goes the ratio of sigma_zz to
@@ -59,28 +75,6 @@ struct FieldSelection
     return von_mises || mean || deviation;
   }
 };
-
-/** Statistics over time for each cell; what was not asked for is empty. */
-struct StressFields
-{
-  std::vector<double>
-    mean_von_mises;                ///< time average of the von Mises stress [ny][nx] (Pa)
-  std::vector<double> mean_stress; ///< xx, yy, xy [ny][nx][3] (Pa)
-
-  /** Standard deviation (divided by the number of samples) [ny][nx][3] (Pa). */
-  std::vector<double> deviation_stress;
-};
-
-/** One of the StressFields, for whoever treats all of them alike. */
-struct StressField
-{
-  const char *name;                          ///< in localization.h5
-  std::vector<double> StressFields::*values; ///< the field
-  std::vector<const char *> quantities;      ///< its components in field_errors.csv
-};
-
-/** All StressFields. */
-const std::vector<StressField> &stress_fields();
 
 /**
  * Averages over time of the stresses of all cells, fed row by row; the memory does not

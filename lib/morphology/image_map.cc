@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 
 namespace mesoslip
 {
@@ -92,8 +93,8 @@ std::vector<long> values_of_phases(const Image &image,
                                    const ImageReading &reading,
                                    const std::string &source)
 {
-  const std::vector<int> found = image.distinct_values();
-  const auto has               = [&](const int value) {
+  const std::set<int> found(image.values.begin(), image.values.end());
+  const auto has = [&](const int value) {
     return std::count(reading.values.begin(), reading.values.end(), value) > 0;
   };
   if (!reading.values.empty())
@@ -113,63 +114,28 @@ std::vector<long> values_of_phases(const Image &image,
     throw UserError(numbers + "name more phases, or use an image without smoothed "
                               "edges, segmented if it is a photograph");
   if (found.size() < reading.n_phases)
-    throw UserError(numbers +
-                    "say with Microstructure/Image values which value is which "
-                    "phase (the image has " +
-                    value_text(image, found.front()) +
-                    (found.size() > 1 ? " to " + value_text(image, found.back()) : "") +
-                    "), or name fewer phases");
+    throw UserError(
+      numbers +
+      "say with Microstructure/Image values which value is which "
+      "phase (the image has " +
+      value_text(image, *found.begin()) +
+      (found.size() > 1 ? " to " + value_text(image, *found.rbegin()) : "") +
+      "), or name fewer phases");
   return {found.begin(), found.end()};
 }
 
-/** Phase of each cell from the phases of its pixels, see map_from_image(). */
-class Majority
-{
-public:
-  Majority(const std::size_t n_phases, const unsigned int n_pixels_per_cell)
-    : pixels_per_cell(n_pixels_per_cell)
-    , missing(n_phases, 0)
-    , counts(n_phases, 0)
-  {
-  }
-
-  void add(const std::uint8_t phase)
-  {
-    ++counts[phase];
-  }
-
-  /** Of the pixels added since the last call. */
-  std::uint8_t take()
-  {
-    const unsigned int most = *std::max_element(counts.begin(), counts.end());
-    std::size_t chosen      = counts.size();
-    for (std::size_t p = 0; p < counts.size(); ++p)
-      {
-        missing[p] += counts[p];
-        if (counts[p] == most &&
-            (chosen == counts.size() || missing[p] > missing[chosen]))
-          chosen = p;
-        counts[p] = 0;
-      }
-    missing[chosen] -= pixels_per_cell;
-    return static_cast<std::uint8_t>(chosen);
-  }
-
-private:
-  const long pixels_per_cell;
-  std::vector<long> missing;        ///< pixels by which the cells so far fall short
-  std::vector<unsigned int> counts; ///< of the pixels of this cell
-};
-
-/** @p phase is that of each pixel, @p width the number of pixels along x. */
+/**
+ * Phase of each cell from the phases of its pixels, see map_from_image(). @p phase is that of
+ * each pixel, @p width the number of pixels along x.
+ */
 std::vector<std::uint8_t> phases_of_cells(const UniformGrid<2> &grid,
                                           const Ratio &ratio,
                                           const std::vector<std::uint8_t> &phase,
                                           const std::size_t width,
                                           const std::size_t n_phases)
 {
-  const unsigned int pixels_per_cell = ratio.pixels[0] * ratio.pixels[1];
-  Majority majority(n_phases, pixels_per_cell);
+  // Of each phase: the pixels by which the cells so far fall short, the pixels of this cell.
+  std::vector<long> missing(n_phases, 0), counts(n_phases, 0);
   std::vector<std::uint8_t> id;
   id.reserve(grid.n_cells());
   for (unsigned int j = 0; j < grid.cells[1]; ++j)
@@ -177,10 +143,20 @@ std::vector<std::uint8_t> phases_of_cells(const UniformGrid<2> &grid,
       {
         const std::size_t x = std::size_t{i / ratio.cells[0]} * ratio.pixels[0],
                           y = std::size_t{j / ratio.cells[1]} * ratio.pixels[1];
+        std::fill(counts.begin(), counts.end(), 0);
         for (std::size_t row = y; row < y + ratio.pixels[1]; ++row)
           for (std::size_t column = x; column < x + ratio.pixels[0]; ++column)
-            majority.add(phase[row * width + column]);
-        id.push_back(majority.take());
+            ++counts[phase[row * width + column]];
+        const long most    = *std::max_element(counts.begin(), counts.end());
+        std::size_t chosen = n_phases;
+        for (std::size_t p = 0; p < n_phases; ++p)
+          {
+            missing[p] += counts[p];
+            if (counts[p] == most && (chosen == n_phases || missing[p] > missing[chosen]))
+              chosen = p;
+          }
+        missing[chosen] -= long{ratio.pixels[0]} * ratio.pixels[1];
+        id.push_back(static_cast<std::uint8_t>(chosen));
       }
   return id;
 }

@@ -3,7 +3,7 @@
 #include "base/errors.h"
 #include "grid/uniform_grid.h"
 #include "parameters/keys.h"
-#include "program/resources.h"
+#include "program/output_folder.h"
 
 #include <algorithm>
 #include <cmath>

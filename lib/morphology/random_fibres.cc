@@ -1,8 +1,5 @@
 #include "morphology/random_fibres.h"
 
-#include "morphology/fibre_sampler.h"
-#include "morphology/occupancy.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -31,9 +28,14 @@ public:
   Placer(const UniformGrid<2> &g, const FibrePlacement &placement)
     : grid(g)
     , rules(placement)
-    , sampler(g, placement)
+    , random(placement.seed)
+    , width(whole_cells(placement.width, g.spacing[0]))
+    , min_height(whole_cells(placement.min_height, g.spacing[1]))
+    , max_height(std::max(min_height, whole_cells(placement.max_height, g.spacing[1])))
     , occupancy(g.cells[0], g.cells[1])
   {
+    if (!rules.cut_by_border)
+      max_height = std::min(max_height, static_cast<long>(grid.cells[1]));
     const auto gap_cells = [&](const double h) {
       return static_cast<unsigned int>(
         std::ceil(std::max(0., rules.minimum_gap / h - 1e-6)));
@@ -50,7 +52,7 @@ public:
   {
     if (target_cells == 0 && rules.fraction_rule == FractionRule::actual)
       result.target_reached = true;
-    else if (sampler.possible())
+    else if (possible())
       {
         place_at_random();
         if (!result.target_reached && !rules.allow_overlap)
@@ -76,6 +78,54 @@ private:
     unsigned int x, y;
   };
 
+  static long whole_cells(const double length, const double h)
+  {
+    return std::max(1L, std::lround(length / h));
+  }
+
+  /** Whether any fibre satisfies the rules. */
+  bool possible() const
+  {
+    return rules.cut_by_border ||
+           (width <= static_cast<long>(grid.cells[0]) && min_height <= max_height &&
+            rules.width <= grid.extent(0) * (1. + 1e-9) &&
+            rules.min_height <= grid.extent(1) * (1. + 1e-9));
+  }
+
+  /** The fibre that covers @p height rows, its lower left cell being (@p x, @p y). */
+  Rectangle aligned(const long x, const long y, const long height) const
+  {
+    const auto [h_x, h_y] = grid.spacing;
+    return {grid.origin[0] + static_cast<double>(x) * h_x,
+            grid.origin[1] + static_cast<double>(y) * h_y,
+            static_cast<double>(width) * h_x, static_cast<double>(height) * h_y,
+            rules.phase};
+  }
+
+  /** A fibre of random height at a random place. */
+  Rectangle draw()
+  {
+    const bool cut = rules.cut_by_border;
+    if (rules.align_to_grid)
+      {
+        const long n_x = grid.cells[0], n_y = grid.cells[1];
+        const long height = random.whole(min_height, max_height);
+        const long x =
+          cut ? random.whole(1 - width, n_x - 1) : random.whole(0, n_x - width);
+        const long y =
+          cut ? random.whole(1 - height, n_y - 1) : random.whole(0, n_y - height);
+        return aligned(x, y, height);
+      }
+    const double limit =
+      cut ? rules.max_height : std::min(rules.max_height, grid.extent(1));
+    const double height = random.between(rules.min_height, limit);
+    const double x      = cut ? random.between(-rules.width, grid.extent(0))
+                              : random.between(0., grid.extent(0) - rules.width);
+    const double y      = cut ? random.between(-height, grid.extent(1))
+                              : random.between(0., grid.extent(1) - height);
+    return {grid.origin[0] + x, grid.origin[1] + y, rules.width, height, rules.phase};
+  }
+
   bool fits(const CellBox &box) const
   {
     return !box.empty() && (rules.allow_overlap ||
@@ -84,7 +134,7 @@ private:
 
   bool fits(const Place &corner, const long height) const
   {
-    const auto x_end = static_cast<unsigned int>(corner.x + sampler.width);
+    const auto x_end = static_cast<unsigned int>(corner.x + width);
     const auto y_end = static_cast<unsigned int>(corner.y + height);
     return x_end <= grid.cells[0] && y_end <= grid.cells[1] &&
            fits(CellBox{corner.x, x_end, corner.y, y_end});
@@ -92,7 +142,7 @@ private:
 
   std::size_t random_index(const std::size_t size)
   {
-    return static_cast<std::size_t>(sampler.random.whole(0, static_cast<long>(size) - 1));
+    return static_cast<std::size_t>(random.whole(0, static_cast<long>(size) - 1));
   }
 
   double area_inside(const Rectangle &fibre) const
@@ -165,7 +215,7 @@ private:
   {
     const unsigned int patience = rules.allow_overlap ? max_hidden_draws : max_vain_draws;
     for (unsigned int vain = 0; vain < patience;)
-      switch (try_to_place(sampler.draw()))
+      switch (try_to_place(draw()))
         {
         case Outcome::finished:
           result.target_reached = true;
@@ -184,7 +234,7 @@ private:
     std::vector<Place> places;
     for (unsigned int x = 0; x < grid.cells[0]; ++x)
       for (unsigned int y = 0; y < grid.cells[1]; ++y)
-        if (fits(Place{x, y}, sampler.min_height))
+        if (fits(Place{x, y}, min_height))
           places.push_back({x, y});
     return places;
   }
@@ -193,11 +243,9 @@ private:
   Outcome place_among(std::vector<Place> &places, const long height)
   {
     const auto place_at = [&](const Place &corner) {
-      return try_to_place(sampler.aligned(corner.x, corner.y, height));
+      return try_to_place(aligned(corner.x, corner.y, height));
     };
-    const auto is_dead = [&](const Place &corner) {
-      return !fits(corner, sampler.min_height);
-    };
+    const auto is_dead = [&](const Place &corner) { return !fits(corner, min_height); };
     const std::size_t patience =
       vain_candidates_part + places.size() / vain_candidates_part;
     for (std::size_t vain = 0; vain < patience && !places.empty();)
@@ -226,10 +274,10 @@ private:
   void place_systematically()
   {
     std::vector<Place> places = all_places();
-    long tallest = std::min(sampler.max_height, static_cast<long>(grid.cells[1]));
-    while (sampler.min_height <= tallest)
+    long tallest              = std::min(max_height, static_cast<long>(grid.cells[1]));
+    while (min_height <= tallest)
       {
-        const long height     = sampler.random.whole(sampler.min_height, tallest);
+        const long height     = random.whole(min_height, tallest);
         const Outcome outcome = place_among(places, height);
         if (outcome == Outcome::vain)
           tallest = height - 1;
@@ -241,7 +289,11 @@ private:
 
   const UniformGrid<2> &grid;
   const FibrePlacement &rules;
-  FibreSampler sampler;
+  RandomNumbers random;
+
+  /** Of a fibre, in cells, at least one. */
+  long width, min_height, max_height;
+
   Occupancy occupancy;
   FibreMorphology result;
 

@@ -94,18 +94,6 @@ Keys::Keys(const RawParameters &raw_parameters)
 {
 }
 
-Keys::Section::Section(Keys &all_keys, const std::string &path)
-  : keys(all_keys)
-  , outer(all_keys.current_section)
-{
-  keys.current_section = keys.path(path);
-}
-
-Keys::Section::~Section()
-{
-  keys.current_section = outer;
-}
-
 std::string Keys::path(const std::string &key) const
 {
   return current_section.empty() ? key : current_section + "/" + key;

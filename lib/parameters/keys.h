@@ -9,6 +9,7 @@
 #include <iosfwd>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -61,25 +62,17 @@ public:
   Keys(const Keys &)            = delete;
   Keys &operator=(const Keys &) = delete;
 
-  /** Leaves a subsection at the end of its scope. */
-  class Section
+  /**
+   * Keys are those of the subsection @p path, which may be several ("Section/Sub section"),
+   * until the result is destroyed.
+   */
+  [[nodiscard]] std::shared_ptr<const void> section(const std::string &path)
   {
-  public:
-    /** Enters the subsection @p path, which may be several: "Section/Sub section". */
-    Section(Keys &keys, const std::string &path);
-    ~Section();
-    Section(const Section &)            = delete;
-    Section &operator=(const Section &) = delete;
-
-  private:
-    Keys &keys;
-    const std::string outer;
-  };
-
-  /** Keys are those of the subsection @p path until the result is destroyed. */
-  [[nodiscard]] Section section(const std::string &path)
-  {
-    return {*this, path};
+    const auto leave = [this, outer = current_section](const void *) {
+      current_section = outer;
+    };
+    current_section = this->path(path);
+    return {nullptr, leave};
   }
 
   /** Path of @p key in the current section, for messages. */

@@ -45,59 +45,49 @@ std::string around(const std::string &text, const std::size_t comma)
 }
 
 /**
- * Of what the parser knows: "t=3" sets the time to 3, and random numbers are others each
- * time a run is started or continued.
+ * Refuses what the parser takes for something else than is meant. "t=3" sets the time to 3;
+ * random numbers are others each time a run is started or continued; "2,5" is its last item,
+ * 5, and min(0,5, t) has three arguments. Functions with a fixed number of arguments refuse
+ * one more.
  */
 void require_function_of_time(const std::string &text)
 {
+  static const std::array<std::string, 4> any_number = {{"min", "max", "sum", "avg"}};
+  const auto require = [&](const bool holds, const std::string &what) {
+    if (!holds)
+      throw std::invalid_argument("'" + text + "' " + what);
+  };
+  std::vector<std::string> functions; // of the brackets that are open
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == '(')
       {
         const std::string name = function_before(text, i);
-        if (name == "rand" || name == "rand_seed")
-          throw std::invalid_argument("'" + text + "' has " + name +
-                                      "(), but a load is a function of the time t that "
-                                      "is the same in every run");
+        require(name != "rand" && name != "rand_seed",
+                "has " + name +
+                  "(), but a load is a function of the time t that is the same in every "
+                  "run");
+        functions.push_back(name);
       }
-    else if (text[i] == '=')
-      {
-        if (i + 1 < text.size() && text[i + 1] == '=')
-          ++i;
-        else if (i == 0 || std::string("<>!").find(text[i - 1]) == std::string::npos)
-          throw std::invalid_argument(
-            "'" + text + "' sets a variable with '='; a comparison has '=='");
-      }
-}
-
-/**
- * The parser evaluates "2,5" to 5, its last item, and min(0,5, t) has three arguments.
- * Other functions take a fixed number and refuse one more.
- */
-void require_decimal_points(const std::string &text)
-{
-  static const std::array<std::string, 4> any_number = {{"min", "max", "sum", "avg"}};
-  std::vector<std::string> functions; // of the brackets that are open
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (text[i] == '(')
-      functions.push_back(function_before(text, i));
     else if (text[i] == ')' && !functions.empty())
       functions.pop_back();
+    else if (text[i] == '=' && text.compare(i, 2, "==") == 0)
+      ++i;
+    else if (text[i] == '=')
+      require(i > 0 && std::string("<>!").find(text[i - 1]) != std::string::npos,
+              "sets a variable with '='; a comparison has '=='");
     else if (text[i] == ',')
       {
-        if (functions.empty() || functions.back().empty())
-          throw std::invalid_argument("'" + text + "' has a comma in '" +
-                                      around(text, i) +
-                                      "', outside the arguments of a function; decimals "
-                                      "have a point");
+        require(!functions.empty() && !functions.back().empty(),
+                "has a comma in '" + around(text, i) +
+                  "', outside the arguments of a function; decimals have a point");
         const bool tight =
           i > 0 && i + 1 < text.size() && is_digit(text[i - 1]) && is_digit(text[i + 1]);
-        if (tight && std::find(any_number.begin(), any_number.end(), functions.back()) !=
-                       any_number.end())
-          throw std::invalid_argument(
-            "'" + text + "' may mean one number or two by '" + around(text, i) + "' in " +
-            functions.back() +
-            "(); decimals have a point, and a blank goes behind "
-            "the comma between two arguments");
+        require(!tight || std::find(any_number.begin(), any_number.end(),
+                                    functions.back()) == any_number.end(),
+                "may mean one number or two by '" + around(text, i) + "' in " +
+                  functions.back() +
+                  "(); decimals have a point, and a blank goes behind the comma between "
+                  "two arguments");
       }
 }
 } // namespace
@@ -107,7 +97,6 @@ struct LoadHistory::Expression
   explicit Expression(const std::string &expression_text)
     : text(expression_text)
   {
-    require_decimal_points(text);
     require_function_of_time(text);
     // The parser reports to std::cerr before it throws; one sentence is enough.
     std::ostringstream unused;

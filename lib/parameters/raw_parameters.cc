@@ -48,8 +48,7 @@ public:
   {
   }
 
-  std::vector<RawParameters::Entry> entries;
-  std::vector<RawParameters::Subsection> sections;
+  std::vector<RawParameters::Entry> entries, sections;
 
   void run()
   {
@@ -134,7 +133,7 @@ private:
     check_name(name, "subsection");
     const std::string path = prefix() + name;
     if (known_sections.insert(path).second)
-      sections.push_back({path, first_line});
+      sections.push_back({path, "", first_line});
     open.emplace_back(name, first_line);
   }
 
@@ -220,5 +219,23 @@ std::string RawParameters::folder() const
 {
   const std::string parent = std::filesystem::path(file_name).parent_path().string();
   return parent.empty() ? "." : parent;
+}
+
+bool Range::contains(const double x) const
+{
+  return (lower_exclusive ? x > lower : x >= lower) &&
+         (upper_exclusive ? x < upper : x <= upper);
+}
+
+std::string Range::text() const
+{
+  const bool below = lower != -std::numeric_limits<double>::max();
+  const bool above = upper != std::numeric_limits<double>::max();
+  if (below && above)
+    return std::string("in ") + (lower_exclusive ? "(" : "[") + to_text(lower) + ", " +
+           to_text(upper) + (upper_exclusive ? ")" : "]");
+  if (below)
+    return (lower_exclusive ? "> " : ">= ") + to_text(lower);
+  return above ? (upper_exclusive ? "< " : "<= ") + to_text(upper) : "";
 }
 } // namespace mesoslip

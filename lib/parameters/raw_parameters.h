@@ -13,12 +13,12 @@ namespace mesoslip
 class RawParameters
 {
 public:
-  /** One assignment and where it came from. */
+  /** One assignment, or a subsection, and where it came from. */
   struct Entry
   {
     std::string path;      ///< "Section/Sub section/Key"
-    std::string value;     ///< text as typed
-    unsigned int line = 0; ///< from 1; 0 for a --set option
+    std::string value;     ///< text as typed; empty for a subsection
+    unsigned int line = 0; ///< from 1, where it begins; 0 for a --set option
   };
 
   /** Nothing set: what --print-parameters without a file sees. */
@@ -37,15 +37,8 @@ public:
   /** The assignment to a key; null if there is none. Upper and lower case matter. */
   const Entry *find(const std::string &path) const;
 
-  /** A subsection of the .prm. */
-  struct Subsection
-  {
-    std::string path;      ///< "Section/Sub section"
-    unsigned int line = 0; ///< where it is entered first, from 1
-  };
-
   /** All subsections of the .prm, in the order of their lines. */
-  const std::vector<Subsection> &subsections() const
+  const std::vector<Entry> &subsections() const
   {
     return sections;
   }
@@ -62,16 +55,9 @@ public:
   /** "file.prm:12" or "--set 'Section/Key=value'". */
   std::string origin(const Entry &entry) const;
 
-  /** "file.prm:12". */
-  std::string origin(const Subsection &section) const
-  {
-    return file_name + ":" + std::to_string(section.line);
-  }
-
 private:
   std::string file_name;
-  std::vector<Entry> all_entries;
-  std::vector<Subsection> sections;
+  std::vector<Entry> all_entries, sections;
 };
 } // namespace mesoslip
 

@@ -31,6 +31,25 @@ std::string one_line(const dealii::ExceptionBase &error)
     return text;
   return text + " (" + location.substr(begin, location.find('\n', begin) - begin) + ")";
 }
+
+void print(const std::string &program, const Outcome &outcome)
+{
+  std::cerr << program << ": " << outcome.message << std::endl;
+}
+
+/** Whether @p request completes in time. */
+bool completes(MPI_Request &request, const std::chrono::seconds limit)
+{
+  const auto deadline = std::chrono::steady_clock::now() + limit;
+  int done            = 0;
+  while (true)
+    {
+      MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+      if (done != 0 || std::chrono::steady_clock::now() > deadline)
+        return done != 0;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
 } // namespace
 
 Outcome describe_current_exception()
@@ -76,28 +95,6 @@ Outcome describe_current_exception()
       return {ExitStatus::unexpected, "internal error of unknown kind"};
     }
 }
-
-namespace
-{
-void print(const std::string &program, const Outcome &outcome)
-{
-  std::cerr << program << ": " << outcome.message << std::endl;
-}
-
-/** Whether @p request completes in time. */
-bool completes(MPI_Request &request, const std::chrono::seconds limit)
-{
-  const auto deadline = std::chrono::steady_clock::now() + limit;
-  int done            = 0;
-  while (true)
-    {
-      MPI_Test(&request, &done, MPI_STATUS_IGNORE);
-      if (done != 0 || std::chrono::steady_clock::now() > deadline)
-        return done != 0;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-}
-} // namespace
 
 int conclude(const MPI_Comm communicator,
              const std::string &program,

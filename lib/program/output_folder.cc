@@ -3,13 +3,18 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "parameters/keys.h"
-#include "parameters/parameters.h"
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
 #include <filesystem>
 #include <optional>
 #include <sstream>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace mesoslip
 {
@@ -43,19 +48,32 @@ bool are_the_same(const fs::path &one, const fs::path &other)
   return fs::equivalent(one, other, ignored);
 }
 
-void check_input(const std::string &folder, const InputPath &input)
+void check_input(const std::string &folder, const Key &input)
 {
   const std::string remedy =
     ", where this run would replace log, parameters and summary; choose another folder "
     "with --output";
-  if (are_the_same(input.path, folder))
-    throw UserError(input.key + ": " + input.path + " is the output folder" + remedy);
+  if (are_the_same(input.value, folder))
+    throw UserError(input.path() + ": " + input.value + " is the output folder" + remedy);
   std::error_code ignored;
   for (const fs::directory_entry &entry : fs::directory_iterator(folder, ignored))
-    if (is_replaced(entry) && are_the_same(entry.path(), input.path))
-      throw UserError(input.key + ": " + input.path + " lies in the output folder " +
+    if (is_replaced(entry) && are_the_same(entry.path(), input.value))
+      throw UserError(input.path() + ": " + input.value + " lies in the output folder " +
                       folder + remedy);
 }
+
+/** What a run computes. */
+struct RunKind
+{
+  std::string program;
+  std::string analysis = {}; ///< empty where the program has one only
+
+  /** "the analysis 'modal' of contact_dynamics". */
+  std::string text() const
+  {
+    return analysis.empty() ? program : "the analysis '" + analysis + "' of " + program;
+  }
+};
 
 /** "# contact_dynamics 0.1.0: ..." and "set Analysis = modal" of the parameters.prm that a
  *  run writes when it begins. */
@@ -86,39 +104,126 @@ std::optional<RunKind> kind_of_results(const std::string &folder)
       return kind_in_parameters(folder + "/parameters.prm");
   return std::nullopt;
 }
+
+/** The folder itself, or the nearest one above that exists. */
+fs::path existing_part(const std::string &folder)
+{
+  std::error_code ignored;
+  fs::path path = fs::absolute(folder).lexically_normal();
+  while (!fs::exists(path, ignored) && path.has_relative_path())
+    path = path.parent_path();
+  return path;
+}
+
+std::string owner(const int descriptor)
+{
+  char text[32]   = {};
+  const ssize_t n = pread(descriptor, text, sizeof(text) - 1, 0);
+  return n > 0 ? " (process " + std::string(text, static_cast<std::size_t>(n)) + ")" : "";
+}
+
+/** Whether the file behind @p descriptor is still the one called @p path. */
+bool still_named(const int descriptor, const std::string &path)
+{
+  struct stat mine, named;
+  return fstat(descriptor, &mine) == 0 && stat(path.c_str(), &named) == 0 &&
+         mine.st_ino == named.st_ino && mine.st_dev == named.st_dev;
+}
 } // namespace
 
-std::string RunKind::text() const
+void check_output_folder(const std::string &folder,
+                         const std::string &program,
+                         const Keys &keys)
 {
-  return analysis.empty() ? program : "the analysis '" + analysis + "' of " + program;
-}
-
-std::vector<InputPath> input_paths(const Keys &keys)
-{
-  std::vector<InputPath> inputs;
   for (const Key &key : keys.all())
     if (key.is_input && !key.value.empty())
-      inputs.push_back({key.path(), key.value});
-  return inputs;
-}
-
-RunKind kind_of_run(const std::string &program, const Keys &keys)
-{
-  return {program, keys.has("Analysis") ? keys.value("Analysis") : ""};
-}
-
-void check_output_folder(const std::string &folder,
-                         const RunKind &kind,
-                         const std::vector<InputPath> &inputs)
-{
-  for (const InputPath &input : inputs)
-    check_input(folder, input);
-  const auto found = kind_of_results(folder);
+      check_input(folder, key);
+  const RunKind kind = {program, keys.has("Analysis") ? keys.value("Analysis") : ""};
+  const auto found   = kind_of_results(folder);
   if (found && !found->program.empty() &&
       (found->program != kind.program || found->analysis != kind.analysis))
     throw UserError("the output folder " + folder + " holds results of " + found->text() +
                     ", which those of " + kind.text() +
                     " would replace; choose another folder with --output, or remove "
                     "that one");
+}
+
+std::string bytes_text(const double bytes)
+{
+  constexpr std::array<const char *, 7> units = {
+    {"bytes", "kB", "MB", "GB", "TB", "PB", "EB"}};
+  double value     = bytes;
+  std::size_t unit = 0;
+  for (; value >= 999.5 && unit + 1 < units.size(); ++unit)
+    value /= 1000.;
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3g %s", value, units[unit]);
+  return text;
+}
+
+void require_memory(const ResourceNeed &need)
+{
+  const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                         static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (present > 0. && !(need.bytes <= present))
+    throw UserError("the run needs about " + bytes_text(need.bytes) +
+                    " of memory, but the machine has " + bytes_text(present) + "; " +
+                    need.remedy);
+}
+
+void require_disk(const std::string &folder, const ResourceNeed &need)
+{
+  const fs::path path = existing_part(folder);
+  std::error_code code;
+  if (!fs::is_directory(path, code))
+    throw UserError("the output folder " + folder + " cannot be created: " +
+                    path.string() + " is not a folder; give another one with --output");
+  if (access(path.c_str(), W_OK | X_OK) != 0)
+    throw UserError("the output folder " + folder +
+                    " cannot be written to: " + path.string() + " (" + system_message() +
+                    "); give another one with --output");
+  const fs::space_info space = fs::space(path, code);
+  if (!code && !(need.bytes <= static_cast<double>(space.available)))
+    throw UserError("the results take about " + bytes_text(need.bytes) +
+                    ", but the disk of the output folder " + folder + " has only " +
+                    bytes_text(static_cast<double>(space.available)) + " free; " +
+                    need.remedy + ", or give another folder with --output");
+}
+
+FolderLock::FolderLock(const std::string &folder)
+  : path(folder + "/.lock")
+{
+  // The holder removes the file before it releases the lock; then try again.
+  while (true)
+    {
+      descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+      if (descriptor < 0)
+        throw UserError(folder + ": cannot be written to (" + system_message() + ")");
+      if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        {
+          const std::string who = owner(descriptor);
+          close(descriptor);
+          throw UserError(folder + " is in use by a run that has not ended" + who +
+                          "; give another folder with --output or wait");
+        }
+      if (still_named(descriptor, path))
+        break;
+      close(descriptor);
+    }
+  const std::string id = std::to_string(getpid());
+  if (ftruncate(descriptor, 0) != 0 ||
+      pwrite(descriptor, id.data(), id.size(), 0) != static_cast<ssize_t>(id.size()))
+    {
+      const std::string reason = system_message();
+      unlink(path.c_str());
+      close(descriptor);
+      throw UserError(path + ": cannot be written (" + reason + ")");
+    }
+}
+
+FolderLock::~FolderLock()
+{
+  unlink(path.c_str());
+  close(descriptor);
 }
 } // namespace mesoslip

@@ -90,19 +90,15 @@ void run(Analysis &analysis,
          const std::string &original,
          const MPI_Comm communicator)
 {
-  RunOptions options;
-  options.program       = program.name;
-  options.prm_file      = line.prm_file;
-  options.output_folder = choose_output_folder(line, keys);
-  options.resume        = line.resume && analysis.resumable();
-  options.quiet         = line.quiet;
-  options.profile       = line.profile;
+  CommandLine options = line;
+  options.output      = choose_output_folder(line, keys);
+  options.resume      = line.resume && analysis.resumable();
 
   std::ostringstream effective;
   effective << "# " << program.name << ' ' << version << ": all parameters of this run\n";
   print_parameters(keys, effective);
 
-  RunContext context(options, communicator, original, effective.str());
+  RunContext context(program.name, options, communicator, original, effective.str());
   if (line.resume && !options.resume)
     context.log("--resume: a run of this kind keeps no checkpoints, it starts from the "
                 "beginning");
@@ -156,9 +152,7 @@ void do_what_is_asked(const CommandLine &line,
       return require_printed();
     }
   const std::string folder = choose_output_folder(line, keys);
-  on_root(communicator, [&]() {
-    check_output_folder(folder, kind_of_run(program.name, keys), input_paths(keys));
-  });
+  on_root(communicator, [&]() { check_output_folder(folder, program.name, keys); });
   const std::unique_ptr<Analysis> analysis = program.build(keys);
   if (!line.resume) // a run to be resumed has had its place on the disk
     on_root(communicator, [&]() { require_disk(folder, analysis->need()); });

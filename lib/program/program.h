@@ -1,7 +1,7 @@
 #ifndef mesoslip_program_program_h
 #define mesoslip_program_program_h
 
-#include "program/resources.h"
+#include "program/output_folder.h"
 
 #include <functional>
 #include <iosfwd>

@@ -68,11 +68,13 @@ void require_finite(const nlohmann::json &node, const std::string &path)
 }
 } // namespace
 
-RunContext::RunContext(const RunOptions &options,
+RunContext::RunContext(const std::string &program,
+                       const CommandLine &line,
                        const MPI_Comm communicator,
                        const std::string &original,
                        const std::string &effective)
-  : run_options(options)
+  : program(program)
+  , run_options(line)
   , comm(communicator)
   , run_summary(std::make_unique<nlohmann::json>())
   , original_parameters(original)
@@ -100,14 +102,14 @@ RunContext::RunContext(const RunOptions &options,
       throw UserError(file("log.txt") + ": cannot be written (" + system_message() + ")");
   });
 
-  *run_summary = {{"program", run_options.program},
+  *run_summary = {{"program", program},
                   {"version", version},
                   {"dim", nullptr},
                   {"cells", nullptr},
                   {"dofs", nullptr},
                   {"ranks", size},
                   {"warnings", nlohmann::json::array()}};
-  log(run_options.program + " " + version + ", " + std::to_string(size) +
+  log(program + " " + version + ", " + std::to_string(size) +
       (size == 1 ? " process, " : " processes, ") + date_and_time() + ", " +
       run_options.prm_file + " -> " + output_folder());
   if (!run_options.resume)
@@ -168,7 +170,7 @@ void RunContext::warn(const std::string &line)
     warnings.push_back(line);
   log_file << "warning: " << line << std::endl;
   progress_display->clear();
-  std::cerr << run_options.program << ": warning: " << line << std::endl;
+  std::cerr << program << ": warning: " << line << std::endl;
 }
 
 bool RunContext::stop_requested_here()

@@ -2,7 +2,8 @@
 #define mesoslip_program_run_context_h
 
 #include "base/timer.h"
-#include "program/lock.h"
+#include "program/command_line.h"
+#include "program/output_folder.h"
 #include "program/progress.h"
 
 #include <mpi.h>
@@ -16,17 +17,6 @@
 
 namespace mesoslip
 {
-/** The command line, as far as it concerns a run. */
-struct RunOptions
-{
-  std::string program;       ///< name, for messages
-  std::string prm_file;      ///< path
-  std::string output_folder; ///< path
-  bool resume  = false;      ///< go on from the checkpoint
-  bool quiet   = false;      ///< nothing on the console but warnings and errors
-  bool profile = false;      ///< print the timings at the end
-};
-
 /**
  * What a run has around it: its output folder, log, progress, timings and summary.
  * Members are called by all ranks unless said otherwise; only rank 0 writes.
@@ -39,10 +29,12 @@ public:
   /**
    * Creates and locks the output folder, opens its log, removes `terminate` and, unless
    * the run is to be resumed, calls begin(). From then on SIGINT and SIGTERM ask for a
-   * stop; another one, two seconds or more later, ends the process with status 130. @p original is the text of the .prm,
+   * stop; another one, two seconds or more later, ends the process with status 130.
+   * In @p line the output is that of the run. @p original is the text of the .prm,
    * @p effective what print_parameters() gave. @throws UserError.
    */
-  RunContext(const RunOptions &options,
+  RunContext(const std::string &program,
+             const CommandLine &line,
              const MPI_Comm communicator,
              const std::string &original,
              const std::string &effective);
@@ -74,7 +66,7 @@ public:
   }
 
   /** The command line. */
-  const RunOptions &options() const
+  const CommandLine &options() const
   {
     return run_options;
   }
@@ -106,7 +98,7 @@ public:
   /** Path of the output folder, as asked for. */
   const std::string &output_folder() const
   {
-    return run_options.output_folder;
+    return run_options.output;
   }
   /** Path of a file in the output folder. */
   std::string file(const std::string &name) const;
@@ -163,7 +155,8 @@ public:
   void write_summary();
 
 private:
-  RunOptions run_options;
+  const std::string program;
+  const CommandLine run_options;
   MPI_Comm comm;
   int my_rank = 0;
   int size    = 1;

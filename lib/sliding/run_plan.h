@@ -6,7 +6,7 @@
 #include "elasticity/uniform_material.h"
 #include "material/plausibility.h"
 #include "parameters/load_history.h"
-#include "program/resources.h"
+#include "program/output_folder.h"
 #include "sliding/contact_parameters.h"
 
 #include <algorithm>

@@ -3,8 +3,12 @@
 
 #include "base/exchange.h"
 #include "base/files.h"
+#include "exchange/xdmf.h"
 #include "io/checkpoint.h"
 #include "io/table.h"
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
 
 #include <boost/serialization/vector.hpp>
 
@@ -57,37 +61,65 @@ TEST(Tables, NameWhatIsWrong)
   expect_error("is a folder", [&] { CsvTable::read(folder.path); });
 }
 
+TEST(Xdmf, NamesDatasetsAndExtents)
+{
+  const TemporaryFolder folder;
+  const UniformGrid<2> grid = {{{4, 3}}, {{0.1, 0.2}}, {{1., 2.}}};
+  const XdmfField phase     = {"phase <&>", "/phase/id", XdmfField::Values::phases};
+  const std::string dataset = "/snapshots/displacement";
+  write_xdmf(folder / "d.xdmf", "d.h5", grid,
+             {{"displacement", dataset, XdmfField::Values::nodes, {2}}}, {0.5, 1. / 3.});
+  boost::property_tree::ptree tree;
+  read_xml(folder / "d.xdmf", tree);
+  const auto &series = tree.get_child("Xdmf.Domain.Grid");
+  EXPECT_EQ(series.count("Grid"), 2u);
+  const auto &last = series.rbegin()->second;
+  EXPECT_EQ(last.get<std::string>("Time.<xmlattr>.Value"), "0.3333333333333333");
+  EXPECT_EQ(last.get<std::string>("Topology.<xmlattr>.Dimensions"), "1 4 5");
+  EXPECT_EQ(last.get<std::string>("Geometry.DataItem"), "0 2 1");
+  EXPECT_EQ(last.get<std::string>("Attribute.<xmlattr>.AttributeType"), "Vector");
+  const auto &slab = last.get_child("Attribute.DataItem");
+  EXPECT_EQ(slab.get<std::string>("<xmlattr>.Dimensions"), "1 4 5 2");
+  EXPECT_EQ(slab.get<std::string>("DataItem"), "1 0 0 0  1 1 1 1  1 4 5 2");
+  EXPECT_EQ(slab.rbegin()->second.get<std::string>("<xmlattr>.Dimensions"), "2 4 5 2");
+  EXPECT_EQ(slab.rbegin()->second.data(), "d.h5:/snapshots/displacement");
+
+  write_xdmf(folder / "c.xdmf", "c.h5", grid,
+             {phase, {"stress", "/stress", XdmfField::Values::cells, {3}}});
+  boost::property_tree::ptree cells;
+  read_xml(folder / "c.xdmf", cells);
+  const auto &only = cells.get_child("Xdmf.Domain.Grid");
+  EXPECT_EQ(only.get<std::string>("Topology.<xmlattr>.Dimensions"), "2 4 5");
+  EXPECT_EQ(only.get<std::string>("Attribute.<xmlattr>.Name"), "phase <&>");
+  EXPECT_EQ(only.get<std::string>("Attribute.DataItem.<xmlattr>.Dimensions"), "1 3 4");
+  EXPECT_EQ(only.rbegin()->second.get<std::string>("<xmlattr>.Name"), "stress_xy");
+  EXPECT_EQ(only.rbegin()->second.get<std::string>("DataItem.DataItem"),
+            "0 0 2  1 1 1  3 4 1");
+}
+
 TEST(Checkpoints, ComeBackOrSayWhyNot)
 {
   const TemporaryFolder folder;
   const std::string path = folder / "run.checkpoint";
-  CheckpointHeader header;
-  header.kind = "contact_dynamics";
+  const std::string kind = "contact_dynamics, 2D, layout 1";
   const std::string payload("state\0with zero", 15);
-  const auto message = [&](const CheckpointHeader &expected) {
+  const auto message = [&](const std::string &expected) {
     return user_error([&]() { read_checkpoint(path, expected); });
   };
-  expect_contains(message(header), "there is no checkpoint to resume from");
-  write_checkpoint(path, header, {"old"});
-  write_checkpoint(path, header, {payload.substr(0, 7), "", payload.substr(7)});
-  EXPECT_EQ(read_checkpoint(path, header), payload);
+  expect_contains(message(kind), "there is no checkpoint to resume from");
+  write_checkpoint(path, kind, "old");
+  write_checkpoint(path, kind, payload);
+  EXPECT_EQ(read_checkpoint(path, kind), payload);
   EXPECT_FALSE(std::filesystem::exists(path + ".part"));
 
-  CheckpointHeader other = header;
-  other.kind             = "modal";
-  expect_contains(message(other), "is a mesoslip-checkpoint of contact_dynamics, 2D, "
-                                  "layout 1, little endian, but this run needs a ");
-  other     = header;
-  other.dim = 3;
-  expect_contains(message(other), "2D, layout 1");
-  other         = header;
-  other.version = 2;
-  expect_contains(message(other), "layout 1, ");
+  expect_contains(message("modal, 2D, layout 1"),
+                  "is a mesoslip-checkpoint of contact_dynamics, 2D, layout 1, little "
+                  "endian, but this run needs a mesoslip-checkpoint of modal, ");
 
   const std::string good = read_file(path);
   const auto spoilt      = [&](const std::string &bytes) {
     write_file(path, bytes);
-    return message(header);
+    return message(kind);
   };
   expect_contains(spoilt(""), "is not a checkpoint");
   expect_contains(spoilt(good.substr(0, 30)), "but this run needs");

@@ -3,7 +3,7 @@
 #include "io_testing.h"
 
 #include "base/files.h"
-#include "io/hdf5_file.h"
+#include "io/hdf5/internal.h"
 
 #include <cmath>
 #include <limits>

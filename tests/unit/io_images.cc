@@ -118,8 +118,6 @@ TEST(Images, BeginAtTheBottom)
   EXPECT_EQ(image.width, 3u);
   EXPECT_EQ(image.height, 2u);
   EXPECT_EQ(image.values, (std::vector<int>{7, 7, 255, 0, 128, 255}));
-  EXPECT_EQ(image(1, 1), 128);
-  EXPECT_EQ(image.distinct_values(), (std::vector<int>{0, 7, 128, 255}));
 
   write_png(folder / "c.png", PNG_FORMAT_RGB,
             {255, 0, 0, 0, 0, 255, 1, 1, 1, 255, 0, 0, 255, 0, 0, 0, 1, 0});

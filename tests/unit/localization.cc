@@ -1,6 +1,5 @@
 #include "localization/localize.h"
-#include "localization/row_kernels.h"
-#include "localization/strain_interpolation.h"
+#include "localization/snapshot_pass.h"
 #include "localization/stress_statistics.h"
 #include "localization_testing.h"
 

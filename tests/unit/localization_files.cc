@@ -1,5 +1,5 @@
 #include "io_testing.h"
-#include "localization/localization_output.h"
+#include "localization/localization_program.h"
 #include "localization/localize.h"
 #include "localization_testing.h"
 
@@ -214,15 +214,19 @@ TEST(LocalizationOutput, FileAndSummary)
   LocalizationInput input(parameters);
   const auto result = mesoslip::localize(input);
   write_localization(input, result, "", c.folder.path);
-  const Hdf5File file = Hdf5File::open(c.folder / "localization.h5");
-  file.check_header("mesoslip-localization", 1, 2);
+  const auto file = LocalizationFile::open(c.folder / "localization.h5");
   EXPECT_EQ(file.shape("/mean_von_mises"), (Shape{4, 6}));
-  for (const char *name : {"/mean_stress", "/deviation_stress", "/direct/mean_stress",
-                           "/difference/mean_stress", "/mean_strain_variant/mean_stress"})
-    EXPECT_EQ(file.shape(name), (Shape{4, 6, 3}));
-  EXPECT_EQ(file.shape("/probes/A/direct_stress"), (Shape{2, 3}));
-  EXPECT_EQ(file.read_attribute<std::string>("/probes/A", "phase_name"), "fibre");
-  EXPECT_EQ(file.read_attribute<unsigned int>("/probes/A", "phase"), 1u);
+  for (const std::string group : {"", "/direct", "/difference", "/mean_strain_variant"})
+    EXPECT_EQ(file.fields(group).mean_stress.size(), 72u) << group;
+  EXPECT_EQ(file.fields("").deviation_stress, result.variants[0].fields.deviation_stress);
+  const LocalizedProbe found    = file.probe("A", ""),
+                       &written = result.variants[0].probes[0];
+  EXPECT_EQ(found.direct_stress, written.direct_stress);
+  EXPECT_EQ(found.stress, written.stress);
+  EXPECT_EQ(found.cell, written.cell);
+  EXPECT_EQ(found.position, written.position);
+  EXPECT_EQ(found.phase_name, "fibre");
+  EXPECT_EQ(found.phase, 1u);
   for (const char *name : {"localization.xdmf", "probes.csv", "field_errors.csv"})
     EXPECT_TRUE(std::filesystem::exists(c.folder / name)) << name;
 

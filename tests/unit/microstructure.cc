@@ -1,7 +1,7 @@
 // Random placement of fibres.
 #include "microstructure_testing.h"
 
-#include "morphology/fibre_sampler.h"
+#include "morphology/random_fibres.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 #include "microstructure_testing.h"
 
 #include "base/files.h"
-#include "morphology/fibre_sampler.h"
 #include "morphology/image_map.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "io/hdf5_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <hdf5.h>
 #include <type_traits>
@@ -12,6 +13,26 @@
 // Only for the sources of Hdf5File: the HDF5 library's names stay here.
 namespace mesoslip
 {
+/** Bytes at the begin of a signed file that the line takes; a user block of HDF5. */
+constexpr std::size_t signature_bytes = 512;
+
+/**
+ * Writes "FORMAT xxh3-128 CHECKSUM" and a line feed into the first bytes of @p path,
+ * which are free for it: the 128 bit XXH3 checksum of all bytes after signature_bytes, in
+ * 32 hexadecimal digits. It tells accidents, no intent. @throws UserError if the file
+ * cannot be read or written.
+ */
+void sign_file(const std::string &path, const std::string &format);
+
+/** Puts @p line in the place of the checksum for the time being. @throws UserError. */
+void write_first_line(const std::string &path, const std::string &line);
+
+/** What write_first_line() or sign_file() wrote last; empty if none did. */
+std::string first_line(const std::string &path);
+
+/** Compares a file with its line. @throws UserError if it cannot be read. */
+Signature check_signature(const std::string &path);
+
 namespace hdf5
 {
 /** The type of the numbers T in memory. */
@@ -83,6 +104,12 @@ template <typename T>
 constexpr bool is_vector = false;
 template <typename T>
 constexpr bool is_vector<std::vector<T>> = true;
+
+/** Number of values of a T that is a std::array of values; 0 for any other T. */
+template <typename T>
+constexpr std::size_t array_size = 0;
+template <typename T, std::size_t n>
+constexpr std::size_t array_size<std::array<T, n>> = n;
 
 /** What an object of a file is called in messages. */
 inline std::string dataset_text(const std::string &name)

@@ -153,6 +153,16 @@ T Hdf5File::read_attribute(const std::string &object,
   const Shape extents = shape_of(attribute, text);
   if constexpr (hdf5::is_vector<T>)
     return read_values<typename T::value_type>(attribute, text, extents);
+  else if constexpr (hdf5::array_size<T> > 0)
+    {
+      const auto values = read_values<typename T::value_type>(attribute, text, extents);
+      T result          = {};
+      if (values.size() != result.size())
+        fail(text + " has " + std::to_string(values.size()) + " values instead of " +
+             std::to_string(result.size()));
+      std::copy(values.begin(), values.end(), result.begin());
+      return result;
+    }
   else
     {
       const auto values = read_values<T>(attribute, text, extents);
@@ -162,6 +172,51 @@ T Hdf5File::read_attribute(const std::string &object,
     }
 }
 
+std::string Hdf5File::check_header(const std::string &format,
+                                   const int max_version,
+                                   const int dim,
+                                   const std::string &hint) const
+{
+  if (!has_attribute("/", "format"))
+    fail("is not a file of format " + format + ": it has no attribute 'format'", hint);
+  const auto found = read_attribute<std::string>("/", "format");
+  if (found != format)
+    fail("has the format " + found + " instead of " + format, hint);
+  const int file_version = read_attribute<int>("/", "format_version");
+  if (file_version < 1 || file_version > max_version)
+    fail("has version " + std::to_string(file_version) + " of the format " + format +
+         ", but this program knows versions 1 to " + std::to_string(max_version));
+  const int file_dim = read_attribute<int>("/", "dim");
+  if (dim != 0 && file_dim != dim)
+    fail("is " + std::to_string(file_dim) + "D, but the run is " + std::to_string(dim) +
+           "D",
+         hint);
+  return read_attribute<std::string>("/", "digest");
+}
+
+std::string Hdf5File::change_note(const std::string &program) const
+{
+  if (signature == Signature::valid)
+    return "";
+  if (signature == Signature::broken)
+    return file_path + " has changed since " + program +
+           " wrote it, by an edit or by damage; its numbers are used as they are";
+  return file_path +
+         " has no checksum, as an earlier version or another program wrote it: "
+         "whether it is as " +
+         program + " wrote it is not known; its numbers are used as they are";
+}
+
+void Hdf5File::require_unit(const std::string &dataset, const std::string &unit) const
+{
+  if (!has_attribute(dataset, "unit"))
+    return;
+  const auto found = read_attribute<std::string>(dataset, "unit");
+  if (found != unit)
+    fail("the dataset " + dataset + " has the unit '" + found + "' instead of '" + unit +
+         "'; convert its numbers, or correct the attribute");
+}
+
 #define MESOSLIP_INSTANTIATE(T)                                                    \
   template std::vector<T> Hdf5File::read<T>(const std::string &, const Shape &,    \
                                             const std::string &) const;            \
@@ -169,6 +224,8 @@ T Hdf5File::read_attribute(const std::string &object,
     const std::string &, const Shape &, const Shape &, const std::string &) const; \
   template T Hdf5File::read_attribute<T>(const std::string &, const std::string &, \
                                          const std::string &) const;               \
+  template std::array<T, 2> Hdf5File::read_attribute<std::array<T, 2>>(            \
+    const std::string &, const std::string &, const std::string &) const;          \
   template std::vector<T> Hdf5File::read_attribute<std::vector<T>>(                \
     const std::string &, const std::string &, const std::string &) const;
 MESOSLIP_HDF5_TYPES(MESOSLIP_INSTANTIATE)

@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "base/version.h"
 #include "io/hdf5/internal.h"
 
 #include <deal.II/base/exceptions.h>
@@ -81,11 +82,14 @@ void Hdf5File::remove(const std::string &name)
 }
 
 template <typename T>
-void Hdf5File::write(const std::string &name, const Shape &shape, const T *data)
+void Hdf5File::write(const std::string &name,
+                     const Shape &shape,
+                     const std::vector<T> &data)
 {
   Assert(writable && file.valid(), dealii::ExcMessage("the file is not being written"));
   const std::size_t n = hdf5::product(shape);
-  const Encoded values(file_path + ": " + dataset_text(name), data, n);
+  AssertThrow(data.size() == n, dealii::ExcDimensionMismatch(data.size(), n));
+  const Encoded values(file_path + ": " + dataset_text(name), data.data(), n);
   remove(name);
   const Hdf5Handle space = hdf5::make_space(shape), links = link_properties(),
                    properties = creation_properties();
@@ -96,16 +100,6 @@ void Hdf5File::write(const std::string &name, const Shape &shape, const T *data)
        H5Dwrite(dataset, values.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data) < 0) ||
       !dataset.close())
     fail_writing(dataset_text(name) + " cannot be written");
-}
-
-template <typename T>
-void Hdf5File::write(const std::string &name,
-                     const Shape &shape,
-                     const std::vector<T> &data)
-{
-  AssertThrow(data.size() == hdf5::product(shape),
-              dealii::ExcDimensionMismatch(data.size(), hdf5::product(shape)));
-  write(name, shape, data.data());
 }
 
 template <typename T>
@@ -129,7 +123,7 @@ void Hdf5File::write_attribute(const std::string &object,
       fail_writing(text + " cannot be written");
   };
   Assert(writable && file.valid(), dealii::ExcMessage("the file is not being written"));
-  if constexpr (hdf5::is_vector<T>)
+  if constexpr (hdf5::is_vector<T> || hdf5::array_size < T >> 0)
     write_them({value.size()}, value.data());
   else
     write_them({}, &value);
@@ -185,12 +179,25 @@ void Hdf5File::write_row(const std::string &name,
     fail_writing(dataset_text(name) + " cannot be written");
 }
 
+void Hdf5File::write_header(const std::string &format,
+                            const int format_version,
+                            const int dim,
+                            const std::string &digest)
+{
+  write_attribute("/", "format", format);
+  write_attribute("/", "format_version", format_version);
+  write_attribute("/", "dim", dim);
+  write_attribute("/", "program_version", std::string(version));
+  write_attribute("/", "digest", digest);
+}
+
 #define MESOSLIP_INSTANTIATE(T)                                                        \
   template void Hdf5File::write<T>(const std::string &, const Shape &,                 \
                                    const std::vector<T> &);                            \
-  template void Hdf5File::write<T>(const std::string &, const Shape &, const T *);     \
   template void Hdf5File::write_attribute<T>(const std::string &, const std::string &, \
                                              const T &);                               \
+  template void Hdf5File::write_attribute<std::array<T, 2>>(                           \
+    const std::string &, const std::string &, const std::array<T, 2> &);               \
   template void Hdf5File::write_attribute<std::vector<T>>(                             \
     const std::string &, const std::string &, const std::vector<T> &);
 MESOSLIP_HDF5_TYPES(MESOSLIP_INSTANTIATE)

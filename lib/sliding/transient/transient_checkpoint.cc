@@ -13,9 +13,9 @@ namespace mesoslip
 {
 namespace
 {
-// 1 had no friction target, 2 no samples for statistics, 3 other snapshots and histories,
-// 4 the states beside the rest, 5 the samples of probes without their places.
-const CheckpointHeader header = {"contact_dynamics", 6};
+// Layout 1 had no friction target, 2 no samples for statistics, 3 other snapshots and
+// histories, 4 the states beside the rest, 5 the samples of probes without their places.
+const char checkpoint_kind[] = "contact_dynamics, 2D, layout 6";
 
 std::string place(const CheckpointPosition &position)
 {
@@ -44,7 +44,7 @@ TransientCheckpoint::Found TransientCheckpoint::look(const std::uint64_t n_steps
                   from_the_start);
       return Found::nothing;
     }
-  load_state(read_checkpoint(path, header), record, path);
+  load_state(read_checkpoint(path, checkpoint_kind), record, path);
   const CheckpointPosition &done = record.position;
   const std::string differences  = parameter_differences(identity, record.identity);
   if (!differences.empty())
@@ -88,7 +88,7 @@ void TransientCheckpoint::discard()
       return;
     try
       {
-        load_state(read_checkpoint(path, header), record, path);
+        load_state(read_checkpoint(path, checkpoint_kind), record, path);
         if (!record.position.at_end)
           context.warn("the run that was stopped at " + place(record.position) +
                        " starts anew; --resume would have continued it");
@@ -111,7 +111,7 @@ bool TransientCheckpoint::due() const
 void TransientCheckpoint::write_record(const Record &now) const
 {
   on_root(context.communicator(),
-          [&]() { write_checkpoint(path, header, {save_state(now)}); });
+          [&]() { write_checkpoint(path, checkpoint_kind, save_state(now)); });
 }
 
 void TransientCheckpoint::write(const CheckpointPosition &position,

@@ -1,0 +1,201 @@
+#include "exchange/xdmf.h"
+
+#include "base/files.h"
+#include "base/text.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <boost/algorithm/string/replace.hpp>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace mesoslip
+{
+namespace
+{
+std::string escaped(std::string text)
+{
+  for (const auto &[character, name] :
+       {std::make_pair("&", "&amp;"), std::make_pair("<", "&lt;"),
+        std::make_pair(">", "&gt;"), std::make_pair("\"", "&quot;")})
+    boost::algorithm::replace_all(text, character, name);
+  return text;
+}
+
+template <typename T>
+std::string joined(const std::vector<T> &values)
+{
+  std::ostringstream text;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text << (i > 0 ? " " : "") << values[i];
+  return text.str();
+}
+
+/**
+ * Writes the XML. The detours are those of ParaView's reader, tried with 5.11: it puts
+ * 2DCoRectMesh into the y-z plane, leaves out the coordinates and some cells of a
+ * 2DRectMesh, and the cell data of a 3DCoRectMesh one node thick. So plane grids are
+ * 3DCoRectMesh: one node thick with data of nodes, one cell with data of cells.
+ */
+template <int dim>
+class Writer
+{
+public:
+  Writer(const std::string &h5,
+         const UniformGrid<dim> &g,
+         const std::vector<XdmfField> &f,
+         const std::size_t n)
+    : file(h5)
+    , grid(g)
+    , fields(f)
+    , n_times(n)
+    , of_nodes(f.front().values == XdmfField::Values::nodes)
+  {
+    Assert(std::all_of(fields.begin(), fields.end(),
+                       [this](const XdmfField &field) {
+                         return (field.values == XdmfField::Values::nodes) == of_nodes;
+                       }),
+           dealii::ExcMessage("ParaView cannot show data of nodes and of cells on one "
+                              "plane grid"));
+  }
+
+  std::ostringstream out;
+
+  void write_grid(const std::size_t step, const double time)
+  {
+    out << "<Grid Name=\"grid\" GridType=\"Uniform\">\n";
+    if (n_times > 0)
+      out << "<Time Value=\"" << to_text(time) << "\"/>\n";
+    write_geometry();
+    for (const XdmfField &field : fields)
+      write_field(field, step);
+    out << "</Grid>\n";
+  }
+
+private:
+  /** Numbers of nodes or cells of what is shown, z first. */
+  Shape extents(const bool nodes) const
+  {
+    Shape result(3 - dim, nodes && !of_nodes ? 2 : 1);
+    for (unsigned int d = dim; d-- > 0;)
+      result.push_back(grid.cells[d] + (nodes ? 1 : 0));
+    return result;
+  }
+
+  void write_geometry()
+  {
+    std::vector<std::string> origin(3 - dim, "0"),
+      spacing(3 - dim, to_text(grid.spacing[0]));
+    for (unsigned int d = dim; d-- > 0;)
+      {
+        origin.push_back(to_text(grid.origin[d]));
+        spacing.push_back(to_text(grid.spacing[d]));
+      }
+    out << "<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\""
+        << joined(extents(true)) << "\"/>\n<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n";
+    for (const auto *numbers : {&origin, &spacing})
+      out << "<DataItem Dimensions=\"" << numbers->size()
+          << "\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">" << joined(*numbers)
+          << "</DataItem>\n";
+    out << "</Geometry>\n";
+  }
+
+  void write_field(const XdmfField &field, const std::size_t step)
+  {
+    static const char *const names[] = {"xx", "yy", "xy"};
+    const auto attribute             = [&](const std::string &suffix, const char *type,
+                               const Shape &first, const Shape &count) {
+      out << "<Attribute Name=\"" << escaped(field.name + suffix) << "\" AttributeType=\""
+          << type << "\" Center=\"" << (of_nodes ? "Node" : "Cell") << "\">\n";
+      write_item(field, step, first, count);
+      out << "</Attribute>\n";
+    };
+    if (field.components.empty())
+      attribute("", "Scalar", {}, {});
+    else if (field.components == Shape{dim})
+      attribute("", "Vector", {0}, {dim}); // plane ones get a third component, 0
+    else
+      for (std::size_t r = 0; r < 3; ++r)
+        if (field.components.size() == 1)
+          attribute(std::string("_") + names[r], "Scalar", {r}, {1});
+        else
+          for (std::size_t c = 0; c < 3; ++c)
+            attribute(std::string("_") + names[r] + "_" + names[c], "Scalar", {r, c},
+                      {1, 1});
+  }
+
+  /** Components from @p first on at one time: all of the dataset, or a slab of it. */
+  void write_item(const XdmfField &field,
+                  const std::size_t step,
+                  const Shape &first,
+                  const Shape &n)
+  {
+    Shape shown = extents(of_nodes), stored(shown.end() - dim, shown.end()),
+          start(dim, 0), count = stored;
+    if (of_nodes)
+      {
+        stored.insert(stored.begin(), n_times);
+        start.insert(start.begin(), step);
+        count.insert(count.begin(), 1);
+      }
+    stored.insert(stored.end(), field.components.begin(), field.components.end());
+    start.insert(start.end(), first.begin(), first.end());
+    count.insert(count.end(), n.begin(), n.end());
+    if (n == Shape{dim})
+      shown.push_back(dim);
+    const bool slab = stored.size() > dim;
+    if (slab)
+      out << "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" << joined(shown)
+          << "\" Type=\"HyperSlab\">\n<DataItem Dimensions=\"3 " << stored.size()
+          << "\" NumberType=\"Int\" Format=\"XML\">" << joined(start) << "  "
+          << joined(Shape(stored.size(), 1)) << "  " << joined(count) << "</DataItem>\n";
+    out << "<DataItem Dimensions=\"" << joined(slab ? stored : shown)
+        << "\" NumberType=\""
+        << (field.values == XdmfField::Values::phases ? "UChar\" Precision=\"1"
+                                                      : "Float\" Precision=\"8")
+        << "\" Format=\"HDF\">" << escaped(file) << ":" << escaped(field.dataset)
+        << "</DataItem>\n";
+    if (slab)
+      out << "</DataItem>\n";
+  }
+
+  const std::string &file;
+  const UniformGrid<dim> &grid;
+  const std::vector<XdmfField> &fields;
+  const std::size_t n_times;
+  const bool of_nodes;
+};
+} // namespace
+
+template <int dim>
+void write_xdmf(const std::string &path,
+                const std::string &file,
+                const UniformGrid<dim> &grid,
+                const std::vector<XdmfField> &fields,
+                const std::vector<double> &times)
+{
+  Writer<dim> writer(file, grid, fields, times.size());
+  writer.out << "<?xml version=\"1.0\" ?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n"
+                "<Xdmf Version=\"2.0\">\n<Domain>\n";
+  if (times.empty())
+    writer.write_grid(0, 0.);
+  else
+    {
+      writer.out << "<Grid Name=\"series\" GridType=\"Collection\" "
+                    "CollectionType=\"Temporal\">\n";
+      for (std::size_t step = 0; step < times.size(); ++step)
+        writer.write_grid(step, times[step]);
+      writer.out << "</Grid>\n";
+    }
+  writer.out << "</Domain>\n</Xdmf>\n";
+  write_file(path, writer.out.str());
+}
+
+template void write_xdmf(const std::string &,
+                         const std::string &,
+                         const UniformGrid<2> &,
+                         const std::vector<XdmfField> &,
+                         const std::vector<double> &);
+} // namespace mesoslip

@@ -1,0 +1,49 @@
+#ifndef mesoslip_exchange_xdmf_h
+#define mesoslip_exchange_xdmf_h
+
+#include "grid/uniform_grid.h"
+#include "io/hdf5_file.h"
+
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** A dataset of an exchange file as ParaView shows it. */
+struct XdmfField
+{
+  /** What the dataset holds; x is the fastest of the axes of the grid. */
+  enum class Values
+  {
+    nodes, ///< numbers of nodes; the first axis counts the times
+    cells, ///< numbers of cells
+    phases ///< phase numbers of cells
+  };
+
+  std::string name;              ///< in ParaView
+  std::string dataset;           ///< absolute path in the HDF5 file
+  Values values = Values::nodes; ///< what the dataset holds
+
+  /**
+   * Extents of the axes behind those of the grid: none for a number, the dimension for a
+   * vector, three for the components xx, yy, xy, two times three for a matrix of them.
+   * Components and entries are shown one by one: "stress_xx", "tensor_xx_yy".
+   */
+  Shape components = {};
+};
+
+/**
+ * Writes a file that ParaView opens (with its "XDMF Reader", not "Xdmf3 Reader") for the
+ * datasets @p fields of the HDF5 file of the name @p file beside it. ParaView cannot show
+ * data of nodes and of cells on one plane grid: for both write two files. A plane grid with
+ * data of cells is shown as a slab one cell thick. @p times are those of data of nodes.
+ */
+template <int dim>
+void write_xdmf(const std::string &path,
+                const std::string &file,
+                const UniformGrid<dim> &grid,
+                const std::vector<XdmfField> &fields,
+                const std::vector<double> &times = {});
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,282 @@
+#include "localization/comparison.h"
+
+#include "base/errors.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+
+namespace mesoslip
+{
+namespace
+{
+/** Times of the snapshots of a run in a window, of which there is one at least. */
+std::vector<double> times_in(const DynamicsFile &run, const TimeWindow &window)
+{
+  const auto times       = run.snapshot_times();
+  const IndexRange range = snapshots_in(run, window);
+  const auto first       = times.begin() + static_cast<std::ptrdiff_t>(range.first);
+  return {first, first + static_cast<std::ptrdiff_t>(range.count)};
+}
+
+double mean_interval(const std::vector<double> &times)
+{
+  return times.size() < 2
+           ? 0.
+           : (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+}
+
+std::string span_text(const DynamicsFile &run, const std::vector<double> &times)
+{
+  return run.path() + " are from " + to_text(times.front()) + " to " +
+         to_text(times.back()) + " s";
+}
+
+/** Mean and standard deviation (divided by n) of component @p c of a series. */
+std::array<double, 2> mean_and_deviation(const std::vector<double> &values,
+                                         const unsigned int c)
+{
+  const double n = static_cast<double>(values.size()) / 3.;
+  double mean = 0., squares = 0.;
+  for (std::size_t k = c; k < values.size(); k += 3)
+    mean += values[k];
+  mean /= n;
+  for (std::size_t k = c; k < values.size(); k += 3)
+    squares += (values[k] - mean) * (values[k] - mean);
+  return {{mean, std::sqrt(squares / n)}};
+}
+
+double relative(const double value, const double reference)
+{
+  return reference != 0. ? (value - reference) / reference : ComponentStatistics::unknown;
+}
+
+/** Component @p c of @p components of a field, over a region. */
+FieldError compare(const std::vector<double> &localized,
+                   const std::vector<double> &direct,
+                   const std::size_t components,
+                   const std::size_t c,
+                   const CellRegion &region)
+{
+  double ours = 0., theirs = 0., squares = 0.;
+  for (const std::size_t cell : region.cells)
+    {
+      const double a = localized[cell * components + c];
+      const double b = direct[cell * components + c];
+      ours += a * a;
+      theirs += b * b;
+      squares += (a - b) * (a - b);
+    }
+  const double n = static_cast<double>(std::max<std::size_t>(region.cells.size(), 1));
+  return {"",
+          region.name,
+          region.cells.size(),
+          std::sqrt(ours / n),
+          std::sqrt(theirs / n),
+          theirs > 0. ? std::sqrt(squares / theirs)
+                      : std::numeric_limits<double>::quiet_NaN()};
+}
+} // namespace
+
+std::vector<ConditionDifference> compare_conditions(const DynamicsFile &homogeneous,
+                                                    const DynamicsFile &direct,
+                                                    const bool allow_different_loads,
+                                                    std::vector<std::string> &notes,
+                                                    std::vector<std::string> &warnings)
+{
+  for (const DynamicsFile *run : {&homogeneous, &direct})
+    if (!run->conditions)
+      warnings.push_back(run->path() + " does not tell its loads, as an earlier version "
+                                       "wrote it: whether both runs were made under the "
+                                       "same is not known");
+  if (!homogeneous.conditions || !direct.conditions)
+    return {};
+  const auto differences =
+    condition_differences(*homogeneous.conditions, *direct.conditions);
+  const std::string loads    = differences_text(differences, true);
+  const std::string method   = differences_text(differences, false);
+  const std::string sentence = "the homogeneous run " + homogeneous.path() +
+                               " and the direct run " + direct.path() +
+                               " were made under different conditions (" + loads +
+                               "), so their difference is not the error of localization";
+  if (!loads.empty() && !allow_different_loads)
+    throw UserError(sentence + "; run both under the same, or set "
+                               "Input/Allow different loads = true");
+  if (!loads.empty())
+    warnings.push_back(sentence);
+  if (!method.empty())
+    notes.push_back("Homogeneous and direct run differ: " + method);
+  return differences;
+}
+
+double steady_from(const DynamicsFile &run)
+{
+  const RunConditions conditions = run.conditions.value_or(RunConditions());
+  const auto analysis            = conditions.find("analysis");
+  if (analysis != conditions.end() &&
+      std::get<std::string>(analysis->second) == "static contact")
+    return -std::numeric_limits<double>::infinity();
+  const auto from = number_of(conditions, "steady_from");
+  if (!from)
+    throw UserError(
+      "Window/From is auto, but " + run.path() +
+      " does not tell from when on the run is steady, as an earlier version "
+      "wrote it; give a time in s, or run contact_dynamics again");
+  return *from;
+}
+
+IndexRange snapshots_in(const DynamicsFile &run, const TimeWindow &window)
+{
+  const auto times       = run.snapshot_times();
+  const IndexRange range = entries_in(times, window);
+  if (times.empty())
+    throw UserError(run.path() + ": /snapshots is empty; run contact_dynamics until "
+                                 "after Snapshots/From");
+  if (range.count == 0)
+    throw UserError(run.path() + ": no snapshot lies between " + to_text(window.begin) +
+                    " and " + to_text(window.end) + " s, its " +
+                    std::to_string(times.size()) + " go from " + to_text(times.front()) +
+                    " to " + to_text(times.back()) + " s; change Window/From and To");
+  return range;
+}
+
+TimeWindow shared_snapshots(const DynamicsFile &one,
+                            const DynamicsFile &other,
+                            const TimeWindow &window)
+{
+  const std::vector<double> a = times_in(one, window), b = times_in(other, window);
+  if (a.size() == 1 && b.size() == 1)
+    return window;
+  const double slack      = 0.5 * std::max(mean_interval(a), mean_interval(b));
+  const TimeWindow shared = window.intersection(
+    {std::max(a.front(), b.front()) - slack, std::min(a.back(), b.back()) + slack});
+  if (entries_in(a, shared).count == 0 || entries_in(b, shared).count == 0)
+    throw UserError("the snapshots of the two runs have no time in common: those of " +
+                    span_text(one, a) + ", those of " + span_text(other, b) +
+                    "; run contact_dynamics with the same Snapshots/From and To");
+  return shared;
+}
+
+std::vector<double> resample(const ProbeSeries &series, const std::vector<double> &times)
+{
+  std::vector<double> values;
+  values.reserve(3 * times.size());
+  std::size_t next = 1;
+  for (const double t : times)
+    {
+      while (next + 1 < series.time.size() && series.time[next] < t)
+        ++next;
+      const std::size_t last  = std::min(next, series.time.size() - 1);
+      const std::size_t first = last == 0 ? 0 : last - 1;
+      const double span       = series.time[last] - series.time[first];
+      const double share =
+        span > 0. ? std::clamp((t - series.time[first]) / span, 0., 1.) : 0.;
+      for (unsigned int c = 0; c < 3; ++c)
+        values.push_back((1. - share) * series.values[3 * first + c] +
+                         share * series.values[3 * last + c]);
+    }
+  return values;
+}
+
+std::array<ComponentStatistics, 3> compare_series(const std::vector<double> &stress,
+                                                  const std::vector<double> &direct,
+                                                  const std::vector<double> &resampled)
+{
+  std::array<ComponentStatistics, 3> result;
+  for (unsigned int c = 0; c < 3; ++c)
+    {
+      ComponentStatistics &r = result[c];
+      const auto ours        = mean_and_deviation(stress, c);
+      r.mean                 = ours[0];
+      r.deviation            = ours[1];
+      if (direct.empty())
+        continue;
+      const auto theirs  = mean_and_deviation(direct, c);
+      r.direct_mean      = theirs[0];
+      r.direct_deviation = theirs[1];
+      r.error_mean       = relative(r.mean, r.direct_mean);
+      r.error_deviation  = relative(r.deviation, r.direct_deviation);
+      double difference = 0., norm = 0.;
+      for (std::size_t k = c; k < resampled.size(); k += 3)
+        {
+          difference += (stress[k] - resampled[k]) * (stress[k] - resampled[k]);
+          norm += resampled[k] * resampled[k];
+        }
+      if (norm > 0.)
+        r.rms_difference = std::sqrt(difference / norm);
+    }
+  return result;
+}
+
+std::vector<CellRegion> comparison_regions(const UniformGrid<2> &grid,
+                                           const std::vector<std::uint8_t> &phase,
+                                           const std::vector<Phase<2>> &phases,
+                                           const double surface_depth,
+                                           const double edge_distance)
+{
+  std::vector<CellRegion> regions = {
+    {"all", {}}, {"surface", {}}, {"bulk", {}}, {"interior", {}}, {"surface_inner", {}}};
+  const std::size_t n_places = regions.size();
+  for (const Phase<2> &of_cells : phases)
+    {
+      const bool taken =
+        std::any_of(regions.begin(), regions.end(), [&](const CellRegion &region) {
+          return region.name == of_cells.name;
+        });
+      regions.push_back({(taken ? "phase_" : "") + of_cells.name, {}});
+      regions.push_back({regions.back().name + "_interior", {}});
+    }
+  for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
+    {
+      const std::size_t i = cell % grid.cells[0], j = cell / grid.cells[0];
+      const double x = (i + 0.5) * grid.spacing[0], y = (j + 0.5) * grid.spacing[1];
+      const bool inner    = std::min(x, grid.extent(0) - x) >= edge_distance;
+      const bool surface  = y < surface_depth;
+      const bool interior = inner && std::min(y, grid.extent(1) - y) >= edge_distance;
+      const bool member[] = {true, surface, !surface, interior, surface && inner};
+      for (std::size_t r = 0; r < n_places; ++r)
+        if (member[r])
+          regions[r].cells.push_back(cell);
+      const std::size_t of_phase = n_places + std::size_t{2} * phase[cell];
+      regions[of_phase].cells.push_back(cell);
+      if (interior)
+        regions[of_phase + 1].cells.push_back(cell);
+    }
+  return regions;
+}
+
+std::vector<FieldError> field_errors(const StressFields &localized,
+                                     const StressFields &direct,
+                                     const std::vector<CellRegion> &regions)
+{
+  std::vector<FieldError> errors;
+  for (const StressField &field : stress_fields())
+    {
+      const auto &ours = localized.*field.values, &theirs = direct.*field.values;
+      const std::size_t n = field.quantities.size();
+      for (std::size_t c = 0; c < n && !ours.empty() && !theirs.empty(); ++c)
+        for (const CellRegion &region : regions)
+          {
+            errors.push_back(compare(ours, theirs, n, c, region));
+            errors.back().quantity = field.quantities[c];
+          }
+    }
+  return errors;
+}
+
+StressFields difference(const StressFields &localized, const StressFields &direct)
+{
+  StressFields result;
+  for (const StressField &field : stress_fields())
+    {
+      const auto &ours = localized.*field.values, &theirs = direct.*field.values;
+      AssertDimension(ours.size(), theirs.size());
+      std::transform(ours.begin(), ours.end(), theirs.begin(),
+                     std::back_inserter(result.*field.values), std::minus<>());
+    }
+  return result;
+}
+} // namespace mesoslip
