@@ -4,7 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <body/grid_body.h>
-#include <homogenization/response.h>
+#include <homogenization/ensemble.h>
 #include <material/stiffness.h>
 
 #include <cstdio>

@@ -1,7 +1,7 @@
 #ifndef velocity_weakening_h
 #define velocity_weakening_h
 
-#include <contact/friction_law.h>
+#include <contact/contact_surface.h>
 
 #include <cmath>
 

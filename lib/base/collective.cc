@@ -1,4 +1,4 @@
-#include "base/collective.h"
+#include "base/exchange.h"
 
 #include "base/errors.h"
 

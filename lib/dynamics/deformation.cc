@@ -1,4 +1,4 @@
-#include "dynamics/deformation.h"
+#include "dynamics/stepper.h"
 
 #include "base/exchange.h"
 

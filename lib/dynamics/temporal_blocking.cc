@@ -1,4 +1,4 @@
-#include "dynamics/temporal_blocking.h"
+#include "dynamics/explicit_stepper.h"
 
 #include <algorithm>
 

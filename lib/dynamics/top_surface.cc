@@ -27,14 +27,11 @@ double sum_of(const double *values, const unsigned int n)
 }
 } // namespace
 
-void TopRecorder::record(const double displacement,
-                         const TopLoad &load,
-                         const double work)
+void TopRecorder::record(const double displacement, const TopLoad &load)
 {
   samples.displacement.push_back(displacement);
   samples.normal_force.push_back(load.normal);
   samples.tangential_force.push_back(load.tangential);
-  samples.work.push_back(work);
 }
 
 template <int dim>
@@ -73,7 +70,7 @@ void TopSurface<dim>::advance(const SurfaceView<dim> &surface)
   total_work += work_this_step;
   for (TopRecorder *recorder : recorders)
     if (recorder->wants(surface.step))
-      recorder->record(displacement, load, total_work);
+      recorder->record(displacement, load);
 }
 
 template <int dim>

@@ -61,13 +61,12 @@ struct TopHistory
   std::vector<double> normal_force;     ///< N/m, positive when it presses
   std::vector<double> tangential_force; ///< N/m, as transmitted from the contact
   std::vector<double> displacement;     ///< mean u_y (m)
-  std::vector<double> work;             ///< done on the body since the start (J/m)
 
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<4>(archive, *this);
+    serialize_members<3>(archive, *this);
   }
 };
 
@@ -87,8 +86,8 @@ public:
     return interval > 0 && step % interval == 0;
   }
 
-  /** Mean @p displacement (m) before the step, load in it, @p work (J/m) after it. */
-  void record(const double displacement, const TopLoad &load, const double work);
+  /** Mean @p displacement (m) before the step, load in it. */
+  void record(const double displacement, const TopLoad &load);
 
   /** What was sampled so far, or since take(). */
   const TopHistory &history() const

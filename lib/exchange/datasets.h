@@ -3,7 +3,7 @@
 
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
-#include "material/phase.h"
+#include "material/voigt.h"
 
 #include <limits>
 #include <string>

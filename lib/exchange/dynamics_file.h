@@ -1,8 +1,7 @@
 #ifndef mesoslip_exchange_dynamics_file_h
 #define mesoslip_exchange_dynamics_file_h
 
-#include "exchange/body_description.h"
-#include "exchange/run_conditions.h"
+#include "exchange/run_description.h"
 #include "grid/nodal_field.h"
 #include "io/hdf5_file.h"
 

@@ -1,4 +1,4 @@
-#include "homogenization/response.h"
+#include "homogenization/ensemble.h"
 
 #include <Eigen/Dense>
 

@@ -1,4 +1,4 @@
-#include "homogenization/rve_output.h"
+#include "homogenization/rve_program.h"
 
 #include "exchange/rve_file.h"
 #include "io/json.h"

@@ -1,4 +1,4 @@
-#include "homogenization/rve_parameters.h"
+#include "homogenization/ensemble.h"
 
 #include "base/errors.h"
 #include "material/stiffness.h"

@@ -7,7 +7,6 @@
 #include "exchange/rve_file.h"
 #include "grid/uniform_grid.h"
 #include "homogenization/ensemble.h"
-#include "homogenization/rve_output.h"
 #include "material/engineering_constants.h"
 #include "material/plausibility.h"
 #include "parameters/keys.h"

@@ -1,8 +1,8 @@
 #include "localization/localization_program.h"
 
-#include "base/collective.h"
 #include "base/digest.h"
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "exchange/localization_file.h"
 #include "io/json.h"
 #include "io/table.h"

@@ -1,4 +1,4 @@
-#include "localization/localize.h"
+#include "localization/localization_program.h"
 
 #include "base/timer.h"
 #include "parameters/parameters.h"

@@ -1,7 +1,6 @@
 #include "localization/snapshot_pass.h"
 
 #include "base/timer.h"
-#include "localization/target_clones.h"
 
 #include <algorithm>
 #include <cmath>

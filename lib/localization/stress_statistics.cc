@@ -1,6 +1,5 @@
 #include "localization/stress_statistics.h"
 
-#include "localization/target_clones.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #ifndef mesoslip_material_bounds_h
 #define mesoslip_material_bounds_h
 
-#include "material/phase.h"
+#include "material/voigt.h"
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 #ifndef mesoslip_material_plausibility_h
 #define mesoslip_material_plausibility_h
 
-#include "material/phase.h"
+#include "material/voigt.h"
 
 #include <limits>
 #include <sstream>

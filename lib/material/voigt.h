@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <string>
+
 namespace mesoslip
 {
 /**
@@ -32,6 +34,22 @@ struct StiffnessEntry
 constexpr StiffnessEntry stiffness_entries[6] = {{0, 0, "D11"}, {0, 1, "D12"},
                                                  {0, 2, "D13"}, {1, 1, "D22"},
                                                  {1, 2, "D23"}, {2, 2, "D33"}};
+
+/** One constituent of the composite. */
+template <int dim>
+struct Phase
+{
+  std::string name; ///< unique among the phases
+
+  /** Pa; plane strain in 2D. */
+  VoigtMatrix<dim> stiffness = VoigtMatrix<dim>::Zero();
+
+  /** kg/m^3 */
+  double density = 0.;
+
+  /** Coulomb coefficient of contact nodes that lie in this phase. */
+  double friction_coefficient = 0.;
+};
 } // namespace mesoslip
 
 #endif

@@ -1,4 +1,4 @@
-#include "morphology/phase_parameters.h"
+#include "morphology/microstructure_parameters.h"
 
 #include "base/errors.h"
 #include "material/stiffness.h"

@@ -1,6 +1,6 @@
-#include "program/progress.h"
+#include "program/run_context.h"
 
-#include "base/collective.h"
+#include "base/exchange.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "program/run_context.h"
 
-#include "base/collective.h"
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "base/files.h"
 #include "base/version.h"
 

@@ -1,6 +1,5 @@
 #include "sliding/body_analysis.h"
 
-#include "base/collective.h"
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "grid/uniform_grid.h"

@@ -3,7 +3,7 @@
 
 #include "elasticity/dof_mask.h"
 #include "elasticity/uniform_material.h"
-#include "exchange/body_description.h"
+#include "exchange/run_description.h"
 #include "program/program.h"
 #include "sliding/contact_parameters.h"
 

@@ -3,7 +3,7 @@
 
 #include "contact/static_contact_solver.h"
 #include "eigenvalues/vibration_modes.h"
-#include "exchange/run_conditions.h"
+#include "exchange/run_description.h"
 #include "observation/probe_recorder.h"
 #include "observation/steady_state.h"
 #include "sliding/sliding_body.h"

@@ -1,8 +1,8 @@
 #ifndef mesoslip_sliding_run_plan_h
 #define mesoslip_sliding_run_plan_h
 
-#include "dynamics/deformation.h"
 #include "dynamics/stability_monitor.h"
+#include "dynamics/stepper.h"
 #include "elasticity/uniform_material.h"
 #include "material/plausibility.h"
 #include "parameters/load_history.h"

@@ -1,8 +1,8 @@
 // .prm files of all programs: from the text to the checked parameters, and back to text.
 #include "fuzzing.h"
 
-#include "homogenization/rve_parameters.h"
-#include "localization/localization_parameters.h"
+#include "homogenization/ensemble.h"
+#include "localization/localization_input.h"
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
 

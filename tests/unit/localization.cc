@@ -1,4 +1,4 @@
-#include "localization/localize.h"
+#include "localization/localization_program.h"
 #include "localization/snapshot_pass.h"
 #include "localization/stress_statistics.h"
 #include "localization_testing.h"

@@ -1,6 +1,5 @@
 #include "io_testing.h"
 #include "localization/localization_program.h"
-#include "localization/localize.h"
 #include "localization_testing.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-#include "localization/localization_parameters.h"
 #include "io_testing.h"
+#include "localization/localization_input.h"
 #include "localization_testing.h"
 #include "parameters/keys.h"
 

@@ -6,7 +6,7 @@
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
 #include "io_testing.h"
-#include "localization/localize.h"
+#include "localization/localization_program.h"
 #include "material/stiffness.h"
 
 #include <array>

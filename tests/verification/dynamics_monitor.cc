@@ -1,6 +1,6 @@
 #include "base/errors.h"
-#include "dynamics/deformation.h"
 #include "dynamics/stability_monitor.h"
+#include "dynamics/stepper.h"
 #include "sliding_body.h"
 
 #include <gtest/gtest.h>

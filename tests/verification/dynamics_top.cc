@@ -51,7 +51,7 @@ TEST(Top, SlowPressureGivesTheStaticCompression)
         EXPECT_NEAR(top.normal_force.back(), P * width, 1e-12 * P * width);
         EXPECT_NEAR(body.contact_recorder.history().normal_force.back(), P * width,
                     0.01 * P * width);
-        EXPECT_NEAR(top.work.back(), 0.5 * P * width * expected,
+        EXPECT_NEAR(body.top.work(), 0.5 * P * width * expected,
                     0.01 * P * width * expected);
         // Half the share of the end nodes, here and there.
         const double *normal = body.contact.normal_force();

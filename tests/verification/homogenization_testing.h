@@ -3,7 +3,6 @@
 
 #include "body/grid_body.h"
 #include "homogenization/ensemble.h"
-#include "homogenization/response.h"
 #include "material/stiffness.h"
 
 #include <cstdlib>

@@ -2,7 +2,7 @@
 #define mesoslip_body_mesh_mesh_discretization_h
 
 #include "body/elastic_body.h"
-#include "body/mesh/mesh.h"
+#include "body/mesh/mesh_body.h"
 
 #include <deal.II/distributed/fully_distributed_tria.h>
 #include <deal.II/dofs/dof_handler.h>

@@ -1,7 +1,7 @@
 #include "sliding/analyses/friction_homogenization.h"
 
-#include "base/collective.h"
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "io/json.h"
 #include "io/table.h"
 #include "material/plausibility.h"

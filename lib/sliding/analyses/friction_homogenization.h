@@ -1,7 +1,7 @@
 #ifndef mesoslip_sliding_analyses_friction_homogenization_h
 #define mesoslip_sliding_analyses_friction_homogenization_h
 
-#include "exchange/run_conditions.h"
+#include "exchange/run_description.h"
 #include "homogenization/homogenized_friction.h"
 #include "program/program.h"
 #include "sliding/contact_parameters.h"

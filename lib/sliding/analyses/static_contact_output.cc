@@ -1,5 +1,5 @@
 #include "base/errors.h"
-#include "dynamics/deformation.h"
+#include "dynamics/stepper.h"
 #include "exchange/datasets.h"
 #include "exchange/dynamics_file.h"
 #include "io/json.h"

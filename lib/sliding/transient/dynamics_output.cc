@@ -1,6 +1,6 @@
 #include "sliding/transient/dynamics_output.h"
 
-#include "base/collective.h"
+#include "base/exchange.h"
 #include "exchange/datasets.h"
 #include "grid/row_partition.h"
 #include "program/run_context.h"

@@ -2,7 +2,6 @@
 #define mesoslip_sliding_transient_dynamics_output_h
 
 #include "dynamics/stepper.h"
-#include "dynamics/stepper.h"
 #include "exchange/dynamics_file.h"
 #include "sliding/transient/transient_result.h"
 

@@ -1,7 +1,7 @@
 #include "sliding/transient/transient.h"
 
-#include "base/collective.h"
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "base/version.h"
 #include "grid/row_partition.h"
 #include "material/plausibility.h"
@@ -9,7 +9,6 @@
 #include "parameters/keys.h"
 #include "program/run_context.h"
 #include "sliding/transient/dynamics_output.h"
-#include "sliding/transient/transient_run.h"
 
 #include <deal.II/base/mpi.h>
 

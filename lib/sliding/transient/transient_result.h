@@ -4,7 +4,7 @@
 #include "contact/contact_recorder.h"
 #include "dynamics/energy_audit.h"
 #include "dynamics/top_surface.h"
-#include "exchange/body_description.h"
+#include "exchange/run_description.h"
 #include "observation/contact_statistics.h"
 #include "observation/probe_recorder.h"
 #include "observation/spectrum.h"

@@ -1,4 +1,4 @@
-#include "sliding/transient/transient_run.h"
+#include "sliding/transient/transient.h"
 
 #include "base/errors.h"
 #include "base/exchange.h"

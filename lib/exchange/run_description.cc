@@ -1,4 +1,4 @@
-#include "exchange/run_conditions.h"
+#include "exchange/run_description.h"
 
 #include "io/hdf5_file.h"
 #include "parameters/parameters.h"
