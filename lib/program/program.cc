@@ -151,7 +151,7 @@ int conclude(const MPI_Comm communicator,
     print(program, outcome);
   int shared = status;
   if (speaker < n_ranks)
-    MPI_Bcast(&shared, 1, MPI_INT, speaker, communicator);
+    broadcast_object(communicator, shared, speaker);
   return shared;
 }
 

@@ -10,9 +10,7 @@ using namespace contact_testing;
 
 namespace
 {
-constexpr double mu    = 0.25;
-constexpr double delta = 1.5e-6;
-constexpr double mass  = 0.03;
+constexpr double mu = 0.25, delta = 1.5e-6, mass = 0.03;
 
 /** A node that cannot follow the flat, so that it slips whatever the friction is. */
 Points slipping_node(const double dt, const ContactSetup &setup)
