@@ -3,7 +3,7 @@
 
 /**
  * The kernels of rows are compiled from one source once for each instruction set of the
- * processor family, each time in a namespace of its own (cmake/MesoslipKernels.cmake
+ * processor family, each time in a namespace of its own (cmake/MesoslipTargets.cmake
  * defines MESOSLIP_VARIANT for all but the baseline). Macros only: an inline function
  * that several variants instantiate could be taken from the wrong one by the linker, so
  * kernels keep the standard library out.

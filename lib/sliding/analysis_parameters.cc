@@ -147,7 +147,7 @@ void add_friction(RunConditions &conditions, const ContactParameters &parameters
       conditions["slip_length"]        = friction.slip_length;
       conditions["reference_velocity"] = friction.reference_velocity;
     }
-  else
+  else if (!parameters.contact.law.node_law)
     conditions["regularization_time"] = parameters.contact.law.time;
 }
 } // namespace
@@ -221,17 +221,18 @@ RunConditions ContactParameters::stated_conditions() const
 {
   using Kind                = TopSetup::Kind;
   const char *const kinds[] = {"pressure", "platen", "held"};
-  const bool transient      = analysis == ContactAnalysis::transient;
-  RunConditions conditions  = {
-     {"analysis", transient ? "transient" : "static contact"},
-     {"material", body.heterogeneous ? "heterogeneous" : "homogeneous"},
-     {"top", kinds[static_cast<std::size_t>(top.kind)]},
-     {"lateral_held", yes_or_no(top.kind != Kind::pressure || top.lateral_held)},
-     {"left_side", side_text(sides.left_held)},
-     {"right_side", side_text(sides.right_held)},
-     {"periodic", yes_or_no(periodic)},
-     {"acceleration_x", step.acceleration[0]},
-     {"acceleration_y", step.acceleration[1]}};
+  AssertIndexRange(static_cast<std::size_t>(top.kind), std::size(kinds));
+  const bool transient     = analysis == ContactAnalysis::transient;
+  RunConditions conditions = {
+    {"analysis", transient ? "transient" : "static contact"},
+    {"material", body.heterogeneous ? "heterogeneous" : "homogeneous"},
+    {"top", kinds[static_cast<std::size_t>(top.kind)]},
+    {"lateral_held", yes_or_no(top.kind != Kind::pressure || top.lateral_held)},
+    {"left_side", side_text(sides.left_held)},
+    {"right_side", side_text(sides.right_held)},
+    {"periodic", yes_or_no(periodic)},
+    {"acceleration_x", step.acceleration[0]},
+    {"acceleration_y", step.acceleration[1]}};
   add_load(conditions, "pressure", top.pressure);
   add_load(conditions, "velocity", contact.flat_velocity);
   add_friction(conditions, *this);
