@@ -155,7 +155,7 @@ std::vector<std::uint8_t> phases_of_cells(const UniformGrid<2> &grid,
             if (counts[p] == most && (chosen == n_phases || missing[p] > missing[chosen]))
               chosen = p;
           }
-        missing[chosen] -= long{ratio.pixels[0]} * ratio.pixels[1];
+        missing[chosen] -= 1L * ratio.pixels[0] * ratio.pixels[1];
         id.push_back(static_cast<std::uint8_t>(chosen));
       }
   return id;

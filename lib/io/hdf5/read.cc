@@ -160,7 +160,7 @@ T Hdf5File::read_attribute(const std::string &object,
       if (values.size() != result.size())
         fail(text + " has " + std::to_string(values.size()) + " values instead of " +
              std::to_string(result.size()));
-      std::copy(values.begin(), values.end(), result.begin());
+      std::copy_n(values.data(), values.size(), result.data());
       return result;
     }
   else
