@@ -62,8 +62,8 @@ public:
   /** Writes the fields that are not empty to @p group. */
   void write_fields(const StressFields &fields, const std::string &group);
 
-  /** Writes a probe below "probes" in @p group. */
-  void write_probe(const LocalizedProbe &probe, const std::string &group);
+  /** Writes a probe below "probes" in group @p in. */
+  void write_probe(const LocalizedProbe &probe, const std::string &in);
 
   /** Closes the file and writes `NAME.xdmf` with all fields, if there are any. */
   void complete();
@@ -71,8 +71,8 @@ public:
   /** The fields in @p group; empty where the file has none. @throws UserError */
   StressFields fields(const std::string &group) const;
 
-  /** The probe @p name in @p group. @throws UserError */
-  LocalizedProbe probe(const std::string &name, const std::string &group) const;
+  /** The probe @p name in group @p in. @throws UserError */
+  LocalizedProbe probe(const std::string &name, const std::string &in) const;
 
   UniformGrid<2> grid; ///< the cells of the fields
 
