@@ -33,7 +33,7 @@ public:
   /** On the rows of one rank. */
   UniformGridOperator(const UniformMaterial &material,
                       const NodeRows &rows,
-                      const InstructionSet isa = InstructionSet::automatic);
+                      const InstructionSet requested = InstructionSet::automatic);
 
   /** dst = K src. @p dst and @p src must be different fields. Number: double, float. */
   template <typename Number>

@@ -196,7 +196,8 @@ private:
     direct = shared ? std::move(theirs) : ProbeSeries();
   }
 
-  ProbeResult evaluate(const PlannedProbe &probe, ProbeSeries series, ProbeSeries direct)
+  ProbeResult
+  evaluate(const LocalizedProbe &probe, ProbeSeries series, ProbeSeries direct)
   {
     ProbeResult r = {probe, {}};
     // Two static states are compared whatever their times.
