@@ -36,7 +36,7 @@ release() {
 # One build for both kinds of checks: deal.II's Debug library and our assertions, and the sanitizers.
 sanitize() {
   install_packages
-  cmake_options+=(-DCMAKE_BUILD_TYPE=Debug -DMESOSLIP_SANITIZE=ON -DCMAKE_UNITY_BUILD=ON)
+  cmake_options+=(-DCMAKE_BUILD_TYPE=Debug -DMESOSLIP_SANITIZE=ON)
   build build-sanitize sanitized_tests
   # Memory that cannot be had is a failed allocation, as without the sanitizers.
   export ASAN_OPTIONS=allocator_may_return_null=1:detect_stack_use_after_return=1:strict_string_checks=1
@@ -54,7 +54,7 @@ tidy() {
   find lib applications tests doc -name '*.cc' -o -name '*.h' | xargs clang-format --dry-run -Werror ||
     fail "clang-format would write the above differently: clang-format -i"
   local cmake_options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
-                       -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
+                       -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
   configure build-lint
   cmake build-lint >build-lint/configure.log # files may have come and gone
   say "clang-tidy reads library and programs (some minutes)"

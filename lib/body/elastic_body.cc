@@ -4,6 +4,8 @@
 #include "body/mesh/mesh_body.h"
 #include "statics/multigrid/rigid_modes.h"
 
+#include <cmath>
+
 namespace mesoslip
 {
 template <int dim>
@@ -66,6 +68,54 @@ free_rigid_motions(const ElasticBody<2> &body, const DofMask &mask, const bool c
   return motions;
 }
 
+// Eigenvectors for the eigenvalue zero of what the constraints hold of the six motions.
+template <>
+std::vector<NodalField<double>>
+free_rigid_motions(const ElasticBody<3> &body, const DofMask &mask, const bool can_rotate)
+{
+  using Motions     = Eigen::Matrix<double, 3, 6>;
+  const double size = std::hypot(body.extent(0), body.extent(1), body.extent(2));
+  // Displacements of a node by unit translations and rotations about the middle.
+  const auto motions_of = [&](const NodeIndex &node) {
+    const auto p = body.point(node);
+    Eigen::Vector3d x;
+    for (unsigned int d = 0; d < 3; ++d)
+      x[d] = (p[d] - 0.5 * body.extent(d)) / size;
+    Motions motions = Motions::Zero();
+    motions.leftCols<3>().setIdentity();
+    for (unsigned int d = 0; d < 3; ++d)
+      motions.col(3 + d) = Eigen::Vector3d::Unit(d).cross(x);
+    return motions;
+  };
+  Eigen::Matrix<double, 6, 6> hold = Eigen::Matrix<double, 6, 6>::Zero();
+  if (!can_rotate || body.periodicity().x || body.periodicity().y)
+    hold.bottomRightCorner<3, 3>().setIdentity();
+  for (unsigned int j = 0; j < body.n_rows(); ++j)
+    for (unsigned int i = 0; i < body.n_columns(); ++i)
+      if (mask.bits({i, j}) != 0)
+        {
+          const Motions motions = motions_of({i, j});
+          for (unsigned int c = 0; c < 3; ++c)
+            if (mask.is_constrained(c, {i, j}))
+              hold += motions.row(c).transpose() * motions.row(c);
+        }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(hold);
+  std::vector<NodalField<double>> result;
+  for (int k = 0; k < 6; ++k)
+    if (!(eigen.eigenvalues()[k] > 1e-10 * std::max(1., eigen.eigenvalues()[5])))
+      {
+        NodalField<double> &motion = result.emplace_back(body.zero_field());
+        for (unsigned int j = 0; j < body.n_rows(); ++j)
+          for (unsigned int i = 0; i < body.n_columns(); ++i)
+            {
+              const Eigen::Vector3d u = motions_of({i, j}) * eigen.eigenvectors().col(k);
+              for (unsigned int c = 0; c < 3; ++c)
+                motion.row(c, j)[i] = u[c];
+            }
+      }
+  return result;
+}
+
 std::unique_ptr<ElasticBody<2>> make_body(const UniformMaterial &material,
                                           const StaticSolverKind solver,
                                           const MPI_Comm communicator)
@@ -76,5 +126,7 @@ std::unique_ptr<ElasticBody<2>> make_body(const UniformMaterial &material,
 }
 
 template class ElasticBody<2>;
+template class ElasticBody<3>;
 template std::vector<double> phase_volumes(const ElasticBody<2> &);
+template std::vector<double> phase_volumes(const ElasticBody<3> &);
 } // namespace mesoslip

@@ -17,8 +17,8 @@ namespace mesoslip
 template <int dim>
 struct SurfaceNodes
 {
-  /** In ascending order along the side; on a periodic body the last is the duplicate of
-   * the first. */
+  /** In 2D in ascending order along the side; on a periodic body the last is the duplicate
+   * of the first. */
   std::vector<NodeIndex> nodes;
 
   /** Integral of the outward normal times the shape function of each node: its tributary
@@ -60,7 +60,7 @@ public:
   /** A field that is zero. */
   NodalField<double> zero_field() const
   {
-    return NodalField<double>(columns, rows);
+    return NodalField<double>(columns, rows, dim);
   }
 
   /** Stiffness (Pa) and density (kg/m^3) of each phase. */
@@ -196,6 +196,18 @@ template <int dim>
 std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<dim> &body,
                                                    const DofMask &mask,
                                                    const bool can_rotate = true);
+
+/** See above. */
+template <>
+std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<2> &body,
+                                                   const DofMask &mask,
+                                                   const bool can_rotate);
+
+/** See above. */
+template <>
+std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<3> &body,
+                                                   const DofMask &mask,
+                                                   const bool can_rotate);
 
 /**
  * The body that @p solver works on: a GridBody, or for StaticSolverKind::ml a MeshBody

@@ -36,87 +36,182 @@ MESOSLIP_INLINE vdouble at_least_smallest(const vdouble x)
   return x > tiny ? x : tiny;
 }
 
-/** The nodes i, i + 1, ... of one vector. */
-MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
-                                    const ContactStep &step,
-                                    const std::size_t i,
-                                    LaneSums &s)
+MESOSLIP_INLINE vdouble length_of(const vdouble x, const vdouble y)
 {
-  using Arrays        = ContactArrays;
-  const auto at       = [&](const Arrays::Column c) { return a.column[c] + i; };
-  const vdouble zero  = {};
-  const vdouble one   = splat(1.);
-  const double dt     = step.dt;
-  const double c      = (0.5 + step.beta2) * dt * dt; // du = dt w + c a
-  const double d      = (step.beta2 - 0.5) * dt * dt;
-  const vdouble mxinv = load(a.inverse_mass[0] + i), myinv = load(a.inverse_mass[1] + i);
-  const vdouble w_x = load(a.w[0] + i), w_y = load(a.w[1] + i);
-  const vdouble u_x = load(a.u[0] + i), u_y = load(a.u[1] + i);
+  vdouble length = x * x + y * y;
+  for (unsigned int l = 0; l < Simd<double>::length; ++l)
+    length[l] = __builtin_sqrt(length[l]);
+  return length;
+}
 
-  // Without contact.
-  const vdouble free_x = -load(a.force[0] + i) * mxinv;
-  const vdouble free_y = -load(a.force[1] + i) * myinv;
-  const vdouble slide  = dt * w_x + c * free_x;
-  const vdouble gap    = load(at(Arrays::gap)) + u_y + dt * w_y + c * free_y;
+/** Sticking nodes, and tangential force and Coulomb's force on the body as if all nodes
+ * touched. */
+template <int dim>
+struct Friction
+{
+  vint64 sticks;
+  vdouble force[dim - 1], target[dim - 1];
+};
 
-  // Contact.
-  const vint64 touches = gap < zero;
-  const vdouble normal = touches ? -gap / at_least_smallest(c * myinv) : zero;
+/** How friction follows its target. */
+MESOSLIP_INLINE vdouble relax(const vdouble target,
+                              const vdouble target_before,
+                              const vdouble force_before,
+                              const vdouble decay,
+                              const vdouble lag)
+{
+  return target + (force_before - target_before) * decay - (target - target_before) * lag;
+}
 
-  // Friction.
-  const vdouble to_stick = (step.flat_increment - slide) / at_least_smallest(c * mxinv);
-  const vdouble limit    = load(at(Arrays::friction_coefficient)) * normal;
-  const vint64 sticks    = touches & (absolute(to_stick) <= limit);
+/** From the slip without friction and the compliance c / m. */
+MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
+                                     const std::size_t i,
+                                     const vdouble limit,
+                                     const vdouble (&slip)[1],
+                                     const vdouble (&compliance)[1])
+{
+  using Arrays           = ContactArrays;
+  const auto at          = [&](const Arrays::Column c) { return load(a.column[c] + i); };
+  const vdouble zero     = {};
+  const vdouble to_stick = slip[0] / at_least_smallest(compliance[0]);
+  const vint64 sticks    = absolute(to_stick) <= limit;
   const vdouble target   = to_stick < zero ? -limit : limit;
-  const vdouble before   = load(at(Arrays::target));
-  const vdouble relaxed =
-    target + (load(at(Arrays::tangential_force)) - before) * load(at(Arrays::decay)) -
-    (target - before) * load(at(Arrays::lag));
+  const vdouble relaxed  = relax(target, at(Arrays::target), at(Arrays::tangential_force),
+                                 at(Arrays::decay), at(Arrays::lag));
 
   // In its own direction friction never exceeds the force that makes the node stick.
   const vint64 same_direction = relaxed * to_stick > zero;
   const vint64 excess         = same_direction & (absolute(relaxed) > absolute(to_stick));
   const vdouble sliding       = excess ? to_stick : relaxed;
-  const vdouble stopped       = sticks ? to_stick : sliding;
-  const vdouble tangential    = touches ? stopped : zero;
+  return {sticks, {sticks ? to_stick : sliding}, {target}};
+}
+
+/** The same with two tangential components. */
+MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
+                                     const std::size_t i,
+                                     const vdouble limit,
+                                     const vdouble (&slip)[2],
+                                     const vdouble (&compliance)[2])
+{
+  using Arrays            = ContactArrays;
+  const auto at           = [&](const Arrays::Column c) { return load(a.column[c] + i); };
+  const vdouble distance  = length_of(slip[0], slip[1]);
+  const vdouble before[2] = {at(Arrays::target), at(Arrays::lateral_target)};
+  const vdouble force_before[2] = {at(Arrays::tangential_force),
+                                   at(Arrays::lateral_force)};
+  Friction<3> result;
+  vdouble to_stick[2], direction[2], pull[2];
+  vdouble moved = {}, softness = {}; // along the slip, by friction and by a unit force
+  for (int k = 0; k < 2; ++k)
+    {
+      to_stick[k]      = slip[k] / at_least_smallest(compliance[k]);
+      direction[k]     = slip[k] / at_least_smallest(distance);
+      pull[k]          = direction[k] * compliance[k];
+      result.target[k] = limit * direction[k];
+      result.force[k]  = relax(result.target[k], before[k], force_before[k],
+                               at(Arrays::decay), at(Arrays::lag));
+      moved += pull[k] * result.force[k];
+      softness += pull[k] * direction[k];
+    }
+  result.sticks        = length_of(to_stick[0], to_stick[1]) <= limit;
+  const vdouble excess = (moved - distance) / at_least_smallest(softness);
+  for (int k = 0; k < 2; ++k)
+    {
+      const vdouble less    = result.force[k] - excess * direction[k];
+      const vdouble sliding = moved > distance ? less : result.force[k];
+      result.force[k]       = result.sticks ? to_stick[k] : sliding;
+    }
+  return result;
+}
+
+/** The nodes i, i + 1, ... of one vector. */
+template <int dim>
+MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
+                                    const ContactStep &step,
+                                    const std::size_t i,
+                                    LaneSums &s)
+{
+  using Arrays       = ContactArrays;
+  const auto at      = [&](const Arrays::Column c) { return a.column[c] + i; };
+  const vdouble zero = {};
+  const vdouble one  = splat(1.);
+  const double dt    = step.dt;
+  const double c     = (0.5 + step.beta2) * dt * dt; // du = dt w + c a
+  const double d     = (step.beta2 - 0.5) * dt * dt;
+
+  // Without contact.
+  vdouble minv[dim], w[dim], a_free[dim];
+  for (int k = 0; k < dim; ++k)
+    {
+      minv[k]   = load(a.inverse_mass[k] + i);
+      w[k]      = load(a.w[k] + i);
+      a_free[k] = -load(a.force[k] + i) * minv[k];
+    }
+  const vdouble gap =
+    load(at(Arrays::gap)) + load(a.u[1] + i) + dt * w[1] + c * a_free[1];
+
+  // Contact.
+  const vint64 touches = gap < zero;
+  const vdouble normal = touches ? -gap / at_least_smallest(c * minv[1]) : zero;
+
+  // Friction.
+  vdouble slip[dim - 1], compliance[dim - 1];
+  for (int k = 0; k < dim - 1; ++k)
+    {
+      const int component = 2 * k;
+      const vdouble slide = dt * w[component] + c * a_free[component];
+      slip[k]             = k == 0 ? step.flat_increment - slide : -slide;
+      compliance[k]       = c * minv[component];
+    }
+  const vdouble limit   = load(at(Arrays::friction_coefficient)) * normal;
+  const Friction<dim> f = friction(a, i, limit, slip, compliance);
+  const vint64 sticks   = touches & f.sticks;
 
   // Time step.
-  const vdouble a_x     = free_x + tangential * mxinv;
-  const vdouble a_y     = free_y + normal * myinv;
-  const vdouble w_new_x = w_x + dt * a_x;
-  const vdouble w_new_y = w_y + dt * a_y;
-  const vdouble du_x    = dt * w_new_x + d * a_x;
-  const vdouble du_y    = dt * w_new_y + d * a_y;
-  store(a.w[0] + i, w_new_x);
-  store(a.w[1] + i, w_new_y);
-  store(a.u[0] + i, u_x + du_x);
-  store(a.u[1] + i, u_y + du_y);
+  vdouble force[dim], du[dim], central[dim];
+  for (int k = 0; k < dim; ++k)
+    {
+      constexpr Arrays::Column increments[] = {Arrays::increment_x, Arrays::increment_y,
+                                               Arrays::lateral_increment};
+      force[k]                   = k == 1 ? normal : touches ? f.force[k / 2] : zero;
+      const vdouble acceleration = a_free[k] + force[k] * minv[k];
+      const vdouble w_new        = w[k] + dt * acceleration;
+      du[k]                      = dt * w_new + d * acceleration;
+      central[k]                 = 0.5 * (du[k] + load(at(increments[k])));
+      store(a.w[k] + i, w_new);
+      store(a.u[k] + i, load(a.u[k] + i) + du[k]);
+      store(at(increments[k]), du[k]);
+    }
 
   // Statistics.
-  const vdouble central_x  = 0.5 * (du_x + load(at(Arrays::increment_x)));
-  const vdouble central_y  = 0.5 * (du_y + load(at(Arrays::increment_y)));
   const vdouble in_contact = touches ? one : zero;
   const vdouble stick      = sticks ? one : zero;
   const vdouble landing    = in_contact * (one - load(at(Arrays::touching)));
-  store(at(Arrays::increment_x), du_x);
-  store(at(Arrays::increment_y), du_y);
   store(at(Arrays::stick_count), load(at(Arrays::stick_count)) + stick);
   store(at(Arrays::slip_count), load(at(Arrays::slip_count)) + (in_contact - stick));
   store(at(Arrays::landing_count), load(at(Arrays::landing_count)) + landing);
   store(at(Arrays::touching), in_contact);
   store(at(Arrays::sticking), stick);
   store(at(Arrays::normal_force), normal);
-  store(at(Arrays::tangential_force), tangential);
-  store(at(Arrays::target), touches ? target : zero);
+  store(at(Arrays::tangential_force), force[0]);
+  store(at(Arrays::target), touches ? f.target[0] : zero);
   s.normal += normal;
-  s.tangential += tangential;
+  s.tangential += force[0];
   s.sticking += stick;
   s.touching += in_contact;
-  s.friction_energy += tangential * (step.flat_increment - central_x);
-  s.impact_energy -= normal * central_y;
+  s.friction_energy += force[0] * (step.flat_increment - central[0]);
+  s.impact_energy -= normal * central[1];
+  if constexpr (dim == 3)
+    {
+      store(at(Arrays::lateral_force), force[2]);
+      store(at(Arrays::lateral_target), touches ? f.target[1] : zero);
+      s.friction_energy -= force[2] * central[2];
+    }
 }
 
-void advance(const ContactArrays &arrays, const ContactStep &step, ContactSums &sums)
+template <int dim>
+static void
+advance_nodes(const ContactArrays &arrays, const ContactStep &step, ContactSums &sums)
 {
   // Eight partial sums whatever the vectors: the same order everywhere.
   constexpr std::size_t length = Simd<double>::length;
@@ -125,7 +220,7 @@ void advance(const ContactArrays &arrays, const ContactStep &step, ContactSums &
   for (std::size_t i = 0; i < arrays.n; i += contact_lanes)
 #pragma GCC unroll 4
     for (std::size_t p = 0; p < n; ++p)
-      advance_vector(arrays, step, i + p * length, parts[p]);
+      advance_vector<dim>(arrays, step, i + p * length, parts[p]);
 
   const auto sum = [&](vdouble LaneSums::*quantity) {
     double total = 0.;
@@ -139,5 +234,17 @@ void advance(const ContactArrays &arrays, const ContactStep &step, ContactSums &
   sums.slipping         = sum(&LaneSums::touching) - sums.sticking;
   sums.friction_energy  = sum(&LaneSums::friction_energy);
   sums.impact_energy    = sum(&LaneSums::impact_energy);
+}
+
+void advance(const ContactArrays &arrays, const ContactStep &step, ContactSums &sums)
+{
+  advance_nodes<2>(arrays, step, sums);
+}
+
+void advance_in_space(const ContactArrays &arrays,
+                      const ContactStep &step,
+                      ContactSums &sums)
+{
+  advance_nodes<3>(arrays, step, sums);
 }
 } // namespace mesoslip::contact_kernels::MESOSLIP_VARIANT

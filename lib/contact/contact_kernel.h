@@ -13,7 +13,8 @@ constexpr std::size_t contact_lanes = 8;
 /**
  * Pointers to everything the contact kernels read and write, one value a node, 64-byte
  * aligned and padded to a multiple of contact_lanes. Padding has gap = infinity and no
- * inverse mass. Components are along the contact (0) and normal to it (1).
+ * inverse mass. Components are along the motion of the flat (0), normal to the contact (1)
+ * and, in 3D, along the contact across that motion (2).
  */
 struct ContactArrays
 {
@@ -35,17 +36,28 @@ struct ContactArrays
     normal_force,     ///< N/m, pressing on the node from below, not negative
     sticking,         ///< 1: touches without sliding
     // Counters of the running block of steps.
-    stick_count,   ///< steps stuck
-    slip_count,    ///< steps slipped
-    landing_count, ///< steps in which contact began
+    stick_count,     ///< steps stuck
+    slip_count,      ///< steps slipped
+    landing_count,   ///< steps in which contact began
+    n_plane_columns, ///< those above are all of a 2D contact
+    // As those without the word, across the motion of the flat.
+    lateral_increment = n_plane_columns, ///< m
+    lateral_force,                       ///< N
+    lateral_target,                      ///< N
     n_columns
   };
 
+  /** Number of columns in so many dimensions. */
+  static constexpr unsigned int n_columns_in(const int dim)
+  {
+    return dim == 2 ? n_plane_columns : n_columns;
+  }
+
   std::size_t n;                 ///< padded number of nodes
-  const double *force[2];        ///< internal minus body forces (N/m)
-  const double *inverse_mass[2]; ///< m/kg, 0 where constrained
-  double *u[2];                  ///< displacement (m), in and out
-  double *w[2];                  ///< velocity of the scheme (m/s), in and out
+  const double *force[3];        ///< internal minus body forces (N/m)
+  const double *inverse_mass[3]; ///< m/kg, 0 where constrained
+  double *u[3];                  ///< displacement (m), in and out
+  double *w[3];                  ///< velocity of the scheme (m/s), in and out
   double *column[n_columns];     ///< see Column
 };
 
@@ -61,7 +73,7 @@ struct ContactStep
 struct ContactSums
 {
   double normal_force     = 0.; ///< N/m
-  double tangential_force = 0.; ///< N/m, on the body
+  double tangential_force = 0.; ///< N/m, on the body, along the flat's motion
   double sticking         = 0.; ///< number of nodes
   double slipping         = 0.; ///< number of nodes
   double friction_energy  = 0.; ///< dissipated in this step (J/m)
@@ -73,6 +85,10 @@ struct ContactSums
  * increment Lagrange multipliers, which on a rigid flat with lumped mass is a problem of
  * its own at every node (eqs 2, 4 and 7), and steps the row in time.
  *
+ * In 3D friction is a vector: Coulomb's force is along the slip that there would be without
+ * friction, the vector relaxes towards it, and as much of it is left away as would move
+ * the node along this slip further than the flat.
+ *
  * Work is formed with the central increment (u_(n+1) - u_(n-1)) / 2, for which the
  * discrete energy balance is exact.
  */
@@ -83,10 +99,11 @@ using ContactFunction = void (*)(const ContactArrays &arrays,
 /** One for each instruction set, see contact_function(). */
 namespace contact_kernels
 {
-#define MESOSLIP_DECLARE_ADVANCE(name)                                     \
-  namespace name                                                           \
-  {                                                                        \
-  void advance(const ContactArrays &, const ContactStep &, ContactSums &); \
+#define MESOSLIP_DECLARE_ADVANCE(name)                                              \
+  namespace name                                                                    \
+  {                                                                                 \
+  void advance(const ContactArrays &, const ContactStep &, ContactSums &);          \
+  void advance_in_space(const ContactArrays &, const ContactStep &, ContactSums &); \
   }
 MESOSLIP_FOR_EACH_VARIANT(MESOSLIP_DECLARE_ADVANCE)
 #undef MESOSLIP_DECLARE_ADVANCE

@@ -92,5 +92,7 @@ void NodeStatistics<dim>::finish(ContactSurface<dim> &contact)
 }
 
 template class ContactRecorder<2>;
+template class ContactRecorder<3>;
 template class NodeStatistics<2>;
+template class NodeStatistics<3>;
 } // namespace mesoslip

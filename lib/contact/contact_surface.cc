@@ -7,11 +7,13 @@
 
 namespace mesoslip
 {
+template <int dim>
 ContactFunction contact_function(const InstructionSet isa)
 {
   using namespace contact_kernels;
-  const ContactFunction functions[] = MESOSLIP_VARIANTS(advance);
-  return variant(functions, isa);
+  const ContactFunction plane[] = MESOSLIP_VARIANTS(advance);
+  const ContactFunction space[] = MESOSLIP_VARIANTS(advance_in_space);
+  return dim == 2 ? variant(plane, isa) : variant(space, isa);
 }
 
 template <int dim>
@@ -20,11 +22,13 @@ ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParamet
   , step(step)
   , n_nodes(setup.friction_coefficient.size())
   , n_distinct(setup.periodic ? n_nodes - 1 : n_nodes)
-  , values(n_nodes, 1, Column::n_columns)
+  , values(n_nodes, 1, ContactArrays::n_columns_in(dim))
 {
   const unsigned int n_padded = whole_vectors<double>(n_nodes);
   std::fill_n(column(Column::gap), n_padded, std::numeric_limits<double>::infinity());
   std::fill_n(column(Column::gap), n_distinct, setup.gap);
+  for (std::size_t i = 0; i < setup.height.size(); ++i)
+    column(Column::gap)[i] += setup.height[i];
   std::copy(setup.friction_coefficient.begin(), setup.friction_coefficient.end(),
             column(Column::friction_coefficient));
   const Relaxation relaxation(step.dt, setup.law.time);
@@ -36,17 +40,17 @@ template <int dim>
 ContactArrays ContactSurface<dim>::arrays(const SurfaceView<dim> &surface)
 {
   static_assert(contact_lanes == lanes<double>, "fields are padded to whole vectors");
-  ContactArrays a;
-  a.n = whole_vectors<double>(n_nodes);
-  for (const unsigned int c : {0U, 1U})
+  ContactArrays a = {};
+  a.n             = whole_vectors<double>(n_nodes);
+  for (unsigned int c = 0; c < dim; ++c)
     {
-      const unsigned int component = c == 0 ? 0 : dim - 1;
+      const unsigned int component = c == 0 ? 0 : c == 1 ? dim - 1 : 1;
       a.force[c]                   = surface.force[component];
       a.inverse_mass[c]            = surface.inverse_mass[component];
       a.u[c]                       = surface.u[component];
       a.w[c]                       = surface.w[component];
     }
-  for (unsigned int k = 0; k < Column::n_columns; ++k)
+  for (unsigned int k = 0; k < values.n_components(); ++k)
     a.column[k] = values.row(k, 0);
   return a;
 }
@@ -60,7 +64,7 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
     initialize_increments(surface);
   if (setup.law.node_law)
     setup.law.node_law->update(
-      {n_nodes, surface.w[0], flat_velocity}, step.dt,
+      {n_nodes, surface.w[0], flat_velocity, dim == 3 ? surface.w[1] : nullptr}, step.dt,
       {column(Column::friction_coefficient), column(Column::decay), column(Column::lag)});
 
   for (ContactObserver<dim> *observer : observers)
@@ -92,6 +96,8 @@ void ContactSurface<dim>::initialize_increments(const SurfaceView<dim> &surface)
     {
       column(Column::increment_x)[i] = step.dt * surface.w[0][i];
       column(Column::increment_y)[i] = step.dt * surface.w[dim - 1][i];
+      if (dim == 3)
+        column(Column::lateral_increment)[i] = step.dt * surface.w[1][i];
     }
   started = true;
 }
@@ -111,5 +117,8 @@ NodeCounts ContactSurface<dim>::take_counts()
   return counts;
 }
 
+template ContactFunction contact_function<2>(const InstructionSet);
+template ContactFunction contact_function<3>(const InstructionSet);
 template class ContactSurface<2>;
+template class ContactSurface<3>;
 } // namespace mesoslip

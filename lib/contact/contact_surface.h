@@ -22,6 +22,9 @@ struct SlidingNodes
   unsigned int n         = 0;       ///< number of nodes
   const double *velocity = nullptr; ///< along x (m/s), n values
   double flat_velocity   = 0.;      ///< m/s
+
+  /** In 3D: along the contact across the motion of the flat (m/s), n values. */
+  const double *lateral_velocity = nullptr;
 };
 
 /**
@@ -98,7 +101,10 @@ public:
   {
     for (unsigned int i = 0; i < nodes.n; ++i)
       {
-        const double slip_rate = std::fabs(nodes.flat_velocity - nodes.velocity[i]);
+        const double along     = std::fabs(nodes.flat_velocity - nodes.velocity[i]),
+                     slip_rate = nodes.lateral_velocity == nullptr
+                                   ? along
+                                   : std::hypot(along, nodes.lateral_velocity[i]);
         friction.set(i, Relaxation(dt, length / (slip_rate + reference_velocity)));
       }
   }
@@ -121,8 +127,9 @@ struct FrictionLaw
   std::shared_ptr<const NodeLaw> node_law;
 };
 
-/** The step of the contact row compiled for an instruction set; all give the same bits.
+/** The step of the contact nodes compiled for an instruction set; all give the same bits.
  *  Throws std::runtime_error if the processor lacks it. */
+template <int dim>
 ContactFunction contact_function(const InstructionSet isa = InstructionSet::automatic);
 
 /** Width (m) of the bottom of @p grid that belongs to a node; half a cell at the ends. */
@@ -146,6 +153,10 @@ struct ContactSetup
 
   /** Distance between surface and flat in the undeformed state (m). */
   double gap = 0.;
+
+  /** Of each node above the lowest of them in the undeformed state (m); empty: all are
+   * equally high. */
+  std::vector<double> height;
 
   /** The last node duplicates the first. */
   bool periodic = false;
@@ -189,8 +200,7 @@ struct ContactObserver
 
 /**
  * The law of contact with a rigid flat that moves along x: forward increment Lagrange
- * multipliers and regularized Coulomb friction (eqs 2, 4, 7). The kernel has one
- * tangential component, so there is an instance for dim = 2.
+ * multipliers and regularized Coulomb friction (eqs 2, 4, 7).
  */
 template <int dim>
 class ContactSurface : public SurfaceCondition<dim>
@@ -232,10 +242,17 @@ public:
     return column(Column::normal_force);
   }
 
-  /** Tangential forces of the last step on the body (N/m), one value a node. */
+  /** Tangential forces of the last step on the body (N/m) along the motion of the flat,
+   * one value a node. */
   const double *tangential_force() const
   {
     return column(Column::tangential_force);
+  }
+
+  /** In 3D: the same across the motion of the flat. */
+  const double *lateral_force() const
+  {
+    return column(Column::lateral_force);
   }
 
   /** The node counts since the last call; steps are left at 0. */
@@ -264,7 +281,7 @@ private:
 
   void initialize_increments(const SurfaceView<dim> &surface);
 
-  const ContactFunction advance_nodes = contact_function();
+  const ContactFunction advance_nodes = contact_function<dim>();
 
   const ContactSetup setup;
   const StepParameters step;

@@ -3,10 +3,13 @@
 #include "elasticity/uniform_grid_operator.h"
 #include "grid/nodal_field.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -56,6 +59,89 @@ std::pair<double, double> largest_ritz_pair(const std::vector<double> &diagonal,
   const auto last = d.size() - 1;
   return {solver.eigenvalues()[last], solver.eigenvectors()(last, last)};
 }
+/** A symmetric positive semi-definite operator whose unknowns are divided among ranks. */
+struct Operator
+{
+  /** y = M^-1/2 K M^-1/2 x for the unknowns of this rank. */
+  std::function<void(std::vector<double> &, const std::vector<double> &)> apply;
+
+  double bound          = std::numeric_limits<double>::infinity(); ///< of the frequency
+  MPI_Comm communicator = MPI_COMM_SELF;
+};
+
+/** For the start of the iteration, the same in each run. */
+class RandomNumbers
+{
+public:
+  double operator()()
+  {
+    return distribution(generator);
+  }
+
+private:
+  std::mt19937 generator{20080101};
+  std::uniform_real_distribution<double> distribution{-1., 1.};
+};
+
+FrequencyEstimate iterate(const Operator &op,
+                          std::vector<double> v,
+                          const double tolerance,
+                          const unsigned int max_iterations)
+{
+  // Lanczos without reorthogonalization: the extreme Ritz values do not suffer.
+  const std::size_t n = v.size();
+  const auto total    = [&](const auto number) {
+    return dealii::Utilities::MPI::sum(number, op.communicator);
+  };
+  const std::uint64_t n_all = total(std::uint64_t(n));
+  std::vector<double> old(n, 0.), y(n), diagonal, off;
+  const auto norm = [&](const std::vector<double> &x) {
+    double sum = 0.;
+    for (std::size_t i = 0; i < n; ++i)
+      sum += x[i] * x[i];
+    return std::sqrt(total(sum));
+  };
+  const double start = norm(v);
+  for (double &x : v)
+    x /= start;
+
+  FrequencyEstimate estimate;
+  estimate.upper = op.bound;
+  double before  = 0.;
+  for (unsigned int k = 1; k <= max_iterations; ++k)
+    {
+      op.apply(y, v);
+      estimate.iterations = k;
+      double alpha        = 0.;
+      for (std::size_t i = 0; i < n; ++i)
+        alpha += y[i] * v[i];
+      alpha = total(alpha);
+      for (std::size_t i = 0; i < n; ++i)
+        y[i] -= alpha * v[i] + before * old[i];
+      const double next = norm(y);
+      diagonal.push_back(alpha);
+      const bool exhausted = !(next > 1e-12 * std::abs(diagonal[0])) || k >= n_all;
+      if (k % 5 == 0 || k == max_iterations || exhausted)
+        {
+          const auto pair       = largest_ritz_pair(diagonal, off);
+          const double residual = exhausted ? 0. : next * std::abs(pair.second);
+          estimate.lower        = std::sqrt(std::max(pair.first, 0.));
+          estimate.upper =
+            std::min(op.bound, std::sqrt(std::max(pair.first, 0.) + residual));
+          // The residual says that an eigenvalue is near, not that it is the largest: a
+          // random start makes it so once the Ritz value has had time to climb.
+          if (exhausted ||
+              (k >= 30 && estimate.upper <= (1. + tolerance) * estimate.lower))
+            break;
+        }
+      off.push_back(next);
+      before = next;
+      old.swap(v);
+      for (std::size_t i = 0; i < n; ++i)
+        v[i] = y[i] / next;
+    }
+  return estimate;
+}
 } // namespace
 
 double element_frequency_bound(const UniformMaterial &material)
@@ -71,66 +157,6 @@ double element_frequency_bound(const UniformMaterial &material)
         std::max(largest, solver.eigenvalues()[7] / (phase.density * hx * hy / 4.));
     }
   return std::sqrt(largest);
-}
-
-FrequencyEstimate largest_frequency(
-  const std::function<void(std::vector<double> &, const std::vector<double> &)> &apply,
-  const std::size_t n,
-  const double bound,
-  const double tolerance,
-  const unsigned int max_iterations)
-{
-  // Lanczos without reorthogonalization: the extreme Ritz values do not suffer.
-  std::vector<double> v(n), old(n, 0.), y(n), diagonal, off;
-  std::mt19937 generator(20080101);
-  std::uniform_real_distribution<double> random(-1., 1.);
-  for (double &x : v)
-    x = random(generator);
-  const auto norm = [n](const std::vector<double> &x) {
-    double sum = 0.;
-    for (std::size_t i = 0; i < n; ++i)
-      sum += x[i] * x[i];
-    return std::sqrt(sum);
-  };
-  const double start = norm(v);
-  for (double &x : v)
-    x /= start;
-
-  FrequencyEstimate estimate;
-  estimate.upper = bound;
-  double before  = 0.;
-  for (unsigned int k = 1; k <= max_iterations; ++k)
-    {
-      apply(y, v);
-      estimate.iterations = k;
-      double alpha        = 0.;
-      for (std::size_t i = 0; i < n; ++i)
-        alpha += y[i] * v[i];
-      for (std::size_t i = 0; i < n; ++i)
-        y[i] -= alpha * v[i] + before * old[i];
-      const double next = norm(y);
-      diagonal.push_back(alpha);
-      const bool exhausted = !(next > 1e-12 * std::abs(diagonal[0])) || k >= n;
-      if (k % 5 == 0 || k == max_iterations || exhausted)
-        {
-          const auto pair       = largest_ritz_pair(diagonal, off);
-          const double residual = exhausted ? 0. : next * std::abs(pair.second);
-          estimate.lower        = std::sqrt(std::max(pair.first, 0.));
-          estimate.upper =
-            std::min(bound, std::sqrt(std::max(pair.first, 0.) + residual));
-          // The residual says that an eigenvalue is near, not that it is the largest: a
-          // random start makes it so once the Ritz value has had time to climb.
-          if (exhausted ||
-              (k >= 30 && estimate.upper <= (1. + tolerance) * estimate.lower))
-            break;
-        }
-      off.push_back(next);
-      before = next;
-      old.swap(v);
-      for (std::size_t i = 0; i < n; ++i)
-        v[i] = y[i] / next;
-    }
-  return estimate;
 }
 
 FrequencyEstimate largest_frequency(const UniformMaterial &material,
@@ -168,9 +194,56 @@ FrequencyEstimate largest_frequency(const UniformMaterial &material,
       y[k] = scale(c, node) * f(c, node);
     });
   };
-  return largest_frequency(apply, 2 * std::size_t(columns) * n_rows,
-                           element_frequency_bound(free), tolerance, max_iterations);
+  std::vector<double> start(2 * std::size_t(columns) * n_rows);
+  RandomNumbers random;
+  for (double &value : start)
+    value = random();
+  return iterate({apply, element_frequency_bound(free)}, start, tolerance,
+                 max_iterations);
 }
+
+template <int dim>
+FrequencyEstimate largest_frequency(const MeshOperator<dim> &op,
+                                    const double tolerance,
+                                    const unsigned int max_iterations)
+{
+  constexpr unsigned int stride = kernels::node_stride<dim>;
+  const MeshPart<dim> &part     = op.part;
+  LineVector<double> x = op.zero_field(), f = x;
+  std::vector<double> scale;
+  for (const double mass : op.lumped_mass())
+    scale.push_back(1. / std::sqrt(mass));
+  const auto apply = [&](std::vector<double> &y, const std::vector<double> &v) {
+    std::fill(x.begin(), x.end(), 0.);
+    std::fill(f.begin(), f.end(), 0.);
+    for (std::size_t k = 0; k < v.size(); ++k)
+      x[k / dim * stride + k % dim] = scale[k / dim] * v[k];
+    // Zeros of those who do not own a point leave the sum that of its owner.
+    op.sum_up(x.data());
+    op.add_product(f.data(), x.data());
+    for (std::size_t k = 0; k < v.size(); ++k)
+      y[k] = scale[k / dim] * f[k / dim * stride + k % dim];
+  };
+  // Whatever the ranks, a point of the mesh gets the same numbers.
+  std::vector<std::pair<unsigned int, unsigned int>> points;
+  for (unsigned int i = 0; i < part.n_owned; ++i)
+    points.emplace_back(part.point_in_mesh[i], i);
+  std::sort(points.begin(), points.end());
+  std::vector<double> start(dim * std::size_t(part.n_owned));
+  RandomNumbers random;
+  unsigned int drawn = 0;
+  for (const auto &[in_mesh, i] : points)
+    for (; drawn <= in_mesh; ++drawn)
+      for (unsigned int c = 0; c < dim; ++c)
+        start[dim * std::size_t(i) + c] = random();
+  return iterate({apply, std::numeric_limits<double>::infinity(), op.communicator}, start,
+                 tolerance, max_iterations);
+}
+
+template FrequencyEstimate
+largest_frequency(const MeshOperator<2> &, const double, const unsigned int);
+template FrequencyEstimate
+largest_frequency(const MeshOperator<3> &, const double, const unsigned int);
 
 double
 critical_time_step(const UniformMaterial &material, const double beta2, const double beta)

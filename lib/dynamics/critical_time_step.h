@@ -1,6 +1,7 @@
 #ifndef mesoslip_dynamics_critical_time_step_h
 #define mesoslip_dynamics_critical_time_step_h
 
+#include "elasticity/mesh_operator.h"
 #include "elasticity/uniform_material.h"
 
 #include <functional>
@@ -44,16 +45,11 @@ FrequencyEstimate largest_frequency(const UniformMaterial &material,
                                     const double tolerance            = 2e-3,
                                     const unsigned int max_iterations = 120);
 
-/**
- * The same for any symmetric positive semi-definite operator: @p apply (y, x) sets
- * y = M^-1/2 K M^-1/2 x for @p n unknowns.
- */
-FrequencyEstimate largest_frequency(
-  const std::function<void(std::vector<double> &, const std::vector<double> &)> &apply,
-  const std::size_t n,
-  const double bound,
-  const double tolerance,
-  const unsigned int max_iterations);
+/** The same on a mesh. Collective; the same on any number of ranks up to round-off. */
+template <int dim>
+FrequencyEstimate largest_frequency(const MeshOperator<dim> &op,
+                                    const double tolerance            = 2e-3,
+                                    const unsigned int max_iterations = 120);
 
 /** critical_time_step() with the upper estimate of largest_frequency(). */
 double critical_time_step(const UniformMaterial &material,

@@ -1,6 +1,9 @@
-#include "dynamics/stepper.h"
+#include "dynamics/deformation.h"
 
 #include "base/exchange.h"
+#include "mesh/linear_shape.h"
+
+#include <deal.II/base/tensor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,16 +58,85 @@ void evaluate_row(const double *ux,
     }
 }
 
-void take_larger(CellExtreme &best, const CellExtreme &other)
+/** Squares of strain and rotation, and the Jacobian with the opposite sign: all three are
+ * to be largest. */
+using Extremes = std::array<CellExtreme, 3>;
+
+Extremes none()
 {
-  // The first NaN is larger than all numbers and no smaller than another NaN.
-  if (!(other.value <= best.value) && !std::isnan(best.value))
-    best = other;
+  Extremes extremes;
+  extremes[2].value = -std::numeric_limits<double>::infinity();
+  return extremes;
 }
 
-double root(const double square)
+/** Of equal values the one of the first cell, NaN being infinite; whether it was new. */
+bool take_larger(CellExtreme &best, double value, const std::uint64_t cell)
 {
-  return std::isnan(square) ? std::numeric_limits<double>::infinity() : std::sqrt(square);
+  if (std::isnan(value))
+    value = std::numeric_limits<double>::infinity();
+  if (!(value > best.value || (value == best.value && cell < best.cell)))
+    return false;
+  best.value = value;
+  best.cell  = cell;
+  return true;
+}
+
+/** The largest of all ranks. */
+Deformation over_ranks(const Extremes &found, const MPI_Comm communicator)
+{
+  Extremes all = found;
+  int n_ranks  = 1;
+  MPI_Comm_size(communicator, &n_ranks);
+  for (int rank = 0; rank < n_ranks; ++rank)
+    {
+      Extremes one = found;
+      broadcast_object(communicator, one, rank);
+      for (std::size_t k = 0; k < one.size(); ++k)
+        if (take_larger(all[k], one[k].value, one[k].cell))
+          all[k].middle = one[k].middle;
+    }
+  Deformation largest    = {all[0], all[1], all[2]};
+  largest.strain.value   = std::sqrt(all[0].value);
+  largest.rotation.value = std::sqrt(all[1].value);
+  largest.jacobian.value = -all[2].value;
+  return largest;
+}
+
+/** What one cell of a mesh contributes to Extremes. */
+template <int dim>
+std::array<double, 3> evaluate_cell(const std::vector<dealii::Point<dim>> &points,
+                                    const std::vector<unsigned int> &vertices,
+                                    const NodalField<double> &u)
+{
+  using Gradient   = dealii::Tensor<2, dim>;
+  const auto shape = reference_cell<dim>(vertices.size());
+  // dx/dxi and du/dxi
+  const auto gradients = [&](const dealii::Point<dim> &xi) {
+    std::array<Gradient, 2> sum;
+    for (unsigned int v = 0; v < vertices.size(); ++v)
+      {
+        const auto shape_gradient = linear_shape_gradient<dim>(shape, xi, v);
+        dealii::Tensor<1, dim> displacement;
+        for (unsigned int c = 0; c < dim; ++c)
+          displacement[c] = u.row(c, 0)[vertices[v]];
+        sum[0] += outer_product(points[vertices[v]], shape_gradient);
+        sum[1] += outer_product(displacement, shape_gradient);
+      }
+    return sum;
+  };
+  const auto middle    = gradients(shape.template barycenter<dim>());
+  const Gradient grad  = middle[1] * invert(middle[0]);
+  const Gradient skew  = 0.5 * (grad - transpose(grad));
+  double most_inverted = -std::numeric_limits<double>::infinity();
+  for (unsigned int v = 0; v < vertices.size(); ++v)
+    {
+      const auto corner  = gradients(shape.template vertex<dim>(v));
+      const double ratio = determinant(corner[0] + corner[1]) / determinant(corner[0]);
+      most_inverted      = std::isnan(ratio) ? ratio : std::max(most_inverted, -ratio);
+      if (std::isnan(ratio))
+        break;
+    }
+  return {{(grad - skew).norm_square(), 0.5 * skew.norm_square(), most_inverted}};
 }
 } // namespace
 
@@ -75,36 +147,50 @@ Deformation largest_deformation(const UniformGrid<2> &grid,
 {
   const std::vector<double> row(grid.cells[0]);
   RowValues values = {row, row, row};
-  Deformation found; // squares, and the Jacobian with the opposite sign
-  found.jacobian.value = -found.jacobian.value;
-  Deformation all      = found;
+  Extremes found   = none();
   for (unsigned int j = rows.begin; j < std::min(rows.end, grid.cells[1]); ++j)
     {
       const unsigned int lower = rows.local(j), upper = lower + 1;
       evaluate_row(u.row(0, lower), u.row(1, lower), u.row(0, upper), u.row(1, upper),
                    1. / grid.spacing[0], 1. / grid.spacing[1], values);
+      const std::uint64_t first = std::uint64_t(j) * grid.cells[0];
       for (unsigned int i = 0; i < grid.cells[0]; ++i)
         {
-          take_larger(found.strain, {values.strain[i], i, j});
-          take_larger(found.rotation, {values.rotation[i], i, j});
-          take_larger(found.jacobian, {values.minus_jacobian[i], i, j});
+          take_larger(found[0], values.strain[i], first + i);
+          take_larger(found[1], values.rotation[i], first + i);
+          take_larger(found[2], values.minus_jacobian[i], first + i);
         }
     }
-  int n_ranks = 1;
-  MPI_Comm_size(communicator, &n_ranks);
-  for (int rank = 0; rank < n_ranks; ++rank)
-    {
-      Deformation one = found;
-      broadcast_object(communicator, one, rank);
-      take_larger(all.strain, one.strain);
-      take_larger(all.rotation, one.rotation);
-      take_larger(all.jacobian, one.jacobian);
-    }
-  all.strain.value   = root(all.strain.value);
-  all.rotation.value = root(all.rotation.value);
-  all.jacobian.value = std::isnan(all.jacobian.value)
-                         ? -std::numeric_limits<double>::infinity()
-                         : -all.jacobian.value;
-  return all;
+  for (CellExtreme &extreme : found)
+    for (unsigned int d = 0; d < 2; ++d)
+      extreme.middle[d] =
+        (0.5 + (d == 0 ? extreme.cell % grid.cells[0] : extreme.cell / grid.cells[0])) *
+        grid.spacing[d];
+  return over_ranks(found, communicator);
 }
+
+template <int dim>
+Deformation largest_deformation(const MeshPart<dim> &part,
+                                const NodalField<double> &u,
+                                const MPI_Comm communicator)
+{
+  Extremes found = none();
+  for (std::size_t k = 0; k < part.cells.size(); ++k)
+    {
+      const auto &vertices = part.cells[k].vertices;
+      const auto values    = evaluate_cell(part.points, vertices, u);
+      dealii::Point<dim> middle;
+      for (const unsigned int v : vertices)
+        middle += part.points[v] / static_cast<double>(vertices.size());
+      for (std::size_t q = 0; q < found.size(); ++q)
+        if (take_larger(found[q], values[q], part.cell_in_mesh[k]))
+          std::copy_n(middle.begin_raw(), dim, found[q].middle.begin());
+    }
+  return over_ranks(found, communicator);
+}
+
+template Deformation
+largest_deformation(const MeshPart<2> &, const NodalField<double> &, const MPI_Comm);
+template Deformation
+largest_deformation(const MeshPart<3> &, const NodalField<double> &, const MPI_Comm);
 } // namespace mesoslip

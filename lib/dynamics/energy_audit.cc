@@ -32,7 +32,7 @@ std::vector<double> EnergyHistory::residual() const
   return r;
 }
 
-EnergyAudit::EnergyAudit(Stepper<2> &stepper,
+EnergyAudit::EnergyAudit(Stepper &stepper,
                          const double platen_mass,
                          const std::uint64_t interval,
                          const std::function<BoundaryWork()> &boundary_work)
@@ -45,8 +45,8 @@ EnergyAudit::EnergyAudit(Stepper<2> &stepper,
   , boundary_work(boundary_work)
   , damped(step.beta > 0.)
   , dissipative(step.beta2 != 0.5)
-  , heavy(step.acceleration != std::array<double, 2>{})
-  , u_before(u.n_columns(), u.n_rows())
+  , heavy(step.is_heavy())
+  , u_before(u.n_columns(), u.n_rows(), u.n_components())
   , w_before(u_before)
   , u_now(u_before)
   , w_now(u_before)
@@ -151,15 +151,16 @@ EnergyAudit::Sums EnergyAudit::nodal_sums() const
   const double c_now            = 0.25 * c / (step.dt * step.dt);
 
   Sums sums;
-  for (unsigned int component = 0; component < 2; ++component)
+  for (unsigned int component = 0; component < u.n_components(); ++component)
     for (unsigned int j = rows.begin; j < rows.end; ++j)
       {
         const unsigned int l = rows.local(j);
         const double *m  = mass.data() + static_cast<std::size_t>(n) * (j - rows.begin);
         const double *w2 = w.row(component, l);
         const auto &top  = stepper.top_node;
-        const double m_extra = component == 1 && top && j == top->j ? platen_mass : 0.;
-        const auto squares   = [&](const double factor, const auto &value) {
+        const double m_extra =
+          component + 1 == u.n_components() && top && j == top->j ? platen_mass : 0.;
+        const auto squares = [&](const double factor, const auto &value) {
           const auto square = [&](const unsigned int i) { return value(i) * value(i); };
           const auto term   = [&](const unsigned int i) { return m[i] * square(i); };
           return factor * (sum_of(n_distinct, term) + m_extra * square(top ? top->i : 0));
@@ -199,7 +200,7 @@ double EnergyAudit::dot_difference(const NodalField<double> &a,
 {
   const NodeRows &rows = stepper.rows;
   double sum           = 0.;
-  for (unsigned int component = 0; component < 2; ++component)
+  for (unsigned int component = 0; component < u.n_components(); ++component)
     for (unsigned int j = rows.local(rows.begin); j < rows.local(rows.end); ++j)
       {
         const double *x = a.row(component, j), *y = u.row(component, j);

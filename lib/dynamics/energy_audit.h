@@ -64,7 +64,7 @@ class EnergyAudit : public StepObserver
 public:
   /** @p stepper is referenced. @p platen_mass (kg/m) moves with the top row.
    *  @p boundary_work gives the work since the start after the step just done. */
-  EnergyAudit(Stepper<2> &stepper,
+  EnergyAudit(Stepper &stepper,
               const double platen_mass,
               const std::uint64_t interval,
               const std::function<BoundaryWork()> &boundary_work);
@@ -109,7 +109,7 @@ private:
   void add_products(Sums &sums) const;
   void initialize();
 
-  Stepper<2> &stepper;
+  Stepper &stepper;
   const StepParameters &step;
   NodalField<double> &u;
   NodalField<double> &w;

@@ -161,22 +161,21 @@ private:
  * is. The nearest ghost rows hold u_n and w_n after step(), before which they held
  * anything, and anything after advance().
  */
-class ExplicitStepper : public Stepper<2>
+class ExplicitStepper : public Stepper
 {
 public:
   /** Throws std::invalid_argument if something does not fit. */
   explicit ExplicitStepper(const SteppedBody &body,
                            const SideConstraints &sides = {},
                            const SweepOptions &options  = {})
-    : Stepper<2>(body.parameters,
-                 body.u,
-                 body.w,
-                 body.rows,
-                 checked(body, sides).n_columns() -
-                   (body.material.periodicity().x ? 1 : 0),
-                 body.rows.has_upper_ghost() ? std::optional<NodeIndex>()
-                                             : NodeIndex{0, body.rows.n_global - 1},
-                 body.communicator)
+    : Stepper(body.parameters,
+              body.u,
+              body.w,
+              body.rows,
+              checked(body, sides).n_columns() - (body.material.periodicity().x ? 1 : 0),
+              body.rows.has_upper_ghost() ? std::optional<NodeIndex>()
+                                          : NodeIndex{0, body.rows.n_global - 1},
+              body.communicator)
     , material(body.material)
     , isa(resolve(options.isa))
     , free_surface(body.parameters)
@@ -278,7 +277,7 @@ private:
                                          const InstructionSet isa)
   {
     RowKernels<double> kernels(material, isa, parameters.beta != 0.,
-                               parameters.acceleration != std::array<double, 2>{});
+                               parameters.is_heavy());
     auto &c         = *kernels.constants;
     const double hx = material.grid().spacing[0], hy = material.grid().spacing[1];
     c.beta      = parameters.beta;

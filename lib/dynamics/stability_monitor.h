@@ -47,7 +47,7 @@ class StabilityMonitor : public StepObserver
 public:
   /** @p stepper and @p boundary_work as of EnergyAudit. @p stop is called on all ranks
    *  with what was found and the number of the step; it has to throw. */
-  StabilityMonitor(Stepper<2> &stepper,
+  StabilityMonitor(Stepper &stepper,
                    const std::function<BoundaryWork()> &boundary_work,
                    const std::function<void(const Runaway &, std::uint64_t)> &stop)
     : stepper(stepper)
@@ -135,7 +135,7 @@ private:
     for (unsigned int j = rows.begin; j < rows.end; ++j)
       {
         stepper.mass_row(j, mass.data());
-        for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int c = 0; c < u.n_components(); ++c)
           {
             const double *ur = u.row(c, rows.local(j)), *wr = w.row(c, rows.local(j));
             double kinetic = 0., moved = 0.;
@@ -161,7 +161,7 @@ private:
     Runaway worst;
     double fastest = -1.;
     for (unsigned int j = rows.begin; j < rows.end; ++j)
-      for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int c = 0; c < u.n_components(); ++c)
         for (unsigned int i = 0; i < u.n_columns(); ++i)
           {
             const double x = u.row(c, rows.local(j))[i], v = w.row(c, rows.local(j))[i];
@@ -186,7 +186,7 @@ private:
   }
 
 
-  Stepper<2> &stepper;
+  Stepper &stepper;
   const std::function<BoundaryWork()> boundary_work;
   const std::function<void(const Runaway &, std::uint64_t)> stop;
   std::vector<const StepObserver *> guarded;
@@ -204,7 +204,7 @@ class DeformationWatch : public StepObserver
 public:
   /** @p stepper is referenced. @p found is called on all ranks with what each look finds
    *  and the number of the step; it may throw. */
-  DeformationWatch(const Stepper<2> &stepper,
+  DeformationWatch(const Stepper &stepper,
                    const std::function<void(const Deformation &, std::uint64_t)> &found)
     : stepper(stepper)
     , found(found)
@@ -243,7 +243,7 @@ public:
   }
 
 private:
-  const Stepper<2> &stepper;
+  const Stepper &stepper;
   const std::function<void(const Deformation &, std::uint64_t)> found;
   double largest = 0.;
 };

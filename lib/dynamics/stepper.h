@@ -1,14 +1,13 @@
 #ifndef mesoslip_dynamics_stepper_h
 #define mesoslip_dynamics_stepper_h
 
+#include "dynamics/deformation.h"
 #include "grid/nodal_field.h"
 #include "grid/row_partition.h"
-#include "grid/uniform_grid.h"
 
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <mpi.h>
 #include <optional>
 #include <string>
@@ -16,40 +15,6 @@
 
 namespace mesoslip
 {
-/** The cell with the largest or smallest value of something. */
-struct CellExtreme
-{
-  double value        = 0.; ///< of the quantity
-  unsigned int column = 0;  ///< of the cell
-  unsigned int row    = 0;  ///< of the cell
-};
-
-/** How far a body is from small strains and rotations; NaN counts as infinite. */
-struct Deformation
-{
-  /** Largest norm sqrt(eps : eps) of the mean strain of a cell [-]. */
-  CellExtreme strain;
-
-  /** Largest mean rotation of a cell, |du_y/dx - du_x/dy| / 2 [rad]. */
-  CellExtreme rotation;
-
-  /**
-   * Smallest determinant of the deformation gradient 1 + grad u at a corner of a cell; a
-   * cell is turned inside out where it is not positive [-].
-   */
-  CellExtreme jacobian = {std::numeric_limits<double>::infinity(), 0, 0};
-};
-
-/**
- * The extremes over all cells, the first of equal ones in the order of the cells, so that
- * they do not depend on the number of ranks. @p u has the rows of @p rows with up-to-date
- * ghost rows (m). Collective.
- */
-Deformation largest_deformation(const UniformGrid<2> &grid,
-                                const NodeRows &rows,
-                                const NodalField<double> &u,
-                                const MPI_Comm communicator);
-
 class Timer;
 
 /** Constants of the beta2 scheme and of the bulk. */
@@ -64,8 +29,14 @@ struct StepParameters
   /** Stiffness-proportional damping C = beta K (s); zero costs nothing. */
   double beta = 0.;
 
-  /** Body acceleration (m/s^2); zero costs nothing. */
-  std::array<double, 2> acceleration = {};
+  /** Body acceleration (m/s^2), the last one unused in 2D; zero costs nothing. */
+  std::array<double, 3> acceleration = {};
+
+  /** Whether there is a body acceleration. */
+  bool is_heavy() const
+  {
+    return acceleration != std::array<double, 3>{};
+  }
 };
 
 /** Components of the leftmost and rightmost column whose acceleration is kept at zero. */
@@ -77,10 +48,10 @@ struct SideConstraints
 
 /**
  * Explicit time integration of a body, as the time loop and its observers see it:
- * whatever the nodes lie on, u and w of this rank's nodes are the rows of a field, and
- * between two calls they are, with the surfaces, all the state there is.
+ * whatever the nodes lie on, in two dimensions or three, u and w of this rank's nodes are
+ * the rows of a field with as many components, the last one along the normal of the
+ * contact, and between two calls they are, with the surfaces, all the state there is.
  */
-template <int dim>
 class Stepper
 {
 public:
@@ -95,14 +66,14 @@ public:
     advance(1);
   }
 
-  /** Kc = K x with forces (N/m) on owned rows; the ghost rows of @p x are updated first.
+  /** Kc = K x with forces (N, in 2D N/m) on owned rows; the ghost rows of @p x are updated first.
    *  Collective. */
   virtual void multiply(NodalField<double> &Kx, NodalField<double> &x) const = 0;
 
-  /** 1/2 u.K u of the owned nodes (J/m). Collective. */
+  /** 1/2 u.K u of the owned nodes (J, in 2D J/m). Collective. */
   virtual double elastic_energy() const = 0;
 
-  /** Lumped masses (kg/m) of the nodes of owned row @p j (global number). */
+  /** Lumped masses (kg, in 2D kg/m) of the nodes of owned row @p j (global number). */
   virtual void mass_row(const unsigned int j, double *mass) const = 0;
 
   /** Extremes of strain, rotation and Jacobian over all cells. Collective. */
@@ -193,7 +164,7 @@ inline std::uint64_t next_multiple(const std::uint64_t n, const std::uint64_t in
  * With a @p timer the steps are timed. Returns the number of the next step: less than @p
  * n_end when @p keep_going said false.
  */
-std::uint64_t run_time_loop(Stepper<2> &stepper,
+std::uint64_t run_time_loop(Stepper &stepper,
                             const std::vector<StepObserver *> &observers,
                             const std::uint64_t n_end,
                             const std::uint64_t control_interval,

@@ -9,7 +9,7 @@ StepMasses::StepMasses(const UniformMaterial &material,
                        const StepParameters &parameters,
                        const SideConstraints &sides)
   : one_row(material.has_uniform_density())
-  , has_mass(parameters.acceleration != std::array<double, 2>{})
+  , has_mass(parameters.is_heavy())
 {
   const unsigned int n = material.n_columns(), top_row = material.grid().cells[1];
   const std::array<double, 2> h = material.grid().spacing;

@@ -9,14 +9,14 @@ namespace mesoslip
 namespace
 {
 /** What the boundaries and the neighbours do not take is the elastic body. */
-void timed_steps(Stepper<2> &stepper, const std::uint64_t n_steps, Timer *timer)
+void timed_steps(Stepper &stepper, const std::uint64_t n_steps, Timer *timer)
 {
   const auto scope = optional_scope(timer, "Steps", "Elastic body");
   stepper.advance(n_steps);
 }
 } // namespace
 
-std::uint64_t run_time_loop(Stepper<2> &stepper,
+std::uint64_t run_time_loop(Stepper &stepper,
                             const std::vector<StepObserver *> &observers,
                             const std::uint64_t n_end,
                             const std::uint64_t control_interval,

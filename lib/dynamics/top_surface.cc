@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace mesoslip
 {
@@ -41,10 +42,15 @@ TopSurface<dim>::TopSurface(const TopSetup &setup,
   : setup(setup)
   , step(step)
   , n_distinct(setup.periodic ? n_nodes - 1 : n_nodes)
-  , tributary(n_nodes, setup.cell_width)
+  , tributary(setup.tributary)
 {
   for (std::vector<double> &component : increment)
     component.assign(n_nodes, 0.);
+  area = std::accumulate(tributary.begin(), tributary.end(), 0.);
+  if (!tributary.empty())
+    return;
+  area = setup.cell_width * (n_nodes - 1);
+  tributary.assign(n_nodes, setup.cell_width);
   if (!setup.periodic)
     tributary.front() = tributary.back() = 0.5 * setup.cell_width;
 }
@@ -129,10 +135,9 @@ template <int dim>
 TopLoad TopSurface<dim>::push_platen(const SurfaceView<dim> &surface)
 {
   constexpr unsigned int y = dim - 1;
-  const double width       = setup.cell_width * (surface.n - 1);
 
   TopLoad load;
-  load.normal     = setup.pressure(surface.time) * width;
+  load.normal     = setup.pressure(surface.time) * area;
   load.tangential = -sum_of(surface.force[0], n_distinct);
   const double acceleration =
     -(load.normal + sum_of(surface.force[y], n_distinct)) / moving_mass;
@@ -188,4 +193,5 @@ TopLoad TopSurface<dim>::hold(const SurfaceView<dim> &surface)
 }
 
 template class TopSurface<2>;
+template class TopSurface<3>;
 } // namespace mesoslip

@@ -41,8 +41,11 @@ struct TopSetup
   /** From this time (s) on the top stays where it is. */
   double hold_from = std::numeric_limits<double>::infinity();
 
-  /** Width of a cell (m). */
+  /** Width of a cell of a grid (m). */
   double cell_width = 0.;
+
+  /** Of other bodies: area (2D: width) that each node carries (m^2, m). */
+  std::vector<double> tributary;
 
   /** The last column duplicates the first. */
   bool periodic = false;
@@ -162,7 +165,8 @@ private:
   const StepParameters step;
   const unsigned int n_distinct;
 
-  std::vector<double> tributary;                  ///< width (m) that each node carries
+  std::vector<double> tributary; ///< area (m^2, m) that each node carries
+  double area = 0.;              ///< of the whole top (m^2, m)
   std::array<std::vector<double>, dim> increment; ///< of the step before (m)
   bool started          = false;
   bool holding          = false;

@@ -16,18 +16,19 @@ namespace mesoslip
 /**
  * The degrees of freedom that can vibrate, numbered, with their lumped masses: the free
  * ones of a body, without the duplicates of periodic sides, and, with a platen, the one
- * u_y of the top as the last.
+ * normal displacement of the top as the last.
  */
+template <int dim>
 class FreeDofs
 {
 public:
   using Vector = dealii::Vector<double>; ///< one entry per degree of freedom
 
   /**
-   * @p mask constrains u_y of the top when there is a platen of mass @p platen_mass
+   * @p mask constrains the normal displacement of the top when there is a platen of mass @p platen_mass
    * (kg/m), which moves the top as one. @p body must outlive this object.
    */
-  FreeDofs(const ElasticBody<2> &body,
+  FreeDofs(const ElasticBody<dim> &body,
            const DofMask &mask,
            const std::optional<double> &platen_mass)
     : body(body)
@@ -41,20 +42,20 @@ public:
       return mass[static_cast<std::size_t>(node.j) * body.n_columns() + node.i];
     };
     for (unsigned int j = 0; j < body.n_rows(); ++j)
-      for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int c = 0; c < dim; ++c)
         for (unsigned int i = 0; i < body.n_columns(); ++i)
           if (!duplicate.is_constrained(0, {i, j}) && !mask.is_constrained(c, {i, j}))
             add(c, {i, j}, mass_of({i, j}));
     if (!with_platen)
       return;
     double moved = *platen_mass;
-    for (const NodeIndex &node : body.surface(ElasticBody<2>::top).nodes)
+    for (const NodeIndex &node : body.surface(ElasticBody<dim>::top).nodes)
       if (!duplicate.is_constrained(0, node))
         {
           platen_nodes.push_back(node);
           moved += mass_of(node);
         }
-    add(1, platen_nodes.front(), moved);
+    add(dim - 1, platen_nodes.front(), moved);
   }
 
   /** What platen() is without one. */
@@ -72,14 +73,14 @@ public:
     return with_platen ? size() - 1 : none;
   }
 
-  /** dst = M src, the lumped mass (kg/m) times a vector, as ARPACK wants it. */
+  /** dst = M src, the lumped mass (kg, in 2D kg/m) times a vector, as ARPACK wants it. */
   void vmult(Vector &dst, const Vector &src) const
   {
     for (std::size_t k = 0; k < size(); ++k)
       dst[k] = masses[k] * src[k];
   }
 
-  /** Direction of degree of freedom @p k, 0: x, 1: y. */
+  /** Direction of degree of freedom @p k, 0: x. */
   unsigned int component(const std::size_t k) const
   {
     return components[k];
@@ -101,7 +102,7 @@ public:
     for (std::size_t k = 0; k < size(); ++k)
       field(components[k], nodes[k]) = values[k];
     for (const NodeIndex &node : platen_nodes)
-      field(1, node) = values[platen()];
+      field(dim - 1, node) = values[platen()];
     body.copy_duplicates(field);
   }
 
@@ -112,7 +113,7 @@ public:
       values[k] = field(components[k], nodes[k]);
   }
 
-  /** Nodal forces of @p field (N/m); the platen carries the sum of the top. */
+  /** Nodal forces of @p field (N, in 2D N/m); the platen carries the sum of the top. */
   void gather_forces(Vector &values, const NodalField<double> &field) const
   {
     gather(values, field);
@@ -120,7 +121,7 @@ public:
       return;
     values[platen()] = 0.;
     for (const NodeIndex &node : platen_nodes)
-      values[platen()] += field(1, node);
+      values[platen()] += field(dim - 1, node);
   }
 
 private:
@@ -131,7 +132,7 @@ private:
     masses.push_back(mass);
   }
 
-  const ElasticBody<2> &body;
+  const ElasticBody<dim> &body;
   const bool with_platen;
   std::vector<NodeIndex> platen_nodes; ///< without duplicates
   std::vector<NodeIndex> nodes; ///< of the degrees of freedom; first one of the top

@@ -14,16 +14,17 @@ namespace mesoslip
 {
 namespace
 {
-using Vector = FreeDofs::Vector;
+using Vector = dealii::Vector<double>; // as FreeDofs has it
 
 /** The rigid motions that nothing holds, orthonormal with respect to the mass. */
+template <int dim>
 std::vector<Vector>
-orthonormal_motions(const ElasticBody<2> &body, DofMask mask, const FreeDofs &dofs)
+orthonormal_motions(const ElasticBody<dim> &body, DofMask mask, const FreeDofs<dim> &dofs)
 {
-  const bool platen = dofs.platen() != FreeDofs::none;
+  const bool platen = dofs.platen() != FreeDofs<dim>::none;
   if (platen)
-    for (const NodeIndex &node : body.surface(ElasticBody<2>::top).nodes)
-      mask.release(1, node);
+    for (const NodeIndex &node : body.surface(ElasticBody<dim>::top).nodes)
+      mask.release(dim - 1, node);
   std::vector<Vector> motions;
   // Neither can a platen turn.
   for (const NodalField<double> &field : free_rigid_motions(body, mask, !platen))
@@ -44,12 +45,13 @@ orthonormal_motions(const ElasticBody<2> &body, DofMask mask, const FreeDofs &do
  * the platen on top of that: u + s z, where z is the response to a unit displacement of
  * the platen and s = z.f / z.K z, as z.K u = 0.
  */
+template <int dim>
 class InverseStiffness
 {
 public:
-  InverseStiffness(const ElasticBody<2> &body,
+  InverseStiffness(const ElasticBody<dim> &body,
                    const DofMask &mask,
-                   const FreeDofs &dofs,
+                   const FreeDofs<dim> &dofs,
                    const VibrationModesOptions &options)
     : dofs(dofs)
     , options(options)
@@ -59,7 +61,7 @@ public:
     , u(force)
   {
     solver->set_constrained(mask);
-    if (dofs.platen() != FreeDofs::none && !platen_moves_freely())
+    if (dofs.platen() != FreeDofs<dim>::none && !platen_moves_freely())
       push_platen(body);
   }
 
@@ -111,7 +113,7 @@ private:
     });
   }
 
-  void push_platen(const ElasticBody<2> &body)
+  void push_platen(const ElasticBody<dim> &body)
   {
     Vector unit(dofs.size()), Kz(dofs.size());
     unit[dofs.platen()] = 1.;
@@ -124,7 +126,7 @@ private:
     platen_stiffness = response * Kz;
   }
 
-  const FreeDofs &dofs;
+  const FreeDofs<dim> &dofs;
   const VibrationModesOptions &options;
   const std::vector<Vector> rigid;
   std::unique_ptr<StaticSolver> solver;
@@ -134,12 +136,13 @@ private:
 };
 
 /** Rayleigh quotient, residual, normalisation and masses of an eigenvector. */
-VibrationMode finish_mode(const Vector &eigenvector,
-                          const FreeDofs &dofs,
-                          const ElasticBody<2> &body,
-                          const double platen_mass)
+template <int dim>
+VibrationMode<dim> finish_mode(const Vector &eigenvector,
+                               const FreeDofs<dim> &dofs,
+                               const ElasticBody<dim> &body,
+                               const double platen_mass)
 {
-  VibrationMode mode;
+  VibrationMode<dim> mode;
   mode.shape               = body.zero_field();
   NodalField<double> field = mode.shape;
   Vector Ku(dofs.size()), Mu(dofs.size());
@@ -150,13 +153,14 @@ VibrationMode finish_mode(const Vector &eigenvector,
   const double uMu = eigenvector * Mu, omega2 = eigenvector * Ku / uMu;
   mode.frequency = std::sqrt(std::max(0., omega2)) / (2. * M_PI);
 
-  std::array<double, 2> momentum = {};
+  std::array<double, dim> momentum = {};
   for (std::size_t k = 0; k < dofs.size(); ++k)
     momentum[dofs.component(k)] += Mu[k];
-  const std::array<double, 2> moved = {
-    {body.total_mass(), body.total_mass() + platen_mass}};
-  for (unsigned int c = 0; c < 2; ++c)
-    mode.effective_mass[c] = momentum[c] * momentum[c] / (uMu * moved[c]);
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      const double moved     = body.total_mass() + (c + 1 == dim ? platen_mass : 0.);
+      mode.effective_mass[c] = momentum[c] * momentum[c] / (uMu * moved);
+    }
 
   double norm = Ku.l2_norm();
   Ku.add(-omega2, Mu);
@@ -166,12 +170,19 @@ VibrationMode finish_mode(const Vector &eigenvector,
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int i = 0; i < body.n_columns(); ++i)
       {
-        const double x = mode.shape.row(0, j)[i], y = mode.shape.row(1, j)[i];
-        // Mirror images are equal up to round-off; the first of them decides.
-        if (std::hypot(x, y) > largest * (1. + 1e-6))
+        double length = 0., component = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
           {
-            largest = std::hypot(x, y);
-            sign    = (std::fabs(x) >= std::fabs(y) ? x : y) < 0. ? -1. : 1.;
+            const double u = mode.shape.row(c, j)[i];
+            length         = std::hypot(length, u);
+            if (std::fabs(u) > std::fabs(component))
+              component = u;
+          }
+        // Mirror images are equal up to round-off; the first of them decides.
+        if (length > largest * (1. + 1e-6))
+          {
+            largest = length;
+            sign    = component < 0. ? -1. : 1.;
           }
       }
   for (std::size_t k = 0; k < mode.shape.size(); ++k)
@@ -181,8 +192,9 @@ VibrationMode finish_mode(const Vector &eigenvector,
 }
 
 /** The eigenvectors of the lowest eigenvalues, in no particular order. */
-std::vector<Vector> lowest_eigenvectors(const FreeDofs &dofs,
-                                        const InverseStiffness &inverse,
+template <int dim>
+std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
+                                        const InverseStiffness<dim> &inverse,
                                         const unsigned int n_modes)
 {
   const std::size_t n_dofs = dofs.size();
@@ -207,31 +219,29 @@ std::vector<Vector> lowest_eigenvectors(const FreeDofs &dofs,
 }
 } // namespace
 
-void check_number_of_modes(const ElasticBody<2> &body,
-                           const DofMask &mask,
-                           const VibrationModesOptions &options)
+void check_number_of_modes(const std::size_t n_free, const VibrationModesOptions &options)
 {
-  const std::size_t n = FreeDofs(body, mask, options.platen_mass).size();
-  if (n < 2 * options.n_modes + 10)
+  if (n_free < 2 * options.n_modes + 10)
     throw std::invalid_argument(std::to_string(options.n_modes) + " modes of only " +
-                                std::to_string(n) +
+                                std::to_string(n_free) +
                                 " free degrees of freedom; at most half of them, less 5, "
                                 "can be computed");
 }
 
-VibrationModes vibration_modes(const ElasticBody<2> &body,
-                               const DofMask &mask,
-                               const VibrationModesOptions &options)
+template <int dim>
+VibrationModes<dim> vibration_modes(const ElasticBody<dim> &body,
+                                    const DofMask &mask,
+                                    const VibrationModesOptions &options)
 {
-  check_number_of_modes(body, mask, options);
-  const FreeDofs dofs(body, mask, options.platen_mass);
-  const InverseStiffness inverse(body, mask, dofs, options);
+  const FreeDofs<dim> dofs(body, mask, options.platen_mass);
+  check_number_of_modes(dofs.size(), options);
+  const InverseStiffness<dim> inverse(body, mask, dofs, options);
 
-  VibrationModes result;
+  VibrationModes<dim> result;
   for (const Vector &x : lowest_eigenvectors(dofs, inverse, options.n_modes))
     result.modes.push_back(finish_mode(x, dofs, body, options.platen_mass.value_or(0.)));
   std::sort(result.modes.begin(), result.modes.end(),
-            [](const VibrationMode &a, const VibrationMode &b) {
+            [](const VibrationMode<dim> &a, const VibrationMode<dim> &b) {
               return a.frequency < b.frequency;
             });
   result.n_rigid_motions   = inverse.n_rigid();
@@ -239,7 +249,7 @@ VibrationModes vibration_modes(const ElasticBody<2> &body,
   result.solver_iterations = inverse.iterations;
 
   // ArpackSolver reports failures through assertions of debug builds only.
-  for (const VibrationMode &mode : result.modes)
+  for (const VibrationMode<dim> &mode : result.modes)
     if (!(mode.residual <= 1e-4))
       {
         std::ostringstream what;
@@ -249,4 +259,9 @@ VibrationModes vibration_modes(const ElasticBody<2> &body,
       }
   return result;
 }
+
+template VibrationModes<2>
+vibration_modes(const ElasticBody<2> &, const DofMask &, const VibrationModesOptions &);
+template VibrationModes<3>
+vibration_modes(const ElasticBody<3> &, const DofMask &, const VibrationModesOptions &);
 } // namespace mesoslip

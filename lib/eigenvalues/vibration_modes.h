@@ -16,8 +16,8 @@ struct VibrationModesOptions
   unsigned int n_modes = 4; ///< wanted
 
   /**
-   * Mass (kg/m) of a rigid platen on the top, which has one common u_y; without a value
-   * there is none. The constraints then include u_y of the top.
+   * Mass (kg/m) of a rigid platen on the top, which has one common displacement along the last axis; without a value
+   * there is none. The constraints then include that of the top.
    */
   std::optional<double> platen_mass;
 
@@ -29,6 +29,7 @@ struct VibrationModesOptions
 };
 
 /** A free vibration u(x, t) = shape(x) cos(2 pi f t). */
+template <int dim>
 struct VibrationMode
 {
   double frequency = 0.; ///< Hz
@@ -40,19 +41,20 @@ struct VibrationMode
   double modal_mass = 0.; ///< shape.M shape (kg/m), with the platen's
 
   /**
-   * Share of the mass that takes part in a rigid acceleration along x and y: of the
-   * body's, and along y of the platen's as well.
+   * Share of the mass that takes part in a rigid acceleration along each axis: of
+   * the body's, and along the last axis of the platen's as well.
    */
-  std::array<double, 2> effective_mass = {};
+  std::array<double, dim> effective_mass = {};
 
   /** |K u - omega^2 M u| / |K u| at the free degrees of freedom. */
   double residual = 0.;
 };
 
 /** The lowest modes in ascending order, and what they took. */
+template <int dim>
 struct VibrationModes
 {
-  std::vector<VibrationMode> modes; ///< lowest first
+  std::vector<VibrationMode<dim>> modes; ///< lowest first
 
   /** Rigid motions that nothing holds; they vibrate at 0 Hz and are not among the modes.
    */
@@ -62,9 +64,9 @@ struct VibrationModes
   unsigned int solver_iterations = 0; ///< of all solves
 };
 
-/** @throws std::invalid_argument if there are not as many modes as @p options wants. */
-void check_number_of_modes(const ElasticBody<2> &body,
-                           const DofMask &mask,
+/** @throws std::invalid_argument if @p n_free degrees of freedom (FreeDofs::size()) have
+ * not as many modes as @p options wants. */
+void check_number_of_modes(const std::size_t n_free,
                            const VibrationModesOptions &options);
 
 /**
@@ -72,9 +74,10 @@ void check_number_of_modes(const ElasticBody<2> &body,
  * around zero (ARPACK); rigid motions are projected out, so a free body needs no shift.
  * @throws std::invalid_argument if there are not that many modes; NotConverged
  */
-VibrationModes vibration_modes(const ElasticBody<2> &body,
-                               const DofMask &mask,
-                               const VibrationModesOptions &options);
+template <int dim>
+VibrationModes<dim> vibration_modes(const ElasticBody<dim> &body,
+                                    const DofMask &mask,
+                                    const VibrationModesOptions &options);
 } // namespace mesoslip
 
 #endif

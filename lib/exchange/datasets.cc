@@ -22,15 +22,17 @@ UserError wrong(const Hdf5File &file,
 }
 
 /** A number of each phase that is a dataset of its own; not all files have the last. */
+template <int dim>
 struct PhaseNumber
 {
   const char *name, *unit;
-  double Phase<2>::*member;
+  double Phase<dim>::*member;
 };
 
-const PhaseNumber phase_numbers[] = {
-  {"/density", "kg/m^3", &Phase<2>::density},
-  {"/friction_coefficient", "-", &Phase<2>::friction_coefficient}};
+template <int dim>
+const PhaseNumber<dim> phase_numbers[] = {
+  {"/density", "kg/m^3", &Phase<dim>::density},
+  {"/friction_coefficient", "-", &Phase<dim>::friction_coefficient}};
 } // namespace
 
 void write_series(Hdf5File &file,
@@ -89,14 +91,15 @@ void write_grid(Hdf5File &file, const UniformGrid<2> &grid)
   file.write_attribute("/grid", "origin", grid.origin);
 }
 
+template <int dim>
 void require_stiffness(const Hdf5File &file,
                        const std::string &object,
-                       const VoigtMatrix<2> &D,
+                       const VoigtMatrix<dim> &D,
                        const std::string &program)
 {
   try
     {
-      check_stiffness<2>(D);
+      check_stiffness<dim>(D);
     }
   catch (const std::invalid_argument &e)
     {
@@ -114,31 +117,33 @@ void require_phases(const Hdf5File &file,
     throw wrong(file, dataset, "names a phase that the file does not have", program);
 }
 
-std::vector<Phase<2>> read_phases(const Hdf5File &file,
-                                  const std::string &group,
-                                  const bool with_friction,
-                                  const std::string &program)
+template <int dim>
+std::vector<Phase<dim>> read_phases(const Hdf5File &file,
+                                    const std::string &group,
+                                    const bool with_friction,
+                                    const std::string &program)
 {
-  const std::string hint = program + " writes it";
-  const auto names       = file.read<std::string>(group + "/name", {}, hint);
-  const std::size_t n    = names.size();
-  const auto D           = file.read<double>(group + "/stiffness", {n, 3, 3}, hint);
+  const std::string hint  = program + " writes it";
+  const auto names        = file.read<std::string>(group + "/name", {}, hint);
+  const std::size_t n     = names.size();
+  constexpr std::size_t v = n_voigt<dim>;
+  const auto D            = file.read<double>(group + "/stiffness", {n, v, v}, hint);
   file.require_unit(group + "/stiffness", "Pa");
   if (n == 0)
     throw wrong(file, group + "/name", "is empty", program);
-  std::vector<Phase<2>> phases(n);
+  std::vector<Phase<dim>> phases(n);
   for (std::size_t p = 0; p < n; ++p)
     {
       phases[p].name      = names[p];
-      phases[p].stiffness = Eigen::Map<const VoigtMatrix<2>>(D.data() + 9 * p);
-      require_stiffness(file, group + "/stiffness of '" + names[p] + "'",
-                        phases[p].stiffness, program);
+      phases[p].stiffness = Eigen::Map<const VoigtMatrix<dim>>(D.data() + v * v * p);
+      require_stiffness<dim>(file, group + "/stiffness of '" + names[p] + "'",
+                             phases[p].stiffness, program);
     }
   for (std::size_t k = 0; k < (with_friction ? 2 : 1); ++k)
     {
-      const PhaseNumber &number = phase_numbers[k];
-      const std::string dataset = group + number.name;
-      const auto values         = file.read<double>(dataset, {n}, hint);
+      const PhaseNumber<dim> &number = phase_numbers<dim>[k];
+      const std::string dataset      = group + number.name;
+      const auto values              = file.read<double>(dataset, {n}, hint);
       file.require_unit(dataset, number.unit);
       for (std::size_t p = 0; p < n; ++p)
         if (!((phases[p].*number.member = values[p]) >= 0.))
@@ -147,29 +152,52 @@ std::vector<Phase<2>> read_phases(const Hdf5File &file,
   return phases;
 }
 
+template <int dim>
 void write_phases(Hdf5File &file,
                   const std::string &group,
-                  const std::vector<Phase<2>> &phases,
+                  const std::vector<Phase<dim>> &phases,
                   const bool with_friction)
 {
   const std::size_t n = phases.size();
   std::vector<std::string> names;
   std::vector<double> stiffness;
-  for (const Phase<2> &phase : phases)
+  for (const Phase<dim> &phase : phases)
     {
       names.push_back(phase.name);
       stiffness.insert(stiffness.end(), phase.stiffness.data(),
                        phase.stiffness.data() + phase.stiffness.size());
     }
   write_dataset(file, group + "/name", {n}, names);
-  write_dataset(file, group + "/stiffness", {n, 3, 3}, stiffness, "Pa");
+  write_dataset(file, group + "/stiffness", {n, n_voigt<dim>, n_voigt<dim>}, stiffness,
+                "Pa");
   for (std::size_t k = 0; k < (with_friction ? 2 : 1); ++k)
     {
       std::vector<double> values;
-      for (const Phase<2> &phase : phases)
-        values.push_back(phase.*phase_numbers[k].member);
-      write_dataset(file, group + phase_numbers[k].name, {n}, values,
-                    phase_numbers[k].unit);
+      for (const Phase<dim> &phase : phases)
+        values.push_back(phase.*phase_numbers<dim>[k].member);
+      write_dataset(file, group + phase_numbers<dim>[k].name, {n}, values,
+                    phase_numbers<dim>[k].unit);
     }
 }
+
+template void require_stiffness<2>(const Hdf5File &,
+                                   const std::string &,
+                                   const VoigtMatrix<2> &,
+                                   const std::string &);
+template void require_stiffness<3>(const Hdf5File &,
+                                   const std::string &,
+                                   const VoigtMatrix<3> &,
+                                   const std::string &);
+template std::vector<Phase<3>>
+read_phases<3>(const Hdf5File &, const std::string &, const bool, const std::string &);
+template std::vector<Phase<2>>
+read_phases<2>(const Hdf5File &, const std::string &, const bool, const std::string &);
+template void write_phases<2>(Hdf5File &,
+                              const std::string &,
+                              const std::vector<Phase<2>> &,
+                              const bool);
+template void write_phases<3>(Hdf5File &,
+                              const std::string &,
+                              const std::vector<Phase<3>> &,
+                              const bool);
 } // namespace mesoslip

@@ -61,21 +61,24 @@ void write_grid(Hdf5File &file, const UniformGrid<2> &grid);
  * Reads name, stiffness, density and, if asked for, friction_coefficient of phases.
  * @throws UserError also for values that no material has
  */
-std::vector<Phase<2>> read_phases(const Hdf5File &file,
-                                  const std::string &group,
-                                  const bool with_friction,
-                                  const std::string &program);
+template <int dim>
+std::vector<Phase<dim>> read_phases(const Hdf5File &file,
+                                    const std::string &group,
+                                    const bool with_friction,
+                                    const std::string &program);
 
 /** Writes name, stiffness, density and, if asked for, friction_coefficient of phases. */
+template <int dim>
 void write_phases(Hdf5File &file,
                   const std::string &group,
-                  const std::vector<Phase<2>> &phases,
+                  const std::vector<Phase<dim>> &phases,
                   const bool with_friction);
 
 /** @throws UserError naming @p object of the file unless @p D is a stiffness. */
+template <int dim>
 void require_stiffness(const Hdf5File &file,
                        const std::string &object,
-                       const VoigtMatrix<2> &D,
+                       const VoigtMatrix<dim> &D,
                        const std::string &program);
 
 /** @throws UserError unless all @p id are numbers of @p n phases. */

@@ -3,7 +3,6 @@
 #include "base/digest.h"
 #include "base/errors.h"
 #include "exchange/datasets.h"
-#include "exchange/xdmf.h"
 #include "parameters/parameters.h"
 
 #include <cmath>
@@ -59,13 +58,11 @@ IndexRange entries_in(const std::vector<double> &times, const TimeWindow &window
 std::vector<double> interleaved(const NodalField<double> &u)
 {
   std::vector<double> values;
-  values.reserve(2 * static_cast<std::size_t>(u.n_columns()) * u.n_rows());
+  values.reserve(static_cast<std::size_t>(u.n_components()) * u.n_columns() * u.n_rows());
   for (unsigned int j = 0; j < u.n_rows(); ++j)
     for (unsigned int i = 0; i < u.n_columns(); ++i)
-      {
-        values.push_back(u.row(0, j)[i]);
-        values.push_back(u.row(1, j)[i]);
-      }
+      for (unsigned int c = 0; c < u.n_components(); ++c)
+        values.push_back(u.row(c, j)[i]);
   return values;
 }
 
@@ -129,18 +126,15 @@ void DynamicsFile::complete_snapshots(const std::vector<double> &times)
   write_dataset(*this, "/snapshots/time", {times.size()}, times, "s");
   write_unit(snapshots_name, "m");
   if (!times.empty())
-    show({{"displacement", snapshots_name}}, times);
+    show({{"displacement", snapshots_name, XdmfField::Values::nodes, {2}}}, times);
 }
 
-void DynamicsFile::show(const std::vector<std::pair<std::string, std::string>> &series,
+void DynamicsFile::show(const std::vector<XdmfField> &series,
                         const std::vector<double> &times) const
 {
   const std::string name   = path().substr(path().rfind('/') + 1);
   const std::string prefix = path().substr(0, path().rfind('.'));
-  std::vector<XdmfField> fields;
-  for (const auto &[shown, dataset] : series)
-    fields.push_back({shown, dataset, XdmfField::Values::nodes, {2}});
-  write_xdmf(prefix + ".xdmf", name, grid, fields, times);
+  write_xdmf(prefix + ".xdmf", name, grid, series, times);
   if (exists(phases_name))
     write_xdmf(prefix + "-phases.xdmf", name, grid,
                {{"phase", phases_name, XdmfField::Values::phases}});
@@ -164,7 +158,7 @@ BodyDescription DynamicsFile::heterogeneous_body() const
 {
   BodyDescription body;
   body.grid     = grid;
-  body.phases   = read_phases(*this, "/material", false, dynamics_program);
+  body.phases   = read_phases<2>(*this, "/material", false, dynamics_program);
   body.phase_id = phase_id();
   if (body.phase_id.empty())
     throw UserError(path() + " has no " + phases_name +

@@ -2,6 +2,7 @@
 #define mesoslip_exchange_dynamics_file_h
 
 #include "exchange/run_description.h"
+#include "exchange/xdmf.h"
 #include "grid/nodal_field.h"
 #include "io/hdf5_file.h"
 
@@ -47,7 +48,7 @@ struct ProbeSeries
   std::vector<double> values; ///< [k][3]: xx, yy, xy
 };
 
-/** Values [ny + 1][nx + 1][2] of a nodal field. */
+/** Values [rows][columns][components] of a nodal field. */
 std::vector<double> interleaved(const NodalField<double> &u);
 
 /**
@@ -86,12 +87,10 @@ public:
   void complete_snapshots(const std::vector<double> &times);
 
   /**
-   * Shows vector series [k][ny + 1][nx + 1][2], by their names in ParaView and their
-   * datasets, in `NAME.xdmf`, and the phases of a heterogeneous body in
+   * Shows series of nodes in `NAME.xdmf`, and the phases of a heterogeneous body in
    * `NAME-phases.xdmf`, as ParaView cannot read vectors and cell data from one plane grid.
    */
-  void show(const std::vector<std::pair<std::string, std::string>> &series,
-            const std::vector<double> &times) const;
+  void show(const std::vector<XdmfField> &series, const std::vector<double> &times) const;
   /** @} */
 
   /**

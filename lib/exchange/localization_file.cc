@@ -1,6 +1,7 @@
 #include "exchange/localization_file.h"
 
 #include "exchange/datasets.h"
+#include "exchange/mesh_datasets.h"
 
 #include <filesystem>
 
@@ -18,68 +19,106 @@ struct ProbeDataset
 {
   const char *name, *unit;
   std::vector<double> LocalizedProbe::*values;
-  std::size_t components;
+  bool has_components;
 };
 
 const ProbeDataset probe_datasets[] = {
-  {"time", "s", &LocalizedProbe::time, 0},
-  {"stress", "Pa", &LocalizedProbe::stress, 3},
-  {"direct_stress", "Pa", &LocalizedProbe::direct_stress, 3}};
+  {"time", "s", &LocalizedProbe::time, false},
+  {"stress", "Pa", &LocalizedProbe::stress, true},
+  {"direct_stress", "Pa", &LocalizedProbe::direct_stress, true}};
 
 std::string probe_group(const std::string &group, const std::string &name)
 {
   return group + "/probes/" + name;
 }
 
-/** Extents of a field of @p n components; none of one. */
-Shape shape_of_field(const UniformGrid<2> &grid, const std::size_t n)
+template <int dim>
+std::vector<std::string> component_names(const std::string &prefix)
 {
-  return n > 1 ? Shape{grid.cells[1], grid.cells[0], n}
-               : Shape{grid.cells[1], grid.cells[0]};
+  std::vector<std::string> names;
+  for (const char *name : voigt_names<dim>)
+    names.push_back(prefix + name);
+  return names;
 }
-} // namespace
 
-const std::vector<StressField> &stress_fields()
+template <int dim>
+const std::vector<StressField> &fields_in()
 {
   static const std::vector<StressField> all = {
     {"mean_von_mises", &StressFields::mean_von_mises, {"mean_von_mises"}},
-    {"mean_stress",
-     &StressFields::mean_stress,
-     {"mean_sigma_xx", "mean_sigma_yy", "mean_sigma_xy"}},
-    {"deviation_stress",
-     &StressFields::deviation_stress,
-     {"deviation_sigma_xx", "deviation_sigma_yy", "deviation_sigma_xy"}}};
+    {"mean_stress", &StressFields::mean_stress, component_names<dim>("mean_sigma_")},
+    {"deviation_stress", &StressFields::deviation_stress,
+     component_names<dim>("deviation_sigma_")}};
   return all;
+}
+
+/** Extents of a field of one number a cell. */
+Shape cells_of(const UniformGrid<2> &grid)
+{
+  return {grid.cells[1], grid.cells[0]};
+}
+} // namespace
+
+const std::vector<StressField> &stress_fields(const unsigned int dim)
+{
+  return dim == 2 ? fields_in<2>() : fields_in<3>();
+}
+
+/** Extents of a field of @p n components; none of one. */
+Shape LocalizationFile::shape_of_field(const std::size_t n) const
+{
+  Shape shape = cells;
+  if (n > 1)
+    shape.push_back(n);
+  return shape;
 }
 
 LocalizationFile LocalizationFile::create(const std::string &path,
                                           const std::string &digest,
                                           const UniformGrid<2> &grid)
 {
-  LocalizationFile file(Hdf5File::create(path));
-  file.grid = grid;
+  LocalizationFile file(Hdf5File::create(path), 2, cells_of(grid));
   file.write_header(localization_format, newest_localization_version, 2, digest);
   write_grid(file, grid);
+  file.write_shown = [grid](const std::string &xdmf, const std::string &h5,
+                            const std::vector<XdmfField> &fields) {
+    write_xdmf(xdmf, h5, grid, fields);
+  };
+  return file;
+}
+
+template <int dim>
+LocalizationFile LocalizationFile::create(const std::string &path,
+                                          const std::string &digest,
+                                          const Mesh<dim> &mesh)
+{
+  LocalizationFile file(Hdf5File::create(path), dim, {mesh.cells.size()});
+  file.write_header(localization_format, newest_localization_version, dim, digest);
+  write_mesh(file, mesh);
+  file.write_shown = [&mesh](const std::string &xdmf, const std::string &h5,
+                             const std::vector<XdmfField> &fields) {
+    write_xdmf(xdmf, h5, mesh, fields);
+  };
   return file;
 }
 
 LocalizationFile LocalizationFile::open(const std::string &path)
 {
-  LocalizationFile file(Hdf5File::open(path, "run stress_localization first"));
-  file.check_header(localization_format, newest_localization_version, 2,
-                    localization_program);
-  file.grid = read_grid(file, localization_program);
-  return file;
+  Hdf5File opened = Hdf5File::open(path, "run stress_localization first");
+  opened.check_header(localization_format, newest_localization_version, 2,
+                      localization_program);
+  const UniformGrid<2> grid = read_grid(opened, localization_program);
+  return {std::move(opened), 2, cells_of(grid)};
 }
 
 void LocalizationFile::write_fields(const StressFields &fields, const std::string &group)
 {
-  for (const StressField &field : stress_fields())
+  for (const StressField &field : stress_fields(dimension))
     if (const auto &values = fields.*field.values; !values.empty())
       {
         const std::size_t n    = field.quantities.size();
         const std::string name = group + "/" + field.name;
-        write_dataset(*this, name, shape_of_field(grid, n), values, "Pa");
+        write_dataset(*this, name, shape_of_field(n), values, "Pa");
         shown.push_back(
           {name.substr(1), name, XdmfField::Values::cells, n > 1 ? Shape{n} : Shape{}});
       }
@@ -88,9 +127,10 @@ void LocalizationFile::write_fields(const StressFields &fields, const std::strin
 void LocalizationFile::write_probe(const LocalizedProbe &probe, const std::string &in)
 {
   const std::string group = probe_group(in, probe.name);
-  for (const auto &[name, unit, values, components] : probe_datasets)
+  for (const auto &[name, unit, values, has_components] : probe_datasets)
     if (!(probe.*values).empty() || values != &LocalizedProbe::direct_stress)
-      write_series(*this, group, {{name, unit, &(probe.*values), components}});
+      write_series(*this, group,
+                   {{name, unit, &(probe.*values), has_components ? n_components() : 0}});
   write_attribute(group, "position", probe.position);
   write_attribute(group, "cell", probe.cell);
   write_attribute(group, "phase", probe.phase);
@@ -101,18 +141,18 @@ void LocalizationFile::complete()
 {
   close();
   if (!shown.empty())
-    write_xdmf(path().substr(0, path().rfind('.')) + ".xdmf",
-               std::filesystem::path(path()).filename(), grid, shown);
+    write_shown(path().substr(0, path().rfind('.')) + ".xdmf",
+                std::filesystem::path(path()).filename(), shown);
 }
 
 StressFields LocalizationFile::fields(const std::string &group) const
 {
   StressFields fields;
-  for (const StressField &field : stress_fields())
+  for (const StressField &field : stress_fields(dimension))
     if (const std::string name = group + "/" + field.name; exists(name))
       {
         fields.*field.values =
-          read<double>(name, shape_of_field(grid, field.quantities.size()));
+          read<double>(name, shape_of_field(field.quantities.size()));
         require_unit(name, "Pa");
       }
   return fields;
@@ -124,18 +164,23 @@ LocalizedProbe LocalizationFile::probe(const std::string &name,
   const std::string group = probe_group(in, name);
   LocalizedProbe probe;
   probe.name       = name;
-  probe.position   = read_attribute<std::array<double, 2>>(group, "position");
-  probe.cell       = read_attribute<std::array<unsigned int, 2>>(group, "cell");
+  probe.position   = read_attribute<std::vector<double>>(group, "position");
+  probe.cell       = read_attribute<std::vector<unsigned int>>(group, "cell");
   probe.phase      = read_attribute<unsigned int>(group, "phase");
   probe.phase_name = read_attribute<std::string>(group, "phase_name");
-  for (const auto &[dataset, unit, values, components] : probe_datasets)
+  for (const auto &[dataset, unit, values, has_components] : probe_datasets)
     if (const std::string full = group + "/" + dataset;
         exists(full) || values != &LocalizedProbe::direct_stress)
       {
         probe.*values = read<double>(
-          full, components == 0 ? Shape{any_extent} : Shape{any_extent, components});
+          full, has_components ? Shape{any_extent, n_components()} : Shape{any_extent});
         require_unit(full, unit);
       }
   return probe;
 }
+
+template LocalizationFile
+LocalizationFile::create(const std::string &, const std::string &, const Mesh<2> &);
+template LocalizationFile
+LocalizationFile::create(const std::string &, const std::string &, const Mesh<3> &);
 } // namespace mesoslip

@@ -3,20 +3,22 @@
 
 #include "exchange/dynamics_file.h"
 #include "exchange/xdmf.h"
+#include "mesh/mesh.h"
 
-#include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
-/** Statistics over time for each cell; what was not asked for is empty. */
+/** Statistics over time for each cell, on a grid [ny][nx], on a mesh [n], stresses with
+ * their Voigt components behind; what was not asked for is empty. */
 struct StressFields
 {
-  std::vector<double> mean_von_mises; ///< mean von Mises stress [ny][nx] (Pa)
-  std::vector<double> mean_stress;    ///< xx, yy, xy [ny][nx][3] (Pa)
+  std::vector<double> mean_von_mises; ///< mean von Mises stress (Pa)
+  std::vector<double> mean_stress;    ///< mean of each component (Pa)
 
-  /** Standard deviation (divided by the number of samples) [ny][nx][3] (Pa). */
+  /** Standard deviation (divided by the number of samples) of each component (Pa). */
   std::vector<double> deviation_stress;
 };
 
@@ -25,29 +27,31 @@ struct StressField
 {
   const char *name;                          ///< in localization.h5
   std::vector<double> StressFields::*values; ///< the field
-  std::vector<const char *> quantities;      ///< its components in field_errors.csv
+  std::vector<std::string> quantities;       ///< its components in field_errors.csv
 };
 
-/** All StressFields. */
-const std::vector<StressField> &stress_fields();
+/** All StressFields, in two or three dimensions. */
+const std::vector<StressField> &stress_fields(const unsigned int dim);
 
 /** Localized stress at the place of a probe over time. */
 struct LocalizedProbe
 {
-  std::string name;                       ///< name of its group
-  std::array<double, 2> position    = {}; ///< from the lower left corner (m)
-  std::array<unsigned int, 2> cell  = {}; ///< column and row of the cell that holds it
-  unsigned int phase                = 0;  ///< number of the phase of the cell
-  std::string phase_name            = {}; ///< name of that phase
-  std::vector<double> time          = {}; ///< s
-  std::vector<double> stress        = {}; ///< xx, yy, xy [k][3] (Pa)
-  std::vector<double> direct_stress = {}; ///< of the direct run [k][3]; empty without one
+  std::string name; ///< name of its group
+  /** On a grid from the lower left corner, on a mesh in its coordinates (m). */
+  std::vector<double> position   = {};
+  std::vector<unsigned int> cell = {}; ///< that holds it: column and row, or its number
+  unsigned int phase             = 0;  ///< number of the phase of the cell
+  std::string phase_name         = {}; ///< name of that phase
+  std::vector<double> time       = {}; ///< s
+  std::vector<double> stress     = {}; ///< in Voigt order [k][3 or 6] (Pa)
+  std::vector<double> direct_stress = {}; ///< of the direct run; empty without one
 };
 
 /**
  * localization.h5, opened for writing or reading. Fields and probes are in groups: "" for
- * the localized stresses, "/difference" for localized minus direct, "/direct", and
- * "/mean_strain_variant" where there are two variants.
+ * the localized stresses, "/difference" for localized minus direct, "/direct",
+ * "/mean_strain_variant" where there are two variants, and "/points/NAME" for the fields
+ * of the volume element at a point of the body.
  */
 class LocalizationFile : public Hdf5File
 {
@@ -56,7 +60,12 @@ public:
   static LocalizationFile
   create(const std::string &path, const std::string &digest, const UniformGrid<2> &grid);
 
-  /** Opens for reading. @throws UserError */
+  /** The same for fields on a mesh, which must outlive the file. */
+  template <int dim>
+  static LocalizationFile
+  create(const std::string &path, const std::string &digest, const Mesh<dim> &mesh);
+
+  /** Opens for reading, if the fields are on a grid. @throws UserError */
   static LocalizationFile open(const std::string &path);
 
   /** Writes the fields that are not empty to @p group. */
@@ -74,15 +83,29 @@ public:
   /** The probe @p name in group @p in. @throws UserError */
   LocalizedProbe probe(const std::string &name, const std::string &in) const;
 
-  UniformGrid<2> grid; ///< the cells of the fields
-
 private:
-  explicit LocalizationFile(Hdf5File &&file)
+  LocalizationFile(Hdf5File &&file, const unsigned int n_axes, const Shape &extents)
     : Hdf5File(std::move(file))
+    , dimension(n_axes)
+    , cells(extents)
   {
   }
 
+  Shape shape_of_field(const std::size_t n) const;
+
+  /** Of a stress. */
+  std::size_t n_components() const
+  {
+    return dimension == 2 ? 3 : 6;
+  }
+
+  const unsigned int dimension;
+  const Shape cells; ///< extents of a field of one number a cell
   std::vector<XdmfField> shown;
+  /** Writes an XDMF file of the first name for these fields of a file of the second. */
+  std::function<void(
+    const std::string &, const std::string &, const std::vector<XdmfField> &)>
+    write_shown;
 };
 } // namespace mesoslip
 

@@ -1,7 +1,11 @@
 #include "exchange/rve_file.h"
 
+#include "base/errors.h"
 #include "exchange/datasets.h"
+#include "exchange/mesh_datasets.h"
 #include "exchange/xdmf.h"
+
+#include <deal.II/base/bounding_box.h>
 
 #include <filesystem>
 
@@ -9,66 +13,151 @@ namespace mesoslip
 {
 namespace
 {
-constexpr int newest_rve_version = 1;
-
 const char rve_program[] = "rve_homogenization";
 
 std::string concentration_name(const std::string &condition)
 {
   return (condition == "SUBC" ? "/stress_concentration/" : "/concentration/") + condition;
 }
+
+/** The grid, or the bounding box of the mesh as one cell. */
+template <int dim>
+UniformGrid<dim> read_extent(const Hdf5File &file)
+{
+  if constexpr (dim == 2)
+    if (!file.exists("/mesh"))
+      return read_grid(file, rve_program);
+  UniformGrid<dim> box;
+  const std::string again = std::string("run ") + rve_program + " again";
+  const auto origin = file.read_attribute<std::vector<double>>("/mesh", "origin", again),
+             size   = file.read_attribute<std::vector<double>>("/mesh", "size", again);
+  if (origin.size() != dim || size.size() != dim)
+    throw UserError(file.path() + ": origin and size of /mesh are not " +
+                    std::to_string(dim) + " numbers each; " + again);
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      box.cells[d]   = 1;
+      box.origin[d]  = origin[d];
+      box.spacing[d] = size[d];
+    }
+  return box;
+}
 } // namespace
 
-void RveFile::write(const std::string &path, const RveContent &content)
+template <int dim>
+void write_rve_file(const std::string &path, const RveContent<dim> &content)
 {
-  using Values      = XdmfField::Values;
-  const Shape cells = {content.grid.cells[1], content.grid.cells[0]};
-  Hdf5File file     = Hdf5File::create(path);
-  file.write_header("mesoslip-rve", newest_rve_version, 2, content.digest);
+  using Values            = XdmfField::Values;
+  constexpr std::size_t v = n_voigt<dim>;
+  Hdf5File file           = Hdf5File::create(path);
+  file.write_header(rve_format, newest_rve_version, dim, content.digest);
   write_dataset(file, "/summary", {1}, std::vector<std::string>{content.summary});
-  write_grid(file, content.grid);
+  Shape cells = {content.phase_id.size()};
+  if (content.mesh != nullptr)
+    {
+      write_mesh(file, *content.mesh);
+      const dealii::BoundingBox<dim> box(content.mesh->points);
+      std::vector<double> lower, size;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          lower.push_back(box.lower_bound(d));
+          size.push_back(box.side_length(d));
+        }
+      file.write_attribute("/mesh", "origin", lower);
+      file.write_attribute("/mesh", "size", size);
+    }
+  else if constexpr (dim == 2)
+    {
+      cells = {content.grid.cells[1], content.grid.cells[0]};
+      write_grid(file, content.grid);
+    }
   write_phases(file, "/phase", content.phases, true);
+  if (content.mesh != nullptr)
+    write_dataset(file, "/phase/volume_fraction", {content.fractions.size()},
+                  content.fractions);
   write_dataset(file, "/phase/id", cells, content.phase_id);
   for (const auto &[of, D] : content.stiffness)
-    write_dataset(file, "/stiffness/" + of, {3, 3},
+    write_dataset(file, "/stiffness/" + of, {v, v},
                   std::vector<double>(D.data(), D.data() + D.size()), "Pa");
   std::vector<XdmfField> shown = {{"phase", "/phase/id", Values::phases}};
   for (const auto &[of, tensors] : content.concentration)
     {
       const std::string dataset = concentration_name(of);
-      write_dataset(file, dataset, {cells[0], cells[1], 3, 3}, *tensors);
-      shown.push_back({dataset.substr(1), dataset, Values::cells, {3, 3}});
+      Shape shape               = cells;
+      shape.insert(shape.end(), {v, v});
+      write_dataset(file, dataset, shape, *tensors);
+      shown.push_back({dataset.substr(1), dataset, Values::cells, {v, v}});
     }
   file.close();
-  write_xdmf(path.substr(0, path.rfind('.')) + ".xdmf",
-             std::filesystem::path(path).filename(), content.grid, shown);
+  const std::string xdmf = path.substr(0, path.rfind('.')) + ".xdmf",
+                    name = std::filesystem::path(path).filename();
+  if (content.mesh != nullptr)
+    write_xdmf(xdmf, name, *content.mesh, shown);
+  else if constexpr (dim == 2)
+    write_xdmf(xdmf, name, content.grid, shown);
 }
 
-RveFile::RveFile(const std::string &path)
+unsigned int dimension_of_file(const std::string &path, const std::string &hint)
+{
+  const Hdf5File file = Hdf5File::open(path, hint);
+  const int dim       = file.read_attribute<int>("/", "dim", hint);
+  if (dim != 2 && dim != 3)
+    throw UserError(path + " states " + std::to_string(dim) +
+                    " dimensions, there are only 2 and 3; " + hint);
+  return static_cast<unsigned int>(dim);
+}
+
+template <int dim>
+RveFile<dim>::RveFile(const std::string &path)
   : file(Hdf5File::open(path, "run rve_homogenization first"))
-  , digest(file.check_header("mesoslip-rve", newest_rve_version, 2, rve_program))
-  , grid(read_grid(file, rve_program))
-  , phases(read_phases(file, "/phase", true, rve_program))
+  , digest(file.check_header(rve_format, newest_rve_version, dim, rve_program))
+  , grid(read_extent<dim>(file))
+  , phases(read_phases<dim>(file, "/phase", true, rve_program))
 {
 }
 
-std::string RveFile::summary() const
+std::string read_rve_summary(const std::string &path)
 {
-  const auto texts = file.exists("/summary") ? file.read<std::string>("/summary")
-                                             : std::vector<std::string>();
+  const Hdf5File file = Hdf5File::open(path);
+  const auto texts    = file.exists("/summary") ? file.read<std::string>("/summary")
+                                                : std::vector<std::string>();
   return texts.size() == 1 ? texts[0] : "";
 }
 
-std::vector<std::uint8_t> RveFile::phase_id() const
+template <int dim>
+void RveFile<dim>::require_grid(const std::string &nothing) const
 {
-  auto id = file.read<std::uint8_t>("/phase/id", {grid.cells[1], grid.cells[0]},
-                                    "rve_homogenization writes it");
+  if (is_mesh())
+    throw UserError(path() + " holds a volume on a mesh, of which " + nothing +
+                    "; run rve_homogenization on a grid");
+}
+
+/** Extents of a field of the cells. */
+template <int dim>
+Shape RveFile<dim>::cells() const
+{
+  return is_mesh() ? Shape{any_extent} : Shape{grid.cells[1], grid.cells[0]};
+}
+
+template <int dim>
+std::vector<std::uint8_t> RveFile<dim>::phase_id() const
+{
+  auto id = file.read<std::uint8_t>("/phase/id", cells(), "rve_homogenization writes it");
   require_phases(file, "/phase/id", id, phases.size(), rve_program);
   return id;
 }
 
-double RveFile::mean_density() const
+template <int dim>
+double RveFile<dim>::mean_density() const
 {
+  if (is_mesh())
+    {
+      const auto fractions = file.read<double>("/phase/volume_fraction", {phases.size()});
+      double mean          = 0.;
+      for (std::size_t p = 0; p < phases.size(); ++p)
+        mean += phases[p].density * fractions[p];
+      return mean;
+    }
   std::vector<std::size_t> count(phases.size());
   for (const std::uint8_t id : phase_id())
     ++count[id];
@@ -78,23 +167,49 @@ double RveFile::mean_density() const
   return sum / grid.n_cells();
 }
 
-VoigtMatrix<2> RveFile::stiffness(const std::string &name) const
+template <int dim>
+VoigtMatrix<dim> RveFile<dim>::stiffness(const std::string &name) const
 {
   const std::string dataset = "/stiffness/" + name;
-  const auto D              = file.read<double>(dataset, {3, 3},
+  const auto D              = file.read<double>(dataset, {n_voigt<dim>, n_voigt<dim>},
                                    "run rve_homogenization with " + name +
                                      " among its boundary conditions");
   file.require_unit(dataset, "Pa");
-  const VoigtMatrix<2> stiffness = Eigen::Map<const VoigtMatrix<2>>(D.data());
-  require_stiffness(file, dataset, stiffness, rve_program);
+  const VoigtMatrix<dim> stiffness = Eigen::Map<const VoigtMatrix<dim>>(D.data());
+  require_stiffness<dim>(file, dataset, stiffness, rve_program);
   return stiffness;
 }
 
-std::vector<double> RveFile::concentration(const std::string &name) const
+template <int dim>
+std::vector<double> RveFile<dim>::concentration(const std::string &name) const
 {
+  Shape shape = cells();
+  shape.insert(shape.end(), {n_voigt<dim>, n_voigt<dim>});
   return file.read<double>(
-    concentration_name(name), {grid.cells[1], grid.cells[0], 3, 3},
+    concentration_name(name), shape,
     "run rve_homogenization with " + name +
       " among its boundary conditions and its concentration tensors written");
 }
+
+template <int dim>
+Mesh<dim> RveFile<dim>::mesh() const
+{
+  Mesh<dim> mesh;
+  if constexpr (dim == 2)
+    mesh = is_mesh() ? read_mesh_cells<dim>(file, rve_program) : mesh_of_cells(grid);
+  else
+    mesh = read_mesh_cells<dim>(file, rve_program);
+  const std::vector<std::uint8_t> id = phase_id();
+  if (id.size() != mesh.cells.size())
+    throw UserError(path() + ": /phase/id and /mesh have different numbers of cells; run "
+                             "rve_homogenization again");
+  for (std::size_t k = 0; k < id.size(); ++k)
+    mesh.cells[k].material_id = id[k];
+  return mesh;
+}
+
+template class RveFile<2>;
+template class RveFile<3>;
+template void write_rve_file(const std::string &, const RveContent<2> &);
+template void write_rve_file(const std::string &, const RveContent<3> &);
 } // namespace mesoslip

@@ -4,6 +4,7 @@
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
 #include "material/voigt.h"
+#include "mesh/mesh.h"
 
 #include <cstdint>
 #include <map>
@@ -12,34 +13,56 @@
 
 namespace mesoslip
 {
+/** Format of rve.h5 and its newest version. */
+inline constexpr char rve_format[]      = "mesoslip-rve";
+inline constexpr int newest_rve_version = 1; ///< as written now
+
 /** What rve_homogenization leaves in rve.h5. */
+template <int dim>
 struct RveContent
 {
-  std::string digest;                 ///< of the inputs that determine the content
-  std::string summary;                ///< JSON
-  UniformGrid<2> grid;                ///< of the morphology
-  std::vector<Phase<2>> phases;       ///< by index
-  std::vector<std::uint8_t> phase_id; ///< phase of each cell, x fastest
-  std::map<std::string, VoigtMatrix<2>> stiffness; ///< KUBC, SUBC, PBC, effective (Pa)
+  std::string digest;              ///< of the inputs that determine the content
+  std::string summary;             ///< JSON
+  UniformGrid<dim> grid;           ///< of the morphology, unless it is a mesh
+  const Mesh<dim> *mesh = nullptr; ///< null: it is a grid
+  std::vector<Phase<dim>> phases;  ///< by index
+  std::vector<double> fractions;   ///< volume fractions of the phases, stored with a mesh
+
+  /** Phase of each cell, on a grid x fastest. */
+  std::vector<std::uint8_t> phase_id;
+
+  std::map<std::string, VoigtMatrix<dim>> stiffness; ///< KUBC, SUBC, PBC, effective (Pa)
 
   /**
-   * Concentration tensors [ny][nx][3][3] of KUBC and PBC (strain: row local, column
-   * macroscopic component) and of SUBC (stress), as far as they are to be stored.
+   * Concentration tensors of the cells, in Voigt components, of KUBC and PBC (strain: row
+   * local, column macroscopic component) and of SUBC (stress), as far as they are to be
+   * stored: [ny][nx][3][3] on a plane grid, [n][3][3] or [n][6][6] on a mesh.
    */
   std::map<std::string, const std::vector<double> *> concentration;
 };
 
 /**
- * rve.h5, opened for reading: format, version, shapes, phase numbers and finiteness are
+ * Writes rve.h5, of which @p path is the name, and `NAME.xdmf` for ParaView beside it.
+ */
+template <int dim>
+void write_rve_file(const std::string &path, const RveContent<dim> &content);
+
+/** Summary (JSON) of the run that wrote the rve.h5 at @p path; empty if it holds none. */
+std::string read_rve_summary(const std::string &path);
+
+/** The dimension that an exchange file states. @throws UserError with @p hint if there is
+ * no such file */
+unsigned int dimension_of_file(const std::string &path, const std::string &hint);
+
+/**
+ * rve.h5 opened for reading: format, version, shapes, phase numbers and finiteness are
  * checked, and every error names the file, the dataset and what to run. The small data
  * are read at once, the fields when they are asked for.
  */
+template <int dim>
 class RveFile
 {
 public:
-  /** Writes `NAME.h5`, and `NAME.xdmf` for ParaView beside it. */
-  static void write(const std::string &path, const RveContent &content);
-
   /** Opens for reading. @throws UserError */
   explicit RveFile(const std::string &path);
 
@@ -55,28 +78,40 @@ public:
     return file.change_note("rve_homogenization");
   }
 
-  /** Summary of the run that wrote it (JSON); empty if the file holds none. */
-  std::string summary() const;
+  /** Whether the volume is a mesh. */
+  bool is_mesh() const
+  {
+    return file.exists("/mesh");
+  }
 
-  /** Phase of each cell, x fastest; below the number of phases. */
+  /** @throws UserError if the volume is a mesh, of which @p nothing can be taken. */
+  void require_grid(const std::string &nothing) const;
+
+  /** Phase of each cell, on a grid x fastest; below the number of phases. */
   std::vector<std::uint8_t> phase_id() const;
 
   /** Volume mean of the density (kg/m^3). */
   double mean_density() const;
 
   /** KUBC, SUBC, PBC or effective (Pa). @throws UserError when it was not computed. */
-  VoigtMatrix<2> stiffness(const std::string &name) const;
+  VoigtMatrix<dim> stiffness(const std::string &name) const;
 
-  /** Strain concentration tensors of KUBC or PBC. @throws UserError without them. */
+  /** Strain concentration tensors of KUBC or PBC of all cells. @throws UserError without
+   * them */
   std::vector<double> concentration(const std::string &name) const;
 
+  /** The cells, those of a grid as quadrilaterals, with their phases as material_id. */
+  Mesh<dim> mesh() const;
+
 private:
+  Shape cells() const;
+
   Hdf5File file;
 
 public:
-  const std::string digest;           ///< of the inputs that determine the content
-  const UniformGrid<2> grid;          ///< of the morphology
-  const std::vector<Phase<2>> phases; ///< by index
+  const std::string digest;    ///< of the inputs that determine the content
+  const UniformGrid<dim> grid; ///< of the morphology; of a mesh its box as one cell
+  const std::vector<Phase<dim>> phases; ///< by index
 };
 } // namespace mesoslip
 

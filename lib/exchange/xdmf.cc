@@ -2,6 +2,8 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "exchange/mesh_datasets.h"
+#include "material/voigt.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -33,22 +35,74 @@ std::string joined(const std::vector<T> &values)
   return text.str();
 }
 
+/** What lies below the fields: XML of topology and geometry, and extents of a field. */
+struct Geometry
+{
+  std::string xml;
+  Shape shown;  ///< as ParaView has the nodes or cells, slowest axis first
+  Shape stored; ///< as the datasets have them
+};
+
 /**
- * Writes the XML. The detours are those of ParaView's reader, tried with 5.11: it puts
- * 2DCoRectMesh into the y-z plane, leaves out the coordinates and some cells of a
- * 2DRectMesh, and the cell data of a 3DCoRectMesh one node thick. So plane grids are
- * 3DCoRectMesh: one node thick with data of nodes, one cell with data of cells.
+ * The detours are those of ParaView's reader, tried with 5.11: it puts 2DCoRectMesh into
+ * the y-z plane, leaves out the coordinates and some cells of a 2DRectMesh, and the cell
+ * data of a 3DCoRectMesh one node thick. So plane grids are 3DCoRectMesh: one node thick
+ * with data of nodes, one cell with data of cells.
  */
+template <int dim>
+Geometry geometry_of(const UniformGrid<dim> &grid, const bool of_nodes)
+{
+  Geometry result;
+  Shape n_nodes(3 - dim, of_nodes ? 1 : 2);
+  std::vector<std::string> origin(3 - dim, "0"),
+    spacing(3 - dim, to_text(grid.spacing[0]));
+  for (unsigned int d = dim; d-- > 0;)
+    {
+      n_nodes.push_back(grid.cells[d] + 1);
+      result.stored.push_back(grid.cells[d] + (of_nodes ? 1 : 0));
+      origin.push_back(to_text(grid.origin[d]));
+      spacing.push_back(to_text(grid.spacing[d]));
+    }
+  result.shown = Shape(3 - dim, 1);
+  result.shown.insert(result.shown.end(), result.stored.begin(), result.stored.end());
+  std::ostringstream out;
+  out << "<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"" << joined(n_nodes)
+      << "\"/>\n<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n";
+  for (const auto *numbers : {&origin, &spacing})
+    out << "<DataItem Dimensions=\"" << numbers->size()
+        << "\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">" << joined(*numbers)
+        << "</DataItem>\n";
+  out << "</Geometry>\n";
+  result.xml = out.str();
+  return result;
+}
+
+template <int dim>
+Geometry geometry_of(const Mesh<dim> &mesh, const bool of_nodes, const std::string &file)
+{
+  std::ostringstream out;
+  out << "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" << mesh.cells.size()
+      << "\">\n<DataItem Dimensions=\"" << topology_size(mesh)
+      << "\" NumberType=\"UInt\" Precision=\"4\" Format=\"HDF\">" << escaped(file)
+      << ":/mesh/topology</DataItem>\n</Topology>\n<Geometry GeometryType=\""
+      << (dim == 2 ? "XY" : "XYZ") << "\">\n<DataItem Dimensions=\"" << mesh.points.size()
+      << " " << dim << "\" NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">"
+      << escaped(file) << ":/mesh/points</DataItem>\n</Geometry>\n";
+  const Shape n = {of_nodes ? mesh.points.size() : mesh.cells.size()};
+  return {out.str(), n, n};
+}
+
+/** Writes the XML. */
 template <int dim>
 class Writer
 {
 public:
   Writer(const std::string &h5,
-         const UniformGrid<dim> &g,
+         const Geometry &g,
          const std::vector<XdmfField> &f,
          const std::size_t n)
     : file(h5)
-    , grid(g)
+    , geometry(g)
     , fields(f)
     , n_times(n)
     , of_nodes(f.front().values == XdmfField::Values::nodes)
@@ -68,44 +122,17 @@ public:
     out << "<Grid Name=\"grid\" GridType=\"Uniform\">\n";
     if (n_times > 0)
       out << "<Time Value=\"" << to_text(time) << "\"/>\n";
-    write_geometry();
+    out << geometry.xml;
     for (const XdmfField &field : fields)
       write_field(field, step);
     out << "</Grid>\n";
   }
 
 private:
-  /** Numbers of nodes or cells of what is shown, z first. */
-  Shape extents(const bool nodes) const
-  {
-    Shape result(3 - dim, nodes && !of_nodes ? 2 : 1);
-    for (unsigned int d = dim; d-- > 0;)
-      result.push_back(grid.cells[d] + (nodes ? 1 : 0));
-    return result;
-  }
-
-  void write_geometry()
-  {
-    std::vector<std::string> origin(3 - dim, "0"),
-      spacing(3 - dim, to_text(grid.spacing[0]));
-    for (unsigned int d = dim; d-- > 0;)
-      {
-        origin.push_back(to_text(grid.origin[d]));
-        spacing.push_back(to_text(grid.spacing[d]));
-      }
-    out << "<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\""
-        << joined(extents(true)) << "\"/>\n<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n";
-    for (const auto *numbers : {&origin, &spacing})
-      out << "<DataItem Dimensions=\"" << numbers->size()
-          << "\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">" << joined(*numbers)
-          << "</DataItem>\n";
-    out << "</Geometry>\n";
-  }
-
   void write_field(const XdmfField &field, const std::size_t step)
   {
-    static const char *const names[] = {"xx", "yy", "xy"};
-    const auto attribute             = [&](const std::string &suffix, const char *type,
+    const auto &names    = voigt_names<dim>;
+    const auto attribute = [&](const std::string &suffix, const char *type,
                                const Shape &first, const Shape &count) {
       out << "<Attribute Name=\"" << escaped(field.name + suffix) << "\" AttributeType=\""
           << type << "\" Center=\"" << (of_nodes ? "Node" : "Cell") << "\">\n";
@@ -117,11 +144,11 @@ private:
     else if (field.components == Shape{dim})
       attribute("", "Vector", {0}, {dim}); // plane ones get a third component, 0
     else
-      for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t r = 0; r < names.size(); ++r)
         if (field.components.size() == 1)
           attribute(std::string("_") + names[r], "Scalar", {r}, {1});
         else
-          for (std::size_t c = 0; c < 3; ++c)
+          for (std::size_t c = 0; c < names.size(); ++c)
             attribute(std::string("_") + names[r] + "_" + names[c], "Scalar", {r, c},
                       {1, 1});
   }
@@ -132,8 +159,9 @@ private:
                   const Shape &first,
                   const Shape &n)
   {
-    Shape shown = extents(of_nodes), stored(shown.end() - dim, shown.end()),
-          start(dim, 0), count = stored;
+    Shape shown = geometry.shown, stored = geometry.stored, start(stored.size(), 0),
+          count                   = stored;
+    const std::size_t n_grid_axes = stored.size();
     if (of_nodes)
       {
         stored.insert(stored.begin(), n_times);
@@ -145,7 +173,7 @@ private:
     count.insert(count.end(), n.begin(), n.end());
     if (n == Shape{dim})
       shown.push_back(dim);
-    const bool slab = stored.size() > dim;
+    const bool slab = stored.size() > n_grid_axes;
     if (slab)
       out << "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" << joined(shown)
           << "\" Type=\"HyperSlab\">\n<DataItem Dimensions=\"3 " << stored.size()
@@ -162,21 +190,19 @@ private:
   }
 
   const std::string &file;
-  const UniformGrid<dim> &grid;
+  const Geometry &geometry;
   const std::vector<XdmfField> &fields;
   const std::size_t n_times;
   const bool of_nodes;
 };
-} // namespace
-
 template <int dim>
-void write_xdmf(const std::string &path,
-                const std::string &file,
-                const UniformGrid<dim> &grid,
-                const std::vector<XdmfField> &fields,
-                const std::vector<double> &times)
+void write_document(const std::string &path,
+                    const std::string &file,
+                    const Geometry &geometry,
+                    const std::vector<XdmfField> &fields,
+                    const std::vector<double> &times)
 {
-  Writer<dim> writer(file, grid, fields, times.size());
+  Writer<dim> writer(file, geometry, fields, times.size());
   writer.out << "<?xml version=\"1.0\" ?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n"
                 "<Xdmf Version=\"2.0\">\n<Domain>\n";
   if (times.empty())
@@ -193,9 +219,46 @@ void write_xdmf(const std::string &path,
   write_file(path, writer.out.str());
 }
 
+bool of_nodes(const std::vector<XdmfField> &fields)
+{
+  return fields.front().values == XdmfField::Values::nodes;
+}
+} // namespace
+
+template <int dim>
+void write_xdmf(const std::string &path,
+                const std::string &file,
+                const UniformGrid<dim> &grid,
+                const std::vector<XdmfField> &fields,
+                const std::vector<double> &times)
+{
+  write_document<dim>(path, file, geometry_of(grid, of_nodes(fields)), fields, times);
+}
+
+template <int dim>
+void write_xdmf(const std::string &path,
+                const std::string &file,
+                const Mesh<dim> &mesh,
+                const std::vector<XdmfField> &fields,
+                const std::vector<double> &times)
+{
+  write_document<dim>(path, file, geometry_of(mesh, of_nodes(fields), file), fields,
+                      times);
+}
+
 template void write_xdmf(const std::string &,
                          const std::string &,
                          const UniformGrid<2> &,
+                         const std::vector<XdmfField> &,
+                         const std::vector<double> &);
+template void write_xdmf(const std::string &,
+                         const std::string &,
+                         const Mesh<2> &,
+                         const std::vector<XdmfField> &,
+                         const std::vector<double> &);
+template void write_xdmf(const std::string &,
+                         const std::string &,
+                         const Mesh<3> &,
                          const std::vector<XdmfField> &,
                          const std::vector<double> &);
 } // namespace mesoslip

@@ -3,6 +3,7 @@
 
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
+#include "mesh/mesh.h"
 
 #include <string>
 #include <vector>
@@ -26,7 +27,7 @@ struct XdmfField
 
   /**
    * Extents of the axes behind those of the grid: none for a number, the dimension for a
-   * vector, three for the components xx, yy, xy, two times three for a matrix of them.
+   * vector, the number of Voigt components for a tensor, twice that for a matrix of them.
    * Components and entries are shown one by one: "stress_xx", "tensor_xx_yy".
    */
   Shape components = {};
@@ -42,6 +43,14 @@ template <int dim>
 void write_xdmf(const std::string &path,
                 const std::string &file,
                 const UniformGrid<dim> &grid,
+                const std::vector<XdmfField> &fields,
+                const std::vector<double> &times = {});
+
+/** The same for datasets on a mesh that write_mesh() has written into the HDF5 file. */
+template <int dim>
+void write_xdmf(const std::string &path,
+                const std::string &file,
+                const Mesh<dim> &mesh,
                 const std::vector<XdmfField> &fields,
                 const std::vector<double> &times = {});
 } // namespace mesoslip

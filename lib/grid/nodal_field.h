@@ -23,6 +23,49 @@ namespace internal
 void *line_memory(const std::size_t bytes);
 } // namespace internal
 
+/** Allocates numbers that begin on a cache line. */
+template <typename Number>
+struct LineAllocator
+{
+  using value_type = Number; ///< for the container
+
+  LineAllocator() = default;
+
+  /** Allocators of other numbers are the same. */
+  template <typename Other>
+  LineAllocator(const LineAllocator<Other> &)
+  {
+  }
+
+  /** @p n numbers. @throws std::bad_alloc */
+  Number *allocate(const std::size_t n)
+  {
+    return static_cast<Number *>(internal::line_memory(n * sizeof(Number)));
+  }
+
+  /** What allocate() gave. */
+  void deallocate(Number *memory, const std::size_t)
+  {
+    std::free(memory);
+  }
+
+  /** All are equal. */
+  friend bool operator==(const LineAllocator &, const LineAllocator &)
+  {
+    return true;
+  }
+
+  /** Never. */
+  friend bool operator!=(const LineAllocator &, const LineAllocator &)
+  {
+    return false;
+  }
+};
+
+/** Numbers that begin on a cache line. */
+template <typename Number>
+using LineVector = std::vector<Number, LineAllocator<Number>>;
+
 /** Numbers in the widest vector of the row kernels. */
 template <typename Number>
 constexpr unsigned int lanes = 64 / sizeof(Number);
@@ -75,6 +118,12 @@ public:
   unsigned int n_rows() const
   {
     return rows;
+  }
+
+  /** Numbers a node. */
+  unsigned int n_components() const
+  {
+    return components;
   }
 
   /** Distance between two rows of one component, in numbers. */
@@ -166,38 +215,6 @@ public:
   }
 
 private:
-  /** Of numbers that begin on a cache line. */
-  struct Allocator
-  {
-    using value_type = Number;
-
-    template <typename> /** The allocator of other numbers, which is the same. */
-    struct rebind
-    {
-      using other = Allocator; ///< for the container
-    };
-
-    Number *allocate(const std::size_t n)
-    {
-      return static_cast<Number *>(internal::line_memory(n * sizeof(Number)));
-    }
-
-    void deallocate(Number *memory, const std::size_t)
-    {
-      std::free(memory);
-    }
-
-    friend bool operator==(const Allocator &, const Allocator &)
-    {
-      return true;
-    }
-
-    friend bool operator!=(const Allocator &, const Allocator &)
-    {
-      return false;
-    }
-  };
-
   std::size_t offset(const unsigned int c, const int j) const
   {
     AssertIndexRange(c, components);
@@ -210,7 +227,7 @@ private:
   unsigned int rows        = 0;
   unsigned int columns     = 0;
   std::size_t array_stride = 0;
-  std::vector<Number, Allocator> data;
+  LineVector<Number> data;
 };
 
 extern template class NodalField<double>;

@@ -1,6 +1,7 @@
 #include "homogenization/ensemble.h"
 
 #include "base/errors.h"
+#include "base/text.h"
 
 #include <Eigen/Dense>
 
@@ -29,14 +30,15 @@ constexpr double refuse_phase_means_above = 0.1;
 /** Dropped entries and differences of conditions that are worth a sentence. */
 constexpr double largest_dropped = 0.01, largest_factor = 2.;
 
-bool is_positive_definite(const VoigtMatrix<2> &D)
+template <int dim>
+bool is_positive_definite(const VoigtMatrix<dim> &D)
 {
   // In the scale of its diagonal, as moduli may differ by more than the digits of a
   // number.
-  const VoigtVector<2> scale  = D.diagonal().cwiseSqrt().cwiseInverse();
-  const VoigtMatrix<2> scaled = scale.asDiagonal() * D * scale.asDiagonal();
+  const VoigtVector<dim> scale  = D.diagonal().cwiseSqrt().cwiseInverse();
+  const VoigtMatrix<dim> scaled = scale.asDiagonal() * D * scale.asDiagonal();
   return scaled.allFinite() &&
-         Eigen::LLT<VoigtMatrix<2>>(scaled).info() == Eigen::Success;
+         Eigen::LLT<VoigtMatrix<dim>>(scaled).info() == Eigen::Success;
 }
 
 [[noreturn]] void refuse(const std::string &condition, const std::string &what)
@@ -55,32 +57,39 @@ std::string gigapascals(const double modulus)
   return text.str();
 }
 
-std::string dropped_entries(const VoigtMatrix<2> &D)
+template <int dim>
+std::string dropped_entries(const VoigtMatrix<dim> &D)
 {
   std::ostringstream text;
   text.precision(3);
-  for (unsigned int i = 0; i < 2; ++i)
+  for (const auto &entry : stiffness_entries<dim>())
     {
-      const double share = std::fabs(D(i, 2)) / std::sqrt(D(i, i) * D(2, 2));
-      if (!(share > largest_dropped))
+      const unsigned int i = entry.row, j = entry.column;
+      const double share = std::fabs(D(i, j)) / std::sqrt(D(i, i) * D(j, j));
+      if (!entry.couples_shear(dim) || !(share > largest_dropped))
         continue;
-      text << (text.tellp() > 0 ? " and " : "") << "D" << i + 1
-           << "3 = " << gigapascals(D(i, 2)) << " (" << 100. * share
-           << " % of the root of D" << i + 1 << i + 1 << " D33)";
+      const auto diagonal = [](const unsigned int k) {
+        return "D" + std::to_string(11 * (k + 1));
+      };
+      text << (text.tellp() > 0 ? " and " : "") << entry.name << " = "
+           << gigapascals(D(i, j)) << " (" << 100. * share << " % of the root of "
+           << diagonal(i) << " " << diagonal(j) << ")";
     }
   return text.str().empty() ? std::string()
                             : "The effective stiffness lacks " + text.str() +
                                 ", which Homogenization/Effective symmetry = orthotropic "
-                                "drops: set it to full, or "
-                                "turn the morphology so that x and y are its axes";
+                                "drops: set it to full, or turn the morphology so that " +
+                                (dim == 2 ? "x and y" : "x, y and z") + " are its axes";
 }
 
-std::string conditions_apart(const VoigtMatrix<2> &kubc, const VoigtMatrix<2> &subc)
+template <int dim>
+std::string conditions_apart(const VoigtMatrix<dim> &kubc, const VoigtMatrix<dim> &subc)
 {
   // Stationary values of the ratio of the two energies over all strains.
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> ratios(
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ratios(
     kubc, subc, Eigen::EigenvaluesOnly);
-  const double factor = std::max(ratios.eigenvalues()[2], 1. / ratios.eigenvalues()[0]);
+  const double factor =
+    std::max(ratios.eigenvalues()[n_voigt<dim> - 1], 1. / ratios.eigenvalues()[0]);
   if (factor <= largest_factor)
     return {};
   std::ostringstream text;
@@ -88,7 +97,7 @@ std::string conditions_apart(const VoigtMatrix<2> &kubc, const VoigtMatrix<2> &s
   text << "The effective stiffness is the mean of KUBC and SUBC, of which the energies "
           "differ by up to the factor "
        << factor << " (";
-  for (unsigned int i = 0; i < 3; ++i)
+  for (unsigned int i = 0; i < n_voigt<dim>; ++i)
     text << (i > 0 ? "; " : "") << "D" << i + 1 << i + 1 << " = "
          << gigapascals(kubc(i, i)) << " and " << gigapascals(subc(i, i));
   text << "): it says little about the composite; set Homogenization/Effective to one "
@@ -98,51 +107,49 @@ std::string conditions_apart(const VoigtMatrix<2> &kubc, const VoigtMatrix<2> &s
 }
 } // namespace
 
-StiffnessStatistics stiffness_statistics(const std::vector<EnsembleMember> &members,
-                                         const std::size_t condition,
-                                         const double confidence)
+template <int dim>
+StiffnessStatistics<dim>
+stiffness_statistics(const std::vector<EnsembleMember<dim>> &members,
+                     const std::size_t condition,
+                     const double confidence)
 {
-  StiffnessStatistics s;
+  StiffnessStatistics<dim> s;
   const double n = members.size();
-  for (const EnsembleMember &member : members)
+  for (const EnsembleMember<dim> &member : members)
     s.mean += member.responses[condition].stiffness / n;
   if (members.size() < 2)
     return s;
-  VoigtMatrix<2> squares = VoigtMatrix<2>::Zero();
-  for (const EnsembleMember &member : members)
+  VoigtMatrix<dim> squares = VoigtMatrix<dim>::Zero();
+  for (const EnsembleMember<dim> &member : members)
     squares += (member.responses[condition].stiffness - s.mean).cwiseAbs2();
   s.standard_deviation = (squares / (n - 1.)).cwiseSqrt();
   const boost::math::students_t student(n - 1.);
   s.half_width = boost::math::quantile(student, 0.5 * (1. + confidence)) *
                  s.standard_deviation / std::sqrt(n);
-  for (unsigned int e = 0; e < 9; ++e)
+  for (unsigned int e = 0; e < n_voigt<dim> * n_voigt<dim>; ++e)
     if (const double mean = std::fabs(s.mean.data()[e]); mean != 0.)
       s.relative_error.data()[e] =
         2. * s.standard_deviation.data()[e] / (std::sqrt(n) * mean);
   return s;
 }
 
-std::vector<std::string> morphology_warnings(const std::vector<EnsembleMember> &members)
+template <int dim>
+std::vector<std::string>
+morphology_warnings(const std::vector<EnsembleMember<dim>> &members)
 {
   std::vector<std::string> sentences;
-  std::map<std::string, std::vector<std::uint64_t>> seeds;
-  for (const EnsembleMember &member : members)
+  std::map<std::string, std::vector<std::string>> origins;
+  for (const EnsembleMember<dim> &member : members)
     for (const std::string &sentence : member.warnings)
       {
-        std::vector<std::uint64_t> &of = seeds[sentence];
+        std::vector<std::string> &of = origins[sentence];
         if (of.empty())
           sentences.push_back(sentence);
-        of.push_back(member.seed);
+        of.push_back(member.origin);
       }
   for (std::string &sentence : sentences)
-    {
-      const std::vector<std::uint64_t> of = seeds[sentence];
-      std::string list;
-      for (const std::uint64_t seed : of)
-        list += (list.empty() ? "" : ", ") + std::to_string(seed);
-      if (of.size() < members.size())
-        sentence += of.size() == 1 ? " (seed " + list + ")" : " (seeds " + list + ")";
-    }
+    if (const std::vector<std::string> of = origins[sentence]; of.size() < members.size())
+      sentence += " (" + to_text(of) + ")";
   return sentences;
 }
 
@@ -162,19 +169,20 @@ UniformMaterial make_material(const Microstructure &microstructure)
     }
 }
 
-VoigtMatrix<2> mean_stiffness(const std::vector<EnsembleMember> &members,
-                              const std::vector<BoundaryCondition> &conditions)
+template <int dim>
+VoigtMatrix<dim> mean_stiffness(const std::vector<EnsembleMember<dim>> &members,
+                                const std::vector<BoundaryCondition> &conditions)
 {
-  VoigtMatrix<2> sum = VoigtMatrix<2>::Zero();
-  double n           = 0.;
-  for (const EnsembleMember &member : members)
-    for (const HomogenizedResponse &response : member.responses)
+  VoigtMatrix<dim> sum = VoigtMatrix<dim>::Zero();
+  double n             = 0.;
+  for (const EnsembleMember<dim> &member : members)
+    for (const HomogenizedResponse<dim> &response : member.responses)
       if (std::count(conditions.begin(), conditions.end(), response.condition) > 0)
         {
           sum += response.stiffness;
           n += 1.;
         }
-  return n > 0. ? VoigtMatrix<2>(sum / n) : sum;
+  return n > 0. ? VoigtMatrix<dim>(sum / n) : sum;
 }
 
 std::vector<BoundaryCondition> effective_conditions(const RveParameters &parameters)
@@ -190,7 +198,8 @@ std::vector<BoundaryCondition> effective_conditions(const RveParameters &paramet
   return both;
 }
 
-std::string check_response(const HomogenizedResponse &r, const double tolerance)
+template <int dim>
+std::string check_response(const HomogenizedResponse<dim> &r, const double tolerance)
 {
   const bool stresses         = r.condition == BoundaryCondition::SUBC;
   const char *const tensor    = stresses ? "B" : "L";
@@ -198,7 +207,7 @@ std::string check_response(const HomogenizedResponse &r, const double tolerance)
   std::ostringstream text;
   text.precision(1);
   text << std::scientific;
-  if (!is_positive_definite(r.stiffness))
+  if (!is_positive_definite<dim>(r.stiffness))
     refuse(condition, "the stiffness is not positive definite");
   if (r.two_phase_residual && !(*r.two_phase_residual <= refuse_phase_means_above))
     {
@@ -224,27 +233,47 @@ std::string check_response(const HomogenizedResponse &r, const double tolerance)
   return condition + ": " + text.str();
 }
 
-std::vector<std::string> result_warnings(const std::vector<EnsembleMember> &members,
+template <int dim>
+std::vector<std::string> result_warnings(const std::vector<EnsembleMember<dim>> &members,
                                          const RveParameters &parameters)
 {
   std::vector<std::string> sentences;
-  for (const EnsembleMember &member : members)
-    for (const HomogenizedResponse &response : member.responses)
+  for (const EnsembleMember<dim> &member : members)
+    for (const HomogenizedResponse<dim> &response : member.responses)
       {
         const std::string sentence = check_response(response, parameters.tolerance);
         if (!sentence.empty())
-          sentences.push_back(
-            sentence +
-            (members.size() > 1 ? " (seed " + std::to_string(member.seed) + ")" : ""));
+          sentences.push_back(sentence +
+                              (members.size() > 1 ? " (" + member.origin + ")" : ""));
       }
-  const VoigtMatrix<2> kubc = mean_stiffness(members, {BoundaryCondition::KUBC}),
-                       subc = mean_stiffness(members, {BoundaryCondition::SUBC});
+  const VoigtMatrix<dim> kubc = mean_stiffness(members, {BoundaryCondition::KUBC}),
+                         subc = mean_stiffness(members, {BoundaryCondition::SUBC});
   if (!parameters.effective_full)
     sentences.push_back(
-      dropped_entries(mean_stiffness(members, effective_conditions(parameters))));
+      dropped_entries<dim>(mean_stiffness(members, effective_conditions(parameters))));
   if (parameters.effective == "mean" && kubc(0, 0) > 0. && subc(0, 0) > 0.)
-    sentences.push_back(conditions_apart(kubc, subc));
+    sentences.push_back(conditions_apart<dim>(kubc, subc));
   sentences.erase(std::remove(sentences.begin(), sentences.end(), ""), sentences.end());
   return sentences;
 }
+
+template StiffnessStatistics<2> stiffness_statistics<2>(
+  const std::vector<EnsembleMember<2>> &, const std::size_t, const double);
+template std::vector<std::string>
+morphology_warnings<2>(const std::vector<EnsembleMember<2>> &);
+template VoigtMatrix<2> mean_stiffness<2>(const std::vector<EnsembleMember<2>> &,
+                                          const std::vector<BoundaryCondition> &);
+template std::string check_response<2>(const HomogenizedResponse<2> &, const double);
+template std::vector<std::string>
+result_warnings<2>(const std::vector<EnsembleMember<2>> &, const RveParameters &);
+
+template StiffnessStatistics<3> stiffness_statistics<3>(
+  const std::vector<EnsembleMember<3>> &, const std::size_t, const double);
+template std::vector<std::string>
+morphology_warnings<3>(const std::vector<EnsembleMember<3>> &);
+template VoigtMatrix<3> mean_stiffness<3>(const std::vector<EnsembleMember<3>> &,
+                                          const std::vector<BoundaryCondition> &);
+template std::string check_response<3>(const HomogenizedResponse<3> &, const double);
+template std::vector<std::string>
+result_warnings<3>(const std::vector<EnsembleMember<3>> &, const RveParameters &);
 } // namespace mesoslip

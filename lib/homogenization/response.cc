@@ -1,4 +1,4 @@
-#include "homogenization/ensemble.h"
+#include "homogenization/response.h"
 
 #include <Eigen/Dense>
 
@@ -9,26 +9,19 @@ namespace mesoslip
 {
 namespace
 {
-/** Sums over the cells of one phase: of the local strain and stress tensors' columns. */
-struct PhaseSums
-{
-  VoigtMatrix<2> strain = VoigtMatrix<2>::Zero();
-  VoigtMatrix<2> stress = VoigtMatrix<2>::Zero();
-  double cells          = 0.; ///< volume in mean cell volumes
-};
-
-std::vector<PhaseSums> sum_over_phases(const ElasticBody<2> &body,
-                                       const LoadCaseSolutions &solutions,
-                                       std::vector<double> *concentration)
+/** Integrals of the strain in the phases; their unit of volume is that of a mean cell. */
+std::vector<PhaseSums<2>> sum_over_cells(const ElasticBody<2> &body,
+                                         const LoadCaseSolutions &solutions,
+                                         std::vector<double> *concentration)
 {
   const bool stresses = solutions.condition == BoundaryCondition::SUBC;
-  std::vector<PhaseSums> sums(body.phases().size());
+  std::vector<PhaseSums<2>> sums(body.phases().size());
   std::array<ElasticBody<2>::Cells, 3> cells;
   for (std::size_t group = 0; group < body.n_cell_groups(); ++group)
     {
       for (unsigned int k = 0; k < 3; ++k)
         body.evaluate(solutions.displacement[k], group, cells[k]);
-      std::vector<PhaseSums> part(sums.size());
+      std::vector<PhaseSums<2>> part(sums.size());
       for (std::size_t i = 0; i < cells[0].phase.size(); ++i)
         {
           const unsigned int phase = cells[0].phase[i];
@@ -36,7 +29,7 @@ std::vector<PhaseSums> sum_over_phases(const ElasticBody<2> &body,
           for (unsigned int k = 0; k < 3; ++k)
             local.col(k) = cells[k].strain[i];
           part[phase].strain += local * cells[0].volume[i];
-          part[phase].cells += cells[0].volume[i];
+          part[phase].volume += cells[0].volume[i];
           if (concentration != nullptr)
             {
               if (stresses)
@@ -47,11 +40,9 @@ std::vector<PhaseSums> sum_over_phases(const ElasticBody<2> &body,
       for (std::size_t p = 0; p < sums.size(); ++p)
         {
           sums[p].strain += part[p].strain;
-          sums[p].cells += part[p].cells;
+          sums[p].volume += part[p].volume;
         }
     }
-  for (std::size_t p = 0; p < sums.size(); ++p)
-    sums[p].stress = body.phases()[p].stiffness * sums[p].strain;
   return sums;
 }
 
@@ -83,59 +74,64 @@ VoigtMatrix<2> energy_products(const ElasticBody<2> &body,
 }
 
 // Means of the tensors over two phases against what the stiffness says they are.
-std::optional<double> two_phase_residual(const ElasticBody<2> &body,
-                                         const HomogenizedResponse &response,
-                                         const std::vector<PhaseSums> &sums)
+template <int dim>
+std::optional<double> two_phase_residual(const VolumeSums<dim> &sums,
+                                         const std::vector<ElasticPhase<dim>> &phases,
+                                         const HomogenizedResponse<dim> &response)
 {
+  using Tensor = VoigtMatrix<dim>;
   std::vector<std::size_t> present;
-  for (std::size_t p = 0; p < sums.size(); ++p)
-    if (sums[p].cells > 0)
+  for (std::size_t p = 0; p < sums.phases.size(); ++p)
+    if (sums.phases[p].volume > 0)
       present.push_back(p);
   if (present.size() != 2)
     return {};
   const bool stresses = response.condition == BoundaryCondition::SUBC;
-  const auto tensor   = [stresses](const VoigtMatrix<2> &C) {
-    return stresses ? VoigtMatrix<2>(C.inverse()) : C;
+  const auto tensor   = [stresses](const Tensor &C) {
+    return stresses ? Tensor(C.inverse()) : C;
   };
-  const VoigtMatrix<2> C_m = tensor(body.phases()[present[0]].stiffness),
-                       C_i = tensor(body.phases()[present[1]].stiffness),
-                       D   = tensor(response.stiffness);
+  const Tensor C_m = tensor(phases[present[0]].stiffness),
+               C_i = tensor(phases[present[1]].stiffness), D = tensor(response.stiffness);
   // The difference has to be invertible, with digits to spare.
-  const VoigtMatrix<2> inverse = (C_i - C_m).inverse();
+  const Tensor inverse = (C_i - C_m).inverse();
   if (!(inverse.norm() * C_m.norm() < 1e6))
     return {};
-  const double f                = sums[present[1]].cells / body.n_cells();
-  const VoigtMatrix<2> expected = inverse * (D - C_m) / f;
+  const double f        = sums.phases[present[1]].volume / sums.volume;
+  const Tensor expected = inverse * (D - C_m) / f;
   return (response.phase_means[present[1]] - expected).norm() / expected.norm();
 }
 
-VoigtMatrix<2> symmetric_part(const VoigtMatrix<2> &A)
+template <int dim>
+VoigtMatrix<dim> symmetric_part(const VoigtMatrix<dim> &A)
 {
   return 0.5 * (A + A.transpose());
 }
 
 /** @p mean: of the stress per unit strain, or (SUBC) of the strain per unit stress. @p
  * energy: u_k.K u_l / V. */
-void set_stiffness(HomogenizedResponse &response,
-                   const VoigtMatrix<2> &mean,
-                   const VoigtMatrix<2> &energy)
+template <int dim>
+void set_stiffness(HomogenizedResponse<dim> &response,
+                   const VoigtMatrix<dim> &mean,
+                   const VoigtMatrix<dim> &energy)
 {
   const bool stresses          = response.condition == BoundaryCondition::SUBC;
-  const VoigtMatrix<2> D       = stresses ? VoigtMatrix<2>(mean.inverse()) : mean;
-  response.stiffness_from_mean = symmetric_part(D);
-  response.stiffness           = symmetric_part(
-              stresses ? VoigtMatrix<2>((2. * symmetric_part(mean) - energy).inverse()) : energy);
+  const VoigtMatrix<dim> D     = stresses ? VoigtMatrix<dim>(mean.inverse()) : mean;
+  response.stiffness_from_mean = symmetric_part<dim>(D);
+  response.stiffness           = symmetric_part<dim>(
+    stresses ? VoigtMatrix<dim>((2. * symmetric_part<dim>(mean) - energy).inverse())
+                       : energy);
   response.hill_mandel_residual =
-    scaled_difference(response.stiffness_from_mean, response.stiffness);
-  response.symmetry_residual = scaled_difference(D, D.transpose());
+    scaled_difference<dim>(response.stiffness_from_mean, response.stiffness);
+  response.symmetry_residual = scaled_difference<dim>(D, D.transpose());
 }
 } // namespace
 
-double scaled_difference(const VoigtMatrix<2> &a, const VoigtMatrix<2> &b)
+template <int dim>
+double scaled_difference(const VoigtMatrix<dim> &a, const VoigtMatrix<dim> &b)
 {
   double largest = 0.;
-  for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = 0; j < 3; ++j)
+  for (unsigned int i = 0; i < n_voigt<dim>; ++i)
+    for (unsigned int j = 0; j < n_voigt<dim>; ++j)
       {
         const double d = std::fabs(a(i, j) - b(i, j)) / std::sqrt(b(i, i) * b(j, j));
         if (std::isnan(d))
@@ -145,33 +141,56 @@ double scaled_difference(const VoigtMatrix<2> &a, const VoigtMatrix<2> &b)
   return largest;
 }
 
-HomogenizedResponse homogenize(const ElasticBody<2> &body,
-                               const LoadCaseSolutions &solutions,
-                               const bool keep_concentration)
+template <int dim>
+HomogenizedResponse<dim> homogenize(const VolumeSums<dim> &sums,
+                                    const std::vector<ElasticPhase<dim>> &phases)
 {
-  const bool stresses = solutions.condition == BoundaryCondition::SUBC;
-  HomogenizedResponse response;
-  response.condition = solutions.condition;
-  response.reports   = solutions.reports;
-  if (keep_concentration)
-    response.concentration.reserve(9 * body.n_cells());
-  const std::vector<PhaseSums> sums = sum_over_phases(
-    body, solutions, keep_concentration ? &response.concentration : nullptr);
-
-  VoigtMatrix<2> strain = VoigtMatrix<2>::Zero(), stress = VoigtMatrix<2>::Zero();
-  for (const PhaseSums &phase : sums)
+  using Tensor        = VoigtMatrix<dim>;
+  const bool stresses = sums.condition == BoundaryCondition::SUBC;
+  HomogenizedResponse<dim> response;
+  response.condition = sums.condition;
+  response.reports   = sums.reports;
+  Tensor strain = Tensor::Zero(), stress = Tensor::Zero();
+  for (std::size_t p = 0; p < phases.size(); ++p)
     {
-      strain += phase.strain / body.n_cells();
-      stress += phase.stress / body.n_cells();
-      const VoigtMatrix<2> &mean = stresses ? phase.stress : phase.strain;
-      response.phase_means.push_back(phase.cells > 0
-                                       ? VoigtMatrix<2>(mean / phase.cells)
-                                       : VoigtMatrix<2>(VoigtMatrix<2>::Zero()));
+      const PhaseSums<dim> &phase = sums.phases[p];
+      const Tensor stress_sum     = phases[p].stiffness * phase.strain;
+      strain += phase.strain / sums.volume;
+      stress += stress_sum / sums.volume;
+      const Tensor &mean = stresses ? stress_sum : phase.strain;
+      response.phase_means.push_back(phase.volume > 0 ? Tensor(mean / phase.volume)
+                                                      : Tensor(Tensor::Zero()));
     }
   response.mean_residual =
-    ((stresses ? stress : strain) - VoigtMatrix<2>(VoigtMatrix<2>::Identity())).norm();
-  set_stiffness(response, stresses ? strain : stress, energy_products(body, solutions));
-  response.two_phase_residual = two_phase_residual(body, response, sums);
+    ((stresses ? stress : strain) - Tensor(Tensor::Identity())).norm();
+  set_stiffness<dim>(response, stresses ? strain : stress, sums.energy);
+  response.two_phase_residual = two_phase_residual(sums, phases, response);
   return response;
 }
+
+HomogenizedResponse<2> homogenize(const ElasticBody<2> &body,
+                                  const LoadCaseSolutions &solutions,
+                                  const bool keep_concentration)
+{
+  std::vector<double> concentration;
+  if (keep_concentration)
+    concentration.reserve(9 * body.n_cells());
+  VolumeSums<2> sums;
+  sums.condition = solutions.condition;
+  sums.reports   = solutions.reports;
+  sums.phases =
+    sum_over_cells(body, solutions, keep_concentration ? &concentration : nullptr);
+  sums.volume                     = body.n_cells();
+  sums.energy                     = energy_products(body, solutions);
+  HomogenizedResponse<2> response = homogenize<2>(sums, body.phases());
+  response.concentration          = std::move(concentration);
+  return response;
+}
+
+template double scaled_difference<2>(const VoigtMatrix<2> &, const VoigtMatrix<2> &);
+template double scaled_difference<3>(const VoigtMatrix<3> &, const VoigtMatrix<3> &);
+template HomogenizedResponse<2> homogenize<2>(const VolumeSums<2> &,
+                                              const std::vector<ElasticPhase<2>> &);
+template HomogenizedResponse<3> homogenize<3>(const VolumeSums<3> &,
+                                              const std::vector<ElasticPhase<3>> &);
 } // namespace mesoslip

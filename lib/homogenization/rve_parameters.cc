@@ -1,6 +1,7 @@
 #include "homogenization/ensemble.h"
 
 #include "base/errors.h"
+#include "base/files.h"
 #include "material/stiffness.h"
 #include "parameters/keys.h"
 
@@ -11,28 +12,22 @@ namespace mesoslip
 {
 namespace
 {
-void bind_reference(Keys &keys, std::optional<VoigtMatrix<2>> &reference)
+/** Keys that a mesh makes pointless. */
+void refuse_keys_of_grids(const Keys &keys, const RveParameters &parameters)
 {
-  std::vector<double> coefficients;
-  keys.bind_list("Reference stiffness", coefficients, Range::any(),
-                 "Stiffness that the effective one is compared with in the tables, for "
-                 "instance a published one: D11, D12, D22, D33, or the upper triangle "
-                 "D11, D12, D13, D22, D23, D33. Empty: no comparison [Pa]",
-                 0, 6);
-  try
-    {
-      if (!coefficients.empty())
-        reference = stiffness_from_coefficients<2>(coefficients);
-    }
-  catch (const std::invalid_argument &e)
-    {
-      keys.require(false, "Reference stiffness", e.what());
-    }
+  const bool grid          = parameters.mesh.files.empty();
+  const std::string reason = "Mesh/File is given";
+  keys.only_if(grid, {"Grid/", "Microstructure/", "Ensemble/Members"}, reason,
+               "leave Mesh/File empty");
+  keys.only_if(grid || parameters.solver == StaticSolverKind::ml,
+               {"Homogenization/Solver"}, reason + " and meshes are solved with ml",
+               "set it to ml");
 }
 } // namespace
 
 void RveParameters::bind(Keys &keys)
 {
+  mesh.bind(keys);
   microstructure.bind(keys);
   {
     const auto section             = keys.section("Homogenization");
@@ -55,31 +50,44 @@ void RveParameters::bind(Keys &keys)
               "Effective stiffness of the composite, which contact_dynamics reads: the "
               "mean of KUBC and SUBC, or the one of a single boundary condition [-]");
     keys.bind("Effective symmetry", effective_full, {"orthotropic", "full"},
-              "orthotropic: the entries D13 and D23, which couple extension and shear, "
-              "are set to 0 in the effective stiffness, as in eq. (10) of the paper; "
-              "full: they are kept [-]");
-    keys.bind("Write concentration", write_concentration,
-              "Keep the concentration tensors of all cells in rve.h5: "
-              "stress_localization needs them, 72 bytes a cell and condition [-]");
+              "orthotropic: the entries that couple a shear to anything else, in 2D D13 "
+              "and D23, are set to 0 in the effective stiffness, as in eq. (10) of the "
+              "paper; full: they are kept [-]");
+    keys.bind(
+      "Write concentration", write_concentration,
+      "Keep the concentration tensors of all cells in rve.h5: "
+      "stress_localization needs them; 72 bytes a cell and condition in 2D, 288 in "
+      "3D [-]");
     keys.bind("Reuse", reuse,
               "Keep an rve.h5 in the output folder that was made from the same inputs, "
               "and compute nothing [-]");
-    bind_reference(keys, reference);
+    keys.bind_list(
+      "Reference stiffness", reference, Range::any(),
+      "Stiffness that the effective one is compared with in the tables, for "
+      "instance a published one; entries as for Phases/.../Stiffness. Empty: "
+      "no comparison [Pa]",
+      0, 21);
     conditions.clear();
     for (const std::string &name : names)
       if (const BoundaryCondition condition = boundary_condition(name);
           std::find(conditions.begin(), conditions.end(), condition) == conditions.end())
         conditions.push_back(condition);
   }
-  const auto section = keys.section("Ensemble");
-  keys.bind("Members", n_members, 1, 100000,
-            "Number of random morphologies, of the seeds Seed, Seed + 1, ... of "
-            "Microstructure/Random fibres [-]");
-  keys.bind("Confidence", confidence, Range::open(0., 1.),
-            "Probability with which the interval that is given for the mean stiffness "
-            "of all morphologies contains it (Student's t) [-]");
-  keys.only_if(n_members != 1 || keys.is_typed("Ensemble/Members"), {"Confidence"},
-               "there is one morphology", "set Ensemble/Members");
+  {
+    const auto section = keys.section("Ensemble");
+    keys.bind("Members", n_members, 1, 100000,
+              "Number of random morphologies, of the seeds Seed, Seed + 1, ... of "
+              "Microstructure/Random fibres [-]");
+    keys.bind("Confidence", confidence, Range::open(0., 1.),
+              "Probability with which the interval that is given for the mean stiffness "
+              "of all morphologies contains it (Student's t) [-]");
+  }
+  refuse_keys_of_grids(keys, *this);
+  if (!mesh.files.empty())
+    n_members = mesh.files.size();
+  keys.only_if(n_members != 1 || keys.is_typed("Ensemble/Members"),
+               {"Ensemble/Confidence"}, "there is one morphology",
+               "set Ensemble/Members or several meshes");
 }
 
 void RveParameters::check() const
@@ -92,6 +100,25 @@ void RveParameters::check() const
                                        boundary_condition(effective)) == conditions.end())
     throw UserError("Homogenization/Effective is " + effective +
                     ", which is not among the Boundary conditions");
+  try
+    {
+      if (!reference.empty() && mesh.dim == 2)
+        stiffness_from_coefficients<2>(reference);
+      else if (!reference.empty())
+        stiffness_from_coefficients<3>(reference);
+    }
+  catch (const std::invalid_argument &e)
+    {
+      throw UserError(std::string("Homogenization/Reference stiffness: ") + e.what());
+    }
+  if (!mesh.files.empty())
+    {
+      for (const std::string &file : mesh.files)
+        require_readable_file("Mesh/File: ", file, "it has to name a mesh of Gmsh");
+      for (const PhaseParameters &phase : microstructure.phases)
+        mesh.dim == 2 ? phase.check<2>() : phase.check<3>();
+      return;
+    }
   if (n_members > 1 &&
       microstructure.type != MicrostructureParameters::Type::random_fibres)
     throw UserError("Ensemble/Members is " + std::to_string(n_members) +

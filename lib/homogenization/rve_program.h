@@ -1,6 +1,7 @@
 #ifndef mesoslip_homogenization_rve_program_h
 #define mesoslip_homogenization_rve_program_h
 
+#include "exchange/rve_file.h"
 #include "homogenization/ensemble.h"
 #include "program/program.h"
 
@@ -9,20 +10,26 @@ namespace mesoslip
 class RunContext;
 
 /** Everything a run of rve_homogenization has found out; on rank 0. */
+template <int dim>
 struct RveResults
 {
-  Microstructure microstructure;       ///< morphology and materials of the first member
-  std::vector<EnsembleMember> members; ///< one a morphology
+  /** Morphology and materials of the first member. */
+  RveContent<dim> first;
+  std::vector<Rectangle> rectangles; ///< of the first member, if it is made of them
+
+  std::vector<EnsembleMember<dim>> members; ///< one a morphology
   /** Stiffness (Pa), mean over the members. */
-  VoigtMatrix<2> effective = VoigtMatrix<2>::Zero();
+  VoigtMatrix<dim> effective = VoigtMatrix<dim>::Zero();
+
+  /** Number of nodes of the first member. */
+  std::size_t n_nodes = 0;
 };
 
-/** rve.h5 (with the summary written before) and rve.xdmf; @p digest identifies the
- * inputs. */
-void write_rve_file(const RveParameters &parameters,
-                    const RveResults &results,
-                    const std::string &digest,
-                    RunContext &context);
+/** rve.h5 (with the summary written before) and rve.xdmf. */
+template <int dim>
+void write_rve_results(const RveParameters &parameters,
+                       RveResults<dim> &results,
+                       RunContext &context);
 
 /**
  * Takes over the summary of the run that wrote the rve.h5 in the output folder.
@@ -31,17 +38,20 @@ void write_rve_file(const RveParameters &parameters,
 bool restore_rve_summary(RunContext &context);
 
 /** The table of stiffnesses of the summary, new or restored, on the console. */
+template <int dim>
 void log_stiffness(RunContext &context);
 
 /** stiffness.csv, engineering_constants.csv, phase_means.csv, ensemble.csv,
  * rectangles.csv. */
+template <int dim>
 void write_rve_tables(const RveParameters &parameters,
-                      const RveResults &results,
+                      const RveResults<dim> &results,
                       const RunContext &context);
 
 /** summary.json, and the key numbers on the console. */
+template <int dim>
 void write_rve_summary(const RveParameters &parameters,
-                       const RveResults &results,
+                       const RveResults<dim> &results,
                        RunContext &context);
 
 /** The program rve_homogenization. */

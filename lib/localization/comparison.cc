@@ -14,9 +14,9 @@ namespace mesoslip
 namespace
 {
 /** Times of the snapshots of a run in a window, of which there is one at least. */
-std::vector<double> times_in(const DynamicsFile &run, const TimeWindow &window)
+std::vector<double> times_in(const RunSnapshots &run, const TimeWindow &window)
 {
-  const auto times       = run.snapshot_times();
+  const auto &times      = run.times;
   const IndexRange range = snapshots_in(run, window);
   const auto first       = times.begin() + static_cast<std::ptrdiff_t>(range.first);
   return {first, first + static_cast<std::ptrdiff_t>(range.count)};
@@ -29,22 +29,23 @@ double mean_interval(const std::vector<double> &times)
            : (times.back() - times.front()) / static_cast<double>(times.size() - 1);
 }
 
-std::string span_text(const DynamicsFile &run, const std::vector<double> &times)
+std::string span_text(const RunSnapshots &run, const std::vector<double> &times)
 {
-  return run.path() + " are from " + to_text(times.front()) + " to " +
+  return run.path + " are from " + to_text(times.front()) + " to " +
          to_text(times.back()) + " s";
 }
 
 /** Mean and standard deviation (divided by n) of component @p c of a series. */
 std::array<double, 2> mean_and_deviation(const std::vector<double> &values,
-                                         const unsigned int c)
+                                         const std::size_t c,
+                                         const std::size_t n_components)
 {
-  const double n = static_cast<double>(values.size()) / 3.;
+  const double n = static_cast<double>(values.size()) / static_cast<double>(n_components);
   double mean = 0., squares = 0.;
-  for (std::size_t k = c; k < values.size(); k += 3)
+  for (std::size_t k = c; k < values.size(); k += n_components)
     mean += values[k];
   mean /= n;
-  for (std::size_t k = c; k < values.size(); k += 3)
+  for (std::size_t k = c; k < values.size(); k += n_components)
     squares += (values[k] - mean) * (values[k] - mean);
   return {{mean, std::sqrt(squares / n)}};
 }
@@ -59,18 +60,21 @@ FieldError compare(const std::vector<double> &localized,
                    const std::vector<double> &direct,
                    const std::size_t components,
                    const std::size_t c,
-                   const CellRegion &region)
+                   const CellRegion &region,
+                   const std::vector<double> &volume)
 {
-  double ours = 0., theirs = 0., squares = 0.;
+  double ours = 0., theirs = 0., squares = 0., sum = 0.;
   for (const std::size_t cell : region.cells)
     {
-      const double a = localized[cell * components + c];
-      const double b = direct[cell * components + c];
-      ours += a * a;
-      theirs += b * b;
-      squares += (a - b) * (a - b);
+      const double a      = localized[cell * components + c];
+      const double b      = direct[cell * components + c];
+      const double weight = volume.empty() ? 1. : volume[cell];
+      ours += weight * (a * a);
+      theirs += weight * (b * b);
+      squares += weight * ((a - b) * (a - b));
+      sum += weight;
     }
-  const double n = static_cast<double>(std::max<std::size_t>(region.cells.size(), 1));
+  const double n = sum > 0. ? sum : 1.;
   return {"",
           region.name,
           region.cells.size(),
@@ -81,25 +85,25 @@ FieldError compare(const std::vector<double> &localized,
 }
 } // namespace
 
-std::vector<ConditionDifference> compare_conditions(const DynamicsFile &homogeneous,
-                                                    const DynamicsFile &direct,
+std::vector<ConditionDifference> compare_conditions(const RunSource &homogeneous,
+                                                    const RunSource &direct,
                                                     const bool allow_different_loads,
                                                     std::vector<std::string> &notes,
                                                     std::vector<std::string> &warnings)
 {
-  for (const DynamicsFile *run : {&homogeneous, &direct})
+  for (const RunSource *run : {&homogeneous, &direct})
     if (!run->conditions)
-      warnings.push_back(run->path() + " does not tell its loads, as an earlier version "
-                                       "wrote it: whether both runs were made under the "
-                                       "same is not known");
+      warnings.push_back(run->path + " does not tell its loads, as an earlier version "
+                                     "wrote it: whether both runs were made under the "
+                                     "same is not known");
   if (!homogeneous.conditions || !direct.conditions)
     return {};
   const auto differences =
     condition_differences(*homogeneous.conditions, *direct.conditions);
   const std::string loads    = differences_text(differences, true);
   const std::string method   = differences_text(differences, false);
-  const std::string sentence = "the homogeneous run " + homogeneous.path() +
-                               " and the direct run " + direct.path() +
+  const std::string sentence = "the homogeneous run " + homogeneous.path +
+                               " and the direct run " + direct.path +
                                " were made under different conditions (" + loads +
                                "), so their difference is not the error of localization";
   if (!loads.empty() && !allow_different_loads)
@@ -112,7 +116,7 @@ std::vector<ConditionDifference> compare_conditions(const DynamicsFile &homogene
   return differences;
 }
 
-double steady_from(const DynamicsFile &run)
+double steady_from(const RunSource &run)
 {
   const RunConditions conditions = run.conditions.value_or(RunConditions());
   const auto analysis            = conditions.find("analysis");
@@ -122,29 +126,29 @@ double steady_from(const DynamicsFile &run)
   const auto from = number_of(conditions, "steady_from");
   if (!from)
     throw UserError(
-      "Window/From is auto, but " + run.path() +
+      "Window/From is auto, but " + run.path +
       " does not tell from when on the run is steady, as an earlier version "
       "wrote it; give a time in s, or run contact_dynamics again");
   return *from;
 }
 
-IndexRange snapshots_in(const DynamicsFile &run, const TimeWindow &window)
+IndexRange snapshots_in(const RunSnapshots &run, const TimeWindow &window)
 {
-  const auto times       = run.snapshot_times();
+  const auto &times      = run.times;
   const IndexRange range = entries_in(times, window);
   if (times.empty())
-    throw UserError(run.path() + ": /snapshots is empty; run contact_dynamics until "
-                                 "after Snapshots/From");
+    throw UserError(run.path + ": /snapshots is empty; run contact_dynamics until "
+                               "after Snapshots/From");
   if (range.count == 0)
-    throw UserError(run.path() + ": no snapshot lies between " + to_text(window.begin) +
+    throw UserError(run.path + ": no snapshot lies between " + to_text(window.begin) +
                     " and " + to_text(window.end) + " s, its " +
                     std::to_string(times.size()) + " go from " + to_text(times.front()) +
                     " to " + to_text(times.back()) + " s; change Window/From and To");
   return range;
 }
 
-TimeWindow shared_snapshots(const DynamicsFile &one,
-                            const DynamicsFile &other,
+TimeWindow shared_snapshots(const RunSnapshots &one,
+                            const RunSnapshots &other,
                             const TimeWindow &window)
 {
   const std::vector<double> a = times_in(one, window), b = times_in(other, window);
@@ -162,8 +166,10 @@ TimeWindow shared_snapshots(const DynamicsFile &one,
 
 std::vector<double> resample(const ProbeSeries &series, const std::vector<double> &times)
 {
+  const std::size_t n =
+    series.values.size() / std::max<std::size_t>(series.time.size(), 1);
   std::vector<double> values;
-  values.reserve(3 * times.size());
+  values.reserve(n * times.size());
   std::size_t next = 1;
   for (const double t : times)
     {
@@ -174,33 +180,34 @@ std::vector<double> resample(const ProbeSeries &series, const std::vector<double
       const double span       = series.time[last] - series.time[first];
       const double share =
         span > 0. ? std::clamp((t - series.time[first]) / span, 0., 1.) : 0.;
-      for (unsigned int c = 0; c < 3; ++c)
-        values.push_back((1. - share) * series.values[3 * first + c] +
-                         share * series.values[3 * last + c]);
+      for (std::size_t c = 0; c < n; ++c)
+        values.push_back((1. - share) * series.values[n * first + c] +
+                         share * series.values[n * last + c]);
     }
   return values;
 }
 
-std::array<ComponentStatistics, 3> compare_series(const std::vector<double> &stress,
-                                                  const std::vector<double> &direct,
-                                                  const std::vector<double> &resampled)
+std::vector<ComponentStatistics> compare_series(const std::vector<double> &stress,
+                                                const std::vector<double> &direct,
+                                                const std::vector<double> &resampled,
+                                                const std::size_t n)
 {
-  std::array<ComponentStatistics, 3> result;
-  for (unsigned int c = 0; c < 3; ++c)
+  std::vector<ComponentStatistics> result(n);
+  for (std::size_t c = 0; c < n; ++c)
     {
       ComponentStatistics &r = result[c];
-      const auto ours        = mean_and_deviation(stress, c);
+      const auto ours        = mean_and_deviation(stress, c, n);
       r.mean                 = ours[0];
       r.deviation            = ours[1];
       if (direct.empty())
         continue;
-      const auto theirs  = mean_and_deviation(direct, c);
+      const auto theirs  = mean_and_deviation(direct, c, n);
       r.direct_mean      = theirs[0];
       r.direct_deviation = theirs[1];
       r.error_mean       = relative(r.mean, r.direct_mean);
       r.error_deviation  = relative(r.deviation, r.direct_deviation);
       double difference = 0., norm = 0.;
-      for (std::size_t k = c; k < resampled.size(); k += 3)
+      for (std::size_t k = c; k < resampled.size(); k += n)
         {
           difference += (stress[k] - resampled[k]) * (stress[k] - resampled[k]);
           norm += resampled[k] * resampled[k];
@@ -211,31 +218,46 @@ std::array<ComponentStatistics, 3> compare_series(const std::vector<double> &str
   return result;
 }
 
-std::vector<CellRegion> comparison_regions(const UniformGrid<2> &grid,
+std::vector<dealii::Point<2>> centres_of(const UniformGrid<2> &grid)
+{
+  std::vector<dealii::Point<2>> centres;
+  centres.reserve(grid.n_cells());
+  for (std::size_t j = 0; j < grid.cells[1]; ++j)
+    for (std::size_t i = 0; i < grid.cells[0]; ++i)
+      centres.emplace_back((i + 0.5) * grid.spacing[0], (j + 0.5) * grid.spacing[1]);
+  return centres;
+}
+
+template <int dim>
+std::vector<CellRegion> comparison_regions(const std::vector<dealii::Point<dim>> &centres,
+                                           const dealii::Point<dim> &extent,
                                            const std::vector<std::uint8_t> &phase,
-                                           const std::vector<Phase<2>> &phases,
+                                           const std::vector<std::string> &phases,
                                            const double surface_depth,
                                            const double edge_distance)
 {
   std::vector<CellRegion> regions = {
     {"all", {}}, {"surface", {}}, {"bulk", {}}, {"interior", {}}, {"surface_inner", {}}};
   const std::size_t n_places = regions.size();
-  for (const Phase<2> &of_cells : phases)
+  for (const std::string &of_cells : phases)
     {
       const bool taken =
-        std::any_of(regions.begin(), regions.end(), [&](const CellRegion &region) {
-          return region.name == of_cells.name;
-        });
-      regions.push_back({(taken ? "phase_" : "") + of_cells.name, {}});
+        std::any_of(regions.begin(), regions.end(),
+                    [&](const CellRegion &region) { return region.name == of_cells; });
+      regions.push_back({(taken ? "phase_" : "") + of_cells, {}});
       regions.push_back({regions.back().name + "_interior", {}});
     }
-  for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
+  for (std::size_t cell = 0; cell < centres.size(); ++cell)
     {
-      const std::size_t i = cell % grid.cells[0], j = cell / grid.cells[0];
-      const double x = (i + 0.5) * grid.spacing[0], y = (j + 0.5) * grid.spacing[1];
-      const bool inner    = std::min(x, grid.extent(0) - x) >= edge_distance;
-      const bool surface  = y < surface_depth;
-      const bool interior = inner && std::min(y, grid.extent(1) - y) >= edge_distance;
+      const auto far_from_sides = [&](const unsigned int d) {
+        const double x = centres[cell][d];
+        return std::min(x, extent[d] - x) >= edge_distance;
+      };
+      bool inner = true;
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        inner = inner && far_from_sides(d);
+      const bool surface  = centres[cell][dim - 1] < surface_depth;
+      const bool interior = inner && far_from_sides(dim - 1);
       const bool member[] = {true, surface, !surface, interior, surface && inner};
       for (std::size_t r = 0; r < n_places; ++r)
         if (member[r])
@@ -248,19 +270,21 @@ std::vector<CellRegion> comparison_regions(const UniformGrid<2> &grid,
   return regions;
 }
 
-std::vector<FieldError> field_errors(const StressFields &localized,
+std::vector<FieldError> field_errors(const unsigned int dim,
+                                     const StressFields &localized,
                                      const StressFields &direct,
-                                     const std::vector<CellRegion> &regions)
+                                     const std::vector<CellRegion> &regions,
+                                     const std::vector<double> &volume)
 {
   std::vector<FieldError> errors;
-  for (const StressField &field : stress_fields())
+  for (const StressField &field : stress_fields(dim))
     {
       const auto &ours = localized.*field.values, &theirs = direct.*field.values;
       const std::size_t n = field.quantities.size();
       for (std::size_t c = 0; c < n && !ours.empty() && !theirs.empty(); ++c)
         for (const CellRegion &region : regions)
           {
-            errors.push_back(compare(ours, theirs, n, c, region));
+            errors.push_back(compare(ours, theirs, n, c, region, volume));
             errors.back().quantity = field.quantities[c];
           }
     }
@@ -270,7 +294,7 @@ std::vector<FieldError> field_errors(const StressFields &localized,
 StressFields difference(const StressFields &localized, const StressFields &direct)
 {
   StressFields result;
-  for (const StressField &field : stress_fields())
+  for (const StressField &field : stress_fields(2)) // the same members in 3D
     {
       const auto &ours = localized.*field.values, &theirs = direct.*field.values;
       AssertDimension(ours.size(), theirs.size());
@@ -279,4 +303,17 @@ StressFields difference(const StressFields &localized, const StressFields &direc
     }
   return result;
 }
+
+template std::vector<CellRegion> comparison_regions(const std::vector<dealii::Point<2>> &,
+                                                    const dealii::Point<2> &,
+                                                    const std::vector<std::uint8_t> &,
+                                                    const std::vector<std::string> &,
+                                                    const double,
+                                                    const double);
+template std::vector<CellRegion> comparison_regions(const std::vector<dealii::Point<3>> &,
+                                                    const dealii::Point<3> &,
+                                                    const std::vector<std::uint8_t> &,
+                                                    const std::vector<std::string> &,
+                                                    const double,
+                                                    const double);
 } // namespace mesoslip

@@ -11,6 +11,20 @@
 
 namespace mesoslip
 {
+/** A run and under what it was made, nothing if its file does not tell. */
+struct RunSource
+{
+  std::string path;                        ///< of dynamics.h5
+  std::optional<RunConditions> conditions; ///< see there
+};
+
+/** The snapshots of a run. */
+struct RunSnapshots
+{
+  std::string path;          ///< of dynamics.h5
+  std::vector<double> times; ///< ascending (s)
+};
+
 /**
  * In what the conditions of the two runs differ, homogeneous run first; adds sentences on
  * it to @p notes and @p warnings.
@@ -18,8 +32,8 @@ namespace mesoslip
  * same loads, supports and friction coefficient: then they differ for other reasons than
  * localization.
  */
-std::vector<ConditionDifference> compare_conditions(const DynamicsFile &homogeneous,
-                                                    const DynamicsFile &direct,
+std::vector<ConditionDifference> compare_conditions(const RunSource &homogeneous,
+                                                    const RunSource &direct,
                                                     const bool allow_different_loads,
                                                     std::vector<std::string> &notes,
                                                     std::vector<std::string> &warnings);
@@ -28,19 +42,19 @@ std::vector<ConditionDifference> compare_conditions(const DynamicsFile &homogene
  * When a run is steady (s); minus infinity for a static analysis. @throws UserError
  * naming Window/From if the file does not tell.
  */
-double steady_from(const DynamicsFile &run);
+double steady_from(const RunSource &run);
 
 /**
  * The part of @p window in which both runs have snapshots, up to half of the longer
  * interval between them, so that averages are over the same time; @p window itself for
  * two static states. @throws UserError if there is none.
  */
-TimeWindow shared_snapshots(const DynamicsFile &one,
-                            const DynamicsFile &other,
+TimeWindow shared_snapshots(const RunSnapshots &one,
+                            const RunSnapshots &other,
                             const TimeWindow &window);
 
 /** Snapshots of a run in the window. @throws UserError when there are none. */
-IndexRange snapshots_in(const DynamicsFile &run, const TimeWindow &window);
+IndexRange snapshots_in(const RunSnapshots &run, const TimeWindow &window);
 
 /** One stress component of a probe; NaN where there is nothing to say. */
 struct ComponentStatistics
@@ -69,30 +83,34 @@ struct ComponentStatistics
 std::vector<double> resample(const ProbeSeries &series, const std::vector<double> &times);
 
 /**
- * @p stress [k][3] against @p direct; @p resampled [k][3] is the latter at the times of
+ * @p stress [k][n] against @p direct; @p resampled [k][n] is the latter at the times of
  * the former. An empty direct series leaves all but mean and deviation unknown.
  */
-std::array<ComponentStatistics, 3> compare_series(const std::vector<double> &stress,
-                                                  const std::vector<double> &direct,
-                                                  const std::vector<double> &resampled);
+std::vector<ComponentStatistics> compare_series(const std::vector<double> &stress,
+                                                const std::vector<double> &direct,
+                                                const std::vector<double> &resampled,
+                                                const std::size_t n = 3);
 
-/** Some cells of a grid under a name. */
+/** Some cells of a body under a name. */
 struct CellRegion
 {
   std::string name;               ///< as in field_errors.csv
-  std::vector<std::size_t> cells; ///< indices, row by row from the bottom
+  std::vector<std::size_t> cells; ///< indices, on a grid row by row from the bottom
 };
 
 /**
- * all; surface (centres nearer than @p surface_depth (m) to the contact, the lower side)
- * and bulk (the others); interior: without the cells whose centres are nearer than
- * @p edge_distance (m) to any side; surface_inner: without those that near to the left or
- * right one; for each phase NAME its cells, "NAME", and those in the
+ * Regions of the cells with these centres, from the lower corner of the bounding box (m),
+ * whose sides are @p extent: all; surface (centres nearer than @p surface_depth (m) to the
+ * lower end of the last axis, the contact) and bulk (the others); interior: without the
+ * cells whose centres are nearer than @p edge_distance (m) to any side of the box;
+ * surface_inner: without those that near to a side across the other axes; for each phase NAME its cells, "NAME", and those in the
  * interior, "NAME_interior" ("phase_NAME..." if the phase is called like another region).
  */
-std::vector<CellRegion> comparison_regions(const UniformGrid<2> &grid,
+template <int dim>
+std::vector<CellRegion> comparison_regions(const std::vector<dealii::Point<dim>> &centres,
+                                           const dealii::Point<dim> &extent,
                                            const std::vector<std::uint8_t> &phase,
-                                           const std::vector<Phase<2>> &phases,
+                                           const std::vector<std::string> &phases,
                                            const double surface_depth,
                                            const double edge_distance);
 
@@ -103,20 +121,26 @@ struct FieldError
   std::string quantity;
   std::string region;      ///< name of the CellRegion
   std::size_t n_cells = 0; ///< in the region
-  /** Pa; root mean squares over the cells. */
+  /** Pa; root mean squares over the cells, on a mesh weighted with their volumes. */
   double rms        = 0.;
   double direct_rms = 0.; ///< of the direct run
   /** ||localized - direct|| / ||direct||; NaN when there is nothing to compare with. */
   double relative = 0.;
 };
 
-/** Every quantity that both have, in every region. */
-std::vector<FieldError> field_errors(const StressFields &localized,
+/** Every quantity that both have, in every region; @p volume is that of each cell, empty
+ * if all are equal. */
+std::vector<FieldError> field_errors(const unsigned int dim,
+                                     const StressFields &localized,
                                      const StressFields &direct,
-                                     const std::vector<CellRegion> &regions);
+                                     const std::vector<CellRegion> &regions,
+                                     const std::vector<double> &volume = {});
 
 /** localized - direct, of what both have. */
 StressFields difference(const StressFields &localized, const StressFields &direct);
+
+/** Centres of the cells of a grid, from its lower left corner (m). */
+std::vector<dealii::Point<2>> centres_of(const UniformGrid<2> &grid);
 } // namespace mesoslip
 
 #endif

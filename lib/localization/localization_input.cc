@@ -24,23 +24,6 @@ std::string box_text(const UniformGrid<2> &grid)
   return text + " m";
 }
 
-std::vector<double> out_of_plane_ratios(const LocalizationParameters &parameters,
-                                        const RveFile &rve)
-{
-  const std::size_t n        = rve.phases.size();
-  std::vector<double> ratios = parameters.out_of_plane_ratio;
-  if (ratios.size() == 1)
-    ratios.assign(n, ratios[0]);
-  if (ratios.empty())
-    for (const Phase<2> &phase : rve.phases)
-      ratios.push_back(closest_isotropic<2>(phase.stiffness).poisson_ratio);
-  if (ratios.size() != n)
-    throw UserError("Localization/Out-of-plane ratio: " + std::to_string(ratios.size()) +
-                    " numbers found, but " + rve.path() + " has " + std::to_string(n) +
-                    " phases; give one for each, or leave it empty");
-  return ratios;
-}
-
 /** What looks like another unit. */
 std::vector<std::string> slips(const LocalizationParameters &parameters,
                                const UniformGrid<2> &grid)
@@ -64,8 +47,22 @@ std::vector<std::string> slips(const LocalizationParameters &parameters,
   return implausible(ranges);
 }
 
+RunSource source_of(const DynamicsFile &run)
+{
+  return {run.path(), run.conditions};
+}
+
+RunSnapshots snapshots_of(const DynamicsFile &run)
+{
+  return {run.path(), run.snapshot_times()};
+}
+
 CellIndex cell_at(const UniformGrid<2> &grid, const PlannedProbe &probe)
 {
+  if (probe.position.size() != 2)
+    throw UserError("Probes/" + probe.name + "/Position has " +
+                    std::to_string(probe.position.size()) +
+                    " numbers, but the body has two dimensions; give x and y");
   CellIndex cell = {};
   for (unsigned int d = 0; d < 2; ++d)
     {
@@ -98,6 +95,29 @@ std::string find_direct(const DynamicsFile &direct,
   return found != names.end() ? *found : std::string();
 }
 } // namespace
+
+template <int dim>
+std::vector<double> out_of_plane_ratios(const LocalizationParameters &parameters,
+                                        const RveFile<dim> &rve)
+{
+  const std::size_t n        = rve.phases.size();
+  std::vector<double> ratios = parameters.out_of_plane_ratio;
+  if (ratios.size() == 1)
+    ratios.assign(n, ratios[0]);
+  if (ratios.empty())
+    for (const Phase<dim> &phase : rve.phases)
+      ratios.push_back(closest_isotropic<dim>(phase.stiffness).poisson_ratio);
+  if (ratios.size() != n)
+    throw UserError("Localization/Out-of-plane ratio: " + std::to_string(ratios.size()) +
+                    " numbers found, but " + rve.path() + " has " + std::to_string(n) +
+                    " phases; give one for each, or leave it empty");
+  return ratios;
+}
+
+template std::vector<double> out_of_plane_ratios(const LocalizationParameters &,
+                                                 const RveFile<2> &);
+template std::vector<double> out_of_plane_ratios(const LocalizationParameters &,
+                                                 const RveFile<3> &);
 
 LocalizationInput::LocalizationInput(const LocalizationParameters &p)
   : parameters(p)
@@ -173,17 +193,18 @@ void LocalizationInput::check_direct()
                         ") is of phase " + std::to_string(id[k]) +
                         "; run contact_dynamics with this RVE file");
     }
-  differences = compare_conditions(homogeneous, *direct, parameters.allow_different_loads,
-                                   notes, warnings);
+  differences = compare_conditions(source_of(homogeneous), source_of(*direct),
+                                   parameters.allow_different_loads, notes, warnings);
 }
 
 void LocalizationInput::choose_window()
 {
   if (!std::isnan(parameters.to))
     window.end = parameters.to;
-  window.begin = std::isnan(parameters.from) ? steady_from(homogeneous) : parameters.from;
+  window.begin =
+    std::isnan(parameters.from) ? steady_from(source_of(homogeneous)) : parameters.from;
   if (std::isnan(parameters.from) && direct)
-    window.begin = std::max(window.begin, steady_from(*direct));
+    window.begin = std::max(window.begin, steady_from(source_of(*direct)));
 }
 
 void LocalizationInput::choose_snapshots()
@@ -192,12 +213,13 @@ void LocalizationInput::choose_snapshots()
   if (!parameters.fields.any() && !followed &&
       !(parameters.mean_strain && !probes.empty()))
     return;
-  const bool both = direct && (parameters.fields.any() || followed);
-  const TimeWindow shared =
-    both ? shared_snapshots(homogeneous, *direct, window) : window;
-  snapshots = snapshots_in(homogeneous, shared);
+  const bool both           = direct && (parameters.fields.any() || followed);
+  const RunSnapshots ours   = snapshots_of(homogeneous);
+  const RunSnapshots theirs = both ? snapshots_of(*direct) : RunSnapshots();
+  const TimeWindow shared   = both ? shared_snapshots(ours, theirs, window) : window;
+  snapshots                 = snapshots_in(ours, shared);
   if (both)
-    direct_snapshots = snapshots_in(*direct, shared);
+    direct_snapshots = snapshots_in(theirs, shared);
 }
 
 std::vector<CellIndex> LocalizationInput::followed_cells() const
@@ -205,7 +227,7 @@ std::vector<CellIndex> LocalizationInput::followed_cells() const
   std::vector<CellIndex> cells;
   for (const PlannedProbe &probe : probes)
     if (!probe.recorded)
-      cells.push_back(probe.cell);
+      cells.push_back({{probe.cell[0], probe.cell[1]}});
   return cells;
 }
 
@@ -219,7 +241,8 @@ void LocalizationInput::plan_probes()
         throw UserError("Probes/Of the run names '" + name + "', but the probes of " +
                         homogeneous.path() + " are: " + to_text(available) +
                         "; give its position under Probes/Further");
-      probes.push_back({{name, homogeneous.probe_position(name)}, true, {}, {}});
+      const auto position = homogeneous.probe_position(name);
+      probes.push_back({{name, {position[0], position[1]}}, true, {}, {}});
     }
   for (const LocalizedProbe &probe : parameters.further_probes)
     {
@@ -236,9 +259,10 @@ void LocalizationInput::plan_probes()
 /** Finds the cell of a probe and reads what was recorded of it. */
 void LocalizationInput::complete(PlannedProbe &probe)
 {
-  probe.cell       = cell_at(rve.grid, probe);
-  probe.phase      = phase_id[number_of_cell(probe)];
-  probe.phase_name = rve.phases[probe.phase].name;
+  const CellIndex cell = cell_at(rve.grid, probe);
+  probe.cell           = {cell[0], cell[1]};
+  probe.phase          = phase_id[number_of_cell(probe)];
+  probe.phase_name     = rve.phases[probe.phase].name;
   if (!probe.recorded)
     return;
   if (parameters.local_strain)

@@ -44,6 +44,9 @@ struct LocalizationParameters
   std::vector<std::string> run_probes = {"all"};
   std::vector<LocalizedProbe> further_probes; ///< places of one's own
 
+  /** Points of a body that is larger than the volume, whose fields are wanted there. */
+  std::vector<LocalizedProbe> points;
+
   /** Cells whose centres are nearer to the contact are the surface (m). */
   double surface_depth = 0.4e-3;
   /** Cells nearer to an edge are not in the interior (m). */
@@ -67,6 +70,12 @@ struct LocalizationParameters
    */
   void check();
 };
+
+/** sigma_zz / (sigma_xx + sigma_yy) of each phase, as asked for or Poisson's ratio of the
+ * closest isotropic solid. @throws UserError for another number of them */
+template <int dim>
+std::vector<double> out_of_plane_ratios(const LocalizationParameters &parameters,
+                                        const RveFile<dim> &rve);
 
 /** A probe, without series yet, and where they come from. */
 struct PlannedProbe : LocalizedProbe
@@ -106,7 +115,7 @@ public:
   std::vector<CellIndex> followed_cells() const;
 
   const LocalizationParameters parameters; ///< what is asked for
-  const RveFile rve;                       ///< morphology, stiffnesses
+  const RveFile<2> rve;                    ///< morphology, stiffnesses
   const DynamicsFile homogeneous;          ///< run whose strains are localized
   std::optional<DynamicsFile> direct;      ///< heterogeneous run to compare with
   std::vector<std::uint8_t> phase_id;      ///< [ny][nx]

@@ -60,6 +60,14 @@ void bind_localization(Keys &keys, LocalizationParameters &p)
   p.fields       = {wanted(names[0]), wanted(names[1]), wanted(names[2])};
 }
 
+void bind_position(Keys &keys, std::vector<double> &position)
+{
+  keys.bind_list("Position", position, Range::any(),
+                 "x, y and in three dimensions z: on a grid from the lower left corner, "
+                 "on a mesh in its coordinates [m]",
+                 2, 3);
+}
+
 void bind_probes(Keys &keys, LocalizationParameters &p)
 {
   const auto section = keys.section("Probes");
@@ -73,9 +81,24 @@ void bind_probes(Keys &keys, LocalizationParameters &p)
   for (const std::string &name : names)
     {
       const auto probe = keys.section(name);
-      p.further_probes.push_back({name, {}});
-      keys.bind("Position", p.further_probes.back().position, Range::non_negative(),
-                "x and y from the lower left corner [m]");
+      p.further_probes.push_back({name, {0., 0.}});
+      bind_position(keys, p.further_probes.back().position);
+    }
+}
+
+void bind_points(Keys &keys, LocalizationParameters &p)
+{
+  const auto section = keys.section("Volume element");
+  std::vector<std::string> names;
+  keys.bind_names("Points", names, "point",
+                  "Names of points of a body that is larger than the volume of the RVE "
+                  "file, each with a subsection of that name: the strain of the "
+                  "homogeneous run at the point gives the fields in the whole volume");
+  for (const std::string &name : names)
+    {
+      const auto point = keys.section(name);
+      p.points.push_back({name, {0., 0.}});
+      bind_position(keys, p.points.back().position);
     }
 }
 
@@ -108,6 +131,7 @@ void LocalizationParameters::bind(Keys &keys)
                       "Time at which the averages end; auto: the end of the runs [s]");
   }
   bind_probes(keys, *this);
+  bind_points(keys, *this);
   const auto section = keys.section("Comparison");
   keys.bind(
     "Surface depth", surface_depth, Range::non_negative(),
@@ -145,6 +169,9 @@ void LocalizationParameters::check()
   if (from > to)
     throw UserError("Window/From: " + to_text(from) + " s lies after To, " + to_text(to) +
                     " s");
+  if (!points.empty() && !fields.any())
+    throw UserError("Localization/Fields is empty, but Volume element/Points asks for "
+                    "the fields of the volume; name some");
   if (!fields.any() && run_probes.empty() && further_probes.empty())
     throw UserError(
       "Localization/Fields, Probes/Of the run and Probes/Further are all empty: "

@@ -1,6 +1,7 @@
 #ifndef mesoslip_localization_localization_program_h
 #define mesoslip_localization_localization_program_h
 
+#include "base/digest.h"
 #include "localization/comparison.h"
 #include "localization/localization_input.h"
 #include "program/program.h"
@@ -13,10 +14,12 @@
 
 namespace mesoslip
 {
+class RunContext;
+
 /** A probe with its series, those of the direct run at the same times, and their comparison. */
 struct ProbeResult : LocalizedProbe
 {
-  std::array<ComponentStatistics, 3> statistics; ///< of xx, yy, xy
+  std::vector<ComponentStatistics> statistics; ///< of the components in Voigt order
 };
 
 /** All that follows from one of eqs 23 and 24. */
@@ -29,12 +32,21 @@ struct VariantResult
   std::vector<ProbeResult> probes; ///< as LocalizationInput::probes
 };
 
+/** What the strain at a point of a body makes of a volume element that is smaller. */
+struct PointResult
+{
+  std::string name;             ///< of the point
+  std::vector<double> position; ///< in the body (m)
+  StressFields fields;          ///< averages over time in the volume element
+};
+
 /** Everything that localize() found. */
 struct LocalizationResult
 {
   TimeWindow window;                   ///< first and last time used (s)
   StressFields direct;                 ///< empty without a direct run
   std::vector<VariantResult> variants; ///< local strain first when both were asked for
+  std::vector<PointResult> points;     ///< those asked for
 };
 
 /** Whom localize() tells what it does; functions may be empty. */
@@ -54,20 +66,43 @@ struct LocalizationMonitor
 LocalizationResult localize(LocalizationInput &input,
                             const LocalizationMonitor &monitor = {});
 
+/** What the results say of the input. */
+struct LocalizationOrigin
+{
+  unsigned int dim = 2;                         ///< of body and volume
+  Digest digest;                                ///< of the input files
+  std::size_t n_cells = 0;                      ///< of the volume
+  std::size_t n_dofs  = 0;                      ///< of the homogeneous run
+  std::vector<std::string> phases;              ///< their names
+  std::string concentration;                    ///< KUBC or PBC
+  std::size_t snapshots        = 0;             ///< of the homogeneous run, used
+  std::size_t direct_snapshots = 0;             ///< of the direct run, used
+  std::vector<ConditionDifference> differences; ///< of the runs
+
+  /** Begins localization.h5, from its path and the digest of its content. */
+  std::function<LocalizationFile(const std::string &, const std::string &)> create_file;
+};
+
+/** Of volume and body on grids. */
+LocalizationOrigin origin_of(const LocalizationInput &input);
+
 /**
  * localization.h5, localization.xdmf, probes.csv and field_errors.csv in @p folder. With
  * two variants, that of the mean strain is under /mean_strain_variant. @p parameters is
  * the text of what determines the result besides the files, for the digest.
  */
-void write_localization(const LocalizationInput &input,
+void write_localization(const LocalizationOrigin &origin,
                         const LocalizationResult &result,
                         const std::string &parameters,
                         const std::string &folder);
 
 /** The keys of summary.json: probes, field_errors, window and the like. */
-void summarize_localization(const LocalizationInput &input,
+void summarize_localization(const LocalizationOrigin &origin,
                             const LocalizationResult &result,
                             nlohmann::json &summary);
+
+/** Logs the errors in summary.json that a user looks for first, in per cent. */
+void log_key_numbers(RunContext &context);
 
 /** The application stress_localization; see run_program(). */
 Application stress_localization_program();

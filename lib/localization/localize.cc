@@ -13,7 +13,7 @@ namespace
 /** Largest entry of <L> - I that goes without a warning. */
 constexpr double largest_defect = 1e-6;
 
-std::vector<VoigtMatrix<2>> stiffnesses(const RveFile &rve)
+std::vector<VoigtMatrix<2>> stiffnesses(const RveFile<2> &rve)
 {
   std::vector<VoigtMatrix<2>> result;
   for (const Phase<2> &phase : rve.phases)
@@ -226,13 +226,21 @@ private:
     if (input.direct && parameters.fields.any())
       {
         variant.difference = difference(fields, result.direct);
-        variant.errors     = field_errors(
-              fields, result.direct,
-              comparison_regions(input.rve.grid, input.phase_id, input.rve.phases,
-                                 parameters.surface_depth, parameters.edge_distance));
+        variant.errors     = field_errors(2, fields, result.direct, regions());
       }
     variant.fields = std::move(fields);
     result.variants.push_back(std::move(variant));
+  }
+
+  std::vector<CellRegion> regions() const
+  {
+    const UniformGrid<2> &grid = input.rve.grid;
+    std::vector<std::string> names;
+    for (const Phase<2> &phase : input.rve.phases)
+      names.push_back(phase.name);
+    return comparison_regions<2>(centres_of(grid), {grid.extent(0), grid.extent(1)},
+                                 input.phase_id, names, parameters.surface_depth,
+                                 parameters.edge_distance);
   }
 
   /** Probes and fields are sampled differently: how far apart are their means? */

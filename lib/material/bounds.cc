@@ -72,17 +72,19 @@ VoigtMatrix<dim> reuss_bound(const std::vector<Phase<dim>> &phases,
   return phase_mean(phases, fractions, true).inverse();
 }
 
-VoigtMatrix<2> plane_isotropic_stiffness(const PlaneModuli &moduli)
+template <int dim>
+VoigtMatrix<dim> isotropic_stiffness(const IsotropicModuli &moduli)
 {
-  VoigtMatrix<2> D = VoigtMatrix<2>::Zero();
-  D(0, 0) = D(1, 1) = moduli.bulk + moduli.shear;
-  D(0, 1) = D(1, 0) = moduli.bulk - moduli.shear;
-  D(2, 2)           = moduli.shear;
+  VoigtMatrix<dim> D = VoigtMatrix<dim>::Zero();
+  D.template topLeftCorner<dim, dim>().setConstant(moduli.bulk - moduli.shear * 2. / dim);
+  for (unsigned int i = 0; i < n_voigt<dim>; ++i)
+    D(i, i) = i < dim ? moduli.bulk + moduli.shear * (2. - 2. / dim) : moduli.shear;
   return D;
 }
 
+template <int dim>
 std::optional<HashinShtrikmanBounds>
-hashin_shtrikman_bounds(const std::vector<Phase<2>> &phases,
+hashin_shtrikman_bounds(const std::vector<Phase<dim>> &phases,
                         const std::vector<double> &fractions)
 {
   check_fractions(phases.size(), fractions);
@@ -90,7 +92,7 @@ hashin_shtrikman_bounds(const std::vector<Phase<2>> &phases,
   std::vector<double> bulk, shear, present;
   for (std::size_t i = 0; i < phases.size(); ++i)
     {
-      const IsotropicProjection isotropic = closest_isotropic<2>(phases[i].stiffness);
+      const IsotropicProjection isotropic = closest_isotropic<dim>(phases[i].stiffness);
       if (!(isotropic.relative_distance <= 1e-9))
         return std::nullopt;
       if (fractions[i] > 0.)
@@ -101,8 +103,11 @@ hashin_shtrikman_bounds(const std::vector<Phase<2>> &phases,
         }
     }
   const auto bound = [&](const double k, const double mu) {
-    return PlaneModuli{shifted_harmonic_mean(bulk, present, mu),
-                       shifted_harmonic_mean(shear, present, k * mu / (k + 2. * mu))};
+    const double G = dim == 2 ? mu : 4. / 3. * mu,
+                 H = dim == 2 ? k * mu / (k + 2. * mu)
+                              : mu * (9. * k + 8. * mu) / (6. * (k + 2. * mu));
+    return IsotropicModuli{shifted_harmonic_mean(bulk, present, G),
+                           shifted_harmonic_mean(shear, present, H)};
   };
   const auto [min_bulk, max_bulk]   = std::minmax_element(bulk.begin(), bulk.end());
   const auto [min_shear, max_shear] = std::minmax_element(shear.begin(), shear.end());
@@ -118,4 +123,10 @@ template VoigtMatrix<2> reuss_bound<2>(const std::vector<Phase<2>> &,
                                        const std::vector<double> &);
 template VoigtMatrix<3> reuss_bound<3>(const std::vector<Phase<3>> &,
                                        const std::vector<double> &);
+template VoigtMatrix<2> isotropic_stiffness<2>(const IsotropicModuli &);
+template VoigtMatrix<3> isotropic_stiffness<3>(const IsotropicModuli &);
+template std::optional<HashinShtrikmanBounds>
+hashin_shtrikman_bounds<2>(const std::vector<Phase<2>> &, const std::vector<double> &);
+template std::optional<HashinShtrikmanBounds>
+hashin_shtrikman_bounds<3>(const std::vector<Phase<3>> &, const std::vector<double> &);
 } // namespace mesoslip

@@ -23,32 +23,37 @@ template <int dim>
 VoigtMatrix<dim> reuss_bound(const std::vector<Phase<dim>> &phases,
                              const std::vector<double> &fractions);
 
-/** Plane bulk modulus k = lambda + mu and shear modulus mu, Pa. */
-struct PlaneModuli
+/** Bulk and shear modulus, Pa. */
+struct IsotropicModuli
 {
-  double bulk;  ///< k = lambda + mu
+  double bulk;  ///< k = lambda + 2 mu / dim, in 2D that of plane strain, lambda + mu
   double shear; ///< mu
 };
 
-/** Isotropic plane-strain stiffness (Pa) of given plane moduli. */
-VoigtMatrix<2> plane_isotropic_stiffness(const PlaneModuli &moduli);
+/** Isotropic stiffness (Pa) of given moduli; in 2D of plane strain. */
+template <int dim>
+VoigtMatrix<dim> isotropic_stiffness(const IsotropicModuli &moduli);
 
 /** Lower and upper bound of the moduli of an isotropic composite. */
 struct HashinShtrikmanBounds
 {
-  PlaneModuli lower; ///< Pa
-  PlaneModuli upper; ///< Pa
+  IsotropicModuli lower; ///< Pa
+  IsotropicModuli upper; ///< Pa
 };
 
 /**
- * Hashin-Shtrikman(-Walpole) bounds in plane strain for any number of isotropic phases:
- *   k(G)  = 1 / sum f_i / (k_i + G)  - G,   G = min, max mu_i
- *   mu(H) = 1 / sum f_i / (mu_i + H) - H,   H = k mu / (k + 2 mu) of min, max moduli.
- * They hold for morphologies that are isotropic in the plane; aligned fibres need not
- * lie between them. Empty when a phase is not isotropic.
+ * Hashin-Shtrikman(-Walpole) bounds for any number of isotropic phases:
+ *   k(G)  = 1 / sum f_i / (k_i + G)  - G,
+ *   mu(H) = 1 / sum f_i / (mu_i + H) - H
+ * with the smallest and the largest moduli k and mu of all phases in
+ *   G = mu,       H = k mu / (k + 2 mu)                        (2D, plane strain)
+ *   G = 4 mu / 3, H = mu (9 k + 8 mu) / (6 (k + 2 mu))         (3D).
+ * They hold for morphologies that are isotropic (2D: in the plane); aligned fibres need
+ * not lie between them. Empty when a phase is not isotropic.
  */
+template <int dim>
 std::optional<HashinShtrikmanBounds>
-hashin_shtrikman_bounds(const std::vector<Phase<2>> &phases,
+hashin_shtrikman_bounds(const std::vector<Phase<dim>> &phases,
                         const std::vector<double> &fractions);
 } // namespace mesoslip
 

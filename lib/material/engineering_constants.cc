@@ -35,7 +35,7 @@ double coupling(const VoigtMatrix<2> &stiffness)
 double least_coupled_angle(const VoigtMatrix<2> &stiffness)
 {
   const auto turned = [&](const double angle) {
-    return rotate_stiffness(stiffness, -angle);
+    return rotate_stiffness<2>(stiffness, -angle);
   };
   // The coupling is a polynomial of degree 8 in cos and sin and has period pi/2.
   constexpr unsigned int n_samples = 180;
@@ -156,22 +156,25 @@ IsotropicProjection closest_isotropic(const VoigtMatrix<dim> &stiffness)
 OrthotropicProjection closest_orthotropic(const VoigtMatrix<2> &stiffness)
 {
   OrthotropicProjection result;
-  const double angle           = least_coupled_angle(stiffness);
-  const VoigtMatrix<2> turned  = rotate_stiffness(stiffness, -angle);
-  const double norm            = stiffness_norm<2>(stiffness);
-  const bool swap              = turned(1, 1) > turned(0, 0) + 1e-12 * norm;
-  const double full            = swap ? angle + 0.5 * pi : angle;
-  result.angle                 = full > 0.5 * pi * (1. + 1e-15) ? full - pi : full;
-  result.principal_stiffness   = orthotropic_part(rotate_stiffness(stiffness, -full));
-  const VoigtMatrix<2> closest = rotate_stiffness(result.principal_stiffness, full);
+  const double angle          = least_coupled_angle(stiffness);
+  const VoigtMatrix<2> turned = rotate_stiffness<2>(stiffness, -angle);
+  const double norm           = stiffness_norm<2>(stiffness);
+  const bool swap             = turned(1, 1) > turned(0, 0) + 1e-12 * norm;
+  const double full           = swap ? angle + 0.5 * pi : angle;
+  result.angle                = full > 0.5 * pi * (1. + 1e-15) ? full - pi : full;
+  result.principal_stiffness = orthotropic_part<2>(rotate_stiffness<2>(stiffness, -full));
+  const VoigtMatrix<2> closest = rotate_stiffness<2>(result.principal_stiffness, full);
   result.relative_distance     = stiffness_norm<2>(stiffness - closest) / norm;
   return result;
 }
 
-VoigtMatrix<2> orthotropic_part(const VoigtMatrix<2> &stiffness)
+template <int dim>
+VoigtMatrix<dim> orthotropic_part(const VoigtMatrix<dim> &stiffness)
 {
-  VoigtMatrix<2> D = stiffness;
-  D(0, 2) = D(2, 0) = D(1, 2) = D(2, 1) = 0.;
+  VoigtMatrix<dim> D = stiffness;
+  for (const StiffnessEntry &entry : stiffness_entries<dim>())
+    if (entry.couples_shear(dim))
+      D(entry.row, entry.column) = D(entry.column, entry.row) = 0.;
   return D;
 }
 
@@ -181,4 +184,6 @@ template std::vector<EngineeringConstant>
 engineering_constants<3>(const VoigtMatrix<3> &);
 template IsotropicProjection closest_isotropic<2>(const VoigtMatrix<2> &);
 template IsotropicProjection closest_isotropic<3>(const VoigtMatrix<3> &);
+template VoigtMatrix<2> orthotropic_part<2>(const VoigtMatrix<2> &);
+template VoigtMatrix<3> orthotropic_part<3>(const VoigtMatrix<3> &);
 } // namespace mesoslip

@@ -73,8 +73,10 @@ struct OrthotropicProjection
  */
 OrthotropicProjection closest_orthotropic(const VoigtMatrix<2> &stiffness);
 
-/** The same with the axes held at x and y: entries 13 and 23 set to zero. */
-VoigtMatrix<2> orthotropic_part(const VoigtMatrix<2> &stiffness);
+/** The part with the axes of space: entries that couple a shear to anything else are set
+ * to zero, in 2D 13 and 23. */
+template <int dim>
+VoigtMatrix<dim> orthotropic_part(const VoigtMatrix<dim> &stiffness);
 } // namespace mesoslip
 
 #endif

@@ -9,9 +9,10 @@ namespace
 {
 constexpr double softest = 1e6, largest_contrast = 1e6; // Pa, -
 
-double stiffness(const Phase<2> &phase)
+template <int dim>
+double stiffness(const Phase<dim> &phase)
 {
-  return std::max(phase.stiffness(0, 0), phase.stiffness(1, 1));
+  return phase.stiffness.template topLeftCorner<dim, dim>().diagonal().maxCoeff();
 }
 } // namespace
 
@@ -70,10 +71,11 @@ PlausibleRange plausible_length(const std::string &key, const double length)
           "is it in mm? Lengths are in m"};
 }
 
-std::vector<PlausibleRange> plausible_phases(const std::vector<Phase<2>> &phases)
+template <int dim>
+std::vector<PlausibleRange> plausible_phases(const std::vector<Phase<dim>> &phases)
 {
   std::vector<PlausibleRange> ranges;
-  for (const Phase<2> &phase : phases)
+  for (const Phase<dim> &phase : phases)
     {
       const std::string section = "Phases/" + phase.name + "/";
       ranges.push_back(plausible_density(section + "Density", phase.density));
@@ -83,23 +85,30 @@ std::vector<PlausibleRange> plausible_phases(const std::vector<Phase<2>> &phases
   return ranges;
 }
 
-std::string stiffness_warning(const std::vector<Phase<2>> &phases)
+template <int dim>
+std::string stiffness_warning(const std::vector<Phase<dim>> &phases)
 {
   const auto [soft, stiff] = std::minmax_element(
-    phases.begin(), phases.end(),
-    [](const Phase<2> &a, const Phase<2> &b) { return stiffness(a) < stiffness(b); });
+    phases.begin(), phases.end(), [](const Phase<dim> &a, const Phase<dim> &b) {
+      return stiffness<dim>(a) < stiffness<dim>(b);
+    });
   std::ostringstream text;
   text.precision(3);
   if (phases.empty())
     return "";
-  const double contrast = stiffness(*stiff) / stiffness(*soft);
+  const double contrast = stiffness<dim>(*stiff) / stiffness<dim>(*soft);
   if (contrast > largest_contrast * (1. + 1e-9))
     text << "phase '" << stiff->name << "' is " << contrast
          << " times as stiff as phase '" << soft->name
          << "'; is one of them in GPa or MPa? Moduli are in Pa";
-  else if (stiffness(*soft) < softest)
-    text << "phase '" << soft->name << "' has a stiffness of " << stiffness(*soft)
+  else if (stiffness<dim>(*soft) < softest)
+    text << "phase '" << soft->name << "' has a stiffness of " << stiffness<dim>(*soft)
          << " Pa, less than soft rubber; is it in GPa or MPa? Moduli are in Pa";
   return text.str();
 }
+
+template std::vector<PlausibleRange> plausible_phases<2>(const std::vector<Phase<2>> &);
+template std::vector<PlausibleRange> plausible_phases<3>(const std::vector<Phase<3>> &);
+template std::string stiffness_warning<2>(const std::vector<Phase<2>> &);
+template std::string stiffness_warning<3>(const std::vector<Phase<3>> &);
 } // namespace mesoslip

@@ -50,14 +50,16 @@ PlausibleRange plausible_friction(const std::string &key, const double coefficie
 PlausibleRange plausible_length(const std::string &key, const double length);
 
 /** Densities and friction coefficients below Phases/NAME/. */
-std::vector<PlausibleRange> plausible_phases(const std::vector<Phase<2>> &phases);
+template <int dim>
+std::vector<PlausibleRange> plausible_phases(const std::vector<Phase<dim>> &phases);
 
 /**
  * What looks like a modulus typed in another unit than Pa: a phase softer than soft
  * rubber (1 MPa), or one more than a million times as stiff as another; one sentence,
- * empty if there is nothing to say. Stiffness is the larger of D11 and D22.
+ * empty if there is nothing to say. Stiffness is the largest of D11, D22 (and, in 3D, D33).
  */
-std::string stiffness_warning(const std::vector<Phase<2>> &phases);
+template <int dim>
+std::string stiffness_warning(const std::vector<Phase<dim>> &phases);
 } // namespace mesoslip
 
 #endif

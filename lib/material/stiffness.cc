@@ -35,16 +35,28 @@ VoigtVector<dim> mandel_scale()
   return scale;
 }
 
-/** Turns stresses and strains in Mandel's notation; orthogonal. */
-VoigtMatrix<2> mandel_rotation(const double angle)
+/** Turns stresses and strains in Mandel's notation about z; orthogonal. */
+template <int dim>
+VoigtMatrix<dim> mandel_rotation(const double angle)
 {
   const double c  = std::cos(angle);
   const double s  = std::sin(angle);
   const double cs = std::sqrt(2.) * c * s;
-  VoigtMatrix<2> Q;
-  Q << c * c, s * s, -cs, //
-    s * s, c * c, cs,     //
-    cs, -cs, c * c - s * s;
+  // Of xx, yy and xy, which in 3D comes last.
+  constexpr int xy   = n_voigt<dim> - 1;
+  VoigtMatrix<dim> Q = VoigtMatrix<dim>::Identity();
+  Q(0, 0) = Q(1, 1) = c * c;
+  Q(0, 1) = Q(1, 0) = s * s;
+  Q(1, xy) = Q(xy, 0) = cs;
+  Q(0, xy) = Q(xy, 1) = -cs;
+  Q(xy, xy)           = c * c - s * s;
+  if constexpr (dim == 3)
+    {
+      // yz and xz turn as the vector (x, y) does.
+      Q(3, 3) = Q(4, 4) = c;
+      Q(3, 4)           = s;
+      Q(4, 3)           = -s;
+    }
   return Q;
 }
 } // namespace
@@ -170,10 +182,12 @@ double stiffness_norm(const VoigtMatrix<dim> &stiffness)
   return stiffness_to_mandel<dim>(stiffness).norm();
 }
 
-VoigtMatrix<2> rotate_stiffness(const VoigtMatrix<2> &stiffness, const double angle)
+template <int dim>
+VoigtMatrix<dim> rotate_stiffness(const VoigtMatrix<dim> &stiffness, const double angle)
 {
-  const VoigtMatrix<2> Q = mandel_rotation(angle);
-  return stiffness_from_mandel<2>(Q * stiffness_to_mandel<2>(stiffness) * Q.transpose());
+  const VoigtMatrix<dim> Q = mandel_rotation<dim>(angle);
+  return stiffness_from_mandel<dim>(Q * stiffness_to_mandel<dim>(stiffness) *
+                                    Q.transpose());
 }
 
 template VoigtMatrix<2> isotropic_stiffness<2>(const double, const double);
@@ -192,4 +206,6 @@ template VoigtVector<2> stiffness_eigenvalues<2>(const VoigtMatrix<2> &);
 template VoigtVector<3> stiffness_eigenvalues<3>(const VoigtMatrix<3> &);
 template double stiffness_norm<2>(const VoigtMatrix<2> &);
 template double stiffness_norm<3>(const VoigtMatrix<3> &);
+template VoigtMatrix<2> rotate_stiffness<2>(const VoigtMatrix<2> &, const double);
+template VoigtMatrix<3> rotate_stiffness<3>(const VoigtMatrix<3> &, const double);
 } // namespace mesoslip

@@ -82,7 +82,8 @@ double stiffness_norm(const VoigtMatrix<dim> &stiffness);
  * The stiffness of the same solid turned counter-clockwise by @p angle (rad) about z,
  * in the old axes. A quarter turn swaps xx and yy.
  */
-VoigtMatrix<2> rotate_stiffness(const VoigtMatrix<2> &stiffness, const double angle);
+template <int dim>
+VoigtMatrix<dim> rotate_stiffness(const VoigtMatrix<dim> &stiffness, const double angle);
 } // namespace mesoslip
 
 #endif

@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <string>
+#include <vector>
 
 namespace mesoslip
 {
@@ -22,18 +24,48 @@ using VoigtVector = Eigen::Matrix<double, n_voigt<dim>, 1>;
 template <int dim>
 using VoigtMatrix = Eigen::Matrix<double, n_voigt<dim>, n_voigt<dim>, Eigen::RowMajor>;
 
-/** An entry of the upper triangle of a plane stiffness. */
+/** Place in Voigt order of the component with the axes @p c and @p d. */
+template <int dim>
+constexpr unsigned int voigt_index(const unsigned int c, const unsigned int d)
+{
+  return c == d ? c : dim == 2 ? 2 : 6 - c - d;
+}
+
+/** Names of the components in Voigt order. */
+template <int dim>
+inline constexpr std::array<const char *, n_voigt<dim>> voigt_names = {};
+/** In the plane. */
+template <>
+inline constexpr std::array<const char *, 3> voigt_names<2> = {{"xx", "yy", "xy"}};
+/** In space. */
+template <>
+inline constexpr std::array<const char *, 6> voigt_names<3> = {
+  {"xx", "yy", "zz", "yz", "xz", "xy"}};
+
+/** An entry of the upper triangle of a stiffness. */
 struct StiffnessEntry
 {
   unsigned int row;    ///< from 0
   unsigned int column; ///< from 0, not below the row
-  const char *name;    ///< as in tables and messages
+  std::string name;    ///< as in tables and messages: D11, D12, ...
+
+  /** Whether it vanishes for an orthotropic solid whose axes are those of space. */
+  bool couples_shear(const unsigned int dim) const
+  {
+    return row != column && column >= dim;
+  }
 };
 
-/** The upper triangle of a plane stiffness, row by row. */
-constexpr StiffnessEntry stiffness_entries[6] = {{0, 0, "D11"}, {0, 1, "D12"},
-                                                 {0, 2, "D13"}, {1, 1, "D22"},
-                                                 {1, 2, "D23"}, {2, 2, "D33"}};
+/** The upper triangle of a stiffness, row by row: 6 entries in 2D, 21 in 3D. */
+template <int dim>
+std::vector<StiffnessEntry> stiffness_entries()
+{
+  std::vector<StiffnessEntry> entries;
+  for (unsigned int i = 0; i < n_voigt<dim>; ++i)
+    for (unsigned int j = i; j < n_voigt<dim>; ++j)
+      entries.push_back({i, j, "D" + std::to_string(i + 1) + std::to_string(j + 1)});
+  return entries;
+}
 
 /** One constituent of the composite. */
 template <int dim>

@@ -78,7 +78,7 @@ std::vector<std::string> phase_texts(const PhaseMap<2> &map,
         line += "value " + image[p].value + ", " + percent(image[p].fraction) +
                 " of the pixels, ";
       lines.push_back(line + to_text(n_cells) + " cells, " + percent(fractions[p]) +
-                      "; " + parameters[p].text());
+                      "; " + parameters[p].text<2>());
     }
   return lines;
 }
@@ -176,7 +176,7 @@ Microstructure make_microstructure(const MicrostructureParameters &parameters)
     result = place_microstructure(parameters);
   else
     result = read_microstructure(parameters);
-  result.phases = make_phases(parameters.phases);
+  result.phases = make_phases<2>(parameters.phases);
   if (result.description.size() == 1)
     for (const std::string &line : phase_texts(result.map, parameters.phases, {}))
       result.description.push_back(line);

@@ -205,7 +205,7 @@ void MicrostructureParameters::bind(Keys &keys)
 void MicrostructureParameters::check() const
 {
   for (const PhaseParameters &phase : phases)
-    phase.check();
+    phase.check<2>();
   if (type == Type::random_fibres)
     check_fibres(*this);
   if (type == Type::image)

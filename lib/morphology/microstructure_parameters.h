@@ -34,19 +34,22 @@ struct PhaseParameters
   std::vector<double> young_moduli;   ///< E1, E2, E3 (Pa) of an orthotropic phase
   std::vector<double> poisson_ratios; ///< nu12, nu13, nu23
   std::vector<double> shear_moduli;   ///< G12, G13, G23 (Pa)
-  std::vector<double> coefficients;   ///< Pa; 4 or 6, see stiffness_from_coefficients()
+  std::vector<double> coefficients;   ///< Pa, see stiffness_from_coefficients()
 
   double angle                = 0.;   ///< rad, counter-clockwise from x to axis 1
   double density              = 0.;   ///< kg/m^3; 0: not given
   double friction_coefficient = 0.25; ///< Coulomb, of contact nodes in the phase
 
   /** Throws UserError naming the key when the material makes no sense. */
+  template <int dim>
   void check() const;
 
   /** Pa. Throws std::invalid_argument where check() throws. */
-  VoigtMatrix<2> stiffness() const;
+  template <int dim>
+  VoigtMatrix<dim> stiffness() const;
 
   /** Moduli and density for the log; check() has passed. */
+  template <int dim>
   std::string text() const;
 };
 
@@ -58,7 +61,8 @@ struct PhaseParameters
 void bind_phases(Keys &keys, std::vector<PhaseParameters> &phases);
 
 /** Stiffness and density of each phase; check() has passed. */
-std::vector<Phase<2>> make_phases(const std::vector<PhaseParameters> &parameters);
+template <int dim>
+std::vector<Phase<dim>> make_phases(const std::vector<PhaseParameters> &parameters);
 
 class Keys;
 

@@ -1,6 +1,7 @@
 #include "morphology/microstructure_parameters.h"
 
 #include "base/errors.h"
+#include "material/engineering_constants.h"
 #include "material/stiffness.h"
 #include "parameters/keys.h"
 
@@ -23,7 +24,7 @@ void bind_phase(Keys &keys, PhaseParameters &phase)
             "1e-6 to 1e-4 of the modulus of the stiffest phase [Pa]");
   keys.bind("Poisson ratio", phase.poisson_ratio, Range::open(-1., 0.5),
             "Isotropic: Poisson's ratio nu of the three-dimensional solid, which is in "
-            "plane strain here [-]");
+            "plane strain in 2D [-]");
   keys.bind_list("Young moduli", phase.young_moduli, modulus,
                  "Orthotropic: Young's moduli E1, E2, E3 along the axes of the material, "
                  "of which 1 is x, 2 is y and 3 is z before they are turned by Angle "
@@ -36,13 +37,15 @@ void bind_phase(Keys &keys, PhaseParameters &phase)
   keys.bind_list("Shear moduli", phase.shear_moduli, modulus,
                  "Orthotropic: shear moduli G12, G13, G23 [Pa]", 0, 3);
   keys.bind_list("Stiffness", phase.coefficients, Range::stiffness(),
-                 "Stiffness matrix D in plane strain, stress = D strain with the "
-                 "components xx, yy, xy and the engineering shear strain: D11, D12, D22, "
-                 "D33, or all of the upper triangle D11, D12, D13, D22, D23, D33 [Pa]",
-                 0, 6);
+                 "Stiffness matrix D, stress = D strain with the engineering shear "
+                 "strain. In 2D, plane strain with the components xx, yy, xy: D11, D12, "
+                 "D22, D33, or all of the upper triangle D11, D12, D13, D22, D23, D33. "
+                 "In 3D, with xx, yy, zz, yz, xz, xy: D11, D12, D13, D22, D23, D33, D44, "
+                 "D55, D66, or all 21 of the upper triangle, row by row [Pa]",
+                 0, 21);
   keys.bind("Angle", phase.angle, Range::any(),
             "Orthotropic and stiffness: angle by which the material is turned "
-            "counter-clockwise, from x to its axis 1 [rad]");
+            "counter-clockwise about z, from x to its axis 1 [rad]");
   keys.bind("Density", phase.density, Range::closed(0., Range::density().upper),
             "Mass density. Statics and homogenization do without; contact_dynamics needs "
             "it [kg/m^3]");
@@ -76,29 +79,32 @@ void bind_phases(Keys &keys, std::vector<PhaseParameters> &phases)
     }
 }
 
-std::vector<Phase<2>> make_phases(const std::vector<PhaseParameters> &parameters)
+template <int dim>
+std::vector<Phase<dim>> make_phases(const std::vector<PhaseParameters> &parameters)
 {
-  std::vector<Phase<2>> phases;
+  std::vector<Phase<dim>> phases;
   for (const PhaseParameters &p : parameters)
-    phases.push_back({p.name, p.stiffness(), p.density, p.friction_coefficient});
+    phases.push_back({p.name, p.stiffness<dim>(), p.density, p.friction_coefficient});
   return phases;
 }
 
-VoigtMatrix<2> PhaseParameters::stiffness() const
+template <int dim>
+VoigtMatrix<dim> PhaseParameters::stiffness() const
 {
-  VoigtMatrix<2> D;
+  VoigtMatrix<dim> D;
   if (type == Type::isotropic)
-    D = isotropic_stiffness<2>(young_modulus, poisson_ratio);
+    D = isotropic_stiffness<dim>(young_modulus, poisson_ratio);
   else if (type == Type::orthotropic)
-    D = orthotropic_stiffness<2>(
+    D = orthotropic_stiffness<dim>(
       {young_moduli.at(0), young_moduli.at(1), young_moduli.at(2), poisson_ratios.at(0),
        poisson_ratios.at(1), poisson_ratios.at(2), shear_moduli.at(0), shear_moduli.at(1),
        shear_moduli.at(2)});
   else
-    D = stiffness_from_coefficients<2>(coefficients);
-  return angle == 0. ? D : rotate_stiffness(D, angle);
+    D = stiffness_from_coefficients<dim>(coefficients);
+  return angle == 0. ? D : rotate_stiffness<dim>(D, angle);
 }
 
+template <int dim>
 void PhaseParameters::check() const
 {
   const std::string section = "'Phases/" + name;
@@ -121,7 +127,7 @@ void PhaseParameters::check() const
                     "; give the density in kg/m^3");
   try
     {
-      stiffness();
+      stiffness<dim>();
     }
   catch (const std::invalid_argument &error)
     {
@@ -129,24 +135,26 @@ void PhaseParameters::check() const
     }
 }
 
+template <int dim>
 std::string PhaseParameters::text() const
 {
   std::ostringstream text;
   text.precision(5);
-  const VoigtMatrix<2> D = 1e-9 * stiffness();
+  const VoigtMatrix<dim> D = 1e-9 * stiffness<dim>();
   if (type == Type::isotropic)
     text << "E = " << 1e-9 * young_modulus << " GPa, nu = " << poisson_ratio;
   else
     {
-      const bool short_form = D(0, 2) == 0. && D(1, 2) == 0.;
+      const bool short_form = D == orthotropic_part<dim>(D);
       std::string names;
       std::ostringstream values;
       values.precision(5);
-      for (const auto &[row, column, entry] : stiffness_entries)
-        if (!short_form || row == column || column < 2)
+      for (const StiffnessEntry &entry : stiffness_entries<dim>())
+        if (!short_form || !entry.couples_shear(dim))
           {
-            names += std::string(names.empty() ? "" : ", ") + entry;
-            values << (row + column == 0 ? "" : ", ") << D(row, column);
+            names += (names.empty() ? "" : ", ") + entry.name;
+            values << (entry.row + entry.column == 0 ? "" : ", ")
+                   << D(entry.row, entry.column);
           }
       text << names << " = " << values.str() << " GPa";
     }
@@ -154,4 +162,13 @@ std::string PhaseParameters::text() const
     text << ", " << density << " kg/m^3";
   return text.str();
 }
+
+template std::vector<Phase<2>> make_phases<2>(const std::vector<PhaseParameters> &);
+template std::vector<Phase<3>> make_phases<3>(const std::vector<PhaseParameters> &);
+template VoigtMatrix<2> PhaseParameters::stiffness<2>() const;
+template VoigtMatrix<3> PhaseParameters::stiffness<3>() const;
+template void PhaseParameters::check<2>() const;
+template void PhaseParameters::check<3>() const;
+template std::string PhaseParameters::text<2>() const;
+template std::string PhaseParameters::text<3>() const;
 } // namespace mesoslip

@@ -242,4 +242,13 @@ Estimate window_mean(const std::vector<double> &time,
   whole.length                    = whole.end - whole.begin;
   return estimate_of(batch_rates(time, integral, whole)[0], means, batches);
 }
+
+std::vector<double> quotients(const std::vector<double> &tangential,
+                              const std::vector<double> &normal)
+{
+  std::vector<double> ratio(std::min(tangential.size(), normal.size()));
+  for (std::size_t k = 0; k < ratio.size(); ++k)
+    ratio[k] = normal[k] != 0. ? tangential[k] / normal[k] : 0.;
+  return ratio;
+}
 } // namespace mesoslip

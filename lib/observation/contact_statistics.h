@@ -47,6 +47,10 @@ struct ContactDuration
   }
 };
 
+/** Tangential over normal forces, entry by entry; zero where there is no normal force. */
+std::vector<double> quotients(const std::vector<double> &tangential,
+                              const std::vector<double> &normal);
+
 /** Statistics of the contact in a window of time. */
 struct ContactSummary
 {

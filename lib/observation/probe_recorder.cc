@@ -10,7 +10,7 @@ namespace mesoslip
 {
 ProbeRecorder::ProbeRecorder(const std::vector<Point> &points,
                              const UniformMaterial &material,
-                             const Stepper<2> &stepper,
+                             const Stepper &stepper,
                              const ContactSurface<2> &contact,
                              const std::uint64_t interval)
   : material(material)

@@ -56,7 +56,7 @@ public:
   /** References are kept. Points have to lie in the body. */
   ProbeRecorder(const std::vector<Point> &points,
                 const UniformMaterial &material,
-                const Stepper<2> &stepper,
+                const Stepper &stepper,
                 const ContactSurface<2> &contact,
                 const std::uint64_t interval);
 
@@ -101,7 +101,7 @@ private:
   void sample_contact(const Place &place, std::vector<double> &traction) const;
 
   const UniformMaterial &material;
-  const Stepper<2> &stepper;
+  const Stepper &stepper;
   const NodeRows &rows;
   const ContactSurface<2> &contact;
   const std::uint64_t interval;

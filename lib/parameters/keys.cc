@@ -125,7 +125,7 @@ void Keys::bind_value(const std::string &key,
   Assert(is_new, dealii::ExcMessage("the parameter '" + key + "' is declared twice"));
   (void)is_new;
   keys.push_back({current_section, key, default_value, default_value, meaning, allowed,
-                  false, accepts});
+                  false, false, accepts});
 }
 
 void Keys::bind(const std::string &key,
@@ -267,6 +267,21 @@ void Keys::bind_input(const std::string &key,
                           take_text, meaning);
   if (!reading)
     keys.back().is_input = true;
+}
+
+void Keys::bind_inputs(const std::string &key,
+                       std::vector<std::string> &paths,
+                       const std::string &meaning)
+{
+  std::string list;
+  for (const std::string &path : paths)
+    list += (list.empty() ? "" : ", ") + path;
+  bind_value<std::string>(key, list, list,
+                          "names of files to read, separated by commas, or nothing",
+                          take_text, meaning);
+  paths = split_list(list);
+  if (!reading)
+    keys.back().is_input = keys.back().is_list = true;
 }
 
 const std::string &Keys::value(const std::string &path) const

@@ -26,6 +26,7 @@ struct Key
   std::string meaning;       ///< what it sets; ends with the unit in brackets
   std::string allowed;       ///< completes "must be": "a number > 0"
   bool is_input = false;     ///< whether it names a file or folder to read
+  bool is_list  = false;     ///< whether that is a list, separated by commas
 
   /** Whether a text is a value of the key. */
   std::function<bool(const std::string &)> accepts;
@@ -35,6 +36,9 @@ struct Key
   {
     return section.empty() ? name : section + "/" + name;
   }
+
+  /** What it names as input; empty if it does not. */
+  std::vector<std::string> inputs() const;
 };
 
 /**
@@ -188,6 +192,11 @@ public:
    * path that is read is absolute.
    */
   void bind_input(const std::string &key, std::string &path, const std::string &meaning);
+
+  /** Paths of files to read, separated by commas; each as for bind_input(). */
+  void bind_inputs(const std::string &key,
+                   std::vector<std::string> &paths,
+                   const std::string &meaning);
   /** @} */
 
   /**
@@ -244,6 +253,13 @@ public:
   bool is_typed(const std::string &path) const
   {
     return raw.find(path) != nullptr;
+  }
+
+  /** The same, and it is not empty. */
+  bool has_text(const std::string &path) const
+  {
+    const RawParameters::Entry *entry = raw.find(path);
+    return entry != nullptr && entry->value.find_first_not_of(" \t") != std::string::npos;
   }
 
   /**

@@ -138,6 +138,13 @@ bool is_among(const std::string &path, const std::vector<std::string> &keys)
   });
 }
 
+std::vector<std::string> Key::inputs() const
+{
+  if (!is_input || value.empty())
+    return {};
+  return is_list ? split_list(value) : std::vector<std::string>{value};
+}
+
 void Keys::apply()
 {
   const Declarations declared(keys);
@@ -162,11 +169,16 @@ void Keys::apply()
         throw UserError(raw.origin(entry) + ": " + declared.unknown("key", entry.path));
       Key &key  = keys[found->second];
       key.value = entry.value;
-      if (key.is_input && !entry.value.empty())
-        key.value =
-          fs::absolute(fs::path(entry.line == 0 ? "." : raw.folder()) / entry.value)
-            .lexically_normal()
-            .string();
+      if (const auto inputs = key.inputs(); !inputs.empty())
+        {
+          key.value.clear();
+          for (const std::string &input : inputs)
+            key.value +=
+              (key.value.empty() ? "" : ", ") +
+              fs::absolute((entry.line == 0 ? "." : raw.folder()) / fs::path(input))
+                .lexically_normal()
+                .string();
+        }
       if (!key.accepts(key.value))
         throw UserError(raw.origin(entry) + ": " + entry.path + " is '" + key.value +
                         "' but must be " + key.allowed);
@@ -259,8 +271,10 @@ std::string canonical_parameters(const Keys &keys, const std::vector<std::string
       {
         // The content of a file counts, not where it lies; add it with
         // Digest::add_file().
-        const bool file = key.is_input && !key.value.empty();
-        text += key.path() + " = " + (file ? "<file>" : key.value) + "\n";
+        std::string value = key.value;
+        if (const std::size_t n = key.inputs().size(); n > 0)
+          value = n == 1 ? "<file>" : "<" + std::to_string(n) + " files>";
+        text += key.path() + " = " + value + "\n";
       }
   return text;
 }

@@ -48,18 +48,20 @@ bool are_the_same(const fs::path &one, const fs::path &other)
   return fs::equivalent(one, other, ignored);
 }
 
-void check_input(const std::string &folder, const Key &input)
+void check_input(const std::string &folder,
+                 const std::string &key,
+                 const std::string &input)
 {
   const std::string remedy =
     ", where this run would replace log, parameters and summary; choose another folder "
     "with --output";
-  if (are_the_same(input.value, folder))
-    throw UserError(input.path() + ": " + input.value + " is the output folder" + remedy);
+  if (are_the_same(input, folder))
+    throw UserError(key + ": " + input + " is the output folder" + remedy);
   std::error_code ignored;
   for (const fs::directory_entry &entry : fs::directory_iterator(folder, ignored))
-    if (is_replaced(entry) && are_the_same(entry.path(), input.value))
-      throw UserError(input.path() + ": " + input.value + " lies in the output folder " +
-                      folder + remedy);
+    if (is_replaced(entry) && are_the_same(entry.path(), input))
+      throw UserError(key + ": " + input + " lies in the output folder " + folder +
+                      remedy);
 }
 
 /** What a run computes. */
@@ -136,8 +138,8 @@ void check_output_folder(const std::string &folder,
                          const Keys &keys)
 {
   for (const Key &key : keys.all())
-    if (key.is_input && !key.value.empty())
-      check_input(folder, key);
+    for (const std::string &input : key.inputs())
+      check_input(folder, key.path(), input);
   const RunKind kind = {program, keys.has("Analysis") ? keys.value("Analysis") : ""};
   const auto found   = kind_of_results(folder);
   if (found && !found->program.empty() &&

@@ -40,9 +40,9 @@ void bind_statics(Keys &keys, ContactParameters &p)
     keys.bind("Number of modes", p.modal.n_modes, 1, 1000,
               "Number of vibration modes wanted, from the lowest frequency on [-]");
     keys.bind(
-      "Bottom", p.modal_bottom, {"free", "held in y", "both"},
-      "Support of the bottom: free (BC1 of the paper), u_y = 0 (BC2), or one after "
-      "the other; the top is that of section Top at the start of a run");
+      "Bottom", p.modal_bottom, {"free", "held in y", "held in z", "both"},
+      "Support of the bottom: free (BC1 of the paper), u_y = 0 (BC2; in 3D u_z = 0), or "
+      "one after the other; the top is that of section Top at the start of a run");
     keys.bind("Tolerance", p.modal.tolerance, Range::open(0., 1.),
               "Relative residual of the static solves within the Lanczos iteration [-]");
   }
@@ -150,6 +150,22 @@ void add_friction(RunConditions &conditions, const ContactParameters &parameters
   else if (!parameters.contact.law.node_law)
     conditions["regularization_time"] = parameters.contact.law.time;
 }
+
+/** What a body on a mesh has, whose sides are free but for the groups that are held. */
+void add_mesh(RunConditions &conditions, const ContactParameters &p, const bool transient)
+{
+  if (p.mesh.phases.size() > 1)
+    conditions["material"] = "heterogeneous";
+  for (unsigned int c = 0; c < p.mesh.mesh.dim; ++c)
+    if (!p.mesh.held[c].empty())
+      conditions[std::string("held_in_") + "xyz"[c]] = to_text(p.mesh.held[c]);
+  if (p.mesh.mesh.dim == 3)
+    {
+      conditions["acceleration_z"] = p.step.acceleration[2];
+      if (transient)
+        conditions["initial_velocity_z"] = p.body.initial_velocity[2];
+    }
+}
 } // namespace
 
 void ContactParameters::bind_observation(Keys &keys)
@@ -247,6 +263,8 @@ RunConditions ContactParameters::stated_conditions() const
       conditions["beta2"]              = step.beta2;
       conditions["rayleigh_beta"]      = step.beta;
     }
+  if (mesh.is_given())
+    add_mesh(conditions, *this, transient);
   return conditions;
 }
 } // namespace mesoslip

@@ -14,6 +14,21 @@ namespace
 /** Upper end of the range of numbers of cells. */
 constexpr long most_cells = 1000000000;
 
+/** Two components, in 3D three; what is left out is zero. */
+void bind_vector(Keys &keys,
+                 const std::string &key,
+                 std::array<double, 3> &vector,
+                 const unsigned int dim,
+                 const std::string &meaning)
+{
+  std::vector<double> list = {vector[0], vector[1]};
+  keys.bind_list(key, list, Range::any(), meaning, 2, 3);
+  keys.require(list.size() == 2 || dim == 3, key,
+               "it has three components, but Dimension is 2");
+  vector = {};
+  std::copy(list.begin(), list.end(), vector.begin());
+}
+
 void bind_body(Keys &keys, ContactParameters &p)
 {
   const auto section   = keys.section("Body");
@@ -41,7 +56,8 @@ void bind_body(Keys &keys, ContactParameters &p)
             "Density of a homogeneous body without RVE file [kg/m^3]");
   keys.bind_list("Size", size, Range::length(),
                  "Width and height of the body; empty: those of the RVE file, or the "
-                 "paper's 56 x 16 mm without one [m]",
+                 "paper's 56 x 16 mm without one. A homogeneous body may be larger than "
+                 "the volume of the RVE file, with Cells given [m]",
                  0, 2);
   keys.bind_list(
     "Cells", cells, 1, most_cells,
@@ -49,10 +65,12 @@ void bind_body(Keys &keys, ContactParameters &p)
     "without one. A heterogeneous body takes whole multiples of those of the "
     "RVE file [-]",
     0, 2);
-  keys.bind("Initial velocity", body.initial_velocity, Range::any(),
-            "Velocity of the whole body at the start [m/s]");
-  keys.bind("Acceleration", p.step.acceleration, Range::any(),
-            "Acceleration that acts on the whole body, such as gravity [m/s^2]");
+  bind_vector(keys, "Initial velocity", body.initial_velocity, p.mesh.mesh.dim,
+              "Velocity of the whole body at the start: x, y and, in 3D, z [m/s]");
+  bind_vector(
+    keys, "Acceleration", p.step.acceleration, p.mesh.mesh.dim,
+    "Acceleration that acts on the whole body, such as gravity: x, y and, in 3D, "
+    "z [m/s^2]");
   const std::string two = "one number found, two (x, y) are needed";
   keys.require(size.size() != 1, "Size", two);
   keys.require(cells.size() != 1, "Cells", two);
@@ -232,6 +250,34 @@ void bind_friction(Keys &keys, FrictionParameters &friction, FrictionLaw &law)
                                                             friction.reference_velocity);
 }
 
+/** On a mesh many keys have no effect, and the others none without. */
+void check_mesh(const Keys &keys, const ContactParameters &p)
+{
+  keys.only_with("Analysis", {"transient", "modal"}, {"Dimension", "Mesh/"});
+  keys.only_if(!p.mesh.is_given(),
+               {"Body/Material", "Body/Stiffness", "Body/Density", "Body/Size",
+                "Body/Cells", "Sides/", "Observation/Steady from",
+                "Observation/Reference x", "Observation/Stop at limit cycle",
+                "Observation/Limit cycle tolerance", "Observation/Limit cycle periods",
+                "Observation/Limit cycle windows", "Observation/Probes",
+                "Observation/Probe interval", "Performance/Temporal blocking"},
+               "the body is a mesh", "remove Mesh/File");
+  keys.only_if(!p.mesh.is_given() || p.static_solver == StaticSolverKind::ml,
+               {"Performance/Static solver"}, "bodies on meshes are solved with ml",
+               "remove it");
+  const std::string held = p.mesh.mesh.dim == 2 ? "held in y" : "held in z";
+  keys.require(
+    p.modal_bottom == "free" || p.modal_bottom == "both" || p.modal_bottom == held,
+    "Modal/Bottom",
+    "it is '" + p.modal_bottom + "', but the normal of the flat is " + held.back() +
+      " as Dimension is " + std::to_string(p.mesh.mesh.dim) + "; use '" + held + "'");
+  keys.require(!p.mesh.is_given() || p.friction.node_rule == "stiffness" ||
+                 p.friction.node_rule == "mean",
+               "Friction/Node rule",
+               "it is " + p.friction.node_rule +
+                 "; on a mesh there are stiffness and mean");
+}
+
 /** What each analysis makes use of. */
 void check_analysis(const Keys &keys)
 {
@@ -274,6 +320,7 @@ void ContactParameters::bind(Keys &keys)
     {"transient", "modal", "static contact", "friction homogenization"},
     "What is computed: sliding in time, vibration modes, equilibrium on the flat, "
     "or friction of an equivalent homogeneous body from the results of others");
+  mesh.bind(keys);
   bind_body(keys, *this);
   bind_time(keys, *this);
   bind_loads(keys, *this);
@@ -283,5 +330,6 @@ void ContactParameters::bind(Keys &keys)
   bind_analyses(keys);
   keys.renamed("Performance/Static solver = assembled", "ml");
   check_analysis(keys);
+  check_mesh(keys, *this);
 }
 } // namespace mesoslip

@@ -6,6 +6,7 @@
 #include "exchange/run_description.h"
 #include "observation/probe_recorder.h"
 #include "observation/steady_state.h"
+#include "sliding/mesh/mesh_body.h"
 #include "sliding/sliding_body.h"
 #include "statics/static_solver.h"
 
@@ -42,7 +43,7 @@ struct BodyParameters
   double density                         = 1770.;      ///< kg/m^3
   std::array<double, 2> size             = {};         ///< m; 0: as the RVE
   std::array<unsigned int, 2> cells      = {};         ///< 0: as the RVE
-  std::array<double, 2> initial_velocity = {};         ///< m/s
+  std::array<double, 3> initial_velocity = {};         ///< m/s; z in 3D only
 };
 
 /** Section Time, besides the StepParameters. */
@@ -104,13 +105,14 @@ struct ContactParameters : SlidingSetup
   ContactParameters();
 
   ContactAnalysis analysis = ContactAnalysis::transient; ///< what is computed
+  MeshBodyParameters mesh;                               ///< sections Mesh and Phases
   BodyParameters body;                                   ///< section Body
   TimeParameters time;                                   ///< section Time
   FrictionParameters friction;                           ///< section Friction
   ObservationParameters observation;               ///< sections Observation and Snapshots
   CheckpointParameters checkpoints;                ///< section Checkpoints
   VibrationModesOptions modal;                     ///< section Modal, but for the bottom
-  std::string modal_bottom = "both";               ///< free, held in y, both
+  std::string modal_bottom = "both";               ///< free, held in y or z, both
   StaticContactOptions static_contact;             ///< section Static contact
   FrictionHomogenizationParameters homogenization; ///< section Friction homogenization
   StaticSolverKind static_solver =

@@ -3,6 +3,8 @@
 #include "sliding/analyses/friction_homogenization.h"
 #include "sliding/analyses/modal.h"
 #include "sliding/analyses/static_contact.h"
+#include "sliding/mesh/mesh_modal.h"
+#include "sliding/mesh/mesh_transient.h"
 #include "sliding/transient/transient.h"
 
 namespace mesoslip
@@ -16,12 +18,16 @@ std::unique_ptr<Analysis> build(Keys &keys)
   switch (parameters.analysis)
     {
     case ContactAnalysis::modal:
+      if (parameters.mesh.is_given())
+        return make_mesh_modal(parameters);
       return std::make_unique<ModalAnalysis>(parameters);
     case ContactAnalysis::static_contact:
       return std::make_unique<StaticContactAnalysis>(parameters);
     case ContactAnalysis::friction_homogenization:
       return std::make_unique<FrictionHomogenizationAnalysis>(parameters);
     default:
+      if (parameters.mesh.is_given())
+        return make_mesh_transient(parameters, keys);
       return std::make_unique<TransientAnalysis>(parameters, keys);
     }
 }

@@ -29,8 +29,29 @@ Phase<2> given_phase(const BodyParameters &body)
     }
 }
 
+/** A body that is not the @p volume of its RVE file has to be homogeneous and larger. */
+void check_size(const BodyParameters &body, const std::array<double, 2> &volume)
+{
+  bool equal = true, smaller = false;
+  for (unsigned int d = 0; d < 2; ++d)
+    {
+      equal   = equal && std::fabs(body.size[d] - volume[d]) <= 1e-9 * volume[d];
+      smaller = smaller || body.size[d] < (1. - 1e-9) * volume[d];
+    }
+  const std::string sizes = "Body/Size is " + to_text(body.size[0]) + " x " +
+                            to_text(body.size[1]) + " m, but the volume in " +
+                            body.rve_file + " measures " + to_text(volume[0]) + " x " +
+                            to_text(volume[1]) + " m; ";
+  if (!equal && (smaller || body.heterogeneous))
+    throw UserError(sizes + "leave Size empty to take it from there" +
+                    (smaller ? "" : ", a homogeneous body may be larger"));
+  if (!equal && body.cells[0] == 0)
+    throw UserError(sizes + "leave Size empty to take it from there, or set Body/Cells "
+                            "to the numbers of cells of the larger body");
+}
+
 /** @p rve: null without a file. */
-UniformGrid<2> make_grid(const BodyParameters &body, const RveFile *rve)
+UniformGrid<2> make_grid(const BodyParameters &body, const RveFile<2> *rve)
 {
   UniformGrid<2> grid;
   std::array<double, 2> size = {{56e-3, 16e-3}};
@@ -40,18 +61,16 @@ UniformGrid<2> make_grid(const BodyParameters &body, const RveFile *rve)
       size       = {{rve->grid.extent(0), rve->grid.extent(1)}};
       grid.cells = rve->grid.cells;
     }
-  for (unsigned int d = 0; d < 2 && body.size[0] > 0.; ++d)
-    {
-      if (rve != nullptr && !(std::fabs(body.size[d] - size[d]) <= 1e-9 * size[d]))
-        throw UserError("Body/Size is " + to_text(body.size[0]) + " x " +
-                        to_text(body.size[1]) + " m, but the volume in " + body.rve_file +
-                        " measures " + to_text(rve->grid.extent(0)) + " x " +
-                        to_text(rve->grid.extent(1)) +
-                        " m; leave Size empty to take it from there");
-      size[d] = body.size[d];
-    }
+  if (rve != nullptr && body.size[0] > 0.)
+    check_size(body, size);
+  if (body.size[0] > 0.)
+    size = body.size;
   if (body.cells[0] > 0)
     grid.cells = body.cells;
+  else if (rve != nullptr && rve->is_mesh())
+    throw UserError("Body/Cells is empty, and " + body.rve_file +
+                    " holds a mesh, which has no rows and columns; set Body/Cells to the "
+                    "numbers of cells of the body along x and y");
   for (unsigned int d = 0; d < 2; ++d)
     grid.spacing[d] = size[d] / grid.cells[d];
   return grid;
@@ -59,8 +78,9 @@ UniformGrid<2> make_grid(const BodyParameters &body, const RveFile *rve)
 
 /** Phases of the cells of @p grid, each of which lies in one cell of the RVE. */
 std::vector<std::uint8_t>
-refine(const RveFile &rve, const UniformGrid<2> &grid, const std::string &file)
+refine(const RveFile<2> &rve, const UniformGrid<2> &grid, const std::string &file)
 {
+  rve.require_grid("a heterogeneous body on a grid takes nothing");
   const std::array<unsigned int, 2> coarse = rve.grid.cells, fine = grid.cells;
   if (fine[0] % coarse[0] != 0 || fine[1] % coarse[1] != 0)
     throw UserError("Body/Cells: " + numbers_text(fine[0], fine[1]) +
@@ -77,7 +97,7 @@ refine(const RveFile &rve, const UniformGrid<2> &grid, const std::string &file)
 }
 
 void read_materials(const BodyParameters &given,
-                    const RveFile &rve,
+                    const RveFile<2> &rve,
                     BodyDescription &body)
 {
   body.rve_digest = rve.digest;
@@ -165,7 +185,7 @@ BodyDescription make_body(const ContactParameters &parameters)
 {
   const BodyParameters &given = parameters.body;
   BodyDescription body;
-  std::optional<RveFile> rve;
+  std::optional<RveFile<2>> rve;
   if (!given.rve_file.empty())
     {
       require_readable_file("Body/RVE file: ", given.rve_file,

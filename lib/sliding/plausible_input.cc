@@ -76,8 +76,8 @@ public:
         sentences.push_back(load->section + "/Expression is not finite at all times of " +
                             run_text + ", which will stop it");
     if (parameters.top.kind != TopSetup::Kind::held && pressures.largest_size() == 0. &&
-        parameters.body.initial_velocity == std::array<double, 2>{} &&
-        parameters.step.acceleration == std::array<double, 2>{})
+        parameters.body.initial_velocity == std::array<double, 3>{} &&
+        !parameters.step.is_heavy())
       sentences.push_back("Top/Pressure is 0 in " + run_text +
                           " and Body/Initial velocity and Acceleration are 0: nothing "
                           "presses the body on the flat");
@@ -169,7 +169,7 @@ private:
 
   Ranges velocities() const
   {
-    const std::array<double, 2> &initial = parameters.body.initial_velocity;
+    const std::array<double, 3> &initial = parameters.body.initial_velocity;
     return {speed(velocity.name("largest"), flat_speed),
             {velocity.name("largest"), flat_speed, "m/s",
              flat_speed > 0. ? atom / end : 0.,

@@ -19,10 +19,11 @@ double lower_bound(const UniformMaterial &material, const StepParameters &step)
 
 std::string cell_text(const CellExtreme &cell, const UniformGrid<2> &grid)
 {
-  return "cell (" + std::to_string(cell.column) + ", " + std::to_string(cell.row) +
-         ") around x = " +
-         quantity_text(1e3 * (cell.column + 0.5) * grid.spacing[0], "mm") +
-         ", y = " + quantity_text(1e3 * (cell.row + 0.5) * grid.spacing[1], "mm");
+  const std::uint64_t n_x = grid.cells[0];
+  return "cell (" + std::to_string(cell.cell % n_x) + ", " +
+         std::to_string(cell.cell / n_x) +
+         ") around x = " + quantity_text(1e3 * cell.middle[0], "mm") +
+         ", y = " + quantity_text(1e3 * cell.middle[1], "mm");
 }
 
 /** A load, and the strain that it alone causes in a body of that stiffness. */
@@ -94,11 +95,11 @@ unsigned int statistics_interval(const UniformMaterial &material, const double d
 }
 
 TimeStepChoice choose_time_step(const ContactParameters &parameters,
-                                const UniformMaterial &material)
+                                const double highest_frequency)
 {
   TimeStepChoice choice;
   StepParameters &step = choice.step = parameters.step;
-  choice.critical = critical_time_step(material, step.beta2, step.beta);
+  choice.critical = critical_time_step(highest_frequency, step.beta2, step.beta);
   if (std::isnan(step.dt))
     step.dt = parameters.time.safety * choice.critical;
   if (parameters.time.check_time_step && step.dt > choice.critical)
@@ -107,7 +108,14 @@ TimeStepChoice choose_time_step(const ContactParameters &parameters,
                     " s, the run would be unstable; use auto or a smaller one");
   choice.n_steps =
     static_cast<std::uint64_t>(std::ceil(parameters.time.end_time / step.dt - 1e-9));
-  choice.statistics_interval = statistics_interval(material, step.dt);
+  return choice;
+}
+
+TimeStepChoice choose_time_step(const ContactParameters &parameters,
+                                const UniformMaterial &material)
+{
+  TimeStepChoice choice = choose_time_step(parameters, largest_frequency(material).upper);
+  choice.statistics_interval = statistics_interval(material, choice.step.dt);
   return choice;
 }
 
@@ -175,9 +183,7 @@ ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &
 std::string likely_cause(const ContactParameters &parameters,
                          const UniformMaterial &material)
 {
-  const auto size_of = [](const std::array<double, 2> &v) {
-    return std::hypot(v[0], v[1]);
-  };
+  const auto size_of = [](const auto &v) { return std::hypot(v[0], v[1]); };
   const BodyScales body(material);
   const bool pressed = parameters.top.kind != TopSetup::Kind::held;
   const double pressure =

@@ -80,6 +80,10 @@ unsigned int statistics_interval(const UniformMaterial &material, const double d
 TimeStepChoice choose_time_step(const ContactParameters &parameters,
                                 const UniformMaterial &material);
 
+/** The same for a body of that highest circular frequency (1/s). */
+TimeStepChoice choose_time_step(const ContactParameters &parameters,
+                                const double highest_frequency);
+
 /** Memory of the fields, to be checked before they are created. */
 ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid);
 

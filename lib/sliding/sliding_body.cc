@@ -16,53 +16,62 @@ SlidingSetup completed(SlidingSetup setup, const UniformMaterial &material)
 } // namespace
 
 template <int dim>
-SlidingBody<dim>::SlidingBody(const UniformMaterial &material,
-                              const SlidingSetup &given,
-                              const MPI_Comm communicator,
-                              SurfaceCondition<dim> *bottom,
-                              Timer *timer)
-  : material(material)
-  , setup(completed(given, material))
-  , communicator(communicator)
-  , rows(
-      partition_rows(material.n_columns(), material.n_rows(), communicator, setup.sweep))
-  , u(material.n_columns(), rows.n_local())
-  , w(material.n_columns(), rows.n_local())
+SlidingSurfaces<dim>::SlidingSurfaces(const SlidingSetup &setup,
+                                      const unsigned int n_top_nodes)
+  : setup(setup)
   , contact(setup.contact, setup.step)
-  , top(setup.top, setup.step, material.n_columns())
+  , top(setup.top, setup.step, n_top_nodes)
   , contact_recorder(setup.history_interval, setup.monitored_nodes, setup.step)
   , node_statistics(setup.steps_per_block)
   , top_recorder(setup.history_interval)
-  , halo(material.n_columns(), rows.ghosts, communicator)
-  , profile(timer)
-  , stepper({material, setup.step, u, w,
-             bottom != nullptr
-               ? bottom
-               : profile.timed<TimedSurface>(contact, "Contact and its histories"),
-             profile.timed<TimedSurface>(top, "Top and its histories"), rows,
-             rows.end - rows.begin < rows.n_global
-               ? profile.timed<TimedHalo>(halo, "Exchange between ranks")
-               : nullptr,
-             communicator},
-            setup.sides,
-            setup.sweep)
 {
   contact.observe(node_statistics);
   contact.observe(contact_recorder);
   top.observe(top_recorder);
-  if (setup.energy_interval > 0)
-    energy =
-      std::make_unique<EnergyAudit>(stepper, setup.top.platen_mass, setup.energy_interval,
-                                    [this]() { return boundary_work(); });
 }
 
 template <int dim>
-BoundaryWork SlidingBody<dim>::boundary_work() const
+BoundaryWork SlidingSurfaces<dim>::boundary_work() const
 {
   BoundaryWork work = contact.work();
   work.external     = top.work() + work.external;
   return work;
 }
 
+template <int dim>
+SlidingBody<dim>::SlidingBody(const UniformMaterial &material,
+                              const SlidingSetup &given,
+                              const MPI_Comm communicator,
+                              SurfaceCondition<dim> *bottom,
+                              Timer *timer)
+  : SlidingSurfaces<dim>(completed(given, material), material.n_columns())
+  , material(material)
+  , communicator(communicator)
+  , rows(
+      partition_rows(material.n_columns(), material.n_rows(), communicator, given.sweep))
+  , u(material.n_columns(), rows.n_local())
+  , w(material.n_columns(), rows.n_local())
+  , halo(material.n_columns(), rows.ghosts, communicator)
+  , profile(timer)
+  , stepper({material, given.step, u, w,
+             bottom != nullptr
+               ? bottom
+               : profile.timed<TimedSurface>(this->contact, "Contact and its histories"),
+             profile.timed<TimedSurface>(this->top, "Top and its histories"), rows,
+             rows.end - rows.begin < rows.n_global
+               ? profile.timed<TimedHalo>(halo, "Exchange between ranks")
+               : nullptr,
+             communicator},
+            given.sides,
+            given.sweep)
+{
+  if (given.energy_interval > 0)
+    energy =
+      std::make_unique<EnergyAudit>(stepper, given.top.platen_mass, given.energy_interval,
+                                    [this]() { return this->boundary_work(); });
+}
+
+template class SlidingSurfaces<2>;
+template class SlidingSurfaces<3>;
 template class SlidingBody<2>;
 } // namespace mesoslip

@@ -38,13 +38,42 @@ struct SlidingSetup
   unsigned int energy_interval = 0;
 };
 
+/** The two loaded surfaces of a body on the flat, and their histories. */
+template <int dim>
+class SlidingSurfaces
+{
+public:
+  /** For a top of @p n_top_nodes nodes. */
+  SlidingSurfaces(const SlidingSetup &setup, const unsigned int n_top_nodes);
+
+  SlidingSurfaces(const SlidingSurfaces &)            = delete; ///< observed in place
+  SlidingSurfaces &operator=(const SlidingSurfaces &) = delete; ///< see the constructor
+
+  /** Work done on and dissipated at contact and top since the start, of this rank. */
+  BoundaryWork boundary_work() const;
+
+  /** State between two steps (Boost.Serialization). */
+  template <class Archive>
+  void serialize_surfaces(Archive &archive)
+  {
+    archive &contact &contact_recorder &node_statistics &top &top_recorder;
+  }
+
+  const SlidingSetup setup;              ///< completed: widths, periodicity
+  ContactSurface<dim> contact;           ///< the bottom
+  TopSurface<dim> top;                   ///< the top
+  ContactRecorder<dim> contact_recorder; ///< histories of the contact
+  NodeStatistics<dim> node_statistics;   ///< states of the contact nodes
+  TopRecorder top_recorder;              ///< histories of the top
+};
+
 /**
  * A body on the moving flat, with load, histories and energies: everything of a run but
  * files, signals and checkpoints. Each rank holds a slab of rows; the contact is on rank
  * 0, the top on the last one. The grid has rows, so there is an instance for dim = 2.
  */
 template <int dim>
-class SlidingBody
+class SlidingBody : public SlidingSurfaces<dim>
 {
 public:
   /**
@@ -57,9 +86,6 @@ public:
               SurfaceCondition<dim> *bottom = nullptr,
               Timer *timer                  = nullptr);
 
-  /** Work done on and dissipated at bottom and top since the start, of this rank. */
-  BoundaryWork boundary_work() const;
-
   /** State between two steps (Boost.Serialization): own rows and boundaries. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
@@ -68,27 +94,21 @@ public:
     archive &n;
     serialize_own_rows(archive, u, rows);
     serialize_own_rows(archive, w, rows);
-    archive &contact &contact_recorder &node_statistics &top &top_recorder;
+    this->serialize_surfaces(archive);
     stepper.set_step_number(n);
     if (energy)
       archive &*energy;
   }
 
-  const UniformMaterial &material;       ///< of all cells
-  const SlidingSetup setup;              ///< completed: widths, periodicity
-  const MPI_Comm communicator;           ///< of the ranks that share the body
-  const NodeRows rows;                   ///< node rows of this rank, and ghost rows
-  NodalField<double> u;                  ///< displacement (m), own and ghost rows
-  NodalField<double> w;                  ///< velocity of the scheme (m/s)
-  ContactSurface<dim> contact;           ///< the bottom
-  TopSurface<dim> top;                   ///< the top
-  ContactRecorder<dim> contact_recorder; ///< histories of the contact
-  NodeStatistics<dim> node_statistics;   ///< states of the contact nodes
-  TopRecorder top_recorder;              ///< histories of the top
-  MPIHalo halo;                          ///< exchange with the ranks above and below
-  LoopProfile profile;                   ///< clocks around the parts of a step
-  ExplicitStepper stepper;               ///< the time integration
-  std::unique_ptr<EnergyAudit> energy;   ///< null without an energy interval
+  const UniformMaterial &material;     ///< of all cells
+  const MPI_Comm communicator;         ///< of the ranks that share the body
+  const NodeRows rows;                 ///< node rows of this rank, and ghost rows
+  NodalField<double> u;                ///< displacement (m), own and ghost rows
+  NodalField<double> w;                ///< velocity of the scheme (m/s)
+  MPIHalo halo;                        ///< exchange with the ranks above and below
+  LoopProfile profile;                 ///< clocks around the parts of a step
+  ExplicitStepper stepper;             ///< the time integration
+  std::unique_ptr<EnergyAudit> energy; ///< null without an energy interval
 };
 } // namespace mesoslip
 

@@ -220,7 +220,8 @@ def morphology_against_body():
         folder.run(0, "rve_homogenization", "rve.prm", "--output", "rve")
         before = sorted(os.walk(path))
         for settings, words in (
-                (["Body/Size=0.003, 0.001"], ["Body/Size", "0.003 x 0.001", "0.002 x 0.001", "leave Size empty"]),
+                (["Body/Size=0.001, 0.001"], ["Body/Size", "0.001 x 0.001", "0.002 x 0.001", "leave Size empty"]),
+                (["Body/Size=0.003, 0.001", "Body/Material=heterogeneous"], ["Body/Size", "0.003 x 0.001", "homogeneous body may be larger"]),
                 (["Body/Material=heterogeneous", "Body/Cells=30, 10"], ["Body/Cells", "30 x 10", "20 x 10", "multiple"]),
                 (["Body/Stiffness from=PBC"], ["/stiffness/PBC", "missing", "boundary conditions"])):
             status, _, err = folder.end("contact_dynamics", "contact.prm", *sets(["Body/RVE file=rve/rve.h5", *settings]))

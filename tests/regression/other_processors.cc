@@ -2,6 +2,7 @@
 // of the bits of its results: other_processors.py compares the lines.
 
 #include "contact/contact_kernel.h"
+#include "elasticity/element_kernel.h"
 #include "elasticity/row_kernel.h"
 #include "statics/multigrid/kernels/kernels.h"
 
@@ -135,26 +136,65 @@ void all_row_kernels()
 
 void contact_kernel()
 {
-  Numbers<double> x(25 * 2 * n);
+  Numbers<double> x(30 * 2 * n);
   unsigned int k  = 0;
   const auto next = [&]() { return x.row(k++); };
   ContactArrays a;
   a.n = n;
   for (const double **components : {a.force, a.inverse_mass})
-    for (const unsigned int c : {0, 1})
+    for (const unsigned int c : {0, 1, 2})
       components[c] = next();
   for (double **components : {a.u, a.w})
-    for (const unsigned int c : {0, 1})
+    for (const unsigned int c : {0, 1, 2})
       components[c] = next();
   for (double *&column : a.column)
     column = next();
   ContactSums sums;
   for (unsigned int step = 0; step < 5; ++step)
-    contact_kernels::baseline::advance(a, {1e-1, 0.7, 1e-3}, sums);
+    {
+      contact_kernels::baseline::advance(a, {1e-1, 0.7, 1e-3}, sums);
+      contact_kernels::baseline::advance_in_space(a, {1e-1, 0.7, 1e-3}, sums);
+    }
   const double all[] = {sums.normal_force, sums.tangential_force, sums.sticking,
                         sums.slipping,     sums.friction_energy,  sums.impact_energy};
-  std::memcpy(x.row(24), all, sizeof(all));
+  std::memcpy(x.row(29), all, sizeof(all));
   x.digest("contact");
+}
+
+template <int dim>
+void cell_kernels(const kernels::CellKernels &cells)
+{
+  const std::string in_space  = std::to_string(dim) + "D";
+  const std::size_t n_batches = 4, n_nodes = n / 4;
+  std::vector<std::uint32_t> nodes(n_batches * 8 * cells.cells_at_once),
+    material(n_batches);
+  // No node twice in a cell, whose volume is not 0 then: the sign of a NaN differs.
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    nodes[k] = static_cast<std::uint32_t>(
+      (k / cells.cells_at_once * 3 + k % cells.cells_at_once * 5) % n_nodes);
+  for (unsigned int kind = 0; kind < 2; ++kind)
+    for (unsigned int common = 0; common < 3; ++common)
+      {
+        Numbers<double> stiffness(24 * 24), points(2 * n), u(2 * n), f(2 * n);
+        (kind == 0 ? cells.simplex : cells.tensor)[common](
+          {n_batches, nodes.data(), material.data(), stiffness.data()}, points.data(),
+          u.data(), f.data());
+        f.digest(in_space + " cells " + std::to_string(kind) + std::to_string(common));
+      }
+  Numbers<double> x(14 * 2 * n);
+  kernels::NodeArrays a = {};
+  a.n                   = n_nodes;
+  for (unsigned int c = 0; c < 3; ++c)
+    {
+      a.u[c]            = x.row(3 * c);
+      a.w[c]            = x.row(3 * c + 1);
+      a.inverse_mass[c] = x.row(3 * c + 2);
+    }
+  a.mass  = x.row(9);
+  a.z     = x.row(10);
+  a.force = x.row(12);
+  cells.advance(a, {0.1, 0.07, 0.03, 0.2, {0.1, 0.2, 0.3}});
+  x.digest(in_space + " nodes");
 }
 
 template <typename Number>
@@ -227,5 +267,7 @@ int main()
 {
   all_row_kernels();
   contact_kernel();
+  cell_kernels<2>(kernels::baseline::plane_cell_kernels());
+  cell_kernels<3>(kernels::baseline::solid_cell_kernels());
   all_multigrid_kernels();
 }

@@ -156,7 +156,8 @@ TEST(ContactKernel, EqualsTheBranchesNodeByNode)
         }
 }
 
-TEST(ContactKernel, TheSameBitsFromEveryInstructionSet)
+template <int dim>
+void expect_the_same_bits()
 {
   SCOPED_TRACE(seed);
   constexpr std::size_t n = 40;
@@ -164,7 +165,7 @@ TEST(ContactKernel, TheSameBitsFromEveryInstructionSet)
     std::mt19937 generator(seed);
     std::uniform_real_distribution<double> random(-1., 1.);
     using Arrays = ContactArrays;
-    NodalField<double> values(n, 1, 13 + Arrays::n_columns);
+    NodalField<double> values(n, 1, 19 + Arrays::n_columns);
     unsigned int next = 0;
     const auto row    = [&](const double centre, const double width) {
       double *r = values.row(next++, 0);
@@ -174,9 +175,9 @@ TEST(ContactKernel, TheSameBitsFromEveryInstructionSet)
     };
     Arrays a;
     a.n = n;
-    for (const unsigned int c : {0u, 1u})
+    for (const unsigned int c : {0u, 1u, 2u})
       {
-        a.force[c]        = row(5. * c, 10.);
+        a.force[c]        = row(5. * (c == 1), 10.);
         a.inverse_mass[c] = row(1., 0.3);
         a.u[c]            = row(0., 1e-3);
         a.w[c]            = row(0., 0.1);
@@ -186,10 +187,11 @@ TEST(ContactKernel, TheSameBitsFromEveryInstructionSet)
     a.column[Arrays::gap] = row(0., 1e-4);
     for (const auto c : {Arrays::increment_x, Arrays::increment_y})
       a.column[c] = row(0., 1e-3);
-    for (const auto c : {Arrays::tangential_force, Arrays::target})
+    for (const auto c : {Arrays::tangential_force, Arrays::target, Arrays::lateral_force,
+                         Arrays::lateral_target})
       a.column[c] = row(0., 5.);
     for (unsigned int k = 0; k < 5; ++k)
-      contact_function(isa)(a, {1e-2, 0.7, 1e-3}, sums);
+      contact_function<dim>(isa)(a, {1e-2, 0.7, 1e-3}, sums);
     return values;
   };
   ContactSums first;
@@ -206,6 +208,12 @@ TEST(ContactKernel, TheSameBitsFromEveryInstructionSet)
         << to_string(isa);
       EXPECT_EQ(std::memcmp(&sums, &first, sizeof sums), 0) << to_string(isa);
     }
+}
+
+TEST(ContactKernel, TheSameBitsFromEveryInstructionSet)
+{
+  expect_the_same_bits<2>();
+  expect_the_same_bits<3>();
 }
 
 TEST(ContactKernel, NaNDoesNotHide)

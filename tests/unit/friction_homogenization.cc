@@ -65,13 +65,13 @@ protected:
 
   void write_rve(const std::string &digest, const std::size_t n_phases = 2) const
   {
-    RveContent content;
+    RveContent<2> content;
     content.digest   = digest;
     content.grid     = body.grid;
     content.phases   = body.phases;
     content.phase_id = body.phase_id;
     content.phases.resize(n_phases);
-    RveFile::write(rve(), content);
+    write_rve_file<2>(rve(), content);
   }
 
   void write_dynamics(const std::string &run, const RunConditions &conditions) const

@@ -289,10 +289,9 @@ TEST(FieldErrors, RegionsAndErrorsByConstruction)
   const auto grid = make_grid(6, 4); // cells of 1 mm
   std::vector<std::uint8_t> phase(24, 0);
   phase[8] = 1;
-  std::vector<Phase<2>> phases(2);
-  phases[0].name     = "glue";
-  phases[1].name     = "surface";
-  const auto regions = comparison_regions(grid, phase, phases, 1e-3, 1.2e-3);
+  const auto regions =
+    comparison_regions<2>(centres_of(grid), {grid.extent(0), grid.extent(1)}, phase,
+                          {"glue", "surface"}, 1e-3, 1.2e-3);
   std::map<std::string, std::vector<std::size_t>> cells;
   for (const CellRegion &region : regions)
     cells[region.name] = region.cells;
@@ -314,7 +313,7 @@ TEST(FieldErrors, RegionsAndErrorsByConstruction)
       direct.mean_stress.insert(direct.mean_stress.end(), {3., -1., 1.});
       localized.mean_stress.insert(localized.mean_stress.end(), {3., -1., 0.});
     }
-  for (const FieldError &error : field_errors(localized, direct, regions))
+  for (const FieldError &error : field_errors(2, localized, direct, regions))
     {
       double expected = 0.;
       if (error.quantity == "mean_von_mises" && error.region.substr(0, 7) == "surface")

@@ -56,7 +56,8 @@ TEST(Localize, IdentityTensorsGiveThePhasesStress)
     }
   // Between four cells: the upper right one, (3, 2).
   const ProbeResult &further = result.variants[0].probes.at(1);
-  EXPECT_EQ(LocalizationInput(parameters).probes.at(1).cell, (CellIndex{{3, 2}}));
+  EXPECT_EQ(LocalizationInput(parameters).probes.at(1).cell,
+            (std::vector<unsigned int>{3, 2}));
   const VoigtVector<2> stress = c.rve.stiffness[c.rve.phase[15]] * c.strain;
   EXPECT_NEAR(further.stress[1], stress[1], 1e-10 * stress.norm());
 }
@@ -212,7 +213,7 @@ TEST(LocalizationOutput, FileAndSummary)
   parameters.mean_strain = true;
   LocalizationInput input(parameters);
   const auto result = mesoslip::localize(input);
-  write_localization(input, result, "", c.folder.path);
+  write_localization(origin_of(input), result, "", c.folder.path);
   const auto file = LocalizationFile::open(c.folder / "localization.h5");
   EXPECT_EQ(file.shape("/mean_von_mises"), (Shape{4, 6}));
   for (const std::string group : {"", "/direct", "/difference", "/mean_strain_variant"})
@@ -230,7 +231,7 @@ TEST(LocalizationOutput, FileAndSummary)
     EXPECT_TRUE(std::filesystem::exists(c.folder / name)) << name;
 
   nlohmann::json summary;
-  summarize_localization(input, result, summary);
+  summarize_localization(origin_of(input), result, summary);
   const auto &probe = summary["probes"][0];
   EXPECT_EQ(probe["phase"], "fibre");
   // Half of the direct series at every time.

@@ -93,14 +93,14 @@ struct TestRve
 
   void write(const std::string &path) const
   {
-    RveContent content;
+    RveContent<2> content;
     content.digest                = "0123456789abcdef";
     content.grid                  = grid;
     content.phases                = {{"matrix", stiffness[0], 1700., 0.2},
                                      {"fibre", stiffness[1], 2400., 0.3}};
     content.phase_id              = phase;
     content.concentration["KUBC"] = &L;
-    RveFile::write(path, content);
+    write_rve_file<2>(path, content);
   }
 };
 

@@ -153,14 +153,14 @@ TEST(Mandel, EigenvaluesAreThoseOfTheTensor)
 
 TEST(Rotation, QuarterTurnSwaps)
 {
-  const auto D = rotate_stiffness(plane(36.54, 9.1, 47.26, 13.785, 1., 2.), 0.5 * pi);
+  const auto D = rotate_stiffness<2>(plane(36.54, 9.1, 47.26, 13.785, 1., 2.), 0.5 * pi);
   EXPECT_LT(largest_difference<3>(D, plane(47.26, 9.1, 36.54, 13.785, -2., -1.)), 1e-15);
 }
 
 TEST(Rotation, ByFortyFiveDegrees)
 {
   // Strain xx in the turned axes is half a dilatation and half a shear.
-  const VoigtMatrix<2> D = rotate_stiffness(paper_stiffness, 0.25 * pi) / GPa;
+  const VoigtMatrix<2> D = rotate_stiffness<2>(paper_stiffness, 0.25 * pi) / GPa;
   EXPECT_NEAR(D(0, 0), (36.54 + 47.26 + 2. * 9.1) / 4. + 13.785, 1e-12);
   EXPECT_NEAR(D(2, 2), (36.54 + 47.26 - 2. * 9.1) / 4., 1e-12);
   // The stiffer axis y went to the direction of 135 degrees: stretching along it and
@@ -171,7 +171,7 @@ TEST(Rotation, ByFortyFiveDegrees)
 TEST(Rotation, KeepsEigenvalues)
 {
   const VoigtMatrix<2> D      = plane(36.54, 9.1, 47.26, 13.785, 1., 2.);
-  const VoigtMatrix<2> turned = rotate_stiffness(D, 0.7);
+  const VoigtMatrix<2> turned = rotate_stiffness<2>(D, 0.7);
   EXPECT_LT((stiffness_eigenvalues<2>(D) - stiffness_eigenvalues<2>(turned)).norm(),
             1e-3);
 }
@@ -203,7 +203,7 @@ TEST(Bounds, EncloseTheLaminate)
 
 TEST(Bounds, HashinShtrikmanTwoPhases)
 {
-  const auto bounds = hashin_shtrikman_bounds(paper_phases, {0.9, 0.1});
+  const auto bounds = hashin_shtrikman_bounds<2>(paper_phases, {0.9, 0.1});
   ASSERT_TRUE(bounds);
   // Hashin's own form of the two-phase bounds.
   const double k1 = 125. / 6., k2 = 8. * k1, m1 = 12.5, m2 = 100., f1 = 0.9, f2 = 0.1;
@@ -218,33 +218,33 @@ TEST(Bounds, HashinShtrikmanTwoPhases)
               m2 + f1 / (1. / (m1 - m2) + f2 * (k2 + 2. * m2) / (2. * m2 * (k2 + m2))),
               1e-11);
   expect_ascending(
-    {reuss_bound<2>(paper_phases, {0.9, 0.1}), plane_isotropic_stiffness(bounds->lower),
-     plane_isotropic_stiffness(bounds->upper), voigt_bound<2>(paper_phases, {0.9, 0.1})});
+    {reuss_bound<2>(paper_phases, {0.9, 0.1}), isotropic_stiffness<2>(bounds->lower),
+     isotropic_stiffness<2>(bounds->upper), voigt_bound<2>(paper_phases, {0.9, 0.1})});
 }
 
 TEST(Bounds, HashinShtrikmanLimits)
 {
   // Equal shear moduli: the bulk modulus is exact (Hill), 1 / (k + G) = <1 / (k + G)>.
   std::vector<Phase<2>> phases = paper_phases;
-  phases[0].stiffness          = plane_isotropic_stiffness({20 * GPa, 12 * GPa});
-  phases[1].stiffness          = plane_isotropic_stiffness({90 * GPa, 12 * GPa});
-  const auto exact             = hashin_shtrikman_bounds(phases, {0.7, 0.3});
+  phases[0].stiffness          = isotropic_stiffness<2>({20 * GPa, 12 * GPa});
+  phases[1].stiffness          = isotropic_stiffness<2>({90 * GPa, 12 * GPa});
+  const auto exact             = hashin_shtrikman_bounds<2>(phases, {0.7, 0.3});
   EXPECT_NEAR(exact->lower.bulk, exact->upper.bulk, 1.);
   EXPECT_NEAR(exact->lower.bulk / GPa, 1. / (0.7 / 32. + 0.3 / 102.) - 12., 1e-9);
   EXPECT_NEAR(exact->lower.shear / GPa, 12., 1e-9);
   // A phase that is absent does not count; the bounds then are the other phase.
-  const auto single = hashin_shtrikman_bounds(phases, {1., 0.});
+  const auto single = hashin_shtrikman_bounds<2>(phases, {1., 0.});
   EXPECT_LT(
-    largest_difference<3>(plane_isotropic_stiffness(single->upper), phases[0].stiffness),
+    largest_difference<3>(isotropic_stiffness<2>(single->upper), phases[0].stiffness),
     1e-14);
   // Three phases lie in order, too.
   phases.push_back({"third", isotropic_stiffness<2>(5 * GPa, 0.4), 0., 0.});
   const std::vector<double> f = {0.5, 0.3, 0.2};
-  const auto three            = hashin_shtrikman_bounds(phases, f);
-  expect_ascending({reuss_bound<2>(phases, f), plane_isotropic_stiffness(three->lower),
-                    plane_isotropic_stiffness(three->upper), voigt_bound<2>(phases, f)});
+  const auto three            = hashin_shtrikman_bounds<2>(phases, f);
+  expect_ascending({reuss_bound<2>(phases, f), isotropic_stiffness<2>(three->lower),
+                    isotropic_stiffness<2>(three->upper), voigt_bound<2>(phases, f)});
   phases[2].stiffness = paper_stiffness;
-  EXPECT_FALSE(hashin_shtrikman_bounds(phases, f));
+  EXPECT_FALSE(hashin_shtrikman_bounds<2>(phases, f));
 }
 
 TEST(Bounds, RejectWrongFractions)
@@ -301,7 +301,7 @@ TEST(EngineeringConstants, FindsTurnedAxes)
   const auto D = orthotropic_stiffness<2>(carbon);
   for (const double angle : {-1.5, -0.7, -0.1, 0., 0.3, 0.9, 1.4})
     {
-      const auto found = closest_orthotropic(rotate_stiffness(D, angle));
+      const auto found = closest_orthotropic(rotate_stiffness<2>(D, angle));
       EXPECT_NEAR(found.angle, angle, 1e-12);
       EXPECT_LT(found.relative_distance, 1e-13);
       EXPECT_LT(largest_difference<3>(found.principal_stiffness, D), 1e-12);
@@ -315,8 +315,8 @@ TEST(EngineeringConstants, ClosestOrthotropicIsClosest)
   double least           = 1.;
   for (int i = 0; i < 10000; ++i)
     {
-      const VoigtMatrix<2> turned = rotate_stiffness(D, i * pi / 10000);
-      least = std::min(least, stiffness_norm<2>(turned - orthotropic_part(turned)) /
+      const VoigtMatrix<2> turned = rotate_stiffness<2>(D, i * pi / 10000);
+      least = std::min(least, stiffness_norm<2>(turned - orthotropic_part<2>(turned)) /
                                 stiffness_norm<2>(turned));
     }
   EXPECT_LT(found.relative_distance, least + 1e-12);

@@ -12,8 +12,8 @@ using namespace mesoslip;
 TEST(Plausibility, ModuliInOtherUnits)
 {
   const auto warning = [](const double matrix, const double fibre) {
-    return stiffness_warning({{"matrix", isotropic_stiffness<2>(matrix, 0.)},
-                              {"fibre", isotropic_stiffness<2>(fibre, 0.)}});
+    return stiffness_warning<2>({{"matrix", isotropic_stiffness<2>(matrix, 0.)},
+                                 {"fibre", isotropic_stiffness<2>(fibre, 0.)}});
   };
   EXPECT_EQ(warning(30e9, 240e9), "");
   EXPECT_EQ(warning(1e6, 1e12), ""); // a million times, and rubber
@@ -23,7 +23,7 @@ TEST(Plausibility, ModuliInOtherUnits)
   EXPECT_EQ(warning(240e3, 30e3),
             "phase 'fibre' has a stiffness of 3e+04 Pa, less than soft "
             "rubber; is it in GPa or MPa? Moduli are in Pa");
-  EXPECT_EQ(stiffness_warning({}), "");
+  EXPECT_EQ(stiffness_warning<2>({}), "");
 }
 
 TEST(Plausibility, ValuesOutsideTheirRanges)
@@ -39,7 +39,7 @@ TEST(Plausibility, ValuesOutsideTheirRanges)
   EXPECT_EQ(sentences(std::nan("")).at(0), "Top/Pressure is nan Pa, too low");
 
   const auto found = [](const double density, const double coefficient) {
-    return implausible(plausible_phases(
+    return implausible(plausible_phases<2>(
                          {{"a", isotropic_stiffness<2>(1e9, 0.), density, coefficient}}))
       .size();
   };

@@ -79,11 +79,11 @@ subsection Phases
 end
 )";
   const auto phases      = checked({fibres("Phase=glue")}, text).phases;
-  const auto made        = make_phases(phases);
+  const auto made        = make_phases<2>(phases);
   EXPECT_EQ(made[0].stiffness, isotropic_stiffness<2>(3e9, 0.35));
   const auto carbon =
     orthotropic_stiffness<2>({140e9, 10e9, 8e9, 0.3, 0.28, 0.4, 5e9, 4e9, 3e9});
-  EXPECT_EQ(made[1].stiffness, rotate_stiffness(carbon, 0.5));
+  EXPECT_EQ(made[1].stiffness, rotate_stiffness<2>(carbon, 0.5));
   EXPECT_EQ(made[2].stiffness(1, 1), 3e9);
   EXPECT_EQ(made[2].density, 900.);
   expect_error("there is no phase 'gluon'; Phases/Names has resin, carbon, glue",

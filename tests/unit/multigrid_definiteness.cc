@@ -31,7 +31,7 @@ struct Draw : elasticity_testing::Random
       case 0:
         return isotropic_stiffness<2>(modulus, 0.5 - scale(1e-4, 1.4));
       case 1:
-        return rotate_stiffness(
+        return rotate_stiffness<2>(
           stiffness_from_coefficients<2>(
             {100. * modulus, 0.3 * modulus, modulus, scale(0.1, 10.) * modulus}),
           (*this)(0., M_PI));

@@ -150,13 +150,13 @@ TEST(Deformation, NamesTheCell)
   EXPECT_NEAR(found.jacobian.value, -0.1, 1e-14);
   for (const CellExtreme &cell : {found.strain, found.jacobian, found.rotation})
     {
-      EXPECT_EQ(cell.column, n_x - 1);
-      EXPECT_EQ(cell.row, n_y - 1);
+      EXPECT_EQ(cell.cell, n_x * n_y - 1);
+      EXPECT_NEAR(cell.middle[0], 0.1 * (n_x - 0.5), 1e-14);
+      EXPECT_NEAR(cell.middle[1], 0.2 * (n_y - 0.5), 1e-14);
     }
   u.row(1, 2)[3] = std::nan("");
   found          = deformation(u);
   EXPECT_EQ(found.strain.value, HUGE_VAL);
   EXPECT_EQ(found.jacobian.value, -HUGE_VAL);
-  EXPECT_EQ(found.strain.column, 2u) << "the first of the four beside the node";
-  EXPECT_EQ(found.strain.row, 1u);
+  EXPECT_EQ(found.strain.cell, n_x + 2) << "the first of the four beside the node";
 }

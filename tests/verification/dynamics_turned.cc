@@ -34,7 +34,7 @@ BodySetup turned(const BodySetup &s)
   t.cells     = {{ny, nx}};
   t.spacing   = {{s.spacing[1], s.spacing[0]}};
   for (ElasticPhase<2> &c : t.classes)
-    c.stiffness = rotate_stiffness(c.stiffness, M_PI / 2.);
+    c.stiffness = rotate_stiffness<2>(c.stiffness, M_PI / 2.);
   for (unsigned int j = 0; j < ny; ++j)
     for (unsigned int i = 0; i < nx; ++i)
       t.ids[i * ny + ny - 1 - j] = s.ids[j * nx + i];

@@ -21,7 +21,7 @@ TEST(Homogenization, HomogeneousVolumeReturnsItsStiffness)
   Volume two = make_volume(13, 8, {C, C});
   make_random(two);
   for (const Volume &volume : {one, two})
-    for (const HomogenizedResponse &response : respond(volume))
+    for (const HomogenizedResponse<2> &response : respond(volume))
       {
         EXPECT_LT(distance(response.stiffness, C), 1e-10);
         EXPECT_LT(distance(response.stiffness_from_mean, C), 1e-10);
@@ -45,8 +45,9 @@ TEST(Homogenization, PeriodicLaminate)
   EXPECT_LT(distance(respond(upright)[2].stiffness, expected), 1e-8);
   measured::number("distance from the laminate", 0.,
                    distance(respond(upright)[2].stiffness, expected));
-  EXPECT_LT(distance(respond(lying)[2].stiffness, rotate_stiffness(expected, M_PI / 2.)),
-            1e-8);
+  EXPECT_LT(
+    distance(respond(lying)[2].stiffness, rotate_stiffness<2>(expected, M_PI / 2.)),
+    1e-8);
 }
 
 // Hill: with one shear modulus any geometry gives Dss = G and 1/(k+G) = <1/(k+G)>. The
@@ -55,13 +56,13 @@ TEST(Homogenization, PeriodicLaminate)
 // the integral of h^2 / r^2, is h^2 (log(1/h) + c): order two but for the logarithm.
 TEST(Homogenization, EqualShearModuli)
 {
-  const PlaneModuli soft = {20e9, 15e9}, stiff = {90e9, 15e9};
+  const IsotropicModuli soft = {20e9, 15e9}, stiff = {90e9, 15e9};
   std::vector<double> errors, scaled;
   for (const unsigned int n : {16U, 32U, 64U, 128U})
     {
-      Volume volume = make_volume(
-        n, n, {plane_isotropic_stiffness(soft), plane_isotropic_stiffness(stiff)}, 1. / n,
-        1. / n);
+      Volume volume =
+        make_volume(n, n, {isotropic_stiffness<2>(soft), isotropic_stiffness<2>(stiff)},
+                    1. / n, 1. / n);
       for (unsigned int k = 0; k < n * n; ++k)
         volume.id[k] = 8 * (k % n) / n < 4 && 8 * (k / n) / n < 5;
       const double f         = volume.fraction(1);
@@ -87,7 +88,7 @@ TEST(Homogenization, IdentitiesOfEverySolve)
   make_random(volume);
   const double f           = volume.fraction(1);
   const VoigtMatrix<2> &C0 = volume.stiffness[0], &C1 = volume.stiffness[1];
-  for (const HomogenizedResponse &r : respond(volume))
+  for (const HomogenizedResponse<2> &r : respond(volume))
     {
       EXPECT_LT(r.hill_mandel_residual, 1e-9);
       EXPECT_LT(r.symmetry_residual, 1e-9);
@@ -124,7 +125,7 @@ TEST(Homogenization, TurnedMorphologyGivesTurnedStiffness)
       turned.id[i * 17 + (16 - j)] = volume.id[j * 24 + i];
   const auto a = respond(volume), b = respond(turned);
   for (unsigned int k = 0; k < 3; ++k)
-    EXPECT_LT(distance(b[k].stiffness, rotate_stiffness(a[k].stiffness, M_PI / 2.)),
+    EXPECT_LT(distance(b[k].stiffness, rotate_stiffness<2>(a[k].stiffness, M_PI / 2.)),
               1e-8);
 }
 
@@ -191,8 +192,9 @@ TEST(Homogenization, TrianglesConvergeToQuadrilaterals)
       for (unsigned int k = 0; k < n * n; ++k)
         volume.id[k] = k % n / (n / 3) == 1 && k / n / (n / 3) == 1;
       const UniformMaterial material = volume.material();
-      const MeshBody<2> triangles(cut_into_triangles(mesh_of_grid(material)),
-                                  MPI_COMM_WORLD);
+      MeshBodyInput<2> input         = mesh_of_grid(material);
+      input.mesh                     = cut_into_triangles(input.mesh);
+      const MeshBody<2> triangles(input, MPI_COMM_WORLD);
       const auto solution =
         solve_load_cases(triangles, {BoundaryCondition::KUBC}, 1e-10, MPI_COMM_WORLD);
       const VoigtMatrix<2> Q1 = respond(volume)[0].stiffness,
@@ -207,7 +209,7 @@ TEST(Homogenization, TrianglesConvergeToQuadrilaterals)
 // Q1 is too stiff; finer grids of the same morphology are less so.
 TEST(Homogenization, RefinementSoftens)
 {
-  std::vector<HomogenizedResponse> previous;
+  std::vector<HomogenizedResponse<2>> previous;
   for (const unsigned int m : {1U, 2U, 4U})
     {
       Volume coarse = make_volume(12, 9, matrix_and_fibre());
@@ -265,26 +267,26 @@ TEST(Homogenization, PaperPin)
 // One that holds for all morphologies is said once, others with the seeds they are about.
 TEST(Ensemble, WarningsNameTheirMorphologies)
 {
-  std::vector<EnsembleMember> members(3);
+  std::vector<EnsembleMember<2>> members(3);
   for (unsigned int k = 0; k < 3; ++k)
     {
-      members[k].seed     = 3 + k;
+      members[k].origin   = "seed " + std::to_string(3 + k);
       members[k].warnings = {"all", k == 0 ? "one" : "two"};
     }
-  EXPECT_EQ(morphology_warnings(members),
-            (std::vector<std::string>{"all", "one (seed 3)", "two (seeds 4, 5)"}));
+  EXPECT_EQ(morphology_warnings<2>(members),
+            (std::vector<std::string>{"all", "one (seed 3)", "two (seed 4, seed 5)"}));
 }
 
 TEST(Ensemble, StatisticsOfASample)
 {
   // Mean 5, deviation sqrt(32/7); Student's 97.5 % quantile for 7 degrees is 2.364624.
-  std::vector<EnsembleMember> members;
+  std::vector<EnsembleMember<2>> members;
   for (const double value : {2, 4, 4, 4, 5, 5, 7, 9})
     {
       members.emplace_back().responses.resize(1);
       members.back().responses[0].stiffness(0, 2) = value;
     }
-  const StiffnessStatistics s = stiffness_statistics(members, 0, 0.95);
+  const StiffnessStatistics s = stiffness_statistics<2>(members, 0, 0.95);
   EXPECT_DOUBLE_EQ(s.mean(0, 2), 5.);
   EXPECT_NEAR(s.standard_deviation(0, 2), 2.138089935, 1e-9);
   EXPECT_NEAR(s.half_width(0, 2), 2.3646242516 * 2.138089935 / std::sqrt(8.), 1e-8);

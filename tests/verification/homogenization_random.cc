@@ -106,7 +106,7 @@ TEST(RandomMicrostructures, KeepOrderAndIdentities)
         voigt_bound(phases, fractions)};
       for (unsigned int k = 0; k < 4; ++k)
         EXPECT_GT(stiffness_eigenvalues<2>(ascending[k + 1] - ascending[k])(0), 0.) << k;
-      for (const HomogenizedResponse &response : r)
+      for (const HomogenizedResponse<2> &response : r)
         {
           EXPECT_LT(response.hill_mandel_residual, 1e-8);
           EXPECT_LT(response.symmetry_residual, 1e-8);

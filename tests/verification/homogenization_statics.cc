@@ -34,9 +34,10 @@ VoigtMatrix<2> random_stiffness(Random &draw, const double modulus, std::ostream
     {
       const double ratio = draw.scale(1., 100.), angle = draw(0., M_PI);
       text << " orthotropic " << modulus << " x" << ratio << " at " << angle;
-      return rotate_stiffness(stiffness_from_coefficients<2>(
-                                {modulus * ratio, 0.3 * modulus, modulus, 0.4 * modulus}),
-                              angle);
+      return rotate_stiffness<2>(
+        stiffness_from_coefficients<2>(
+          {modulus * ratio, 0.3 * modulus, modulus, 0.4 * modulus}),
+        angle);
     }
   text << " any " << modulus;
   return draw.any_stiffness(modulus);
@@ -157,9 +158,9 @@ private:
     const UniformMaterial material = c.volume.material();
     const GridBody<2> body(material, solver);
     const auto solutions = solve_load_cases(body, {condition}, tolerance, MPI_COMM_SELF);
-    const HomogenizedResponse response = homogenize(body, solutions[0], false);
-    const std::string warning          = check_response(response, tolerance);
-    const double error                 = scaled_difference(response.stiffness, D);
+    const HomogenizedResponse<2> response = homogenize(body, solutions[0], false);
+    const std::string warning             = check_response<2>(response, tolerance);
+    const double error                    = scaled_difference<2>(response.stiffness, D);
     EXPECT_LT(error, warning.empty() ? 1e-5 : 100. * response.hill_mandel_residual);
     if (warning.empty())
       worst = std::max(worst, error);
@@ -247,11 +248,11 @@ struct Errors
     const UniformMaterial material = volume.material();
     const GridBody<2> body(material);
     const auto solutions = solve_load_cases(body, {condition}, tolerance, MPI_COMM_SELF);
-    const HomogenizedResponse r = homogenize(body, solutions[0], false);
-    const VoigtMatrix<2> D      = independent_statics::stiffness(volume, condition);
-    energy                      = scaled_difference(r.stiffness, D);
-    mean                        = scaled_difference(r.stiffness_from_mean, D);
-    residual                    = r.hill_mandel_residual;
+    const HomogenizedResponse<2> r = homogenize(body, solutions[0], false);
+    const VoigtMatrix<2> D         = independent_statics::stiffness(volume, condition);
+    energy                         = scaled_difference<2>(r.stiffness, D);
+    mean                           = scaled_difference<2>(r.stiffness_from_mean, D);
+    residual                       = r.hill_mandel_residual;
     std::cout << to_string(condition) << ", tolerance " << tolerance << ": energy "
               << energy << ", mean " << mean << ", Hill-Mandel " << residual << "\n";
   }

@@ -78,14 +78,14 @@ inline void make_random(Volume &volume)
 }
 
 /** Responses of all three conditions. */
-inline std::vector<HomogenizedResponse>
+inline std::vector<HomogenizedResponse<2>>
 respond(const Volume &volume,
         const double tolerance        = 1e-10,
         const StaticSolverKind solver = StaticSolverKind::multigrid,
         const MPI_Comm communicator   = MPI_COMM_SELF)
 {
   const UniformMaterial material = volume.material();
-  std::vector<HomogenizedResponse> responses;
+  std::vector<HomogenizedResponse<2>> responses;
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
   const auto body = make_body(material, solver, communicator);

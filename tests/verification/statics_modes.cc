@@ -40,15 +40,15 @@ UniformMaterial isotropic_body(const std::array<double, 2> &size,
                          {periodic, false});
 }
 
-VibrationModes modes(const UniformMaterial &material,
-                     const DofMask &held,
-                     const unsigned int n_modes,
-                     const std::optional<double> &platen_mass = std::nullopt)
+VibrationModes<2> modes(const UniformMaterial &material,
+                        const DofMask &held,
+                        const unsigned int n_modes,
+                        const std::optional<double> &platen_mass = std::nullopt)
 {
   VibrationModesOptions options;
   options.n_modes     = n_modes;
   options.platen_mass = platen_mass;
-  return vibration_modes(GridBody<2>(material), held, options);
+  return vibration_modes<2>(GridBody<2>(material), held, options);
 }
 
 /** The zero of @p f between @p a and @p b, where it changes its sign. */
@@ -94,7 +94,7 @@ TEST(Modes, OfTheRectangleConvergeWithOrderTwo)
       held.constrain_column(0, material.n_columns() - 1);
       held.constrain_row(0, material.n_rows() - 1);
       held.constrain_row(1, 0);
-      const VibrationModes result = modes(material, held, n_modes);
+      const VibrationModes<2> result = modes(material, held, n_modes);
       EXPECT_EQ(result.n_rigid_motions, 0u);
       for (unsigned int k = 0; k < n_modes; ++k)
         error[level][k] = result.modes[k].frequency / exact[k] - 1.;
@@ -117,7 +117,7 @@ TEST(Modes, OfTheFreeSquare)
   const auto result   = modes(material, nothing_held(material), 6);
   EXPECT_EQ(result.n_rigid_motions, 3u);
   double nearest = 1.;
-  for (const VibrationMode &mode : result.modes)
+  for (const VibrationMode<2> &mode : result.modes)
     {
       EXPECT_GT(mode.frequency, 0.3 * c_T() / a) << "no rigid motion among the modes";
       nearest =
@@ -234,8 +234,8 @@ TEST(Modes, OfThePaperPin)
 
   VibrationModesOptions options = modal_options(parameters);
   options.n_modes               = 3;
-  const auto platen             = vibration_modes(
-                GridBody<2>(material), modal_constraints(parameters, material, true), options);
+  const auto platen             = vibration_modes<2>(
+    GridBody<2>(material), modal_constraints(parameters, material, true), options);
   EXPECT_NEAR(platen.modes[0].frequency / held, 1., 1e-6);
   EXPECT_NEAR(platen.modes[1].frequency / 54842., 1., 2e-3);
   EXPECT_NEAR(platen.modes[2].frequency / 81018., 1., 2e-3);
@@ -244,7 +244,7 @@ TEST(Modes, OfThePaperPin)
   options                  = modal_options(parameters);
   options.n_modes          = 3;
   EXPECT_FALSE(options.platen_mass) << "held from the start";
-  const auto fixed = vibration_modes(
+  const auto fixed = vibration_modes<2>(
     GridBody<2>(material), modal_constraints(parameters, material, true), options);
   EXPECT_NEAR(fixed.modes[1].frequency / 55817., 1., 2e-3);
 }

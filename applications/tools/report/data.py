@@ -66,6 +66,10 @@ class Run:
             arrays.append(array)
         return arrays if len(arrays) > 1 else arrays[0]
 
+    def per_thickness(self):
+        """What the units of forces and energies end with: those of plane bodies are per metre of the thickness."""
+        return "" if self.summary.get("dim") == 3 else "/m"
+
     def members(self, group):
         """Names in a group, empty if there is none."""
         try:
@@ -142,7 +146,8 @@ class Chain:
         for folder in folders:
             self._add(folder)
         for run in self.runs:
-            run.heterogeneous = run.get("/material/phase_id") is not None
+            phases = run.get("/material/phase_id")
+            run.heterogeneous = phases is not None and phases.min() < phases.max()
             run.kind = run.program
             if run.program == "contact_dynamics":
                 run.kind = "heterogeneous" if run.heterogeneous else "homogeneous"

@@ -5,7 +5,12 @@ import numpy as np
 from data import Missing, thinned
 from figures import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, SKY, YELLOW, above, panels, rescaled, scaled, style
 
-POWERS_OF_J = [(1e-9, "nJ/m"), (1e-6, "µJ/m"), (1e-3, "mJ/m"), (1.0, "J/m"), (1e3, "kJ/m")]
+POWERS_OF_J = [(1e-9, "nJ"), (1e-6, "µJ"), (1e-3, "mJ"), (1.0, "J"), (1e3, "kJ")]
+
+
+def units_of(run):
+    """Of energies: J in three dimensions, J per metre of the thickness in two."""
+    return [(factor, unit + run.per_thickness()) for factor, unit in POWERS_OF_J]
 
 
 def friction_energy(runs):
@@ -15,7 +20,7 @@ def friction_energy(runs):
     if not series:
         raise Missing("/history/friction_energy is in none of the dynamics files")
     figure, (axes,) = panels(1, 3.3)
-    factor, unit = scaled(*[energy for *_, energy in series], units=POWERS_OF_J)
+    factor, unit = scaled(*[energy for *_, energy in series], units=units_of(series[0][0]))
     for run, time, energy in series:
         mu = run.number("global_interface_friction_coefficient")
         label = run.label + (rf", $\mu_\mathrm{{inter}}$ = {mu:.3f}" if mu is not None else "")
@@ -51,10 +56,10 @@ def energy_balance(run):
     small = [part for part in parts if np.nanmax(np.abs(part[1])) < 0.2 * top]
     figure, axes = panels(3 if small else 2, 6.6 if small else 5.0, sharex=True,
                           gridspec_kw={"height_ratios": [2.2, 1.6, 1] if small else [2.4, 1]})
-    _energies(axes[0], time, parts, "energy")
+    _energies(axes[0], time, parts, "energy", units_of(run))
     above(axes[0], columns=4)
     if small:
-        _energies(axes[1], time, small, "small ones")
+        _energies(axes[1], time, small, "small ones", units_of(run))
     if residual is not None and len(residual) == len(time):
         x, y = thinned(time, np.abs(residual) / scale)
         axes[-1].semilogy(1e3 * x, np.where(y > 0, y, np.nan), color=GREY, lw=1)
@@ -68,16 +73,16 @@ def energy_balance(run):
 
 
 def _residual_scale(run, count):
-    """What the log and summary.json relate the residual to (J/m), and its name: frictional energy unless there is hardly any."""
+    """What the log and summary.json relate the residual to (J, in 2D J/m), and its name: frictional energy unless there is hardly any."""
     friction, kinetic, elastic = (run.get(f"/energy/{name}") for name in ("friction", "kinetic", "elastic"))
     if any(values is None or len(values) != count for values in (friction, kinetic, elastic)):
-        return 1.0, "1 J/m"
+        return 1.0, "1 J" + run.per_thickness()
     body, work = np.nanmax(kinetic + elastic), abs(friction[-1])
     return (work, "frictional energy") if work > 1e-3 * body else (body or 1.0, "energy in the body")
 
 
-def _energies(axes, time, parts, name):
-    factor, unit = scaled(*[values for _, values, _ in parts], units=POWERS_OF_J)
+def _energies(axes, time, parts, name, units):
+    factor, unit = scaled(*[values for _, values, _ in parts], units=units)
     for label, values, c in parts:
         axes.plot(*rescaled(*thinned(time, values), 1e3, 1 / factor), color=c, label=label)
     axes.set_ylabel(f"{name}\nin {unit}")

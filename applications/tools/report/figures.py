@@ -177,13 +177,20 @@ STATES = [Patch(facecolor=SLIP, label="slip"), Patch(facecolor=STICK, label="sti
           Patch(facecolor=SEPARATED, edgecolor="#adb5bd", label="separated")]
 
 
+def contact_positions(run):
+    """x of the contact nodes (m); of a mesh in three dimensions too, where many nodes may share it."""
+    position = run.get("/contact/position")
+    return position[:, 0] if position is not None else run.get("/contact/x")
+
+
 def node_statistics(runs):
     series = []
     for run in runs:
-        arrays = [run.get(f"/contact/{name}") for name in ("x", "slip", "stick", "separated")]
+        arrays = [contact_positions(run), *(run.get(f"/contact/{name}") for name in ("slip", "stick", "separated"))]
         if all(array is not None and array.shape == arrays[0].shape and array.size
                for array in arrays):
-            series.append((run, arrays))
+            order = np.argsort(arrays[0], kind="stable")
+            series.append((run, [array[order] for array in arrays]))
     if not series:
         raise Missing("/contact/{x, slip, stick, separated} is in none of the dynamics files")
     figure, axes = panels(len(series), 1.1 + 2.0 * len(series), sharex=True)
@@ -203,7 +210,10 @@ def contact_map(run):
                                               ("time", "slip", "stick", "separated")])
     if slip.ndim != 2 or slip.shape != stick.shape or slip.shape != separated.shape:
         raise Missing(f"/contact/blocks of {run.name} has arrays of different shapes")
-    x = run.get("/contact/x")
+    x = contact_positions(run)
+    if x is not None and np.any(np.diff(x) < 0):
+        order = np.argsort(x)
+        x, slip, stick, separated = x[order], slip[:, order], stick[:, order], separated[:, order]
     bottom, top = (1e3 * x[0], 1e3 * x[-1]) if x is not None and len(x) > 1 else (0, slip.shape[1])
     rgb = [np.array(matplotlib.colors.to_rgb(c)) for c in (SLIP, STICK, SEPARATED)]
     image = sum(np.clip(np.nan_to_num(share), 0, 1)[..., None] * c

@@ -51,7 +51,7 @@ def _cell(run, value, place, unit):
         return "–"
     if unit == "%":
         return f"{number(100 * value, 3)} %"
-    text = quantity(value, unit)
+    text = quantity(value, "J" + run.per_thickness() if unit == "J/m" else unit)
     if place == ("global_interface_friction_coefficient",):
         half = run.number("global_interface_friction_coefficient_95")
         text += f" <small>± {number(half, 2)} (95 %)</small>" if half is not None else ""

@@ -94,7 +94,7 @@ def _phase_map(chain):
     raise Missing("no /phase/id in an rve.h5 and no /material/phase_id in a dynamics.h5")
 
 
-def _names(run, n):
+def phase_names(run, n):
     names = run.get("/phase/name")
     names = run.get("/material/name") if names is None else names
     if names is not None and len(names) >= n:
@@ -116,7 +116,7 @@ def morphology(chain):
     _show_window(zoom, window)
     shares = [100 * np.mean(ids == i) for i in range(n)]
     above(axes, [Patch(facecolor=colours(i), edgecolor="#adb5bd", label=f"{name} ({share:.1f} %)")
-                 for i, (name, share) in enumerate(zip(_names(run, n), shares))], columns=4)
+                 for i, (name, share) in enumerate(zip(phase_names(run, n), shares))], columns=4)
     return figure
 
 
@@ -201,3 +201,7 @@ def mean_von_mises(run):
         error = float(np.linalg.norm(localized - direct) / np.linalg.norm(direct))
     axes[-1].set_xlabel("x in mm")
     return figure, error
+
+
+def point_von_mises(run, name):
+    return _stress_figure(run.need(f"/points/{name}/mean_von_mises"), run.extent())

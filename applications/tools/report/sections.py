@@ -7,6 +7,7 @@ import energies
 import figures
 import key_numbers
 import maps
+import mesh_maps
 import paper
 from data import Missing
 from page import difference, escape, number, quantity, table
@@ -22,8 +23,11 @@ def plan(chain):
         result.append(("Beside the paper", [(key_numbers.beside_the_paper, run) for run in pins]))
     if chain.rve:
         result.append(("Stiffness", [(stiffness_table, run) for run in chain.rve]))
-    fields = [(morphology, chain)] if chain.rve or any(run.heterogeneous for run in chain.runs) else []
-    fields += [(rve_stress, run) for run in chain.rve if run.members("/concentration")]
+    on_mesh = [run for run in chain.rve if run.members("/mesh")]
+    on_grid = [run for run in chain.rve if run not in on_mesh]
+    fields = [(morphology, chain)] if on_grid or any(run.heterogeneous and run.grid() for run in chain.runs) else []
+    fields += [(rve_stress, run) for run in on_grid if run.members("/concentration")]
+    fields += [(make, run) for run in on_mesh for make in (mesh_morphology, mesh_stress)[: 1 + bool(run.members("/concentration"))]]
     fields += [(snapshot, run, chain) for run in chain.transient + chain.static if run.members("/snapshots")]
     if fields:
         result.append(("Morphology and von Mises stress", fields))
@@ -60,7 +64,7 @@ def runs_table(page, chain):
     for run in chain.runs:
         summary = run.summary
         grid = run.grid()
-        cells = " × ".join(number(int(n)) for n in grid[0]) if grid else "–"
+        cells = " × ".join(number(int(n)) for n in grid[0]) if grid else number(summary["cells"]) if summary.get("cells") else "–"
         what = run.program.replace("_", " ")
         if run.program == "contact_dynamics":
             material = run.kind if run in chain.transient else summary.get("material")
@@ -92,16 +96,19 @@ def stiffness_matrices(run):
             listed = run.summary.get("stiffness")
             value = listed.get(name) if isinstance(listed, dict) else None
         value = np.array(value, dtype=float) if value is not None else None
-        if value is not None and value.shape == (3, 3):
+        if value is not None and value.shape in ((3, 3), (6, 6)):
             matrices[f"{name}, mean of {ensemble.get('members')}" if mean is not None else name] = value
     return matrices
 
 
 def stiffness_entries(matrices):
-    """(label, i, j) of the rows: those of an orthotropic body, and D13 and D23 where they are not round-off."""
-    coupled = any(max(abs(m[0, 2]), abs(m[1, 2])) > 1e-6 * abs(m[2, 2]) for m in matrices.values())
-    shown = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
-    return [(f"D<sub>{i + 1}{j + 1}</sub>", i, j) for i, j in shown if coupled or i == j or j == 1]
+    """(label, i, j) of the rows: those of an orthotropic body, and of the couplings of shears those that are not round-off."""
+    n = len(next(iter(matrices.values())))
+    dim = 2 if n == 3 else 3
+    coupled = lambda i, j: any(abs(m[i, j]) > 1e-6 * np.sqrt(m[i, i] * m[j, j]) for m in matrices.values())
+    shown = [(i, j) for i in range(n) for j in range(i, n)]
+    plane = dim == 2 and (coupled(0, 2) or coupled(1, 2))
+    return [(f"D<sub>{i + 1}{j + 1}</sub>", i, j) for i, j in shown if i == j or j < dim or plane or (dim == 3 and coupled(i, j))]
 
 
 def gigapascal(value):
@@ -116,7 +123,7 @@ def stiffness_table(page, run):
     compared = paper.is_pin(run)
     rows = []
     for label, i, j in stiffness_entries(matrices):
-        reference = paper.STIFFNESS[i][j]
+        reference = paper.STIFFNESS[i][j] if compared else 0.0
         cells = [gigapascal(matrix[i, j]) + f" <small>({difference(matrix[i, j], reference)})</small>" * (compared and reference > 0)
                  for matrix in matrices.values()]
         rows.append([label] + [gigapascal(reference)] * compared + cells)
@@ -128,7 +135,8 @@ def stiffness_table(page, run):
                        ("symmetry residual", "symmetry_residual")]:
         if run.number(key) is not None:
             extra.append(f"{words} {number(run.number(key), 2)}")
-    extra.insert(0, "1 is xx, 2 is yy, 3 is the shear xy (engineering strain). Theory orders SUBC ≤ PBC ≤ KUBC")
+    order = "1 is xx, 2 is yy, 3 is the shear xy" if len(next(iter(matrices.values()))) == 3 else "1 to 6 are xx, yy, zz, yz, xz, xy"
+    extra.insert(0, f"{order} (engineering strain). Theory orders SUBC ≤ PBC ≤ KUBC")
     if compared:
         extra.insert(0, "In brackets: difference from eq. (10)")
     return (f"<h3>{escape(run.name)}</h3>" + table(["GPa"] + ["paper, eq. (10)"] * compared + list(matrices), rows) +
@@ -147,13 +155,28 @@ def rve_stress(page, run):
                        "percentile.")
 
 
+def mesh_morphology(page, run):
+    return page.figure(mesh_maps.morphology(run), f"Phases of {escape(run.name)} on their mesh{sections_of(run)}.")
+
+
+def mesh_stress(page, run):
+    figure, condition = mesh_maps.von_mises(run)
+    return page.figure(figure, f"Von Mises stress in {escape(run.name)} under {condition} with a strain whose mean stress is 0.5 MPa of "
+                               f"compression along the last axis alone{sections_of(run)}. The colour scale ends at the 99.5th percentile.")
+
+
+def sections_of(run):
+    return ", in the planes through the middle" if run.summary.get("dim") == 3 else ""
+
+
 def snapshot(page, run, chain):
-    figure = maps.snapshot_von_mises(run, chain)
+    on_mesh = bool(run.members("/mesh"))
+    figure = mesh_maps.snapshot_von_mises(run) if on_mesh else maps.snapshot_von_mises(run, chain)
     time = run.last("/snapshots/time")
     when = f" at t = {quantity(float(time), 's')}" if time is not None else ""
-    return page.figure(figure, f"Von Mises stress of the last snapshot of the {escape(run.label)} run{when}; "
-                               "below, the framed part of the contact. The colour scale ends at the 99.5th "
-                               "percentile.")
+    return page.figure(figure, f"Von Mises stress of the last snapshot of the {escape(run.label)} run{when}" +
+                       ("; below, the framed part of the contact" if not on_mesh else "") +
+                       ". The colour scale ends at the 99.5th percentile.")
 
 
 def apparent_friction(page, runs, regime):
@@ -250,7 +273,15 @@ def probe_errors(run, name):
 
 
 def mean_von_mises(page, run):
-    figure, error = maps.mean_von_mises(run)
+    module = mesh_maps if run.members("/mesh") else maps
+    points = "".join(page.figure(module.point_von_mises(run, name),
+                                 f"Von Mises stress averaged over time in the volume element at the point {escape(name)} of the body.")
+                     for name in run.members("/points"))
+    return points + (whole_body(page, run, module) if run.get("/mean_von_mises") is not None or not points else "")
+
+
+def whole_body(page, run, module):
+    figure, error = module.mean_von_mises(run)
     words = f" Relative L2 difference: {100 * error:.1f} %." if error is not None else \
         " No direct run was compared."
     return page.figure(figure, "Von Mises stress averaged over time." + words)

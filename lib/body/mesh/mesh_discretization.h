@@ -2,20 +2,15 @@
 #define mesoslip_body_mesh_mesh_discretization_h
 
 #include "body/elastic_body.h"
-#include "body/mesh/mesh_body.h"
+#include "body/mesh/distributed_mesh.h"
 
-#include <deal.II/distributed/fully_distributed_tria.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe.h>
-#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
 namespace mesoslip
 {
 /**
- * What deal.II and Trilinos make of a mesh: a triangulation divided among the ranks by
- * METIS, degrees of freedom, stiffness and mass. The degrees of freedom of duplicate
+ * Stiffness and mass of a mesh that is divided among the ranks. The degrees of freedom of duplicate
  * nodes are constrained to those of their originals; in vectors they are zero.
  *
  * For the few files that work with it: its headers take long to compile.
@@ -28,10 +23,16 @@ public:
   using Matrix = dealii::TrilinosWrappers::SparseMatrix; ///< owned rows
   using Index  = dealii::types::global_dof_index;        ///< a degree of freedom
 
-  /** Of @p body only layout and duplicates are used. Collective. */
+  /** Of @p body only layout, phases and duplicates are used. Collective. */
   MeshDiscretization(const Mesh<dim> &mesh,
                      const ElasticBody<dim> &body,
                      const MPI_Comm communicator);
+
+  /** What ML needs. @throws UserError if there are fewer cells than ranks */
+  void require_cells() const
+  {
+    distributed.require_cells();
+  }
 
   /** K (N/m) with the rows of duplicates added to those of their originals. */
   const Matrix &stiffness() const
@@ -64,15 +65,11 @@ public:
   void to_field(NodalField<double> &field, const Vector &vector) const;
 
 private:
-  void distribute(const Mesh<dim> &mesh);
-  void number_dofs(const Mesh<dim> &mesh);
-  void assemble(const std::vector<ElasticPhase<dim>> &phases);
+  void constrain_duplicates();
+  void assemble();
 
   const ElasticBody<dim> &body;
-  const MPI_Comm communicator;
-  dealii::parallel::fullydistributed::Triangulation<dim> triangulation;
-  std::unique_ptr<dealii::FiniteElement<dim>> element;
-  dealii::DoFHandler<dim> dof_handler;
+  const DistributedMesh<dim> distributed;
   dealii::AffineConstraints<double> constraints;
   std::vector<Index> dofs; ///< dim for each point of the mesh
   Matrix matrix;

@@ -3,10 +3,8 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
+#include <Eigen/Dense>
 #include <Epetra_CrsMatrix.h>
-#include <Teuchos_ParameterList.hpp>
-#include <ml_MultiLevelPreconditioner.h>
-#include <ml_utils.h>
 
 #include <cmath>
 #include <sstream>
@@ -17,8 +15,38 @@ namespace
 {
 constexpr unsigned int max_iterations = 2000;
 
-// With which ML starts on one process. It estimates eigenvalues from random vectors.
-constexpr int seed = 1073741823;
+/** Three nodes that are far from one another and not in line. */
+template <int dim>
+std::array<NodeIndex, 3> distant_nodes(const ElasticBody<dim> &body)
+{
+  using Vector         = Eigen::Matrix<double, dim, 1>;
+  const auto offset_of = [&](const NodeIndex &node, const NodeIndex &from) {
+    Vector offset;
+    for (unsigned int d = 0; d < dim; ++d)
+      offset[d] = body.point(node)[d] - body.point(from)[d];
+    return offset;
+  };
+  const auto farthest = [&](const auto &distance) {
+    NodeIndex best;
+    double most = -1.;
+    for (unsigned int j = 0; j < body.n_rows(); ++j)
+      for (unsigned int i = 0; i < body.n_columns(); ++i)
+        if (const double x = distance(NodeIndex{i, j}); x > most)
+          {
+            most = x;
+            best = {i, j};
+          }
+    return best;
+  };
+  const NodeIndex a = {0, 0}, b = farthest([&](const NodeIndex &node) {
+                                return offset_of(node, a).norm();
+                              });
+  const Vector line = offset_of(b, a).normalized();
+  return {{a, b, farthest([&](const NodeIndex &node) {
+             const Vector offset = offset_of(node, a);
+             return (offset - line * line.dot(offset)).norm();
+           })}};
+}
 } // namespace
 
 template <int dim>
@@ -65,13 +93,25 @@ void MlSolver<dim>::set_constrained(const DofMask &mask)
 template <int dim>
 void MlSolver<dim>::support(DofMask mask)
 {
-  // Neither is a duplicate where it matters: periodic bodies do not rotate.
-  const std::vector<NodeIndex> &nodes = body.surface(ElasticBody<dim>::bottom).nodes;
-  std::size_t n_free                  = motions.size();
-  for (const auto &[c, node] :
-       {std::make_pair(0U, nodes.front()), std::make_pair(1U, nodes.front()),
-        std::make_pair(1U, nodes.back())})
+  // None is a duplicate where it matters: periodic bodies do not rotate.
+  const std::vector<NodeIndex> &bottom = body.surface(ElasticBody<dim>::bottom).nodes;
+  std::vector<NodeIndex> nodes;
+  if (bottom.size() > 1)
+    nodes = {bottom.front(), bottom.back(), bottom[bottom.size() / 2], bottom[1]};
+  // A round body may have no lower side, or one that is too small to stand on.
+  for (const NodeIndex &node : distant_nodes(body))
+    nodes.push_back(node);
+  std::vector<std::pair<unsigned int, NodeIndex>> candidates;
+  for (unsigned int c = 0; c < dim; ++c)
+    candidates.emplace_back(c, nodes.front());
+  for (std::size_t k = 1; k < nodes.size(); ++k)
+    for (unsigned int c = dim; c-- > 0;)
+      candidates.emplace_back(c, nodes[k]);
+  std::size_t n_free = motions.size();
+  for (const auto &[c, node] : candidates)
     {
+      if (n_free == 0)
+        return;
       DofMask trial = mask;
       trial.constrain(c, node);
       const std::size_t n = free_rigid_motions(body, trial).size();
@@ -81,6 +121,7 @@ void MlSolver<dim>::support(DofMask mask)
       mask                               = trial;
       fixed[discretization.dof(c, node)] = true;
     }
+  Assert(n_free == 0, dealii::ExcInternalError());
 }
 
 // Dropping rows and columns keeps the matrix symmetric, which ML relies on. (deal.II's
@@ -108,30 +149,14 @@ void MlSolver<dim>::copy_without_fixed()
 template <int dim>
 void MlSolver<dim>::set_up_preconditioner()
 {
-  // ML takes the motions one after the other, zero where entries are fixed.
-  null_space.clear();
-  const auto rigid = free_rigid_motions(body, DofMask(body.n_columns(), body.n_rows()));
-  for (const NodalField<double> &field : rigid)
+  std::vector<Vector> rigid;
+  for (const NodalField<double> &field :
+       free_rigid_motions(body, DofMask(body.n_columns(), body.n_rows())))
     {
-      Vector motion = discretization.to_vector(field);
-      clear_fixed(motion);
-      null_space.insert(null_space.end(), motion.begin(), motion.end());
+      rigid.push_back(discretization.to_vector(field));
+      clear_fixed(rigid.back());
     }
-  Teuchos::ParameterList parameters;
-  ML_Epetra::SetDefaults("SA", parameters);
-  parameters.set("ML output", 0);
-  parameters.set("PDE equations", dim);
-  parameters.set("smoother: type", "Chebyshev");
-  parameters.set("smoother: sweeps", 2);
-  parameters.set("coarse: type", "Amesos-KLU");
-  parameters.set("aggregation: threshold", 1e-4);
-  parameters.set("null space: type", "pre-computed");
-  parameters.set("null space: dimension", static_cast<int>(rigid.size()));
-  parameters.set("null space: vectors", null_space.data());
-  parameters.set("null space: add default vectors", false);
-  // Otherwise results depended, within the tolerance, on what was solved before.
-  ML_set_random_seed(seed);
-  preconditioner.initialize(constrained, parameters);
+  preconditioner.initialize(constrained, dim, rigid);
 }
 
 template <int dim>
@@ -219,4 +244,5 @@ SolverReport MlSolver<dim>::solve_free(Vector &x,
 }
 
 template class MlSolver<2>;
+template class MlSolver<3>;
 } // namespace mesoslip

@@ -2,8 +2,7 @@
 #define mesoslip_body_mesh_ml_solver_h
 
 #include "body/mesh/mesh_discretization.h"
-
-#include <deal.II/lac/trilinos_precondition.h>
+#include "body/mesh/ml_preconditioner.h"
 
 namespace mesoslip
 {
@@ -47,8 +46,7 @@ private:
 
   /** Rows and columns of fixed degrees of freedom have only their diagonal. */
   typename MeshDiscretization<dim>::Matrix constrained;
-  std::vector<double> null_space;
-  dealii::TrilinosWrappers::PreconditionAMG preconditioner;
+  MlPreconditioner preconditioner;
 };
 } // namespace mesoslip
 

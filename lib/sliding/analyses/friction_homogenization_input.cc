@@ -95,7 +95,7 @@ void set_friction_coefficients(BodyDescription &body,
     throw UserError("Body/RVE file is empty, but " + run.folder +
                     " took its friction coefficients from the phases of one; name it");
   require_readable_file("Body/RVE file: ", rve_file, "run rve_homogenization first");
-  const RveFile rve(rve_file);
+  const RveFile<2> rve(rve_file);
   if (rve.digest != body.rve_digest)
     throw UserError("Body/RVE file: " + rve_file + " is not the one that " + run.folder +
                     " was run with (digest " + rve.digest + ", there " + body.rve_digest +

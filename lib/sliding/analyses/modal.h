@@ -1,7 +1,7 @@
 #ifndef mesoslip_sliding_analyses_modal_h
 #define mesoslip_sliding_analyses_modal_h
 
-#include "eigenvalues/vibration_modes.h"
+#include "sliding/analyses/modal_cases.h"
 #include "sliding/body_analysis.h"
 
 namespace mesoslip
@@ -14,10 +14,8 @@ DofMask modal_constraints(const ContactParameters &parameters,
                           const UniformMaterial &material,
                           const bool bottom_held);
 
-/** Number of modes, tolerance, and the platen if the run has one at its start. */
-VibrationModesOptions modal_options(const ContactParameters &parameters);
-
-/** Analysis "modal": frequencies and shapes in modes.csv, modal.h5 and modal.xdmf. */
+/** Analysis "modal" on a grid: frequencies and shapes in modes.csv, modal.h5 and
+ * modal.xdmf. */
 class ModalAnalysis : public BodyAnalysis
 {
 public:

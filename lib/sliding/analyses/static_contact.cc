@@ -136,7 +136,7 @@ void check_static_contact(const ContactParameters &parameters,
              slides = sliding_direction(parameters) != 0,
              held_x = sides.left_held[0] || sides.right_held[0],
              held_y = sides.left_held[1] || sides.right_held[1],
-             pulled = parameters.step.acceleration != std::array<double, 2>{};
+             pulled = parameters.step.is_heavy();
   require(top.kind != TopSetup::Kind::held,
           "Top/Kind is held, so nothing presses the body on the flat; use platen or "
           "pressure for a static contact analysis");

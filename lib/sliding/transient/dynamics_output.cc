@@ -52,7 +52,7 @@ DynamicsOutput::DynamicsOutput(RunContext &context,
     }
 }
 
-void DynamicsOutput::begin_snapshots(const Stepper<2> &of_stepper,
+void DynamicsOutput::begin_snapshots(const Stepper &of_stepper,
                                      const std::uint64_t n_done)
 {
   stepper     = &of_stepper;

@@ -36,7 +36,7 @@ public:
    * file already, of the run that is continued. Collective. @throws UserError if they are
    * not
    */
-  void begin_snapshots(const Stepper<2> &of_stepper, const std::uint64_t n_done);
+  void begin_snapshots(const Stepper &of_stepper, const std::uint64_t n_done);
 
   std::uint64_t next_step(const std::uint64_t n) const override;
 
@@ -61,9 +61,9 @@ private:
   const BodyDescription &body;
   const double dt;
   std::optional<DynamicsFile> file;
-  std::vector<std::uint64_t> steps;    ///< of all snapshots, those to come as well
-  const Stepper<2> *stepper = nullptr; ///< whose snapshots they are
-  std::size_t n_snapshots   = 0;       ///< written so far
+  std::vector<std::uint64_t> steps;  ///< of all snapshots, those to come as well
+  const Stepper *stepper  = nullptr; ///< whose snapshots they are
+  std::size_t n_snapshots = 0;       ///< written so far
 };
 } // namespace mesoslip
 

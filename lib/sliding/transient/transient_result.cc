@@ -19,15 +19,6 @@ constexpr double spectrum_cut = 1e6; // Hz
  */
 constexpr double nominal_tolerance = 0.05;
 
-std::vector<double> quotients(const std::vector<double> &tangential,
-                              const std::vector<double> &normal)
-{
-  std::vector<double> ratio(std::min(tangential.size(), normal.size()));
-  for (std::size_t k = 0; k < ratio.size(); ++k)
-    ratio[k] = normal[k] != 0. ? tangential[k] / normal[k] : 0.;
-  return ratio;
-}
-
 template <typename T>
 std::vector<T> tail(const std::vector<T> &values, const std::size_t first)
 {

@@ -1,0 +1,57 @@
+#ifndef mesoslip_body_mesh_cell_values_h
+#define mesoslip_body_mesh_cell_values_h
+
+#include "body/mesh/distributed_mesh.h"
+#include "material/voigt.h"
+
+#include <deal.II/hp/fe_values.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace mesoslip
+{
+/** Strain (engineering shear) of each shape function in a column. */
+template <int dim>
+using ShapeStrains = Eigen::Matrix<double, n_voigt<dim>, Eigen::Dynamic>;
+
+/** Strains of the shape functions at quadrature point @p q. */
+template <int dim>
+ShapeStrains<dim> shape_strains(const dealii::FEValues<dim> &values, const unsigned int q)
+{
+  const auto &element  = values.get_fe();
+  const unsigned int n = element.n_dofs_per_cell();
+  ShapeStrains<dim> B  = ShapeStrains<dim>::Zero(n_voigt<dim>, n);
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      const unsigned int c = element.system_to_component_index(i).first;
+      const auto gradient  = values.shape_grad(i, q);
+      for (unsigned int d = 0; d < dim; ++d)
+        B(voigt_index<dim>(c, d), i) = gradient[d];
+    }
+  return B;
+}
+
+/** Calls @p action (cell, FEValues, degrees of freedom) for each cell of this rank. */
+template <int dim, typename Action>
+void for_each_cell(const DistributedMesh<dim> &mesh, const Action &action)
+{
+  using namespace dealii;
+  hp::FEValues<dim> hp_values(mesh.mapping(), mesh.dofs().get_fe_collection(),
+                              mesh.quadrature(),
+                              update_values | update_gradients | update_JxW_values);
+  std::vector<typename DistributedMesh<dim>::Index> indices;
+  for (const auto &cell : mesh.dofs().active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        hp_values.reinit(cell);
+        const FEValues<dim> &values = hp_values.get_present_fe_values();
+        indices.resize(values.get_fe().n_dofs_per_cell());
+        cell->get_dof_indices(indices);
+        action(*cell, values, indices);
+      }
+}
+} // namespace mesoslip
+
+#endif

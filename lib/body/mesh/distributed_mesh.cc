@@ -1,0 +1,139 @@
+#include "body/mesh/distributed_mesh.h"
+
+#include "base/errors.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/mpi.templates.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <map>
+#include <unordered_map>
+
+namespace mesoslip
+{
+namespace
+{
+namespace mpi = dealii::Utilities::MPI;
+
+/** On rank 0 the points' places in the mesh: a cell and which of its corners. */
+template <int dim>
+std::vector<std::array<unsigned int, 2>>
+find_corners(const Mesh<dim> &mesh, const std::vector<unsigned int> &points)
+{
+  using Corner = std::array<unsigned int, 2>;
+  std::unordered_map<unsigned int, Corner> corner_of;
+  for (const unsigned int p : points)
+    corner_of[p] = Corner();
+  for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+    for (unsigned int v = 0; v < mesh.cells[cell].vertices.size(); ++v)
+      {
+        const auto found = corner_of.find(mesh.cells[cell].vertices[v]);
+        if (found != corner_of.end())
+          found->second = {{cell, v}};
+      }
+  std::vector<Corner> corners;
+  for (const unsigned int p : points)
+    corners.push_back(corner_of[p]);
+  return corners;
+}
+} // namespace
+
+template <int dim>
+DistributedMesh<dim>::DistributedMesh(const Mesh<dim> &mesh, const MPI_Comm communicator)
+  : triangulation(communicator)
+  , elements(dealii::FESystem<dim>(dealii::FE_Q<dim>(1), dim),
+             dealii::FESystem<dim>(dealii::FE_SimplexP<dim>(1), dim))
+  , mappings(dealii::MappingQ<dim>(1),
+             dealii::MappingFE<dim>(dealii::FE_SimplexP<dim>(1)))
+  , quadratures(dealii::QGauss<dim>(2), dealii::QGaussSimplex<dim>(2))
+  , dof_handler(triangulation)
+{
+  using namespace dealii;
+  const unsigned int n_ranks = mpi::n_mpi_processes(communicator);
+  const auto create          = [&mesh](Triangulation<dim> &serial) {
+    serial.create_triangulation(mesh.points, mesh.cells, SubCellData());
+  };
+  const auto divide = [n_ranks](Triangulation<dim> &serial, MPI_Comm, unsigned int) {
+    GridTools::partition_triangulation(n_ranks, serial,
+                                       SparsityTools::Partitioner::metis);
+  };
+  triangulation.create_triangulation(
+    TriangulationDescription::Utilities::create_description_from_triangulation_in_groups<
+      dim, dim>(create, divide, communicator, n_ranks));
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      cell->set_active_fe_index(cell->reference_cell().is_simplex() ? 1 : 0);
+  dof_handler.distribute_dofs(elements);
+  DoFTools::extract_locally_relevant_dofs(dof_handler, relevant_dofs);
+}
+
+template <int dim>
+std::vector<typename DistributedMesh<dim>::Index>
+DistributedMesh<dim>::dofs_of_points(const Mesh<dim> &mesh,
+                                     const std::vector<unsigned int> &points) const
+{
+  const auto corners = mpi::broadcast(communicator(), find_corners(mesh, points));
+  std::unordered_map<unsigned int, std::vector<std::size_t>> of_cell;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    of_cell[corners[k][0]].push_back(k);
+  std::vector<Index> known(dim * corners.size(), 0), result(known.size());
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        const auto found = of_cell.find(cell->id().get_coarse_cell_id());
+        if (found != of_cell.end())
+          for (const std::size_t k : found->second)
+            for (unsigned int c = 0; c < dim; ++c)
+              known[dim * k + c] =
+                cell->vertex_dof_index(corners[k][1], c, cell->active_fe_index());
+      }
+  mpi::max(known, communicator(), result);
+  return result;
+}
+
+template <int dim>
+void DistributedMesh<dim>::require_cells() const
+{
+  const auto n_cells         = triangulation.n_global_active_cells();
+  const unsigned int n_ranks = mpi::n_mpi_processes(communicator());
+  if (n_cells < n_ranks)
+    throw UserError("ml cannot divide a mesh of " + std::to_string(n_cells) +
+                    " cells among " + std::to_string(n_ranks) +
+                    " ranks; start at most as many ranks as there are cells");
+}
+
+void tie_duplicates(
+  const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates,
+  const dealii::IndexSet &relevant,
+  dealii::AffineConstraints<double> &constraints)
+{
+  // Corners are duplicates of duplicates; each is led on to its last original.
+  std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> originals;
+  for (auto pair = duplicates.rbegin(); pair != duplicates.rend(); ++pair)
+    {
+      const auto next       = originals.find((*pair)[1]);
+      originals[(*pair)[0]] = next == originals.end() ? (*pair)[1] : next->second;
+    }
+  dealii::IndexSet used = relevant;
+  for (const auto &[duplicate, original] : originals)
+    if (relevant.is_element(duplicate))
+      used.add_index(original);
+  constraints.reinit(used);
+  for (const auto &[duplicate, original] : originals)
+    if (relevant.is_element(duplicate))
+      {
+        constraints.add_line(duplicate);
+        constraints.add_entry(duplicate, original, 1.);
+      }
+}
+
+template class DistributedMesh<2>;
+template class DistributedMesh<3>;
+} // namespace mesoslip

@@ -1,0 +1,95 @@
+#ifndef mesoslip_body_mesh_distributed_mesh_h
+#define mesoslip_body_mesh_distributed_mesh_h
+
+#include "mesh/mesh.h"
+
+#include <deal.II/distributed/fully_distributed_tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/hp/fe_collection.h>
+#include <deal.II/hp/mapping_collection.h>
+#include <deal.II/hp/q_collection.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <array>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * A mesh divided among the ranks by METIS, with dim degrees of freedom a point, linear
+ * displacements on simplices and bilinear or trilinear ones on quadrilaterals and
+ * hexahedra.
+ *
+ * For the few files that work with it: its headers take long to compile.
+ */
+template <int dim>
+class DistributedMesh
+{
+public:
+  using Index = dealii::types::global_dof_index; ///< a degree of freedom
+
+  /** Divides @p mesh, which only rank 0 has to have. Collective. */
+  DistributedMesh(const Mesh<dim> &mesh, const MPI_Comm communicator);
+
+  /** What ML needs. @throws UserError if there are fewer cells than ranks */
+  void require_cells() const;
+
+  /** Its active FE index is 1 for simplices, 0 for other cells. */
+  const dealii::DoFHandler<dim> &dofs() const
+  {
+    return dof_handler;
+  }
+
+  /** Degrees of freedom of the cells that this rank owns and of their neighbours. */
+  const dealii::IndexSet &relevant() const
+  {
+    return relevant_dofs;
+  }
+
+  /** Linear mappings, by active FE index. */
+  const dealii::hp::MappingCollection<dim> &mapping() const
+  {
+    return mappings;
+  }
+
+  /** Exact for quadratic functions, by active FE index. */
+  const dealii::hp::QCollection<dim> &quadrature() const
+  {
+    return quadratures;
+  }
+
+  /** The ranks that share the mesh. */
+  MPI_Comm communicator() const
+  {
+    return triangulation.get_communicator();
+  }
+
+  /**
+   * The dim degrees of freedom of each of @p points, one point after the other, on all
+   * ranks. Mesh and points are those of rank 0. Collective.
+   */
+  std::vector<Index> dofs_of_points(const Mesh<dim> &mesh,
+                                    const std::vector<unsigned int> &points) const;
+
+private:
+  dealii::parallel::fullydistributed::Triangulation<dim> triangulation;
+  dealii::hp::FECollection<dim> elements;
+  dealii::hp::MappingCollection<dim> mappings;
+  dealii::hp::QCollection<dim> quadratures;
+  dealii::DoFHandler<dim> dof_handler;
+  dealii::IndexSet relevant_dofs;
+};
+
+/**
+ * Constrains duplicate degrees of freedom to be equal to their originals, axis after axis:
+ * the original of one pair may be the duplicate of a later one. Only those among
+ * @p relevant get a line; their originals, on whatever rank, become local to
+ * @p constraints, which is left open.
+ */
+void tie_duplicates(
+  const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates,
+  const dealii::IndexSet &relevant,
+  dealii::AffineConstraints<double> &constraints);
+} // namespace mesoslip
+
+#endif

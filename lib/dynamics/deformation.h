@@ -1,0 +1,57 @@
+#ifndef mesoslip_dynamics_deformation_h
+#define mesoslip_dynamics_deformation_h
+
+#include "grid/nodal_field.h"
+#include "grid/row_partition.h"
+#include "grid/uniform_grid.h"
+#include "mesh/mesh_part.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <mpi.h>
+
+namespace mesoslip
+{
+/** The cell with the largest or smallest value of something. */
+struct CellExtreme
+{
+  double value                 = 0.; ///< of the quantity
+  std::uint64_t cell           = 0;  ///< its number in the mesh; of a grid row by row
+  std::array<double, 3> middle = {}; ///< of the cell (m)
+};
+
+/** How far a body is from small strains and rotations; NaN counts as infinite. */
+struct Deformation
+{
+  /** Largest norm sqrt(eps : eps) of the strain in the middle of a cell [-]. */
+  CellExtreme strain;
+
+  /** Largest rotation in the middle of a cell, half the norm of curl u [rad]. */
+  CellExtreme rotation;
+
+  /**
+   * Smallest determinant of the deformation gradient 1 + grad u at a corner of a cell; a
+   * cell is turned inside out where it is not positive [-].
+   */
+  CellExtreme jacobian = {std::numeric_limits<double>::infinity(), 0, {}};
+};
+
+/**
+ * The extremes over all cells, the first of equal ones in the order of the cells, so that
+ * they do not depend on the number of ranks. @p u has the rows of @p rows with up-to-date
+ * ghost rows (m). Collective.
+ */
+Deformation largest_deformation(const UniformGrid<2> &grid,
+                                const NodeRows &rows,
+                                const NodalField<double> &u,
+                                const MPI_Comm communicator);
+
+/** The same on a mesh, where @p u (m) has a column for each point of @p part. */
+template <int dim>
+Deformation largest_deformation(const MeshPart<dim> &part,
+                                const NodalField<double> &u,
+                                const MPI_Comm communicator);
+} // namespace mesoslip
+
+#endif

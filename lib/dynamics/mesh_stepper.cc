@@ -1,0 +1,189 @@
+#include "dynamics/mesh_stepper.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace mesoslip
+{
+namespace
+{
+template <int dim>
+constexpr unsigned int stride = kernels::node_stride<dim>;
+
+template <int dim>
+std::optional<NodeIndex> owned_point(const MeshPart<dim> &part,
+                                     const std::optional<unsigned int> point)
+{
+  for (unsigned int i = 0; point && i < part.n_owned; ++i)
+    if (part.point_in_mesh[i] == *point)
+      return NodeIndex{i, 0};
+  return {};
+}
+
+template <int dim>
+kernels::NodeArrays node_arrays(NodalField<double> &u,
+                                NodalField<double> &w,
+                                const NodalField<double> &inverse_mass,
+                                const double *mass,
+                                LineVector<double> &z,
+                                LineVector<double> &force)
+{
+  kernels::NodeArrays a = {};
+  a.n                   = u.n_columns();
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      a.u[c]            = u.row(c, 0);
+      a.w[c]            = w.row(c, 0);
+      a.inverse_mass[c] = inverse_mass.row(c, 0);
+    }
+  a.mass  = mass;
+  a.z     = z.data();
+  a.force = force.data();
+  return a;
+}
+} // namespace
+
+template <int dim>
+MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
+                              const std::vector<HeldComponent> &held,
+                              const StepParameters &parameters,
+                              NodalField<double> &u,
+                              NodalField<double> &w,
+                              const std::optional<unsigned int> top_point)
+  : Stepper(parameters,
+            u,
+            w,
+            NodeRows::all(1),
+            op.part.n_owned,
+            owned_point(op.part, top_point),
+            op.communicator)
+  , op(op)
+  , inverse_mass(u.n_columns(), 1, dim)
+  , own_mass(u.n_columns(), 1, 1)
+  , z(op.zero_field())
+  , force(z)
+  , arrays(node_arrays<dim>(
+      u, w, inverse_mass, parameters.is_heavy() ? own_mass.row(0, 0) : nullptr, z, force))
+{
+  const std::vector<unsigned int> &in_mesh = op.part.point_in_mesh;
+  AssertDimension(u.n_columns(), in_mesh.size());
+  AssertDimension(w.n_columns(), in_mesh.size());
+  for (std::size_t i = 0; i < in_mesh.size(); ++i)
+    {
+      const double mass     = op.lumped_mass()[i];
+      own_mass.row(0, 0)[i] = i < op.part.n_owned ? mass : 0.;
+      for (unsigned int c = 0; c < dim; ++c)
+        inverse_mass.row(c, 0)[i] = 1. / mass;
+    }
+  std::vector<std::pair<unsigned int, unsigned int>> local;
+  for (unsigned int i = 0; i < in_mesh.size(); ++i)
+    local.emplace_back(in_mesh[i], i);
+  std::sort(local.begin(), local.end());
+  for (const HeldComponent &h : held)
+    {
+      const auto found =
+        std::lower_bound(local.begin(), local.end(), std::make_pair(h.point, 0U));
+      if (found != local.end() && found->first == h.point)
+        inverse_mass.row(h.component, 0)[found->second] = 0.;
+    }
+}
+
+template <int dim>
+void MeshStepper<dim>::add_surface(const std::vector<unsigned int> &points_in_mesh,
+                                   SurfaceCondition<dim> &condition)
+{
+  surfaces.push_back(std::make_unique<MeshSurface<dim>>(
+    points_in_mesh, op.part, inverse_mass, condition, communicator));
+}
+
+template <int dim>
+void MeshStepper<dim>::advance(const std::uint64_t n_steps)
+{
+  load_state();
+  for (std::uint64_t k = 0; k < n_steps; ++k)
+    step_once();
+}
+
+/** From u and w, which may have been changed since the last step: a step of no length. */
+template <int dim>
+void MeshStepper<dim>::load_state()
+{
+  std::fill(force.begin(), force.end(), 0.);
+  op.advance(arrays, node_step(0., 0., 0.));
+  for (const auto &surface : surfaces)
+    surface->load(u, w);
+}
+
+template <int dim>
+kernels::NodeStep
+MeshStepper<dim>::node_step(const double dt, const double c_new, const double c_old) const
+{
+  const auto &g = parameters.acceleration;
+  return {dt, c_new, c_old, parameters.beta, {g[0], g[1], g[2]}};
+}
+
+template <int dim>
+void MeshStepper<dim>::step_once()
+{
+  op.add_product(force.data(), z.data());
+  for (const auto &surface : surfaces)
+    surface->start(force.data(), stride<dim>);
+  const double dt = parameters.dt, beta2 = parameters.beta2;
+  op.advance(arrays, node_step(dt, dt * (beta2 + 0.5), -dt * (beta2 - 0.5)));
+  for (const auto &surface : surfaces)
+    {
+      surface->finish(n_done, static_cast<double>(n_done) * dt, u, w);
+      for (const unsigned int i : surface->local_points())
+        for (unsigned int c = 0; c < dim; ++c)
+          z[i * stride<dim> + c] = u.row(c, 0)[i] + parameters.beta * w.row(c, 0)[i];
+    }
+  ++n_done;
+}
+
+template <int dim>
+void MeshStepper<dim>::multiply(NodalField<double> &Kx, NodalField<double> &x) const
+{
+  LineVector<double> in = op.zero_field(), out = in;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (std::size_t i = 0; i < arrays.n; ++i)
+      in[i * stride<dim> + c] = x.row(c, 0)[i];
+  op.add_product(out.data(), in.data());
+  for (unsigned int c = 0; c < dim; ++c)
+    for (std::size_t i = 0; i < arrays.n; ++i)
+      Kx.row(c, 0)[i] = out[i * stride<dim> + c];
+}
+
+template <int dim>
+double MeshStepper<dim>::elastic_energy() const
+{
+  NodalField<double> Ku(u.n_columns(), 1, dim);
+  multiply(Ku, u);
+  double sum = 0.;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int i = 0; i < n_distinct; ++i)
+      sum += u.row(c, 0)[i] * Ku.row(c, 0)[i];
+  return 0.5 * sum;
+}
+
+template <int dim>
+void MeshStepper<dim>::mass_row(const unsigned int, double *mass) const
+{
+  std::copy(op.lumped_mass().begin(), op.lumped_mass().end(), mass);
+}
+
+template <int dim>
+Deformation MeshStepper<dim>::deformation() const
+{
+  return largest_deformation(op.part, u, communicator);
+}
+
+template <int dim>
+std::string MeshStepper<dim>::kernel_name() const
+{
+  return op.kernel_name();
+}
+
+template class MeshStepper<2>;
+template class MeshStepper<3>;
+} // namespace mesoslip

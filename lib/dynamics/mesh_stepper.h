@@ -1,0 +1,77 @@
+#ifndef mesoslip_dynamics_mesh_stepper_h
+#define mesoslip_dynamics_mesh_stepper_h
+
+#include "dynamics/mesh_surface.h"
+#include "dynamics/stepper.h"
+#include "elasticity/mesh_operator.h"
+
+#include <memory>
+#include <vector>
+
+namespace mesoslip
+{
+/** A component of a point of a mesh whose acceleration is kept at zero. */
+struct HeldComponent
+{
+  unsigned int point     = 0; ///< index into the whole mesh
+  unsigned int component = 0; ///< 0: x
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &point &component;
+  }
+};
+
+/**
+ * Explicit time integration of a mesh by the beta2 scheme, see ExplicitStepper:
+ *
+ *     a = M^-1 (boundary forces + M g - K (u + beta w))
+ *     w += dt a,   u += dt w + (beta2 - 1/2) dt^2 a
+ *
+ * Points of several ranks are advanced by all of them, with the same bits. u and w are one
+ * row with a column for each point of the part, owned ones first.
+ */
+template <int dim>
+class MeshStepper : public Stepper
+{
+public:
+  /** @p op and the fields must outlive the stepper; @p top_point of the whole mesh carries
+   * the platen. Collective. */
+  MeshStepper(const MeshOperator<dim> &op,
+              const std::vector<HeldComponent> &held,
+              const StepParameters &parameters,
+              NodalField<double> &u,
+              NodalField<double> &w,
+              const std::optional<unsigned int> top_point = {});
+
+  /** From now on @p condition moves the given points of the whole mesh, in their order,
+   * and must outlive the last step. No point may be in two surfaces. Collective. */
+  void add_surface(const std::vector<unsigned int> &points_in_mesh,
+                   SurfaceCondition<dim> &condition);
+
+  void advance(const std::uint64_t n_steps) override;
+  void multiply(NodalField<double> &Kx, NodalField<double> &x) const override;
+  double elastic_energy() const override;
+  void mass_row(const unsigned int j, double *mass) const override;
+  Deformation deformation() const override;
+  std::string kernel_name() const override;
+
+private:
+  void load_state();
+  void step_once();
+  kernels::NodeStep
+  node_step(const double dt, const double c_new, const double c_old) const;
+
+  const MeshOperator<dim> &op;
+  NodalField<double> inverse_mass; ///< m/kg, 0 where held
+  NodalField<double> own_mass;     ///< of owned points, 0 of others
+  LineVector<double> z;            ///< u + beta w
+  LineVector<double> force;
+  const kernels::NodeArrays arrays;
+  std::vector<std::unique_ptr<MeshSurface<dim>>> surfaces;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,61 @@
+#ifndef mesoslip_exchange_body_snapshots_h
+#define mesoslip_exchange_body_snapshots_h
+
+#include "exchange/run_description.h"
+#include "io/hdf5_file.h"
+#include "mesh/mesh.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * dynamics.h5 of a body on a grid or on a mesh, opened for reading both alike: the nodes
+ * and cells of a grid are those of a mesh, x fastest. Errors name the file, the dataset
+ * and what to run.
+ */
+template <int dim>
+class BodySnapshots
+{
+public:
+  /** @throws UserError; @p hint follows where the file is missing */
+  BodySnapshots(const std::string &path, const std::string &hint);
+
+  /** The path given. */
+  const std::string &path() const
+  {
+    return file.path();
+  }
+
+  /** A sentence if contact_dynamics did not write the file as it is; else empty. */
+  std::string change_note() const
+  {
+    return file.change_note("contact_dynamics");
+  }
+
+  /** Times of the snapshots, ascending (s). @throws UserError without any */
+  std::vector<double> times() const;
+
+  /** Displacement of all points in snapshot number @p k (m) [n_points][dim]. */
+  std::vector<double> displacement(const std::size_t k) const;
+
+  /** Points and cells, with their phases as material_id. */
+  Mesh<dim> mesh() const;
+
+private:
+  const Hdf5File file;
+
+public:
+  const bool is_grid;           ///< whether the body is one
+  const std::string digest;     ///< of what determines the content
+  const std::string rve_digest; ///< of the rve.h5 of its material; empty when unknown
+  const std::vector<Phase<dim>> phases; ///< by index, without friction
+
+  /** Under what the run was made; nothing if the file does not tell. */
+  const std::optional<RunConditions> conditions;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,122 @@
+#include "exchange/mesh_datasets.h"
+
+#include "base/errors.h"
+#include "exchange/datasets.h"
+
+namespace mesoslip
+{
+namespace
+{
+constexpr unsigned int kinds[2][2] = {{4, 5}, {6, 9}}; ///< simplex, hypercube
+
+/** Number of corners of a cell of @p kind; 0: there is no such cell. */
+template <int dim>
+unsigned int n_corners(const unsigned int kind)
+{
+  return kind == kinds[dim - 2][0] ? dim + 1 : kind == kinds[dim - 2][1] ? 1U << dim : 0;
+}
+
+/** From corners in the order of deal.II to those around faces, or back. */
+template <int dim>
+void turn_faces(unsigned int *corners, const std::size_t n)
+{
+  for (std::size_t face = 2; n != dim + 1 && face < n; face += 4)
+    std::swap(corners[face], corners[face + 1]);
+}
+
+template <int dim>
+std::vector<dealii::CellData<dim>> cells_of(const std::vector<unsigned int> &topology,
+                                            const std::size_t n_points,
+                                            const std::string &broken)
+{
+  std::vector<dealii::CellData<dim>> cells;
+  for (std::size_t at = 0; at < topology.size();)
+    {
+      const unsigned int n = n_corners<dim>(topology[at++]);
+      if (n == 0 || at + n > topology.size())
+        throw UserError(broken);
+      auto &corners = cells.emplace_back(n).vertices;
+      for (unsigned int &corner : corners)
+        if ((corner = topology[at++]) >= n_points)
+          throw UserError(broken);
+      turn_faces<dim>(corners.data(), n);
+    }
+  return cells;
+}
+} // namespace
+
+template <int dim>
+std::size_t topology_size(const Mesh<dim> &mesh)
+{
+  std::size_t n = 0;
+  for (const auto &cell : mesh.cells)
+    n += 1 + cell.vertices.size();
+  return n;
+}
+
+template <int dim>
+void write_mesh(Hdf5File &file, const Mesh<dim> &mesh)
+{
+  std::vector<double> points;
+  for (const auto &point : mesh.points)
+    for (unsigned int d = 0; d < dim; ++d)
+      points.push_back(point[d]);
+  write_dataset(file, "/mesh/points", {mesh.points.size(), dim}, points, "m");
+
+  std::vector<unsigned int> topology;
+  topology.reserve(topology_size(mesh));
+  for (const auto &cell : mesh.cells)
+    {
+      const auto &v = cell.vertices;
+      topology.push_back(kinds[dim - 2][v.size() == dim + 1 ? 0 : 1]);
+      topology.insert(topology.end(), v.begin(), v.end());
+      turn_faces<dim>(&topology[topology.size() - v.size()], v.size());
+    }
+  write_dataset(file, "/mesh/topology", {topology.size()}, topology);
+}
+
+template <int dim>
+Mesh<dim> read_mesh_cells(const Hdf5File &file, const std::string &program)
+{
+  const auto points =
+    file.read<double>("/mesh/points", {any_extent, dim}, program + " writes it");
+  file.require_unit("/mesh/points", "m");
+  Mesh<dim> mesh;
+  for (std::size_t k = 0; k < points.size(); k += dim)
+    {
+      auto &point = mesh.points.emplace_back();
+      for (unsigned int d = 0; d < dim; ++d)
+        point[d] = points[k + d];
+    }
+  mesh.cells = cells_of<dim>(
+    file.read<unsigned int>("/mesh/topology", {any_extent}, program + " writes it"),
+    mesh.points.size(),
+    file.path() + ": /mesh/topology is no list of cells and their corners; run " +
+      program + " again");
+  return mesh;
+}
+
+Mesh<2> mesh_of_cells(const UniformGrid<2> &grid)
+{
+  Mesh<2> mesh;
+  const unsigned int n_columns = grid.cells[0] + 1;
+  for (unsigned int j = 0; j <= grid.cells[1]; ++j)
+    for (unsigned int i = 0; i < n_columns; ++i)
+      mesh.points.emplace_back(grid.origin[0] + i * grid.spacing[0],
+                               grid.origin[1] + j * grid.spacing[1]);
+  for (unsigned int j = 0; j < grid.cells[1]; ++j)
+    for (unsigned int i = 0; i < grid.cells[0]; ++i)
+      {
+        const unsigned int lower = j * n_columns + i, upper = lower + n_columns;
+        mesh.cells.emplace_back(4).vertices = {lower, lower + 1, upper, upper + 1};
+      }
+  return mesh;
+}
+
+template std::size_t topology_size(const Mesh<2> &);
+template std::size_t topology_size(const Mesh<3> &);
+template void write_mesh(Hdf5File &, const Mesh<2> &);
+template void write_mesh(Hdf5File &, const Mesh<3> &);
+template Mesh<2> read_mesh_cells(const Hdf5File &, const std::string &);
+template Mesh<3> read_mesh_cells(const Hdf5File &, const std::string &);
+} // namespace mesoslip

@@ -1,0 +1,190 @@
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "grid/uniform_grid.h"
+#include "homogenization/volume_analysis.h"
+#include "material/plausibility.h"
+#include "program/run_context.h"
+
+#include <ostream>
+
+namespace mesoslip
+{
+namespace
+{
+EnsembleMember<2> compute_member(const RveParameters &parameters,
+                                 const Microstructure &microstructure,
+                                 const MPI_Comm communicator,
+                                 const bool keep_concentration,
+                                 const LoadCaseProgress &progress,
+                                 Timer &timer)
+{
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  const UniformMaterial material = make_material(microstructure);
+  EnsembleMember<2> member;
+  member.origin    = "seed " + std::to_string(parameters.microstructure.placement.seed);
+  member.warnings  = microstructure.warnings;
+  member.fractions = area_fractions(microstructure.map, microstructure.phases.size());
+  const auto body  = make_body(material, parameters.solver, communicator);
+  auto solutions   = solve_load_cases(*body, parameters.conditions, parameters.tolerance,
+                                      communicator, progress, &timer);
+  const auto scope = timer.scope("Responses");
+  for (LoadCaseSolutions &solution : solutions)
+    {
+      if (rank == 0 || body->is_distributed())
+        member.responses.push_back(
+          homogenize(*body, solution, rank == 0 && keep_concentration));
+      solution.displacement = {};
+    }
+  return member;
+}
+
+void set_first(RveResults<2> &results, const Microstructure &microstructure)
+{
+  results.first.grid     = microstructure.map.grid;
+  results.first.phases   = microstructure.phases;
+  results.first.phase_id = microstructure.map.id;
+  results.rectangles     = microstructure.rectangles;
+  results.n_nodes        = microstructure.map.grid.n_nodes();
+}
+
+// A single member shares its load cases among the ranks; several are dealt out whole.
+RveResults<2> compute_members(const RveParameters &parameters, RunContext &context)
+{
+  RveResults<2> results;
+  const unsigned int n = parameters.n_members;
+  results.members.resize(n);
+  const unsigned int n_cases = 3 * parameters.conditions.size();
+  context.progress().start("Load cases", std::uint64_t{n} * n_cases);
+  for (unsigned int m = 0; m < n; ++m)
+    {
+      if (n > 1 && static_cast<int>(m) % context.n_ranks() != context.rank())
+        continue;
+      RveParameters own = parameters;
+      own.microstructure.placement.seed += m;
+      const Microstructure microstructure = [&]() {
+        const auto scope = context.timer().scope("Microstructure");
+        return make_microstructure(own.microstructure);
+      }();
+      if (m == 0)
+        {
+          context.log("Grid: " + size_text(microstructure.map.grid));
+          for (const std::string &line : microstructure.description)
+            context.log(line);
+        }
+      for (const std::string &warning : microstructure.warnings)
+        if (n == 1) // those of several are told apart when all are known
+          context.warn(warning);
+      const auto scope   = context.timer().scope("Load cases");
+      results.members[m] = compute_member(
+        own, microstructure, n > 1 ? MPI_COMM_SELF : context.communicator(),
+        parameters.write_concentration && m == 0,
+        [&](const unsigned int done, const unsigned int) {
+          context.progress().update(m * n_cases + done);
+        },
+        context.timer());
+      if (m == 0)
+        set_first(results, microstructure);
+    }
+  context.progress().finish();
+  for (unsigned int m = 0; n > 1 && m < n; ++m)
+    bring_object_to_root(context.communicator(), results.members[m],
+                         static_cast<int>(m) % context.n_ranks());
+  if (n > 1)
+    for (const std::string &warning : morphology_warnings<2>(results.members))
+      context.warn(warning);
+  return results;
+}
+
+// Libraries, solver, displacements of all load cases, concentration tensors; as measured.
+unsigned long estimated_megabytes(const RveParameters &parameters)
+{
+  const double n_cells = parameters.microstructure.grid.n_cells();
+  const double n       = parameters.conditions.size();
+  const double solver  = parameters.solver == StaticSolverKind::multigrid ? 330.
+                         : parameters.solver == StaticSolverKind::jacobi  ? 100.
+                                                                          : 4000.;
+  const double fields  = n * (48. + (parameters.write_concentration ? 72. : 0.));
+  return 150 + static_cast<unsigned long>(n_cells * (solver + fields) * 1e-6);
+}
+
+// What looks like another unit.
+std::vector<std::string> slips_of(const MicrostructureParameters &p)
+{
+  const std::vector<Phase<2>> phases = make_phases<2>(p.phases);
+  std::vector<PlausibleRange> ranges = plausible_phases<2>(phases);
+  for (unsigned int d = 0; d < 2; ++d)
+    ranges.push_back(
+      plausible_length("Grid/Size along " + std::string(1, "xy"[d]), p.grid.extent(d)));
+  std::vector<std::string> sentences = implausible(ranges);
+  if (const std::string stiffness = stiffness_warning<2>(phases); !stiffness.empty())
+    sentences.push_back(stiffness);
+  return sentences;
+}
+
+/** What helps a solve that failed. */
+std::string advice_for(const NotConverged::Reason reason, const StaticSolverKind solver)
+{
+  if (reason == NotConverged::Reason::not_finite)
+    return "check the moduli of Phases and Grid/Size, which are in Pa and m: forces or "
+           "displacements are beyond the range of numbers";
+  if (solver != StaticSolverKind::multigrid)
+    return "set Homogenization/Solver = multigrid";
+  return reason == NotConverged::Reason::broke_down
+           ? "set Homogenization/Solver = jacobi"
+           : "loosen Homogenization/Tolerance or set Homogenization/Solver = jacobi";
+}
+
+class GridAnalysis : public VolumeAnalysis<2>
+{
+public:
+  GridAnalysis(const RveParameters &given, const std::string &digest_of_inputs)
+    : VolumeAnalysis<2>(given, digest_of_inputs)
+  {
+    require_memory({1e6 * static_cast<double>(estimated_megabytes(parameters)),
+                    "reduce Grid/Cells or choose Homogenization/Solver = jacobi"});
+  }
+
+  void describe(std::ostream &out) const override
+  {
+    const UniformGrid<2> grid = parameters.microstructure.grid;
+    out << size_text(grid) << ", " << 2 * grid.n_nodes() << " degrees of freedom\n"
+        << 3 * parameters.conditions.size() * parameters.n_members
+        << " load cases, about " << estimated_megabytes(parameters) << " MB\n";
+    const Microstructure microstructure = make_microstructure(parameters.microstructure);
+    for (const std::string &line : microstructure.description)
+      out << line << '\n';
+    for (const auto &warnings : {microstructure.warnings, slips()})
+      for (const std::string &warning : warnings)
+        out << "Warning: " << warning << '\n';
+  }
+
+protected:
+  double n_cells() const override
+  {
+    return static_cast<double>(parameters.microstructure.grid.n_cells());
+  }
+
+  std::vector<std::string> slips() const override
+  {
+    return slips_of(parameters.microstructure);
+  }
+
+  RveResults<2> compute(RunContext &context) override
+  {
+    return compute_members(parameters, context);
+  }
+
+  std::string advice(const NotConverged::Reason reason) const override
+  {
+    return advice_for(reason, parameters.solver);
+  }
+};
+} // namespace
+
+std::unique_ptr<Analysis> make_grid_analysis(const RveParameters &parameters,
+                                             const std::string &digest)
+{
+  return std::make_unique<GridAnalysis>(parameters, digest);
+}
+} // namespace mesoslip

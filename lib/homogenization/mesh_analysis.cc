@@ -1,0 +1,176 @@
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "homogenization/mesh_volume.h"
+#include "homogenization/volume_analysis.h"
+#include "material/plausibility.h"
+#include "program/run_context.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+
+namespace mesoslip
+{
+namespace
+{
+/** Bytes that a node costs all ranks together, measured with ML: cells, matrix, hierarchy,
+ * load cases. */
+template <int dim>
+constexpr double bytes_per_node = dim == 2 ? 4600. : 21000.;
+
+template <int dim>
+class MeshAnalysis : public VolumeAnalysis<dim>
+{
+public:
+  MeshAnalysis(const RveParameters &given, const std::string &digest_of_inputs)
+    : VolumeAnalysis<dim>(given, digest_of_inputs)
+  {
+    on_root(MPI_COMM_WORLD, [this]() { read_all(); });
+    broadcast_object(MPI_COMM_WORLD, sizes);
+    require_memory({bytes_per_node<dim> * static_cast<double>(sizes[0]) /
+                      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                    "take a coarser mesh or more ranks"});
+  }
+
+  void describe(std::ostream &out) const override
+  {
+    for (const MeshMorphology<dim> &volume : volumes)
+      {
+        for (const std::string &line : volume.description)
+          out << line << '\n';
+        for (const std::string &line : periodicity_lines(volume.mesh))
+          out << line << '\n';
+        for (const std::string &warning : volume.warnings)
+          out << "Warning: " << warning << '\n';
+      }
+    out << n_cases() * volumes.size() << " load cases, about "
+        << static_cast<unsigned long>(150 + 1e-6 * bytes_per_node<dim> *
+                                              static_cast<double>(sizes[0]))
+        << " MB, divided among the ranks\n";
+    for (const std::string &warning : slips())
+      out << "Warning: " << warning << '\n';
+  }
+
+protected:
+  double n_cells() const override
+  {
+    return static_cast<double>(sizes[1]);
+  }
+
+  std::vector<std::string> slips() const override
+  {
+    const auto phases     = make_phases<dim>(parameters.microstructure.phases);
+    auto sentences        = implausible(plausible_phases<dim>(phases));
+    const std::string one = stiffness_warning<dim>(phases);
+    if (!one.empty())
+      sentences.push_back(one);
+    return sentences;
+  }
+
+  RveResults<dim> compute(RunContext &context) override
+  {
+    RveResults<dim> results;
+    context.progress().start("Load cases", n_cases() * parameters.n_members);
+    for (unsigned int m = 0; m < parameters.n_members; ++m)
+      results.members.push_back(compute_member(m, context));
+    context.progress().finish();
+    if (!context.root())
+      return results;
+    if (parameters.n_members > 1)
+      for (const std::string &warning : morphology_warnings<dim>(results.members))
+        context.warn(warning);
+    RveContent<dim> &first = results.first;
+    first.mesh             = &volumes[0].mesh;
+    first.phases           = volumes[0].phases;
+    for (const auto &cell : first.mesh->cells)
+      first.phase_id.push_back(cell.material_id);
+    results.n_nodes = sizes[0];
+    return results;
+  }
+
+  std::string advice(const NotConverged::Reason reason) const override
+  {
+    return reason == NotConverged::Reason::not_finite
+             ? "check the moduli of Phases and Mesh/Scale: forces or displacements are "
+               "beyond the range of numbers"
+             : "loosen Homogenization/Tolerance, or mesh without flat cells";
+  }
+
+private:
+  using VolumeAnalysis<dim>::parameters;
+
+  std::uint64_t n_cases() const
+  {
+    return n_voigt<dim> * parameters.conditions.size();
+  }
+
+  // Whatever may be wrong with a later mesh is found before the first is computed.
+  void read_all()
+  {
+    const bool periodic = std::count(parameters.conditions.begin(),
+                                     parameters.conditions.end(), BoundaryCondition::PBC);
+    for (const std::string &file : parameters.mesh.files)
+      {
+        volumes.push_back(
+          read_mesh<dim>(parameters.mesh, file, parameters.microstructure.phases));
+        require_volume(volumes.back().mesh, periodic);
+      }
+    sizes = {volumes[0].mesh.points.size(), volumes[0].mesh.cells.size()};
+  }
+
+  EnsembleMember<dim> compute_member(const unsigned int m, RunContext &context)
+  {
+    EnsembleMember<dim> member;
+    Mesh<dim> none;
+    std::vector<ElasticPhase<dim>> phases;
+    for (const auto &phase : make_phases<dim>(parameters.microstructure.phases))
+      phases.push_back({phase.stiffness, phase.density});
+    if (context.root())
+      {
+        const MeshMorphology<dim> &morphology = volumes[m];
+        member.origin =
+          "mesh " + std::filesystem::path(morphology.file).filename().string();
+        member.warnings  = morphology.warnings;
+        member.fractions = morphology.fractions;
+        if (m == 0)
+          for (const std::string &line : morphology.description)
+            context.log(line);
+        if (parameters.n_members == 1)
+          for (const std::string &warning : morphology.warnings)
+            context.warn(warning);
+      }
+    const auto scope   = context.timer().scope("Load cases");
+    std::uint64_t done = m * n_cases();
+    MeshVolume<dim> volume(context.root() ? volumes[m].mesh : none, phases,
+                           context.communicator());
+    for (const BoundaryCondition condition : parameters.conditions)
+      {
+        const auto part = context.timer().scope(to_string(condition).c_str());
+        member.responses.push_back(
+          homogenize<dim>(volume.solve(condition, parameters.tolerance,
+                                       [&]() { context.progress().update(++done); }),
+                          phases));
+        if (parameters.write_concentration && m == 0)
+          member.responses.back().concentration = volume.concentration();
+      }
+    return member;
+  }
+
+  std::vector<MeshMorphology<dim>> volumes; ///< on rank 0
+  std::vector<std::uint64_t> sizes = {0,
+                                      0}; ///< points and cells of the first, everywhere
+};
+} // namespace
+
+template <int dim>
+std::unique_ptr<Analysis> make_mesh_analysis(const RveParameters &parameters,
+                                             const std::string &digest)
+{
+  return std::make_unique<MeshAnalysis<dim>>(parameters, digest);
+}
+
+template std::unique_ptr<Analysis> make_mesh_analysis<2>(const RveParameters &,
+                                                         const std::string &);
+template std::unique_ptr<Analysis> make_mesh_analysis<3>(const RveParameters &,
+                                                         const std::string &);
+} // namespace mesoslip

@@ -1,0 +1,242 @@
+#include "homogenization/mesh_volume.h"
+
+#include "base/errors.h"
+#include "base/text.h"
+#include "mesh/boundary.h"
+#include "mesh/cell_quality.h"
+#include "mesh/periodic_points.h"
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/mpi.templates.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/lac/solver_cg.h>
+
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+namespace mpi = dealii::Utilities::MPI;
+
+constexpr unsigned int max_iterations = 2000;
+
+/** On rank 0 the points at which supports stop rigid motions, and their components. */
+template <int dim>
+std::vector<std::pair<unsigned int, unsigned int>> supported(const Mesh<dim> &mesh)
+{
+  const auto nearest = [&mesh](const dealii::Point<dim> &place) {
+    return static_cast<unsigned int>(
+      std::min_element(mesh.points.begin(), mesh.points.end(),
+                       [&](const auto &a, const auto &b) {
+                         return a.distance_square(place) < b.distance_square(place);
+                       }) -
+      mesh.points.begin());
+  };
+  const dealii::BoundingBox<dim> box(mesh.points);
+  const dealii::Point<dim> origin = box.get_boundary_points().first;
+  std::vector<std::pair<unsigned int, unsigned int>> result;
+  for (unsigned int c = 0; c < dim; ++c)
+    result.emplace_back(nearest(origin), c);
+  for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+    {
+      dealii::Point<dim> end = origin;
+      end[axis] += box.side_length(axis);
+      for (unsigned int c = axis + 1; c < dim; ++c)
+        result.emplace_back(nearest(end), c);
+    }
+  return result;
+}
+} // namespace
+
+template <int dim>
+MeshVolume<dim>::MeshVolume(const Mesh<dim> &given,
+                            const std::vector<ElasticPhase<dim>> &the_phases,
+                            const MPI_Comm communicator)
+  : phases(the_phases)
+  , mesh(given, communicator)
+{
+  mesh.require_cells();
+  std::array<BoundaryPoints<dim>, 2UL * dim> points;
+  std::vector<std::pair<unsigned int, unsigned int>> held;
+  std::vector<unsigned int> upper, lower, held_points;
+  const bool is_root = mpi::this_mpi_process(communicator) == 0;
+  if (is_root)
+    {
+      const auto faces = faces_of_box(given, boundary_faces(given));
+      for (unsigned int side = 0; side < 2 * dim; ++side)
+        points[side] = boundary_points(given, faces[side]);
+      held = supported(given);
+      for (const auto &[point, component] : held)
+        held_points.push_back(point);
+      const double edge = cell_quality(given).smallest_edge;
+      try
+        {
+          for (unsigned int axis = 0; axis < dim; ++axis)
+            for (const auto &[p, opposite] :
+                 opposite_points(given, points[2 * axis].points,
+                                 points[2 * axis + 1].points, axis, edge)
+                   .pairs)
+              {
+                upper.push_back(p);
+                lower.push_back(opposite);
+              }
+        }
+      catch (const UserError &e)
+        {
+          not_periodic = e.what();
+        }
+    }
+  not_periodic = mpi::broadcast(communicator, not_periodic);
+  for (unsigned int side = 0; side < 2 * dim; ++side)
+    {
+      sides[side].dofs        = mesh.dofs_of_points(given, points[side].points);
+      sides[side].normal_area = mpi::broadcast(communicator, points[side].normal_area);
+    }
+  held          = mpi::broadcast(communicator, held);
+  const auto at = mesh.dofs_of_points(given, held_points);
+  for (std::size_t k = 0; k < held.size(); ++k)
+    supports.push_back(at[dim * k + held[k].second]);
+  const auto upper_dofs = mesh.dofs_of_points(given, upper),
+             lower_dofs = mesh.dofs_of_points(given, lower);
+  for (std::size_t k = 0; k < upper_dofs.size(); ++k)
+    duplicates.push_back({{upper_dofs[k], lower_dofs[k]}});
+}
+
+template <int dim>
+void MeshVolume<dim>::set_constraints()
+{
+  constraints.clear();
+  constraints.reinit(mesh.relevant());
+  std::vector<Index> fixed;
+  if (condition == BoundaryCondition::PBC)
+    {
+      if (!not_periodic.empty())
+        throw UserError(not_periodic);
+      tie_duplicates(duplicates, mesh.relevant(), constraints);
+      // One point holds the fluctuation; it has no duplicate itself.
+      fixed.assign(supports.begin(), supports.begin() + dim);
+    }
+  else if (condition == BoundaryCondition::SUBC)
+    fixed = supports;
+  else
+    for (const Side &side : sides)
+      fixed.insert(fixed.end(), side.dofs.begin(), side.dofs.end());
+  for (const Index dof : fixed)
+    if (constraints.get_local_lines().is_element(dof))
+      constraints.add_line(dof);
+  constraints.close();
+}
+
+template <int dim>
+void MeshVolume<dim>::add_tractions()
+{
+  const dealii::IndexSet &owned = mesh.dofs().locally_owned_dofs();
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        Vector &load = loads[voigt_index<dim>(c, d)];
+        for (const Side &side : sides)
+          for (std::size_t p = 0; p < side.normal_area.size(); ++p)
+            {
+              const Index dof = side.dofs[dim * p + c];
+              if (owned.is_element(dof) && !constraints.is_constrained(dof))
+                load(dof) += side.normal_area[p][d];
+            }
+      }
+  for (unsigned int k = 0; k < n_loads; ++k)
+    loads[k].compress(dealii::VectorOperation::add);
+}
+
+template <int dim>
+std::vector<typename MeshVolume<dim>::Vector> MeshVolume<dim>::rigid_motions() const
+{
+  const dealii::IndexSet &owned = mesh.dofs().locally_owned_dofs();
+  constexpr unsigned int n      = dim * (dim + 1) / 2;
+  std::vector<Vector> motions(n, Vector(owned, mesh.communicator()));
+  const double size = dealii::GridTools::diameter(mesh.dofs().get_triangulation());
+  for (const auto &cell : mesh.dofs().active_cell_iterators())
+    if (cell->is_locally_owned())
+      for (const unsigned int v : cell->vertex_indices())
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const Index dof = cell->vertex_dof_index(v, c, cell->active_fe_index());
+            if (!owned.is_element(dof) || constraints.is_constrained(dof))
+              continue;
+            motions[c](dof) = 1.;
+            // In the plane of the axes c and d one of the two components turns back.
+            for (unsigned int d = 0; d < dim; ++d)
+              if (d != c)
+                motions[voigt_index<dim>(c, d)](dof) =
+                  (c < d ? -1. : 1.) * cell->vertex(v)[d] / size;
+          }
+  for (Vector &motion : motions)
+    motion.compress(dealii::VectorOperation::insert);
+  return motions;
+}
+
+template <int dim>
+SolverReport MeshVolume<dim>::solve_case(const unsigned int k, const double tolerance)
+{
+  // What is left of the forces of a homogeneous volume is round-off.
+  constexpr double cancelled    = 1e-12;
+  const dealii::IndexSet &owned = mesh.dofs().locally_owned_dofs();
+  const double reference        = loads[k].l2_norm();
+  const std::string of          = to_string(condition) + " " + voigt_names<dim>[k];
+  const std::string beginning   = of + ": conjugate gradients with ML ";
+  SolverReport report;
+  Vector x(owned, mesh.communicator());
+  if (!std::isfinite(reference))
+    throw NotConverged(beginning + "met numbers that are not finite",
+                       NotConverged::Reason::not_finite);
+  if (reference > cancelled * gross_loads[k])
+    try
+      {
+        dealii::SolverControl control(max_iterations, tolerance * reference);
+        dealii::SolverCG<Vector> conjugate_gradients(control);
+        conjugate_gradients.solve(matrix, x, loads[k], preconditioner);
+        report.iterations = control.last_step();
+        report.residual   = control.last_value() / reference;
+      }
+    catch (const dealii::SolverControl::NoConvergence &e)
+      {
+        throw NotConverged(
+          beginning + "stopped after " + std::to_string(e.last_step) +
+            " iterations at a relative residual of " +
+            to_text(e.last_residual / reference) + ", wanted " + to_text(tolerance),
+          std::isfinite(e.last_residual) ? NotConverged::Reason::iterations
+                                         : NotConverged::Reason::not_finite);
+      }
+  constraints.distribute(x);
+  solutions.emplace_back(owned, mesh.relevant(), mesh.communicator());
+  solutions.back() = x;
+  return report;
+}
+
+template <int dim>
+VolumeSums<dim> MeshVolume<dim>::solve(const BoundaryCondition wanted,
+                                       const double tolerance,
+                                       const std::function<void()> &case_done)
+{
+  condition = wanted;
+  solutions.clear();
+  set_constraints();
+  assemble();
+  if (condition == BoundaryCondition::SUBC)
+    add_tractions();
+  preconditioner.initialize(matrix, dim, rigid_motions());
+  std::array<SolverReport, n_loads> reports;
+  for (unsigned int k = 0; k < n_loads; ++k)
+    {
+      reports[k] = solve_case(k, tolerance);
+      if (case_done)
+        case_done();
+    }
+  VolumeSums<dim> sums = integrate();
+  sums.reports         = reports;
+  return sums;
+}
+
+template class MeshVolume<2>;
+template class MeshVolume<3>;
+} // namespace mesoslip

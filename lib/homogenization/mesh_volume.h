@@ -1,0 +1,95 @@
+#ifndef mesoslip_homogenization_mesh_volume_h
+#define mesoslip_homogenization_mesh_volume_h
+
+#include "body/mesh/distributed_mesh.h"
+#include "body/mesh/ml_preconditioner.h"
+#include "elasticity/uniform_material.h"
+#include "homogenization/response.h"
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * A volume element on a mesh: a box, divided among the ranks by METIS, with the load
+ * cases of KUBC, SUBC and PBC solved by conjugate gradients with ML. All ranks hold a
+ * part of the mesh and of the fields.
+ */
+template <int dim>
+class MeshVolume
+{
+public:
+  /** @p given is the mesh of rank 0; @p the_phases (stiffness in Pa) are those of its
+   * cells. Collective. @throws UserError if the body is no box */
+  MeshVolume(const Mesh<dim> &given,
+             const std::vector<ElasticPhase<dim>> &the_phases,
+             const MPI_Comm communicator);
+
+  /**
+   * Solves the load cases of @p wanted: unit strains (KUBC, PBC; engineering shear) or stresses of
+   * 1 Pa (SUBC). Collective. @throws NotConverged, which names condition and load case
+   * @throws UserError if opposite sides have points that are not opposite (PBC)
+   * @p case_done, if any, is called after each load case.
+   */
+  VolumeSums<dim> solve(const BoundaryCondition wanted,
+                        const double tolerance,
+                        const std::function<void()> &case_done = {});
+
+  /**
+   * Concentration tensors of the cells for the condition that was solved last, as
+   * HomogenizedResponse has them: on rank 0 of all cells in the order of the mesh, on the
+   * other ranks empty. Collective.
+   */
+  std::vector<double> concentration() const;
+
+private:
+  using Index                           = typename DistributedMesh<dim>::Index;
+  using Vector                          = MlPreconditioner::Vector;
+  static constexpr unsigned int n_loads = dim * (dim + 1) / 2;
+
+  void set_constraints();
+  void assemble();
+  void add_tractions();
+  std::vector<Vector> rigid_motions() const;
+  SolverReport solve_case(const unsigned int k, const double tolerance);
+  VolumeSums<dim> integrate() const;
+
+  /** Strain tensor (row local, column load case) times JxW at each quadrature point of a
+   * cell of this rank, and JxW. */
+  template <typename Action>
+  void for_each_point(const Action &action) const;
+
+  /** Points of a side and their degrees of freedom, on all ranks. */
+  struct Side
+  {
+    std::vector<Index> dofs;                         ///< dim a point
+    std::vector<dealii::Tensor<1, dim>> normal_area; ///< of each point (m^(dim-1))
+  };
+
+  const std::vector<ElasticPhase<dim>> phases;
+  DistributedMesh<dim> mesh;
+  std::array<Side, 2UL * dim> sides;
+  std::vector<Index> supports; ///< just enough against rigid motions
+
+  /** Points of upper sides and opposite ones of lower sides, axis after axis; or why
+   * there are none. */
+  std::vector<std::array<Index, 2>> duplicates;
+  std::string not_periodic;
+
+  dealii::AffineConstraints<double> constraints;
+  dealii::TrilinosWrappers::SparseMatrix matrix;
+  MlPreconditioner preconditioner;
+  std::vector<Vector> loads;
+  std::array<double, n_loads> gross_loads; ///< norms of the loads before they cancel
+
+  BoundaryCondition condition = BoundaryCondition::KUBC; ///< solved last
+  std::vector<Vector> solutions; ///< with the values that cells of this rank need
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,168 @@
+#include "base/exchange.h"
+#include "body/mesh/cell_values.h"
+#include "homogenization/mesh_volume.h"
+
+#include <deal.II/base/mpi.templates.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <cmath>
+
+namespace mesoslip
+{
+// The unknown of KUBC and PBC is the fluctuation: its forces are those of the
+// heterogeneity, which the tolerance refers to.
+template <int dim>
+void MeshVolume<dim>::assemble()
+{
+  using namespace dealii;
+  const IndexSet &owned = mesh.dofs().locally_owned_dofs();
+  TrilinosWrappers::SparsityPattern pattern(owned, owned, constraints.get_local_lines(),
+                                            mesh.communicator());
+  DoFTools::make_sparsity_pattern(
+    mesh.dofs(), pattern, constraints, false,
+    dealii::Utilities::MPI::this_mpi_process(mesh.communicator()));
+  pattern.compress();
+  matrix.reinit(pattern);
+  loads.assign(n_loads, Vector(owned, mesh.communicator()));
+  gross_loads.fill(0.);
+
+  FullMatrix<double> cell_matrix;
+  dealii::Vector<double> cell_load;
+  for_each_cell(mesh, [&](const auto &cell, const auto &values, const auto &indices) {
+    const unsigned int n      = indices.size();
+    const VoigtMatrix<dim> &C = phases[cell.material_id()].stiffness;
+    Eigen::MatrixXd K         = Eigen::MatrixXd::Zero(n, n),
+                    f         = Eigen::MatrixXd::Zero(n, n_loads);
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const auto B = shape_strains(values, q);
+        K.noalias() += values.JxW(q) * B.transpose() * C * B;
+        f.noalias() -= values.JxW(q) * B.transpose() * C;
+      }
+    cell_matrix.reinit(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        cell_matrix(i, j) = K(i, j);
+    constraints.distribute_local_to_global(cell_matrix, indices, matrix);
+    for (unsigned int k = 0; k < n_loads && condition != BoundaryCondition::SUBC; ++k)
+      {
+        cell_load.reinit(n);
+        for (unsigned int i = 0; i < n; ++i)
+          cell_load(i) = f(i, k);
+        gross_loads[k] += cell_load.norm_sqr();
+        constraints.distribute_local_to_global(cell_load, indices, loads[k]);
+      }
+  });
+  matrix.compress(VectorOperation::add);
+  for (unsigned int k = 0; k < n_loads; ++k)
+    loads[k].compress(VectorOperation::add);
+  for (double &gross : gross_loads)
+    gross = std::sqrt(dealii::Utilities::MPI::sum(gross, mesh.communicator()));
+}
+
+template <int dim>
+template <typename Action>
+void MeshVolume<dim>::for_each_point(const Action &action) const
+{
+  VoigtMatrix<dim> applied = VoigtMatrix<dim>::Zero();
+  if (condition != BoundaryCondition::SUBC)
+    applied.setIdentity();
+  Eigen::MatrixXd u;
+  for_each_cell(mesh, [&](const auto &cell, const auto &values, const auto &indices) {
+    u.resize(indices.size(), n_loads);
+    for (unsigned int i = 0; i < indices.size(); ++i)
+      for (unsigned int k = 0; k < n_loads; ++k)
+        u(i, k) = solutions[k](indices[i]);
+    for (const unsigned int q : values.quadrature_point_indices())
+      action(cell, VoigtMatrix<dim>(applied + shape_strains(values, q) * u),
+             values.JxW(q));
+  });
+}
+
+template <int dim>
+VolumeSums<dim> MeshVolume<dim>::integrate() const
+{
+  VolumeSums<dim> sums;
+  sums.condition = condition;
+  sums.phases.resize(phases.size());
+  for_each_point([&](const auto &cell, const VoigtMatrix<dim> &strain, const double JxW) {
+    PhaseSums<dim> &phase = sums.phases[cell.material_id()];
+    phase.strain += JxW * strain;
+    phase.volume += JxW;
+    sums.energy +=
+      JxW * strain.transpose() * phases[cell.material_id()].stiffness * strain;
+  });
+  const auto add_up = [this](double *data, const std::size_t n) {
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(data, n),
+                                mesh.communicator(), dealii::ArrayView<double>(data, n));
+  };
+  add_up(sums.energy.data(), sums.energy.size());
+  for (PhaseSums<dim> &phase : sums.phases)
+    {
+      add_up(phase.strain.data(), phase.strain.size());
+      add_up(&phase.volume, 1);
+      sums.volume += phase.volume;
+    }
+  sums.energy /= sums.volume;
+  return sums;
+}
+
+template <int dim>
+std::vector<double> MeshVolume<dim>::concentration() const
+{
+  constexpr std::size_t n_entries = n_voigt<dim> * n_voigt<dim>;
+  // Of the cells of this rank, in their order: number in the mesh, mean of the strain.
+  std::pair<std::vector<std::uint64_t>, std::vector<double>> part;
+  VoigtMatrix<dim> mean = VoigtMatrix<dim>::Zero();
+  double volume         = 0.;
+  unsigned int material = 0;
+  const auto finish     = [&]() {
+    mean /= volume;
+    if (condition == BoundaryCondition::SUBC)
+      mean = phases[material].stiffness * mean;
+    part.second.insert(part.second.end(), mean.data(), mean.data() + n_entries);
+    mean.setZero();
+    volume = 0.;
+  };
+  for_each_point([&](const auto &cell, const VoigtMatrix<dim> &strain, const double JxW) {
+    const std::uint64_t number = cell.id().get_coarse_cell_id();
+    if (part.first.empty() || part.first.back() != number)
+      {
+        if (!part.first.empty())
+          finish();
+        part.first.push_back(number);
+        material = cell.material_id();
+      }
+    mean += JxW * strain;
+    volume += JxW;
+  });
+  if (!part.first.empty())
+    finish();
+
+  const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(mesh.communicator()),
+                     n    = dealii::Utilities::MPI::n_mpi_processes(mesh.communicator());
+  const std::size_t all =
+    dealii::Utilities::MPI::sum<std::uint64_t>(part.first.size(), mesh.communicator());
+  std::vector<double> result(rank == 0 ? all * n_entries : 0);
+  for (unsigned int owner = 0; owner < n; ++owner)
+    {
+      bring_object_to_root(mesh.communicator(), part, static_cast<int>(owner));
+      for (std::size_t k = 0; rank == 0 && k < part.first.size(); ++k)
+        std::copy_n(&part.second[k * n_entries], n_entries,
+                    &result[part.first[k] * n_entries]);
+    }
+  return result;
+}
+
+template void MeshVolume<2>::assemble();
+template void MeshVolume<3>::assemble();
+template VolumeSums<2> MeshVolume<2>::integrate() const;
+template VolumeSums<3> MeshVolume<3>::integrate() const;
+template std::vector<double> MeshVolume<2>::concentration() const;
+template std::vector<double> MeshVolume<3>::concentration() const;
+} // namespace mesoslip

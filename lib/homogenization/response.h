@@ -1,0 +1,112 @@
+#ifndef mesoslip_homogenization_response_h
+#define mesoslip_homogenization_response_h
+
+#include "base/serialize_members.h"
+#include "homogenization/load_cases.h"
+#include "material/voigt.h"
+#include "statics/static_solver.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace mesoslip
+{
+/** Sums over the cells of one phase under the unit load cases, one a column. */
+template <int dim>
+struct PhaseSums
+{
+  VoigtMatrix<dim> strain = VoigtMatrix<dim>::Zero(); ///< integral, in the unit of volume
+  double volume           = 0.;                       ///< in any unit, see VolumeSums
+};
+
+/** What the load cases of one boundary condition sum up to over the volume. */
+template <int dim>
+struct VolumeSums
+{
+  BoundaryCondition condition = BoundaryCondition::KUBC; ///< on the boundary
+  std::vector<PhaseSums<dim>> phases;                    ///< for each phase
+  double volume = 0.; ///< of all phases; in the unit that the phases have
+
+  /** Volume mean of strain_k . C strain_l (Pa, for SUBC 1/Pa). */
+  VoigtMatrix<dim> energy = VoigtMatrix<dim>::Zero();
+
+  std::array<SolverReport, n_voigt<dim>> reports; ///< of the solves, by load case
+};
+
+/** What the load cases of one boundary condition say about the volume. */
+template <int dim>
+struct HomogenizedResponse
+{
+  BoundaryCondition condition = BoundaryCondition::KUBC; ///< on the boundary
+
+  /**
+   * Effective stiffness (Pa) from the energy that the boundary condition makes extremal:
+   * of second order in the error of the displacements. KUBC, PBC: the elastic energy,
+   * mean of L^T C L with the hourglass part. SUBC: inverse of the compliance from the
+   * complementary energy, twice the work of the tractions less the elastic energy.
+   */
+  VoigtMatrix<dim> stiffness = VoigtMatrix<dim>::Zero();
+
+  /** The same from the means, of first order: mean of C:L, or inverse of the mean of S:B
+   * (SUBC). */
+  VoigtMatrix<dim> stiffness_from_mean = VoigtMatrix<dim>::Zero();
+
+  /** Largest difference of the two, zero by Hill and Mandel, see scaled_difference(). */
+  double hill_mandel_residual = 0.;
+
+  /** Largest entry of D - D^T for stiffness_from_mean, in the same scale, before
+   * symmetrization. */
+  double symmetry_residual = 0.;
+
+  /** Norm of (mean of L) - I (KUBC, PBC) or (mean of B) - I (SUBC). */
+  double mean_residual = 0.;
+
+  /**
+   * With two phases their mean tensors follow from the stiffness alone: (C_i - C_m)^-1
+   * (D - C_m) / f, and the like with compliances for B. Relative distance of the stiffer
+   * one from that; empty for other numbers of phases or phases that do not differ enough.
+   */
+  std::optional<double> two_phase_residual;
+
+  /**
+   * Cell means of the concentration tensor, Voigt components of the row local, of the
+   * column macroscopic: strain L (KUBC, PBC) or stress B (SUBC). On a plane grid
+   * [ny][nx][3][3], on a mesh [n][3][3] or [n][6][6]. Empty if not asked for.
+   */
+  std::vector<double> concentration;
+
+  /** Volume mean of the concentration tensor over each phase; Zero for absent phases. */
+  std::vector<VoigtMatrix<dim>> phase_means;
+
+  std::array<SolverReport, n_voigt<dim>>
+    reports; ///< iterations and residuals, by load case
+
+  /** Saves or restores all members, for boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<10>(archive, *this);
+  }
+};
+
+/** Largest |a_ij - b_ij| / sqrt(b_ii b_jj): the same in any units, and where one modulus
+ * is far below the others. */
+template <int dim>
+double scaled_difference(const VoigtMatrix<dim> &a, const VoigtMatrix<dim> &b);
+
+/** What the response follows from. @p phases are those of the sums (stiffness in Pa). */
+template <int dim>
+HomogenizedResponse<dim> homogenize(const VolumeSums<dim> &sums,
+                                    const std::vector<ElasticPhase<dim>> &phases);
+
+/**
+ * Evaluates the solutions on the rank that holds them; collective on a distributed body.
+ * Fields are kept only if @p keep_concentration.
+ */
+HomogenizedResponse<2> homogenize(const ElasticBody<2> &body,
+                                  const LoadCaseSolutions &solutions,
+                                  const bool keep_concentration);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,56 @@
+#ifndef mesoslip_homogenization_volume_analysis_h
+#define mesoslip_homogenization_volume_analysis_h
+
+#include "homogenization/rve_program.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** What rve_homogenization does whatever the volume lies on; grid and mesh differ in how
+ * they make and solve their volumes. */
+template <int dim>
+class VolumeAnalysis : public Analysis
+{
+public:
+  ResourceNeed need() const override;
+  void run(RunContext &context) override;
+
+protected:
+  /** @p digest identifies parameters and input files. */
+  VolumeAnalysis(const RveParameters &parameters, const std::string &digest)
+    : parameters(parameters)
+    , digest(digest)
+  {
+  }
+
+  /** Number of cells of the first member. */
+  virtual double n_cells() const = 0;
+
+  /** Sentences on what looks like another unit. */
+  virtual std::vector<std::string> slips() const = 0;
+
+  /** Solves all load cases of all members. Collective; results are those of rank 0.
+   * @throws NotConverged */
+  virtual RveResults<dim> compute(RunContext &context) = 0;
+
+  /** What helps a solve that failed for @p reason. */
+  virtual std::string advice(const NotConverged::Reason reason) const = 0;
+
+  const RveParameters parameters; ///< checked
+  const std::string digest;       ///< of all inputs
+};
+
+/** The analysis of volumes on a grid. @throws UserError */
+std::unique_ptr<Analysis> make_grid_analysis(const RveParameters &parameters,
+                                             const std::string &digest);
+
+/** The analysis of volumes on meshes. Collective. @throws UserError */
+template <int dim>
+std::unique_ptr<Analysis> make_mesh_analysis(const RveParameters &parameters,
+                                             const std::string &digest);
+} // namespace mesoslip
+
+#endif

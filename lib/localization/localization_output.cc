@@ -1,0 +1,231 @@
+#include "io/json.h"
+#include "io/table.h"
+#include "localization/localization_program.h"
+#include "parameters/parameters.h"
+#include "program/run_context.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+using json = nlohmann::json;
+
+std::vector<std::string> stress_names(const unsigned int dim)
+{
+  std::vector<std::string> names;
+  for (unsigned int c = 0; c < dim * (dim + 1) / 2; ++c)
+    names.push_back(std::string("sigma_") +
+                    (dim == 2 ? voigt_names<2>[c] : voigt_names<3>[c]));
+  return names;
+}
+
+/** A number that compares the series of a probe, in summary.json and in probes.csv. */
+struct Comparison
+{
+  const char *name, *heading;
+  double ComponentStatistics::*value;
+};
+
+const Comparison comparisons[] = {
+  {"mean", "mean [Pa]", &ComponentStatistics::mean},
+  {"std", "standard deviation [Pa]", &ComponentStatistics::deviation},
+  {"direct_mean", "direct mean [Pa]", &ComponentStatistics::direct_mean},
+  {"direct_std", "direct standard deviation [Pa]",
+   &ComponentStatistics::direct_deviation},
+  {"error_mean", "error of mean [-]", &ComponentStatistics::error_mean},
+  {"error_std", "error of standard deviation [-]", &ComponentStatistics::error_deviation},
+  {"rms_difference", "rms difference [-]", &ComponentStatistics::rms_difference}};
+
+void write_variant(LocalizationFile &file,
+                   const VariantResult &variant,
+                   const std::string &group)
+{
+  file.write_fields(variant.fields, group);
+  file.write_fields(variant.difference, group + "/difference");
+  for (const ProbeResult &probe : variant.probes)
+    file.write_probe(probe, group);
+}
+
+void write_probe_table(const unsigned int dim,
+                       const LocalizationResult &result,
+                       const std::string &path)
+{
+  std::vector<std::string> headings = {"variant", "probe", "x [m]", "y [m]"};
+  if (dim == 3)
+    headings.emplace_back("z [m]");
+  headings.insert(headings.end(), {"phase", "component"});
+  for (const Comparison &comparison : comparisons)
+    headings.emplace_back(comparison.heading);
+  TableWriter table(path, headings);
+  for (const VariantResult &variant : result.variants)
+    for (const ProbeResult &probe : variant.probes)
+      for (unsigned int c = 0; c < probe.statistics.size(); ++c)
+        {
+          std::vector<std::string> row = {variant.name, probe.name};
+          for (const double x : probe.position)
+            row.push_back(to_text(x));
+          row.insert(row.end(), {probe.phase_name, stress_names(dim)[c]});
+          for (const Comparison &comparison : comparisons)
+            row.push_back(table.cell(probe.statistics[c].*comparison.value));
+          table.add_row(row);
+        }
+  table.flush();
+}
+
+void write_error_table(const LocalizationResult &result, const std::string &path)
+{
+  TableWriter table(path, {"variant", "quantity", "region", "cells [-]", "rms [Pa]",
+                           "direct rms [Pa]", "relative L2 difference [-]"});
+  for (const VariantResult &variant : result.variants)
+    for (const FieldError &error : variant.errors)
+      table.add_row(std::vector<std::string>{
+        variant.name, error.quantity, error.region, std::to_string(error.n_cells),
+        table.cell(error.rms), table.cell(error.direct_rms), table.cell(error.relative)});
+  table.flush();
+}
+
+/** [{condition, homogeneous, direct, of_load}] */
+json differences_json(const LocalizationOrigin &origin)
+{
+  json list = json::array();
+  for (const ConditionDifference &d : origin.differences)
+    list.push_back({{"condition", d.name},
+                    {"homogeneous", d.first},
+                    {"direct", d.second},
+                    {"of_load", d.of_load}});
+  return list;
+}
+
+json probe_json(const ProbeResult &probe)
+{
+  const auto dim = static_cast<unsigned int>(probe.position.size());
+  json entry     = {{"name", probe.name},
+                    {"x", probe.position[0]},
+                    {"y", probe.position[1]},
+                    {"phase", probe.phase_name},
+                    {"samples", probe.time.size()}};
+  if (dim == 3)
+    entry["z"] = probe.position[2];
+  for (unsigned int c = 0; c < probe.statistics.size(); ++c)
+    for (const Comparison &comparison : comparisons)
+      entry[stress_names(dim)[c]][comparison.name] =
+        number_or_null(probe.statistics[c].*comparison.value);
+  return entry;
+}
+
+/** {probes, field_errors {quantity {region: relative L2}}} of a variant. */
+json variant_json(const VariantResult &variant)
+{
+  json entry = {{"probes", json::array()}, {"field_errors", nullptr}};
+  for (const ProbeResult &probe : variant.probes)
+    entry["probes"].push_back(probe_json(probe));
+  for (const FieldError &error : variant.errors)
+    entry["field_errors"][error.quantity][error.region] = number_or_null(error.relative);
+  return entry;
+}
+} // namespace
+
+LocalizationOrigin origin_of(const LocalizationInput &input)
+{
+  LocalizationOrigin origin;
+  origin.digest.add(input.rve.digest)
+    .add(input.homogeneous.digest)
+    .add(input.direct ? input.direct->digest : "");
+  origin.n_cells = input.rve.grid.n_cells();
+  origin.n_dofs  = 2 * input.homogeneous.grid.n_nodes();
+  for (const Phase<2> &phase : input.rve.phases)
+    origin.phases.push_back(phase.name);
+  origin.concentration    = input.parameters.concentration;
+  origin.snapshots        = input.snapshots.count;
+  origin.direct_snapshots = input.direct_snapshots.count;
+  origin.differences      = input.differences;
+  origin.create_file      = [grid = input.rve.grid](const std::string &path,
+                                               const std::string &digest) {
+    return LocalizationFile::create(path, digest, grid);
+  };
+  return origin;
+}
+
+void write_localization(const LocalizationOrigin &origin,
+                        const LocalizationResult &result,
+                        const std::string &parameters,
+                        const std::string &folder)
+{
+  LocalizationFile file = origin.create_file(folder + "/localization.h5",
+                                             Digest(origin.digest).add(parameters).hex());
+  file.write_attribute("/", "concentration", origin.concentration);
+  if (std::isfinite(result.window.begin))
+    file.write_attribute("/", "window",
+                         std::array<double, 2>{{result.window.begin, result.window.end}});
+  if (!result.variants.empty())
+    {
+      file.write_attribute("/", "variant", result.variants[0].name);
+      write_variant(file, result.variants[0], "");
+      file.write_fields(result.direct, "/direct");
+    }
+  if (result.variants.size() > 1)
+    write_variant(file, result.variants[1], "/mean_strain_variant");
+  for (const PointResult &point : result.points)
+    {
+      const std::string group = "/points/" + point.name;
+      file.create_group(group);
+      file.write_attribute(group, "position", point.position);
+      file.write_fields(point.fields, group);
+    }
+  file.complete();
+  write_probe_table(origin.dim, result, folder + "/probes.csv");
+  if (!result.variants.empty() && !result.variants[0].errors.empty())
+    write_error_table(result, folder + "/field_errors.csv");
+}
+
+void summarize_localization(const LocalizationOrigin &origin,
+                            const LocalizationResult &result,
+                            json &summary)
+{
+  summary["dim"]                     = origin.dim;
+  summary["cells"]                   = origin.n_cells;
+  summary["dofs"]                    = origin.n_dofs;
+  summary["phases"]                  = origin.phases;
+  summary["concentration"]           = origin.concentration;
+  summary["window"]                  = {number_or_null(result.window.begin),
+                                        number_or_null(result.window.end)};
+  summary["snapshots"]               = origin.snapshots;
+  summary["direct_snapshots"]        = origin.direct_snapshots;
+  summary["differences_of_the_runs"] = differences_json(origin);
+  if (!result.variants.empty())
+    {
+      summary["variant"] = result.variants[0].name;
+      summary.update(variant_json(result.variants[0]));
+    }
+  if (result.variants.size() > 1)
+    summary["mean_strain_variant"] = variant_json(result.variants[1]);
+  for (const PointResult &point : result.points)
+    summary["points"].push_back({{"name", point.name}, {"position", point.position}});
+}
+
+void log_key_numbers(RunContext &context)
+{
+  const json &summary = context.summary();
+  if (!summary.contains("field_errors"))
+    return;
+  for (const char *quantity : {"mean_von_mises", "mean_sigma_yy"})
+    {
+      const auto field = summary["field_errors"].find(quantity);
+      if (field == summary["field_errors"].end())
+        continue;
+      std::ostringstream line;
+      line.precision(3);
+      line << quantity << " against the direct run (relative L2):";
+      std::vector<std::string> regions = {"interior", "surface"};
+      for (const auto &phase : summary["phases"])
+        regions.push_back(phase);
+      for (const std::string &region : regions)
+        if (field->contains(region) && (*field)[region].is_number())
+          line << ' ' << region << ' ' << 100. * (*field)[region].get<double>() << " %";
+      context.log(line.str());
+    }
+}
+} // namespace mesoslip

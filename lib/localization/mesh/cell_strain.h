@@ -1,0 +1,92 @@
+#ifndef mesoslip_localization_mesh_cell_strain_h
+#define mesoslip_localization_mesh_cell_strain_h
+
+#include "material/voigt.h"
+#include "mesh/mesh.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * The strain (engineering shear) in some cells of a body from the displacement of its
+ * points: the mean over each cell, and a linear continuation from it.
+ *
+ * At a place in cell c it is E(x) = E_c + G_c (x - x_c), E_c being the mean strain and x_c
+ * the centroid. G_c is the linear least-squares fit, with weights 1 / distance^2, to
+ * the differences from E_c of the means of the cells that share a face with c; where
+ * these do not span the space, as in a corner of simplices, also of those that share a
+ * face with them. Linear fields of mean strain are continued exactly; at the centroid the
+ * strain is that of the cell, whatever is around it.
+ */
+template <int dim>
+class CellStrain
+{
+public:
+  /** For the cells @p wanted of @p mesh, which are asked for by their place in that list.
+   * The mesh is not needed later. */
+  CellStrain(const Mesh<dim> &mesh, const std::vector<unsigned int> &wanted);
+
+  /** Evaluates the displacement of all points (m) [n_points][dim]. */
+  void set_displacement(const std::vector<double> &u);
+
+  /** Strain in wanted cell @p k at @p place. */
+  VoigtVector<dim> at(const std::size_t k, const dealii::Point<dim> &place) const
+  {
+    const dealii::Tensor<1, dim> from_centroid = place - centroid[k];
+    VoigtVector<dim> strain                    = mean[k];
+    for (unsigned int d = 0; d < dim; ++d)
+      strain += from_centroid[d] * slope[k][d];
+    return strain;
+  }
+
+private:
+  using Tensor = dealii::Tensor<1, dim>;
+
+  /** One corner of a cell and what it adds to the gradient. */
+  struct Corner
+  {
+    std::size_t point;
+    Tensor gradient; ///< mean over the cell (1/m)
+  };
+
+  /** A cell near to a wanted one and what it adds to the slope there. */
+  struct Neighbour
+  {
+    std::size_t cell;
+    Tensor weight; ///< 1/m
+  };
+
+  void add_corners(const Mesh<dim> &mesh, const std::vector<unsigned int> &cells);
+
+  std::size_t n_wanted;
+  std::vector<Corner> corners;
+  std::vector<std::size_t> first_corner; ///< of each cell, the wanted ones first
+  std::vector<Neighbour> neighbours;
+  std::vector<std::size_t> first_neighbour;             ///< of each wanted cell
+  std::vector<dealii::Point<dim>> centroid;             ///< of the wanted cells (m)
+  std::vector<VoigtVector<dim>> mean;                   ///< strain of all cells
+  std::vector<std::array<VoigtVector<dim>, dim>> slope; ///< of the wanted cells (1/m)
+};
+
+/**
+ * Mean strain over a whole body, as a linear function of the displacement of its points
+ * (m) [n_points][dim].
+ */
+template <int dim>
+class MeanStrain
+{
+public:
+  /** The mesh is not needed later. */
+  explicit MeanStrain(const Mesh<dim> &mesh);
+
+  /** Of the displacement @p u. */
+  VoigtVector<dim> operator()(const std::vector<double> &u) const;
+
+private:
+  std::vector<dealii::Tensor<1, dim>> gradient; ///< of each point (1/m)
+};
+} // namespace mesoslip
+
+#endif

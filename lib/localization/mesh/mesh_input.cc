@@ -1,0 +1,241 @@
+#include "localization/mesh/mesh_input.h"
+
+#include "base/errors.h"
+#include "localization/comparison.h"
+#include "mesh/cell_gradients.h"
+#include "mesh/cell_locator.h"
+#include "parameters/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+namespace mesoslip
+{
+namespace
+{
+template <int dim>
+std::string point_text(const dealii::Point<dim> &point)
+{
+  std::string text;
+  for (unsigned int d = 0; d < dim; ++d)
+    text += (d == 0 ? "(" : ", ") + to_text(point[d]);
+  return text + ") m";
+}
+
+template <int dim>
+std::string corners_text(const dealii::BoundingBox<dim> &box)
+{
+  return "from " + point_text(box.get_boundary_points().first) + " to " +
+         point_text(box.get_boundary_points().second);
+}
+
+/** Whether two boxes are one, as far as meshes that are made apart can be. */
+template <int dim>
+bool same_box(const dealii::BoundingBox<dim> &a, const dealii::BoundingBox<dim> &b)
+{
+  const auto &p = a.get_boundary_points(), &q = b.get_boundary_points();
+  const double slack = 1e-6 * p.first.distance(p.second);
+  return p.first.distance(q.first) <= slack && p.second.distance(q.second) <= slack;
+}
+
+/** The times of @p all in the range. */
+std::vector<double> times_of(const std::vector<double> &all, const IndexRange &range)
+{
+  const auto first = all.begin() + static_cast<std::ptrdiff_t>(range.first);
+  return {first, first + static_cast<std::ptrdiff_t>(range.count)};
+}
+} // namespace
+
+template <int dim>
+MeshLocalizationInput<dim>::MeshLocalizationInput(const LocalizationParameters &p)
+  : parameters(p)
+  , rve(p.rve_file)
+  , homogeneous(p.homogeneous_run, "the homogeneous run; run contact_dynamics first")
+  , volume(rve.mesh())
+  , body(homogeneous.mesh())
+  , out_of_plane_ratio(out_of_plane_ratios(p, rve))
+{
+  for (const std::string &note : {rve.change_note(), homogeneous.change_note()})
+    if (!note.empty())
+      warnings.push_back(note);
+  for (const auto &cell : volume.cells)
+    {
+      const CellMeasure<dim> measure = cell_measure(volume, cell.vertices);
+      centroids.push_back(measure.centroid);
+      measures.push_back(measure.volume);
+    }
+  check_homogeneous();
+  compare_boxes();
+  find_places();
+  if (!p.direct_run.empty())
+    check_direct();
+  choose_snapshots();
+}
+
+template <int dim>
+void MeshLocalizationInput<dim>::check_homogeneous()
+{
+  const auto &first = homogeneous.phases[body.cells[0].material_id].stiffness;
+  for (const auto &cell : body.cells)
+    if (homogeneous.phases[cell.material_id].stiffness != first)
+      throw UserError("the homogeneous run " + homogeneous.path() +
+                      " is one of a heterogeneous body, whose strains are local already; "
+                      "name a run with Body/Material = homogeneous");
+  if (!homogeneous.rve_digest.empty() && homogeneous.rve_digest != rve.digest)
+    warnings.push_back("the homogeneous run " + homogeneous.path() +
+                       " took its material from an RVE file with the digest " +
+                       homogeneous.rve_digest + ", but " + rve.path() + " has " +
+                       rve.digest);
+}
+
+template <int dim>
+void MeshLocalizationInput<dim>::compare_boxes()
+{
+  const dealii::BoundingBox<dim> ours(volume.points), theirs(body.points);
+  const bool same = same_box(ours, theirs);
+  if (same)
+    return find_cells();
+  const std::string both = "the homogeneous run " + homogeneous.path() +
+                           " covers the box " + corners_text(theirs) + ", but " +
+                           rve.path() + " covers that " + corners_text(ours);
+  if (parameters.points.empty())
+    throw UserError(both + "; run contact_dynamics with a body of this size, or name "
+                           "points of the body in Volume element/Points, to have the "
+                           "fields of the volume there");
+  if (!parameters.further_probes.empty() || !parameters.direct_run.empty())
+    throw UserError(both + ", so the volume is not the body: there are neither probes "
+                           "nor a direct run; empty Probes/Further and Input/Direct run");
+}
+
+template <int dim>
+void MeshLocalizationInput<dim>::find_cells()
+{
+  const CellLocator<dim> locator(body);
+  for (const dealii::Point<dim> &centroid : centroids)
+    {
+      const auto cell = locator.find(centroid);
+      if (!cell)
+        throw UserError("the cell of " + rve.path() + " at " + point_text(centroid) +
+                        " lies outside the body of " + homogeneous.path() +
+                        "; both have to be meshes of the same body");
+      body_cell.push_back(*cell);
+    }
+}
+
+template <int dim>
+void MeshLocalizationInput<dim>::find_places()
+{
+  if (!parameters.all_run_probes() && !parameters.run_probes.empty())
+    throw UserError("Probes/Of the run names '" + parameters.run_probes[0] +
+                    "', but with meshes the probes of the run are not used; give its "
+                    "position under Probes/Further");
+  const auto add = [&](const LocalizedProbe &asked, const std::string &section,
+                       const Mesh<dim> &mesh, std::vector<Place> &places) {
+    const std::string key = section + "/" + asked.name + "/Position";
+    if (asked.position.size() != dim)
+      throw UserError(key + " has " + std::to_string(asked.position.size()) +
+                      " numbers, but the body has " + std::to_string(dim) +
+                      " dimensions; give one for each");
+    Place place = {asked, {}, 0};
+    for (unsigned int d = 0; d < dim; ++d)
+      place.at[d] = asked.position[d];
+    const auto cell = CellLocator<dim>(mesh).find(place.at);
+    if (!cell)
+      throw UserError(key + ": " + point_text(place.at) +
+                      " lies outside the body, whose bounding box is " +
+                      corners_text(dealii::BoundingBox<dim>(mesh.points)));
+    place.cell = *cell;
+    places.push_back(place);
+  };
+  for (const LocalizedProbe &point : parameters.points)
+    add(point, "Volume element", body, points);
+  for (const LocalizedProbe &probe : parameters.further_probes)
+    {
+      add(probe, "Probes", volume, probes);
+      LocalizedProbe &found = probes.back().probe;
+      found.cell            = {probes.back().cell};
+      found.phase           = volume.cells[probes.back().cell].material_id;
+      found.phase_name      = rve.phases[found.phase].name;
+    }
+}
+
+template <int dim>
+void MeshLocalizationInput<dim>::check_direct()
+{
+  direct = std::make_unique<BodySnapshots<dim>>(
+    parameters.direct_run, "the direct run; run contact_dynamics first");
+  if (!direct->change_note().empty())
+    warnings.push_back(direct->change_note());
+  direct_body            = direct->mesh();
+  const std::string what = "the direct run " + direct->path();
+  if (direct_body.cells.size() != volume.cells.size())
+    throw UserError(what + " has " + std::to_string(direct_body.cells.size()) +
+                    " cells, " + rve.path() + " " + std::to_string(volume.cells.size()) +
+                    "; run contact_dynamics with the mesh of the RVE");
+  for (std::size_t k = 0; k < volume.cells.size(); ++k)
+    {
+      const auto measure = cell_measure(direct_body, direct_body.cells[k].vertices);
+      if (!(measure.centroid.distance(centroids[k]) <=
+            1e-6 * std::pow(measure.volume, 1. / dim)))
+        throw UserError(what + " has other cells than " + rve.path() + ", the first at " +
+                        point_text(measure.centroid) +
+                        "; run contact_dynamics with the mesh of the RVE");
+      const auto &ours   = rve.phases[volume.cells[k].material_id].stiffness;
+      const auto &theirs = direct->phases[direct_body.cells[k].material_id].stiffness;
+      if (!((ours - theirs).norm() <= 1e-9 * ours.norm()))
+        throw UserError(what + " has another material than " + rve.path() +
+                        " in the cell at " + point_text(centroids[k]) +
+                        "; run contact_dynamics with the phases of the RVE");
+    }
+  differences = compare_conditions({homogeneous.path(), homogeneous.conditions},
+                                   {direct->path(), direct->conditions},
+                                   parameters.allow_different_loads, notes, warnings);
+}
+
+template <int dim>
+void MeshLocalizationInput<dim>::choose_snapshots()
+{
+  const auto begin = [this](const BodySnapshots<dim> &run) {
+    return std::isnan(parameters.from) ? steady_from({run.path(), run.conditions})
+                                       : parameters.from;
+  };
+  window.begin = begin(homogeneous);
+  if (direct)
+    window.begin = std::max(window.begin, begin(*direct));
+  if (!std::isnan(parameters.to))
+    window.end = parameters.to;
+  const RunSnapshots ours = {homogeneous.path(), homogeneous.times()};
+  RunSnapshots theirs;
+  if (direct)
+    {
+      theirs           = {direct->path(), direct->times()};
+      window           = shared_snapshots(ours, theirs, window);
+      direct_snapshots = snapshots_in(theirs, window);
+      direct_times     = times_of(theirs.times, direct_snapshots);
+    }
+  snapshots = snapshots_in(ours, window);
+  times     = times_of(ours.times, snapshots);
+}
+
+template <int dim>
+void MeshLocalizationInput<dim>::describe(std::ostream &out) const
+{
+  out << "Homogeneous run: " << body.cells.size() << " cells, " << snapshots.count
+      << " snapshots\n";
+  if (direct)
+    out << "Direct run: " << direct_body.cells.size() << " cells, "
+        << direct_snapshots.count << " snapshots\n";
+  const double per_cell = 8e-6 * (2. * n_voigt<dim> * n_voigt<dim> + 40.);
+  out << volume.cells.size() << " cells of the RVE, "
+      << (is_body() ? "which is the body, " : "smaller than the body, ") << probes.size()
+      << " probes, " << points.size() << " points, about "
+      << std::ceil(per_cell * static_cast<double>(volume.cells.size())) + 128.
+      << " MB of memory, divided among the ranks but for the meshes\n";
+  for (const std::string &warning : warnings)
+    out << "warning: " << warning << '\n';
+}
+
+template class MeshLocalizationInput<2>;
+template class MeshLocalizationInput<3>;
+} // namespace mesoslip

@@ -1,0 +1,253 @@
+#include "localization/mesh/mesh_localization.h"
+
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "localization/localization_program.h"
+#include "localization/mesh/mesh_result.h"
+#include "localization/mesh/rank_work.h"
+#include "program/run_context.h"
+
+#include <ostream>
+
+namespace mesoslip
+{
+namespace
+{
+/** Largest entry of (volume mean of L) - I, which is zero for KUBC and PBC. */
+template <int dim>
+double mean_defect(const std::vector<double> &concentration,
+                   const std::vector<double> &volumes)
+{
+  VoigtMatrix<dim> sum = VoigtMatrix<dim>::Zero();
+  double volume        = 0.;
+  for (std::size_t k = 0; k < volumes.size(); ++k)
+    {
+      sum += volumes[k] * Eigen::Map<const VoigtMatrix<dim>>(
+                            &concentration[n_voigt<dim> * n_voigt<dim> * k]);
+      volume += volumes[k];
+    }
+  return (sum / volume - VoigtMatrix<dim>::Identity()).cwiseAbs().maxCoeff();
+}
+
+template <int dim>
+class MeshLocalization : public Analysis
+{
+public:
+  MeshLocalization(const LocalizationParameters &p, const std::string &canonical_text)
+    : parameters(p)
+    , canonical(canonical_text)
+  {
+    on_root(MPI_COMM_WORLD, [this]() {
+      input = std::make_unique<MeshLocalizationInput<dim>>(parameters);
+    });
+  }
+
+  void describe(std::ostream &out) const override
+  {
+    if (input)
+      input->describe(out);
+  }
+
+  void run(RunContext &context) override
+  {
+    context.remove_results(
+      {"localization.h5", "localization.xdmf", "probes.csv", "field_errors.csv"});
+    const RankWork<dim> work = distribute_work(context);
+    tell(context);
+    RankResult mine;
+    {
+      const auto scope = context.timer().scope("Localization");
+      pass_homogeneous(work, mine, context);
+      if (!parameters.direct_run.empty())
+        pass_direct(work, mine, context);
+    }
+    const auto texts = gather(context.communicator(), save_state(mine));
+    const auto scope = context.timer().scope("Output");
+    on_root(context.communicator(), [&]() { write(texts, context); });
+    if (context.root())
+      log_key_numbers(context);
+  }
+
+private:
+  RankWork<dim> distribute_work(const RunContext &context)
+  {
+    std::vector<std::string> texts;
+    on_root(context.communicator(), [&]() {
+      const std::vector<double> L = input->rve.concentration(parameters.concentration);
+      check_concentration(L);
+      const auto n_ranks = static_cast<std::size_t>(context.n_ranks());
+      for (std::size_t r = 0; r < n_ranks; ++r)
+        texts.push_back(save_state(
+          work_of(input->first_cell(r, n_ranks), input->first_cell(r + 1, n_ranks), L)));
+    });
+    RankWork<dim> work;
+    load_state(scatter(context.communicator(), texts), work,
+               "the message of another process");
+    return work;
+  }
+
+  void check_concentration(const std::vector<double> &L)
+  {
+    const std::size_t n = n_voigt<dim> * n_voigt<dim>;
+    if (L.size() != n * input->volume.cells.size())
+      throw UserError(input->rve.path() +
+                      ": concentration tensors and cells differ in number; run "
+                      "rve_homogenization again");
+    const double defect = mean_defect<dim>(L, input->measures);
+    if (!(defect <= 1e-6))
+      input->warnings.push_back(
+        input->rve.path() + ": the mean of the concentration tensors " +
+        parameters.concentration + " differs from the identity by " + to_text(defect) +
+        "; rve_homogenization should be run with a smaller tolerance");
+  }
+
+  RankWork<dim> work_of(const std::size_t first,
+                        const std::size_t end,
+                        const std::vector<double> &L) const
+  {
+    constexpr auto n = std::ptrdiff_t{n_voigt<dim>} * n_voigt<dim>;
+    RankWork<dim> work;
+    work.is_body = input->is_body();
+    work.concentration.assign(L.begin() + n * static_cast<std::ptrdiff_t>(first),
+                              L.begin() + n * static_cast<std::ptrdiff_t>(end));
+    for (std::size_t k = first; k < end; ++k)
+      {
+        work.phase.push_back(input->volume.cells[k].material_id);
+        if (input->is_body())
+          {
+            work.in_body.at.push_back(input->centroids[k]);
+            work.in_body.cell.push_back(input->body_cell[k]);
+          }
+        if (input->direct)
+          {
+            work.in_direct.at.push_back(input->centroids[k]);
+            work.in_direct.cell.push_back(static_cast<unsigned int>(k));
+          }
+      }
+    for (const auto &point : input->points)
+      {
+        work.in_body.at.push_back(point.at);
+        work.in_body.cell.push_back(point.cell);
+      }
+    for (const auto &probe : input->probes)
+      if (probe.cell >= first && probe.cell < end)
+        work.probes.push_back(probe.cell - first);
+    for (const Phase<dim> &phase : input->rve.phases)
+      work.phase_stiffness.push_back(phase.stiffness);
+    work.phase_ratio = input->out_of_plane_ratio;
+    return work;
+  }
+
+  /** Calls @p treat for each snapshot of a run, which rank 0 reads. */
+  template <typename Treat>
+  void for_each_snapshot(const BodySnapshots<dim> *run,
+                         const IndexRange &of_root,
+                         const std::string &role,
+                         StrainSource<dim> &source,
+                         const Treat &treat,
+                         RunContext &context)
+  {
+    std::array<std::size_t, 2> range = {{of_root.first, of_root.count}};
+    dealii::Utilities::MPI::broadcast(range.data(), 2, 0, context.communicator());
+    context.progress().start("snapshots of the " + role, range[1]);
+    for (std::size_t k = 0; k < range[1]; ++k)
+      {
+        std::vector<double> u;
+        on_root(context.communicator(), [&]() { u = run->displacement(range[0] + k); });
+        source.set_displacement(u);
+        treat();
+        context.progress().update(k + 1);
+        if (context.stop_requested())
+          throw Interrupted("stopped before anything was written; start the run again");
+      }
+    context.progress().finish();
+  }
+
+  void pass_homogeneous(const RankWork<dim> &work, RankResult &mine, RunContext &context)
+  {
+    const LocalCells<dim> cells = work.cells(true);
+    StrainSource<dim> source(input ? input->body : Mesh<dim>(), work.in_body,
+                             context.communicator());
+    const std::size_t n_points   = parameters.points.size(),
+                      n_places   = work.in_body.at.size() - n_points;
+    const FieldSelection &fields = parameters.fields;
+    StressRecord<dim> local(cells, fields, work.probes), mean(cells, fields, work.probes);
+    std::vector<StressRecord<dim>> points;
+    const std::vector<std::size_t> none;
+    for (std::size_t p = 0; p < n_points; ++p)
+      points.emplace_back(cells, fields, none);
+    for_each_snapshot(
+      input ? &input->homogeneous : nullptr, input ? input->snapshots : IndexRange(),
+      "homogeneous run", source,
+      [&]() {
+        if (work.is_body && parameters.local_strain)
+          local.add([&](const std::size_t k) { return source.at(k); });
+        if (work.is_body && parameters.mean_strain)
+          mean.add([&](const std::size_t) { return source.mean(); });
+        for (std::size_t p = 0; p < n_points; ++p)
+          {
+            const VoigtVector<dim> strain = source.at(n_places + p);
+            points[p].add([&](const std::size_t) { return strain; });
+          }
+      },
+      context);
+    for (const auto &point : points)
+      point.append_to(mine);
+    if (work.is_body && parameters.local_strain)
+      local.append_to(mine);
+    if (work.is_body && parameters.mean_strain)
+      mean.append_to(mine);
+  }
+
+  void pass_direct(const RankWork<dim> &work, RankResult &mine, RunContext &context)
+  {
+    const LocalCells<dim> cells = work.cells(false);
+    StrainSource<dim> source(input ? input->direct_body : Mesh<dim>(), work.in_direct,
+                             context.communicator());
+    StressRecord<dim> record(cells, parameters.fields, work.probes);
+    for_each_snapshot(
+      input ? input->direct.get() : nullptr,
+      input ? input->direct_snapshots : IndexRange(), "direct run", source,
+      [&]() { record.add([&](const std::size_t k) { return source.at(k); }); }, context);
+    record.append_to(mine);
+  }
+
+  void tell(RunContext &context)
+  {
+    if (!input)
+      return;
+    for (const std::string &warning : input->warnings)
+      context.warn(warning);
+    for (const std::string &note : input->notes)
+      context.log(note);
+  }
+
+  void write(const std::vector<std::string> &texts, RunContext &context) const
+  {
+    std::vector<RankResult> of_ranks(texts.size());
+    for (std::size_t r = 0; r < texts.size(); ++r)
+      load_state(texts[r], of_ranks[r], "the message of another process");
+    const LocalizationOrigin origin = origin_of(*input);
+    const LocalizationResult result = put_together(*input, of_ranks);
+    write_localization(origin, result, canonical, context.output_folder());
+    summarize_localization(origin, result, context.summary());
+  }
+
+  const LocalizationParameters parameters;
+  const std::string canonical;
+  std::unique_ptr<MeshLocalizationInput<dim>> input; ///< on rank 0
+};
+} // namespace
+
+template <int dim>
+std::unique_ptr<Analysis> make_mesh_localization(const LocalizationParameters &parameters,
+                                                 const std::string &canonical)
+{
+  return std::make_unique<MeshLocalization<dim>>(parameters, canonical);
+}
+
+template std::unique_ptr<Analysis>
+make_mesh_localization<2>(const LocalizationParameters &, const std::string &);
+template std::unique_ptr<Analysis>
+make_mesh_localization<3>(const LocalizationParameters &, const std::string &);
+} // namespace mesoslip

@@ -1,0 +1,37 @@
+#ifndef mesoslip_mesh_cell_locator_h
+#define mesoslip_mesh_cell_locator_h
+
+#include "mesh/mesh.h"
+
+#include <deal.II/numerics/rtree.h>
+
+#include <optional>
+#include <utility>
+
+namespace mesoslip
+{
+/** Finds the cells of a mesh that hold points, by a tree of their bounding boxes. */
+template <int dim>
+class CellLocator
+{
+public:
+  /** The mesh must outlive it. */
+  explicit CellLocator(const Mesh<dim> &mesh);
+
+  /**
+   * The cell that holds @p point; of several that share it, the one with the largest
+   * number. Near a curved boundary, which meshes approximate each in its own way, a point
+   * may lie outside all cells by a quarter of the diameter of the nearest one. Nothing
+   * if there is no such cell.
+   */
+  std::optional<unsigned int> find(const dealii::Point<dim> &point) const;
+
+private:
+  double depth(const unsigned int cell, const dealii::Point<dim> &point) const;
+
+  const Mesh<dim> &mesh;
+  dealii::RTree<std::pair<dealii::BoundingBox<dim>, unsigned int>> boxes;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,83 @@
+#include "mesh/cell_quality.h"
+
+#include "base/errors.h"
+#include "base/text.h"
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <limits>
+
+namespace mesoslip
+{
+namespace
+{
+/** Corners at the other ends of the edges from corner @p v, right-handed. */
+template <int dim>
+std::array<unsigned int, dim> neighbours(const unsigned int v, const bool is_simplex)
+{
+  std::array<unsigned int, dim> result;
+  for (unsigned int d = 0; d < dim; ++d)
+    result[d] = is_simplex ? (v + 1 + d) % (dim + 1) : v ^ (1U << d);
+  // Each step along an axis to its lower end mirrors, as does, in a tetrahedron, each
+  // step to the next corner.
+  const bool mirrored = is_simplex ? dim == 3 && v % 2 == 1
+                                   : ((v & 1U) + ((v >> 1U) & 1U) + (v >> 2U)) % 2 == 1;
+  if (mirrored)
+    std::swap(result[0], result[1]);
+  return result;
+}
+} // namespace
+
+template <int dim>
+MeshQuality<dim> cell_quality(const Mesh<dim> &mesh)
+{
+  MeshQuality<dim> quality;
+  quality.smallest_edge = std::numeric_limits<double>::max();
+  quality.volume.assign(mesh.phases.size(), 0.);
+  quality.n_cells.assign(mesh.phases.size(), 0);
+  for (const dealii::CellData<dim> &cell : mesh.cells)
+    {
+      const auto &corners = cell.vertices;
+      quality.volume[cell.material_id] += dealii::GridTools::cell_measure(
+        mesh.points, dealii::ArrayView<const unsigned int>(corners));
+      ++quality.n_cells[cell.material_id];
+      for (unsigned int v = 0; v < corners.size(); ++v)
+        {
+          dealii::Tensor<2, dim> edges;
+          double lengths  = 1.;
+          const auto ends = neighbours<dim>(v, corners.size() == dim + 1);
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              edges[d] = mesh.points[corners[ends[d]]] - mesh.points[corners[v]];
+              const double length   = edges[d].norm();
+              quality.smallest_edge = std::min(quality.smallest_edge, length);
+              quality.largest_edge  = std::max(quality.largest_edge, length);
+              lengths *= length;
+            }
+          const double jacobian = lengths > 0. ? determinant(edges) / lengths : 0.;
+          if (!(jacobian >= quality.worst_jacobian))
+            {
+              quality.worst_jacobian = jacobian;
+              quality.worst_place    = dealii::Point<dim>();
+              for (const unsigned int p : corners)
+                quality.worst_place +=
+                  mesh.points[p] / static_cast<double>(corners.size());
+            }
+        }
+    }
+  if (!(quality.worst_jacobian > 1e-10))
+    {
+      std::vector<double> x(dim);
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = quality.worst_place[d];
+      throw UserError("Mesh/File: the cell at (" + to_text(x) +
+                      ") m is twisted, concave or flat (scaled Jacobian " +
+                      to_text(quality.worst_jacobian) +
+                      "); mesh that place anew, for instance with another algorithm");
+    }
+  return quality;
+}
+
+template MeshQuality<2> cell_quality(const Mesh<2> &);
+template MeshQuality<3> cell_quality(const Mesh<3> &);
+} // namespace mesoslip

@@ -1,0 +1,186 @@
+#include "mesh/mesh_part.h"
+
+#include "base/exchange.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace mesoslip
+{
+namespace
+{
+constexpr unsigned int nobody = dealii::numbers::invalid_unsigned_int;
+
+/** The cells in their order along a Hilbert curve. */
+template <int dim>
+std::vector<unsigned int> curve_order(const Mesh<dim> &mesh)
+{
+  constexpr int bits = 20;
+  std::vector<dealii::Point<dim>> middles(mesh.cells.size());
+  for (std::size_t k = 0; k < middles.size(); ++k)
+    {
+      const auto &vertices = mesh.cells[k].vertices;
+      for (const unsigned int v : vertices)
+        middles[k] += mesh.points[v] / static_cast<double>(vertices.size());
+    }
+  const auto place =
+    dealii::Utilities::inverse_Hilbert_space_filling_curve<dim>(middles, bits);
+  std::vector<unsigned int> order(mesh.cells.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(
+    order.begin(), order.end(),
+    [&](const unsigned int a, const unsigned int b) { return place[a] < place[b]; });
+  return order;
+}
+
+/** For each point of the mesh the ranks whose cells have it, in ascending order. */
+template <int dim>
+std::vector<std::vector<unsigned int>>
+ranks_of_points(const Mesh<dim> &mesh, const std::vector<unsigned int> &rank_of_cell)
+{
+  std::vector<std::vector<unsigned int>> ranks(mesh.points.size());
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k)
+    for (const unsigned int p : mesh.cells[k].vertices)
+      {
+        const auto place =
+          std::lower_bound(ranks[p].begin(), ranks[p].end(), rank_of_cell[k]);
+        if (place == ranks[p].end() || *place != rank_of_cell[k])
+          ranks[p].insert(place, rank_of_cell[k]);
+      }
+  return ranks;
+}
+
+/** Makes the part of one rank after the other; its working memory is as large as a list
+ * of all points. */
+template <int dim>
+class PartMaker
+{
+public:
+  PartMaker(const Mesh<dim> &mesh, const std::vector<unsigned int> &rank_of_cell)
+    : mesh(mesh)
+    , rank_of_cell(rank_of_cell)
+    , order(curve_order(mesh))
+    , ranks(ranks_of_points(mesh, rank_of_cell))
+    , local(mesh.points.size(), nobody)
+  {
+  }
+
+  MeshPart<dim> make(const unsigned int rank)
+  {
+    MeshPart<dim> part;
+    std::vector<unsigned int> foreign;
+    for (const unsigned int k : order)
+      if (rank_of_cell[k] == rank)
+        {
+          part.cell_in_mesh.push_back(k);
+          for (const unsigned int p : mesh.cells[k].vertices)
+            if (local[p] == nobody)
+              {
+                local[p] = 0;
+                (ranks[p].front() == rank ? part.point_in_mesh : foreign).push_back(p);
+              }
+        }
+    part.n_owned = static_cast<unsigned int>(part.point_in_mesh.size());
+    part.point_in_mesh.insert(part.point_in_mesh.end(), foreign.begin(), foreign.end());
+    for (unsigned int i = 0; i < part.point_in_mesh.size(); ++i)
+      {
+        local[part.point_in_mesh[i]] = i;
+        part.points.push_back(mesh.points[part.point_in_mesh[i]]);
+      }
+    for (const unsigned int k : part.cell_in_mesh)
+      {
+        part.cells.push_back(mesh.cells[k]);
+        for (unsigned int &v : part.cells.back().vertices)
+          v = local[v];
+      }
+    find_neighbours(rank, part);
+    for (const unsigned int p : part.point_in_mesh)
+      local[p] = nobody;
+    return part;
+  }
+
+private:
+  void find_neighbours(const unsigned int rank, MeshPart<dim> &part) const
+  {
+    std::vector<unsigned int> in_order = part.point_in_mesh;
+    std::sort(in_order.begin(), in_order.end());
+    std::map<unsigned int, std::vector<unsigned int>> shared;
+    for (const unsigned int p : in_order)
+      for (const unsigned int other : ranks[p])
+        if (other != rank)
+          shared[other].push_back(local[p]);
+    for (const auto &[other, points] : shared)
+      part.neighbours.push_back({other, points});
+  }
+
+  const Mesh<dim> &mesh;
+  const std::vector<unsigned int> &rank_of_cell;
+  const std::vector<unsigned int> order;
+  const std::vector<std::vector<unsigned int>> ranks;
+  std::vector<unsigned int> local; ///< of each point of the mesh its index in the part
+};
+} // namespace
+
+template <int dim>
+std::vector<unsigned int> partition_cells(const Mesh<dim> &mesh,
+                                          const unsigned int n_ranks,
+                                          const std::vector<unsigned int> &weights)
+{
+  using namespace dealii;
+  std::vector<unsigned int> ranks(mesh.cells.size(), 0);
+  if (n_ranks == 1)
+    return ranks;
+  Triangulation<dim> triangulation;
+  triangulation.create_triangulation(mesh.points, mesh.cells, SubCellData());
+  DynamicSparsityPattern connections;
+  GridTools::get_face_connectivity_of_cells(triangulation, connections);
+  SparsityPattern graph;
+  graph.copy_from(connections);
+  SparsityTools::partition(graph, weights, n_ranks, ranks,
+                           SparsityTools::Partitioner::metis);
+  return ranks;
+}
+
+template <int dim>
+MeshPart<dim> distribute(const Mesh<dim> &mesh,
+                         const std::vector<unsigned int> &rank_of_cell,
+                         const MPI_Comm communicator)
+{
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  const bool is_root = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  if (n_ranks == 1)
+    return PartMaker<dim>(mesh, rank_of_cell).make(0);
+  std::vector<std::string> messages;
+  if (is_root)
+    {
+      PartMaker<dim> parts(mesh, rank_of_cell);
+      for (unsigned int rank = 0; rank < n_ranks; ++rank)
+        {
+          MeshPart<dim> part = parts.make(rank);
+          messages.push_back(save_state(part));
+        }
+    }
+  MeshPart<dim> own;
+  load_state(scatter(communicator, messages), own, "the part of the mesh");
+  return own;
+}
+
+#define MESOSLIP_INSTANTIATE(dim)                                              \
+  template struct MeshPart<dim>;                                               \
+  template std::vector<unsigned int> partition_cells(                          \
+    const Mesh<dim> &, const unsigned int, const std::vector<unsigned int> &); \
+  template MeshPart<dim> distribute(const Mesh<dim> &,                         \
+                                    const std::vector<unsigned int> &, const MPI_Comm);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
+} // namespace mesoslip

@@ -1,0 +1,74 @@
+#ifndef mesoslip_mesh_mesh_part_h
+#define mesoslip_mesh_mesh_part_h
+
+#include "mesh/mesh.h"
+
+#include <mpi.h>
+
+namespace mesoslip
+{
+/**
+ * What one rank holds of a mesh whose cells are divided among the ranks: its cells and
+ * all their points. A point of several ranks is owned by the lowest of them.
+ */
+template <int dim>
+struct MeshPart
+{
+  /** Points that this rank shares with another one, in the order of the whole mesh, which
+   * is the same on both. */
+  struct Neighbour
+  {
+    unsigned int rank = 0;            ///< number of the other one
+    std::vector<unsigned int> points; ///< indices into points
+
+    /** Of boost::serialization. */
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &rank &points;
+    }
+  };
+
+  /** Corners of the cells (m), those owned by this rank first; in both parts in the order
+   * in which the cells need them. */
+  std::vector<dealii::Point<dim>> points;
+
+  unsigned int n_owned = 0; ///< number of points that this rank owns
+
+  /** Along a space-filling curve; vertices are indices into points. */
+  std::vector<dealii::CellData<dim>> cells;
+
+  std::vector<unsigned int> point_in_mesh; ///< indices of the points in the whole mesh
+  std::vector<unsigned int> cell_in_mesh;  ///< indices of the cells in the whole mesh
+
+  std::vector<Neighbour> neighbours; ///< in ascending order of their ranks
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &points &n_owned &cells &point_in_mesh &cell_in_mesh &neighbours;
+  }
+};
+
+/**
+ * The rank of each cell by METIS, from the graph of cells that share a face: parts of
+ * equal weight with few faces between them. @p weights are those of the cells; empty: all
+ * equal.
+ */
+template <int dim>
+std::vector<unsigned int> partition_cells(const Mesh<dim> &mesh,
+                                          const unsigned int n_ranks,
+                                          const std::vector<unsigned int> &weights = {});
+
+/**
+ * Gives each rank its part of the mesh, which rank 0 alone has to have, with the rank of
+ * each cell (see partition_cells()). Collective.
+ */
+template <int dim>
+MeshPart<dim> distribute(const Mesh<dim> &mesh,
+                         const std::vector<unsigned int> &rank_of_cell,
+                         const MPI_Comm communicator);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,29 @@
+#ifndef mesoslip_mesh_periodic_points_h
+#define mesoslip_mesh_periodic_points_h
+
+#include "mesh/boundary.h"
+
+namespace mesoslip
+{
+/** Points of the upper side of an axis and those opposite on the lower side. */
+template <int dim>
+struct OppositePoints
+{
+  std::vector<std::array<unsigned int, 2>> pairs; ///< upper and lower
+  double largest_mismatch = 0.;                   ///< along the sides (m)
+};
+
+/**
+ * Pairs the points of two opposite sides, for each point the nearest one.
+ * @throws UserError unless the sides have equally many points and each is opposite to
+ * one within 1e-6 of @p cell_size (m), the shortest edge of the mesh
+ */
+template <int dim>
+OppositePoints<dim> opposite_points(const Mesh<dim> &mesh,
+                                    const std::vector<unsigned int> &lower,
+                                    const std::vector<unsigned int> &upper,
+                                    const unsigned int axis,
+                                    const double cell_size);
+} // namespace mesoslip
+
+#endif

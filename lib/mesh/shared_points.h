@@ -1,0 +1,49 @@
+#ifndef mesoslip_mesh_shared_points_h
+#define mesoslip_mesh_shared_points_h
+
+#include "mesh/mesh_part.h"
+
+namespace mesoslip
+{
+/**
+ * Sums over the ranks at the points that they share. All ranks of a point add up the same
+ * numbers in the same order, that of the ranks, and so get the same bits: what they compute
+ * from them needs no message.
+ */
+template <int dim>
+class SharedPoints
+{
+public:
+  using Neighbours = std::vector<typename MeshPart<dim>::Neighbour>; ///< of MeshPart
+
+  /** For fields with @p stride numbers a point, of which the first dim are summed. */
+  SharedPoints(const Neighbours &neighbours,
+               const unsigned int stride,
+               const MPI_Comm communicator);
+
+  /** Waits for what is under way. */
+  ~SharedPoints();
+
+  SharedPoints(const SharedPoints &)            = delete; ///< requests refer to members
+  SharedPoints &operator=(const SharedPoints &) = delete; ///< see the constructor
+
+  /** Sends the terms of this rank. */
+  void start(const double *field);
+
+  /** Replaces the terms of this rank by the sums, once those of the others are there. */
+  void finish(double *field);
+
+private:
+  const Neighbours neighbours;
+  const unsigned int stride;
+  const MPI_Comm communicator;
+  unsigned int rank = 0;
+  std::vector<unsigned int> points;      ///< of all neighbours, each once
+  std::vector<double> own;               ///< terms of this rank at these points
+  std::vector<std::vector<double>> sent; ///< to each neighbour
+  std::vector<std::vector<double>> received;
+  std::vector<MPI_Request> sending, receiving;
+};
+} // namespace mesoslip
+
+#endif

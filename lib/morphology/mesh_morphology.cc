@@ -1,0 +1,267 @@
+#include "morphology/mesh_morphology.h"
+
+#include "base/errors.h"
+#include "base/text.h"
+#include "material/plausibility.h"
+#include "mesh/boundary.h"
+#include "mesh/cell_quality.h"
+#include "mesh/periodic_points.h"
+#include "mesh/read_gmsh.h"
+#include "parameters/keys.h"
+
+#include <deal.II/base/bounding_box.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+
+namespace mesoslip
+{
+namespace
+{
+/** Below it a cell is so flat that strains in it say little. */
+constexpr double poor_jacobian = 0.05;
+
+std::string count_text(const std::size_t n, const std::string &of)
+{
+  return std::to_string(n) + " " + of;
+}
+
+/** Numbers the phases as Phases/Names does, or all alike. */
+template <int dim>
+void number_phases(Mesh<dim> &mesh,
+                   const std::string &file,
+                   const std::vector<PhaseParameters> &phases,
+                   const bool one_phase)
+{
+  if (one_phase)
+    {
+      for (auto &cell : mesh.cells)
+        cell.material_id = 0;
+      mesh.phases = {phases[0].name};
+      return;
+    }
+  std::vector<dealii::types::material_id> number;
+  std::vector<std::string> names;
+  for (const PhaseParameters &phase : phases)
+    names.push_back(phase.name);
+  for (const std::string &group : mesh.phases)
+    {
+      const auto found = std::find(names.begin(), names.end(), group);
+      if (found == names.end())
+        throw UserError("Mesh/File = " + file + " has cells of the group '" + group +
+                        "', which is no phase: Phases/Names is " + to_text(names) +
+                        "; name groups and phases alike");
+      number.push_back(found - names.begin());
+    }
+  for (auto &cell : mesh.cells)
+    cell.material_id = number[cell.material_id];
+  mesh.phases = names;
+}
+
+template <int dim>
+std::string kinds_text(const Mesh<dim> &mesh)
+{
+  std::size_t simplices = 0;
+  for (const auto &cell : mesh.cells)
+    simplices += cell.vertices.size() == dim + 1;
+  const std::size_t others = mesh.cells.size() - simplices;
+  std::string text         = "Mesh: " + count_text(mesh.points.size(), "points");
+  if (simplices > 0)
+    text += ", " + count_text(simplices, dim == 2 ? "triangles" : "tetrahedra");
+  if (others > 0)
+    text += ", " + count_text(others, dim == 2 ? "quadrilaterals" : "hexahedra");
+  return text;
+}
+
+/** Extents of the bounding box, which is where slips of units show. */
+template <int dim>
+std::string box_line(const Mesh<dim> &mesh, const bool scale_typed)
+{
+  const dealii::BoundingBox<dim> box(mesh.points);
+  std::string text;
+  std::vector<PlausibleRange> lengths;
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      const std::string axis(1, "xyz"[d]);
+      // What is round-off beside the size of the body is shown as zero.
+      const auto shown = [&](const double x) {
+        return std::fabs(x) > 1e-9 * box.side_length(d) ? x : 0.;
+      };
+      text +=
+        brief_text(6, d == 0 ? "Bounding box: " : ", ", axis, " from ",
+                   shown(box.lower_bound(d)), " to ", shown(box.upper_bound(d)), " m");
+      lengths.push_back(plausible_length("the body along " + axis, box.side_length(d)));
+    }
+  const std::vector<std::string> slips = implausible(lengths);
+  if (!slips.empty() && !scale_typed)
+    throw UserError("Mesh/Scale: " + slips.front() +
+                    "; set Mesh/Scale to the metres per unit of the file, 0.001 for mm, "
+                    "or to 1 if it is in m");
+  return text;
+}
+
+template <int dim>
+std::string quality_line(const MeshQuality<dim> &quality)
+{
+  std::string place;
+  for (unsigned int d = 0; d < dim; ++d)
+    place += brief_text(4, d == 0 ? "" : ", ", quality.worst_place[d]);
+  return brief_text(4, "Edges from ", quality.smallest_edge, " to ", quality.largest_edge,
+                    " m; worst cell at (", place, ") m, scaled Jacobian ",
+                    quality.worst_jacobian);
+}
+
+/** Faces and area of each group on the boundary. */
+template <int dim>
+std::vector<std::string> boundary_lines(const Mesh<dim> &mesh)
+{
+  const auto faces = boundary_faces(mesh);
+  std::vector<std::string> lines;
+  for (unsigned int b = 0; b < mesh.boundaries.size(); ++b)
+    {
+      const auto group = faces_of_group(mesh, faces, b);
+      double area      = 0.;
+      for (const BoundaryFace<dim> &face : group)
+        {
+          dealii::Tensor<1, dim> normal;
+          for (const auto &part : boundary_points<dim>(mesh, {face}).normal_area)
+            normal += part;
+          area += normal.norm();
+        }
+      const std::string name = "Boundary '" + mesh.boundaries[b] + "': ";
+      lines.push_back(group.empty() ? name + "inside the body, without effect"
+                                    : brief_text(6, name, group.size(),
+                                                 dim == 2 ? " edges, " : " faces, ", area,
+                                                 dim == 2 ? " m" : " m^2"));
+    }
+  return lines;
+}
+
+/** Opposite points of the two sides of an axis, or why there are none. */
+template <int dim>
+struct OppositeSides
+{
+  OppositePoints<dim> points;
+  std::string error;
+};
+
+/** For each axis. */
+template <int dim>
+std::array<OppositeSides<dim>, dim> opposite_sides(const Mesh<dim> &mesh)
+{
+  const auto faces  = faces_of_box(mesh, boundary_faces(mesh));
+  const double edge = cell_quality(mesh).smallest_edge;
+  std::array<OppositeSides<dim>, dim> result;
+  for (unsigned int axis = 0; axis < dim; ++axis)
+    try
+      {
+        result[axis].points =
+          opposite_points(mesh, boundary_points(mesh, faces[2 * axis]).points,
+                          boundary_points(mesh, faces[2 * axis + 1]).points, axis, edge);
+      }
+    catch (const UserError &e)
+      {
+        result[axis].error = e.what();
+      }
+  return result;
+}
+
+std::string file_name_of(const std::string &path)
+{
+  return std::filesystem::path(path).filename().string();
+}
+} // namespace
+
+void MeshParameters::bind(Keys &keys)
+{
+  keys.bind("Dimension", dim, 2, 3,
+            "Dimension of the body: 2, plane strain, or 3, which needs a mesh [-]");
+  {
+    const auto section = keys.section("Mesh");
+    keys.bind_inputs("File", files,
+                     "Mesh of the body that Gmsh wrote (.msh, format 4.1 or 2.2), with "
+                     "triangles and quadrilaterals (2D), tetrahedra or hexahedra (3D). "
+                     "Its physical groups of cells are named as the phases. Several "
+                     "meshes, separated by commas, make an ensemble. Empty: the body is "
+                     "a grid [-]");
+    keys.bind("Scale", scale, Range::positive(),
+              "Metres per unit of the mesh file: 0.001 for one in mm [m]");
+    keys.only_if(!files.empty(), {"Scale"}, "there is no mesh", "set Mesh/File");
+  }
+  scale_typed = keys.is_typed("Mesh/Scale");
+  keys.require(dim == 2 || !files.empty(), "Dimension",
+               "3 needs a mesh; set Mesh/File to one that Gmsh wrote");
+}
+
+template <int dim>
+MeshMorphology<dim> read_mesh(const MeshParameters &parameters,
+                              const std::string &file,
+                              const std::vector<PhaseParameters> &phases)
+{
+  MeshMorphology<dim> result;
+  Mesh<dim> &mesh = result.mesh;
+  result.file     = file;
+  mesh            = read_gmsh<dim>(file, parameters.scale);
+  number_phases(mesh, file, phases, parameters.one_phase);
+  result.description             = {kinds_text(mesh) + " of " + file_name_of(file),
+                                    box_line(mesh, parameters.scale_typed)};
+  const MeshQuality<dim> quality = cell_quality(mesh);
+  result.description.push_back(quality_line(quality));
+  if (quality.worst_jacobian < poor_jacobian)
+    result.warnings.push_back("the mesh has cells that are nearly flat: " +
+                              result.description.back() + "; strains there say little");
+  const double volume = std::accumulate(quality.volume.begin(), quality.volume.end(), 0.);
+  result.phases       = make_phases<dim>(phases);
+  for (std::size_t p = 0; p < phases.size(); ++p)
+    {
+      result.fractions.push_back(quality.volume[p] / volume);
+      result.description.push_back(
+        brief_text(6, "Phase ", p, ", ", phases[p].name, ": ", quality.n_cells[p],
+                   " cells, ", quality.volume[p], dim == 2 ? " m^2, " : " m^3, ",
+                   100. * result.fractions[p], " %; ", phases[p].text<dim>()));
+      if (quality.n_cells[p] == 0)
+        result.warnings.push_back("phase '" + phases[p].name +
+                                  "' of Phases/Names has no cell in " +
+                                  file_name_of(file));
+    }
+  for (const std::string &line : boundary_lines(mesh))
+    result.description.push_back(line);
+  return result;
+}
+
+template <int dim>
+std::vector<std::string> periodicity_lines(const Mesh<dim> &mesh)
+{
+  std::vector<std::string> lines;
+  const auto pairs = opposite_sides(mesh);
+  for (unsigned int axis = 0; axis < dim; ++axis)
+    lines.push_back(pairs[axis].error.empty()
+                      ? brief_text(3, "Sides at both ends of ", "xyz"[axis], ": ",
+                                   pairs[axis].points.pairs.size(),
+                                   " points each, opposite within ",
+                                   pairs[axis].points.largest_mismatch, " m: periodic")
+                      : "Not for PBC: " + pairs[axis].error);
+  return lines;
+}
+
+template <int dim>
+void require_volume(const Mesh<dim> &mesh, const bool periodic)
+{
+  for (const auto &sides : opposite_sides(mesh))
+    if (periodic && !sides.error.empty())
+      throw UserError(sides.error);
+}
+
+template MeshMorphology<2> read_mesh<2>(const MeshParameters &,
+                                        const std::string &,
+                                        const std::vector<PhaseParameters> &);
+template MeshMorphology<3> read_mesh<3>(const MeshParameters &,
+                                        const std::string &,
+                                        const std::vector<PhaseParameters> &);
+template void require_volume(const Mesh<2> &, const bool);
+template void require_volume(const Mesh<3> &, const bool);
+template std::vector<std::string> periodicity_lines(const Mesh<2> &);
+template std::vector<std::string> periodicity_lines(const Mesh<3> &);
+} // namespace mesoslip

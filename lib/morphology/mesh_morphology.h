@@ -1,0 +1,74 @@
+#ifndef mesoslip_morphology_mesh_morphology_h
+#define mesoslip_morphology_mesh_morphology_h
+
+#include "material/voigt.h"
+#include "mesh/mesh.h"
+#include "morphology/microstructure_parameters.h"
+
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** Key `Dimension` and section `Mesh`: bodies that come from a mesh. */
+struct MeshParameters
+{
+  unsigned int dim = 2;           ///< of the body
+  std::vector<std::string> files; ///< meshes of Gmsh; empty: the body is a grid
+  double scale     = 1.;          ///< m per unit of the file
+  bool scale_typed = false;       ///< whether the .prm says so
+
+  /** Whether all groups of cells are one phase, whatever their names. */
+  bool one_phase = false;
+
+  /** Binds the keys. */
+  void bind(Keys &keys);
+};
+
+/** A mesh with the materials of its cells. */
+template <int dim>
+struct MeshMorphology
+{
+  std::string file; ///< where it comes from
+
+  /** Its phases are those of `Phases/Names`, in their order. */
+  Mesh<dim> mesh;
+
+  std::vector<Phase<dim>> phases; ///< by index
+  std::vector<double> fractions;  ///< volume fraction of each phase
+
+  /**
+   * Lines for the log: points and cells, bounding box, worst cell; cells, volume and
+   * material of each phase; faces and area of each boundary.
+   */
+  std::vector<std::string> description;
+
+  /** Sentences for the log: phases without cells, cells that are nearly flat. */
+  std::vector<std::string> warnings;
+};
+
+/**
+ * Reads one of the meshes of @p parameters. The calling rank reads the whole mesh.
+ * @throws UserError naming the file when it cannot be read, has a phase without material,
+ * flat, twisted or duplicate cells, several pieces, or a size that looks like another
+ * unit and no `Mesh/Scale`
+ */
+template <int dim>
+MeshMorphology<dim> read_mesh(const MeshParameters &parameters,
+                              const std::string &file,
+                              const std::vector<PhaseParameters> &phases);
+
+/** @throws UserError unless the body is a box, and if it has to be @p periodic unless the
+ * points of opposite sides are opposite. */
+template <int dim>
+void require_volume(const Mesh<dim> &mesh, const bool periodic);
+
+/**
+ * Lines on how well the opposite sides of a volume element match, for each axis.
+ * @throws UserError unless the body is a box
+ */
+template <int dim>
+std::vector<std::string> periodicity_lines(const Mesh<dim> &mesh);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,203 @@
+#include "sliding/analyses/modal_cases.h"
+
+#include "base/errors.h"
+#include "base/text.h"
+#include "exchange/datasets.h"
+#include "exchange/dynamics_file.h"
+#include "io/table.h"
+#include "material/plausibility.h"
+#include "sliding/body_analysis.h"
+
+#include <cmath>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace mesoslip
+{
+namespace
+{
+/** Along the normal of the flat. */
+template <int dim>
+std::string along_normal()
+{
+  return std::string(1, "xyz"[dim - 1]);
+}
+
+template <int dim>
+std::string top_text(const TopSetup &top)
+{
+  const std::string lateral = dim == 2 ? "u_x = 0" : "u_x = u_y = 0";
+  switch (top.kind)
+    {
+    case TopSetup::Kind::platen:
+      return "rigid platen of " + to_text(top.platen_mass) +
+             (dim == 2 ? " kg/m: " : " kg: ") + lateral + " and one common u_" +
+             along_normal<dim>();
+    case TopSetup::Kind::held:
+      return "held: u = 0";
+    default:
+      return top.lateral_held ? lateral + ", free in " + along_normal<dim>() : "free";
+    }
+}
+
+template <int dim>
+void log_modes(const ModalCase<dim> &c, RunContext &context)
+{
+  const VibrationModes<dim> &all = c.modes;
+  context.log(
+    "Bottom " +
+    (c.bottom == "free" ? "free (BC1)" : "held in " + along_normal<dim>() + " (BC2)") +
+    ": " + std::to_string(all.n_solves) + " static solves, " +
+    std::to_string(all.solver_iterations) + " iterations" +
+    (all.n_rigid_motions > 0
+       ? "; " + std::to_string(all.n_rigid_motions) + " rigid motions at 0 Hz not listed"
+       : ""));
+  for (std::size_t k = 0; k < all.modes.size(); ++k)
+    context.log(brief_text(3, "  mode ", k + 1, std::fixed, std::setw(10),
+                           1e-3 * all.modes[k].frequency, " kHz"));
+}
+
+template <int dim>
+const char *mass_unit()
+{
+  return dim == 2 ? "kg/m" : "kg";
+}
+} // namespace
+
+std::vector<std::string> modal_bottoms(const ContactParameters &parameters)
+{
+  if (parameters.modal_bottom == "both")
+    return {"free", "held"};
+  return {parameters.modal_bottom == "free" ? "free" : "held"};
+}
+
+TopSetup top_at_start(const ContactParameters &parameters)
+{
+  TopSetup top = parameters.top;
+  if (!(top.hold_from > 0.))
+    top.kind = TopSetup::Kind::held;
+  return top;
+}
+
+VibrationModesOptions modal_options(const ContactParameters &parameters)
+{
+  VibrationModesOptions options = parameters.modal;
+  if (top_at_start(parameters).kind == TopSetup::Kind::platen)
+    options.platen_mass = parameters.top.platen_mass;
+  return options;
+}
+
+void require_modes(const std::size_t n_free, const ContactParameters &parameters)
+{
+  try
+    {
+      check_number_of_modes(n_free, parameters.modal);
+    }
+  catch (const std::invalid_argument &e)
+    {
+      throw UserError(std::string("Modal/Number of modes: ") + e.what());
+    }
+}
+
+template <int dim>
+std::vector<ModalCase<dim>>
+compute_modes(const ElasticBody<dim> &body,
+              const std::function<DofMask(const bool bottom_held)> &held,
+              const ContactParameters &parameters,
+              RunContext &context)
+{
+  VibrationModesOptions options = modal_options(parameters);
+  options.before_solve          = stop_or_report(context, "the static solve");
+  std::vector<ModalCase<dim>> cases;
+  for (const std::string &bottom : modal_bottoms(parameters))
+    {
+      const auto scope = context.timer().scope(("Bottom " + bottom).c_str());
+      with_advice("loosen Modal/Tolerance or ask for fewer modes", [&]() {
+        cases.push_back(
+          {bottom, vibration_modes<dim>(body, held(bottom == "held"), options)});
+      });
+    }
+  context.log("Top: " + top_text<dim>(top_at_start(parameters)) +
+              ", as in a transient run" +
+              (std::isfinite(parameters.top.hold_from) && parameters.top.hold_from > 0.
+                 ? " before Top/Hold from"
+                 : ""));
+  for (const ModalCase<dim> &c : cases)
+    log_modes(c, context);
+  return cases;
+}
+
+template <int dim>
+void write_modes(const std::vector<ModalCase<dim>> &cases, RunContext &context)
+{
+  std::vector<std::string> columns = {"bottom", "mode [-]", "frequency [Hz]",
+                                      std::string("modal_mass [") + mass_unit<dim>() +
+                                        "]"};
+  for (unsigned int d = 0; d < dim; ++d)
+    columns.push_back(std::string("effective_mass_") + "xyz"[d] + " [-]");
+  columns.emplace_back("residual [-]");
+  TableWriter table(context.file("modes.csv"), columns);
+  nlohmann::json &json = context.summary();
+  for (const auto &[bottom, found] : cases)
+    {
+      for (std::size_t k = 0; k < found.modes.size(); ++k)
+        {
+          const VibrationMode<dim> &mode = found.modes[k];
+          std::vector<std::string> row   = {bottom, std::to_string(k + 1),
+                                            to_text(mode.frequency),
+                                            to_text(mode.modal_mass)};
+          for (const double mass : mode.effective_mass)
+            row.push_back(to_text(mass));
+          row.push_back(to_text(mode.residual));
+          table.add_row(row);
+          json["frequencies"][bottom].push_back(mode.frequency);
+        }
+      json["rigid_motions"][bottom] = found.n_rigid_motions;
+      json["iterations"][bottom]    = found.solver_iterations;
+    }
+  table.flush();
+}
+
+template <int dim>
+ShownShapes write_shapes(Hdf5File &file,
+                         const std::vector<ModalCase<dim>> &cases,
+                         const Shape &extents)
+{
+  ShownShapes shown;
+  for (const ModalCase<dim> &c : cases)
+    {
+      std::vector<double> frequency, mass, shapes;
+      shown.numbers.clear();
+      for (const VibrationMode<dim> &mode : c.modes.modes)
+        {
+          shown.numbers.push_back(static_cast<double>(shown.numbers.size()) + 1.);
+          frequency.push_back(mode.frequency);
+          mass.push_back(mode.modal_mass);
+          const std::vector<double> shape = interleaved(mode.shape);
+          shapes.insert(shapes.end(), shape.begin(), shape.end());
+        }
+      const std::string group = "/modes/" + c.bottom;
+      write_series(
+        file, group,
+        {{"frequency", "Hz", &frequency}, {"modal_mass", mass_unit<dim>(), &mass}});
+      Shape all = {shown.numbers.size()};
+      all.insert(all.end(), extents.begin(), extents.end());
+      write_dataset(file, group + "/shape", all, shapes);
+      shown.fields.push_back(
+        {"bottom_" + c.bottom, group + "/shape", XdmfField::Values::nodes, {dim}});
+    }
+  return shown;
+}
+
+#define MESOSLIP_INSTANTIATE(dim)                                                    \
+  template std::vector<ModalCase<dim>> compute_modes(                                \
+    const ElasticBody<dim> &, const std::function<DofMask(const bool)> &,            \
+    const ContactParameters &, RunContext &);                                        \
+  template void write_modes(const std::vector<ModalCase<dim>> &, RunContext &);      \
+  template ShownShapes write_shapes(Hdf5File &, const std::vector<ModalCase<dim>> &, \
+                                    const Shape &);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
+} // namespace mesoslip

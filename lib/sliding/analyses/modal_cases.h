@@ -1,0 +1,66 @@
+#ifndef mesoslip_sliding_analyses_modal_cases_h
+#define mesoslip_sliding_analyses_modal_cases_h
+
+#include "eigenvalues/vibration_modes.h"
+#include "exchange/xdmf.h"
+#include "io/hdf5_file.h"
+#include "program/run_context.h"
+#include "sliding/contact_parameters.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** One of the paper's boundary conditions and the modes under it. */
+template <int dim>
+struct ModalCase
+{
+  std::string bottom;        ///< "free" (BC1) or "held" (BC2: along the normal)
+  VibrationModes<dim> modes; ///< lowest first
+};
+
+/** Those that are asked for: "free", "held". */
+std::vector<std::string> modal_bottoms(const ContactParameters &parameters);
+
+/** The top of the transient run as long as it is loaded. */
+TopSetup top_at_start(const ContactParameters &parameters);
+
+/** Number of modes, tolerance, and the platen if the run has one at its start. */
+VibrationModesOptions modal_options(const ContactParameters &parameters);
+
+/** @throws UserError naming the key if that many free degrees of freedom have not the
+ * modes that are wanted */
+void require_modes(const std::size_t n_free, const ContactParameters &parameters);
+
+/**
+ * The modes for each bottom, under the constraints @p held of a bottom that is held or
+ * not; with lines for the log. Collective. @throws NumericalFailure
+ */
+template <int dim>
+std::vector<ModalCase<dim>>
+compute_modes(const ElasticBody<dim> &body,
+              const std::function<DofMask(const bool bottom_held)> &held,
+              const ContactParameters &parameters,
+              RunContext &context);
+
+/** On rank 0: modes.csv, and the keys of summary.json that are about the modes. */
+template <int dim>
+void write_modes(const std::vector<ModalCase<dim>> &cases, RunContext &context);
+
+/** Shapes that ParaView is to show; the time of a frame is the number of its mode. */
+struct ShownShapes
+{
+  std::vector<XdmfField> fields; ///< one for each bottom
+  std::vector<double> numbers;   ///< 1, 2, ...
+};
+
+/** Writes /modes; @p extents are those of one shape in the file, components last. */
+template <int dim>
+ShownShapes write_shapes(Hdf5File &file,
+                         const std::vector<ModalCase<dim>> &cases,
+                         const Shape &extents);
+} // namespace mesoslip
+
+#endif

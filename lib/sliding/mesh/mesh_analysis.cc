@@ -1,0 +1,116 @@
+#include "sliding/mesh/mesh_analysis.h"
+
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "body/mesh/mesh_body.h"
+#include "material/plausibility.h"
+#include "mesh/mesh_archive.h"
+#include "program/run_context.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <ostream>
+
+namespace mesoslip
+{
+template <int dim>
+MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
+  : parameters(with_effective_phase<dim>(given))
+{
+  parameters.mesh.check();
+  on_root(MPI_COMM_WORLD, [this]() {
+    morphology = read_mesh<dim>(parameters.mesh.mesh, parameters.mesh.mesh.files[0],
+                                parameters.mesh.phases);
+    body       = describe_body(morphology, parameters);
+  });
+  broadcast_object(MPI_COMM_WORLD, body);
+  for (const Phase<dim> &phase : make_phases<dim>(parameters.mesh.phases))
+    phases.push_back({phase.stiffness, phase.density});
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  if (n_ranks > body.n_cells)
+    throw UserError("the mesh has " + std::to_string(body.n_cells) +
+                    " cells, which are divided among the processes; start fewer than " +
+                    std::to_string(n_ranks));
+}
+
+template <int dim>
+std::vector<std::string> MeshAnalysis<dim>::lines() const
+{
+  std::vector<std::string> text = morphology.description;
+  const auto add                = [&](const std::string &what, const std::string &name,
+                       const MeshBoundary &boundary) {
+    const double area =
+      std::fabs(std::accumulate(boundary.area.begin(), boundary.area.end(), 0.));
+    if (!boundary.points.empty())
+      text.push_back(brief_text(6, what, " '", name, "': ", boundary.points.size(),
+                                               " nodes, ", area, dim == 2 ? " m" : " m^2",
+                                               " seen along the normal of the flat"));
+  };
+  add("Contact", parameters.mesh.contact_boundary, body.contact);
+  add("Top", parameters.mesh.top_boundary, body.top);
+  return text;
+}
+
+template <int dim>
+void MeshAnalysis<dim>::describe(std::ostream &out) const
+{
+  for (const std::string &line : lines())
+    out << line << '\n';
+  out << dim * body.n_points << " degrees of freedom\n";
+  for (const std::string &warning : morphology.warnings)
+    out << "Warning: " << warning << '\n';
+}
+
+template <int dim>
+void MeshAnalysis<dim>::log_body(RunContext &context) const
+{
+  for (const std::string &line : lines())
+    context.log(line);
+  for (const std::string &warning : morphology.warnings)
+    context.warn(warning);
+}
+
+template <int dim>
+void MeshAnalysis<dim>::summarize_body(const std::string &analysis,
+                                       RunContext &context) const
+{
+  nlohmann::json &json = context.summary();
+  json["dim"]          = dim;
+  json["cells"]        = body.n_cells;
+  json["dofs"]         = dim * body.n_points;
+  json["analysis"]     = analysis;
+  json["material"]     = phases.size() > 1 ? "heterogeneous" : "homogeneous";
+}
+
+template <int dim>
+std::unique_ptr<ElasticBody<dim>> MeshAnalysis<dim>::make_elastic_body() const
+{
+  MeshBodyInput<dim> input;
+  input.mesh = morphology.mesh;
+  broadcast_object(MPI_COMM_WORLD, input.mesh);
+  input.phases = phases;
+  // What the analysis does not need may not be there.
+  if (!body.contact.points.empty())
+    input.contact_boundary = parameters.mesh.contact_boundary;
+  if (!body.top.points.empty())
+    input.top_boundary = parameters.mesh.top_boundary;
+  return std::make_unique<MeshBody<dim>>(input, MPI_COMM_WORLD);
+}
+
+template <int dim>
+DofMask MeshAnalysis<dim>::held_by_mesh(const TopSetup &top) const
+{
+  DofMask held(static_cast<unsigned int>(body.n_points), 1);
+  for (const HeldComponent &h : body.held)
+    held.constrain(h.component, {h.point, 0});
+  for (unsigned int c = 0; c < dim; ++c)
+    if (top.kind != TopSetup::Kind::pressure || (c + 1 < dim && top.lateral_held))
+      for (const unsigned int point : body.top.points)
+        held.constrain(c, {point, 0});
+  return held;
+}
+
+template class MeshAnalysis<2>;
+template class MeshAnalysis<3>;
+} // namespace mesoslip

@@ -1,0 +1,51 @@
+#ifndef mesoslip_sliding_mesh_mesh_analysis_h
+#define mesoslip_sliding_mesh_mesh_analysis_h
+
+#include "body/elastic_body.h"
+#include "program/program.h"
+#include "sliding/contact_parameters.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** What the analyses of a body on a mesh have in common. */
+template <int dim>
+class MeshAnalysis : public Analysis
+{
+public:
+  /**
+   * Rank 0 reads the mesh; all know what is described of it. @throws UserError for input
+   * that no analysis can work with
+   */
+  explicit MeshAnalysis(const ContactParameters &given);
+
+  /** Mesh, boundaries, degrees of freedom and warnings. */
+  void describe(std::ostream &out) const override;
+
+protected:
+  /** Writes mesh and boundaries to the log, with warnings. */
+  void log_body(RunContext &context) const;
+
+  /** Puts analysis, material and size of the body into summary.json. */
+  void summarize_body(const std::string &analysis, RunContext &context) const;
+
+  /** The body for statics and modes; then all ranks hold the whole mesh. Collective. */
+  std::unique_ptr<ElasticBody<dim>> make_elastic_body() const;
+
+  /** What groups of faces and top hold, of a platen the normal component as well. */
+  DofMask held_by_mesh(const TopSetup &top) const;
+
+  const ContactParameters parameters;    ///< all of them, checked
+  MeshMorphology<dim> morphology;        ///< on rank 0
+  MeshBodyDescription body;              ///< the same on all ranks
+  std::vector<ElasticPhase<dim>> phases; ///< the same on all ranks
+
+private:
+  std::vector<std::string> lines() const;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,230 @@
+#include "sliding/mesh/mesh_body.h"
+
+#include "base/digest.h"
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "exchange/rve_file.h"
+#include "parameters/keys.h"
+#include "sliding/contact_parameters.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace mesoslip
+{
+namespace
+{
+/** The faces of the physical group @p name, which @p key asks for. */
+template <int dim>
+std::vector<BoundaryFace<dim>> group_faces(const MeshMorphology<dim> &morphology,
+                                           const std::vector<BoundaryFace<dim>> &faces,
+                                           const std::string &key,
+                                           const std::string &name)
+{
+  const std::vector<std::string> &names = morphology.mesh.boundaries;
+  const auto found                      = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw UserError(
+      key + ": '" + name + "' is no physical group of " +
+      (dim == 2 ? "curves" : "surfaces") + " in " + morphology.file +
+      (names.empty() ? ", which has none" : "; there are " + to_text(names)) +
+      "; name one there, or here");
+  auto group = faces_of_group(morphology.mesh, faces,
+                              static_cast<unsigned int>(found - names.begin()));
+  if (group.empty())
+    throw UserError(key + ": the group '" + name + "' lies inside the body of " +
+                    morphology.file + "; it has to be a part of its boundary");
+  return group;
+}
+
+double sum_of(const std::vector<double> &values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.);
+}
+
+template <int dim>
+std::vector<double> friction_of_points(const MeshMorphology<dim> &morphology,
+                                       const std::vector<BoundaryFace<dim>> &faces,
+                                       const MeshBoundary &contact,
+                                       const FrictionParameters &friction)
+{
+  if (!friction.coefficient_by_phase)
+    return std::vector<double>(contact.points.size(), friction.coefficient);
+  std::vector<double> coefficient, weight;
+  for (const Phase<dim> &phase : morphology.phases)
+    {
+      coefficient.push_back(phase.friction_coefficient);
+      weight.push_back(
+        friction.node_rule == "stiffness" ? phase.stiffness(dim - 1, dim - 1) : 1.);
+    }
+  return mean_of_phases(morphology.mesh, faces, contact, coefficient, weight);
+}
+
+/** Whether anything happens at the contact: not to modes with a free bottom. */
+bool needs_contact(const ContactParameters &parameters)
+{
+  return parameters.analysis != ContactAnalysis::modal ||
+         parameters.modal_bottom != "free";
+}
+
+/** Whether anything happens at the top: not to modes that leave it free. */
+bool needs_top(const ContactParameters &parameters)
+{
+  const TopSetup &top = parameters.top;
+  return parameters.analysis != ContactAnalysis::modal ||
+         top.kind != TopSetup::Kind::pressure || top.lateral_held ||
+         !(top.hold_from > 0.);
+}
+
+/** What platen and contact ask of each other and of held boundaries. */
+void check_supports(const MeshBodyDescription &body,
+                    const unsigned int normal,
+                    const MeshBodyParameters &parameters,
+                    const TopSetup &top)
+{
+  const std::set<unsigned int> top_points(body.top.points.begin(), body.top.points.end());
+  for (const unsigned int point : body.contact.points)
+    if (top_points.count(point) > 0)
+      throw UserError("Mesh/Top boundary: '" + parameters.top_boundary + "' and '" +
+                      parameters.contact_boundary +
+                      "', the Contact boundary, share points; each point may be in one");
+  for (const HeldComponent &h : body.held)
+    if (h.component == normal && top.kind == TopSetup::Kind::platen &&
+        top_points.count(h.point) > 0)
+      throw UserError(std::string("Mesh/Held in ") + "xyz"[normal] +
+                      ": the platen of Top/Kind moves points that are held; leave the "
+                      "boundary out, or set Top/Kind = pressure or held");
+}
+} // namespace
+
+void MeshBodyParameters::bind(Keys &keys)
+{
+  mesh.bind(keys);
+  {
+    const auto section = keys.section("Mesh");
+    keys.bind(
+      "Contact boundary", contact_boundary,
+      "Physical group of the curves (2D) or surfaces (3D) that lie on the flat or "
+      "above it: the gap of a node is Flat/Gap and its height above the lowest "
+      "one [-]");
+    keys.bind("Top boundary", top_boundary,
+              "Physical group of the curves or surfaces that section Top loads [-]");
+    for (unsigned int c = 0; c < 3; ++c)
+      keys.bind_list(
+        std::string("Held in ") + "xyz" [c], held[c], {},
+        std::string("Physical groups whose displacement along ") + "xyz"[c] +
+          " is zero; empty: none [-]");
+    keys.only_if(
+      is_given(),
+      {"Contact boundary", "Top boundary", "Held in x", "Held in y", "Held in z"},
+      "there is no mesh", "set Mesh/File");
+    keys.only_if(mesh.dim == 3, {"Held in z"}, "Dimension is 2", "set Dimension = 3");
+    keys.require(mesh.files.size() < 2, "File",
+                 "it names " + std::to_string(mesh.files.size()) +
+                   " meshes; name one, which is the body");
+  }
+  // With an RVE file the whole body has its effective stiffness.
+  mesh.one_phase = keys.has_text("Body/RVE file");
+  if (keys.has_text("Mesh/File") && !mesh.one_phase)
+    bind_phases(keys, phases);
+}
+
+void MeshBodyParameters::check() const
+{
+  for (const std::string &file : mesh.files)
+    require_readable_file("Mesh/File: ", file, "it has to name a mesh of Gmsh");
+  for (const PhaseParameters &phase : phases)
+    mesh.dim == 2 ? phase.check<2>() : phase.check<3>();
+}
+
+template <int dim>
+ContactParameters with_effective_phase(ContactParameters parameters)
+{
+  const std::string &path = parameters.body.rve_file;
+  if (path.empty())
+    return parameters;
+  if (parameters.friction.coefficient_by_phase)
+    throw UserError(
+      "Friction/Coefficient from is 'phases', but the body is homogeneous; use "
+      "'constant' (analysis 'friction homogenization' gives the coefficient)");
+  auto numbers = std::make_pair(std::vector<double>(), std::string());
+  on_root(MPI_COMM_WORLD, [&]() {
+    require_readable_file("Body/RVE file: ", path, "run rve_homogenization first");
+    const RveFile<dim> rve(path);
+    const VoigtMatrix<dim> D = rve.stiffness(parameters.body.stiffness_name);
+    for (int i = 0; i < n_voigt<dim>; ++i)
+      for (int j = i; j < n_voigt<dim>; ++j)
+        numbers.first.push_back(0.5 * (D(i, j) + D(j, i)));
+    numbers.first.push_back(rve.mean_density());
+    numbers.second = rve.digest;
+  });
+  broadcast_object(MPI_COMM_WORLD, numbers);
+  PhaseParameters effective;
+  effective.name    = "effective";
+  effective.type    = PhaseParameters::Type::stiffness;
+  effective.density = numbers.first.back();
+  numbers.first.pop_back();
+  effective.coefficients     = numbers.first;
+  parameters.mesh.phases     = {effective};
+  parameters.mesh.rve_digest = numbers.second;
+  return parameters;
+}
+
+template <int dim>
+MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
+                                  const ContactParameters &given)
+{
+  const MeshBodyParameters &parameters = given.mesh;
+  const Mesh<dim> &mesh                = morphology.mesh;
+  for (const Phase<dim> &phase : morphology.phases)
+    if (!(phase.density > 0.))
+      throw UserError("Phases/" + phase.name +
+                      "/Density is not given; dynamics needs it, in kg/m^3");
+  const auto faces      = boundary_faces(mesh);
+  const auto faces_with = [&](const std::string &key, const std::string &name) {
+    return group_faces(morphology, faces, "Mesh/" + key, name);
+  };
+  const char normal = "xyz"[dim - 1];
+  MeshBodyDescription body;
+  if (needs_contact(given))
+    {
+      const auto bottom = faces_with("Contact boundary", parameters.contact_boundary);
+      body.contact      = mesh_boundary(mesh, bottom);
+      if (!(sum_of(body.contact.area) < 0.))
+        throw UserError(
+          "Mesh/Contact boundary: '" + parameters.contact_boundary +
+          "' does not face down; the flat is below the body, its normal is " + normal);
+      body.friction =
+        friction_of_points(morphology, bottom, body.contact, given.friction);
+    }
+  if (needs_top(given))
+    {
+      body.top = mesh_boundary(mesh, faces_with("Top boundary", parameters.top_boundary));
+      if (!(sum_of(body.top.area) > 0.))
+        throw UserError("Mesh/Top boundary: '" + parameters.top_boundary +
+                        "' does not face up, along " + normal);
+    }
+  for (unsigned int c = 0; c < dim; ++c)
+    for (const std::string &name : parameters.held[c])
+      for (const unsigned int point :
+           boundary_points(mesh, faces_with(std::string("Held in ") + "xyz"[c], name))
+             .points)
+        body.held.push_back({point, c});
+  check_supports(body, dim - 1, parameters, given.top);
+  body.n_points   = mesh.points.size();
+  body.n_cells    = mesh.cells.size();
+  body.digest     = Digest().add_file(morphology.file).add(parameters.rve_digest).hex();
+  body.rve_digest = parameters.rve_digest;
+  return body;
+}
+
+template ContactParameters with_effective_phase<2>(ContactParameters);
+template ContactParameters with_effective_phase<3>(ContactParameters);
+template MeshBodyDescription describe_body(const MeshMorphology<2> &,
+                                           const ContactParameters &);
+template MeshBodyDescription describe_body(const MeshMorphology<3> &,
+                                           const ContactParameters &);
+} // namespace mesoslip

@@ -1,0 +1,80 @@
+#ifndef mesoslip_sliding_mesh_mesh_body_h
+#define mesoslip_sliding_mesh_mesh_body_h
+
+#include "morphology/mesh_morphology.h"
+#include "sliding/mesh/sliding_mesh.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+struct ContactParameters;
+
+/** Key Dimension and sections Mesh and Phases of contact_dynamics. */
+struct MeshBodyParameters
+{
+  MeshParameters mesh;                          ///< the file
+  std::string contact_boundary = "Contact";     ///< name of a physical group
+  std::string top_boundary     = "Top";         ///< name of a physical group
+  std::array<std::vector<std::string>, 3> held; ///< groups, for each component
+  std::vector<PhaseParameters> phases;          ///< empty without a mesh
+
+  /** Whether the body is a mesh. */
+  bool is_given() const
+  {
+    return !mesh.files.empty();
+  }
+
+  /** Of the RVE file whose effective stiffness the whole body has; empty without one. */
+  std::string rve_digest;
+
+  /** Binds the keys. @throws UserError for several meshes */
+  void bind(Keys &keys);
+
+  /** @throws UserError naming the key of a phase that makes no sense */
+  void check() const;
+};
+
+/**
+ * The parameters with the effective stiffness and the mean density of the RVE file, if one
+ * is given, as the only phase. Collective. @throws UserError
+ */
+template <int dim>
+ContactParameters with_effective_phase(ContactParameters parameters);
+
+/** What all ranks know of a body on a mesh. */
+struct MeshBodyDescription
+{
+  MeshBoundary contact;            ///< on the flat
+  MeshBoundary top;                ///< loaded
+  std::vector<double> friction;    ///< Coulomb's coefficient of the contact nodes
+  std::vector<HeldComponent> held; ///< never moved
+  std::uint64_t n_points = 0;      ///< of the mesh
+  std::uint64_t n_cells  = 0;      ///< of the mesh
+  std::string digest;              ///< of the file
+  std::string rve_digest;          ///< see MeshBodyParameters
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<8>(archive, *this);
+  }
+};
+
+/**
+ * Contact, top, friction and held points of the mesh that was read; no contact and no top
+ * where modes under these supports ask for none. The coefficient of a
+ * contact node is that of FrictionParameters, or the mean over the phases behind it (see
+ * mean_of_phases()), weighted with their stiffness along the normal if so wanted.
+ * @throws UserError for a boundary that is not there or faces the wrong way, points that
+ * are in contact and top, a platen that is held, phases without density
+ */
+template <int dim>
+MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
+                                  const ContactParameters &given);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,219 @@
+#include "sliding/mesh/mesh_run.h"
+
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "base/text.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+/** Steps between two looks at what the user wants: about a second. */
+std::uint64_t steps_between_looks(const std::uint64_t n_cells)
+{
+  return std::clamp<std::uint64_t>(10000000 / n_cells, 1, 65536);
+}
+
+template <int dim>
+SlidingSetup setup_of(const ContactParameters &parameters,
+                      const MeshBodyDescription &body,
+                      const TimeStepChoice &time)
+{
+  SlidingSetup setup                 = static_cast<const SlidingSetup &>(parameters);
+  setup.step                         = time.step;
+  setup.contact.friction_coefficient = body.friction;
+  setup.steps_per_block =
+    std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
+  return setup;
+}
+
+std::string place_of(const CellExtreme &cell, const unsigned int dim)
+{
+  std::string text = "cell " + std::to_string(cell.cell) + " around ";
+  for (unsigned int d = 0; d < dim; ++d)
+    text += std::string(d > 0 ? ", " : "") + "xyz"[d] + " = " +
+            quantity_text(1e3 * cell.middle[d], "mm");
+  return text;
+}
+} // namespace
+
+template <int dim>
+MeshRun<dim>::MeshRun(const ContactParameters &parameters,
+                      const MeshBodyDescription &description,
+                      const TimeStepChoice &time,
+                      const MeshOperator<dim> &op,
+                      TransientCheckpoint &checkpoint,
+                      MeshOutput<dim> &output,
+                      RunContext &context)
+  : parameters(parameters)
+  , description(description)
+  , time(time)
+  , op(op)
+  , checkpoint(checkpoint)
+  , output(output)
+  , context(context)
+  , body(op,
+         description.contact,
+         description.top,
+         description.held,
+         setup_of<dim>(parameters, description, time))
+  , monitor(
+      body.stepper,
+      [this]() { return body.boundary_work(); },
+      [this](const Runaway &found, const std::uint64_t n) {
+        throw NumericalFailure(
+          brief_text(
+            3, "the run blew up: its energy is ", found.energy, " J",
+            dim == 2 ? "/m" : "", " where at most ", found.put_in,
+            " were put in; reduce Time/Safety factor, and check that Mesh/Scale, "
+            "loads and materials are in SI units; found"),
+          static_cast<long long>(n), static_cast<double>(n) * this->time.step.dt, "");
+      })
+  , strains(body.stepper,
+            [this](const Deformation &found, const std::uint64_t n) { judge(found, n); })
+{
+  set_initial_velocity();
+}
+
+template <int dim>
+void MeshRun<dim>::set_initial_velocity()
+{
+  std::vector<std::array<bool, dim>> held(description.n_points);
+  for (const HeldComponent &h : description.held)
+    held[h.point][h.component] = true;
+  // What the top holds does not move from the start.
+  for (const unsigned int point : description.top.points)
+    for (unsigned int c = 0; c < dim; ++c)
+      if (c + 1 < dim ? transmits_tangential_force(parameters.top)
+                      : parameters.top.kind == TopSetup::Kind::held)
+        held[point][c] = true;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (std::size_t i = 0; i < op.part.points.size(); ++i)
+      body.w.row(c, 0)[i] =
+        held[op.part.point_in_mesh[i]][c] ? 0. : parameters.body.initial_velocity[c];
+}
+
+template <int dim>
+void MeshRun<dim>::judge(const Deformation &found, const std::uint64_t n)
+{
+  const double t = static_cast<double>(n) * time.step.dt;
+  if (!(found.jacobian.value > 0.))
+    throw NumericalFailure(place_of(found.jacobian, dim) +
+                             " is turned inside out; reduce loads and initial velocity, "
+                             "or check that all is in SI units; found",
+                           static_cast<long long>(n), t, "");
+  const bool strained = !(found.strain.value <= largest_small_strain);
+  if ((strained || !(found.rotation.value <= largest_small_strain)) && !warned)
+    {
+      context.warn(
+        (strained ? "the strain is " + quantity_text(100. * found.strain.value, "%")
+                  : "the rotation is " + quantity_text(found.rotation.value, "rad")) +
+        " in step " + std::to_string(n) + " at t = " + quantity_text(t, "s") + " in " +
+        place_of(strained ? found.strain : found.rotation, dim) +
+        ", where the theory is that of small strains and rotations: results from there "
+        "on cannot be trusted");
+      warned = true;
+    }
+}
+
+template <int dim>
+bool MeshRun<dim>::control(const std::uint64_t n)
+{
+  enum : int
+  {
+    go_on,
+    want_save,
+    want_stop
+  };
+  int wanted = context.stop_requested_here()        ? want_stop
+               : context.root() && checkpoint.due() ? want_save
+                                                    : go_on;
+  MPI_Allreduce(MPI_IN_PLACE, &wanted, 1, MPI_INT, MPI_MAX, context.communicator());
+  context.progress().update(n, static_cast<double>(n) * time.step.dt);
+  interrupted = wanted == want_stop && n < time.n_steps;
+  if (interrupted || (wanted == want_save && n < time.n_steps))
+    save();
+  return !interrupted;
+}
+
+template <int dim>
+CheckpointPosition MeshRun<dim>::position() const
+{
+  CheckpointPosition p;
+  p.step      = body.stepper.step_number();
+  p.time      = static_cast<double>(p.step) * time.step.dt;
+  p.at_end    = p.step == time.n_steps;
+  p.snapshots = output.n_snapshots();
+  return p;
+}
+
+template <int dim>
+void MeshRun<dim>::save()
+{
+  on_root(context.communicator(), [&]() { output.sync(); });
+  checkpoint.write(position(), save_state(*this));
+}
+
+template <int dim>
+void MeshRun<dim>::restore()
+{
+  checkpoint.restore(*this);
+  context.log("Resumed at step " + std::to_string(body.stepper.step_number()));
+}
+
+template <int dim>
+MeshResult MeshRun<dim>::run()
+{
+  std::vector<StepObserver *> observers = {&monitor, &strains};
+  if (body.energy)
+    observers.push_back(body.energy.get());
+  output.begin(body.stepper, checkpoint.position().snapshots);
+  if (output.has_snapshots())
+    {
+      observers.push_back(&output);
+      monitor.guard(output);
+    }
+  context.progress().start("Sliding", time.n_steps, description.n_cells,
+                           body.stepper.step_number());
+  {
+    const auto scope = context.timer().scope("Time loop");
+    const auto begin = std::chrono::steady_clock::now();
+    run_time_loop(body.stepper, observers, time.n_steps,
+                  steps_between_looks(description.n_cells),
+                  [&](const std::uint64_t n) { return control(n); });
+    monitor.check(body.stepper.step_number());
+    seconds +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+  context.progress().finish();
+  if (!interrupted && parameters.checkpoints.keep)
+    save();
+  return collect();
+}
+
+template <int dim>
+MeshResult MeshRun<dim>::collect()
+{
+  body.node_statistics.finish(body.contact);
+  strains.look(body.stepper.step_number());
+  MeshResult result;
+  result.history        = body.contact_recorder.history();
+  result.top            = body.top_recorder.history();
+  result.blocks         = body.node_statistics.blocks();
+  result.largest_strain = strains.largest_strain();
+  result.steps_done     = body.stepper.step_number();
+  result.loop_seconds   = seconds;
+  result.interrupted    = interrupted;
+  result.kernel         = body.stepper.kernel_name();
+  if (body.energy)
+    result.energy = body.energy->reduce();
+  return result;
+}
+
+template class MeshRun<2>;
+template class MeshRun<3>;
+} // namespace mesoslip

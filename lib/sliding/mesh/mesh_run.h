@@ -1,0 +1,69 @@
+#ifndef mesoslip_sliding_mesh_mesh_run_h
+#define mesoslip_sliding_mesh_mesh_run_h
+
+#include "dynamics/stability_monitor.h"
+#include "program/run_context.h"
+#include "sliding/mesh/mesh_output.h"
+#include "sliding/run_plan.h"
+#include "sliding/transient/transient_checkpoint.h"
+
+namespace mesoslip
+{
+/**
+ * One run of a body on a mesh: SlidingMesh, its observers, and when what is saved, as
+ * TransientRun on a grid. All ranks call the members.
+ */
+template <int dim>
+class MeshRun
+{
+public:
+  /** The initial state; all arguments must outlive it. */
+  MeshRun(const ContactParameters &parameters,
+          const MeshBodyDescription &description,
+          const TimeStepChoice &time,
+          const MeshOperator<dim> &op,
+          TransientCheckpoint &checkpoint,
+          MeshOutput<dim> &output,
+          RunContext &context);
+
+  /** Takes over the state in the checkpoint. */
+  void restore();
+
+  /** Goes on until End time or a request to stop, after which the state is in the
+   * checkpoint. @throws NumericalFailure */
+  MeshResult run();
+
+  /** Where the run stands. */
+  CheckpointPosition position() const;
+
+  /** State between two steps (Boost.Serialization). */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &body &monitor &strains &seconds;
+  }
+
+private:
+  void set_initial_velocity();
+  void judge(const Deformation &found, const std::uint64_t n);
+  bool control(const std::uint64_t n);
+  void save();
+  MeshResult collect();
+
+  const ContactParameters &parameters;
+  const MeshBodyDescription &description;
+  const TimeStepChoice &time;
+  const MeshOperator<dim> &op;
+  TransientCheckpoint &checkpoint;
+  MeshOutput<dim> &output;
+  RunContext &context;
+  SlidingMesh<dim> body;
+  StabilityMonitor monitor;
+  DeformationWatch strains;
+  bool warned      = false; ///< of large strains
+  bool interrupted = false;
+  double seconds   = 0.; ///< in the time loop, in earlier runs, too
+};
+} // namespace mesoslip
+
+#endif

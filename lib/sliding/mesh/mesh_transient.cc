@@ -1,0 +1,149 @@
+#include "sliding/mesh/mesh_transient.h"
+
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "base/version.h"
+#include "dynamics/critical_time_step.h"
+#include "parameters/keys.h"
+#include "parameters/parameters.h"
+#include "sliding/mesh/mesh_analysis.h"
+#include "sliding/mesh/mesh_run.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <ostream>
+
+namespace mesoslip
+{
+namespace
+{
+/** The cells of this rank, and what they make of a displacement. */
+template <int dim>
+struct DistributedBody
+{
+  DistributedBody(const Mesh<dim> &mesh,
+                  const std::vector<ElasticPhase<dim>> &phases,
+                  const InstructionSet isa)
+    : part(
+        distribute(mesh,
+                   mesh.cells.empty()
+                     ? std::vector<unsigned int>()
+                     : partition_cells(
+                         mesh, dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)),
+                   MPI_COMM_WORLD))
+    , op(part, phases, MPI_COMM_WORLD, isa)
+  {
+  }
+
+  const MeshPart<dim> part;
+  const MeshOperator<dim> op;
+};
+
+template <int dim>
+class MeshTransient : public MeshAnalysis<dim>
+{
+public:
+  MeshTransient(const ContactParameters &given, const Keys &keys)
+    : MeshAnalysis<dim>(given)
+    , identity(canonical_parameters(keys,
+                                    {"Output folder", "Time/End time", "Checkpoints/",
+                                     "Performance/", "Modal/", "Static contact/",
+                                     "Friction homogenization/"}) +
+               "Performance/Instruction set = " +
+               to_string(resolve(this->parameters.sweep.isa)) +
+               "\nContent of Mesh/File = " + this->body.digest +
+               "\nProgram version = " + version + "\n")
+  {
+  }
+
+  void describe(std::ostream &out) const override
+  {
+    MeshAnalysis<dim>::describe(out);
+    out << time_step(distribute_body()).text() << '\n';
+  }
+
+  bool resumable() const override
+  {
+    return true;
+  }
+
+  void run(RunContext &context) override;
+
+private:
+  DistributedBody<dim> distribute_body() const
+  {
+    return {this->morphology.mesh, this->phases, this->parameters.sweep.isa};
+  }
+
+  TimeStepChoice time_step(const DistributedBody<dim> &distributed) const
+  {
+    constexpr double most_steps = 1e15;
+    TimeStepChoice time =
+      choose_time_step(this->parameters, largest_frequency(distributed.op).upper);
+    const double end_time = this->parameters.time.end_time, n = end_time / time.step.dt;
+    if (!(n < most_steps))
+      throw UserError("Time/End time: " + to_text(end_time) + " s are " +
+                      quantity_text(n, "") +
+                      " steps, more than any run can do; are Mesh/Scale, materials and "
+                      "times in SI units?");
+    return time;
+  }
+
+  const std::string identity; ///< lines "key = value"
+};
+
+template <int dim>
+void MeshTransient<dim>::run(RunContext &context)
+{
+  this->log_body(context);
+  const DistributedBody<dim> distributed = distribute_body();
+  const TimeStepChoice time              = time_step(distributed);
+  TransientCheckpoint checkpoint(context, this->parameters.checkpoints,
+                                 identity + "Time step in s = " + to_text(time.step.dt) +
+                                   "\n");
+  const auto found = context.resume() ? checkpoint.find(time.n_steps)
+                                      : TransientCheckpoint::Found::nothing;
+  if (found == TransientCheckpoint::Found::complete)
+    return context.log("The run in " + context.output_folder() +
+                       " is complete: there is nothing to resume");
+  if (context.resume())
+    context.begin();
+  const bool resumed = found == TransientCheckpoint::Found::state;
+  if (!resumed)
+    {
+      checkpoint.discard();
+      context.remove_results({"dynamics.h5", "dynamics.xdmf", "dynamics-phases.xdmf",
+                              "history.csv", "energy.csv"});
+    }
+  context.log(time.text());
+
+  MeshOutput<dim> output(context, this->parameters, this->morphology, this->body, time,
+                         distributed.part);
+  MeshRun<dim> run(this->parameters, this->body, time, distributed.op, checkpoint, output,
+                   context);
+  if (resumed)
+    run.restore();
+  const MeshResult result = run.run();
+  on_root(context.communicator(), [&]() {
+    output.write(result);
+    this->summarize_body("transient", context);
+    output.summarize(result);
+  });
+  if (result.interrupted)
+    throw Interrupted("stopped on request after step " +
+                      std::to_string(result.steps_done) +
+                      "; what was observed so far is in " + context.output_folder() +
+                      ", and the same command with --resume goes on from there");
+  context.write_summary();
+  checkpoint.complete(run.position());
+}
+} // namespace
+
+std::unique_ptr<Analysis> make_mesh_transient(const ContactParameters &parameters,
+                                              const Keys &keys)
+{
+  if (parameters.mesh.mesh.dim == 2)
+    return std::make_unique<MeshTransient<2>>(parameters, keys);
+  return std::make_unique<MeshTransient<3>>(parameters, keys);
+}
+} // namespace mesoslip

@@ -1,0 +1,92 @@
+#ifndef mesoslip_sliding_mesh_sliding_mesh_h
+#define mesoslip_sliding_mesh_sliding_mesh_h
+
+#include "dynamics/mesh_stepper.h"
+#include "mesh/boundary.h"
+#include "sliding/sliding_body.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** A boundary of a mesh that lies on the flat or is loaded, node by node in the order of
+ * x, then y. */
+struct MeshBoundary
+{
+  std::vector<unsigned int> points; ///< indices into the whole mesh
+
+  /** Tributary area (m^2, in 2D m) as seen along the normal of the flat: positive where the
+   * body is below it. */
+  std::vector<double> area;
+
+  std::vector<double> height; ///< above the lowest of the points (m)
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<3>(archive, *this);
+  }
+};
+
+/** The boundary of @p faces. */
+template <int dim>
+MeshBoundary mesh_boundary(const Mesh<dim> &mesh,
+                           const std::vector<BoundaryFace<dim>> &faces);
+
+/**
+ * What the points of a boundary have of a property of the phases, such as the coefficient
+ * of friction: the mean over the cells behind the @p faces around a point, with the
+ * tributary area in each face times @p weight of its phase.
+ */
+template <int dim>
+std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
+                                   const std::vector<BoundaryFace<dim>> &faces,
+                                   const MeshBoundary &boundary,
+                                   const std::vector<double> &property,
+                                   const std::vector<double> &weight);
+
+/**
+ * A body of any shape on the moving flat, as SlidingBody on a grid. All ranks have the
+ * whole contact and the whole top.
+ */
+template <int dim>
+class SlidingMesh : public SlidingSurfaces<dim>
+{
+public:
+  /**
+   * At rest at u = 0. @p op must outlive the body; of @p setup sides, sweep and periodicity
+   * are not used. Collective.
+   */
+  SlidingMesh(const MeshOperator<dim> &op,
+              const MeshBoundary &contact,
+              const MeshBoundary &top,
+              const std::vector<HeldComponent> &held,
+              const SlidingSetup &setup);
+
+  /** Work done on and dissipated at contact and top since the start: on one rank, as all
+   * have all of it; on the others zero. */
+  BoundaryWork boundary_work() const;
+
+  /** State between two steps (Boost.Serialization), for the same ranks. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    std::uint64_t n = stepper.step_number();
+    archive &n &u &w;
+    this->serialize_surfaces(archive);
+    stepper.set_step_number(n);
+    if (energy)
+      archive &*energy;
+  }
+
+  NodalField<double> u;                ///< displacement (m), a column for each point
+  NodalField<double> w;                ///< velocity of the scheme (m/s)
+  MeshStepper<dim> stepper;            ///< the time integration
+  std::unique_ptr<EnergyAudit> energy; ///< null without an energy interval
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,117 @@
+"""contact_dynamics on meshes: a grid handed in as a mesh, on 1, 2 and 3 ranks; three dimensions; going on from a checkpoint; what is
+refused."""
+
+import tempfile
+
+import h5py
+import numpy as np
+
+from mesh_files import Box
+from scenes import Folder, prm
+
+COMMON = {"Flat/Velocity": 2, "Flat/Gap": 1e-7, "Top/Pressure": 5e6, "Friction/Coefficient": 0.4, "Time/Time step": 4e-8,
+          "Time/End time": 4e-5, "Observation/History interval": 1, "Observation/Energy interval": 1}
+STIFFNESS, DENSITY = "36.54e9, 9.1e9, 47.26e9, 13.785e9", 1770
+BODY = {"Phases/Names": "body", "Phases/body/Type": "stiffness", "Phases/body/Stiffness": STIFFNESS, "Phases/body/Density": DENSITY}
+MESH = prm({"Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, **COMMON})
+STEEL = {"Phases/Names": "body", "Phases/body/Young modulus": "210e9", "Phases/body/Poisson ratio": 0.3, "Phases/body/Density": 7800}
+SOLID = "set Dimension = 3\n" + MESH + prm({**STEEL, "Top/Kind": "pressure", "Body/Initial velocity": "0.5, 1, -1",
+                                            "Body/Acceleration": "0, 0, -10", "Snapshots/Interval": 4e-6})
+
+
+def history(folder, run):
+    with h5py.File(folder(run, "dynamics.h5")) as file:
+        return {name: values[()] for name, values in file["history"].items()}
+
+
+def check_equal(one, other, limit, what):
+    for name in sorted(set(one) & set(other)):
+        scale = np.abs(one[name]).max()
+        assert len(one[name]) == len(other[name]) > 100, (what, name)
+        assert np.abs(one[name] - other[name]).max() <= limit * scale, (what, name, np.abs(one[name] - other[name]).max() / scale)
+
+
+def check_grid_as_mesh(folder):
+    folder.write("grid.prm", prm({**COMMON, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
+                                  "Body/Cells": "24, 10", "Sides/Left": "u_x"}))
+    folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid")
+    box = Box([12, 4], [24, 10], lambda x: "body")
+    box.name_side("Contact", 1, False).name_side("Top", 1, True).name_side("wall", 0, False).write(folder("mesh.msh"))
+    folder.write("mesh.prm", MESH + prm({**BODY, "Mesh/Held in x": "wall"}))
+    for ranks in (1, 2, 3):
+        folder.run(0, "contact_dynamics", "mesh.prm", "--output", f"mesh{ranks}", ranks=ranks)
+        check_equal(history(folder, "grid"), history(folder, f"mesh{ranks}"), 1e-9, ranks)
+        summary, expected = folder.summary(f"mesh{ranks}"), folder.summary("grid")
+        assert summary["dim"] == 2 and summary["dofs"] == expected["dofs"] and summary["steps"] == expected["steps"] == 1000
+        assert abs(summary["critical_time_step"] / expected["critical_time_step"] - 1) < 5e-3
+        assert summary["energy_balance_residual"] < 1e-11, summary
+        assert abs(summary["largest_strain"] / expected["largest_strain"] - 1) < 1e-9
+
+
+def check_solid(folder):
+    for kind in ("cube", "simplex"):
+        box = Box([6, 4, 3], [6, 4, 3], lambda x: "body", kind)
+        box.name_side("Contact", 2, False).name_side("Top", 2, True).write(folder("mesh.msh"))
+        folder.write("solid.prm", SOLID)
+        said = folder.run(0, "contact_dynamics", "solid.prm", "--validate")
+        assert "Contact 'Contact': 35 nodes" in said and "420 degrees of freedom" in said, said
+        folder.run(0, "contact_dynamics", "solid.prm", "--output", kind)
+        folder.run(0, "contact_dynamics", "solid.prm", "--output", kind + "2", ranks=2)
+        check_equal(history(folder, kind), history(folder, kind + "2"), 1e-9, kind)
+        assert folder.summary(kind)["energy_balance_residual"] < 1e-11
+        assert folder.summary(kind)["slip_fraction"] > 0.01
+        with h5py.File(folder(kind, "dynamics.h5")) as file, h5py.File(folder(kind + "2", "dynamics.h5")) as two:
+            u = file["snapshots/displacement"]
+            assert u.shape == (10, 140, 3) and np.allclose(file["snapshots/time"], 4e-6 * np.arange(10))
+            assert np.abs(u - two["snapshots/displacement"][()]).max() < 1e-9 * np.abs(u).max() and np.abs(u[-1]).max() > 0
+            assert abs(file["contact/area"][()].sum() - 24e-6) < 1e-17
+        shown = folder.read(kind, "dynamics.xdmf").decode()
+        assert shown.count('Center="Node"') == shown.count("dynamics.h5:/snapshots/displacement") == 10 and "140 3" in shown
+        assert 'Center="Cell"' in folder.read(kind, "dynamics-phases.xdmf").decode()
+
+
+def check_resumed(folder):
+    """Half a run, and on to its end: the same bits."""
+    whole = history(folder, "simplex")
+    half = ("--set=Checkpoints/Keep=true", "--set=Time/End time=2e-5")
+    for ranks, name in ((1, "simplex"), (2, "simplex2")):
+        folder.run(0, "contact_dynamics", "solid.prm", "--output", "half", *half, ranks=ranks)
+        folder.run(0, "contact_dynamics", "solid.prm", "--output", "half", "--resume", ranks=ranks)
+        for key, values in history(folder, name).items():
+            assert np.array_equal(values, history(folder, "half")[key]), (ranks, key)
+        with h5py.File(folder("half", "dynamics.h5")) as file, h5py.File(folder(name, "dynamics.h5")) as straight:
+            assert np.array_equal(file["snapshots/displacement"], straight["snapshots/displacement"])
+    assert len(whole["time"]) == 1000
+
+
+def check_refused(folder):
+    def refused(words, *settings, prm_file="solid.prm"):
+        said = folder.run(2, "contact_dynamics", prm_file, "--output", "none", *("--set=" + setting for setting in settings))
+        assert all(word in said for word in words), said
+
+    refused(["Mesh/Contact boundary", "'floor' is no physical group", "Contact, Top"], "Mesh/Contact boundary=floor")
+    refused(["Mesh/Contact boundary", "does not face down"], "Mesh/Contact boundary=Top")
+    refused(["Mesh/Top boundary", "does not face up"], "Mesh/Top boundary=Contact")
+    refused(["Phases/body/Density", "not given"], "Phases/body/Density=0")
+    refused(["Body/Cells", "the body is a mesh"], "Body/Cells=3, 4")
+    refused(["Friction/Node rule"], "Friction/Coefficient=0.25", "Friction/Coefficient from=phases", "Friction/Node rule=largest")
+    refused(["Mesh/Held in z", "platen"], "Mesh/Held in z=Top", "Top/Kind=platen")
+    refused(["Time/Time step", "above the critical"], "Time/Time step=1e-6")
+    folder.write("static.prm", prm({"Analysis": "static contact", "Mesh/File": "mesh.msh", **STEEL}))
+    refused(["Mesh/File has no effect, as Analysis is 'static contact'"], prm_file="static.prm")
+    refused(["Dimension", "3 needs a mesh"], "Dimension=3", prm_file="grid.prm")
+    refused(["Body/Acceleration", "three components"], "Body/Acceleration=1, 2, 3", prm_file="grid.prm")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as path:
+        folder = Folder(path)
+        check_grid_as_mesh(folder)
+        check_solid(folder)
+        check_resumed(folder)
+        check_refused(folder)
+    print("contact_dynamics on meshes: as on the grid, on several ranks, in three dimensions, and continued")
+
+
+if __name__ == "__main__":
+    main()

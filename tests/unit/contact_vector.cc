@@ -1,0 +1,151 @@
+// Friction with two components: a mass on the flat under a constant force.
+
+#include "contact/contact_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace mesoslip;
+
+namespace
+{
+constexpr double mass = 2., weight = 6., mu = 0.25; // kg, N
+
+/** A point on the flat. */
+class Point
+{
+public:
+  Point(const double dt,
+        const double delta,
+        const double flat_velocity,
+        const std::array<double, 2> &velocity)
+    : u(1, 1, 3)
+    , w(u)
+    , force(u)
+    , inverse_mass(u)
+    , contact(setup(delta, flat_velocity), step(dt))
+  {
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        inverse_mass.row(c, 0)[0] = 1. / mass;
+        w.row(c, 0)[0]            = c < 2 ? velocity[c] : 0.;
+        view.u[c]                 = u.row(c, 0);
+        view.w[c]                 = w.row(c, 0);
+        view.force[c]             = force.row(c, 0);
+        view.inverse_mass[c]      = inverse_mass.row(c, 0);
+      }
+    view.n = 1;
+  }
+
+  /** Pulls along the flat, besides its weight. */
+  void advance(const double pull_x = 0., const double pull_y = 0.)
+  {
+    force.row(0, 0)[0] = -pull_x;
+    force.row(1, 0)[0] = -pull_y;
+    force.row(2, 0)[0] = weight;
+    contact.advance(view);
+    ++view.step;
+  }
+
+  NodalField<double> u, w, force, inverse_mass;
+  ContactSurface<3> contact;
+
+private:
+  static ContactSetup setup(const double delta, const double flat_velocity)
+  {
+    ContactSetup s;
+    s.law.time             = delta;
+    s.friction_coefficient = {mu};
+    s.flat_velocity        = LoadHistory(flat_velocity);
+    return s;
+  }
+
+  static StepParameters step(const double dt)
+  {
+    StepParameters p;
+    p.dt = dt;
+    return p;
+  }
+
+  SurfaceView<3> view;
+};
+} // namespace
+
+// Coulomb's force is along the slip and of constant size, so the slip keeps its direction
+// and ends after |s| m / (mu F): on a moving flat, too.
+TEST(FrictionVector, SlipGoesStraightAndEnds)
+{
+  const double V = 0.7, vx = 0.1, vy = 0.8, dt = 1e-4;
+  const double slip = std::hypot(V - vx, vy), deceleration = mu * weight / mass;
+  Point p(dt, 0., V, {{vx, vy}});
+  const double end         = slip / deceleration;
+  const unsigned int n_end = static_cast<unsigned int>(end / dt);
+  for (unsigned int n = 1; n < n_end; ++n)
+    {
+      p.advance();
+      const double left = 1. - n * dt / end;
+      ASSERT_NEAR(p.w.row(0, 0)[0], V - (V - vx) * left, 1e-12) << n;
+      ASSERT_NEAR(p.w.row(1, 0)[0], vy * left, 1e-12) << n;
+      ASSERT_NEAR(p.contact.tangential_force()[0], mu * weight * (V - vx) / slip, 1e-10);
+      ASSERT_NEAR(p.contact.lateral_force()[0], -mu * weight * vy / slip, 1e-10);
+    }
+  for (unsigned int n = 0; n < 10; ++n)
+    p.advance();
+  EXPECT_NEAR(p.w.row(0, 0)[0], V, 1e-12);
+  EXPECT_NEAR(p.w.row(1, 0)[0], 0., 1e-12);
+  EXPECT_EQ(p.contact.sums().sticking, 1.);
+  // What friction took: in the frame of the flat all there was.
+  EXPECT_NEAR(p.contact.work().friction, 0.5 * mass * slip * slip, 1e-3);
+}
+
+// No direction is special: what happens along x happens along any.
+TEST(FrictionVector, TurnsWithThePull)
+{
+  for (const double delta : {0., 0.03})
+    for (const double angle : {0.4, 1.3, 2.9, -2.2})
+      {
+        const double c = std::cos(angle), s = std::sin(angle), v = 0.6;
+        Point straight(1e-2, delta, 0., {{v, 0.2}});
+        Point turned(1e-2, delta, 0., {{c * v - s * 0.2, s * v + c * 0.2}});
+        bool stuck = false, slipped = false;
+        for (unsigned int n = 0; n < 500; ++n)
+          {
+            const double x = 2. * std::sin(0.05 * n), y = 1.3 * std::sin(0.11 * n + 1.);
+            straight.advance(x, y);
+            turned.advance(c * x - s * y, s * x + c * y);
+            const double u = straight.u.row(0, 0)[0], w = straight.u.row(1, 0)[0];
+            ASSERT_NEAR(turned.u.row(0, 0)[0], c * u - s * w, 1e-12) << n;
+            ASSERT_NEAR(turned.u.row(1, 0)[0], s * u + c * w, 1e-12) << n;
+            (straight.contact.sums().sticking > 0. ? stuck : slipped) = true;
+          }
+        EXPECT_TRUE(slipped);
+        EXPECT_TRUE(stuck);
+        EXPECT_NEAR(turned.contact.work().friction, straight.contact.work().friction,
+                    1e-11);
+      }
+}
+
+// Against a slip that turns by a right angle the vector follows with its time delta
+// (eq. 7): exp(-t / delta) of the old direction is left.
+TEST(FrictionVector, RelaxesTowardsTheNewDirection)
+{
+  const double delta = 0.05, dt = 1e-4, v = 1e3; // too fast to change its direction
+  Point p(dt, delta, 0., {{v, 0.}});
+  for (unsigned int n = 0; n < 20000; ++n)
+    p.advance();
+  EXPECT_NEAR(p.contact.tangential_force()[0], -mu * weight, 1e-10);
+  p.w.row(0, 0)[0] = 0.;
+  p.w.row(1, 0)[0] = v;
+  p.advance(); // the target turns during this step
+  const double first[] = {p.contact.tangential_force()[0], p.contact.lateral_force()[0]};
+  for (unsigned int n = 1; n <= 1000; ++n)
+    {
+      p.advance();
+      const double left = std::exp(-(n * dt) / delta);
+      ASSERT_NEAR(p.contact.tangential_force()[0], first[0] * left, 1e-4) << n;
+      ASSERT_NEAR(p.contact.lateral_force()[0],
+                  -mu * weight + (first[1] + mu * weight) * left, 1e-4)
+        << n;
+    }
+}

@@ -1,0 +1,204 @@
+// The product with the stiffness matrix of general cells against the same assembled by
+// deal.II, the lumped mass, and what holds whatever the cells are.
+
+#include "elasticity/element_operator.h"
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace mesoslip;
+
+namespace
+{
+template <int dim>
+struct TestMesh
+{
+  std::vector<dealii::Point<dim>> points;
+  std::vector<dealii::CellData<dim>> cells;
+};
+
+/** A brick of n^dim cells with two phases; @p shift moves the points at random. */
+template <int dim>
+TestMesh<dim> make_mesh(const unsigned int n, const bool simplices, const double shift)
+{
+  dealii::Triangulation<dim> tria, simplex;
+  dealii::GridGenerator::subdivided_hyper_cube(tria, n);
+  if (simplices)
+    dealii::GridGenerator::convert_hypercube_to_simplex_mesh(tria, simplex);
+  TestMesh<dim> mesh;
+  dealii::SubCellData faces;
+  std::tie(mesh.points, mesh.cells, faces) =
+    dealii::GridTools::get_coarse_mesh_description(simplices ? simplex : tria);
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<> random(-shift / n, shift / n);
+  for (auto &p : mesh.points)
+    for (unsigned int d = 0; d < dim; ++d)
+      p[d] += random(generator);
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k)
+    mesh.cells[k].material_id = k % 3 == 0;
+  return mesh;
+}
+
+template <int dim>
+std::vector<ElasticPhase<dim>> make_phases(const bool anisotropic)
+{
+  std::vector<ElasticPhase<dim>> phases(2);
+  for (unsigned int p = 0; p < 2; ++p)
+    {
+      phases[p].density = 2. + p;
+      auto &C           = phases[p].stiffness;
+      C.diagonal().setConstant(1. + p);
+      C.template topLeftCorner<dim, dim>().array() += 0.7;
+      C(0, 0) += 2.;
+      if (anisotropic)
+        {
+          C(0, dim) = C(dim, 0) = 0.2 + 0.1 * p;
+          C(1, dim) = C(dim, 1) = -0.1;
+        }
+    }
+  return phases;
+}
+
+/** Forces and row sums of the mass matrix as deal.II integrates them. */
+template <int dim>
+void assemble(const TestMesh<dim> &mesh,
+              const std::vector<ElasticPhase<dim>> &phases,
+              const std::vector<double> &u,
+              std::vector<double> &f,
+              std::vector<double> &mass)
+{
+  const bool simplices = mesh.cells[0].vertices.size() == dim + 1;
+  const auto shape =
+    dealii::ReferenceCell::n_vertices_to_type(dim, mesh.cells[0].vertices.size());
+  const dealii::FE_Q<dim> fe_q(1);
+  const dealii::FE_SimplexP<dim> fe_p(1);
+  const dealii::FiniteElement<dim> &fe =
+    simplices ? static_cast<const dealii::FiniteElement<dim> &>(fe_p) : fe_q;
+  dealii::Triangulation<dim> tria;
+  tria.create_triangulation(mesh.points, mesh.cells, {});
+  dealii::DoFHandler<dim> dofs(tria);
+  dofs.distribute_dofs(fe);
+  const dealii::MappingFE<dim> mapping(fe);
+  dealii::FEValues<dim> values(
+    mapping, fe, shape.template get_gauss_type_quadrature<dim>(2),
+    dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
+  f.assign(u.size(), 0.);
+  mass.assign(mesh.points.size(), 0.);
+  for (const auto &cell : dofs.active_cell_iterators())
+    {
+      values.reinit(cell);
+      const ElasticPhase<dim> &phase = phases[cell->material_id()];
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          dealii::Tensor<2, dim> grad, stress;
+          for (const unsigned int i : values.dof_indices())
+            for (unsigned int c = 0; c < dim; ++c)
+              grad[c] += u[dim * cell->vertex_index(i) + c] * values.shape_grad(i, q);
+          VoigtVector<dim> e;
+          const auto index = [](const unsigned int i, const unsigned int j) {
+            return i == j ? i : dim == 2 ? 2 : 6 - i - j;
+          };
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = i; j < dim; ++j)
+              e[index(i, j)] = i == j ? grad[i][i] : grad[i][j] + grad[j][i];
+          const VoigtVector<dim> s = phase.stiffness * e;
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
+              stress[i][j] = s[index(i, j)];
+          for (const unsigned int i : values.dof_indices())
+            {
+              const auto force = stress * values.shape_grad(i, q) * values.JxW(q);
+              for (unsigned int c = 0; c < dim; ++c)
+                f[dim * cell->vertex_index(i) + c] += force[c];
+              mass[cell->vertex_index(i)] +=
+                phase.density * values.shape_value(i, q) * values.JxW(q);
+            }
+        }
+    }
+}
+
+/** The product of an operator whose cells are in two parts. */
+template <int dim>
+std::vector<double> product(const TestMesh<dim> &mesh,
+                            const std::vector<ElasticPhase<dim>> &phases,
+                            const std::vector<double> &u,
+                            const InstructionSet isa,
+                            std::size_t &n_congruent)
+{
+  std::vector<typename ElementOperator<dim>::Cells> parts(2);
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k)
+    parts[k < 7].push_back(mesh.cells[k]);
+  const ElementOperator<dim> op(mesh.points, parts, phases, isa);
+  n_congruent          = op.n_congruent_cells();
+  LineVector<double> x = op.zero_field(), y = op.zero_field();
+  const unsigned int stride = kernels::node_stride<dim>;
+  for (std::size_t k = 0; k < u.size(); ++k)
+    x[k / dim * stride + k % dim] = u[k];
+  for (unsigned int part = 0; part < 2; ++part)
+    op.add_product(part, y.data(), x.data());
+  std::vector<double> f(u.size());
+  for (std::size_t k = 0; k < u.size(); ++k)
+    f[k] = y[k / dim * stride + k % dim];
+  for (std::size_t k = mesh.points.size() * stride; k < y.size(); ++k)
+    EXPECT_EQ(y[k], 0.);
+  return f;
+}
+
+template <int dim>
+void compare(const unsigned int n)
+{
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<> random(-1., 1.);
+  for (const bool simplices : {false, true})
+    for (const double shift : {0., 0.2})
+      for (const bool anisotropic : {false, true})
+        {
+          const auto mesh   = make_mesh<dim>(n, simplices, shift);
+          const auto phases = make_phases<dim>(anisotropic);
+          std::vector<double> u(mesh.points.size() * dim), expected, mass;
+          for (double &x : u)
+            x = random(generator);
+          assemble(mesh, phases, u, expected, mass);
+          const auto own_mass = lumped_mass(mesh.points, mesh.cells, phases);
+          for (std::size_t k = 0; k < mass.size(); ++k)
+            ASSERT_NEAR(own_mass[k], mass[k], 1e-14);
+          double scale = 0.;
+          for (const double x : expected)
+            scale = std::max(scale, std::abs(x));
+          for (const InstructionSet isa : available_instruction_sets())
+            {
+              SCOPED_TRACE(to_string(isa) + (simplices ? ", simplices" : "") +
+                           (anisotropic ? ", anisotropic" : "") +
+                           (shift > 0. ? ", distorted" : ""));
+              std::size_t n_congruent = 0;
+              const auto f            = product(mesh, phases, u, isa, n_congruent);
+              EXPECT_EQ(n_congruent > 0, shift == 0.);
+              for (std::size_t k = 0; k < f.size(); ++k)
+                ASSERT_NEAR(f[k], expected[k], 4e-14 * scale);
+            }
+        }
+}
+} // namespace
+
+TEST(ElementOperator, EqualsAssembledMatrixInThePlane)
+{
+  compare<2>(23);
+}
+
+TEST(ElementOperator, EqualsAssembledMatrixInSpace)
+{
+  compare<3>(9);
+}
