@@ -126,6 +126,12 @@ void on_root(const MPI_Comm communicator, const std::function<void()> &work)
     }
 }
 
+void wait_for_all(std::vector<MPI_Request> &requests)
+{
+  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  requests.clear();
+}
+
 bool started_by_mpirun()
 {
   for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})

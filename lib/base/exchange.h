@@ -38,6 +38,9 @@ std::vector<std::string> gather(const MPI_Comm communicator, const std::string &
 /** Gives rank r the text r of rank 0. */
 std::string scatter(const MPI_Comm communicator, const std::vector<std::string> &texts);
 
+/** Waits for @p requests and forgets them. */
+void wait_for_all(std::vector<MPI_Request> &requests);
+
 /** Whether mpirun (of Open MPI, or one with PMI) started this process. */
 bool started_by_mpirun();
 

@@ -70,7 +70,7 @@ struct Operator
 };
 
 /** For the start of the iteration, the same in each run. */
-class RandomNumbers
+class StartNumbers
 {
 public:
   double operator()()
@@ -195,7 +195,7 @@ FrequencyEstimate largest_frequency(const UniformMaterial &material,
     });
   };
   std::vector<double> start(2 * std::size_t(columns) * n_rows);
-  RandomNumbers random;
+  StartNumbers random;
   for (double &value : start)
     value = random();
   return iterate({apply, element_frequency_bound(free)}, start, tolerance,
@@ -230,7 +230,7 @@ FrequencyEstimate largest_frequency(const MeshOperator<dim> &op,
     points.emplace_back(part.point_in_mesh[i], i);
   std::sort(points.begin(), points.end());
   std::vector<double> start(dim * std::size_t(part.n_owned));
-  RandomNumbers random;
+  StartNumbers random;
   unsigned int drawn = 0;
   for (const auto &[in_mesh, i] : points)
     for (; drawn <= in_mesh; ++drawn)

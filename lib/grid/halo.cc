@@ -1,5 +1,7 @@
 #include "grid/halo.h"
 
+#include "base/exchange.h"
+
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
@@ -21,12 +23,6 @@ void for_each_row(const RowBlock &block, const Copy &copy)
   for (unsigned int l = 0; l < block.n_rows; ++l)
     for (double *values : {block.ux, block.uy, block.wx, block.wy})
       copy(values + l * block.stride);
-}
-
-void wait_for_all(std::vector<MPI_Request> &requests)
-{
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-  requests.clear();
 }
 } // namespace
 

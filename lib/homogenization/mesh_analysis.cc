@@ -19,10 +19,10 @@ template <int dim>
 constexpr double bytes_per_node = dim == 2 ? 4600. : 21000.;
 
 template <int dim>
-class MeshAnalysis : public VolumeAnalysis<dim>
+class MeshVolumeAnalysis : public VolumeAnalysis<dim>
 {
 public:
-  MeshAnalysis(const RveParameters &given, const std::string &digest_of_inputs)
+  MeshVolumeAnalysis(const RveParameters &given, const std::string &digest_of_inputs)
     : VolumeAnalysis<dim>(given, digest_of_inputs)
   {
     on_root(MPI_COMM_WORLD, [this]() { read_all(); });
@@ -166,7 +166,7 @@ template <int dim>
 std::unique_ptr<Analysis> make_mesh_analysis(const RveParameters &parameters,
                                              const std::string &digest)
 {
-  return std::make_unique<MeshAnalysis<dim>>(parameters, digest);
+  return std::make_unique<MeshVolumeAnalysis<dim>>(parameters, digest);
 }
 
 template std::unique_ptr<Analysis> make_mesh_analysis<2>(const RveParameters &,

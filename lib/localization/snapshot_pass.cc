@@ -70,7 +70,7 @@ double integrate(const unsigned int n, const double h, const Value &value)
   return h * sum;
 }
 
-constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
+constexpr unsigned int no_row = std::numeric_limits<unsigned int>::max();
 
 StrainRow row_of(const NodalField<double> &arrays, const unsigned int j)
 {
@@ -211,14 +211,14 @@ StrainInterpolation::StrainInterpolation(const UniformGrid<2> &source_grid,
   , scratch(source.cells[0], x.is_identity() ? 0 : 1, 3)
   , kept(target.cells[0], y.width, 3)
   , result(target.cells[0], 1, 3)
-  , kept_row(y.width, none)
+  , kept_row(y.width, no_row)
 {
 }
 
 void StrainInterpolation::set_displacement(const double *u)
 {
   displacement = u;
-  std::fill(kept_row.begin(), kept_row.end(), none);
+  std::fill(kept_row.begin(), kept_row.end(), no_row);
 }
 
 /** Row @p j of the source in the columns of the target. */

@@ -1,5 +1,7 @@
 #include "mesh/shared_points.h"
 
+#include "base/exchange.h"
+
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
@@ -10,12 +12,6 @@ namespace mesoslip
 namespace
 {
 constexpr int tag = 73;
-
-void wait_for_all(std::vector<MPI_Request> &requests)
-{
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-  requests.clear();
-}
 
 template <int dim>
 void copy_terms(const double *field,

@@ -68,7 +68,7 @@ double relative_spread(const std::vector<double> &values, const double scale = 0
 
 /** Appends what is new in @p part, the share of this rank, to @p all, summed over the
  * ranks. */
-void gather(const std::vector<double> &part,
+void gather_parts(const std::vector<double> &part,
             std::vector<double> &all,
             const MPI_Comm communicator)
 {
@@ -282,8 +282,8 @@ bool LimitCycleWatch::update(const ContactHistory &fresh, const EnergyAudit *ene
 {
   if (energy != nullptr)
     {
-      gather(energy->local_history().kinetic, kinetic_energy, communicator);
-      gather(energy->local_history().elastic, elastic_energy, communicator);
+      gather_parts(energy->local_history().kinetic, kinetic_energy, communicator);
+      gather_parts(energy->local_history().elastic, elastic_energy, communicator);
     }
   for (std::size_t k = 0; k < fresh.step.size(); ++k)
     {
