@@ -16,12 +16,13 @@ from scenes import TOOLS, TOP, Folder, sets
 sys.path.insert(0, os.path.join(TOOLS, "python"))
 import mesoslip
 
+MESHES = os.path.join(TOP, "prm", "examples", "mesh")
 IMAGE = os.path.join(TOP, "prm", "examples", "image")
 SHORT = {"Time/End time": "6e-5", "Snapshots/From": "4e-5", "Snapshots/Interval": "2e-6", "Observation/Blocks": "5"}
 
 
-def run(program, folder, name, settings):
-    Folder(folder).run(0, program, os.path.join(IMAGE, name + ".prm"), "--quiet", "--output", name, *sets(settings))
+def run(program, folder, name, settings, examples=IMAGE):
+    Folder(folder).run(0, program, os.path.join(examples, name + ".prm"), "--quiet", "--output", name, *sets(settings))
     return os.path.join(folder, name)
 
 
@@ -75,6 +76,29 @@ def check_localization(folder, rve):
     expect(mesoslip.FormatError, "99", lambda: mesoslip.open(foreign))
 
 
+def check_mesh(folder):
+    """Areas from the module's corners weigh the concentration tensors to the identity and the phases to their fractions."""
+    with mesoslip.open(run("rve_homogenization", folder, "fibre_cell", {}, MESHES)) as rve:
+        mesh, phase = rve.mesh, rve["phase/id"]
+        assert mesh.points.unit == "m" and mesh.points.shape[1] == 2
+        area = np.zeros(len(phase))
+        for kind, corners in mesh.cells.items():
+            x, y = np.moveaxis(np.asarray(mesh.points)[corners], 2, 0)
+            area[mesh.numbers[kind]] = 0.5 * np.abs(np.sum(x * np.roll(y, -1, 1) - np.roll(x, -1, 1) * y, axis=1))
+        for k, given in enumerate(rve.summary["phases"]):
+            assert abs(area[phase == k].sum() / area.sum() - given["volume_fraction"]) < 1e-12
+        mean = np.einsum("c,cij->ij", area, rve["concentration/KUBC"]) / area.sum()
+        assert np.allclose(mean, np.eye(3), atol=1e-8), mean
+        centre = area @ np.asarray(mesh.centres()) / area.sum()
+        low, high = mesh.points.min(axis=0), mesh.points.max(axis=0)
+        assert np.all(np.abs(centre - 0.5 * (low + high)) < 1e-3 * (high - low)), centre
+        expect(KeyError, "it has a mesh", lambda: rve.grid)
+    short = {"Time/End time": "4e-6"}
+    with mesoslip.open(run("contact_dynamics", folder, "chamfered_pin", short, MESHES)) as dynamics:
+        snapshots = list(dynamics.snapshots())
+        assert len(snapshots) > 1 and all(u.shape == dynamics.mesh.points.shape and u.unit == "m" for _, u in snapshots)
+
+
 def expect(error, words, action):
     try:
         action()
@@ -123,6 +147,7 @@ def main():
         check_dynamics(dynamics)
         check_localization(localization, rve)
         check_installed(rve, folder)
+        check_mesh(folder)
         check_example(dynamics, sys.argv[2] if len(sys.argv) > 2 else folder)
     print("ok")
 

@@ -4,7 +4,7 @@
     with mesoslip.open("results/30-contact_dynamics-heterogeneous") as run:
         t = run["history/time"]                  # Array, t.unit == "s"
         mu = run.history["apparent_friction"]
-        x, y = run.grid.nodes()                  # m
+        x, y = run.grid.nodes()                  # m; on a mesh run.mesh.points, run.mesh.cells
         for time, u in run.snapshots():          # one at a time: files may exceed the memory
             ...
         run.summary["main_frequency"]            # summary.json beside the file
@@ -13,6 +13,6 @@ What the files hold is described in doc/file_formats.md. SI units; rows from the
 """
 
 from .array import Array
-from .files import FormatError, Grid, ResultFile, open  # noqa: A004  (mesoslip.open, as h5py.File)
+from .files import FormatError, Grid, Mesh, ResultFile, open  # noqa: A004  (mesoslip.open, as h5py.File)
 
-__all__ = ["Array", "FormatError", "Grid", "ResultFile", "open"]
+__all__ = ["Array", "FormatError", "Grid", "Mesh", "ResultFile", "open"]

@@ -11,7 +11,7 @@ import numpy as np
 from .array import Array
 
 NAMES = ("dynamics.h5", "localization.h5", "rve.h5", "modal.h5")
-FORMATS = ("mesoslip-rve", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal")
+FORMATS = ("mesoslip-rve", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal", "mesoslip-dynamics-mesh", "mesoslip-modal-mesh")
 VERSION = 1
 
 
@@ -29,6 +29,34 @@ class Grid(collections.namedtuple("Grid", "cells spacing origin")):
     def centres(self):
         """Coordinates x [nx] and y [ny] of the centres of the cells."""
         return tuple(Array(o + h * (np.arange(n) + 0.5), "m") for n, h, o in zip(*self))
+
+
+# Kinds of cells in /mesh/topology, by their numbers in XDMF: name and number of corners.
+KINDS = {4: ("triangle", 3), 5: ("quadrilateral", 4), 6: ("tetrahedron", 4), 9: ("hexahedron", 8)}
+
+
+class Mesh(collections.namedtuple("Mesh", "points cells numbers")):
+    """A mesh: `points` [n][dim] (m); by kind ("triangle", "quadrilateral", "tetrahedron", "hexahedron") `cells`, the points of their
+    corners [m][corners], those of quadrilaterals and hexahedra around their faces, and `numbers` [m], their places in arrays by cell."""
+
+    def centres(self):
+        """Mean of the corners of each cell [cells][dim], in the order of arrays by cell."""
+        centres = np.empty((sum(len(numbers) for numbers in self.numbers.values()), self.points.shape[1]))
+        for kind, corners in self.cells.items():
+            centres[self.numbers[kind]] = np.asarray(self.points)[corners].mean(axis=1)
+        return Array(centres, "m")
+
+
+def read_mesh(points, topology):
+    """The Mesh of /mesh/points and /mesh/topology."""
+    cells, numbers = collections.defaultdict(list), collections.defaultdict(list)
+    at = number = 0
+    while at < len(topology):
+        kind, n_corners = KINDS[int(topology[at])]
+        cells[kind].append(topology[at + 1 : at + 1 + n_corners])
+        numbers[kind].append(number)
+        at, number = at + 1 + n_corners, number + 1
+    return Mesh(points, {kind: np.array(c) for kind, c in cells.items()}, {kind: np.array(n) for kind, n in numbers.items()})
 
 
 def open(path):
@@ -99,7 +127,15 @@ class ResultFile:
                 self._item(name, "group or dataset", (h5py.Group, h5py.Dataset)).attrs.items()}
 
     @property
+    def mesh(self):
+        """The Mesh of a body or volume on a mesh. Raises KeyError for one on a grid."""
+        return read_mesh(self["mesh/points"], np.asarray(self["mesh/topology"]))
+
+    @property
     def grid(self):
+        """The Grid of a body or volume on a grid. Raises KeyError for one on a mesh."""
+        if "grid" not in self.hdf5:
+            raise KeyError(f"{self.path} has no grid; it has a mesh: use .mesh" if "mesh" in self.hdf5 else f"{self.path} has no grid")
         attributes = self.hdf5["grid"].attrs
         return Grid(*(tuple(attributes[key].tolist()) for key in ("cells", "spacing", "origin")))
 
@@ -128,7 +164,7 @@ class ResultFile:
         return {name: self.group(f"probes/{name}") for name in self.hdf5.get("probes", {})}
 
     def snapshots(self, step=1):
-        """Yields time (s) and displacement [ny+1][nx+1][2] (m) of every `step`th snapshot, read one at a time."""
+        """Yields time (s) and displacement (m) of every `step`th snapshot, read one at a time: [ny+1][nx+1][2], on a mesh [points][dim]."""
         if "snapshots/displacement" not in self.hdf5:
             raise KeyError(f"{self.path} has no snapshots; set 'Snapshots/Interval' in the run's .prm")
         data, times = self.hdf5["snapshots/displacement"], self.hdf5["snapshots/time"][...]
