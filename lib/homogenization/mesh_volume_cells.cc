@@ -28,7 +28,10 @@ void MeshVolume<dim>::assemble()
     dealii::Utilities::MPI::this_mpi_process(mesh.communicator()));
   pattern.compress();
   matrix.reinit(pattern);
-  loads.assign(n_loads, Vector(owned, mesh.communicator()));
+  // Copies would count as vectors that entries were inserted into, not added to.
+  loads = std::vector<Vector>(n_loads);
+  for (Vector &load : loads)
+    load.reinit(owned, mesh.communicator());
   gross_loads.fill(0.);
 
   FullMatrix<double> cell_matrix;

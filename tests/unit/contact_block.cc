@@ -7,8 +7,8 @@ using namespace contact_testing;
 
 namespace
 {
-constexpr double mu   = 0.25;
-constexpr double mass = 0.03;
+constexpr double block_mu   = 0.25;
+constexpr double block_mass = 0.03;
 } // namespace
 
 TEST(Block, ThrownOnAPlane)
@@ -18,22 +18,22 @@ TEST(Block, ThrownOnAPlane)
   for (const double b : {0.5, 0.8})
     for (const double sign : {1., -1.})
       {
-        ContactSetup setup = contact_setup(1, mu, 0., 0.);
-        Points block(setup, step_of(dt, b), {mass});
-        block.load(0, 0., mass * g);
-        block.w.row(0, 0)[0] = sign * (v + b * dt * mu * g);
-        const double stop    = v / (mu * g);
+        ContactSetup setup = contact_setup(1, block_mu, 0., 0.);
+        Points block(setup, step_of(dt, b), {block_mass});
+        block.load(0, 0., block_mass * g);
+        block.w.row(0, 0)[0] = sign * (v + b * dt * block_mu * g);
+        const double stop    = v / (block_mu * g);
         while (block.time() < 1.2 * stop)
           block.advance();
         const auto &h = block.history();
         for (unsigned int n = 0; h.time[n] < 0.999 * stop; ++n)
-          ASSERT_NEAR(h.nodes[0].vx[n], sign * (v - mu * g * h.time[n]), 1e-11);
-        EXPECT_NEAR(block.u.row(0, 0)[0], sign * v * v / (2. * mu * g), 2e-8);
+          ASSERT_NEAR(h.nodes[0].vx[n], sign * (v - block_mu * g * h.time[n]), 1e-11);
+        EXPECT_NEAR(block.u.row(0, 0)[0], sign * v * v / (2. * block_mu * g), 2e-8);
         EXPECT_NEAR(h.nodes[0].vx.back(), 0., 1e-13);
         EXPECT_EQ(h.sticking.back(), 1.);
         // All the energy goes into friction but for what the last step of b > 1/2 takes.
-        EXPECT_NEAR(block.contact.work().friction, 0.5 * mass * v * v,
-                    2e-4 * mass * v * v);
+        EXPECT_NEAR(block.contact.work().friction, 0.5 * block_mass * v * v,
+                    2e-4 * block_mass * v * v);
         EXPECT_EQ(block.contact.work().external, 0.);
       }
 }
@@ -41,30 +41,31 @@ TEST(Block, ThrownOnAPlane)
 TEST(Block, FollowsAFlatThatReverses)
 {
   const double g = 9.81, V = 2., dt = 1e-4;
-  ContactSetup setup  = contact_setup(1, mu, 0., 0.);
+  ContactSetup setup  = contact_setup(1, block_mu, 0., 0.);
   setup.flat_velocity = LoadHistory(V, "if(t < 0.49995, 2, -2)");
-  Points block(setup, step_of(dt), {mass});
-  block.load(0, 0., mass * g);
+  Points block(setup, step_of(dt), {block_mass});
+  block.load(0, 0., block_mass * g);
   block.w.row(0, 0)[0] = V;
   while (block.time() < 2.5)
     block.advance();
   const auto &h        = block.history();
-  const double slipped = 2. * V / (mu * g);
+  const double slipped = 2. * V / (block_mu * g);
   for (unsigned int n = 0; n < h.time.size(); ++n)
     {
       const double t        = h.time[n] - 0.5;
-      const double expected = t < 0. ? V : t < slipped ? V - mu * g * t : -V;
-      ASSERT_NEAR(h.nodes[0].vx[n], expected, 1.1 * mu * g * dt);
+      const double expected = t < 0. ? V : t < slipped ? V - block_mu * g * t : -V;
+      ASSERT_NEAR(h.nodes[0].vx[n], expected, 1.1 * block_mu * g * dt);
     }
   // The flat slides 2 V t - mu g t^2 / 2 under the block.
-  EXPECT_NEAR(block.contact.work().friction, mu * mass * g * V * slipped, 1e-5);
+  EXPECT_NEAR(block.contact.work().friction, block_mu * block_mass * g * V * slipped,
+              1e-5);
 }
 
 TEST(ContactPoint, TractionsOfEndNodes)
 {
   // Half the width: half the mass and half the forces. All loads change.
-  Points points(contact_setup(3, mu, 0.02, 4e-8), step_of(1e-8),
-                {mass / 2, mass, mass / 2});
+  Points points(contact_setup(3, block_mu, 0.02, 4e-8), step_of(1e-8),
+                {block_mass / 2, block_mass, block_mass / 2});
   double largest = 0.;
   for (unsigned int n = 0; n < 3000; ++n)
     {

@@ -10,7 +10,7 @@ using namespace mesoslip;
 
 namespace
 {
-constexpr double mass = 2., weight = 6., mu = 0.25; // kg, N
+constexpr double point_mass = 2., weight = 6., point_mu = 0.25; // kg, N
 
 /** A point on the flat. */
 class Point
@@ -28,7 +28,7 @@ public:
   {
     for (unsigned int c = 0; c < 3; ++c)
       {
-        inverse_mass.row(c, 0)[0] = 1. / mass;
+        inverse_mass.row(c, 0)[0] = 1. / point_mass;
         w.row(c, 0)[0]            = c < 2 ? velocity[c] : 0.;
         view.u[c]                 = u.row(c, 0);
         view.w[c]                 = w.row(c, 0);
@@ -56,7 +56,7 @@ private:
   {
     ContactSetup s;
     s.law.time             = delta;
-    s.friction_coefficient = {mu};
+    s.friction_coefficient = {point_mu};
     s.flat_velocity        = LoadHistory(flat_velocity);
     return s;
   }
@@ -77,7 +77,8 @@ private:
 TEST(FrictionVector, SlipGoesStraightAndEnds)
 {
   const double V = 0.7, vx = 0.1, vy = 0.8, dt = 1e-4;
-  const double slip = std::hypot(V - vx, vy), deceleration = mu * weight / mass;
+  const double slip         = std::hypot(V - vx, vy),
+               deceleration = point_mu * weight / point_mass;
   Point p(dt, 0., V, {{vx, vy}});
   const double end         = slip / deceleration;
   const unsigned int n_end = static_cast<unsigned int>(end / dt);
@@ -87,8 +88,9 @@ TEST(FrictionVector, SlipGoesStraightAndEnds)
       const double left = 1. - n * dt / end;
       ASSERT_NEAR(p.w.row(0, 0)[0], V - (V - vx) * left, 1e-12) << n;
       ASSERT_NEAR(p.w.row(1, 0)[0], vy * left, 1e-12) << n;
-      ASSERT_NEAR(p.contact.tangential_force()[0], mu * weight * (V - vx) / slip, 1e-10);
-      ASSERT_NEAR(p.contact.lateral_force()[0], -mu * weight * vy / slip, 1e-10);
+      ASSERT_NEAR(p.contact.tangential_force()[0], point_mu * weight * (V - vx) / slip,
+                  1e-10);
+      ASSERT_NEAR(p.contact.lateral_force()[0], -point_mu * weight * vy / slip, 1e-10);
     }
   for (unsigned int n = 0; n < 10; ++n)
     p.advance();
@@ -96,7 +98,7 @@ TEST(FrictionVector, SlipGoesStraightAndEnds)
   EXPECT_NEAR(p.w.row(1, 0)[0], 0., 1e-12);
   EXPECT_EQ(p.contact.sums().sticking, 1.);
   // What friction took: in the frame of the flat all there was.
-  EXPECT_NEAR(p.contact.work().friction, 0.5 * mass * slip * slip, 1e-3);
+  EXPECT_NEAR(p.contact.work().friction, 0.5 * point_mass * slip * slip, 1e-3);
 }
 
 // No direction is special: what happens along x happens along any.
@@ -134,7 +136,7 @@ TEST(FrictionVector, RelaxesTowardsTheNewDirection)
   Point p(dt, delta, 0., {{v, 0.}});
   for (unsigned int n = 0; n < 20000; ++n)
     p.advance();
-  EXPECT_NEAR(p.contact.tangential_force()[0], -mu * weight, 1e-10);
+  EXPECT_NEAR(p.contact.tangential_force()[0], -point_mu * weight, 1e-10);
   p.w.row(0, 0)[0] = 0.;
   p.w.row(1, 0)[0] = v;
   p.advance(); // the target turns during this step
@@ -145,7 +147,7 @@ TEST(FrictionVector, RelaxesTowardsTheNewDirection)
       const double left = std::exp(-(n * dt) / delta);
       ASSERT_NEAR(p.contact.tangential_force()[0], first[0] * left, 1e-4) << n;
       ASSERT_NEAR(p.contact.lateral_force()[0],
-                  -mu * weight + (first[1] + mu * weight) * left, 1e-4)
+                  -point_mu * weight + (first[1] + point_mu * weight) * left, 1e-4)
         << n;
     }
 }

@@ -6,7 +6,7 @@ using namespace verification;
 
 namespace
 {
-constexpr double H = 0.016, P = 5e6;
+constexpr double H = 0.016, top_pressure = 5e6;
 
 /** Layers of two materials, sides held in x: uniaxial strain when it is pressed slowly.
  */
@@ -21,7 +21,7 @@ BodySetup layers(const TopSetup::Kind kind)
   s.sides.left_held  = {{true, false}};
   s.sides.right_held = {{true, false}};
   s.top.kind         = kind;
-  s.top.pressure     = LoadHistory(P, Ramp::smooth, 2e-4);
+  s.top.pressure     = LoadHistory(top_pressure, Ramp::smooth, 2e-4);
   s.step.beta        = 2e-7;
   s.choose_time_step(0.9);
   return s;
@@ -29,7 +29,7 @@ BodySetup layers(const TopSetup::Kind kind)
 
 double layers_compression(const BodySetup &s)
 {
-  return P *
+  return top_pressure *
          (0.010 / s.classes[0].stiffness(1, 1) + 0.006 / s.classes[1].stiffness(1, 1));
 }
 } // namespace
@@ -48,24 +48,26 @@ TEST(Top, SlowPressureGivesTheStaticCompression)
         const double expected = layers_compression(setup), width = 12 * 1.2e-3;
         const TopHistory &top = body.top_recorder.history();
         EXPECT_NEAR(top.displacement.back(), -expected, 0.002 * expected);
-        EXPECT_NEAR(top.normal_force.back(), P * width, 1e-12 * P * width);
-        EXPECT_NEAR(body.contact_recorder.history().normal_force.back(), P * width,
-                    0.01 * P * width);
-        EXPECT_NEAR(body.top.work(), 0.5 * P * width * expected,
-                    0.01 * P * width * expected);
+        EXPECT_NEAR(top.normal_force.back(), top_pressure * width,
+                    1e-12 * top_pressure * width);
+        EXPECT_NEAR(body.contact_recorder.history().normal_force.back(),
+                    top_pressure * width, 0.01 * top_pressure * width);
+        EXPECT_NEAR(body.top.work(), 0.5 * top_pressure * width * expected,
+                    0.01 * top_pressure * width * expected);
         // Half the share of the end nodes, here and there.
         const double *normal = body.contact.normal_force();
         for (unsigned int i = 1; i < 12; ++i)
-          EXPECT_NEAR(normal[i], P * 1.2e-3, 0.01 * P * 1.2e-3);
-        EXPECT_NEAR(normal[0], P * 0.6e-3, 0.01 * P * 0.6e-3);
-        EXPECT_NEAR(normal[12], P * 0.6e-3, 0.01 * P * 0.6e-3);
+          EXPECT_NEAR(normal[i], top_pressure * 1.2e-3, 0.01 * top_pressure * 1.2e-3);
+        EXPECT_NEAR(normal[0], top_pressure * 0.6e-3, 0.01 * top_pressure * 0.6e-3);
+        EXPECT_NEAR(normal[12], top_pressure * 0.6e-3, 0.01 * top_pressure * 0.6e-3);
         for (unsigned int j = 0; j <= 16; ++j)
           {
             const double y     = std::min<double>(j, 4) * 1e-3,
                          rest  = std::max(0., j - 10.) * 1e-3;
             const double stiff = std::clamp(j - 4., 0., 6.) * 1e-3;
-            const double uy    = P * ((y + rest) / setup.classes[0].stiffness(1, 1) +
-                                   stiff / setup.classes[1].stiffness(1, 1));
+            const double uy =
+              top_pressure * ((y + rest) / setup.classes[0].stiffness(1, 1) +
+                              stiff / setup.classes[1].stiffness(1, 1));
             EXPECT_NEAR(body.u.row(1, j)[5], -uy, 0.002 * expected) << j;
             EXPECT_LT(std::abs(body.u.row(0, j)[5]), 1e-9 * expected) << j;
           }
@@ -106,7 +108,7 @@ TEST(Top, HeldTopPressesBack)
   setup.contact.gap = -1e-6;
   Body body(setup);
   body.run(std::lround(4e-4 / setup.step.dt));
-  const double force = P * 12 * 1.2e-3 * 1e-6 / layers_compression(setup);
+  const double force = top_pressure * 12 * 1.2e-3 * 1e-6 / layers_compression(setup);
   EXPECT_NEAR(body.top_recorder.history().normal_force.back(), force, 0.01 * force);
   EXPECT_NEAR(body.contact_recorder.history().normal_force.back(), force, 0.01 * force);
   EXPECT_EQ(body.top.work(), 0.);
@@ -145,6 +147,6 @@ TEST(Top, HoldsFromATimeOn)
   EXPECT_EQ(body.u.row(1, 16)[0], u);
   EXPECT_EQ(body.w.row(1, 16)[3], 0.);
   EXPECT_EQ(body.top.work(), work);
-  EXPECT_NEAR(body.top_recorder.history().normal_force.back(), P * 12 * 1.2e-3,
-              0.01 * P * 12 * 1.2e-3);
+  EXPECT_NEAR(body.top_recorder.history().normal_force.back(), top_pressure * 12 * 1.2e-3,
+              0.01 * top_pressure * 12 * 1.2e-3);
 }
