@@ -83,7 +83,7 @@ void expect_growth(const Cells &kind,
                   name.c_str(), n, found.real(), std::abs(found.imag()) / (2. * M_PI),
                   100. * errors.back());
     }
-  EXPECT_LT(errors.back(), 0.008);
+  EXPECT_LT(errors.back(), 2e-4);
   EXPECT_NEAR(orders(errors).back(), 2., 0.3);
 }
 } // namespace
