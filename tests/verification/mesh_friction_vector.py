@@ -1,5 +1,6 @@
 """The friction vector in three dimensions: blocks that are as good as rigid, thrown on the flat, against the motion of a point with mass
-under the law of friction, d f / dt = -(f - mu m g s / |s|) / delta, s the velocity of the flat over the block; f = 0 at the start."""
+under the law of friction, d f / dt = -(f - mu m g s / |s|) / delta, s the velocity of the flat over the block; f = 0 at the start.
+The blocks are flat: one of height h tilts, and what its friction then turns it is of the order of h^2."""
 
 import os
 import sys
@@ -13,7 +14,7 @@ sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "
 from mesh_files import Box
 from scenes import Folder, prm
 
-MU, GRAVITY, DENSITY, SIZE = 0.3, 2000.0, 7800.0, (3e-3, 3e-3, 1e-3)
+MU, GRAVITY, DENSITY, SIZE = 0.3, 2000.0, 7800.0, (3e-3, 3e-3, 2.5e-4)
 BLOCK = "set Dimension = 3\n" + prm({
     "Mesh/File": "block.msh", "Mesh/Scale": 0.001, "Phases/Names": "steel", "Phases/steel/Young modulus": "200e9",
     "Phases/steel/Poisson ratio": 0.2, "Phases/steel/Density": DENSITY, "Top/Kind": "pressure", "Top/Pressure": 0,
@@ -77,7 +78,7 @@ def check(folder, name, flat, velocity, pull, delta):
     turned = np.degrees(np.ptp(np.unwrap(np.arctan2(force[settled, 1], force[settled, 0]))))
     print(f"{name}: way {1e3 * length:.3f} mm off by {error:.1e}, force by {force_error:.1e}, work by {work_error:.1e}; friction turns by "
           f"{turned:.0f} degrees; slip left in the end {end:.1e}")
-    assert error < 3e-4 and force_error < 2e-3 and work_error < 5e-4, name
+    assert error < 1e-4 and force_error < 2e-3 and work_error < 3e-4, name
     # Friction that lags lets a pulled block spiral to rest.
     assert end < (0.1 if delta > 0 and any(pull) else 1e-9), name
     assert (turned > 25) == (any(pull)), name
