@@ -44,7 +44,8 @@ struct LateralLayer : Layer
 };
 
 /** One cell thick and periodic along x, with walls along y half a wave apart. */
-MeshCase<3> lateral_case(const LateralLayer &layer, const unsigned int n)
+MeshCase<3>
+lateral_case(const LateralLayer &layer, const unsigned int n, const bool held = false)
 {
   const double length   = M_PI / layer.k();
   const unsigned int ny = std::lround(length / H * n);
@@ -67,6 +68,9 @@ MeshCase<3> lateral_case(const LateralLayer &layer, const unsigned int n)
   c.setup.step.beta             = layer.beta;
   for (const unsigned int side : {2, 3})
     c.hold(side, 1);
+  for (const unsigned int side : {0, 1})
+    if (held)
+      c.hold(side, 0);
   return c;
 }
 
@@ -150,4 +154,21 @@ TEST(MeshWaves, AcrossTheMotionOfTheFlat)
                            (beta > 0. ? ", damped" : ""),
                          s.imag() / (2. * M_PI), found.imag() / (2. * M_PI));
       }
+}
+
+// Whether the body moves along x or not, across it the flat brakes it alike.
+TEST(MeshWaves, AcrossTheMotionOfTheFlatWhereTheBodyIsHeldAlongIt)
+{
+  for (const double flat_velocity : {4., 2., 0.1})
+    {
+      LateralLayer layer;
+      static_cast<Layer &>(layer) = {1., 0.5, 0., 2e-8};
+      layer.flat_velocity         = flat_velocity;
+      LayerRun<3> run(lateral_case(layer, 10)), held(lateral_case(layer, 10, true));
+      const Complex s           = I * c_T * std::hypot(layer.k(), 0.5 * M_PI / H);
+      const Complex moving_rate = lateral_rate(layer, run, s),
+                    held_rate   = lateral_rate(layer, held, s);
+      EXPECT_LT(std::abs(held_rate - moving_rate), 1e-4 * std::abs(s))
+        << held_rate << moving_rate;
+    }
 }
