@@ -86,7 +86,27 @@ MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
   return {sticks, {sticks ? to_stick : sliding}, {target}};
 }
 
-/** The same with two tangential components. */
+/** What Coulomb's force leaves of @p slip where the node slides by @p across whatever the
+ * force across is: y of y + push y / sqrt(across^2 + y^2) = |slip| by Newton's method, which
+ * approaches it from below. @p push is what the whole force would move the node. */
+MESOSLIP_INLINE vdouble slip_left(const vdouble slip,
+                                  const vdouble across,
+                                  const vdouble push)
+{
+  const vdouble zero = {}, one = splat(1.);
+  vdouble y = zero;
+  for (int n = 0; n < 5; ++n)
+    {
+      const vdouble distance = at_least_smallest(length_of(across, y)),
+                    share    = across / distance;
+      y += (absolute(slip) - y - push * y / distance) /
+           (one + push * share * share / distance);
+    }
+  return slip < zero ? -y : y;
+}
+
+/** The same with two tangential components. Coulomb's force is along the slip that is left,
+ * which is that of the slip without friction unless one component is held. */
 MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
                                      const std::size_t i,
                                      const vdouble limit,
@@ -100,12 +120,21 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
   const vdouble force_before[2] = {at(Arrays::tangential_force),
                                    at(Arrays::lateral_force)};
   Friction<3> result;
+  const vdouble zero    = {};
+  const vint64 moves[2] = {compliance[0] > zero, compliance[1] > zero};
+  const vint64 one_held =
+    (moves[0] ^ moves[1]) & (absolute(slip[0]) > zero) & (absolute(slip[1]) > zero);
+  vdouble left[2];
+  for (int k = 0; k < 2; ++k)
+    left[k] = one_held & moves[k] ? slip_left(slip[k], slip[1 - k], compliance[k] * limit)
+                                  : slip[k];
+  const vdouble distance_left = length_of(left[0], left[1]);
   vdouble to_stick[2], direction[2], pull[2];
   vdouble moved = {}, softness = {}; // along the slip, by friction and by a unit force
   for (int k = 0; k < 2; ++k)
     {
       to_stick[k]      = slip[k] / at_least_smallest(compliance[k]);
-      direction[k]     = slip[k] / at_least_smallest(distance);
+      direction[k]     = left[k] / at_least_smallest(distance_left);
       pull[k]          = direction[k] * compliance[k];
       result.target[k] = limit * direction[k];
       result.force[k]  = relax(result.target[k], before[k], force_before[k],
@@ -117,8 +146,12 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
   const vdouble excess = (moved - distance) / at_least_smallest(softness);
   for (int k = 0; k < 2; ++k)
     {
-      const vdouble less    = result.force[k] - excess * direction[k];
-      const vdouble sliding = moved > distance ? less : result.force[k];
+      const vdouble force = result.force[k], along = force - excess * direction[k];
+      const vint64 beyond = moves[k] & (force * to_stick[k] > zero) &
+                            (absolute(force) > absolute(to_stick[k]));
+      const vdouble alone   = beyond ? to_stick[k] : force;
+      const vdouble both    = moved > distance ? along : force;
+      const vdouble sliding = one_held ? alone : both;
       result.force[k]       = result.sticks ? to_stick[k] : sliding;
     }
   return result;

@@ -87,7 +87,8 @@ struct ContactSums
  *
  * In 3D friction is a vector: Coulomb's force is along the slip that there would be without
  * friction, the vector relaxes towards it, and as much of it is left away as would move
- * the node along this slip further than the flat.
+ * the node along this slip further than the flat. Where one component is held it is along
+ * the slip that friction leaves.
  *
  * Work is formed with the central increment (u_(n+1) - u_(n-1)) / 2, for which the
  * discrete energy balance is exact.

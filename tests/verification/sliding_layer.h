@@ -106,8 +106,41 @@ struct Layer
   }
 };
 
-/** A Fourier component of the lowest row: its log over time, the phase unwrapped. */
-struct FourierProbe : StepObserver
+/** The log of a complex amplitude over time, the phase unwrapped. */
+struct Amplitude
+{
+  void add(const double time, const Complex value)
+  {
+    Complex next = std::log(value);
+    if (!logs.empty())
+      next += 2. * M_PI * I * std::round((logs.back() - next).imag() / (2. * M_PI));
+    logs.push_back(next);
+    times.push_back(time);
+  }
+
+  /** Slope of the straight line through the logs from @p start on. */
+  Complex rate(const double start) const
+  {
+    double n = 0., t1 = 0., t2 = 0.;
+    Complex l1 = 0., lt = 0.;
+    for (std::size_t k = 0; k < times.size(); ++k)
+      if (times[k] >= start)
+        {
+          n += 1.;
+          t1 += times[k];
+          t2 += times[k] * times[k];
+          l1 += logs[k];
+          lt += logs[k] * times[k];
+        }
+    return (lt - l1 * t1 / n) / (t2 - t1 * t1 / n);
+  }
+
+  std::vector<double> times;
+  std::vector<Complex> logs;
+};
+
+/** A Fourier component of the lowest row. */
+struct FourierProbe : StepObserver, Amplitude
 {
   explicit FourierProbe(const Body &body,
                         const unsigned int waves    = 1,
@@ -128,37 +161,14 @@ struct FourierProbe : StepObserver
     const unsigned N = body.setup.cells[0];
     for (unsigned int i = 0; i < N; ++i)
       sum += body.u.row(0, 0)[i] * std::exp(-2. * M_PI * I * (double(waves * i) / N));
-    Complex next = std::log(sum);
-    if (!logs.empty())
-      next += 2. * M_PI * I * std::round((logs.back() - next).imag() / (2. * M_PI));
-    logs.push_back(next);
-    times.push_back(n * body.setup.step.dt);
+    add(n * body.setup.step.dt, sum);
   }
   void after_step(const std::uint64_t) override
   {
   }
 
-  /** Slope of the straight line through the logs from @p start on. */
-  Complex rate(const double start) const
-  {
-    double n = 0., t1 = 0., t2 = 0.;
-    Complex l1 = 0., lt = 0.;
-    for (std::size_t k = 0; k < times.size(); ++k)
-      if (times[k] >= start)
-        {
-          n += 1.;
-          t1 += times[k];
-          t2 += times[k] * times[k];
-          l1 += logs[k];
-          lt += logs[k] * times[k];
-        }
-    return (lt - l1 * t1 / n) / (t2 - t1 * t1 / n);
-  }
-
   const Body &body;
   const unsigned int waves, interval;
-  std::vector<double> times;
-  std::vector<Complex> logs;
 };
 
 /** The layer with @p n cells over its height, on the verge of moving; the Courant
