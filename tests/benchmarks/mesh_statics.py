@@ -1,0 +1,70 @@
+"""Static solves on meshes against unknowns: iterations of conjugate gradients with ML, time and memory."""
+
+import os
+import sys
+
+from common import TOP, add_repeated, repeated
+from plots import curve, legend, logarithmic, panels
+
+sys.path.append(os.path.join(TOP, "tests", "regression"))
+from mesh_files import Box  # noqa: E402
+
+# Cells a side: 1e5, 3e5 and 1e6 unknowns.
+SIDES = {2: [223, 387, 707], 3: [31, 46, 68]}
+INCLUSIONS = 4  # along each axis
+RADIUS = 0.3  # of the distance of two inclusions
+REPETITIONS = 3
+SETTINGS = {"Phases/Names": "matrix, inclusion", "Phases/matrix/Young modulus": "1e9", "Phases/matrix/Poisson ratio": 0.3,
+            "Phases/inclusion/Young modulus": "8e9", "Phases/inclusion/Poisson ratio": 0.3, "Homogenization/Boundary conditions": "KUBC, PBC",
+            "Homogenization/Effective": "PBC", "Homogenization/Reuse": False, "Homogenization/Write concentration": False,
+            "Homogenization/Tolerance": 1e-8, "Mesh/Scale": 0.001}
+
+
+def run(bench):
+    study = bench.study("mesh_statics")
+    study.jobs = 1  # times count
+    folder = study.path("inputs")
+    os.makedirs(folder, exist_ok=True)
+    job = os.path.join(folder, "box.prm")
+    with open(job, "w", encoding="utf-8") as file:
+        file.write("set Output folder = output\n")
+    cases = [(dim, n) for dim, sides in SIDES.items() for n in (sides[:1] if bench.quick else sides)]
+    for dim, n in cases:
+        path = os.path.join(folder, f"box-{dim}-{n}.msh")
+        if not os.path.exists(path):
+            Box([1.0] * dim, [n] * dim, phase_at).write(path)
+        add_repeated(study, f"{dim}d-{n}", REPETITIONS, "rve_homogenization", job, {**SETTINGS, "Dimension": dim, "Mesh/File": path})
+    results = study.run()
+    rows = [row_of(*repeated(results, f"{dim}d-{n}", REPETITIONS), dim, n) for dim, n in cases]
+    bench.write("mesh-statics", rows, f"{INCLUSIONS} round inclusions an axis, contrast 8, on quadrilaterals and hexahedra to 1e-8; seconds: those of "
+                "the program on one rank, of all load cases of a condition with its matrix and hierarchy", repetitions=REPETITIONS)
+    draw(bench, rows)
+
+
+def phase_at(middle):
+    offset = [(INCLUSIONS * x) % 1 - 0.5 for x in middle]
+    return "inclusion" if sum(x * x for x in offset) < RADIUS**2 else "matrix"
+
+
+def row_of(result, cost, dim, n):
+    row = {"dim": dim, "cells": n**dim, "unknowns": result.summary["dofs"]}
+    for condition in ("KUBC", "PBC"):
+        row[f"least_iterations_{condition}"] = min(result.summary["iterations"][condition])
+        row[f"most_iterations_{condition}"] = max(result.summary["iterations"][condition])
+        row[f"seconds_{condition}"] = result.summary["seconds"][f"Load cases/{condition}"]
+    return {**row, **cost, "peak_memory_bytes": result.summary["peak_memory_bytes"]}
+
+
+def draw(bench, rows):
+    figure, (iterations, time) = panels(2, width=11)
+    iterations.set_xscale("log")
+    iterations.set(xlabel="unknowns", ylabel="iterations of a load case, most", title="conjugate gradients with ML, contrast 8", ylim=(0, None))
+    logarithmic(time, "unknowns", "seconds", "all load cases of a condition, one rank", percent=False)
+    for k, (dim, condition) in enumerate((dim, condition) for dim in SIDES for condition in ("KUBC", "PBC")):
+        own = [row for row in rows if row["dim"] == dim]
+        unknowns = [row["unknowns"] for row in own]
+        curve(iterations, k, unknowns, [row[f"most_iterations_{condition}"] for row in own], f"{dim}D, {condition}")
+        curve(time, k, unknowns, [row[f"seconds_{condition}"] for row in own], f"{dim}D, {condition}")
+    legend(iterations)
+    legend(time)
+    bench.draw("mesh-statics", figure)
