@@ -174,8 +174,7 @@ private:
     body.copy_duplicates(force);
   }
 
-  // Of the free degrees of freedom, relative to all nodal forces; Ku is up to date after
-  // it.
+  // Of the free degrees of freedom, relative to all nodal forces.
   double residual_norm()
   {
     double free = 0., all = 0.;
@@ -194,8 +193,7 @@ private:
     return all > 0. ? std::sqrt(free / all) : (free > 0. ? 1. : 0.);
   }
 
-  // Solves for corrections, so that a good guess is worth something whatever the solver
-  // measures its tolerance by.
+  // Solves for corrections, so that a good guess is worth something. Ku is up to date then.
   void solve(const double tolerance)
   {
     NodalField<double> &u = problem.displacement;
@@ -308,8 +306,7 @@ private:
 
   void require_contact() const
   {
-    const double sum = normal.sum();
-    if (!std::isfinite(sum))
+    if (!std::isfinite(normal.sum()))
       fail("the contact forces are not finite");
     const auto touching =
       std::count_if(solution.state.begin(), solution.state.end(),
