@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -34,6 +35,10 @@ public:
 
 private:
   void check() const;
+
+  /** Puts the contact nodes of the description into the order of @p elastic. */
+  void order_contact(const ElasticBody<dim> &elastic);
+
   StaticContactProblem make_problem(const ElasticBody<dim> &elastic) const;
   void evaluate();
   void write_contact_table(const RunContext &context) const;
@@ -73,6 +78,25 @@ void MeshStatic<dim>::check() const
       "Nothing holds the body against the friction of the sliding flat: set "
       "Top/Lateral held, hold a group in Mesh/Held in x, "
       "Friction/Coefficient = 0 or Flat/Velocity = 0");
+}
+
+template <int dim>
+void MeshStatic<dim>::order_contact(const ElasticBody<dim> &elastic)
+{
+  const MeshBoundary contact         = this->body.contact;
+  const std::vector<double> friction = this->body.friction;
+  std::map<unsigned int, std::size_t> place;
+  for (std::size_t k = 0; k < contact.points.size(); ++k)
+    place[contact.points[k]] = k;
+  const auto &nodes = elastic.surface(ElasticBody<dim>::bottom).nodes;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    {
+      const std::size_t old        = place.at(nodes[k].i);
+      this->body.contact.points[k] = contact.points[old];
+      this->body.contact.area[k]   = contact.area[old];
+      this->body.contact.height[k] = contact.height[old];
+      this->body.friction[k]       = friction[old];
+    }
 }
 
 template <int dim>
@@ -204,6 +228,7 @@ void MeshStatic<dim>::run(RunContext &context)
   StaticContactOptions options = this->parameters.static_contact;
   options.before_iteration     = stop_or_report(context, "iteration");
   const auto elastic           = this->make_elastic_body();
+  order_contact(*elastic);
   {
     const auto scope = context.timer().scope("Equilibrium");
     with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
