@@ -1,92 +1,51 @@
 #include "contact/static_contact_solver.h"
 
+#include "contact/anderson_acceleration.h"
 #include "material/plausibility.h"
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
+#include <numeric>
 
 namespace mesoslip
 {
 namespace
 {
-double stiffest(const ElasticBody<2> &body)
+template <int dim>
+double stiffest(const ElasticBody<dim> &body)
 {
   double D = 0.;
-  for (const ElasticPhase<2> &phase : body.phases())
-    D = std::max(D, phase.stiffness(1, 1));
+  for (const ElasticPhase<dim> &phase : body.phases())
+    D = std::max(D, phase.stiffness(dim - 1, dim - 1));
   return D;
 }
 
-/**
- * Anderson's acceleration of a fixed-point iteration x = g(x) (D. G. Anderson, J. ACM 12,
- * 1965): the next x combines the last few g(x) so that their residuals, combined alike,
- * are least. On a linear g it is as good as GMRES.
- */
-class AndersonAcceleration
-{
-public:
-  /** Forgets everything, because g is another function now. */
-  void reset()
-  {
-    residuals.clear();
-    images.clear();
-  }
-
-  /** The next x from @p x and @p g = g(x). */
-  Eigen::VectorXd next(const Eigen::VectorXd &x, const Eigen::VectorXd &g)
-  {
-    residuals.emplace_back(g - x);
-    images.push_back(g);
-    if (images.size() > depth + 1)
-      {
-        residuals.pop_front();
-        images.pop_front();
-      }
-    const Eigen::Index m = static_cast<Eigen::Index>(images.size()) - 1;
-    if (m == 0)
-      return g;
-    Eigen::MatrixXd dr(x.size(), m), dg(x.size(), m);
-    for (Eigen::Index k = 0; k < m; ++k)
-      {
-        dr.col(k) = residuals[k + 1] - residuals[k];
-        dg.col(k) = images[k + 1] - images[k];
-      }
-    return g - dg * dr.colPivHouseholderQr().solve(residuals.back());
-  }
-
-private:
-  static constexpr std::size_t depth = 10; ///< former iterates that are kept
-  std::deque<Eigen::VectorXd> residuals, images;
-};
-
 /** The iteration and its state. */
+template <int dim>
 class ActiveSetIteration
 {
 public:
-  ActiveSetIteration(const ElasticBody<2> &body,
+  ActiveSetIteration(const ElasticBody<dim> &body,
                      StaticContactProblem &&given,
                      const StaticContactOptions &options)
     : body(body)
     , problem(std::move(given))
     , options(options)
     , solver(body.make_solver())
-    , nodes(body.surface(ElasticBody<2>::bottom).nodes)
+    , nodes(body.surface(ElasticBody<dim>::bottom).nodes)
     , n_nodes(nodes.size() - (body.periodicity().x ? 1 : 0))
     , scale(stiffest(body))
     , force(problem.force)
     , Ku(body.zero_field())
     , residual(Ku)
     , correction(Ku)
-    , friction(Eigen::VectorXd::Zero(n_nodes))
+    , friction(Eigen::VectorXd::Zero(n_nodes * n_tangents))
     , normal(Eigen::VectorXd::Zero(n_nodes))
-    , tangential(Eigen::VectorXd::Zero(n_nodes))
-    , direction(n_nodes, problem.sliding)
+    , tangential(Eigen::VectorXd::Zero(n_nodes * n_tangents))
+    , direction(n_nodes, Direction{{static_cast<double>(problem.sliding)}})
   {
     for (unsigned int i = 0; i < n_nodes; ++i)
-      solution.state.push_back(problem.constrained.is_constrained(1, nodes[i])
+      solution.state.push_back(problem.constrained.is_constrained(normal_axis, nodes[i])
                                  ? ContactState::held
                                  : at_rest(i));
   }
@@ -126,7 +85,8 @@ public:
     solution.displacement    = problem.displacement;
     solution.friction_change = change;
     solution.normal_force.assign(normal.data(), normal.data() + n_nodes);
-    solution.tangential_force.assign(tangential.data(), tangential.data() + n_nodes);
+    solution.tangential_force.assign(tangential.data(),
+                                     tangential.data() + tangential.size());
     if (body.periodicity().x)
       {
         solution.normal_force.push_back(normal[0]);
@@ -137,6 +97,34 @@ public:
   }
 
 private:
+  static constexpr unsigned int n_tangents  = dim - 1; ///< components of friction
+  static constexpr unsigned int normal_axis = dim - 1; ///< of the flat
+  using Direction                           = std::array<double, n_tangents>;
+
+  // Of component c of the friction of contact node i.
+  static Eigen::Index index(const unsigned int i, const unsigned int c)
+  {
+    return static_cast<Eigen::Index>(i) * n_tangents + c;
+  }
+
+  static bool reversed(const Direction &before, const Direction &now)
+  {
+    return now != before &&
+           !(std::inner_product(now.begin(), now.end(), before.begin(), 0.) > 0.);
+  }
+
+  double gap(const unsigned int i) const
+  {
+    return problem.gap.empty() ? 0. : problem.gap[i];
+  }
+
+  double limited_friction(const unsigned int i,
+                          const unsigned int c,
+                          const double pressure) const
+  {
+    return direction[i][c] * problem.friction_coefficient[i] * pressure;
+  }
+
   /** Of a node that touches the flat and has not moved. */
   ContactState at_rest(const unsigned int i) const
   {
@@ -160,19 +148,20 @@ private:
       if (constrained.is_constrained(c, nodes[i]))
         return;
       constrained.constrain(c, nodes[i]);
-      u(c, nodes[i]) = 0.;
+      u(c, nodes[i]) = c == normal_axis ? -gap(i) : 0.;
       if (i == 0 && body.periodicity().x)
         {
           constrained.constrain(c, nodes[n_nodes]);
-          u(c, nodes[n_nodes]) = 0.;
+          u(c, nodes[n_nodes]) = u(c, nodes[i]);
         }
     };
     for (unsigned int i = 0; i < n_nodes; ++i)
       {
         if (touches(i))
-          put(1, i);
+          put(normal_axis, i);
         if (solution.state[i] == ContactState::stick)
-          put(0, i);
+          for (unsigned int c = 0; c < n_tangents; ++c)
+            put(c, i);
       }
     solver->set_constrained(constrained);
   }
@@ -180,16 +169,16 @@ private:
   void set_forces()
   {
     for (unsigned int i = 0; i < n_nodes; ++i)
-      force(0, nodes[i]) = problem.force(0, nodes[i]) + friction[i];
+      for (unsigned int c = 0; c < n_tangents; ++c)
+        force(c, nodes[i]) = problem.force(c, nodes[i]) + friction[index(i, c)];
     body.copy_duplicates(force);
   }
 
-  // Of the free degrees of freedom, relative to all nodal forces; Ku is up to date after
-  // it.
+  // Of the free degrees of freedom, relative to all nodal forces.
   double residual_norm()
   {
     double free = 0., all = 0.;
-    for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int j = 0; j < body.n_rows(); ++j)
         for (unsigned int i = 0; i < body.n_columns(); ++i)
           {
@@ -204,8 +193,7 @@ private:
     return all > 0. ? std::sqrt(free / all) : (free > 0. ? 1. : 0.);
   }
 
-  // Solves for corrections, so that a good guess is worth something whatever the solver
-  // measures its tolerance by.
+  // Solves for corrections, so that a good guess is worth something. Ku is up to date then.
   void solve(const double tolerance)
   {
     NodalField<double> &u = problem.displacement;
@@ -230,11 +218,14 @@ private:
   {
     for (unsigned int i = 0; i < n_nodes; ++i)
       {
-        normal[i]     = touches(i) ? Ku(1, nodes[i]) - problem.force(1, nodes[i]) : 0.;
-        tangential[i] = solution.state[i] == ContactState::stick
-                          ? Ku(0, nodes[i]) - problem.force(0, nodes[i])
-                        : touches(i) ? friction[i]
-                                     : 0.;
+        const NodeIndex &node = nodes[i];
+        normal[i] =
+          touches(i) ? Ku(normal_axis, node) - problem.force(normal_axis, node) : 0.;
+        for (unsigned int c = 0; c < n_tangents; ++c)
+          tangential[index(i, c)] = solution.state[i] == ContactState::stick
+                                      ? Ku(c, node) - problem.force(c, node)
+                                    : touches(i) ? friction[index(i, c)]
+                                                 : 0.;
       }
   }
 
@@ -245,11 +236,9 @@ private:
       return state;
     // Nodes that hardly touch must not change to and fro with the round-off.
     const double negligible = options.tolerance * std::fabs(normal.sum()) / n_nodes;
-    const double ux         = problem.displacement(0, nodes[i]),
-                 uy         = problem.displacement(1, nodes[i]);
     if (state == ContactState::separated)
       {
-        if (uy >= -negligible / scale)
+        if (problem.displacement(normal_axis, nodes[i]) + gap(i) >= -negligible / scale)
           return state;
         return at_rest(i);
       }
@@ -258,10 +247,18 @@ private:
     if (at_rest(i) == ContactState::slip)
       return ContactState::slip;
     // Resting flat: friction opposes the displacement and stays below its limit.
-    const double trial = tangential[i] - scale * ux;
-    if (std::fabs(trial) <= problem.friction_coefficient[i] * normal[i])
+    Direction trial;
+    double squares = 0.;
+    for (unsigned int c = 0; c < n_tangents; ++c)
+      {
+        trial[c] = tangential[index(i, c)] - scale * problem.displacement(c, nodes[i]);
+        squares += trial[c] * trial[c];
+      }
+    const double size = std::sqrt(squares);
+    if (size <= problem.friction_coefficient[i] * normal[i])
       return ContactState::stick;
-    direction[i] = trial > 0. ? 1 : -1;
+    for (unsigned int c = 0; c < n_tangents; ++c)
+      direction[i][c] = trial[c] / size;
     return ContactState::slip;
   }
 
@@ -270,18 +267,19 @@ private:
     bool changed = false;
     for (unsigned int i = 0; i < n_nodes; ++i)
       {
-        const int before         = direction[i];
+        const Direction before   = direction[i];
         const ContactState state = next_state(i);
-        const bool turned = state == ContactState::slip && direction[i] != before &&
+        const bool turned        = state == ContactState::slip &&
+                            reversed(before, direction[i]) &&
                             solution.state[i] == ContactState::slip;
         if (state == solution.state[i] && !turned)
           continue;
         changed           = true;
         solution.state[i] = state;
-        friction[i] =
-          state == ContactState::slip
-            ? direction[i] * problem.friction_coefficient[i] * std::max(0., normal[i])
-            : 0.;
+        for (unsigned int c = 0; c < n_tangents; ++c)
+          friction[index(i, c)] = state == ContactState::slip
+                                    ? limited_friction(i, c, std::max(0., normal[i]))
+                                    : 0.;
       }
     return changed;
   }
@@ -289,10 +287,11 @@ private:
   // Returns the change as a share of the normal force.
   double relax_friction()
   {
-    Eigen::VectorXd target = Eigen::VectorXd::Zero(n_nodes);
+    Eigen::VectorXd target = Eigen::VectorXd::Zero(friction.size());
     for (unsigned int i = 0; i < n_nodes; ++i)
       if (solution.state[i] == ContactState::slip)
-        target[i] = direction[i] * problem.friction_coefficient[i] * normal[i];
+        for (unsigned int c = 0; c < n_tangents; ++c)
+          target[index(i, c)] = limited_friction(i, c, normal[i]);
     const double change = (target - friction).lpNorm<1>() / normal.lpNorm<1>();
     friction            = acceleration.next(friction, target);
     return change;
@@ -307,18 +306,17 @@ private:
 
   void require_contact() const
   {
-    const double sum = normal.sum();
-    if (!std::isfinite(sum))
+    if (!std::isfinite(normal.sum()))
       fail("the contact forces are not finite");
     const auto touching =
       std::count_if(solution.state.begin(), solution.state.end(),
                     [](const ContactState s) { return s != ContactState::separated; });
-    if (touching < 2)
+    if (touching < (problem.gap.empty() ? 2 : 1))
       fail(
         "the body lifts off or tips over its edge, at most one node stays on the flat");
   }
 
-  const ElasticBody<2> &body;
+  const ElasticBody<dim> &body;
   StaticContactProblem problem;
   const StaticContactOptions &options;
   std::unique_ptr<StaticSolver> solver;
@@ -329,22 +327,24 @@ private:
   DofMask constrained;
   NodalField<double> force, Ku, residual, correction;
   Eigen::VectorXd friction, normal, tangential;
-  std::vector<int> direction; ///< of the friction force at nodes that slip
+  std::vector<Direction> direction; ///< of the friction force at nodes that slip
   AndersonAcceleration acceleration;
   StaticContactSolution solution;
 };
 } // namespace
 
-std::string to_string(const ContactState state)
-{
-  const char *const names[] = {"separated", "stick", "slip", "held"};
-  return names[static_cast<unsigned int>(state)];
-}
-
-StaticContactSolution solve_static_contact(const ElasticBody<2> &body,
+template <int dim>
+StaticContactSolution solve_static_contact(const ElasticBody<dim> &body,
                                            StaticContactProblem problem,
                                            const StaticContactOptions &options)
 {
-  return ActiveSetIteration(body, std::move(problem), options).run();
+  return ActiveSetIteration<dim>(body, std::move(problem), options).run();
 }
+
+template StaticContactSolution solve_static_contact(const ElasticBody<2> &,
+                                                    StaticContactProblem,
+                                                    const StaticContactOptions &);
+template StaticContactSolution solve_static_contact(const ElasticBody<3> &,
+                                                    StaticContactProblem,
+                                                    const StaticContactOptions &);
 } // namespace mesoslip

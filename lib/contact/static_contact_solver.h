@@ -20,9 +20,13 @@ enum class ContactState : unsigned char
 };
 
 /** "separated", "stick", "slip", "held". */
-std::string to_string(const ContactState state);
+inline std::string to_string(const ContactState state)
+{
+  const char *const names[] = {"separated", "stick", "slip", "held"};
+  return names[static_cast<unsigned int>(state)];
+}
 
-/** A body at rest whose bottom is pressed on a rigid flat at u_y = 0. */
+/** A body at rest whose bottom is pressed on a rigid flat, normal to the last axis. */
 struct StaticContactProblem
 {
   /** What sides and top constrain; nothing of the contact. */
@@ -37,9 +41,12 @@ struct StaticContactProblem
   /** Coulomb coefficient of each bottom node, in the order of ElasticBody::surface(). */
   std::vector<double> friction_coefficient;
 
+  /** Distance of each of these nodes from the flat (m); empty: all of them touch it. */
+  std::vector<double> gap = {};
+
   /**
-   * Direction (+1, -1) in which the flat slides below the body: all contact nodes slip.
-   * 0: the flat rests, nodes stick or slip against their own displacement from u_x = 0.
+   * Direction (+1, -1) along x in which the flat slides below the body: all contact nodes slip.
+   * 0: the flat rests, nodes stick or slip against their own displacement from zero.
    */
   int sliding = 0;
 };
@@ -60,10 +67,12 @@ struct StaticContactOptions
 /** Equilibrium with contact. */
 struct StaticContactSolution
 {
-  NodalField<double> displacement;      ///< m
-  std::vector<double> normal_force;     ///< N/m per node, positive when pressed
-  std::vector<double> tangential_force; ///< N/m per node, on the body
-  std::vector<ContactState> state;      ///< of each node
+  NodalField<double> displacement;  ///< m
+  std::vector<double> normal_force; ///< N/m per node, positive when pressed
+  /** N (2D: N/m) per node, on the body; its dim - 1 components together. */
+  std::vector<double> tangential_force;
+
+  std::vector<ContactState> state; ///< of each node
 
   unsigned int iterations        = 0;  ///< over contact states and friction
   unsigned int state_changes     = 0;  ///< iterations in which a node changed its state
@@ -74,13 +83,14 @@ struct StaticContactSolution
 
 /**
  * Unilateral contact with Coulomb friction by an active-set iteration: contact nodes are
- * held in u_y, those that stick in u_x as well, those that slip carry mu times their
+ * held along the normal, those that stick along the flat as well, those that slip carry mu times their
  * normal reaction of the iteration before, accelerated after Anderson. The states follow
  * the signs of reactions and penetrations until nothing changes.
  *
  * @throws NotConverged, also when the body lifts off or tips over
  */
-StaticContactSolution solve_static_contact(const ElasticBody<2> &body,
+template <int dim>
+StaticContactSolution solve_static_contact(const ElasticBody<dim> &body,
                                            StaticContactProblem problem,
                                            const StaticContactOptions &options);
 } // namespace mesoslip

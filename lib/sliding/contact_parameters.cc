@@ -253,7 +253,8 @@ void bind_friction(Keys &keys, FrictionParameters &friction, FrictionLaw &law)
 /** On a mesh many keys have no effect, and the others none without. */
 void check_mesh(const Keys &keys, const ContactParameters &p)
 {
-  keys.only_with("Analysis", {"transient", "modal"}, {"Dimension", "Mesh/"});
+  keys.only_with("Analysis", {"transient", "modal", "static contact"},
+                 {"Dimension", "Mesh/"});
   keys.only_if(!p.mesh.is_given(),
                {"Body/Material", "Body/Stiffness", "Body/Density", "Body/Size",
                 "Body/Cells", "Sides/", "Observation/Steady from",

@@ -4,6 +4,7 @@
 #include "sliding/analyses/modal.h"
 #include "sliding/analyses/static_contact.h"
 #include "sliding/mesh/mesh_modal.h"
+#include "sliding/mesh/mesh_static.h"
 #include "sliding/mesh/mesh_transient.h"
 #include "sliding/transient/transient.h"
 
@@ -22,6 +23,8 @@ std::unique_ptr<Analysis> build(Keys &keys)
         return make_mesh_modal(parameters);
       return std::make_unique<ModalAnalysis>(parameters);
     case ContactAnalysis::static_contact:
+      if (parameters.mesh.is_given())
+        return make_mesh_static(parameters);
       return std::make_unique<StaticContactAnalysis>(parameters);
     case ContactAnalysis::friction_homogenization:
       return std::make_unique<FrictionHomogenizationAnalysis>(parameters);

@@ -1,0 +1,259 @@
+#include "sliding/mesh/mesh_static.h"
+
+#include "base/errors.h"
+#include "exchange/datasets.h"
+#include "exchange/dynamics_file.h"
+#include "exchange/xdmf.h"
+#include "io/table.h"
+#include "material/plausibility.h"
+#include "program/run_context.h"
+#include "sliding/body_analysis.h"
+#include "sliding/mesh/mesh_analysis.h"
+#include "sliding/mesh/mesh_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+namespace mesoslip
+{
+namespace
+{
+template <int dim>
+class MeshStatic : public MeshAnalysis<dim>
+{
+public:
+  explicit MeshStatic(const ContactParameters &given)
+    : MeshAnalysis<dim>(given)
+  {
+    check();
+  }
+
+  void run(RunContext &context) override;
+
+private:
+  void check() const;
+
+  /** Puts the contact nodes of the description into the order of @p elastic. */
+  void order_contact(const ElasticBody<dim> &elastic);
+
+  StaticContactProblem make_problem(const ElasticBody<dim> &elastic) const;
+  void evaluate();
+  void write_contact_table(const RunContext &context) const;
+  void write_static_file(const RunContext &context) const;
+  void summarize(RunContext &context) const;
+
+  std::size_t count(const ContactState state) const
+  {
+    return static_cast<std::size_t>(
+      std::count(solution.state.begin(), solution.state.end(), state));
+  }
+
+  StaticContactSolution solution;
+  std::vector<double> pressure;                   ///< of the contact nodes (Pa)
+  std::array<std::vector<double>, dim - 1> shear; ///< likewise, on the body (Pa)
+};
+
+template <int dim>
+void MeshStatic<dim>::check() const
+{
+  const ContactParameters &p = this->parameters;
+  if (p.top.kind != TopSetup::Kind::pressure)
+    throw UserError("Top/Kind is not pressure, which a static contact analysis on a mesh "
+                    "needs; set Top/Kind = pressure");
+  if (!(p.top.pressure.amplitude() > 0.))
+    throw UserError("Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
+                    " Pa; a static contact analysis needs a positive one");
+  if (p.contact.gap != 0.)
+    throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
+                    " m; a static contact analysis starts from a body that touches the "
+                    "flat, set it to 0");
+  const bool held_x = p.top.lateral_held || !p.mesh.held[0].empty();
+  const auto &mu    = this->body.friction;
+  if (!held_x && p.contact.flat_velocity.amplitude() != 0. &&
+      *std::max_element(mu.begin(), mu.end()) > 0.)
+    throw UserError(
+      "Nothing holds the body against the friction of the sliding flat: set "
+      "Top/Lateral held, hold a group in Mesh/Held in x, "
+      "Friction/Coefficient = 0 or Flat/Velocity = 0");
+}
+
+template <int dim>
+void MeshStatic<dim>::order_contact(const ElasticBody<dim> &elastic)
+{
+  const MeshBoundary contact         = this->body.contact;
+  const std::vector<double> friction = this->body.friction;
+  std::map<unsigned int, std::size_t> place;
+  for (std::size_t k = 0; k < contact.points.size(); ++k)
+    place[contact.points[k]] = k;
+  const auto &nodes = elastic.surface(ElasticBody<dim>::bottom).nodes;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    {
+      const std::size_t old        = place.at(nodes[k].i);
+      this->body.contact.points[k] = contact.points[old];
+      this->body.contact.area[k]   = contact.area[old];
+      this->body.contact.height[k] = contact.height[old];
+      this->body.friction[k]       = friction[old];
+    }
+}
+
+template <int dim>
+StaticContactProblem MeshStatic<dim>::make_problem(const ElasticBody<dim> &elastic) const
+{
+  const ContactParameters &p = this->parameters;
+  const double load          = p.top.pressure.amplitude();
+  const MeshBoundary &top    = this->body.top;
+  StaticContactProblem problem;
+  problem.constrained            = this->held_by_mesh(p.top);
+  problem.displacement           = elastic.zero_field();
+  problem.force                  = elastic.zero_field();
+  problem.friction_coefficient   = this->body.friction;
+  problem.gap                    = this->body.contact.height;
+  const double v                 = p.contact.flat_velocity.amplitude();
+  problem.sliding                = v > 0. ? 1 : (v < 0. ? -1 : 0);
+  const std::vector<double> mass = elastic.lumped_mass();
+  for (unsigned int i = 0; i < mass.size(); ++i)
+    for (unsigned int c = 0; c < dim; ++c)
+      problem.force(c, {i, 0}) = mass[i] * p.step.acceleration[c];
+  for (std::size_t k = 0; k < top.points.size(); ++k)
+    problem.force(dim - 1, {top.points[k], 0}) -= load * top.area[k];
+  return problem;
+}
+
+template <int dim>
+void MeshStatic<dim>::evaluate()
+{
+  const std::vector<double> &area = this->body.contact.area;
+  for (std::size_t i = 0; i < area.size(); ++i)
+    {
+      pressure.push_back(solution.normal_force[i] / std::fabs(area[i]));
+      for (unsigned int c = 0; c + 1 < dim; ++c)
+        shear[c].push_back(solution.tangential_force[(dim - 1) * i + c] /
+                           std::fabs(area[i]));
+    }
+}
+
+template <int dim>
+void MeshStatic<dim>::write_contact_table(const RunContext &context) const
+{
+  std::vector<std::string> columns;
+  const auto add = [&](const std::string &name, const unsigned int n, const char *unit) {
+    for (unsigned int c = 0; c < n; ++c)
+      columns.push_back(name + "xyz"[c] + unit);
+  };
+  add("", dim, " [m]");
+  columns.emplace_back("pressure [Pa]");
+  add("shear_traction_", dim - 1, " [Pa]");
+  columns.emplace_back("friction_coefficient [-]");
+  add("displacement_", dim, " [m]");
+  columns.emplace_back("state");
+  TableWriter table(context.file("static_contact.csv"), columns);
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+    {
+      const unsigned int point = this->body.contact.points[i];
+      std::vector<std::string> row;
+      for (unsigned int c = 0; c < dim; ++c)
+        row.push_back(to_text(this->morphology.mesh.points[point][c]));
+      row.push_back(to_text(pressure[i]));
+      for (const std::vector<double> &component : shear)
+        row.push_back(to_text(component[i]));
+      row.push_back(to_text(this->body.friction[i]));
+      for (unsigned int c = 0; c < dim; ++c)
+        row.push_back(to_text(solution.displacement(c, {point, 0})));
+      row.push_back(to_string(solution.state[i]));
+      table.add_row(row);
+    }
+  table.flush();
+}
+
+template <int dim>
+void MeshStatic<dim>::write_static_file(const RunContext &context) const
+{
+  Hdf5File file = create_mesh_file(context.file("static.h5"), "mesoslip-static-mesh",
+                                   this->morphology, this->body);
+  write_run_conditions(file, this->parameters.stated_conditions());
+  const std::string group = "/static_contact", u = group + "/displacement";
+  std::vector<Series> series = {
+    {"pressure", "Pa", &pressure},
+    {"friction_coefficient", "-", &this->body.friction},
+    {"area", dim == 2 ? "m" : "m^2", &this->body.contact.area}};
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    series.push_back({std::string("shear_traction_") + "xyz"[c], "Pa", &shear[c]});
+  write_series(file, group, series);
+  std::vector<std::uint8_t> state;
+  for (const ContactState of_node : solution.state)
+    state.push_back(static_cast<std::uint8_t>(of_node));
+  write_dataset(file, group + "/state", {state.size()}, state);
+  file.write_attribute(group + "/state", "meaning",
+                       std::vector<std::string>{"separated", "stick", "slip", "held"});
+  write_dataset(file, group + "/point", {state.size()}, this->body.contact.points);
+  write_dataset(file, u, {1, this->body.n_points, dim},
+                interleaved(solution.displacement));
+  file.close();
+  write_xdmf(context.file("static.xdmf"), "static.h5", this->morphology.mesh,
+             {{"displacement", u, XdmfField::Values::nodes, {dim}}}, {0.});
+  show_mesh_phases(context.file("static-phases.xdmf"), "static.h5", this->morphology);
+}
+
+template <int dim>
+void MeshStatic<dim>::summarize(RunContext &context) const
+{
+  this->summarize_body("static contact", context);
+  nlohmann::json &json = context.summary();
+  json["pressure"]     = this->parameters.top.pressure.amplitude();
+  json["normal_force"] =
+    std::accumulate(solution.normal_force.begin(), solution.normal_force.end(), 0.);
+  std::array<double, dim - 1> tangential = {};
+  for (std::size_t k = 0; k < solution.tangential_force.size(); ++k)
+    tangential[k % (dim - 1)] += solution.tangential_force[k];
+  json["tangential_force"]  = tangential;
+  json["iterations"]        = solution.iterations;
+  json["state_changes"]     = solution.state_changes;
+  json["solver_iterations"] = solution.solver_iterations;
+  json["residual"]          = solution.residual;
+  json["friction_change"]   = solution.friction_change;
+  for (const ContactState state :
+       {ContactState::stick, ContactState::slip, ContactState::separated})
+    json["nodes"][to_string(state)] = count(state);
+}
+
+template <int dim>
+void MeshStatic<dim>::run(RunContext &context)
+{
+  this->log_body(context);
+  context.remove_results(
+    {"static.h5", "static.xdmf", "static-phases.xdmf", "static_contact.csv"});
+  StaticContactOptions options = this->parameters.static_contact;
+  options.before_iteration     = stop_or_report(context, "iteration");
+  const auto elastic           = this->make_elastic_body();
+  order_contact(*elastic);
+  {
+    const auto scope = context.timer().scope("Equilibrium");
+    with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
+      solution = solve_static_contact(*elastic, make_problem(*elastic), options);
+    });
+  }
+  evaluate();
+  context.log(brief_text(4, solution.state.size() - count(ContactState::separated),
+                         " nodes in contact (", count(ContactState::stick), " stick), ",
+                         count(ContactState::separated), " separated; ",
+                         solution.iterations, " iterations, ", solution.solver_iterations,
+                         " of the solver"));
+  if (!context.root())
+    return;
+  const auto scope = context.timer().scope("Output");
+  write_contact_table(context);
+  write_static_file(context);
+  summarize(context);
+}
+} // namespace
+
+std::unique_ptr<Analysis> make_mesh_static(const ContactParameters &parameters)
+{
+  if (parameters.mesh.mesh.dim == 2)
+    return std::make_unique<MeshStatic<2>>(parameters);
+  return std::make_unique<MeshStatic<3>>(parameters);
+}
+} // namespace mesoslip

@@ -1,0 +1,84 @@
+"""Analysis static contact on meshes: a grid handed in as a mesh, on 1, 2 and 3 ranks; a layer of hexahedra with u_y held; what is
+refused."""
+
+import csv
+import tempfile
+
+import numpy as np
+
+from mesh_files import Box
+from scenes import Folder, prm
+
+STIFFNESS, DENSITY = "36.54e9, 9.1e9, 47.26e9, 13.785e9", 1770
+LOADS = {"Analysis": "static contact", "Top/Kind": "pressure", "Top/Pressure": 1e6, "Top/Lateral held": "true",
+         "Static contact/Tolerance": 1e-9, "Friction/Coefficient": 0.2}
+MESH = {"Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "body", "Phases/body/Young modulus": 40e9,
+        "Phases/body/Poisson ratio": 0.3, "Phases/body/Density": DENSITY}
+
+
+def columns(folder, run, *names):
+    """Columns of the table of contact nodes in ascending x, of equal x in ascending y."""
+    with open(folder(run, "static_contact.csv"), encoding="ascii") as file:
+        rows = list(csv.DictReader(file))
+    rows.sort(key=lambda row: (round(float(row["x [m]"]), 9), float(row.get("y [m]", 0))))
+    return [np.array([float(row[name]) for row in rows]) for name in names], [row["state"] for row in rows]
+
+
+def assert_close(one, other, tolerance):
+    for a, b in zip(one, other):
+        assert a.shape == b.shape and np.abs(a - b).max() <= tolerance * np.abs(a).max(), np.abs(a - b).max() / np.abs(a).max()
+
+
+def check_grid_as_mesh(folder, velocity):
+    """Pressure, shear and states of a sliding or resting body to the tolerance."""
+    names = ("pressure [Pa]", "displacement_x [m]")
+    common = {**LOADS, "Flat/Velocity": velocity}
+    folder.write("grid.prm", prm({**common, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
+                                  "Body/Cells": "24, 10"}))
+    folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid")
+    box = Box([12, 4], [24, 10], lambda x: "body")
+    box.name_side("Contact", 1, False).name_side("Top", 1, True).write(folder("mesh.msh"))
+    folder.write("mesh.prm", prm({**common, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "body",
+                                  "Phases/body/Type": "stiffness", "Phases/body/Stiffness": STIFFNESS, "Phases/body/Density": DENSITY}))
+    expected, states = columns(folder, "grid", *names, "shear_traction [Pa]")
+    for ranks in (1, 2, 3):
+        folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh", ranks=ranks)
+        found, others = columns(folder, "mesh", *names, "shear_traction_x [Pa]")
+        assert_close(expected, found, 1e-6)
+        assert states == others, (ranks, states, others)
+
+
+def check_layer(folder):
+    """One layer of hexahedra with u_y held is the plane body."""
+    folder.write("flat.prm", prm({**LOADS, **MESH, "Flat/Velocity": 2}))
+    Box([6, 2], [12, 5], lambda x: "body").name_side("Contact", 1, False).name_side("Top", 1, True).write(folder("mesh.msh"))
+    folder.run(0, "contact_dynamics", "flat.prm", "--output", "flat")
+    folder.write("layer.prm", "set Dimension = 3\n" + prm({**LOADS, **MESH, "Flat/Velocity": 2, "Mesh/Held in y": "front, back"}))
+    box = Box([6, 1, 2], [12, 1, 5], lambda x: "body")
+    box.name_side("Contact", 2, False).name_side("Top", 2, True).name_side("front", 1, False).name_side("back", 1, True)
+    box.write(folder("mesh.msh"))
+    folder.run(0, "contact_dynamics", "layer.prm", "--output", "layer", ranks=2)
+    names = ("pressure [Pa]", "shear_traction_x [Pa]", "displacement_x [m]")
+    plane, states = columns(folder, "flat", *names)
+    layer, others = columns(folder, "layer", *names)
+    for side in (0, 1):
+        assert_close(plane, [column[side::2] for column in layer], 1e-6)
+        assert states == others[side::2]
+
+
+def check_refused(folder):
+    for key, value, said in (("Top/Kind", "platen", "Top/Kind"), ("Top/Pressure", 0, "Top/Pressure"), ("Flat/Gap", 1e-6, "Flat/Gap"),
+                             ("Top/Lateral held", "false", "Nothing holds the body")):
+        settings = {**LOADS, **MESH, "Flat/Velocity": 2, key: value}
+        if key == "Top/Kind":
+            del settings["Top/Lateral held"]
+        folder.write("bad.prm", "set Dimension = 3\n" + prm(settings))
+        assert said in folder.run(2, "contact_dynamics", "bad.prm", "--output", "bad"), key
+
+
+with tempfile.TemporaryDirectory() as path:
+    scenes = Folder(path)
+    check_grid_as_mesh(scenes, 2)
+    check_grid_as_mesh(scenes, 0)
+    check_layer(scenes)
+    check_refused(scenes)
