@@ -1,6 +1,7 @@
 #include "contact/static_contact_solver.h"
 
 #include "contact/anderson_acceleration.h"
+#include "contact/equilibrium_solver.h"
 #include "material/plausibility.h"
 
 #include <algorithm>
@@ -31,14 +32,11 @@ public:
     : body(body)
     , problem(std::move(given))
     , options(options)
-    , solver(body.make_solver())
+    , solver(body)
     , nodes(body.surface(ElasticBody<dim>::bottom).nodes)
     , n_nodes(nodes.size() - (body.periodicity().x ? 1 : 0))
     , scale(stiffest(body))
     , force(problem.force)
-    , Ku(body.zero_field())
-    , residual(Ku)
-    , correction(Ku)
     , friction(Eigen::VectorXd::Zero(n_nodes * n_tangents))
     , normal(Eigen::VectorXd::Zero(n_nodes))
     , tangential(Eigen::VectorXd::Zero(n_nodes * n_tangents))
@@ -66,10 +64,16 @@ public:
           options.before_iteration(solution.iterations);
         set_forces();
         // While friction or states are far off, an exact solution is a waste.
-        solve(std::max(options.tolerance, changed ? 1e-5 : 1e-2 * change));
+        solution.residual =
+          solver.solve(problem.displacement, force,
+                       std::max(options.tolerance, std::min(1e-5, 1e-2 * change)));
         evaluate_reactions();
         ++solution.iterations;
-        changed = update_states();
+        // States that follow friction which is not yet that of the pressure may go round
+        // in circles.
+        changed = (solution.state_changes < hasty_changes ||
+                   friction_change() <= options.tolerance) &&
+                  update_states();
         require_contact();
         if (changed)
           {
@@ -79,11 +83,15 @@ public:
             change = 1.;
           }
         else
-          change = relax_friction();
+          {
+            change   = friction_change();
+            friction = acceleration.next(friction, friction_of_pressure());
+          }
       }
 
-    solution.displacement    = problem.displacement;
-    solution.friction_change = change;
+    solution.displacement      = problem.displacement;
+    solution.solver_iterations = solver.iterations();
+    solution.friction_change   = change;
     solution.normal_force.assign(normal.data(), normal.data() + n_nodes);
     solution.tangential_force.assign(tangential.data(),
                                      tangential.data() + tangential.size());
@@ -99,7 +107,9 @@ public:
 private:
   static constexpr unsigned int n_tangents  = dim - 1; ///< components of friction
   static constexpr unsigned int normal_axis = dim - 1; ///< of the flat
-  using Direction                           = std::array<double, n_tangents>;
+  static constexpr unsigned int hasty_changes =
+    10; ///< of states, before friction is exact
+  using Direction = std::array<double, n_tangents>;
 
   // Of component c of the friction of contact node i.
   static Eigen::Index index(const unsigned int i, const unsigned int c)
@@ -118,13 +128,6 @@ private:
     return problem.gap.empty() ? 0. : problem.gap[i];
   }
 
-  double limited_friction(const unsigned int i,
-                          const unsigned int c,
-                          const double pressure) const
-  {
-    return direction[i][c] * problem.friction_coefficient[i] * pressure;
-  }
-
   /** Of a node that touches the flat and has not moved. */
   ContactState at_rest(const unsigned int i) const
   {
@@ -141,7 +144,7 @@ private:
 
   void hold_contact()
   {
-    constrained           = problem.constrained;
+    DofMask constrained   = problem.constrained;
     NodalField<double> &u = problem.displacement;
     const auto put        = [&](const unsigned int c, const unsigned int i) {
       // Held by a side: that value counts.
@@ -163,7 +166,7 @@ private:
           for (unsigned int c = 0; c < n_tangents; ++c)
             put(c, i);
       }
-    solver->set_constrained(constrained);
+    solver.set_constrained(constrained);
   }
 
   void set_forces()
@@ -174,48 +177,9 @@ private:
     body.copy_duplicates(force);
   }
 
-  // Of the free degrees of freedom, relative to all nodal forces.
-  double residual_norm()
-  {
-    double free = 0., all = 0.;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int j = 0; j < body.n_rows(); ++j)
-        for (unsigned int i = 0; i < body.n_columns(); ++i)
-          {
-            const NodeIndex node  = {i, j};
-            const double internal = Ku(c, node);
-            const double x =
-              constrained.is_constrained(c, node) ? 0. : force(c, node) - internal;
-            residual(c, node) = x;
-            free += x * x;
-            all += internal * internal;
-          }
-    return all > 0. ? std::sqrt(free / all) : (free > 0. ? 1. : 0.);
-  }
-
-  // Solves for corrections, so that a good guess is worth something. Ku is up to date then.
-  void solve(const double tolerance)
-  {
-    NodalField<double> &u = problem.displacement;
-    for (unsigned int k = 0;; ++k)
-      {
-        body.vmult(Ku, u);
-        solution.residual = residual_norm();
-        if (solution.residual <= tolerance || k == 4)
-          return;
-        correction.set_zero();
-        solution.solver_iterations +=
-          solver
-            ->solve(correction, residual,
-                    std::min(0.5, 0.5 * tolerance / solution.residual))
-            .iterations;
-        for (std::size_t n = 0; n < u.size(); ++n)
-          u.begin()[n] += correction.begin()[n];
-      }
-  }
-
   void evaluate_reactions()
   {
+    const NodalField<double> &Ku = solver.internal_force();
     for (unsigned int i = 0; i < n_nodes; ++i)
       {
         const NodeIndex &node = nodes[i];
@@ -240,22 +204,31 @@ private:
       {
         if (problem.displacement(normal_axis, nodes[i]) + gap(i) >= -negligible / scale)
           return state;
-        return at_rest(i);
+        // A node that comes down moves freely along the flat until its friction is known.
+        if (problem.sliding == 0)
+          direction[i] = {};
+        return ContactState::slip;
       }
     if (normal[i] < -negligible)
       return ContactState::separated;
     if (at_rest(i) == ContactState::slip)
       return ContactState::slip;
     // Resting flat: friction opposes the displacement and stays below its limit.
+    const double limit = problem.friction_coefficient[i] * normal[i];
     Direction trial;
-    double squares = 0.;
+    double squares = 0., friction_squares = 0., along = 0.;
     for (unsigned int c = 0; c < n_tangents; ++c)
       {
-        trial[c] = tangential[index(i, c)] - scale * problem.displacement(c, nodes[i]);
+        const double f = tangential[index(i, c)], u = problem.displacement(c, nodes[i]);
+        trial[c] = f - scale * u;
         squares += trial[c] * trial[c];
+        friction_squares += f * f;
+        along += f * u;
       }
+    // A node that moves with its friction sticks before it may slip the other way.
     const double size = std::sqrt(squares);
-    if (size <= problem.friction_coefficient[i] * normal[i])
+    if (size <= limit ||
+        (along > 0. && std::sqrt(friction_squares) <= (1. + 1e-6) * limit))
       return ContactState::stick;
     for (unsigned int c = 0; c < n_tangents; ++c)
       direction[i][c] = trial[c] / size;
@@ -276,25 +249,28 @@ private:
           continue;
         changed           = true;
         solution.state[i] = state;
-        for (unsigned int c = 0; c < n_tangents; ++c)
-          friction[index(i, c)] = state == ContactState::slip
-                                    ? limited_friction(i, c, std::max(0., normal[i]))
-                                    : 0.;
       }
+    if (changed)
+      friction = friction_of_pressure();
     return changed;
   }
 
-  // Returns the change as a share of the normal force.
-  double relax_friction()
+  /** Of nodes that slip, in their direction; else 0. */
+  Eigen::VectorXd friction_of_pressure() const
   {
-    Eigen::VectorXd target = Eigen::VectorXd::Zero(friction.size());
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(friction.size());
     for (unsigned int i = 0; i < n_nodes; ++i)
       if (solution.state[i] == ContactState::slip)
         for (unsigned int c = 0; c < n_tangents; ++c)
-          target[index(i, c)] = limited_friction(i, c, normal[i]);
-    const double change = (target - friction).lpNorm<1>() / normal.lpNorm<1>();
-    friction            = acceleration.next(friction, target);
-    return change;
+          result[index(i, c)] =
+            direction[i][c] * problem.friction_coefficient[i] * std::max(0., normal[i]);
+    return result;
+  }
+
+  /** As a share of the normal force. */
+  double friction_change() const
+  {
+    return (friction_of_pressure() - friction).template lpNorm<1>() / normal.lpNorm<1>();
   }
 
   template <typename... Parts>
@@ -319,13 +295,12 @@ private:
   const ElasticBody<dim> &body;
   StaticContactProblem problem;
   const StaticContactOptions &options;
-  std::unique_ptr<StaticSolver> solver;
+  EquilibriumSolver<dim> solver;
   const std::vector<NodeIndex> &nodes; ///< of the bottom, the duplicate at the end
   const unsigned int n_nodes;          ///< distinct ones of the bottom
   const double scale;                  ///< Pa: compares displacements with forces
 
-  DofMask constrained;
-  NodalField<double> force, Ku, residual, correction;
+  NodalField<double> force;
   Eigen::VectorXd friction, normal, tangential;
   std::vector<Direction> direction; ///< of the friction force at nodes that slip
   AndersonAcceleration acceleration;

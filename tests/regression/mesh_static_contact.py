@@ -43,7 +43,7 @@ def check_grid_as_mesh(folder, velocity):
     expected, states = columns(folder, "grid", *names, "shear_traction [Pa]")
     for ranks in (1, 2, 3):
         folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh", ranks=ranks)
-        found, others = columns(folder, "mesh", *names, "shear_traction_x [Pa]")
+        found, others = columns(folder, "mesh", *names, "shear_traction [Pa]")
         assert_close(expected, found, 1e-6)
         assert states == others, (ranks, states, others)
 
@@ -58,7 +58,7 @@ def check_layer(folder):
     box.name_side("Contact", 2, False).name_side("Top", 2, True).name_side("front", 1, False).name_side("back", 1, True)
     box.write(folder("mesh.msh"))
     folder.run(0, "contact_dynamics", "layer.prm", "--output", "layer", ranks=2)
-    names = ("pressure [Pa]", "shear_traction_x [Pa]", "displacement_x [m]")
+    names = ("pressure [Pa]", "shear_traction [Pa]", "displacement_x [m]")
     plane, states = columns(folder, "flat", *names)
     layer, others = columns(folder, "layer", *names)
     for side in (0, 1):

@@ -76,7 +76,10 @@ def static_contact(page, run):
     nodes = summary.get("nodes")
     if isinstance(nodes, dict):
         html += f'<p class="lead">Contact nodes: {", ".join(f"{escape(k)} {number(v)}" for k, v in nodes.items())}.</p>'
-    if run.members("/static_contact"):
+    if "shear_traction_y" in run.members("/static_contact"):
+        html += page.figure(contact_maps(run), f"Static contact of {escape(run.name)}: pressure and shear traction at the contact nodes, "
+                            "seen from above.")
+    elif run.members("/static_contact"):
         html += page.figure(contact_tractions(run), f"Static contact of {escape(run.name)}: pressure and shear traction along "
                             "the contact. Thin: of the nodes; thick: mean of a node and its neighbours.")
     if not rows and not run.members("/static_contact"):
@@ -99,6 +102,18 @@ def contact_tractions(run):
     axes.set(xlabel="position along the contact in mm", ylabel=f"traction in {unit}", ylim=(0, None))
     axes.margins(x=0)
     above(axes)
+    return figure
+
+
+def contact_maps(run):
+    x, y, pressure, *shear = run.need(*(f"/static_contact/{name}" for name in ("x", "y", "pressure", "shear_traction", "shear_traction_y")))
+    values = (("pressure", pressure), ("|shear traction|", np.hypot(*shear)))
+    factor, unit = scaled(pressure, units=STRESSES)
+    figure, axes = panels(2, 6.4)
+    for axis, (label, value) in zip(axes, values):
+        colours = axis.tripcolor(1e3 * x, 1e3 * y, value / factor, shading="gouraud", vmin=0)
+        figure.colorbar(colours, ax=axis, label=f"{label} in {unit}")
+        axis.set(xlabel="x in mm", ylabel="y in mm", aspect="equal")
     return figure
 
 

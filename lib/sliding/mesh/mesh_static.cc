@@ -21,6 +21,12 @@ namespace mesoslip
 {
 namespace
 {
+/** Of component @p c, "shear_traction" along x. */
+std::string shear_name(const unsigned int c)
+{
+  return c == 0 ? "shear_traction" : "shear_traction_y";
+}
+
 template <int dim>
 class MeshStatic : public MeshAnalysis<dim>
 {
@@ -145,7 +151,8 @@ void MeshStatic<dim>::write_contact_table(const RunContext &context) const
   };
   add("", dim, " [m]");
   columns.emplace_back("pressure [Pa]");
-  add("shear_traction_", dim - 1, " [Pa]");
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    columns.push_back(shear_name(c) + " [Pa]");
   columns.emplace_back("friction_coefficient [-]");
   add("displacement_", dim, " [m]");
   columns.emplace_back("state");
@@ -171,16 +178,25 @@ void MeshStatic<dim>::write_contact_table(const RunContext &context) const
 template <int dim>
 void MeshStatic<dim>::write_static_file(const RunContext &context) const
 {
-  Hdf5File file = create_mesh_file(context.file("static.h5"), "mesoslip-static-mesh",
+  Hdf5File file = create_mesh_file(context.file("dynamics.h5"), "mesoslip-dynamics-mesh",
                                    this->morphology, this->body);
   write_run_conditions(file, this->parameters.stated_conditions());
-  const std::string group = "/static_contact", u = group + "/displacement";
+  const std::string u = "/snapshots/displacement", group = "/static_contact";
+  write_dataset(file, u, {1, this->body.n_points, dim},
+                interleaved(solution.displacement), "m");
+  write_dataset(file, "/snapshots/time", {1}, std::vector<double>{0.}, "s");
+  std::array<std::vector<double>, dim> place;
+  for (const unsigned int point : this->body.contact.points)
+    for (unsigned int c = 0; c < dim; ++c)
+      place[c].push_back(this->morphology.mesh.points[point][c]);
   std::vector<Series> series = {
     {"pressure", "Pa", &pressure},
     {"friction_coefficient", "-", &this->body.friction},
     {"area", dim == 2 ? "m" : "m^2", &this->body.contact.area}};
+  for (unsigned int c = 0; c < dim; ++c)
+    series.push_back({std::string(1, "xyz"[c]), "m", &place[c]});
   for (unsigned int c = 0; c + 1 < dim; ++c)
-    series.push_back({std::string("shear_traction_") + "xyz"[c], "Pa", &shear[c]});
+    series.push_back({shear_name(c), "Pa", &shear[c]});
   write_series(file, group, series);
   std::vector<std::uint8_t> state;
   for (const ContactState of_node : solution.state)
@@ -189,12 +205,10 @@ void MeshStatic<dim>::write_static_file(const RunContext &context) const
   file.write_attribute(group + "/state", "meaning",
                        std::vector<std::string>{"separated", "stick", "slip", "held"});
   write_dataset(file, group + "/point", {state.size()}, this->body.contact.points);
-  write_dataset(file, u, {1, this->body.n_points, dim},
-                interleaved(solution.displacement));
   file.close();
-  write_xdmf(context.file("static.xdmf"), "static.h5", this->morphology.mesh,
+  write_xdmf(context.file("dynamics.xdmf"), "dynamics.h5", this->morphology.mesh,
              {{"displacement", u, XdmfField::Values::nodes, {dim}}}, {0.});
-  show_mesh_phases(context.file("static-phases.xdmf"), "static.h5", this->morphology);
+  show_mesh_phases(context.file("dynamics-phases.xdmf"), "dynamics.h5", this->morphology);
 }
 
 template <int dim>
@@ -208,7 +222,9 @@ void MeshStatic<dim>::summarize(RunContext &context) const
   std::array<double, dim - 1> tangential = {};
   for (std::size_t k = 0; k < solution.tangential_force.size(); ++k)
     tangential[k % (dim - 1)] += solution.tangential_force[k];
-  json["tangential_force"]  = tangential;
+  json["tangential_force"] = tangential[0];
+  if constexpr (dim == 3)
+    json["tangential_force_y"] = tangential[1];
   json["iterations"]        = solution.iterations;
   json["state_changes"]     = solution.state_changes;
   json["solver_iterations"] = solution.solver_iterations;
@@ -224,7 +240,7 @@ void MeshStatic<dim>::run(RunContext &context)
 {
   this->log_body(context);
   context.remove_results(
-    {"static.h5", "static.xdmf", "static-phases.xdmf", "static_contact.csv"});
+    {"dynamics.h5", "dynamics.xdmf", "dynamics-phases.xdmf", "static_contact.csv"});
   StaticContactOptions options = this->parameters.static_contact;
   options.before_iteration     = stop_or_report(context, "iteration");
   const auto elastic           = this->make_elastic_body();

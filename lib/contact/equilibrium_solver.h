@@ -1,0 +1,99 @@
+#ifndef mesoslip_contact_equilibrium_solver_h
+#define mesoslip_contact_equilibrium_solver_h
+
+#include "body/elastic_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace mesoslip
+{
+/**
+ * Displacements of a body whose constraints and forces change: it solves for corrections,
+ * so that a good guess is worth something whatever the solver measures its tolerance by.
+ */
+template <int dim>
+class EquilibriumSolver
+{
+public:
+  /** @p body must outlive it. */
+  explicit EquilibriumSolver(const ElasticBody<dim> &body)
+    : body(body)
+    , solver(body.make_solver())
+    , Ku(body.zero_field())
+    , residual(Ku)
+    , correction(Ku)
+  {
+  }
+
+  /** From now on @p mask is held at the values that the displacements have there. */
+  void set_constrained(const DofMask &mask)
+  {
+    constrained = mask;
+    solver->set_constrained(mask);
+  }
+
+  /**
+   * Improves @p u until the forces on free degrees of freedom that @p force leaves are a
+   * share of @p tolerance of all internal nodal forces, or hardly improve any more. The
+   * share that is reached. Collective on a distributed body.
+   */
+  double
+  solve(NodalField<double> &u, const NodalField<double> &force, const double tolerance)
+  {
+    for (unsigned int k = 0;; ++k)
+      {
+        body.vmult(Ku, u);
+        const double share = residual_share(force);
+        if (share <= tolerance || k == 4)
+          return share;
+        correction.set_zero();
+        n_iterations +=
+          solver->solve(correction, residual, std::min(0.5, 0.5 * tolerance / share))
+            .iterations;
+        for (std::size_t n = 0; n < u.size(); ++n)
+          u.begin()[n] += correction.begin()[n];
+      }
+  }
+
+  /** K u after solve() (N, in 2D N/m). */
+  const NodalField<double> &internal_force() const
+  {
+    return Ku;
+  }
+
+  /** Iterations of all linear solves. */
+  unsigned int iterations() const
+  {
+    return n_iterations;
+  }
+
+private:
+  double residual_share(const NodalField<double> &force)
+  {
+    double free = 0., all = 0.;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int j = 0; j < body.n_rows(); ++j)
+        for (unsigned int i = 0; i < body.n_columns(); ++i)
+          {
+            const NodeIndex node  = {i, j};
+            const double internal = Ku(c, node);
+            const double x =
+              constrained.is_constrained(c, node) ? 0. : force(c, node) - internal;
+            residual(c, node) = x;
+            free += x * x;
+            all += internal * internal;
+          }
+    return all > 0. ? std::sqrt(free / all) : (free > 0. ? 1. : 0.);
+  }
+
+  const ElasticBody<dim> &body;
+  std::unique_ptr<StaticSolver> solver;
+  DofMask constrained;
+  NodalField<double> Ku, residual, correction;
+  unsigned int n_iterations = 0;
+};
+} // namespace mesoslip
+
+#endif
