@@ -218,6 +218,7 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
   body.n_cells    = mesh.cells.size();
   body.digest     = Digest().add_file(morphology.file).add(parameters.rve_digest).hex();
   body.rve_digest = parameters.rve_digest;
+  body.probes     = locate_probes(mesh, given.observation.probes);
   return body;
 }
 

@@ -4,6 +4,7 @@
 #include "exchange/datasets.h"
 #include "exchange/xdmf.h"
 #include "sliding/mesh/mesh_file.h"
+#include "sliding/transient/result_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -188,6 +189,8 @@ void MeshOutput<dim>::write(const MeshResult &result)
       file->write_attribute("/energy", "initial", e.initial);
       write_table(context.file("energy.csv"), energies);
     }
+  for (const ProbeHistory &probe : result.probes)
+    write_probe(*file, "/probes/" + probe.name, probe, dim);
   write_contact(result);
   std::vector<double> times;
   for (std::size_t k = 0; k < n_written; ++k)

@@ -18,6 +18,7 @@ struct MeshResult
   TopHistory top;                   ///< of the top
   EnergyHistory energy;             ///< sums over the ranks
   std::vector<NodeCounts> blocks;   ///< states of the contact nodes
+  std::vector<ProbeHistory> probes; ///< in the order of the .prm
   double largest_strain    = 0.;    ///< norm [-]
   std::uint64_t steps_done = 0;     ///< in earlier runs, too
   double loop_seconds      = 0.;    ///< in earlier runs, too

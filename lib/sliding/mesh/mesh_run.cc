@@ -46,6 +46,7 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
                       const MeshBodyDescription &description,
                       const TimeStepChoice &time,
                       const MeshOperator<dim> &op,
+                      const std::vector<ElasticPhase<dim>> &phases,
                       TransientCheckpoint &checkpoint,
                       MeshOutput<dim> &output,
                       RunContext &context)
@@ -75,6 +76,12 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
       })
   , strains(body.stepper,
             [this](const Deformation &found, const std::uint64_t n) { judge(found, n); })
+  , probes(description.probes,
+           op.part,
+           phases,
+           body.stepper,
+           {body.contact, description.contact.points, description.contact.area},
+           parameters.observation.probe_interval)
 {
   set_initial_velocity();
 }
@@ -171,6 +178,8 @@ MeshResult MeshRun<dim>::run()
   std::vector<StepObserver *> observers = {&monitor, &strains};
   if (body.energy)
     observers.push_back(body.energy.get());
+  if (!description.probes.empty())
+    observers.push_back(&probes);
   output.begin(body.stepper, checkpoint.position().snapshots);
   if (output.has_snapshots())
     {
@@ -209,6 +218,7 @@ MeshResult MeshRun<dim>::collect()
   result.loop_seconds   = seconds;
   result.interrupted    = interrupted;
   result.kernel         = body.stepper.kernel_name();
+  result.probes         = probes.gather();
   if (body.energy)
     result.energy = body.energy->reduce();
   return result;

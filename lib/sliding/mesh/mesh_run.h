@@ -22,6 +22,7 @@ public:
           const MeshBodyDescription &description,
           const TimeStepChoice &time,
           const MeshOperator<dim> &op,
+          const std::vector<ElasticPhase<dim>> &phases,
           TransientCheckpoint &checkpoint,
           MeshOutput<dim> &output,
           RunContext &context);
@@ -40,7 +41,7 @@ public:
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &body &monitor &strains &seconds;
+    archive &body &monitor &strains &seconds &probes;
   }
 
 private:
@@ -60,6 +61,7 @@ private:
   SlidingMesh<dim> body;
   StabilityMonitor monitor;
   DeformationWatch strains;
+  MeshProbes<dim> probes;
   bool warned      = false; ///< of large strains
   bool interrupted = false;
   double seconds   = 0.; ///< in the time loop, in earlier runs, too

@@ -119,8 +119,8 @@ void MeshTransient<dim>::run(RunContext &context)
 
   MeshOutput<dim> output(context, this->parameters, this->morphology, this->body, time,
                          distributed.part);
-  MeshRun<dim> run(this->parameters, this->body, time, distributed.op, checkpoint, output,
-                   context);
+  MeshRun<dim> run(this->parameters, this->body, time, distributed.op, this->phases,
+                   checkpoint, output, context);
   if (resumed)
     run.restore();
   const MeshResult result = run.run();

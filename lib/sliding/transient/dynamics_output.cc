@@ -4,6 +4,7 @@
 #include "exchange/datasets.h"
 #include "grid/row_partition.h"
 #include "program/run_context.h"
+#include "sliding/transient/result_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,22 +130,6 @@ void DynamicsOutput::write_energy(const EnergyHistory &e)
   write_table(context.file("energy.csv"), columns);
 }
 
-void DynamicsOutput::write_probe(const std::string &group, const ProbeHistory &probe)
-{
-  write_series(*file, group,
-               {{"time", "s", &probe.time},
-                {"displacement", "m", &probe.displacement, 2},
-                {"velocity", "m/s", &probe.velocity, 2}});
-  for (const Series &series :
-       {Series{"strain", "-", &probe.strain, 3}, Series{"stress", "Pa", &probe.stress, 3},
-        Series{"traction", "Pa", &probe.traction, 2}})
-    if (!series.values->empty())
-      write_series(*file, group, {series});
-  file->write_attribute(group, "position",
-                        std::vector(probe.position.begin(), probe.position.end()));
-  file->write_attribute(group, "phase", probe.phase);
-}
-
 /** It comes with the histories of the contact. */
 void DynamicsOutput::write_reference_node(const TransientResult &run)
 {
@@ -153,14 +138,14 @@ void DynamicsOutput::write_reference_node(const TransientResult &run)
   const unsigned int last_cell = body.grid.cells[0] - 1;
   const double width = tributary_width(body.grid, number, run.parameters.periodic);
   ProbeHistory probe;
-  probe.position = {{number * body.grid.spacing[0], 0.}};
+  probe.position = {{number * body.grid.spacing[0], 0., 0.}};
   // As of a probe there: a point between two cells belongs to the upper one.
   probe.phase        = body.phase_of(std::min(number, last_cell));
   probe.time         = run.history.time;
   probe.displacement = pairs(node.ux, node.uy);
   probe.velocity     = pairs(node.vx, node.vy);
   probe.traction     = pairs(node.tangential_force, node.normal_force, width);
-  write_probe("/reference", probe);
+  write_probe(*file, "/reference", probe, 2);
 }
 
 void DynamicsOutput::write_contact(const TransientResult &run)
@@ -232,7 +217,7 @@ void DynamicsOutput::write(const TransientResult &run)
   if (!run.energy.time.empty())
     write_energy(run.energy);
   for (const ProbeHistory &probe : run.probes)
-    write_probe("/probes/" + probe.name, probe);
+    write_probe(*file, "/probes/" + probe.name, probe, 2);
   if (!run.history.nodes.empty())
     write_reference_node(run);
   write_contact(run);

@@ -4,6 +4,7 @@
 #include "base/exchange.h"
 #include "dynamics/stepper.h"
 #include "material/plausibility.h"
+#include "observation/grid_probes.h"
 #include "program/run_context.h"
 
 #include <algorithm>
@@ -99,8 +100,8 @@ TransientRun::TransientRun(const ContactParameters &parameters,
   set_initial_velocity();
   const ObservationParameters &observation = parameters.observation;
   if (!observation.probes.empty())
-    probes = std::make_unique<ProbeRecorder>(observation.probes, material, body.stepper,
-                                             body.contact, observation.probe_interval);
+    probes = std::make_unique<GridProbes>(observation.probes, material, body.stepper,
+                                          body.contact, observation.probe_interval);
 }
 
 void TransientRun::set_initial_velocity()
