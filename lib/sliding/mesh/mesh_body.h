@@ -3,6 +3,7 @@
 
 #include "morphology/mesh_morphology.h"
 #include "observation/mesh_probes.h"
+#include "sliding/body_size.h"
 #include "sliding/mesh/sliding_mesh.h"
 
 #include <array>
@@ -57,12 +58,16 @@ struct MeshBodyDescription
   std::string digest;              ///< of the file
   std::string rve_digest;          ///< see MeshBodyParameters
   std::vector<MeshPlace> probes;   ///< where they are in the mesh
+  ReferenceNode reference;         ///< of the contact
+
+  /** Time in which a pressure wave crosses the shortest side of the bounding box (s). */
+  double crossing = 0.;
 
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<9>(archive, *this);
+    serialize_members<11>(archive, *this);
   }
 };
 

@@ -2,15 +2,16 @@
 #define mesoslip_sliding_transient_result_file_h
 
 #include "io/hdf5_file.h"
-#include "observation/probe_recorder.h"
+#include "sliding/transient/transient_result.h"
 
 namespace mesoslip
 {
-/** Writes a probe of a body in @p dim dimensions. */
-void write_probe(Hdf5File &file,
-                 const std::string &group,
-                 const ProbeHistory &probe,
-                 const unsigned int dim);
+/**
+ * Writes all of dynamics.h5 that grids and meshes have in common: /run, /history, /energy,
+ * /probes, /reference, the states in /contact, /spectrum and /phase_diagram; history.csv
+ * and energy.csv beside it. On rank 0.
+ */
+void write_result(Hdf5File &file, const TransientResult &run, const RunContext &context);
 } // namespace mesoslip
 
 #endif
