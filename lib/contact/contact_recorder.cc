@@ -68,6 +68,12 @@ void ContactRecorder<dim>::after(const SurfaceView<dim> &surface,
       node.vy.push_back(velocity(normal));
       node.normal_force.push_back(contact.normal_force()[i]);
       node.tangential_force.push_back(contact.tangential_force()[i]);
+      if constexpr (dim == 3)
+        {
+          node.across.u.push_back(before.u[1]);
+          node.across.v.push_back(velocity(1));
+          node.across.force.push_back(contact.lateral_force()[i]);
+        }
     }
 }
 

@@ -11,8 +11,23 @@
 
 namespace mesoslip
 {
-/** Motion and forces of one contact node, a value each sample; forces per unit thickness.
- */
+/** In 3D: motion and force of a contact node across the motion of the flat. */
+struct LateralMotion
+{
+  std::vector<double> u;     ///< displacement (m)
+  std::vector<double> v;     ///< velocity (m/s)
+  std::vector<double> force; ///< on the body (N)
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &u &v &force;
+  }
+};
+
+/** Motion and forces of one contact node, a value each sample; x is along the motion of
+ * the flat, y its normal also in 3D; forces in 2D per unit thickness. */
 struct MonitoredNode
 {
   std::vector<double> ux;               ///< displacement (m)
@@ -21,12 +36,13 @@ struct MonitoredNode
   std::vector<double> vy;               ///< velocity (m/s)
   std::vector<double> normal_force;     ///< N/m, positive when pressed
   std::vector<double> tangential_force; ///< N/m, on the body
+  LateralMotion across;                 ///< empty in 2D
 
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &ux &uy &vx &vy &normal_force &tangential_force;
+    archive &ux &uy &vx &vy &normal_force &tangential_force &across;
   }
 };
 

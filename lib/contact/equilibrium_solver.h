@@ -9,6 +9,23 @@
 
 namespace mesoslip
 {
+/** What compares displacements with nodal forces: the largest stiffness along the normal,
+ * in 3D times the mean distance of contact nodes (N/m, in 2D Pa). */
+template <int dim>
+double stiffness_scale(const ElasticBody<dim> &body)
+{
+  double D = 0.;
+  for (const ElasticPhase<dim> &phase : body.phases())
+    D = std::max(D, phase.stiffness(dim - 1, dim - 1));
+  if constexpr (dim == 2)
+    return D;
+  const auto &areas = body.surface(ElasticBody<dim>::bottom).normal_area;
+  double area       = 0.;
+  for (const auto &normal_area : areas)
+    area += std::fabs(normal_area[dim - 1]);
+  return D * std::sqrt(area / static_cast<double>(areas.size()));
+}
+
 /**
  * Displacements of a body whose constraints and forces change: it solves for corrections,
  * so that a good guess is worth something whatever the solver measures its tolerance by.

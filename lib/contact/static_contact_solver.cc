@@ -12,15 +12,6 @@ namespace mesoslip
 {
 namespace
 {
-template <int dim>
-double stiffest(const ElasticBody<dim> &body)
-{
-  double D = 0.;
-  for (const ElasticPhase<dim> &phase : body.phases())
-    D = std::max(D, phase.stiffness(dim - 1, dim - 1));
-  return D;
-}
-
 /** The iteration and its state. */
 template <int dim>
 class ActiveSetIteration
@@ -35,7 +26,7 @@ public:
     , solver(body)
     , nodes(body.surface(ElasticBody<dim>::bottom).nodes)
     , n_nodes(nodes.size() - (body.periodicity().x ? 1 : 0))
-    , scale(stiffest(body))
+    , scale(stiffness_scale(body))
     , force(problem.force)
     , friction(Eigen::VectorXd::Zero(n_nodes * n_tangents))
     , normal(Eigen::VectorXd::Zero(n_nodes))
@@ -66,8 +57,9 @@ public:
         // While friction or states are far off, an exact solution is a waste.
         solution.residual =
           solver.solve(problem.displacement, force,
-                       std::max(options.tolerance, std::min(1e-5, 1e-2 * change)));
+                       std::max(0.1 * options.tolerance, std::min(1e-5, 1e-2 * change)));
         evaluate_reactions();
+        turn_friction();
         ++solution.iterations;
         // States that follow friction which is not yet that of the pressure may go round
         // in circles.
@@ -214,25 +206,49 @@ private:
     if (at_rest(i) == ContactState::slip)
       return ContactState::slip;
     // Resting flat: friction opposes the displacement and stays below its limit.
-    const double limit = problem.friction_coefficient[i] * normal[i];
-    Direction trial;
-    double squares = 0., friction_squares = 0., along = 0.;
+    const double limit      = problem.friction_coefficient[i] * normal[i];
+    double friction_squares = 0., along = 0.;
     for (unsigned int c = 0; c < n_tangents; ++c)
       {
-        const double f = tangential[index(i, c)], u = problem.displacement(c, nodes[i]);
-        trial[c] = f - scale * u;
-        squares += trial[c] * trial[c];
+        const double f = tangential[index(i, c)];
         friction_squares += f * f;
-        along += f * u;
+        along += f * problem.displacement(c, nodes[i]);
       }
     // A node that moves with its friction sticks before it may slip the other way.
-    const double size = std::sqrt(squares);
-    if (size <= limit ||
+    if (size_of_trial(i) <= limit ||
         (along > 0. && std::sqrt(friction_squares) <= (1. + 1e-6) * limit))
       return ContactState::stick;
-    for (unsigned int c = 0; c < n_tangents; ++c)
-      direction[i][c] = trial[c] / size;
+    turn_friction(i);
     return ContactState::slip;
+  }
+
+  /** Component of what friction tends to on a flat at rest: against the displacement. */
+  double trial(const unsigned int i, const unsigned int c) const
+  {
+    return tangential[index(i, c)] - scale * problem.displacement(c, nodes[i]);
+  }
+
+  double size_of_trial(const unsigned int i) const
+  {
+    double squares = 0.;
+    for (unsigned int c = 0; c < n_tangents; ++c)
+      squares += trial(i, c) * trial(i, c);
+    return std::sqrt(squares);
+  }
+
+  void turn_friction(const unsigned int i)
+  {
+    const double size = size_of_trial(i);
+    for (unsigned int c = 0; c < n_tangents && size > 0.; ++c)
+      direction[i][c] = trial(i, c) / size;
+  }
+
+  /** In 3D friction turns without a change of states. */
+  void turn_friction()
+  {
+    for (unsigned int i = 0; i < n_nodes && dim == 3 && problem.sliding == 0; ++i)
+      if (solution.state[i] == ContactState::slip)
+        turn_friction(i);
   }
 
   bool update_states()
@@ -298,7 +314,7 @@ private:
   EquilibriumSolver<dim> solver;
   const std::vector<NodeIndex> &nodes; ///< of the bottom, the duplicate at the end
   const unsigned int n_nodes;          ///< distinct ones of the bottom
-  const double scale;                  ///< Pa: compares displacements with forces
+  const double scale;                  ///< see stiffness_scale()
 
   NodalField<double> force;
   Eigen::VectorXd friction, normal, tangential;

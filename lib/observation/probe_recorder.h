@@ -2,10 +2,7 @@
 #define mesoslip_observation_probe_recorder_h
 
 #include "base/serialize_members.h"
-#include "contact/contact_surface.h"
 #include "dynamics/stepper.h"
-#include "elasticity/uniform_material.h"
-#include "grid/nodal_field.h"
 
 #include <array>
 #include <string>
@@ -14,20 +11,21 @@
 namespace mesoslip
 {
 /**
- * A probe and what it saw: one value (or pair, or triple) a sample. Every rank knows name,
- * place and phase, its owner the samples.
+ * A probe and what it saw: d numbers a sample for vectors, one for each component in Voigt
+ * order for strain and stress. Every rank knows name, place and phase, its owner the
+ * samples.
  */
 struct ProbeHistory
 {
   std::string name;                      ///< as in the .prm
-  std::array<double, 2> position   = {}; ///< from the lower left corner (m)
+  std::array<double, 3> position   = {}; ///< see ProbePoint (m)
   unsigned int phase               = 0;  ///< of the cell that it lies in
   std::vector<double> time         = {}; ///< s
-  std::vector<double> displacement = {}; ///< [k][2] (m)
-  std::vector<double> velocity     = {}; ///< [k][2] (m/s)
-  std::vector<double> strain       = {}; ///< [k][3], Voigt
-  std::vector<double> stress       = {}; ///< [k][3] (Pa)
-  std::vector<double> traction = {}; ///< tangential, pressure [k][2] (Pa); on the contact
+  std::vector<double> displacement = {}; ///< [k][d] (m)
+  std::vector<double> velocity     = {}; ///< [k][d] (m/s)
+  std::vector<double> strain       = {}; ///< [k][3 or 6], Voigt
+  std::vector<double> stress       = {}; ///< [k][3 or 6] (Pa)
+  std::vector<double> traction = {}; ///< tangential, pressure [k][d] (Pa); on the contact
 
   /** Saves or restores the probe (Boost.Serialization). */
   template <class Archive>
@@ -37,29 +35,22 @@ struct ProbeHistory
   }
 };
 
+/** A point that is watched. */
+struct ProbePoint
+{
+  std::string name;                    ///< as in the .prm
+  std::array<double, 3> position = {}; ///< from the lower left corner, or on a mesh (m)
+  bool nearest_node              = false; ///< move the position to a node
+};
+
 /**
- * Samples displacement, velocity, strain, stress and contact traction at points: Q1
- * interpolation, the strain being the derivative at the point itself (the cell mean at
- * a cell's centre).
+ * Samples displacement, velocity, strain, stress and contact traction at points by the
+ * interpolation of the cells that they lie in, the strain being the derivative at the
+ * point itself. What the cells are is for derived classes to say.
  */
 class ProbeRecorder : public StepObserver
 {
 public:
-  /** A point that is watched. */
-  struct Point
-  {
-    std::string name;                       ///< as in the .prm
-    std::array<double, 2> position = {};    ///< from the lower left corner (m)
-    bool nearest_node              = false; ///< move the position to a node
-  };
-
-  /** References are kept. Points have to lie in the body. */
-  ProbeRecorder(const std::vector<Point> &points,
-                const UniformMaterial &material,
-                const Stepper &stepper,
-                const ContactSurface<2> &contact,
-                const std::uint64_t interval);
-
   std::uint64_t next_step(const std::uint64_t n) const override
   {
     return next_multiple(n, interval);
@@ -77,37 +68,40 @@ public:
     archive &histories;
   }
 
+protected:
+  /** A vector at a point; two of the numbers count in 2D. */
+  using Vector = std::array<double, 3>;
+
+  /** The stepper, whose fields have so many components, is referenced; a sample every @p interval steps. */
+  ProbeRecorder(const Stepper &stepper,
+                const unsigned int components,
+                const std::uint64_t interval);
+
+  /** Adds a probe; one rank owns it. */
+  void add(const ProbeHistory &probe, const bool owned);
+
+  /** Before the @p field is used. Collective. */
+  virtual void update_ghosts(NodalField<double> &field) const = 0;
+
+  /** The @p field at probe @p k, which this rank owns. */
+  virtual Vector interpolate(const NodalField<double> &field,
+                             const std::size_t k) const = 0;
+
+  /** Appends strain and stress at probe @p k, which this rank owns. */
+  virtual void sample_strain(const std::size_t k, ProbeHistory &history) const = 0;
+
+  /** Appends the traction of the nearest contact node, if probe @p k, which this rank
+   * owns, is on the contact. */
+  virtual void sample_contact(const std::size_t k, ProbeHistory &history) const = 0;
+
+  const Stepper &stepper; ///< of the fields
+
 private:
-  /** Where a point lies: cell, and position in it from 0 to 1. */
-  struct Place
-  {
-    unsigned int i = 0, j = 0;
-    std::array<double, 2> xi       = {};
-    bool owned                     = false;
-    std::array<double, 2> w_before = {};
-  };
-
-  Place locate(const std::array<double, 2> &position) const;
-
-  std::array<double, 2> interpolate(const NodalField<double> &field,
-                                    const Place &place) const;
-
-  VoigtVector<2> strain(const Place &place) const;
-
-  /** If a probe lies between two ranks. Collective. */
-  void update_ghosts(NodalField<double> &field) const;
-
-  /** Appends the traction of the nearest contact node, if the place is on the contact. */
-  void sample_contact(const Place &place, std::vector<double> &traction) const;
-
-  const UniformMaterial &material;
-  const Stepper &stepper;
-  const NodeRows &rows;
-  const ContactSurface<2> &contact;
+  const unsigned int n_components;
   const std::uint64_t interval;
-  std::vector<Place> places;
-  bool needs_ghosts = false; ///< a probe lies between two ranks
   std::vector<ProbeHistory> histories;
+  std::vector<char> owned;
+  std::vector<Vector> w_before;
 };
 } // namespace mesoslip
 

@@ -13,20 +13,27 @@ constexpr long most_steps = 1000000000;
 
 void bind_probes(Keys &keys,
                  const std::vector<std::string> &names,
-                 std::vector<ProbeRecorder::Point> &probes)
+                 const unsigned int dim,
+                 std::vector<ProbePoint> &probes)
 {
   for (const std::string &name : names)
     {
       const auto section = keys.section(name);
-      ProbeRecorder::Point probe;
+      ProbePoint probe;
       std::vector<double> position;
       probe.name = name;
-      keys.bind_list("Position", position, Range::any(),
-                     "x and y from the lower left corner; has to be given [m]", 0, 2);
+      keys.bind_list(
+        "Position", position, Range::any(),
+        "x and y from the lower left corner; on a mesh its coordinates, in 3D "
+        "with z; has to be given [m]",
+        0, 3);
       keys.bind("Nearest node", probe.nearest_node, "Move the probe to the nearest node");
-      keys.require(position.size() == 2, "Position",
-                   "a number is missing; give x and y of the probe from the lower left "
-                   "corner in m, in a subsection " +
+      keys.require(position.size() == dim, "Position",
+                   std::string(position.size() < dim ? "a number is missing; give "
+                                                     : "too many numbers; give ") +
+                     (dim == 2 ? "x and y" : "x, y and z") +
+                     " of the probe from the lower left corner, or on a mesh its "
+                     "coordinates, in m, in a subsection " +
                      name);
       std::copy(position.begin(), position.end(), probe.position.begin());
       probes.push_back(probe);
@@ -206,7 +213,7 @@ void ContactParameters::bind_observation(Keys &keys)
                     "name");
     keys.bind("Probe interval", o.probe_interval, 1, most_steps,
               "Time steps between samples of the probes [-]");
-    bind_probes(keys, probes, o.probes);
+    bind_probes(keys, probes, mesh.mesh.dim, o.probes);
     // Probes and snapshots may be switched off on purpose in a file that is otherwise
     // complete; then the other keys stay.
     keys.only_if(!probes.empty() || keys.is_typed("Observation/Probes"),

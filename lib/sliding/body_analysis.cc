@@ -26,7 +26,7 @@ BodyDescription make_body_on_root(const ContactParameters &parameters)
 
 void check_probes(const ObservationParameters &observation, const UniformGrid<2> &grid)
 {
-  for (const ProbeRecorder::Point &probe : observation.probes)
+  for (const ProbePoint &probe : observation.probes)
     for (unsigned int d = 0; d < 2; ++d)
       if (!(probe.position[d] >= 0. &&
             probe.position[d] <= grid.extent(d) * (1. + 1e-12)))

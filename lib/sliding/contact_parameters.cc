@@ -257,11 +257,7 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
                  {"Dimension", "Mesh/"});
   keys.only_if(!p.mesh.is_given(),
                {"Body/Material", "Body/Stiffness", "Body/Density", "Body/Size",
-                "Body/Cells", "Sides/", "Observation/Steady from",
-                "Observation/Reference x", "Observation/Stop at limit cycle",
-                "Observation/Limit cycle tolerance", "Observation/Limit cycle periods",
-                "Observation/Limit cycle windows", "Observation/Probes",
-                "Observation/Probe interval", "Performance/Temporal blocking"},
+                "Body/Cells", "Sides/", "Performance/Temporal blocking"},
                "the body is a mesh", "remove Mesh/File");
   keys.only_if(!p.mesh.is_given() || p.static_solver == StaticSolverKind::ml,
                {"Performance/Static solver"}, "bodies on meshes are solved with ml",

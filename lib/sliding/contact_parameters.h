@@ -69,16 +69,16 @@ struct FrictionParameters
 /** Sections Observation and Snapshots, besides the intervals of the SlidingSetup. */
 struct ObservationParameters
 {
-  unsigned int blocks      = 200;           ///< of contact states over the run
-  double steady_from       = automatic;     ///< s
-  double reference_x       = automatic;     ///< m
-  bool stop_at_limit_cycle = false;         ///< end early
-  LimitCycleCriterion limit_cycle;          ///< but for the reference power
-  unsigned int probe_interval = 10;         ///< steps
-  std::vector<ProbeRecorder::Point> probes; ///< in the order of the .prm
-  double snapshots_from     = 0.;           ///< s
-  double snapshots_to       = automatic;    ///< s
-  double snapshots_interval = 0.;           ///< s; 0: none
+  unsigned int blocks      = 200;        ///< of contact states over the run
+  double steady_from       = automatic;  ///< s
+  double reference_x       = automatic;  ///< m
+  bool stop_at_limit_cycle = false;      ///< end early
+  LimitCycleCriterion limit_cycle;       ///< but for the reference power
+  unsigned int probe_interval = 10;      ///< steps
+  std::vector<ProbePoint> probes;        ///< in the order of the .prm
+  double snapshots_from     = 0.;        ///< s
+  double snapshots_to       = automatic; ///< s
+  double snapshots_interval = 0.;        ///< s; 0: none
 };
 
 /** Section Friction homogenization. */

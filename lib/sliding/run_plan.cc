@@ -89,8 +89,12 @@ void require_frequency(const UniformMaterial &material)
 unsigned int statistics_interval(const UniformMaterial &material, const double dt)
 {
   const UniformGrid<2> &grid = material.grid();
-  const double crossing =
-    BodyScales(material).crossing * std::min(1., grid.extent(0) / grid.extent(1));
+  return statistics_interval(
+    BodyScales(material).crossing * std::min(1., grid.extent(0) / grid.extent(1)), dt);
+}
+
+unsigned int statistics_interval(const double crossing, const double dt)
+{
   return static_cast<unsigned int>(std::clamp(crossing / (6. * dt), 1., 10.));
 }
 

@@ -76,6 +76,9 @@ void require_frequency(const UniformMaterial &material);
  */
 unsigned int statistics_interval(const UniformMaterial &material, const double dt);
 
+/** The same where such a wave takes @p crossing seconds. */
+unsigned int statistics_interval(const double crossing, const double dt);
+
 /** @throws UserError when a given time step is above the critical one. */
 TimeStepChoice choose_time_step(const ContactParameters &parameters,
                                 const UniformMaterial &material);

@@ -19,45 +19,159 @@ SOLID = "set Dimension = 3\n" + MESH + prm({**STEEL, "Top/Kind": "pressure", "Bo
                                             "Body/Acceleration": "0, 0, -10", "Snapshots/Interval": 4e-6})
 
 
-def history(folder, run):
+def probes(**positions):
+    return prm({"Observation/Probes": ", ".join(positions), **{f"Observation/{name}/Position": p for name, p in positions.items()}})
+
+
+def group(folder, run, name="history"):
+    """{"NAME": values} of what is observed, of groups in it as "NAME/NAME"."""
+    found = {}
     with h5py.File(folder(run, "dynamics.h5")) as file:
-        return {name: values[()] for name, values in file["history"].items()}
+        file[name].visititems(lambda key, item: found.update({key: item[()]} if isinstance(item, h5py.Dataset) else {}))
+    return found
+
+
+# One in a cell, one on an edge between cells and on the contact, one between two contact nodes, one that moves to a corner.
+PLANE_PROBES = probes(inside="0.0051, 0.0013", at_node="0.005, 0", contact="0.0094, 0", corner="0.01185, 0.0039") + prm(
+    {"Observation/corner/Nearest node": "true"})
+STATES = ["friction_coefficient", "slip", "stick", "separated", *("blocks/" + name for name in ("time", "slip", "stick", "separated"))]
+OBSERVED = ("history", "energy", "probes", "reference", "contact", "spectrum", "phase_diagram")
+# Of these keys of summary.json grid and mesh say what they are, and how fast.
+OWN = {"kernel", "ranks", "seconds", "cell_updates_per_second", "peak_memory_bytes", "critical_time_step", "energy_balance_residual"}
+SOLID_PROBES = probes(inside="0.00315, 0.0012, 0.0017", contact="0.0042, 0.0023, 0")
 
 
 def check_equal(one, other, limit, what):
-    for name in sorted(set(one) & set(other)):
+    assert set(one) == set(other), (what, set(one) ^ set(other))
+    for name in sorted(one):
         scale = np.abs(one[name]).max()
-        assert len(one[name]) == len(other[name]) > 100, (what, name)
+        assert one[name].shape == other[name].shape and len(one[name]) > 10, (what, name)
         assert np.abs(one[name] - other[name]).max() <= limit * scale, (what, name, np.abs(one[name] - other[name]).max() / scale)
+
+
+def check_same_summary(one, other, limit, what, but=()):
+    """Numbers up to a relative difference, everything else as it is; a key that only one has is no number."""
+    if isinstance(one, dict) and isinstance(other, dict):
+        for key in (set(one) | set(other)) - OWN - set(but):
+            check_same_summary(one.get(key, "nothing"), other.get(key, "nothing"), limit, (what, key))
+    elif isinstance(one, float) and isinstance(other, (int, float)):
+        assert abs(one - other) <= limit * abs(one), (what, one, other)
+    else:
+        assert one == other, (what, one, other)
 
 
 def check_grid_as_mesh(folder):
     folder.write("grid.prm", prm({**COMMON, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
-                                  "Body/Cells": "24, 10", "Sides/Left": "u_x"}))
+                                  "Body/Cells": "24, 10", "Sides/Left": "u_x"}) + PLANE_PROBES)
     folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid")
     box = Box([12, 4], [24, 10], lambda x: "body")
     box.name_side("Contact", 1, False).name_side("Top", 1, True).name_side("wall", 0, False).write(folder("mesh.msh"))
-    folder.write("mesh.prm", MESH + prm({**BODY, "Mesh/Held in x": "wall"}))
+    folder.write("mesh.prm", MESH + prm({**BODY, "Mesh/Held in x": "wall"}) + PLANE_PROBES)
     for ranks in (1, 2, 3):
         folder.run(0, "contact_dynamics", "mesh.prm", "--output", f"mesh{ranks}", ranks=ranks)
-        check_equal(history(folder, "grid"), history(folder, f"mesh{ranks}"), 1e-9, ranks)
+        for name in OBSERVED:
+            of_grid, of_mesh = (group(folder, run, name) for run in ("grid", f"mesh{ranks}"))
+            if name == "contact":  # beside what each says of the nodes
+                of_grid, of_mesh = ({key: values[key] for key in values if key in STATES} for values in (of_grid, of_mesh))
+                assert len(of_grid) == len(STATES)
+            if name == "energy":  # rounding of what nearly vanishes
+                of_grid, of_mesh = ({key: values[key] for key in values if key not in ("residual", "scheme")} for values in (of_grid, of_mesh))
+            check_equal(of_grid, of_mesh, 1e-9, (ranks, name))
         summary, expected = folder.summary(f"mesh{ranks}"), folder.summary("grid")
         assert summary["dim"] == 2 and summary["dofs"] == expected["dofs"] and summary["steps"] == expected["steps"] == 1000
         assert abs(summary["critical_time_step"] / expected["critical_time_step"] - 1) < 5e-3
+        check_same_summary(expected, summary, 1e-9, ranks)
+        assert summary["global_interface_friction_coefficient"] > 0.01 and summary["main_frequency"] > 1e4 and summary["regime"], summary
         assert summary["energy_balance_residual"] < 1e-11, summary
         assert abs(summary["largest_strain"] / expected["largest_strain"] - 1) < 1e-9
+
+
+def check_limit_cycle(folder):
+    """A run that ends at what passes for a limit cycle does so at the same step as on the grid, and is complete."""
+    ends = ("--set=Observation/Stop at limit cycle=true", "--set=Observation/Limit cycle tolerance=10", "--set=Time/End time=4e-3",
+            "--set=Observation/History interval=1000", "--set=Observation/Energy interval=1000", "--set=Observation/Reference x=2.2e-3",
+            "--set=Observation/Steady from=1e-3")
+    small = Box([12, 4], [8, 3], lambda x: "body")
+    small.name_side("Contact", 1, False).name_side("Top", 1, True).name_side("wall", 0, False).write(folder("mesh.msh"))
+    folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid_cycle", "--set=Body/Cells=8, 3", *ends)
+    folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh_cycle", *ends)
+    summary, expected = folder.summary("mesh_cycle"), folder.summary("grid_cycle")
+    assert summary["limit_cycle_reached"] and summary["steps"] == expected["steps"] < 1e5 and summary["steady_from"] == 1e-3, summary
+    assert summary["limit_cycle"] == expected["limit_cycle"] and summary["regime"] == expected["regime"]
+    with h5py.File(folder("mesh_cycle", "dynamics.h5")) as file, h5py.File(folder("grid_cycle", "dynamics.h5")) as grid:
+        assert np.allclose(file["reference"].attrs["position"], [1.5e-3, 0], rtol=0, atol=1e-12)
+        assert np.allclose(grid["reference"].attrs["position"], [1.5e-3, 0], rtol=0, atol=1e-12)
+        assert file["run"].attrs["limit_cycle_reached"] == grid["run"].attrs["limit_cycle_reached"]
+    assert "is complete" in folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh_cycle", "--resume", *ends)
+
+
+def linear_field(box, point):
+    """Nodes of the cell that holds a point, their shape functions there, and the derivatives of these (2e-7 m to either side)."""
+    for cell in box.cells:
+        corners = box.points[cell] * 1e-3
+        if box.kind == "cube":
+            low, size = corners.min(axis=0), np.ptp(corners, axis=0)
+
+            def shape(at):
+                return np.prod(np.where(corners > low + size / 2, at - low, low + size - at) / size, axis=1)
+        else:
+            inverse = np.linalg.inv(np.hstack([np.ones((4, 1)), corners]))
+
+            def shape(at):
+                return np.array([1, *at]) @ inverse
+        if shape(point).min() > -1e-9 and (box.kind == "simplex" or np.all((low <= point) & (point <= low + size))):
+            step = 2e-7 * np.eye(3)
+            return cell, shape(point), np.array([(shape(point + d) - shape(point - d)) / 4e-7 for d in step])
+    raise AssertionError("no cell")
+
+
+def check_solid_probes(folder, run, box):
+    """Displacement, strain and stress of the probe within the body are those of the snapshots."""
+    probe, snapshots = group(folder, run, "probes/inside"), group(folder, run, "snapshots")["displacement"]
+    nodes, shape, gradient = linear_field(box, np.array([0.00315, 0.0012, 0.0017]))
+    points = group(folder, run, "mesh")["points"]  # in an order of their own
+    of_cell = snapshots[:, [np.abs(points - box.points[node] * 1e-3).sum(axis=1).argmin() for node in nodes]]
+    grad = np.einsum("dv,kvc->kcd", gradient, of_cell)
+    strain = np.array([grad[:, c, d] + (grad[:, d, c] if c != d else 0) for c, d in ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))]).T
+    shear = 210e9 / 2.6
+    stress = 2 * shear * strain * [1, 1, 1, .5, .5, .5] + 0.6 / 0.4 * shear * strain[:, :3].sum(axis=1)[:, None] * [1, 1, 1, 0, 0, 0]
+    for name, expected in (("displacement", shape @ of_cell), ("strain", strain), ("stress", stress)):
+        assert np.abs(probe[name][::10] - expected).max() < 1e-8 * np.abs(expected).max() and np.abs(expected).max() > 0, (run, name)
+    assert np.abs(probe["velocity"][0] - [0.5, 1, -1]).max() < 0.2
+    contact = group(folder, run, "probes/contact")
+    assert contact["traction"].shape == (100, 3) and "traction" not in probe
+    pressed = contact["traction"][:, 2] > 1e5
+    friction = np.hypot(*contact["traction"][pressed, :2].T) / contact["traction"][pressed, 2]
+    assert pressed.sum() > 10 and contact["traction"][:, 2].min() >= 0 and 0.01 < np.median(friction) < 0.4, friction
+
+
+def check_reference(folder, run):
+    """The reference node is that in the middle of the contact; its traction is the contact force on its area."""
+    with h5py.File(folder(run, "dynamics.h5")) as file:
+        node, snapshots = file["reference"], file["snapshots/displacement"][()]
+        assert np.allclose(node.attrs["position"], [3e-3, 2e-3, 0], rtol=0, atol=1e-12), node.attrs["position"]
+        here = np.abs(file["mesh/points"][()] - [3e-3, 2e-3, 0]).sum(axis=1).argmin()
+        assert np.array_equal(node["displacement"][::100], snapshots[:, here]) and np.abs(snapshots[-1, here]).min() > 0
+        assert node["velocity"].shape == node["traction"].shape == (1000, 3)
+        motion = (node["displacement"][2:] - node["displacement"][:-2]) / 8e-8
+        assert np.abs(node["velocity"][1:-1] - motion).max() < 1e-9 * np.abs(motion).max()
+        assert np.bytes_(file["energy"].attrs["unit"]) == b"J" and np.bytes_(file["reference/traction"].attrs["unit"]) == b"Pa"
 
 
 def check_solid(folder):
     for kind in ("cube", "simplex"):
         box = Box([6, 4, 3], [6, 4, 3], lambda x: "body", kind)
         box.name_side("Contact", 2, False).name_side("Top", 2, True).write(folder("mesh.msh"))
-        folder.write("solid.prm", SOLID)
+        folder.write("solid.prm", SOLID + SOLID_PROBES)
         said = folder.run(0, "contact_dynamics", "solid.prm", "--validate")
         assert "Contact 'Contact': 35 nodes" in said and "420 degrees of freedom" in said, said
         folder.run(0, "contact_dynamics", "solid.prm", "--output", kind)
         folder.run(0, "contact_dynamics", "solid.prm", "--output", kind + "2", ranks=2)
-        check_equal(history(folder, kind), history(folder, kind + "2"), 1e-9, kind)
+        for name in ("history", "probes", "reference", "spectrum"):
+            check_equal(group(folder, kind, name), group(folder, kind + "2", name), 1e-9, (kind, name))
+        check_same_summary(folder.summary(kind), folder.summary(kind + "2"), 1e-9, kind)
+        check_reference(folder, kind)
+        check_solid_probes(folder, kind, box)
         assert folder.summary(kind)["energy_balance_residual"] < 1e-11
         assert folder.summary(kind)["slip_fraction"] > 0.01
         with h5py.File(folder(kind, "dynamics.h5")) as file, h5py.File(folder(kind + "2", "dynamics.h5")) as two:
@@ -72,13 +186,14 @@ def check_solid(folder):
 
 def check_resumed(folder):
     """Half a run, and on to its end: the same bits."""
-    whole = history(folder, "simplex")
+    whole = group(folder, "simplex")
     half = ("--set=Checkpoints/Keep=true", "--set=Time/End time=2e-5")
     for ranks, name in ((1, "simplex"), (2, "simplex2")):
         folder.run(0, "contact_dynamics", "solid.prm", "--output", "half", *half, ranks=ranks)
         folder.run(0, "contact_dynamics", "solid.prm", "--output", "half", "--resume", ranks=ranks)
-        for key, values in history(folder, name).items():
-            assert np.array_equal(values, history(folder, "half")[key]), (ranks, key)
+        for what in OBSERVED[:-1]:
+            for key, values in group(folder, name, what).items():
+                assert np.array_equal(values, group(folder, "half", what)[key]) or key.startswith("blocks/"), (ranks, what, key)
         with h5py.File(folder("half", "dynamics.h5")) as file, h5py.File(folder(name, "dynamics.h5")) as straight:
             assert np.array_equal(file["snapshots/displacement"], straight["snapshots/displacement"])
     assert len(whole["time"]) == 1000
@@ -93,6 +208,11 @@ def check_refused(folder):
     refused(["Mesh/Contact boundary", "does not face down"], "Mesh/Contact boundary=Top")
     refused(["Mesh/Top boundary", "does not face up"], "Mesh/Top boundary=Contact")
     refused(["Phases/body/Density", "not given"], "Phases/body/Density=0")
+    refused(["Observation/inside/Position: (0.00315, 0.0012, 0.0031) m lies outside the body", "from (0, 0, 0) to (0.006, 0.004, 0.003) m",
+             "Nearest node"], "Observation/inside/Position=0.00315, 0.0012, 0.0031")
+    refused(["Observation/inside/Position", "lies outside the body"], "Observation/inside/Position=0.1, 0, 0")
+    refused(["Observation/inside/Position", "give x, y and z"], "Observation/inside/Position=0.001, 0.002")
+    refused(["Observation/inside/Position", "too many", "give x and y"], "Observation/inside/Position=0.001, 0.002, 0", prm_file="grid.prm")
     refused(["Body/Cells", "the body is a mesh"], "Body/Cells=3, 4")
     refused(["Friction/Node rule"], "Friction/Coefficient=0.25", "Friction/Coefficient from=phases", "Friction/Node rule=largest")
     refused(["Mesh/Held in z", "platen"], "Mesh/Held in z=Top", "Top/Kind=platen")
@@ -107,6 +227,7 @@ def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
         check_grid_as_mesh(folder)
+        check_limit_cycle(folder)
         check_solid(folder)
         check_resumed(folder)
         check_refused(folder)

@@ -29,10 +29,12 @@ def assert_close(one, other, tolerance):
         assert a.shape == b.shape and np.abs(a - b).max() <= tolerance * np.abs(a).max(), np.abs(a - b).max() / np.abs(a).max()
 
 
-def check_grid_as_mesh(folder, velocity):
+def check_grid_as_mesh(folder, velocity, top):
     """Pressure, shear and states of a sliding or resting body to the tolerance."""
     names = ("pressure [Pa]", "displacement_x [m]")
-    common = {**LOADS, "Flat/Velocity": velocity}
+    common = {**LOADS, "Flat/Velocity": velocity, "Top/Kind": top}
+    if top == "platen":
+        del common["Top/Lateral held"]
     folder.write("grid.prm", prm({**common, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
                                   "Body/Cells": "24, 10"}))
     folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid")
@@ -67,7 +69,7 @@ def check_layer(folder):
 
 
 def check_refused(folder):
-    for key, value, said in (("Top/Kind", "platen", "Top/Kind"), ("Top/Pressure", 0, "Top/Pressure"), ("Flat/Gap", 1e-6, "Flat/Gap"),
+    for key, value, said in (("Top/Kind", "held", "Top/Kind"), ("Top/Pressure", 0, "Top/Pressure"), ("Flat/Gap", 1e-6, "Flat/Gap"),
                              ("Top/Lateral held", "false", "Nothing holds the body")):
         settings = {**LOADS, **MESH, "Flat/Velocity": 2, key: value}
         if key == "Top/Kind":
@@ -78,7 +80,8 @@ def check_refused(folder):
 
 with tempfile.TemporaryDirectory() as path:
     scenes = Folder(path)
-    check_grid_as_mesh(scenes, 2)
-    check_grid_as_mesh(scenes, 0)
+    check_grid_as_mesh(scenes, 2, "pressure")
+    check_grid_as_mesh(scenes, 0, "pressure")
+    check_grid_as_mesh(scenes, 2, "platen")
     check_layer(scenes)
     check_refused(scenes)

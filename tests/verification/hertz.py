@@ -69,6 +69,8 @@ def contact(folder, dim, cells, growth):
 
 with tempfile.TemporaryDirectory() as path:
     scenes = Folder(path)
-    for dim, sizes, growth in ((2, (8, 16), 1.2), (3, (4, 8), 1.5)):
+    for dim, sizes, growth in ((2, (8, 16), 1.2), (3, (3, 6), 1.5)):
         errors = [contact(scenes, dim, cells, growth) for cells in sizes]
-        print(dim, errors)
+        print(f"{dim}D: pressure and radius less Hertz's:", errors)
+        assert max(map(abs, errors[1])) < 0.005, errors
+        assert abs(errors[1][1]) < 0.4 * abs(errors[0][1]), errors

@@ -4,7 +4,7 @@
 
 #include "base/exchange.h"
 #include "dynamics/stability_monitor.h"
-#include "observation/probe_recorder.h"
+#include "observation/grid_probes.h"
 #include "observation/steady_record.h"
 #include "observation/steady_state.h"
 
@@ -63,7 +63,7 @@ struct ObservedBody : Body
   }
 
   StabilityMonitor monitor;
-  ProbeRecorder probes;
+  GridProbes probes;
   LimitCycleWatch watch;
   SteadyRecord statistics;
   ContactRecorder<2> recent_contact;

@@ -9,7 +9,11 @@
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
 
+#include <deal.II/base/bounding_box.h>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -97,6 +101,53 @@ void check_supports(const MeshBodyDescription &body,
       throw UserError(std::string("Mesh/Held in ") + "xyz"[normal] +
                       ": the platen of Top/Kind moves points that are held; leave the "
                       "boundary out, or set Top/Kind = pressure or held");
+}
+/** The contact node nearest to Reference x, or to the middle of the contact, in 3D halfway
+ * along y; of two that are equally near the last, as on grids. */
+template <int dim>
+ReferenceNode
+reference_node(const Mesh<dim> &mesh, const MeshBoundary &contact, const double wanted_x)
+{
+  std::vector<dealii::Point<dim>> points;
+  for (const unsigned int point : contact.points)
+    points.push_back(mesh.points[point]);
+  const auto [lower, upper] = dealii::BoundingBox<dim>(points).get_boundary_points();
+  dealii::Point<dim> middle = lower + 0.5 * (upper - lower);
+  if (!std::isnan(wanted_x))
+    middle[0] = wanted_x;
+  if (!(lower[0] <= middle[0] && middle[0] <= upper[0]))
+    throw UserError("Observation/Reference x: " + to_text(wanted_x) +
+                    " m lies outside the contact, " + to_text(lower[0]) + " to " +
+                    to_text(upper[0]) + " m");
+  ReferenceNode node;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      dealii::Tensor<1, dim> away = points[i] - middle;
+      away[dim - 1]               = 0.;
+      if (!(away.norm() <= nearest + 1e-9 * (upper - lower).norm()))
+        continue;
+      nearest     = away.norm();
+      node.number = static_cast<unsigned int>(i);
+    }
+  std::copy_n(points[node.number].begin_raw(), dim, node.position.begin());
+  node.area        = -contact.area[node.number];
+  const auto place = locate_probes(mesh, {{"the reference node", node.position}});
+  node.phase       = place[0].phase;
+  return node;
+}
+
+template <int dim>
+double crossing_time(const MeshMorphology<dim> &morphology)
+{
+  const auto [lower, upper] =
+    dealii::BoundingBox<dim>(morphology.mesh.points).get_boundary_points();
+  const dealii::Tensor<1, dim> sides = upper - lower;
+  double wave_speed                  = 0.;
+  for (const Phase<dim> &phase : morphology.phases)
+    wave_speed =
+      std::max(wave_speed, std::sqrt(phase.stiffness(dim - 1, dim - 1) / phase.density));
+  return *std::min_element(sides.begin_raw(), sides.end_raw()) / wave_speed;
 }
 } // namespace
 
@@ -199,6 +250,7 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
           "' does not face down; the flat is below the body, its normal is " + normal);
       body.friction =
         friction_of_points(morphology, bottom, body.contact, given.friction);
+      body.reference = reference_node(mesh, body.contact, given.observation.reference_x);
     }
   if (needs_top(given))
     {
@@ -218,6 +270,8 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
   body.n_cells    = mesh.cells.size();
   body.digest     = Digest().add_file(morphology.file).add(parameters.rve_digest).hex();
   body.rve_digest = parameters.rve_digest;
+  body.crossing   = crossing_time(morphology);
+  body.probes     = locate_probes(mesh, given.observation.probes);
   return body;
 }
 

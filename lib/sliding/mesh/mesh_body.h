@@ -2,6 +2,8 @@
 #define mesoslip_sliding_mesh_mesh_body_h
 
 #include "morphology/mesh_morphology.h"
+#include "observation/mesh_probes.h"
+#include "sliding/body_size.h"
 #include "sliding/mesh/sliding_mesh.h"
 
 #include <array>
@@ -55,12 +57,17 @@ struct MeshBodyDescription
   std::uint64_t n_cells  = 0;      ///< of the mesh
   std::string digest;              ///< of the file
   std::string rve_digest;          ///< see MeshBodyParameters
+  std::vector<MeshPlace> probes;   ///< where they are in the mesh
+  ReferenceNode reference;         ///< of the contact
+
+  /** Time in which a pressure wave crosses the shortest side of the bounding box (s). */
+  double crossing = 0.;
 
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<8>(archive, *this);
+    serialize_members<11>(archive, *this);
   }
 };
 
@@ -70,7 +77,7 @@ struct MeshBodyDescription
  * contact node is that of FrictionParameters, or the mean over the phases behind it (see
  * mean_of_phases()), weighted with their stiffness along the normal if so wanted.
  * @throws UserError for a boundary that is not there or faces the wrong way, points that
- * are in contact and top, a platen that is held, phases without density
+ * are in contact and top, a platen that is held, phases without density, a probe outside
  */
 template <int dim>
 MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,

@@ -2,29 +2,14 @@
 #define mesoslip_sliding_mesh_mesh_output_h
 
 #include "io/hdf5_file.h"
-#include "observation/contact_statistics.h"
 #include "program/run_context.h"
 #include "sliding/mesh/mesh_body.h"
-#include "sliding/run_plan.h"
+#include "sliding/transient/transient_result.h"
 
 #include <optional>
 
 namespace mesoslip
 {
-/** What a run on a mesh leaves. */
-struct MeshResult
-{
-  ContactHistory history;           ///< of the contact
-  TopHistory top;                   ///< of the top
-  EnergyHistory energy;             ///< sums over the ranks
-  std::vector<NodeCounts> blocks;   ///< states of the contact nodes
-  double largest_strain    = 0.;    ///< norm [-]
-  std::uint64_t steps_done = 0;     ///< in earlier runs, too
-  double loop_seconds      = 0.;    ///< in earlier runs, too
-  bool interrupted         = false; ///< by a request to stop
-  std::string kernel;               ///< what advanced the nodes
-};
-
 /**
  * Writes dynamics.h5 of a run on a mesh (doc/file_formats.md), history.csv, energy.csv and
  * dynamics*.xdmf; as an observer it takes the snapshots. Members are called by all ranks
@@ -64,20 +49,13 @@ public:
   void sync();
 
   /** On rank 0: everything else, once. */
-  void write(const MeshResult &result);
-
-  /** On rank 0: keys of summary.json. */
-  void summarize(const MeshResult &result) const;
+  void write(const TransientResult &result);
 
 private:
   std::vector<double> whole_displacement() const;
-  void write_contact(const MeshResult &result);
-  void write_blocks(const MeshResult &result);
-  double steady_from(const MeshResult &result) const; ///< begin of the second half (s)
-  ContactSummary summary_of(const MeshResult &result) const;
+  void write_contact();
 
   RunContext &context;
-  const ContactParameters &parameters;
   const MeshMorphology<dim> &morphology;
   const MeshBodyDescription &body;
   const TimeStepChoice &time;

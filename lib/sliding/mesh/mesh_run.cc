@@ -7,15 +7,22 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 namespace mesoslip
 {
 namespace
 {
-/** Steps between two looks at what the user wants: about a second. */
-std::uint64_t steps_between_looks(const std::uint64_t n_cells)
+BodySize body_size(const MeshBodyDescription &body, const unsigned int dim)
 {
-  return std::clamp<std::uint64_t>(10000000 / n_cells, 1, 65536);
+  BodySize size;
+  size.dim             = dim;
+  size.top_area        = std::accumulate(body.top.area.begin(), body.top.area.end(), 0.);
+  size.n_cells         = body.n_cells;
+  size.friction        = body.friction;
+  size.n_contact_nodes = body.contact.points.size();
+  size.reference       = body.reference;
+  return size;
 }
 
 template <int dim>
@@ -28,6 +35,8 @@ SlidingSetup setup_of(const ContactParameters &parameters,
   setup.contact.friction_coefficient = body.friction;
   setup.steps_per_block =
     std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
+  setup.monitored_nodes = monitored_nodes(
+    body.reference.number, static_cast<unsigned int>(body.contact.points.size()) - 1);
   return setup;
 }
 
@@ -46,6 +55,7 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
                       const MeshBodyDescription &description,
                       const TimeStepChoice &time,
                       const MeshOperator<dim> &op,
+                      const std::vector<ElasticPhase<dim>> &phases,
                       TransientCheckpoint &checkpoint,
                       MeshOutput<dim> &output,
                       RunContext &context)
@@ -56,6 +66,7 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
   , checkpoint(checkpoint)
   , output(output)
   , context(context)
+  , size(body_size(description, dim))
   , body(op,
          description.contact,
          description.top,
@@ -75,6 +86,13 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
       })
   , strains(body.stepper,
             [this](const Deformation &found, const std::uint64_t n) { judge(found, n); })
+  , probes(description.probes,
+           op.part,
+           phases,
+           body.stepper,
+           {body.contact, description.contact.points, description.contact.area},
+           parameters.observation.probe_interval)
+  , statistics(parameters, size, time, body, checkpoint, context)
 {
   set_initial_velocity();
 }
@@ -123,31 +141,26 @@ void MeshRun<dim>::judge(const Deformation &found, const std::uint64_t n)
 template <int dim>
 bool MeshRun<dim>::control(const std::uint64_t n)
 {
-  enum : int
-  {
-    go_on,
-    want_save,
-    want_stop
-  };
-  int wanted = context.stop_requested_here()        ? want_stop
-               : context.root() && checkpoint.due() ? want_save
-                                                    : go_on;
-  MPI_Allreduce(MPI_IN_PLACE, &wanted, 1, MPI_INT, MPI_MAX, context.communicator());
+  const RunRequest wanted = statistics.request(n, body.energy.get());
+  if (wanted == RunRequest::look)
+    monitor.check(n);
   context.progress().update(n, static_cast<double>(n) * time.step.dt);
-  interrupted = wanted == want_stop && n < time.n_steps;
-  if (interrupted || (wanted == want_save && n < time.n_steps))
+  interrupted    = wanted == RunRequest::stop;
+  at_limit_cycle = wanted == RunRequest::end && n < time.n_steps;
+  if (wanted == RunRequest::save || wanted == RunRequest::stop)
     save();
-  return !interrupted;
+  return wanted < RunRequest::stop;
 }
 
 template <int dim>
 CheckpointPosition MeshRun<dim>::position() const
 {
   CheckpointPosition p;
-  p.step      = body.stepper.step_number();
-  p.time      = static_cast<double>(p.step) * time.step.dt;
-  p.at_end    = p.step == time.n_steps;
-  p.snapshots = output.n_snapshots();
+  p.step           = body.stepper.step_number();
+  p.time           = static_cast<double>(p.step) * time.step.dt;
+  p.by_limit_cycle = at_limit_cycle;
+  p.at_end         = at_limit_cycle || p.step == time.n_steps;
+  p.snapshots      = output.n_snapshots();
   return p;
 }
 
@@ -162,15 +175,18 @@ template <int dim>
 void MeshRun<dim>::restore()
 {
   checkpoint.restore(*this);
+  at_limit_cycle = checkpoint.position().by_limit_cycle;
   context.log("Resumed at step " + std::to_string(body.stepper.step_number()));
 }
 
 template <int dim>
-MeshResult MeshRun<dim>::run()
+TransientResult MeshRun<dim>::run()
 {
   std::vector<StepObserver *> observers = {&monitor, &strains};
   if (body.energy)
     observers.push_back(body.energy.get());
+  if (!description.probes.empty())
+    observers.push_back(&probes);
   output.begin(body.stepper, checkpoint.position().snapshots);
   if (output.has_snapshots())
     {
@@ -179,16 +195,16 @@ MeshResult MeshRun<dim>::run()
     }
   context.progress().start("Sliding", time.n_steps, description.n_cells,
                            body.stepper.step_number());
-  {
-    const auto scope = context.timer().scope("Time loop");
-    const auto begin = std::chrono::steady_clock::now();
-    run_time_loop(body.stepper, observers, time.n_steps,
-                  steps_between_looks(description.n_cells),
-                  [&](const std::uint64_t n) { return control(n); });
-    monitor.check(body.stepper.step_number());
-    seconds +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  }
+  if (!at_limit_cycle)
+    {
+      const auto scope = context.timer().scope("Time loop");
+      const auto begin = std::chrono::steady_clock::now();
+      run_time_loop(body.stepper, observers, time.n_steps, control_interval(size.n_cells),
+                    [&](const std::uint64_t n) { return control(n); });
+      monitor.check(body.stepper.step_number());
+      seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
   context.progress().finish();
   if (!interrupted && parameters.checkpoints.keep)
     save();
@@ -196,22 +212,20 @@ MeshResult MeshRun<dim>::run()
 }
 
 template <int dim>
-MeshResult MeshRun<dim>::collect()
+TransientResult MeshRun<dim>::collect()
 {
-  body.node_statistics.finish(body.contact);
+  TransientResult all{parameters, size, time};
+  statistics.collect(all);
   strains.look(body.stepper.step_number());
-  MeshResult result;
-  result.history        = body.contact_recorder.history();
-  result.top            = body.top_recorder.history();
-  result.blocks         = body.node_statistics.blocks();
-  result.largest_strain = strains.largest_strain();
-  result.steps_done     = body.stepper.step_number();
-  result.loop_seconds   = seconds;
-  result.interrupted    = interrupted;
-  result.kernel         = body.stepper.kernel_name();
+  all.largest_strain = strains.largest_strain();
+  all.steps_done     = body.stepper.step_number();
+  all.loop_seconds   = seconds;
+  all.interrupted    = interrupted;
+  all.kernel         = body.stepper.kernel_name();
+  all.probes         = probes.gather();
   if (body.energy)
-    result.energy = body.energy->reduce();
-  return result;
+    all.energy = body.energy->reduce();
+  return all;
 }
 
 template class MeshRun<2>;

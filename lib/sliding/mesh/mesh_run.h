@@ -5,7 +5,7 @@
 #include "program/run_context.h"
 #include "sliding/mesh/mesh_output.h"
 #include "sliding/run_plan.h"
-#include "sliding/transient/transient_checkpoint.h"
+#include "sliding/transient/run_statistics.h"
 
 namespace mesoslip
 {
@@ -22,6 +22,7 @@ public:
           const MeshBodyDescription &description,
           const TimeStepChoice &time,
           const MeshOperator<dim> &op,
+          const std::vector<ElasticPhase<dim>> &phases,
           TransientCheckpoint &checkpoint,
           MeshOutput<dim> &output,
           RunContext &context);
@@ -29,9 +30,9 @@ public:
   /** Takes over the state in the checkpoint. */
   void restore();
 
-  /** Goes on until End time or a request to stop, after which the state is in the
+  /** Goes on until End time, the limit cycle or a request to stop, after which the state is in the
    * checkpoint. @throws NumericalFailure */
-  MeshResult run();
+  TransientResult run();
 
   /** Where the run stands. */
   CheckpointPosition position() const;
@@ -40,7 +41,7 @@ public:
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &body &monitor &strains &seconds;
+    archive &body &monitor &strains &probes &statistics &seconds;
   }
 
 private:
@@ -48,7 +49,7 @@ private:
   void judge(const Deformation &found, const std::uint64_t n);
   bool control(const std::uint64_t n);
   void save();
-  MeshResult collect();
+  TransientResult collect();
 
   const ContactParameters &parameters;
   const MeshBodyDescription &description;
@@ -57,12 +58,16 @@ private:
   TransientCheckpoint &checkpoint;
   MeshOutput<dim> &output;
   RunContext &context;
+  const BodySize size;
   SlidingMesh<dim> body;
   StabilityMonitor monitor;
   DeformationWatch strains;
-  bool warned      = false; ///< of large strains
-  bool interrupted = false;
-  double seconds   = 0.; ///< in the time loop, in earlier runs, too
+  MeshProbes<dim> probes;
+  RunStatistics<dim> statistics;
+  bool warned         = false; ///< of large strains
+  bool interrupted    = false;
+  bool at_limit_cycle = false;
+  double seconds      = 0.; ///< in the time loop, in earlier runs, too
 };
 } // namespace mesoslip
 

@@ -46,6 +46,17 @@ private:
   void order_contact(const ElasticBody<dim> &elastic);
 
   StaticContactProblem make_problem(const ElasticBody<dim> &elastic) const;
+
+  /** Lowers the platen until the flat carries its pressure. @throws NotConverged */
+  void press(const ElasticBody<dim> &elastic, const StaticContactOptions &options);
+
+  /** Of the flat on the body (N, in 2D N/m). */
+  double normal_force() const
+  {
+    return std::accumulate(solution.normal_force.begin(), solution.normal_force.end(),
+                           0.);
+  }
+
   void evaluate();
   void write_contact_table(const RunContext &context) const;
   void write_static_file(const RunContext &context) const;
@@ -66,9 +77,13 @@ template <int dim>
 void MeshStatic<dim>::check() const
 {
   const ContactParameters &p = this->parameters;
-  if (p.top.kind != TopSetup::Kind::pressure)
-    throw UserError("Top/Kind is not pressure, which a static contact analysis on a mesh "
-                    "needs; set Top/Kind = pressure");
+  const bool platen          = p.top.kind == TopSetup::Kind::platen;
+  if (p.top.kind == TopSetup::Kind::held)
+    throw UserError("Top/Kind is held, so nothing presses the body on the flat; use "
+                    "platen or pressure for a static contact analysis");
+  if (platen && p.step.is_heavy())
+    throw UserError("Body/Acceleration is not zero, which a static contact analysis "
+                    "under a platen does not take; use Top/Kind = pressure");
   if (!(p.top.pressure.amplitude() > 0.))
     throw UserError("Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
                     " Pa; a static contact analysis needs a positive one");
@@ -76,7 +91,7 @@ void MeshStatic<dim>::check() const
     throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
                     " m; a static contact analysis starts from a body that touches the "
                     "flat, set it to 0");
-  const bool held_x = p.top.lateral_held || !p.mesh.held[0].empty();
+  const bool held_x = platen || p.top.lateral_held || !p.mesh.held[0].empty();
   const auto &mu    = this->body.friction;
   if (!held_x && p.contact.flat_velocity.amplitude() != 0. &&
       *std::max_element(mu.begin(), mu.end()) > 0.)
@@ -123,9 +138,49 @@ StaticContactProblem MeshStatic<dim>::make_problem(const ElasticBody<dim> &elast
   for (unsigned int i = 0; i < mass.size(); ++i)
     for (unsigned int c = 0; c < dim; ++c)
       problem.force(c, {i, 0}) = mass[i] * p.step.acceleration[c];
-  for (std::size_t k = 0; k < top.points.size(); ++k)
+  for (std::size_t k = 0; k < top.points.size() && p.top.kind == TopSetup::Kind::pressure;
+       ++k)
     problem.force(dim - 1, {top.points[k], 0}) -= load * top.area[k];
   return problem;
+}
+
+template <int dim>
+void MeshStatic<dim>::press(const ElasticBody<dim> &elastic,
+                            const StaticContactOptions &options)
+{
+  // The force grows with the displacement, in proportion where there are no gaps: the
+  // secant through the last two.
+  constexpr unsigned int most = 20;
+  const MeshBoundary &top     = this->body.top;
+  const double load           = this->parameters.top.pressure.amplitude(),
+               wanted = load * std::accumulate(top.area.begin(), top.area.end(), 0.),
+               D      = this->phases[0].stiffness(dim - 1, dim - 1);
+  StaticContactProblem problem = make_problem(elastic);
+  double lowered = load / D * elastic.extent(dim - 1), lowered_before = 0., before = 0.;
+  unsigned int iterations = 0, changes = 0, of_solver = 0;
+  for (unsigned int n = 0; n < most; ++n)
+    {
+      for (const unsigned int point : top.points)
+        problem.displacement(dim - 1, {point, 0}) = -lowered;
+      solution             = solve_static_contact(elastic, problem, options);
+      problem.displacement = solution.displacement;
+      solution.iterations += iterations;
+      solution.state_changes += changes;
+      solution.solver_iterations += of_solver;
+      iterations         = solution.iterations;
+      changes            = solution.state_changes;
+      of_solver          = solution.solver_iterations;
+      const double force = normal_force();
+      if (std::fabs(force - wanted) <= 10. * options.tolerance * wanted)
+        return;
+      const double next =
+        lowered + (wanted - force) * (lowered - lowered_before) / (force - before);
+      lowered_before = lowered;
+      before         = force;
+      lowered        = next;
+    }
+  throw NotConverged(brief_text(6, "static contact: the flat carries ", before, " of ",
+                                wanted, " N after lowering the platen ", most, " times"));
 }
 
 template <int dim>
@@ -215,10 +270,9 @@ template <int dim>
 void MeshStatic<dim>::summarize(RunContext &context) const
 {
   this->summarize_body("static contact", context);
-  nlohmann::json &json = context.summary();
-  json["pressure"]     = this->parameters.top.pressure.amplitude();
-  json["normal_force"] =
-    std::accumulate(solution.normal_force.begin(), solution.normal_force.end(), 0.);
+  nlohmann::json &json                   = context.summary();
+  json["pressure"]                       = this->parameters.top.pressure.amplitude();
+  json["normal_force"]                   = normal_force();
   std::array<double, dim - 1> tangential = {};
   for (std::size_t k = 0; k < solution.tangential_force.size(); ++k)
     tangential[k % (dim - 1)] += solution.tangential_force[k];
@@ -248,7 +302,10 @@ void MeshStatic<dim>::run(RunContext &context)
   {
     const auto scope = context.timer().scope("Equilibrium");
     with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
-      solution = solve_static_contact(*elastic, make_problem(*elastic), options);
+      if (this->parameters.top.kind == TopSetup::Kind::platen)
+        press(*elastic, options);
+      else
+        solution = solve_static_contact(*elastic, make_problem(*elastic), options);
     });
   }
   evaluate();

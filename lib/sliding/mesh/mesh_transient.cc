@@ -45,14 +45,14 @@ class MeshTransient : public MeshAnalysis<dim>
 public:
   MeshTransient(const ContactParameters &given, const Keys &keys)
     : MeshAnalysis<dim>(given)
-    , identity(canonical_parameters(keys,
-                                    {"Output folder", "Time/End time", "Checkpoints/",
-                                     "Performance/", "Modal/", "Static contact/",
-                                     "Friction homogenization/"}) +
-               "Performance/Instruction set = " +
-               to_string(resolve(this->parameters.sweep.isa)) +
-               "\nContent of Mesh/File = " + this->body.digest +
-               "\nProgram version = " + version + "\n")
+    , identity(
+        canonical_parameters(keys,
+                             {"Output folder", "Time/End time", "Observation/Steady from",
+                              "Checkpoints/", "Performance/", "Modal/", "Static contact/",
+                              "Friction homogenization/"}) +
+        "Performance/Instruction set = " +
+        to_string(resolve(this->parameters.sweep.isa)) + "\nContent of Mesh/File = " +
+        this->body.digest + "\nProgram version = " + version + "\n")
   {
   }
 
@@ -86,6 +86,8 @@ private:
                       quantity_text(n, "") +
                       " steps, more than any run can do; are Mesh/Scale, materials and "
                       "times in SI units?");
+    time.statistics_interval = statistics_interval(this->body.crossing, time.step.dt);
+    check_steady_from(this->parameters, n, time.statistics_interval);
     return time;
   }
 
@@ -119,15 +121,16 @@ void MeshTransient<dim>::run(RunContext &context)
 
   MeshOutput<dim> output(context, this->parameters, this->morphology, this->body, time,
                          distributed.part);
-  MeshRun<dim> run(this->parameters, this->body, time, distributed.op, checkpoint, output,
-                   context);
+  MeshRun<dim> run(this->parameters, this->body, time, distributed.op, this->phases,
+                   checkpoint, output, context);
   if (resumed)
     run.restore();
-  const MeshResult result = run.run();
+  TransientResult result = run.run();
   on_root(context.communicator(), [&]() {
+    result.evaluate();
     output.write(result);
     this->summarize_body("transient", context);
-    output.summarize(result);
+    result.write_summary(context);
   });
   if (result.interrupted)
     throw Interrupted("stopped on request after step " +

@@ -4,6 +4,7 @@
 #include "exchange/datasets.h"
 #include "grid/row_partition.h"
 #include "program/run_context.h"
+#include "sliding/transient/result_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,20 +12,6 @@
 
 namespace mesoslip
 {
-namespace
-{
-/** x and y by turns, over @p divisor. */
-std::vector<double> pairs(const std::vector<double> &x,
-                          const std::vector<double> &y,
-                          const double divisor = 1.)
-{
-  std::vector<double> values;
-  for (std::size_t k = 0; k < x.size(); ++k)
-    values.insert(values.end(), {x[k] / divisor, y[k] / divisor});
-  return values;
-}
-} // namespace
-
 // The steps nearest to From, From + Interval, ... up to To, or every step.
 DynamicsOutput::DynamicsOutput(RunContext &context,
                                const ContactParameters &parameters,
@@ -89,127 +76,6 @@ std::uint64_t DynamicsOutput::save_snapshots()
   return n_snapshots;
 }
 
-void DynamicsOutput::write_history(const TransientResult &run)
-{
-  const ContactHistory &h           = run.history;
-  const std::vector<Series> columns = {
-    {"time", "s", &h.time},
-    {"apparent_friction", "-", &run.apparent_friction},
-    {"contact_normal_force", "N/m", &h.normal_force},
-    {"contact_tangential_force", "N/m", &h.tangential_force},
-    {"friction_energy", "J/m", &h.friction_energy},
-    {"impact_energy", "J/m", &h.impact_energy},
-    {"sticking_nodes", "-", &h.sticking},
-    {"slipping_nodes", "-", &h.slipping},
-    {"separated_nodes", "-", &h.separated},
-    {"top_normal_force", "N/m", &run.top.normal_force},
-    {"top_tangential_force", "N/m", &run.top.tangential_force},
-    {"top_displacement", "m", &run.top.displacement}};
-  write_series(*file, "/history", columns);
-  // A spreadsheet has no use for a million rows.
-  write_table(context.file("history.csv"), columns, 5000);
-}
-
-void DynamicsOutput::write_energy(const EnergyHistory &e)
-{
-  const std::vector<double> residual = e.residual();
-  const std::vector<Series> columns  = {{"time", "s", &e.time},
-                                        {"kinetic", "J/m", &e.kinetic},
-                                        {"elastic", "J/m", &e.elastic},
-                                        {"potential", "J/m", &e.potential},
-                                        {"external_work", "J/m", &e.external_work},
-                                        {"friction", "J/m", &e.friction},
-                                        {"impact", "J/m", &e.impact},
-                                        {"damping", "J/m", &e.damping},
-                                        {"scheme", "J/m", &e.scheme},
-                                        {"residual", "J/m", &residual}};
-  write_series(*file, "/energy", columns);
-  file->write_attribute("/energy", "initial", e.initial);
-  file->write_attribute("/energy", "unit", std::string("J/m"));
-  write_table(context.file("energy.csv"), columns);
-}
-
-void DynamicsOutput::write_probe(const std::string &group, const ProbeHistory &probe)
-{
-  write_series(*file, group,
-               {{"time", "s", &probe.time},
-                {"displacement", "m", &probe.displacement, 2},
-                {"velocity", "m/s", &probe.velocity, 2}});
-  for (const Series &series :
-       {Series{"strain", "-", &probe.strain, 3}, Series{"stress", "Pa", &probe.stress, 3},
-        Series{"traction", "Pa", &probe.traction, 2}})
-    if (!series.values->empty())
-      write_series(*file, group, {series});
-  file->write_attribute(group, "position",
-                        std::vector(probe.position.begin(), probe.position.end()));
-  file->write_attribute(group, "phase", probe.phase);
-}
-
-/** It comes with the histories of the contact. */
-void DynamicsOutput::write_reference_node(const TransientResult &run)
-{
-  const MonitoredNode &node    = run.history.nodes[0];
-  const unsigned int number    = run.reference_node;
-  const unsigned int last_cell = body.grid.cells[0] - 1;
-  const double width = tributary_width(body.grid, number, run.parameters.periodic);
-  ProbeHistory probe;
-  probe.position = {{number * body.grid.spacing[0], 0.}};
-  // As of a probe there: a point between two cells belongs to the upper one.
-  probe.phase        = body.phase_of(std::min(number, last_cell));
-  probe.time         = run.history.time;
-  probe.displacement = pairs(node.ux, node.uy);
-  probe.velocity     = pairs(node.vx, node.vy);
-  probe.traction     = pairs(node.tangential_force, node.normal_force, width);
-  write_probe("/reference", probe);
-}
-
-void DynamicsOutput::write_contact(const TransientResult &run)
-{
-  std::vector<double> x, slip, stick, separated;
-  for (unsigned int i = 0; i <= body.grid.cells[0]; ++i)
-    {
-      x.push_back(i * body.grid.spacing[0]);
-      if (run.contact.node_shares.empty())
-        continue;
-      // With periodic sides the last node is the first one again and is not counted.
-      const ContactShares &shares =
-        run.contact.node_shares[i % run.contact.node_shares.size()];
-      slip.push_back(shares.slip);
-      stick.push_back(shares.stick);
-      separated.push_back(shares.separation);
-    }
-  write_series(*file, "/contact",
-               {{"x", "m", &x},
-                {"friction_coefficient", "-", &body.node_friction},
-                {"slip", "-", &slip},
-                {"stick", "-", &stick},
-                {"separated", "-", &separated}});
-  write_blocks(run);
-}
-
-void DynamicsOutput::write_blocks(const TransientResult &run)
-{
-  const std::size_t n_nodes = body.grid.cells[0] + std::size_t(1);
-  std::vector<double> times;
-  std::vector<float> slip, stick, separated;
-  for (const NodeCounts &block : run.blocks)
-    {
-      times.push_back((block.first_step + block.n_steps) * dt);
-      for (std::size_t i = 0; i < n_nodes; ++i)
-        {
-          const std::size_t counted = run.parameters.periodic && i + 1 == n_nodes ? 0 : i;
-          slip.push_back(block.slip[counted] / block.n_steps);
-          stick.push_back(block.stick[counted] / block.n_steps);
-          separated.push_back(1.f - slip.back() - stick.back());
-        }
-    }
-  const Shape shape = {times.size(), n_nodes};
-  write_series(*file, "/contact/blocks", {{"time", "s", &times}});
-  write_dataset(*file, "/contact/blocks/slip", shape, slip);
-  write_dataset(*file, "/contact/blocks/stick", shape, stick);
-  write_dataset(*file, "/contact/blocks/separated", shape, separated);
-}
-
 void DynamicsOutput::write(const TransientResult &run)
 {
   if (file)
@@ -222,32 +88,11 @@ void DynamicsOutput::write(const TransientResult &run)
     }
   else
     file.emplace(DynamicsFile::create(context.file("dynamics.h5"), body));
-  RunConditions conditions          = run.parameters.stated_conditions();
-  conditions["time_step"]           = dt;
-  conditions["steady_from"]         = run.steady_from;
-  conditions["steady_to"]           = run.steps_done * dt;
-  conditions["limit_cycle_reached"] = run.limit_cycle_reached ? "yes" : "no";
-  write_run_conditions(*file, conditions);
-  write_history(run);
-  if (!run.energy.time.empty())
-    write_energy(run.energy);
-  for (const ProbeHistory &probe : run.probes)
-    write_probe("/probes/" + probe.name, probe);
-  if (!run.history.nodes.empty())
-    write_reference_node(run);
-  write_contact(run);
-  const Spectrum &spectrum = run.spectrum;
-  if (!spectrum.frequency.empty())
-    write_series(*file, "/spectrum",
-                 {{"frequency", "Hz", &spectrum.frequency},
-                  {"amplitude", "m", &spectrum.amplitude}});
-  const PhaseDiagram &phase = run.phase_diagram;
-  if (phase.n_periods > 0)
-    write_series(*file, "/phase_diagram",
-                 {{"displacement", "m", &phase.displacement},
-                  {"velocity", "m/s", &phase.velocity},
-                  {"displacement_spread", "m", &phase.displacement_spread},
-                  {"velocity_spread", "m/s", &phase.velocity_spread}});
+  write_result(*file, run, context);
+  std::vector<double> x;
+  for (unsigned int i = 0; i <= body.grid.cells[0]; ++i)
+    x.push_back(i * body.grid.spacing[0]);
+  write_series(*file, "/contact", {{"x", "m", &x}});
   file->close();
   file.reset();
 }

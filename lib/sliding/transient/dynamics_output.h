@@ -50,13 +50,6 @@ public:
   void write(const TransientResult &run);
 
 private:
-  void write_history(const TransientResult &run);
-  void write_energy(const EnergyHistory &energy);
-  void write_probe(const std::string &group, const ProbeHistory &probe);
-  void write_reference_node(const TransientResult &run);
-  void write_contact(const TransientResult &run);
-  void write_blocks(const TransientResult &run);
-
   RunContext &context;
   const BodyDescription &body;
   const double dt;

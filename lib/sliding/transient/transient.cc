@@ -58,25 +58,10 @@ TransientAnalysis::TransientAnalysis(const ContactParameters &p, const Keys &key
                     quantity_text(n_steps, "") +
                     " steps, more than any run can do; are Body/Size in m, the stiffness "
                     "in Pa, the density in kg/m^3 and the times in s?");
-  check_steady_from(n_steps);
+  check_steady_from(parameters, n_steps,
+                    statistics_interval(material, parameters.time.end_time / n_steps));
   require_memory(history_memory(n_steps));
   disk = disk_space(n_steps);
-}
-
-// mu_inter rests on the samples for statistics from there to the end: three at least,
-// unless the run is too short for it anyway.
-void TransientAnalysis::check_steady_from(const double n_steps) const
-{
-  const double from = parameters.observation.steady_from, end = parameters.time.end_time;
-  const double n_samples = n_steps / statistics_interval(material, end / n_steps);
-  const double latest    = n_samples < static_cast<double>(TransientResult::least_samples)
-                             ? end
-                             : end - 2. * end / n_samples;
-  if (!std::isnan(from) && !(from < end && from <= latest))
-    throw UserError(
-      "Observation/Steady from: " + to_text(from) +
-      " s leaves fewer than three samples for statistics before Time/End time, " +
-      to_text(end) + " s; set it earlier, or auto");
 }
 
 double TransientAnalysis::n_snapshots(const double n_steps) const

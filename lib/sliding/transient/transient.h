@@ -2,12 +2,11 @@
 #define mesoslip_sliding_transient_transient_h
 
 #include "dynamics/stability_monitor.h"
-#include "observation/steady_state.h"
 #include "sliding/body_analysis.h"
 #include "sliding/run_plan.h"
 #include "sliding/sliding_body.h"
 #include "sliding/transient/dynamics_output.h"
-#include "sliding/transient/transient_checkpoint.h"
+#include "sliding/transient/run_statistics.h"
 
 #include <chrono>
 #include <cstdint>
@@ -48,7 +47,7 @@ public:
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &body &monitor &strains &limit_cycle &statistics &loop_seconds;
+    archive &body &monitor &strains &statistics &loop_seconds;
     if (probes)
       archive &*probes;
   }
@@ -57,22 +56,10 @@ public:
   CheckpointPosition position() const;
 
 private:
-  /** What the ranks have to say between two steps; the largest wins. */
-  enum class Request : int
-  {
-    go_on,
-    save, ///< the interval of the checkpoints is over
-    stop, ///< by a signal or a file
-    end,  ///< End time or limit cycle
-    look  ///< something is not finite
-  };
-
   /** Zero where the body is held. */
   void set_initial_velocity();
   /** Ends the run if a cell is inside out, and warns once of large strains. */
   void judge(const Deformation &found, const std::uint64_t n);
-  /** Of this rank, after the latest samples were handed on. Collective. */
-  Request request(const std::uint64_t n);
   /** Does what the ranks want; false: the run ends. */
   bool control(const std::uint64_t n);
   /** Adds the wall-clock time since the last call to loop_seconds. */
@@ -86,14 +73,12 @@ private:
   TransientCheckpoint &checkpoint;
   DynamicsOutput &output;
   RunContext &context;
+  const BodySize size;
   SlidingBody<2> body;
-  ContactRecorder<2> recent_contact; ///< since the last control
-  TopRecorder recent_top;            ///< since the last control
   StabilityMonitor monitor;
   DeformationWatch strains;
-  LimitCycleWatch limit_cycle;
-  bool warned = false; ///< of large strains
-  SteadyRecord statistics;
+  RunStatistics<2> statistics;
+  bool warned         = false; ///< of large strains
   bool interrupted    = false;
   bool at_limit_cycle = false;
   double loop_seconds = 0.; ///< in earlier runs, too
@@ -135,9 +120,6 @@ public:
   void run(RunContext &context) override;
 
 private:
-  /** @throws UserError if a run of @p n_steps has no samples from Steady from on. */
-  void check_steady_from(const double n_steps) const;
-
   /**
    * Snapshots that a run of @p n_steps takes, at most one a step.
    * @throws UserError when they begin after the end

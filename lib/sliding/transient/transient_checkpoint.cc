@@ -14,8 +14,9 @@ namespace mesoslip
 namespace
 {
 // Layout 1 had no friction target, 2 no samples for statistics, 3 other snapshots and
-// histories, 4 the states beside the rest, 5 the samples of probes without their places.
-const char checkpoint_kind[] = "contact_dynamics, 2D, layout 6";
+// histories, 4 the states beside the rest, 5 the samples of probes without their places,
+// 6 probes in the plane alone.
+const char checkpoint_kind[] = "contact_dynamics, layout 7";
 
 std::string place(const CheckpointPosition &position)
 {

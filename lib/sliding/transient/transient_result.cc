@@ -52,10 +52,10 @@ double nominal_load(const TransientResult &run, const double begin, const double
   const TopSetup &top         = run.parameters.top;
   const LoadHistory &velocity = run.parameters.contact.flat_velocity;
   const bool pressed          = top.kind != TopSetup::Kind::held && top.hold_from > end &&
-                       run.parameters.step.acceleration[1] == 0.;
+                       run.parameters.step.acceleration[run.body.dim - 1] == 0.;
   return pressed && top.pressure.is_constant_from(begin) &&
              velocity.is_constant_from(begin)
-           ? top.pressure(begin) * run.body.grid.extent(0) * std::fabs(velocity(begin))
+           ? top.pressure(begin) * run.body.top_area * std::fabs(velocity(begin))
            : 0.;
 }
 
@@ -110,10 +110,10 @@ std::string friction_remark(const TransientResult &run)
              : brief_text(4,
                           "mu_inter is left out: the mean of F_N |V| in the steady part "
                           "is ",
-                          run.load_power,
-                          " W/m, so that there is no load along the way of the flat to "
+                          run.load_power, run.body.unit(" W"),
+                          ", so that there is no load along the way of the flat to "
                           "relate the frictional power to");
-  const std::vector<double> &of_nodes = run.body.node_friction;
+  const std::vector<double> &of_nodes = run.body.friction;
   const double largest = *std::max_element(of_nodes.begin(), of_nodes.end());
   if (std::fabs(run.mu_inter->value) <= (1. + tolerated_excess) * largest)
     return "";
@@ -270,11 +270,11 @@ void TransientResult::evaluate()
   evaluate_energy();
   if (!blocks.empty())
     {
-      const std::size_t n_nodes = body.grid.cells[0] + (parameters.periodic ? 0 : 1);
-      contact = summarize_contact(blocks, n_nodes, time.step.dt, steady_from);
-      reference_shares =
-        contact.node_shares[std::min<std::size_t>(reference_node, n_nodes - 1)];
-      regime = regime_label(reference_shares);
+      contact =
+        summarize_contact(blocks, body.n_contact_nodes, time.step.dt, steady_from);
+      reference_shares = contact.node_shares[std::min<std::size_t>(
+        body.reference.number, body.n_contact_nodes - 1)];
+      regime           = regime_label(reference_shares);
     }
   add_remarks();
 }

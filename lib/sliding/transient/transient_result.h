@@ -9,6 +9,7 @@
 #include "observation/probe_recorder.h"
 #include "observation/spectrum.h"
 #include "observation/steady_record.h"
+#include "sliding/body_size.h"
 #include "sliding/run_plan.h"
 
 #include <optional>
@@ -23,7 +24,7 @@ class RunContext;
 struct TransientResult
 {
   const ContactParameters &parameters; ///< of the run
-  const BodyDescription &body;         ///< that slid
+  const BodySize &body;                ///< that slid
   const TimeStepChoice &time;          ///< of the run
 
   /**
@@ -37,7 +38,6 @@ struct TransientResult
   EnergyHistory energy             = {};    ///< terms of the balance
   std::vector<ProbeHistory> probes = {};    ///< in the order of the .prm
   std::uint64_t steps_done         = 0;     ///< of the whole run
-  unsigned int reference_node      = 0;     ///< number on the contact line
   double loop_seconds              = 0.;    ///< wall-clock time of the time loop
   bool interrupted                 = false; ///< stopped on request
   std::string kernel               = {};    ///< variant and instruction set

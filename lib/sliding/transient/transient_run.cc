@@ -4,6 +4,7 @@
 #include "base/exchange.h"
 #include "dynamics/stepper.h"
 #include "material/plausibility.h"
+#include "observation/grid_probes.h"
 #include "program/run_context.h"
 
 #include <algorithm>
@@ -13,15 +14,6 @@ namespace mesoslip
 {
 namespace
 {
-// Steps: often enough to react to an interruption and to keep few samples waiting, seldom
-// enough to cost nothing, and not so few that the stepper could not have several in
-// flight. The same whenever the run is resumed, as it may end at a limit cycle only then.
-std::uint64_t control_interval(const UniformGrid<2> &grid)
-{
-  return next_multiple(std::clamp<std::uint64_t>(20000000 / grid.n_cells(), 1, 65536),
-                       64);
-}
-
 /** Column of the reference contact node M. */
 unsigned int reference_node(const ContactParameters &parameters,
                             const UniformGrid<2> &grid)
@@ -31,8 +23,28 @@ unsigned int reference_node(const ContactParameters &parameters,
   return std::lround(std::clamp(x, 0., grid.extent(0)) / grid.spacing[0]);
 }
 
+BodySize body_size(const ContactParameters &parameters, const BodyDescription &body)
+{
+  const UniformGrid<2> &grid = body.grid;
+  BodySize size;
+  size.top_area        = grid.extent(0);
+  size.n_cells         = grid.n_cells();
+  size.friction        = body.node_friction;
+  size.n_contact_nodes = grid.cells[0] + (parameters.periodic ? 0 : 1);
+
+  ReferenceNode &node = size.reference;
+  node.number         = reference_node(parameters, grid);
+  node.position       = {{node.number * grid.spacing[0], 0., 0.}};
+  // As of a probe there: a point between two cells belongs to the upper one.
+  node.phase =
+    static_cast<unsigned int>(body.phase_of(std::min(node.number, grid.cells[0] - 1)));
+  node.area = tributary_width(grid, node.number, parameters.periodic);
+  return size;
+}
+
 SlidingSetup sliding_setup(const ContactParameters &parameters,
                            const BodyDescription &body,
+                           const BodySize &size,
                            const TimeStepChoice &time)
 {
   SlidingSetup setup                 = static_cast<const SlidingSetup &>(parameters);
@@ -40,22 +52,8 @@ SlidingSetup sliding_setup(const ContactParameters &parameters,
   setup.contact.friction_coefficient = body.node_friction;
   setup.steps_per_block =
     std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
-  // The reference node and four more along the contact, for the judgement of the limit
-  // cycle.
-  setup.monitored_nodes = {reference_node(parameters, body.grid)};
-  for (const unsigned int sixth : {1, 2, 4, 5})
-    setup.monitored_nodes.push_back(sixth * body.grid.cells[0] / 6);
+  setup.monitored_nodes = monitored_nodes(size.reference.number, body.grid.cells[0]);
   return setup;
-}
-
-LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
-                                          const UniformGrid<2> &grid)
-{
-  LimitCycleCriterion criterion = parameters.observation.limit_cycle;
-  criterion.reference_power =
-    std::fabs(parameters.top.pressure.amplitude() * grid.extent(0) *
-              parameters.contact.flat_velocity.amplitude());
-  return criterion;
 }
 } // namespace
 
@@ -73,13 +71,12 @@ TransientRun::TransientRun(const ContactParameters &parameters,
   , checkpoint(checkpoint)
   , output(output)
   , context(context)
+  , size(body_size(parameters, description))
   , body(material,
-         sliding_setup(parameters, description, time),
+         sliding_setup(parameters, description, size, time),
          context.communicator(),
          nullptr,
          context.options().profile ? &context.timer() : nullptr)
-  , recent_contact(time.statistics_interval, body.setup.monitored_nodes, time.step)
-  , recent_top(time.statistics_interval)
   , monitor(
       body.stepper,
       [this]() { return body.boundary_work(); },
@@ -88,19 +85,13 @@ TransientRun::TransientRun(const ContactParameters &parameters,
       })
   , strains(body.stepper,
             [this](const Deformation &found, const std::uint64_t n) { judge(found, n); })
-  , limit_cycle(limit_cycle_criterion(parameters, description.grid),
-                material.n_columns() - (parameters.periodic ? 1 : 0),
-                parameters.energy_interval,
-                context.communicator())
-  , statistics(time.statistics_interval, time.step.dt, parameters.contact.flat_velocity)
+  , statistics(parameters, size, time, body, checkpoint, context)
 {
-  body.contact.observe(recent_contact);
-  body.top.observe(recent_top);
   set_initial_velocity();
   const ObservationParameters &observation = parameters.observation;
   if (!observation.probes.empty())
-    probes = std::make_unique<ProbeRecorder>(observation.probes, material, body.stepper,
-                                             body.contact, observation.probe_interval);
+    probes = std::make_unique<GridProbes>(observation.probes, material, body.stepper,
+                                          body.contact, observation.probe_interval);
 }
 
 void TransientRun::set_initial_velocity()
@@ -138,38 +129,17 @@ void TransientRun::judge(const Deformation &found, const std::uint64_t n)
   warned = warned || !warning.empty();
 }
 
-TransientRun::Request TransientRun::request(const std::uint64_t n)
-{
-  const ContactHistory fresh = recent_contact.take();
-  statistics.add(fresh);
-  statistics.add(recent_top.take());
-  if (!limit_cycle.update(fresh, body.energy.get()))
-    return Request::look;
-  const bool reached =
-    parameters.observation.stop_at_limit_cycle && limit_cycle.reached();
-  if (reached || n >= time.n_steps)
-    return Request::end;
-  if (context.stop_requested_here())
-    return Request::stop;
-  return context.root() && checkpoint.due() ? Request::save : Request::go_on;
-}
-
 bool TransientRun::control(const std::uint64_t n)
 {
-  const Request wanted = [&]() {
-    const auto scope = context.timer().scope("Limit cycle, requests");
-    Request largest  = request(n);
-    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_INT, MPI_MAX, context.communicator());
-    if (largest == Request::look)
-      monitor.check(n);
-    context.progress().update(n, n * time.step.dt);
-    return largest;
-  }();
-  interrupted    = wanted == Request::stop;
-  at_limit_cycle = wanted == Request::end && n < time.n_steps;
-  if (wanted == Request::save || wanted == Request::stop)
+  const RunRequest wanted = statistics.request(n, body.energy.get());
+  if (wanted == RunRequest::look)
+    monitor.check(n);
+  context.progress().update(n, n * time.step.dt);
+  interrupted    = wanted == RunRequest::stop;
+  at_limit_cycle = wanted == RunRequest::end && n < time.n_steps;
+  if (wanted == RunRequest::save || wanted == RunRequest::stop)
     save();
-  return wanted < Request::stop;
+  return wanted < RunRequest::stop;
 }
 
 CheckpointPosition TransientRun::position() const
@@ -232,7 +202,7 @@ TransientResult TransientRun::run()
     {
       const auto scope = context.timer().scope("Time loop");
       run_time_loop(
-        body.stepper, observers, time.n_steps, control_interval(description.grid),
+        body.stepper, observers, time.n_steps, control_interval(size.n_cells),
         [this](const std::uint64_t n) { return control(n); }, body.profile.timer);
       monitor.check(body.stepper.step_number());
     }
@@ -245,13 +215,8 @@ TransientResult TransientRun::run()
 
 TransientResult TransientRun::collect()
 {
-  // Of the rank that has the top.
-  const auto of_top = [this](auto object) {
-    broadcast_object(context.communicator(), object, context.n_ranks() - 1);
-    return object;
-  };
-  TransientResult all{parameters, description, time};
-  body.node_statistics.finish(body.contact);
+  TransientResult all{parameters, size, time};
+  statistics.collect(all);
   strains.look(body.stepper.step_number());
   all.largest_strain = strains.largest_strain();
   // Before it was resumed, as each run has its own warnings.
@@ -259,30 +224,15 @@ TransientResult TransientRun::collect()
     context.warn("the strain was " + quantity_text(100. * all.largest_strain, "%") +
                  " earlier in the run, beyond small strains: its results cannot be "
                  "trusted");
-  all.history = body.contact_recorder.history();
-  all.blocks  = body.node_statistics.blocks();
-  all.top     = of_top(body.top_recorder.history());
-  all.series  = statistics.series();
-  // Where the top takes no tangential forces, they are those of the contact.
-  const std::vector<double> at_the_top = of_top(statistics.top_friction());
-  if (transmits_tangential_force(parameters.top))
-    all.series.apparent_friction = at_the_top;
   if (body.energy)
     all.energy = body.energy->reduce();
   if (probes)
     all.probes = probes->gather();
-  all.steps_done     = body.stepper.step_number();
-  all.reference_node = reference_node(parameters, description.grid);
-  all.loop_seconds   = loop_seconds;
-  all.interrupted    = interrupted;
-  all.kernel         = body.stepper.kernel_name();
+  all.steps_done   = body.stepper.step_number();
+  all.loop_seconds = loop_seconds;
+  all.interrupted  = interrupted;
+  all.kernel       = body.stepper.kernel_name();
 
-  const double given      = parameters.observation.steady_from;
-  all.limit_cycle_reached = limit_cycle.reached();
-  all.steady_from         = std::isnan(given) ? limit_cycle.steady_from() : given;
-  all.limit_cycle         = limit_cycle.description();
-  if (!limit_cycle.reached() || !std::isnan(given)) // it says when a limit cycle begins
-    all.limit_cycle += brief_text(4, ", statistics from ", all.steady_from, " s on");
   return all;
 }
 } // namespace mesoslip

@@ -27,13 +27,13 @@ std::string key_numbers(const TransientResult &run)
 {
   std::string text;
   if (run.mu_inter)
-    text =
-      brief_text(4, "mu_inter = ", run.mu_inter->value,
-                 run.mu_inter->batches > 1
-                   ? brief_text(4, " +- ", run.mu_inter->half_width, " (95 %)")
-                   : "",
-                 ", frictional power over ", run.load_meaning, " = ", run.load_power,
-                 " W/m, from ", run.mu_inter->begin, " to ", run.mu_inter->end, " s, ");
+    text = brief_text(4, "mu_inter = ", run.mu_inter->value,
+                      run.mu_inter->batches > 1
+                        ? brief_text(4, " +- ", run.mu_inter->half_width, " (95 %)")
+                        : "",
+                      ", frictional power over ", run.load_meaning, " = ", run.load_power,
+                      run.body.unit(" W"), ", from ", run.mu_inter->begin, " to ",
+                      run.mu_inter->end, " s, ");
   if (run.frequencies)
     text +=
       brief_text(4, "main frequency ", run.frequencies->main_frequency / 1e3, " kHz, ");
@@ -67,7 +67,7 @@ std::string energy_balance(const TransientResult &run)
 void TransientResult::write_summary(RunContext &context) const
 {
   const double n_steps   = static_cast<double>(steps_done),
-               n_cells   = static_cast<double>(body.grid.n_cells());
+               n_cells   = static_cast<double>(body.n_cells);
   const FrictionLaw &law = parameters.contact.law;
   const auto &mean       = mu_inter ? mu_inter : mean_apparent_friction;
   json &summary          = context.summary();

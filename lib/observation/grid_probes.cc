@@ -1,0 +1,116 @@
+#include "observation/grid_probes.h"
+
+#include "grid/row_partition.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+GridProbes::GridProbes(const std::vector<ProbePoint> &points,
+                       const UniformMaterial &of_material,
+                       const Stepper &of_stepper,
+                       const ContactSurface<2> &of_contact,
+                       const std::uint64_t steps)
+  : ProbeRecorder(of_stepper, 2, steps)
+  , material(of_material)
+  , rows(of_stepper.rows)
+  , contact(of_contact)
+{
+  int between   = 0;
+  const auto &h = material.grid().spacing;
+  for (ProbePoint point : points)
+    {
+      for (unsigned int d = 0; d < 2 && point.nearest_node; ++d)
+        point.position[d] = std::round(point.position[d] / h[d]) * h[d];
+      const Place place = locate(point.position);
+      const bool owned  = rows.begin <= place.j && place.j < rows.end;
+      places.push_back(place);
+      add({point.name, point.position, place.phase}, owned);
+      if (owned && place.j + 1 == rows.end && rows.has_upper_ghost())
+        between = 1;
+    }
+  MPI_Allreduce(MPI_IN_PLACE, &between, 1, MPI_INT, MPI_MAX, stepper.communicator);
+  needs_ghosts = between != 0;
+}
+
+GridProbes::Place GridProbes::locate(const Vector &position) const
+{
+  const UniformGrid<2> &grid = material.grid();
+  Place place;
+  std::array<unsigned int, 2> cell = {};
+  for (unsigned int d = 0; d < 2; ++d)
+    {
+      // A point on a line between cells, up to round-off, belongs to the upper one.
+      const double s = position[d] / grid.spacing[d] + 1e-9;
+      cell[d] = std::min(static_cast<unsigned int>(std::max(s, 0.)), grid.cells[d] - 1);
+      place.xi[d] = std::clamp(position[d] / grid.spacing[d] - cell[d], 0., 1.);
+    }
+  place.i     = cell[0];
+  place.j     = cell[1];
+  place.phase = material.phase_of(place.i, place.j);
+  return place;
+}
+
+void GridProbes::sample_contact(const std::size_t k, ProbeHistory &history) const
+{
+  const Place &place = places[k];
+  if (place.j > 0 || place.xi[1] >= 1e-6)
+    return;
+  const unsigned int node = place.i + (place.xi[0] > 0.5 ? 1 : 0);
+  const double width = tributary_width(material.grid(), node, material.periodicity().x);
+  history.traction.insert(
+    history.traction.end(),
+    {contact.tangential_force()[node] / width, contact.normal_force()[node] / width});
+}
+
+ProbeRecorder::Vector GridProbes::interpolate(const NodalField<double> &field,
+                                              const std::size_t k) const
+{
+  const Place &place   = places[k];
+  Vector value         = {};
+  const unsigned int j = rows.local(place.j);
+  for (unsigned int c = 0; c < 2; ++c)
+    {
+      const double *lower = field.row(c, j) + place.i,
+                   *upper = field.row(c, j + 1) + place.i;
+      value[c] =
+        (1. - place.xi[1]) * ((1. - place.xi[0]) * lower[0] + place.xi[0] * lower[1]) +
+        place.xi[1] * ((1. - place.xi[0]) * upper[0] + place.xi[0] * upper[1]);
+    }
+  return value;
+}
+
+VoigtVector<2> GridProbes::strain(const Place &place) const
+{
+  const auto &h        = material.grid().spacing;
+  const unsigned int j = rows.local(place.j);
+  double gradient[2][2];
+  for (unsigned int c = 0; c < 2; ++c)
+    {
+      const double *lower = stepper.u.row(c, j) + place.i,
+                   *upper = stepper.u.row(c, j + 1) + place.i;
+      gradient[c][0]      = ((1. - place.xi[1]) * (lower[1] - lower[0]) +
+                        place.xi[1] * (upper[1] - upper[0])) /
+                       h[0];
+      gradient[c][1] = ((1. - place.xi[0]) * (upper[0] - lower[0]) +
+                        place.xi[0] * (upper[1] - lower[1])) /
+                       h[1];
+    }
+  return VoigtVector<2>(gradient[0][0], gradient[1][1], gradient[0][1] + gradient[1][0]);
+}
+
+void GridProbes::update_ghosts(NodalField<double> &field) const
+{
+  if (needs_ghosts)
+    update_ghost_rows(field, rows, stepper.communicator);
+}
+
+void GridProbes::sample_strain(const std::size_t k, ProbeHistory &history) const
+{
+  const VoigtVector<2> e = strain(places[k]);
+  const VoigtVector<2> s = material.phases()[history.phase].stiffness * e;
+  history.strain.insert(history.strain.end(), e.data(), e.data() + 3);
+  history.stress.insert(history.stress.end(), s.data(), s.data() + 3);
+}
+} // namespace mesoslip

@@ -1,0 +1,46 @@
+#ifndef mesoslip_observation_grid_probes_h
+#define mesoslip_observation_grid_probes_h
+
+#include "contact/contact_surface.h"
+#include "elasticity/uniform_material.h"
+#include "observation/probe_recorder.h"
+
+namespace mesoslip
+{
+/** Probes on a grid: Q1 interpolation, the strain at a cell's centre is the cell mean. */
+class GridProbes : public ProbeRecorder
+{
+public:
+  /** References are kept. Points have to lie in the body. */
+  GridProbes(const std::vector<ProbePoint> &points,
+             const UniformMaterial &material,
+             const Stepper &stepper,
+             const ContactSurface<2> &contact,
+             const std::uint64_t interval);
+
+private:
+  /** Where a point lies: cell with its phase, and position in it from 0 to 1. */
+  struct Place
+  {
+    unsigned int i = 0, j = 0, phase = 0;
+    std::array<double, 2> xi = {};
+  };
+
+  Place locate(const Vector &position) const;
+  VoigtVector<2> strain(const Place &place) const;
+
+  /** If a probe lies between two ranks. */
+  void update_ghosts(NodalField<double> &field) const override;
+  Vector interpolate(const NodalField<double> &field, const std::size_t k) const override;
+  void sample_strain(const std::size_t k, ProbeHistory &history) const override;
+  void sample_contact(const std::size_t k, ProbeHistory &history) const override;
+
+  const UniformMaterial &material;
+  const NodeRows &rows;
+  const ContactSurface<2> &contact;
+  std::vector<Place> places;
+  bool needs_ghosts = false; ///< a probe lies between two ranks
+};
+} // namespace mesoslip
+
+#endif

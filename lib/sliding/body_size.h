@@ -1,0 +1,40 @@
+#ifndef mesoslip_sliding_body_size_h
+#define mesoslip_sliding_body_size_h
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** The contact node M whose motion gives spectrum and regime. */
+struct ReferenceNode
+{
+  unsigned int number            = 0;  ///< among the contact nodes
+  std::array<double, 3> position = {}; ///< m
+  unsigned int phase             = 0;  ///< of a probe there
+  double area                    = 0.; ///< tributary (m^2, in 2D m)
+};
+
+/** What statistics and results need to know of a body, on a grid or a mesh. */
+struct BodySize
+{
+  unsigned int dim      = 2;  ///< of the body
+  double top_area       = 0.; ///< of the top, along the normal of the flat (m^2, in 2D m)
+  std::uint64_t n_cells = 0;  ///< of the whole body
+  std::vector<double> friction; ///< coefficient of each contact node
+  std::size_t n_contact_nodes =
+    0;                     ///< with periodic sides the last one is the first again
+  ReferenceNode reference; ///< M
+
+  /** Of forces, energies and powers: "J" or, per unit thickness, "J/m". */
+  std::string unit(const std::string &of_whole_body) const
+  {
+    return of_whole_body + (dim == 2 ? "/m" : "");
+  }
+};
+
+} // namespace mesoslip
+
+#endif

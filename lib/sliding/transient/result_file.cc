@@ -1,0 +1,190 @@
+#include "sliding/transient/result_file.h"
+
+#include "exchange/datasets.h"
+#include "program/run_context.h"
+
+namespace mesoslip
+{
+namespace
+{
+void write_history(Hdf5File &file, const TransientResult &run, const RunContext &context)
+{
+  const ContactHistory &h = run.history;
+  const std::string force = run.body.unit("N"), energy = run.body.unit("J");
+  const std::vector<Series> columns = {
+    {"time", "s", &h.time},
+    {"apparent_friction", "-", &run.apparent_friction},
+    {"contact_normal_force", force, &h.normal_force},
+    {"contact_tangential_force", force, &h.tangential_force},
+    {"friction_energy", energy, &h.friction_energy},
+    {"impact_energy", energy, &h.impact_energy},
+    {"sticking_nodes", "-", &h.sticking},
+    {"slipping_nodes", "-", &h.slipping},
+    {"separated_nodes", "-", &h.separated},
+    {"top_normal_force", force, &run.top.normal_force},
+    {"top_tangential_force", force, &run.top.tangential_force},
+    {"top_displacement", "m", &run.top.displacement}};
+  write_series(file, "/history", columns);
+  // A spreadsheet has no use for a million rows.
+  write_table(context.file("history.csv"), columns, 5000);
+}
+
+void write_energy(Hdf5File &file, const TransientResult &run, const RunContext &context)
+{
+  const EnergyHistory &e             = run.energy;
+  const std::string unit             = run.body.unit("J");
+  const std::vector<double> residual = e.residual();
+  const std::vector<Series> columns  = {{"time", "s", &e.time},
+                                        {"kinetic", unit, &e.kinetic},
+                                        {"elastic", unit, &e.elastic},
+                                        {"potential", unit, &e.potential},
+                                        {"external_work", unit, &e.external_work},
+                                        {"friction", unit, &e.friction},
+                                        {"impact", unit, &e.impact},
+                                        {"damping", unit, &e.damping},
+                                        {"scheme", unit, &e.scheme},
+                                        {"residual", unit, &residual}};
+  write_series(file, "/energy", columns);
+  file.write_attribute("/energy", "initial", e.initial);
+  file.write_attribute("/energy", "unit", unit);
+  write_table(context.file("energy.csv"), columns);
+}
+
+void write_probe(Hdf5File &file,
+                 const std::string &group,
+                 const ProbeHistory &probe,
+                 const unsigned int dim)
+{
+  const unsigned int n_voigt = dim * (dim + 1) / 2;
+  write_series(file, group,
+               {{"time", "s", &probe.time},
+                {"displacement", "m", &probe.displacement, dim},
+                {"velocity", "m/s", &probe.velocity, dim}});
+  for (const Series &series : {Series{"strain", "-", &probe.strain, n_voigt},
+                               Series{"stress", "Pa", &probe.stress, n_voigt},
+                               Series{"traction", "Pa", &probe.traction, dim}})
+    if (!series.values->empty())
+      write_series(file, group, {series});
+  file.write_attribute(
+    group, "position",
+    std::vector<double>(probe.position.begin(), probe.position.begin() + dim));
+  file.write_attribute(group, "phase", probe.phase);
+}
+
+/** Along and across (in 3D) the motion of the flat and along its normal by turns, over
+ * @p divisor. */
+std::vector<double> vectors(const std::vector<double> &along,
+                            const std::vector<double> &across,
+                            const std::vector<double> &normal,
+                            const double divisor = 1.)
+{
+  std::vector<double> values;
+  for (std::size_t k = 0; k < along.size(); ++k)
+    {
+      values.push_back(along[k] / divisor);
+      if (!across.empty())
+        values.push_back(across[k] / divisor);
+      values.push_back(normal[k] / divisor);
+    }
+  return values;
+}
+
+/** It comes with the histories of the contact. */
+void write_reference_node(Hdf5File &file, const TransientResult &run)
+{
+  const MonitoredNode &node      = run.history.nodes[0];
+  const ReferenceNode &reference = run.body.reference;
+  ProbeHistory probe;
+  probe.position     = reference.position;
+  probe.phase        = reference.phase;
+  probe.time         = run.history.time;
+  probe.displacement = vectors(node.ux, node.across.u, node.uy);
+  probe.velocity     = vectors(node.vx, node.across.v, node.vy);
+  probe.traction =
+    vectors(node.tangential_force, node.across.force, node.normal_force, reference.area);
+  write_probe(file, "/reference", probe, run.body.dim);
+}
+
+/** Shares of time; with periodic sides the last node is the first one again. */
+void write_states(Hdf5File &file, const TransientResult &run)
+{
+  const std::size_t n_nodes = run.body.friction.size(),
+                    n       = run.contact.node_shares.size();
+  std::vector<double> slip, stick, separated;
+  for (std::size_t i = 0; i < n_nodes && n > 0; ++i)
+    {
+      const ContactShares &shares = run.contact.node_shares[i % n];
+      slip.push_back(shares.slip);
+      stick.push_back(shares.stick);
+      separated.push_back(shares.separation);
+    }
+  write_series(file, "/contact",
+               {{"friction_coefficient", "-", &run.body.friction},
+                {"slip", "-", &slip},
+                {"stick", "-", &stick},
+                {"separated", "-", &separated}});
+}
+
+void write_blocks(Hdf5File &file, const TransientResult &run)
+{
+  const std::size_t n_nodes = run.body.friction.size();
+  std::vector<double> times;
+  std::vector<float> slip, stick, separated;
+  for (const NodeCounts &block : run.blocks)
+    {
+      const auto n_steps = static_cast<float>(block.n_steps);
+      times.push_back(static_cast<double>(block.first_step + block.n_steps) *
+                      run.time.step.dt);
+      for (std::size_t i = 0; i < n_nodes; ++i)
+        {
+          const std::size_t counted = i % run.body.n_contact_nodes;
+          slip.push_back(block.slip[counted] / n_steps);
+          stick.push_back(block.stick[counted] / n_steps);
+          separated.push_back(1.f - slip.back() - stick.back());
+        }
+    }
+  const Shape shape = {times.size(), n_nodes};
+  write_series(file, "/contact/blocks", {{"time", "s", &times}});
+  write_dataset(file, "/contact/blocks/slip", shape, slip);
+  write_dataset(file, "/contact/blocks/stick", shape, stick);
+  write_dataset(file, "/contact/blocks/separated", shape, separated);
+}
+
+void write_motion(Hdf5File &file, const TransientResult &run)
+{
+  const Spectrum &spectrum = run.spectrum;
+  if (!spectrum.frequency.empty())
+    write_series(file, "/spectrum",
+                 {{"frequency", "Hz", &spectrum.frequency},
+                  {"amplitude", "m", &spectrum.amplitude}});
+  const PhaseDiagram &phase = run.phase_diagram;
+  if (phase.n_periods > 0)
+    write_series(file, "/phase_diagram",
+                 {{"displacement", "m", &phase.displacement},
+                  {"velocity", "m/s", &phase.velocity},
+                  {"displacement_spread", "m", &phase.displacement_spread},
+                  {"velocity_spread", "m/s", &phase.velocity_spread}});
+}
+} // namespace
+
+void write_result(Hdf5File &file, const TransientResult &run, const RunContext &context)
+{
+  const double dt                   = run.time.step.dt;
+  RunConditions conditions          = run.parameters.stated_conditions();
+  conditions["time_step"]           = dt;
+  conditions["steady_from"]         = run.steady_from;
+  conditions["steady_to"]           = static_cast<double>(run.steps_done) * dt;
+  conditions["limit_cycle_reached"] = run.limit_cycle_reached ? "yes" : "no";
+  write_run_conditions(file, conditions);
+  write_history(file, run, context);
+  if (!run.energy.time.empty())
+    write_energy(file, run, context);
+  for (const ProbeHistory &probe : run.probes)
+    write_probe(file, "/probes/" + probe.name, probe, run.body.dim);
+  if (!run.history.nodes.empty())
+    write_reference_node(file, run);
+  write_states(file, run);
+  write_blocks(file, run);
+  write_motion(file, run);
+}
+} // namespace mesoslip

@@ -1,0 +1,17 @@
+#ifndef mesoslip_sliding_transient_result_file_h
+#define mesoslip_sliding_transient_result_file_h
+
+#include "io/hdf5_file.h"
+#include "sliding/transient/transient_result.h"
+
+namespace mesoslip
+{
+/**
+ * Writes all of dynamics.h5 that grids and meshes have in common: /run, /history, /energy,
+ * /probes, /reference, the states in /contact, /spectrum and /phase_diagram; history.csv
+ * and energy.csv beside it. On rank 0.
+ */
+void write_result(Hdf5File &file, const TransientResult &run, const RunContext &context);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,141 @@
+#include "sliding/transient/run_statistics.h"
+
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "program/run_context.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
+                                          const BodySize &size)
+{
+  LimitCycleCriterion criterion = parameters.observation.limit_cycle;
+  criterion.reference_power =
+    std::fabs(parameters.top.pressure.amplitude() * size.top_area *
+              parameters.contact.flat_velocity.amplitude());
+  return criterion;
+}
+} // namespace
+
+std::vector<unsigned int> monitored_nodes(const unsigned int reference,
+                                          const unsigned int last)
+{
+  std::vector<unsigned int> nodes = {reference};
+  for (const unsigned int sixth : {1U, 2U, 4U, 5U})
+    nodes.push_back(sixth * last / 6);
+  return nodes;
+}
+
+// Often enough to react to an interruption and to keep few samples waiting, seldom enough
+// to cost nothing, and not so few that the stepper could not have several in flight. The
+// same whenever the run is resumed, as it may end at a limit cycle only then.
+std::uint64_t control_interval(const std::uint64_t n_cells)
+{
+  return next_multiple(std::clamp<std::uint64_t>(20000000 / n_cells, 1, 65536), 64);
+}
+
+// mu_inter rests on the samples for statistics from there to the end: three at least,
+// unless the run is too short for it anyway.
+void check_steady_from(const ContactParameters &parameters,
+                       const double n_steps,
+                       const unsigned int interval)
+{
+  const double from = parameters.observation.steady_from, end = parameters.time.end_time;
+  const double n_samples = n_steps / interval;
+  const double latest    = n_samples < static_cast<double>(TransientResult::least_samples)
+                             ? end
+                             : end - 2. * end / n_samples;
+  if (!std::isnan(from) && !(from < end && from <= latest))
+    throw UserError(
+      "Observation/Steady from: " + to_text(from) +
+      " s leaves fewer than three samples for statistics before Time/End time, " +
+      to_text(end) + " s; set it earlier, or auto");
+}
+
+template <int dim>
+RunStatistics<dim>::RunStatistics(const ContactParameters &of_run,
+                                  const BodySize &size,
+                                  const TimeStepChoice &steps,
+                                  SlidingSurfaces<dim> &observed,
+                                  const TransientCheckpoint &of_run_checkpoint,
+                                  RunContext &run_context)
+  : parameters(of_run)
+  , time(steps)
+  , surfaces(observed)
+  , checkpoint(of_run_checkpoint)
+  , context(run_context)
+  , recent_contact(time.statistics_interval, surfaces.setup.monitored_nodes, time.step)
+  , recent_top(time.statistics_interval)
+  , limit_cycle(limit_cycle_criterion(parameters, size),
+                static_cast<unsigned int>(size.n_contact_nodes),
+                parameters.energy_interval,
+                context.communicator())
+  , record(time.statistics_interval, time.step.dt, parameters.contact.flat_velocity)
+{
+  surfaces.contact.observe(recent_contact);
+  surfaces.top.observe(recent_top);
+}
+
+template <int dim>
+RunRequest RunStatistics<dim>::own_request(const std::uint64_t n,
+                                           const EnergyAudit *energy)
+{
+  // On a mesh every rank has the contact; what it means for the run is for rank 0 to say.
+  ContactHistory fresh = recent_contact.take();
+  if (!context.root())
+    fresh = ContactHistory();
+  record.add(fresh);
+  record.add(recent_top.take());
+  if (!limit_cycle.update(fresh, energy))
+    return RunRequest::look;
+  const bool reached =
+    parameters.observation.stop_at_limit_cycle && limit_cycle.reached();
+  if (reached || n >= time.n_steps)
+    return RunRequest::end;
+  if (context.stop_requested_here())
+    return RunRequest::stop;
+  return context.root() && checkpoint.due() ? RunRequest::save : RunRequest::go_on;
+}
+
+template <int dim>
+RunRequest RunStatistics<dim>::request(const std::uint64_t n, const EnergyAudit *energy)
+{
+  const auto scope   = context.timer().scope("Limit cycle, requests");
+  RunRequest largest = own_request(n, energy);
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_INT, MPI_MAX, context.communicator());
+  return largest;
+}
+
+template <int dim>
+void RunStatistics<dim>::collect(TransientResult &all)
+{
+  // Of the last rank, which on a grid alone has the top.
+  const auto of_top = [this](auto object) {
+    broadcast_object(context.communicator(), object, context.n_ranks() - 1);
+    return object;
+  };
+  surfaces.node_statistics.finish(surfaces.contact);
+  all.history = surfaces.contact_recorder.history();
+  all.blocks  = surfaces.node_statistics.blocks();
+  all.top     = of_top(surfaces.top_recorder.history());
+  all.series  = record.series();
+  // Where the top takes no tangential forces, they are those of the contact.
+  const std::vector<double> at_the_top = of_top(record.top_friction());
+  if (transmits_tangential_force(parameters.top))
+    all.series.apparent_friction = at_the_top;
+  const double given      = parameters.observation.steady_from;
+  all.limit_cycle_reached = limit_cycle.reached();
+  all.steady_from         = std::isnan(given) ? limit_cycle.steady_from() : given;
+  all.limit_cycle         = limit_cycle.description();
+  if (!limit_cycle.reached() || !std::isnan(given)) // it says when a limit cycle begins
+    all.limit_cycle += brief_text(4, ", statistics from ", all.steady_from, " s on");
+}
+
+template class RunStatistics<2>;
+template class RunStatistics<3>;
+} // namespace mesoslip
