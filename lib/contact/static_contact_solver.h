@@ -58,7 +58,7 @@ struct StaticContactOptions
    */
   double tolerance = 1e-8;
 
-  unsigned int max_iterations = 200; ///< over contact states and friction
+  unsigned int max_iterations = 500; ///< over contact states and friction
 
   /** Called before each iteration with their number so far; may throw to stop. */
   std::function<void(unsigned int)> before_iteration;
