@@ -69,8 +69,8 @@ double relative_spread(const std::vector<double> &values, const double scale = 0
 /** Appends what is new in @p part, the share of this rank, to @p all, summed over the
  * ranks. */
 void gather_parts(const std::vector<double> &part,
-            std::vector<double> &all,
-            const MPI_Comm communicator)
+                  std::vector<double> &all,
+                  const MPI_Comm communicator)
 {
   const std::size_t known = all.size();
   all.insert(all.end(), part.begin() + static_cast<std::ptrdiff_t>(known), part.end());
