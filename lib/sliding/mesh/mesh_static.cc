@@ -276,9 +276,8 @@ void MeshStatic<dim>::summarize(RunContext &context) const
   std::array<double, dim - 1> tangential = {};
   for (std::size_t k = 0; k < solution.tangential_force.size(); ++k)
     tangential[k % (dim - 1)] += solution.tangential_force[k];
-  json["tangential_force"] = tangential[0];
-  if constexpr (dim == 3)
-    json["tangential_force_y"] = tangential[1];
+  for (std::size_t c = 0; c < tangential.size(); ++c)
+    json[c == 0 ? "tangential_force" : "tangential_force_y"] = tangential[c];
   json["iterations"]        = solution.iterations;
   json["state_changes"]     = solution.state_changes;
   json["solver_iterations"] = solution.solver_iterations;

@@ -55,13 +55,12 @@ void write_probe(Hdf5File &file,
                  const ProbeHistory &probe,
                  const unsigned int dim)
 {
-  const unsigned int n_voigt = dim * (dim + 1) / 2;
   write_series(file, group,
                {{"time", "s", &probe.time},
                 {"displacement", "m", &probe.displacement, dim},
                 {"velocity", "m/s", &probe.velocity, dim}});
-  for (const Series &series : {Series{"strain", "-", &probe.strain, n_voigt},
-                               Series{"stress", "Pa", &probe.stress, n_voigt},
+  for (const Series &series : {Series{"strain", "-", &probe.strain, dim * (dim + 1) / 2},
+                               Series{"stress", "Pa", &probe.stress, dim * (dim + 1) / 2},
                                Series{"traction", "Pa", &probe.traction, dim}})
     if (!series.values->empty())
       write_series(file, group, {series});
