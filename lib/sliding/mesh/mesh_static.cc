@@ -21,10 +21,10 @@ namespace mesoslip
 {
 namespace
 {
-/** Of component @p c, "shear_traction" along x. */
-std::string shear_name(const unsigned int c)
+/** Of component @p c along the flat: the name alone is that along x. */
+std::string along_flat(const std::string &name, const std::size_t c)
 {
-  return c == 0 ? "shear_traction" : "shear_traction_y";
+  return c == 0 ? name : name + "_y";
 }
 
 template <int dim>
@@ -207,7 +207,7 @@ void MeshStatic<dim>::write_contact_table(const RunContext &context) const
   add("", dim, " [m]");
   columns.emplace_back("pressure [Pa]");
   for (unsigned int c = 0; c + 1 < dim; ++c)
-    columns.push_back(shear_name(c) + " [Pa]");
+    columns.push_back(along_flat("shear_traction", c) + " [Pa]");
   columns.emplace_back("friction_coefficient [-]");
   add("displacement_", dim, " [m]");
   columns.emplace_back("state");
@@ -251,7 +251,7 @@ void MeshStatic<dim>::write_static_file(const RunContext &context) const
   for (unsigned int c = 0; c < dim; ++c)
     series.push_back({std::string(1, "xyz"[c]), "m", &place[c]});
   for (unsigned int c = 0; c + 1 < dim; ++c)
-    series.push_back({shear_name(c), "Pa", &shear[c]});
+    series.push_back({along_flat("shear_traction", c), "Pa", &shear[c]});
   write_series(file, group, series);
   std::vector<std::uint8_t> state;
   for (const ContactState of_node : solution.state)
@@ -277,7 +277,7 @@ void MeshStatic<dim>::summarize(RunContext &context) const
   for (std::size_t k = 0; k < solution.tangential_force.size(); ++k)
     tangential[k % (dim - 1)] += solution.tangential_force[k];
   for (std::size_t c = 0; c < tangential.size(); ++c)
-    json[c == 0 ? "tangential_force" : "tangential_force_y"] = tangential[c];
+    json[along_flat("tangential_force", c)] = tangential[c];
   json["iterations"]        = solution.iterations;
   json["state_changes"]     = solution.state_changes;
   json["solver_iterations"] = solution.solver_iterations;
