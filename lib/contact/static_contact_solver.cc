@@ -28,9 +28,9 @@ public:
     , n_nodes(nodes.size() - (body.periodicity().x ? 1 : 0))
     , scale(stiffness_scale(body))
     , force(problem.force)
-    , friction(Eigen::VectorXd::Zero(n_nodes * n_tangents))
+    , friction(Eigen::VectorXd::Zero(Eigen::Index{n_nodes} * n_tangents))
     , normal(Eigen::VectorXd::Zero(n_nodes))
-    , tangential(Eigen::VectorXd::Zero(n_nodes * n_tangents))
+    , tangential(Eigen::VectorXd::Zero(Eigen::Index{n_nodes} * n_tangents))
     , direction(n_nodes, Direction{{static_cast<double>(problem.sliding)}})
   {
     for (unsigned int i = 0; i < n_nodes; ++i)

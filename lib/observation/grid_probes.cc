@@ -8,14 +8,14 @@
 namespace mesoslip
 {
 GridProbes::GridProbes(const std::vector<ProbePoint> &points,
-                       const UniformMaterial &of_material,
-                       const Stepper &of_stepper,
-                       const ContactSurface<2> &of_contact,
-                       const std::uint64_t steps)
-  : ProbeRecorder(of_stepper, 2, steps)
-  , material(of_material)
-  , rows(of_stepper.rows)
-  , contact(of_contact)
+                       const UniformMaterial &material,
+                       const Stepper &stepper,
+                       const ContactSurface<2> &contact,
+                       const std::uint64_t interval)
+  : ProbeRecorder(stepper, 2, interval)
+  , material(material)
+  , rows(stepper.rows)
+  , contact(contact)
 {
   int between   = 0;
   const auto &h = material.grid().spacing;

@@ -110,16 +110,16 @@ std::vector<MeshPlace> locate_probes(const Mesh<dim> &mesh,
 }
 
 template <int dim>
-MeshProbes<dim>::MeshProbes(const std::vector<MeshPlace> &at,
+MeshProbes<dim>::MeshProbes(const std::vector<MeshPlace> &places,
                             const MeshPart<dim> &part,
-                            const std::vector<ElasticPhase<dim>> &of_phases,
-                            const Stepper &of_stepper,
-                            const Contact &of_contact,
-                            const std::uint64_t steps)
-  : ProbeRecorder(of_stepper, dim, steps)
-  , places(at)
-  , phases(of_phases)
-  , contact(of_contact)
+                            const std::vector<ElasticPhase<dim>> &phases,
+                            const Stepper &stepper,
+                            const Contact &contact,
+                            const std::uint64_t interval)
+  : ProbeRecorder(stepper, dim, interval)
+  , places(places)
+  , phases(phases)
+  , contact(contact)
 {
   for (const MeshPlace &place : places)
     {

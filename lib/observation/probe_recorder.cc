@@ -4,12 +4,12 @@
 
 namespace mesoslip
 {
-ProbeRecorder::ProbeRecorder(const Stepper &of_stepper,
-                             const unsigned int components,
-                             const std::uint64_t steps)
-  : stepper(of_stepper)
-  , n_components(components)
-  , interval(steps)
+ProbeRecorder::ProbeRecorder(const Stepper &stepper,
+                             const unsigned int n_components,
+                             const std::uint64_t interval)
+  : stepper(stepper)
+  , n_components(n_components)
+  , interval(interval)
 {
 }
 

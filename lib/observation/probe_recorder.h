@@ -74,11 +74,11 @@ protected:
 
   /** The stepper, whose fields have so many components, is referenced; a sample every @p interval steps. */
   ProbeRecorder(const Stepper &stepper,
-                const unsigned int components,
+                const unsigned int n_components,
                 const std::uint64_t interval);
 
   /** Adds a probe; one rank owns it. */
-  void add(const ProbeHistory &probe, const bool owned);
+  void add(const ProbeHistory &probe, const bool is_owned);
 
   /** Before the @p field is used. Collective. */
   virtual void update_ghosts(NodalField<double> &field) const = 0;

@@ -58,17 +58,17 @@ void check_steady_from(const ContactParameters &parameters,
 }
 
 template <int dim>
-RunStatistics<dim>::RunStatistics(const ContactParameters &of_run,
+RunStatistics<dim>::RunStatistics(const ContactParameters &parameters,
                                   const BodySize &size,
-                                  const TimeStepChoice &steps,
-                                  SlidingSurfaces<dim> &observed,
-                                  const TransientCheckpoint &of_run_checkpoint,
-                                  RunContext &run_context)
-  : parameters(of_run)
-  , time(steps)
-  , surfaces(observed)
-  , checkpoint(of_run_checkpoint)
-  , context(run_context)
+                                  const TimeStepChoice &time,
+                                  SlidingSurfaces<dim> &surfaces,
+                                  const TransientCheckpoint &checkpoint,
+                                  RunContext &context)
+  : parameters(parameters)
+  , time(time)
+  , surfaces(surfaces)
+  , checkpoint(checkpoint)
+  , context(context)
   , recent_contact(time.statistics_interval, surfaces.setup.monitored_nodes, time.step)
   , recent_top(time.statistics_interval)
   , limit_cycle(limit_cycle_criterion(parameters, size),
