@@ -281,8 +281,10 @@ multiply_matrix(const CellBatches &cells, const double *, const double *u, doubl
         {
           vdouble sum[n_rows] = {};
           for (int j = 0; j < n_dofs; ++j)
+#pragma GCC unroll 32
             for (int i = 0; i < n_rows; ++i)
               sum[i] = fma(splat(K[j * n_dofs + row + i]), v[j / dim][j % dim], sum[i]);
+#pragma GCC unroll 32
           for (int i = 0; i < n_rows; ++i)
             force[(row + i) / dim][(row + i) % dim] = sum[i];
         }
