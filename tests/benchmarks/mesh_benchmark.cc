@@ -1,8 +1,15 @@
-// Contact steps on meshes: cells a second on one rank, against the product with a Trilinos
-// matrix (CSR) and the update of the nodes, and on all ranks against one.
-//
-//     mpirun -np 2 build/tests/mesh_benchmark [cells along an edge in 2D] [in 3D]
-
+/**
+ * A contact step on meshes, its share of memory, and what a program without a kernel of its
+ * own would do: the product with a Trilinos matrix (CSR) and the update of the nodes.
+ *
+ *     [mpirun -np n] mesh_benchmark <kind>:<cells along an edge>...
+ *
+ * Kinds: quadrilaterals, triangles, hexahedra, tetrahedra, whose inner points are shifted at
+ * random, and congruent-quadrilaterals etc. of a grid. Of squares and cubes, each cut into 8
+ * triangles or 24 tetrahedra. One line of CSV for each: wall-clock seconds of a step, median,
+ * lowest and highest, in turns of rank 0 alone, of its matrix, of all ranks together and of
+ * all ranks with a body each of its own, which is the bound where memory is shared.
+ */
 #include "../verification/mesh_sliding.h"
 #include "measuring.h"
 
@@ -10,17 +17,29 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <string>
 
 using namespace verification;
 
 namespace
 {
+constexpr unsigned int repetitions = 15;
+constexpr unsigned int steps       = 10; ///< in a repetition
+
 struct Kind
 {
-  const char *name;
+  unsigned int dim = 2;
   Cells cells;
 };
+
+const std::map<std::string, Kind> kinds = {
+  {"quadrilaterals", {2, {false, 0.2}}}, {"congruent-quadrilaterals", {2, {false, 0.}}},
+  {"triangles", {2, {true, 0.05}}},      {"congruent-triangles", {2, {true, 0.}}},
+  {"hexahedra", {3, {false, 0.2}}},      {"congruent-hexahedra", {3, {false, 0.}}},
+  {"tetrahedra", {3, {true, 0.05}}},     {"congruent-tetrahedra", {3, {true, 0.}}}};
 
 template <int dim>
 MeshCase<dim> make_case(const unsigned int n, const Cells &cells)
@@ -42,87 +61,125 @@ MeshCase<dim> make_case(const unsigned int n, const Cells &cells)
   return c;
 }
 
-/** The least of some times for a step (s), each over @p n steps. */
+/** Product with the matrix of a whole mesh, and the update of u and w. */
 template <int dim>
-double
-seconds_a_step(const MeshCase<dim> &c, const MPI_Comm communicator, const bool works)
+class MatrixStep
 {
-  constexpr unsigned int n = 20;
-  std::unique_ptr<MeshRun<dim>> run;
-  if (works)
-    run = std::make_unique<MeshRun<dim>>(c, communicator);
-  return measure(
-           [&]() {
-             if (run)
-               run->body.stepper.advance(n);
-           },
-           7)[0] /
-         n;
-}
+public:
+  explicit MatrixStep(const MeshCase<dim> &c)
+  {
+    const MeshPart<dim> part =
+      distribute(c.mesh, std::vector<unsigned int>(c.mesh.cells.size()), MPI_COMM_SELF);
+    const std::size_t n = dim * part.points.size();
+    dealii::DynamicSparsityPattern couplings(n, n);
+    for (const auto &cell : part.cells)
+      for (const unsigned int v : cell.vertices)
+        for (const unsigned int other : cell.vertices)
+          for (unsigned int k = 0; k < dim * dim; ++k)
+            couplings.add(dim * v + k / dim, dim * other + k % dim);
+    matrix.reinit(couplings);
+    for (auto *field : {&u, &w, &f, &inverse_mass})
+      field->reinit(n);
+  }
 
-/** The same for a matrix of the same couplings, and the update of u and w. */
-template <int dim>
-double seconds_of_matrix(const MeshCase<dim> &c)
-{
-  const MeshPart<dim> part =
-    distribute(c.mesh, std::vector<unsigned int>(c.mesh.cells.size()), MPI_COMM_SELF);
-  const std::size_t n = dim * part.points.size();
-  dealii::DynamicSparsityPattern couplings(n, n);
-  for (const auto &cell : part.cells)
-    for (const unsigned int v : cell.vertices)
-      for (const unsigned int other : cell.vertices)
-        for (unsigned int k = 0; k < dim * dim; ++k)
-          couplings.add(dim * v + k / dim, dim * other + k % dim);
+  void advance()
+  {
+    matrix.vmult(f, u);
+    for (std::size_t k = 0; k < u.size(); ++k)
+      {
+        w[k] -= 1e-10 * inverse_mass[k] * f[k];
+        u[k] += 1e-10 * w[k];
+      }
+  }
+
+private:
   dealii::TrilinosWrappers::SparseMatrix matrix;
-  matrix.reinit(couplings);
-  dealii::Vector<double> u(n), w(n), f(n), inverse_mass(n);
-  return measure(
-    [&]() {
-      matrix.vmult(f, u);
-      for (std::size_t k = 0; k < n; ++k)
-        {
-          w[k] -= 1e-10 * inverse_mass[k] * f[k];
-          u[k] += 1e-10 * w[k];
-        }
-    },
-    31)[0];
+  dealii::Vector<double> u, w, f, inverse_mass;
+};
+
+/** Resident memory of this process (bytes); Linux. */
+double resident_bytes()
+{
+  std::ifstream file("/proc/self/status");
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind("VmRSS:", 0) == 0)
+      return 1024. * std::stod(line.substr(6));
+  return 0.;
+}
+
+/** "median,lowest,highest", with a comma before them. */
+std::string text(std::vector<double> seconds)
+{
+  std::sort(seconds.begin(), seconds.end());
+  char line[99];
+  std::snprintf(line, sizeof line, ",%.6g,%.6g,%.6g", seconds[seconds.size() / 2],
+                seconds.front(), seconds.back());
+  return line;
 }
 
 template <int dim>
-void compare(const unsigned int n)
+void run_kind(const std::string &name, const unsigned int n, const Cells &cells)
 {
-  const Kind kinds[] = {{"congruent", {false, 0.}},
-                        {"distorted", {false, 0.2}},
-                        {"congruent simplices", {true, 0.}},
-                        {"distorted simplices", {true, 0.05}}};
-  const int n_ranks =
-    static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
-  for (const Kind &kind : kinds)
-    {
-      const MeshCase<dim> c = make_case<dim>(n, kind.cells);
-      const double millions = 1e-6 * static_cast<double>(c.mesh.cells.size());
-      const double one      = seconds_a_step(c, MPI_COMM_SELF, rank() == 0);
-      const double all      = n_ranks > 1 ? seconds_a_step(c, MPI_COMM_WORLD, true) : one;
-      if (rank() != 0)
-        {
-          measure([]() {}, 31);
-          continue;
-        }
-      const double csr = seconds_of_matrix(c);
-      std::printf("%dD %-20s %8zu cells: %7.1f million cells/s, CSR %6.1f, ratio %5.2f",
-                  dim, kind.name, c.mesh.cells.size(), millions / one, millions / csr,
-                  csr / one);
-      if (n_ranks > 1)
-        std::printf("; %d ranks %7.1f, %5.2f times one", n_ranks, millions / all,
-                    one / all);
-      std::printf("\n");
-    }
+  const MeshCase<dim> c = make_case<dim>(n, cells);
+  const double before   = resident_bytes();
+  MeshRun<dim> all(c, MPI_COMM_WORLD);
+  const double bytes   = resident_bytes() - before;
+  const unsigned ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  MeshRun<dim> own(c, MPI_COMM_SELF);
+  std::unique_ptr<MatrixStep<dim>> matrix;
+  if (rank() == 0)
+    matrix = std::make_unique<MatrixStep<dim>>(c);
+
+  const auto advance = [](MeshRun<dim> &run) { run.body.stepper.advance(steps); };
+  const std::vector<std::function<void()>> turns = {
+    [&]() { rank() == 0 ? advance(own) : void(); },
+    [&]() {
+      for (unsigned int k = 0; k < steps && matrix; ++k)
+        matrix->advance();
+    },
+    [&]() { advance(all); }, [&]() { advance(own); }};
+  std::vector<std::vector<double>> seconds(turns.size());
+  for (unsigned int r = 0; r < repetitions; ++r)
+    for (std::size_t k = 0; k < turns.size(); ++k)
+      seconds[k].push_back(measure(turns[k], 1)[0] / steps);
+
+  const MeshPart<dim> &part = all.op.part;
+  std::size_t n_sent        = 0;
+  for (const auto &neighbour : part.neighbours)
+    n_sent += neighbour.points.size();
+  const std::size_t sent = dealii::Utilities::MPI::max(n_sent, MPI_COMM_WORLD);
+  const double largest   = dealii::Utilities::MPI::max(bytes, MPI_COMM_WORLD);
+  if (rank() == 0)
+    std::printf("%s,%d,%zu,%zu,%u,%zu,%zu,%.0f%s%s%s%s\n", name.c_str(), dim,
+                c.mesh.cells.size(), c.mesh.points.size(), ranks, sent,
+                c.side(2 * (dim - 1)).points.size(), largest, text(seconds[0]).c_str(),
+                text(seconds[1]).c_str(), text(seconds[2]).c_str(),
+                text(seconds[3]).c_str());
+  std::fflush(stdout);
 }
 
 int run(int argc, char **argv)
 {
-  compare<2>(argc > 1 ? std::atoi(argv[1]) : 300);
-  compare<3>(argc > 2 ? std::atoi(argv[2]) : 40);
+  if (rank() == 0)
+    {
+      std::printf("kind,dim,cells,points,ranks,points_sent,contact_nodes,bytes_a_rank");
+      for (const char *what : {"one_rank", "matrix", "all_ranks", "side_by_side"})
+        std::printf(",%s_s,%s_s_low,%s_s_high", what, what, what);
+      std::printf("\n");
+    }
+  for (int k = 1; k < argc; ++k)
+    {
+      const std::string argument = argv[k];
+      const auto colon           = argument.find(':');
+      const auto kind            = kinds.find(argument.substr(0, colon));
+      if (kind == kinds.end() || colon == std::string::npos)
+        throw std::runtime_error("not a kind and a number of cells: " + argument);
+      const unsigned int n = std::stoi(argument.substr(colon + 1));
+      if (kind->second.dim == 2)
+        run_kind<2>(kind->first, n, kind->second.cells);
+      else
+        run_kind<3>(kind->first, n, kind->second.cells);
+    }
   return 0;
 }
 } // namespace
