@@ -15,7 +15,8 @@
  * interpolated along the other axes. With J = dx/dxi from the coordinates in the same way,
  * the force is the transpose of this applied to sigma adj(J)^T, where the strain is that
  * of du/dxi adj(J) / det(J): one division a point, and nothing stored but coordinates.
- * In triangles and tetrahedra the gradient is constant.
+ * In triangles and tetrahedra gradients are constant, and stored: to load and transpose the
+ * coordinates of all corners again would take longer than to read them.
  */
 namespace mesoslip::kernels
 {
@@ -46,7 +47,16 @@ struct CellBatches
   /** Voigt stiffness (Pa) of the phases, one after the other, or the element matrices,
    * without rows and columns of the first corner, all components of a corner together. */
   const double *stiffness = nullptr;
+
+  /** Of triangles and tetrahedra without a common matrix: see SimplexFunction. */
+  const double *gradients = nullptr;
 };
+
+/** Gradients of the shape functions of all corners of simplices but the first, times the root of the
+ * volume: [batch][corner - 1][axis][cell], aligned as vectors. */
+using SimplexFunction = void (*)(const CellBatches &cells,
+                                 const double *points,
+                                 double *gradients);
 
 /** f += K u of the cells; coordinates in @p points. */
 using CellFunction = void (*)(const CellBatches &cells,
@@ -87,6 +97,8 @@ using NodeFunction = void (*)(const NodeArrays &nodes, const NodeStep &step);
 struct CellKernels
 {
   NodeFunction advance; ///< of nodes
+
+  SimplexFunction simplex_gradients; ///< what the kernels of simplices read
 
   /** By CellMaterial, for triangles or tetrahedra. */
   CellFunction simplex[3];

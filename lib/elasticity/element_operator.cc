@@ -118,13 +118,25 @@ void ElementOperator<dim>::add_product(const unsigned int part,
 {
   AssertIndexRange(part, parts.size());
   for (const Group &group : parts[part])
-    {
-      const bool shared = group.common == Material::matrix;
-      const double *K   = (shared ? matrices[group.kind] : stiffness).data();
-      function(group)(
-        {group.material.size(), group.nodes.data(), group.material.data(), K},
-        coordinates.data(), u, f);
-    }
+    function(group)(batches(group), coordinates.data(), u, f);
+}
+
+template <int dim>
+kernels::CellBatches ElementOperator<dim>::batches(const Group &group) const
+{
+  const bool shared = group.common == Material::matrix;
+  const double *K   = (shared ? matrices[group.kind] : stiffness).data();
+  return {group.material.size(), group.nodes.data(), group.material.data(), K,
+          group.gradients.data()};
+}
+
+template <int dim>
+void ElementOperator<dim>::set_gradients(Group &group, const double *points) const
+{
+  if (group.kind != 0 || group.common == Material::matrix)
+    return;
+  group.gradients.resize(group.material.size() * dim * dim * kernels.cells_at_once);
+  kernels.simplex_gradients(batches(group), points, group.gradients.data());
 }
 
 template <int dim>
@@ -160,7 +172,7 @@ ElementOperator<dim>::element_matrix(const dealii::CellData<dim> &cell) const
   constexpr unsigned int stride = kernels::node_stride<dim>;
   const unsigned int lanes      = kernels.cells_at_once;
   const std::size_t n_corners = cell.vertices.size(), n = (n_corners - 1) * dim;
-  Group group{is_simplex(dim, n_corners) ? 0U : 1U, phase_material, {}, {}};
+  Group group{is_simplex(dim, n_corners) ? 0U : 1U, phase_material, {}, {}, {}};
   group.material = {cell.material_id};
   LineVector<double> points(n_corners * lanes * stride), u = points, f = points;
   for (unsigned int k = 0; k < n_corners * lanes; ++k)
@@ -172,14 +184,14 @@ ElementOperator<dim>::element_matrix(const dealii::CellData<dim> &cell) const
   const auto dof = [&](const std::size_t i) {
     return (1 + i / dim) * lanes * stride + i % dim;
   };
+  set_gradients(group, points.data());
   std::vector<double> K(n * n);
   for (std::size_t j = 0; j < n; ++j)
     {
       std::fill(u.begin(), u.end(), 0.);
       std::fill(f.begin(), f.end(), 0.);
       u[dof(j)] = 1.;
-      function(group)({1, group.nodes.data(), group.material.data(), stiffness.data()},
-                      points.data(), u.data(), f.data());
+      function(group)(batches(group), points.data(), u.data(), f.data());
       for (std::size_t i = 0; i < n; ++i)
         K[j * n + i] = f[dof(i)];
     }
@@ -230,6 +242,7 @@ ElementOperator<dim>::make_groups(const std::vector<dealii::Point<dim>> &points,
           continue;
         group.kind   = static_cast<unsigned int>(kind);
         group.common = static_cast<Material>(material);
+        set_gradients(group, coordinates.data());
         result.push_back(std::move(group));
       }
   return result;

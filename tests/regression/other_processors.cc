@@ -175,10 +175,12 @@ void cell_kernels(const kernels::CellKernels &cells)
   for (unsigned int kind = 0; kind < 2; ++kind)
     for (unsigned int common = 0; common < 3; ++common)
       {
-        Numbers<double> stiffness(24 * 24), points(2 * n), u(2 * n), f(2 * n);
-        (kind == 0 ? cells.simplex : cells.tensor)[common](
-          {n_batches, nodes.data(), material.data(), stiffness.data()}, points.data(),
-          u.data(), f.data());
+        Numbers<double> stiffness(24 * 24), points(2 * n), u(2 * n), f(2 * n),
+          gradients(n_batches * dim * dim * cells.cells_at_once);
+        const kernels::CellBatches batches = {n_batches, nodes.data(), material.data(),
+                                              stiffness.data(), gradients.data()};
+        (kind == 0 ? cells.simplex : cells.tensor)[common](batches, points.data(),
+                                                           u.data(), f.data());
         f.digest(in_space + " cells " + std::to_string(kind) + std::to_string(common));
       }
   Numbers<double> x(14 * 2 * n);
