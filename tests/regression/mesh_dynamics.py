@@ -217,8 +217,8 @@ def check_refused(folder):
     refused(["Friction/Node rule"], "Friction/Coefficient=0.25", "Friction/Coefficient from=phases", "Friction/Node rule=largest")
     refused(["Mesh/Held in z", "platen"], "Mesh/Held in z=Top", "Top/Kind=platen")
     refused(["Time/Time step", "above the critical"], "Time/Time step=1e-6")
-    folder.write("static.prm", prm({"Analysis": "static contact", "Mesh/File": "mesh.msh", **STEEL}))
-    refused(["Mesh/File has no effect, as Analysis is 'static contact'"], prm_file="static.prm")
+    folder.write("friction.prm", prm({"Analysis": "friction homogenization", "Mesh/File": "mesh.msh", **STEEL}))
+    refused(["Mesh/File has no effect, as Analysis is 'friction homogenization'"], prm_file="friction.prm")
     refused(["Dimension", "3 needs a mesh"], "Dimension=3", prm_file="grid.prm")
     refused(["Body/Acceleration", "three components"], "Body/Acceleration=1, 2, 3", prm_file="grid.prm")
 
