@@ -6,10 +6,10 @@ import numpy as np
 from plots import curve, legend, logarithmic, panels
 from step_scaling import CLUSTER
 
-# Cells along an edge: of some 4000, 1e5 and 1e6 cells. Squares are cut into 8 triangles, cubes into 24 tetrahedra.
-EDGES = {"quadrilaterals": (64, 300, 1000), "congruent-quadrilaterals": (64, 300, 1000), "triangles": (24, 112, 354),
-         "congruent-triangles": (24, 112, 354), "hexahedra": (16, 40, 100), "congruent-hexahedra": (16, 40, 100),
-         "tetrahedra": (6, 16, 35), "congruent-tetrahedra": (6, 16, 35)}
+# Cells along an edge: of some 4000, 1e5 and 3e5 to 5e5 cells. Squares are cut into 8 triangles, cubes into 24 tetrahedra.
+EDGES = {"quadrilaterals": (64, 300, 700), "congruent-quadrilaterals": (64, 300, 700), "triangles": (24, 112, 250),
+         "congruent-triangles": (24, 112, 250), "hexahedra": (16, 40, 64), "congruent-hexahedra": (16, 40, 64),
+         "tetrahedra": (6, 16, 28), "congruent-tetrahedra": (6, 16, 28)}
 FLAT = {2: 24, 3: 6}  # the smallest meshes, where start and contact count
 MESSAGES = [64, 1024, 16384, 262144, 1048576]
 CELLS_A_RANK = 1000000
