@@ -117,8 +117,9 @@ std::vector<std::string> BodyAnalysis::body_warnings() const
                                             phase.friction_coefficient));
     }
   if (parameters.analysis == ContactAnalysis::static_contact)
-    ranges.push_back(plausible_pressure(
-      "Top/Pressure", std::fabs(parameters.top.pressure.amplitude()), material));
+    ranges.push_back(plausible_pressure("Top/Pressure",
+                                        std::fabs(parameters.top.pressure.amplitude()),
+                                        BodyScales(material).stiffness));
 
   std::vector<std::string> warnings = body.warnings;
   for (const std::string &sentence : implausible(ranges))

@@ -1,6 +1,8 @@
 #ifndef mesoslip_sliding_body_size_h
 #define mesoslip_sliding_body_size_h
 
+#include "elasticity/uniform_material.h"
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -15,6 +17,31 @@ struct ReferenceNode
   std::array<double, 3> position = {}; ///< m
   unsigned int phase             = 0;  ///< of a probe there
   double area                    = 0.; ///< tributary (m^2, in 2D m)
+};
+
+/** What loads, times and lengths of a body are compared with. */
+struct BodyScales
+{
+  /** Of nothing. */
+  BodyScales() = default;
+
+  /** Of a grid and its materials; frequency of a single cell. */
+  explicit BodyScales(const UniformMaterial &material);
+
+  unsigned int dim         = 2;  ///< of the body
+  double stiffness         = 0.; ///< D22, in 3D D33, of the stiffest phase (Pa)
+  double wave_speed        = 0.; ///< largest, of pressure waves along the normal (m/s)
+  double height            = 0.; ///< along the normal of the flat (m)
+  double area              = 0.; ///< of the top (m^2, in 2D m)
+  double mass              = 0.; ///< kg, in 2D kg/m
+  double density           = 0.; ///< mean (kg/m^3)
+  double highest_frequency = 0.; ///< circular, of the body or a bound of it (1/s)
+
+  /** Time in which a pressure wave goes from the flat to the top (s). */
+  double crossing() const
+  {
+    return height / wave_speed;
+  }
 };
 
 /** What statistics and results need to know of a body, on a grid or a mesh. */

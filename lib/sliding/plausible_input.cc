@@ -49,12 +49,12 @@ struct Load
 class RunJudge
 {
 public:
-  RunJudge(const ContactParameters &p, const UniformMaterial &m)
+  RunJudge(const ContactParameters &p, const BodyScales &scales, const double n_steps)
     : parameters(p)
-    , material(m)
-    , scales(m)
+    , scales(scales)
+    , n_steps(n_steps)
     , end(p.time.end_time)
-    , crossing(scales.crossing)
+    , crossing(scales.crossing())
     , run_text("the whole run (" + quantity_text(end, "s") + ")")
     , pressure{p.top.pressure, "Top", "Pressure"}
     , velocity{p.contact.flat_velocity, "Flat", "Velocity"}
@@ -82,12 +82,13 @@ public:
                           " and Body/Initial velocity and Acceleration are 0: nothing "
                           "presses the body on the flat");
     if (!(end >= 2. * crossing))
-      sentences.push_back(
-        crossing_text(parameters, material) +
-        ": it ends before the wave is back; are Body/Size and Time/End time in "
-        "m and s, and the stiffness in Pa?");
+      sentences.push_back(crossing_text(parameters, scales) +
+                          ": it ends before the wave is back; are " +
+                          (parameters.mesh.is_given() ? "Mesh/Scale" : "Body/Size") +
+                          " and Time/End time in "
+                          "m and s, and the stiffness in Pa?");
     if (const std::string damping =
-          damping_warning(parameters, material, "the critical time step");
+          damping_warning(parameters, scales, "the critical time step");
         !damping.empty())
       sentences.push_back(damping);
     if (slides_undamped())
@@ -140,7 +141,7 @@ private:
   {
     const StepParameters &step = parameters.step;
     const double critical =
-      critical_time_step(element_frequency_bound(material), step.beta2, step.beta);
+      critical_time_step(scales.highest_frequency, step.beta2, step.beta);
     return {at_most("Time/End time", end, "s", most_crossings * crossing,
                     "in which a wave crosses the body " +
                       quantity_text(end / crossing, "times") + "; is it in s?"),
@@ -154,30 +155,34 @@ private:
     const TopSetup &top = parameters.top;
     if (top.kind == TopSetup::Kind::held || !(top.hold_from > 0.))
       return {};
-    const double mass = material.total_mass();
-    return {
-      plausible_pressure(pressure.name("largest"), pressures.largest_size(), material),
-      ramp(pressure),
-      {pressure.name("smallest"), pressures.smallest, "Pa", 0.,
-       "which pulls the body off the flat; a positive pressure presses it on"},
-      within_run("Top/Hold from", std::isfinite(top.hold_from) ? top.hold_from : 0., end,
-                 "the top is never held"),
-      at_most("Top/Platen mass", top.platen_mass, "kg/m", 1e4 * mass,
-              "more than 10000 times the body's " + quantity_text(mass, "kg/m") +
-                "; is it in kg per m of thickness?")};
+    const bool plane = scales.dim == 2;
+    return {plausible_pressure(pressure.name("largest"), pressures.largest_size(),
+                               scales.stiffness),
+            ramp(pressure),
+            {pressure.name("smallest"), pressures.smallest, "Pa", 0.,
+             "which pulls the body off the flat; a positive pressure presses it on"},
+            within_run("Top/Hold from", std::isfinite(top.hold_from) ? top.hold_from : 0.,
+                       end, "the top is never held"),
+            at_most("Top/Platen mass", top.platen_mass, plane ? "kg/m" : "kg",
+                    1e4 * scales.mass,
+                    "more than 10000 times the body's " +
+                      quantity_text(scales.mass, plane ? "kg/m" : "kg") +
+                      "; is it in kg" + (plane ? " per m of thickness?" : "?"))};
   }
 
   Ranges velocities() const
   {
     const std::array<double, 3> &initial = parameters.body.initial_velocity;
-    return {speed(velocity.name("largest"), flat_speed),
-            {velocity.name("largest"), flat_speed, "m/s",
-             flat_speed > 0. ? atom / end : 0.,
-             "with which the flat moves less than the width of an atom in " + run_text +
-               "; is it in m/s?"},
-            ramp(velocity),
-            speed("Body/Initial velocity along x", std::fabs(initial[0])),
-            speed("Body/Initial velocity along y", std::fabs(initial[1]))};
+    Ranges ranges                        = {speed(velocity.name("largest"), flat_speed),
+                                            {velocity.name("largest"), flat_speed, "m/s",
+                      flat_speed > 0. ? atom / end : 0.,
+                                             "with which the flat moves less than the width of an atom in " +
+                                               run_text + "; is it in m/s?"},
+                                            ramp(velocity)};
+    for (unsigned int c = 0; c < scales.dim; ++c)
+      ranges.push_back(speed(std::string("Body/Initial velocity along ") + "xyz"[c],
+                             std::fabs(initial[c])));
+    return ranges;
   }
 
   Ranges contact() const
@@ -187,12 +192,13 @@ private:
     const FrictionParameters &fr = parameters.friction;
     const std::string useless    = "friction hardly comes to act";
     // How far the body can come towards the flat, when nothing stops it.
-    const double force = parameters.top.kind == TopSetup::Kind::held
-                           ? 0.
-                           : pressures.largest_size() * material.grid().extent(0);
+    const double force        = parameters.top.kind == TopSetup::Kind::held
+                                  ? 0.
+                                  : pressures.largest_size() * scales.area;
+    const unsigned int normal = scales.dim - 1;
     const double acceleration =
-      std::fabs(parameters.step.acceleration[1]) + force / material.total_mass();
-    const double furthest = std::fabs(parameters.body.initial_velocity[1]) * end +
+      std::fabs(parameters.step.acceleration[normal]) + force / scales.mass;
+    const double furthest = std::fabs(parameters.body.initial_velocity[normal]) * end +
                             0.5 * acceleration * end * end;
     return {
       parameters.contact.law.node_law
@@ -211,7 +217,6 @@ private:
   Ranges observation() const
   {
     const ObservationParameters &o = parameters.observation;
-    const double n_steps           = largest_number_of_steps(parameters, material);
     const auto interval            = [&](const std::string &key, const double steps) {
       // 200 is the default where nothing is asked for.
       return at_most("Observation/" + key, steps, "steps", std::max(200., n_steps),
@@ -238,8 +243,8 @@ private:
   }
 
   const ContactParameters &parameters;
-  const UniformMaterial &material;
-  const BodyScales scales;
+  const BodyScales &scales;
+  const double n_steps;
   const double end, crossing; ///< of the run, of a wave through the body (s)
   const std::string run_text;
   const Load pressure, velocity;
@@ -248,11 +253,10 @@ private:
 };
 } // namespace
 
-PlausibleRange plausible_pressure(const std::string &key,
-                                  const double pressure,
-                                  const UniformMaterial &material)
+PlausibleRange
+plausible_pressure(const std::string &key, const double pressure, const double stiffness)
 {
-  const double stiffness = BodyScales(material).stiffness, strain = pressure / stiffness;
+  const double strain = pressure / stiffness;
   return {key,
           pressure,
           "Pa",
@@ -264,17 +268,17 @@ PlausibleRange plausible_pressure(const std::string &key,
             ", beyond small strains; is it in Pa?"};
 }
 
-std::string crossing_text(const ContactParameters &parameters,
-                          const UniformMaterial &material)
+std::string crossing_text(const ContactParameters &parameters, const BodyScales &scales)
 {
-  return "a wave takes " + quantity_text(1e3 * BodyScales(material).crossing, "ms") +
+  return "a wave takes " + quantity_text(1e3 * scales.crossing(), "ms") +
          " from the flat to the top, the run " +
          quantity_text(1e3 * parameters.time.end_time, "ms");
 }
 
 std::vector<std::string> implausible_run(const ContactParameters &parameters,
-                                         const UniformMaterial &material)
+                                         const BodyScales &scales,
+                                         const double n_steps)
 {
-  return RunJudge(parameters, material).sentences();
+  return RunJudge(parameters, scales, n_steps).sentences();
 }
 } // namespace mesoslip

@@ -12,18 +12,9 @@ namespace
 {
 /** Critical time step by the frequency of a single cell, which is free to compute: below
  * the true one. */
-double lower_bound(const UniformMaterial &material, const StepParameters &step)
+double lower_bound(const BodyScales &scales, const StepParameters &step)
 {
-  return critical_time_step(element_frequency_bound(material), step.beta2, step.beta);
-}
-
-std::string cell_text(const CellExtreme &cell, const UniformGrid<2> &grid)
-{
-  const std::uint64_t n_x = grid.cells[0];
-  return "cell (" + std::to_string(cell.cell % n_x) + ", " +
-         std::to_string(cell.cell / n_x) +
-         ") around x = " + quantity_text(1e3 * cell.middle[0], "mm") +
-         ", y = " + quantity_text(1e3 * cell.middle[1], "mm");
+  return critical_time_step(scales.highest_frequency, step.beta2, step.beta);
 }
 
 /** A load, and the strain that it alone causes in a body of that stiffness. */
@@ -90,7 +81,7 @@ unsigned int statistics_interval(const UniformMaterial &material, const double d
 {
   const UniformGrid<2> &grid = material.grid();
   return statistics_interval(
-    BodyScales(material).crossing * std::min(1., grid.extent(0) / grid.extent(1)), dt);
+    BodyScales(material).crossing() * std::min(1., grid.extent(0) / grid.extent(1)), dt);
 }
 
 unsigned int statistics_interval(const double crossing, const double dt)
@@ -139,21 +130,34 @@ LoadRange load_range(const LoadHistory &load, const double end)
 }
 
 BodyScales::BodyScales(const UniformMaterial &material)
+  : height(material.grid().extent(1))
+  , area(material.grid().extent(0))
+  , mass(material.total_mass())
+  , density(mass / (area * height))
+  , highest_frequency(element_frequency_bound(material))
 {
   for (const ElasticPhase<2> &c : material.phases())
     {
       stiffness  = std::max(stiffness, c.stiffness(1, 1));
       wave_speed = std::max(wave_speed, std::sqrt(c.stiffness(1, 1) / c.density));
     }
-  const UniformGrid<2> &grid = material.grid();
-  density                    = material.total_mass() / (grid.extent(0) * grid.extent(1));
-  crossing                   = grid.extent(1) / wave_speed;
+}
+
+PlaceText cell_text(const UniformGrid<2> &grid)
+{
+  return [n_x = std::uint64_t{grid.cells[0]}](const CellExtreme &cell) {
+    return "cell (" + std::to_string(cell.cell % n_x) + ", " +
+           std::to_string(cell.cell / n_x) +
+           ") around x = " + quantity_text(1e3 * cell.middle[0], "mm") +
+           ", y = " + quantity_text(1e3 * cell.middle[1], "mm");
+  };
 }
 
 double largest_number_of_steps(const ContactParameters &parameters,
                                const UniformMaterial &material)
 {
-  const double dt = parameters.step.dt, bound = lower_bound(material, parameters.step);
+  const double dt    = parameters.step.dt,
+               bound = lower_bound(BodyScales(material), parameters.step);
   if (dt > bound && parameters.time.check_time_step)
     choose_time_step(parameters, material); // above the true one as well?
   return std::ceil(parameters.time.end_time /
@@ -161,13 +165,13 @@ double largest_number_of_steps(const ContactParameters &parameters,
 }
 
 std::string damping_warning(const ContactParameters &parameters,
-                            const UniformMaterial &material,
+                            const BodyScales &scales,
                             const std::string &shortened)
 {
   StepParameters undamped = parameters.step;
   undamped.beta           = 0.;
   const double shortening =
-    lower_bound(material, undamped) / lower_bound(material, parameters.step);
+    lower_bound(scales, undamped) / lower_bound(scales, parameters.step);
   if (shortening <= 10.)
     return "";
   return brief_text(3, "Time/Rayleigh beta = ", parameters.step.beta, " s makes ",
@@ -184,11 +188,9 @@ ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &
           "reduce Body/Cells"};
 }
 
-std::string likely_cause(const ContactParameters &parameters,
-                         const UniformMaterial &material)
+std::string likely_cause(const ContactParameters &parameters, const BodyScales &body)
 {
-  const auto size_of = [](const auto &v) { return std::hypot(v[0], v[1]); };
-  const BodyScales body(material);
+  const auto size_of = [](const auto &v) { return std::hypot(v[0], v[1], v[2]); };
   const bool pressed = parameters.top.kind != TopSetup::Kind::held;
   const double pressure =
     load_range(parameters.top.pressure, parameters.time.end_time).largest_size();
@@ -198,7 +200,7 @@ std::string likely_cause(const ContactParameters &parameters,
     {"Top/Pressure", pressure, "Pa", pressed ? pressure / body.stiffness : 0.},
     {"Body/Initial velocity", velocity, "m/s", velocity / body.wave_speed},
     {"Body/Acceleration", acceleration, "m/s^2",
-     body.density * acceleration * material.grid().extent(1) / body.stiffness}};
+     body.density * acceleration * body.height / body.stiffness}};
   const LoadEstimate &worst = *std::max_element(
     std::begin(loads), std::end(loads),
     [](const LoadEstimate &a, const LoadEstimate &b) { return a.strain < b.strain; });
@@ -212,7 +214,8 @@ std::string likely_cause(const ContactParameters &parameters,
 
 std::string large_strain_warning(const Deformation &found,
                                  const ContactParameters &parameters,
-                                 const UniformMaterial &material,
+                                 const BodyScales &scales,
+                                 const PlaceText &place,
                                  const std::string &when)
 {
   const bool strained = !(found.strain.value <= largest_small_strain);
@@ -221,18 +224,17 @@ std::string large_strain_warning(const Deformation &found,
   const std::string limit = quantity_text(100. * largest_small_strain, "%");
   return (strained ? "the strain is " + quantity_text(100. * found.strain.value, "%")
                    : "the rotation is " + quantity_text(found.rotation.value, "rad")) +
-         when + " in " +
-         cell_text(strained ? found.strain : found.rotation, material.grid()) +
+         when + " in " + place(strained ? found.strain : found.rotation) +
          ", where the theory is that of small strains and rotations, up to " + limit +
          " or so: results from there on cannot be trusted; likely cause: " +
-         likely_cause(parameters, material);
+         likely_cause(parameters, scales);
 }
 
-std::string inverted_cell_text(const Deformation &found, const UniformGrid<2> &grid)
+std::string inverted_cell_text(const Deformation &found, const PlaceText &place)
 {
   return found.jacobian.value > 0.
            ? ""
-           : cell_text(found.jacobian, grid) + " is turned inside out (strains up to " +
+           : place(found.jacobian) + " is turned inside out (strains up to " +
                quantity_text(100. * found.strain.value, "%") + ")";
 }
 
@@ -259,16 +261,17 @@ void require_upright_cells(const Deformation &found,
                            const std::uint64_t n,
                            const TimeStepChoice &time,
                            const ContactParameters &parameters,
-                           const UniformMaterial &material)
+                           const BodyScales &scales,
+                           const PlaceText &place)
 {
-  const std::string text = inverted_cell_text(found, material.grid());
+  const std::string text = inverted_cell_text(found, place);
   if (text.empty())
     return;
   // Of an unstable run the time step is the cause, whatever the loads are.
   const bool unstable = time.step.dt > time.critical;
   throw NumericalFailure(
     (unstable ? "the run blew up: " : "") + text + "; likely cause: " +
-      (unstable ? likely_instability(0., time) : likely_cause(parameters, material)) +
+      (unstable ? likely_instability(0., time) : likely_cause(parameters, scales)) +
       "; found",
     n, n * time.step.dt, "");
 }

@@ -7,11 +7,13 @@
 #include "material/plausibility.h"
 #include "parameters/load_history.h"
 #include "program/output_folder.h"
+#include "sliding/body_size.h"
 #include "sliding/contact_parameters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,17 +42,11 @@ inline bool transmits_tangential_force(const TopSetup &top)
   return top.kind != TopSetup::Kind::pressure || top.lateral_held;
 }
 
-/** What loads are compared with. */
-struct BodyScales
-{
-  /** Of the stiffest and the fastest class of @p material. */
-  explicit BodyScales(const UniformMaterial &material);
+/** Place of a cell for a sentence: "cell 12 around (1, 2) mm". */
+using PlaceText = std::function<std::string(const CellExtreme &)>;
 
-  double stiffness  = 0.; ///< D22 (Pa)
-  double wave_speed = 0.; ///< of pressure waves along y (m/s)
-  double density    = 0.; ///< mean (kg/m^3)
-  double crossing   = 0.; ///< time in which such a wave crosses the height (s)
-};
+/** The same on a grid: "cell (12, 0) around x = 1.25 mm, y = 0.05 mm". */
+PlaceText cell_text(const UniformGrid<2> &grid);
 
 /** Time step and what it was chosen from. */
 struct TimeStepChoice
@@ -103,25 +99,24 @@ double largest_number_of_steps(const ContactParameters &parameters,
  * longer without it; otherwise empty.
  */
 std::string damping_warning(const ContactParameters &parameters,
-                            const UniformMaterial &material,
+                            const BodyScales &scales,
                             const std::string &shortened);
 
-/** Of a pressure (Pa) on the body: strains of 1e-9 to 0.01; 0 is plausible. */
-PlausibleRange plausible_pressure(const std::string &key,
-                                  const double pressure,
-                                  const UniformMaterial &material);
+/** Of a pressure on a body of that stiffness (Pa): strains of 1e-9 to 0.01; 0 is plausible. */
+PlausibleRange
+plausible_pressure(const std::string &key, const double pressure, const double stiffness);
 
 /** "A wave takes 0.008 ms from the flat to the top, the run 1 ms". */
-std::string crossing_text(const ContactParameters &parameters,
-                          const UniformMaterial &material);
+std::string crossing_text(const ContactParameters &parameters, const BodyScales &scales);
 
 /**
  * Sentences on times, loads, velocities, friction law, damping and intervals of a
- * transient run that look like another unit, loads given as expressions included; and on
- * sliding with nothing that stops the waves of the grid.
+ * transient run of about @p n_steps that look like another unit, loads given as expressions
+ * included; and on sliding with nothing that stops the waves of the grid.
  */
 std::vector<std::string> implausible_run(const ContactParameters &parameters,
-                                         const UniformMaterial &material);
+                                         const BodyScales &scales,
+                                         const double n_steps);
 
 /** Largest norm of the strain, and rotation (rad), that the theory is good for. */
 constexpr double largest_small_strain = 0.05;
@@ -129,15 +124,15 @@ constexpr double largest_small_strain = 0.05;
 /** A sentence if strain or rotation is beyond small, with the likely cause; or empty. */
 std::string large_strain_warning(const Deformation &found,
                                  const ContactParameters &parameters,
-                                 const UniformMaterial &material,
+                                 const BodyScales &scales,
+                                 const PlaceText &place,
                                  const std::string &when);
 
 /** "cell (12, 0) around x = 1.25 mm, y = 0.05 mm is turned inside out ..."; or empty. */
-std::string inverted_cell_text(const Deformation &found, const UniformGrid<2> &grid);
+std::string inverted_cell_text(const Deformation &found, const PlaceText &place);
 
 /** The load that alone strains the body most, in words. */
-std::string likely_cause(const ContactParameters &parameters,
-                         const UniformMaterial &material);
+std::string likely_cause(const ContactParameters &parameters, const BodyScales &scales);
 
 /**
  * Ends a run that has gone wrong before step @p n.
@@ -156,7 +151,8 @@ void require_upright_cells(const Deformation &found,
                            const std::uint64_t n,
                            const TimeStepChoice &time,
                            const ContactParameters &parameters,
-                           const UniformMaterial &material);
+                           const BodyScales &scales,
+                           const PlaceText &place);
 } // namespace mesoslip
 
 #endif

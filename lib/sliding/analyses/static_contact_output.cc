@@ -142,11 +142,12 @@ void StaticContactAnalysis::judge_strain(RunContext &context) const
   const NodalField<double> &u = result.solution.displacement;
   const Deformation found =
     largest_deformation(body.grid, NodeRows::all(u.n_rows()), u, MPI_COMM_SELF);
-  const std::string inverted = inverted_cell_text(found, body.grid);
+  const std::string inverted = inverted_cell_text(found, cell_text(body.grid));
   if (!inverted.empty())
-    throw NumericalFailure("static contact: " + inverted +
-                           "; likely cause: " + likely_cause(parameters, material));
-  const std::string large = large_strain_warning(found, parameters, material, "");
+    throw NumericalFailure("static contact: " + inverted + "; likely cause: " +
+                           likely_cause(parameters, BodyScales(material)));
+  const std::string large = large_strain_warning(found, parameters, BodyScales(material),
+                                                 cell_text(body.grid), "");
   if (!large.empty())
     context.warn(large);
   context.summary()["largest_strain"] = found.strain.value;

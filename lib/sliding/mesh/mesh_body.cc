@@ -5,6 +5,7 @@
 #include "base/exchange.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "elasticity/element_operator.h"
 #include "exchange/rve_file.h"
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
@@ -137,17 +138,34 @@ reference_node(const Mesh<dim> &mesh, const MeshBoundary &contact, const double 
   return node;
 }
 
+/** Stiffness, size and mass; the area is that of @p top or, without one, of the bounding box. */
 template <int dim>
-double crossing_time(const MeshMorphology<dim> &morphology)
+BodyScales scales_of(const MeshMorphology<dim> &morphology,
+                     const dealii::Tensor<1, dim> &sides,
+                     const MeshBoundary &top)
 {
-  const auto [lower, upper] =
-    dealii::BoundingBox<dim>(morphology.mesh.points).get_boundary_points();
-  const dealii::Tensor<1, dim> sides = upper - lower;
-  double wave_speed                  = 0.;
+  BodyScales scales;
+  scales.dim = dim;
+  std::vector<ElasticPhase<dim>> phases;
   for (const Phase<dim> &phase : morphology.phases)
-    wave_speed =
-      std::max(wave_speed, std::sqrt(phase.stiffness(dim - 1, dim - 1) / phase.density));
-  return *std::min_element(sides.begin_raw(), sides.end_raw()) / wave_speed;
+    {
+      const double stiffness = phase.stiffness(dim - 1, dim - 1);
+      phases.push_back({phase.stiffness, phase.density});
+      scales.stiffness = std::max(scales.stiffness, stiffness);
+      scales.wave_speed =
+        std::max(scales.wave_speed, std::sqrt(stiffness / phase.density));
+    }
+  double box = 1., mean_density = 0.;
+  for (unsigned int d = 0; d + 1 < dim; ++d)
+    box *= sides[d];
+  for (std::size_t k = 0; k < phases.size(); ++k)
+    mean_density += morphology.fractions[k] * phases[k].density;
+  scales.height = sides[dim - 1];
+  scales.area   = top.points.empty() ? box : sum_of(top.area);
+  scales.mass =
+    sum_of(lumped_mass(morphology.mesh.points, morphology.mesh.cells, phases));
+  scales.density = mean_density;
+  return scales;
 }
 } // namespace
 
@@ -270,8 +288,11 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
   body.n_cells    = mesh.cells.size();
   body.digest     = Digest().add_file(morphology.file).add(parameters.rve_digest).hex();
   body.rve_digest = parameters.rve_digest;
-  body.crossing   = crossing_time(morphology);
-  body.probes     = locate_probes(mesh, given.observation.probes);
+  const auto [lower, upper] = dealii::BoundingBox<dim>(mesh.points).get_boundary_points();
+  const dealii::Tensor<1, dim> sides = upper - lower;
+  body.scales                        = scales_of(morphology, sides, body.top);
+  body.shortest_side = *std::min_element(sides.begin_raw(), sides.end_raw());
+  body.probes        = locate_probes(mesh, given.observation.probes);
   return body;
 }
 

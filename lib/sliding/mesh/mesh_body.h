@@ -60,14 +60,14 @@ struct MeshBodyDescription
   std::vector<MeshPlace> probes;   ///< where they are in the mesh
   ReferenceNode reference;         ///< of the contact
 
-  /** Time in which a pressure wave crosses the shortest side of the bounding box (s). */
-  double crossing = 0.;
+  BodyScales scales;         ///< without the highest frequency
+  double shortest_side = 0.; ///< of the bounding box (m)
 
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<11>(archive, *this);
+    serialize_members<12>(archive, *this);
   }
 };
 

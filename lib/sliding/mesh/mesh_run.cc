@@ -40,7 +40,8 @@ SlidingSetup setup_of(const ContactParameters &parameters,
   return setup;
 }
 
-std::string place_of(const CellExtreme &cell, const unsigned int dim)
+template <int dim>
+std::string place_of(const CellExtreme &cell)
 {
   std::string text = "cell " + std::to_string(cell.cell) + " around ";
   for (unsigned int d = 0; d < dim; ++d)
@@ -53,6 +54,7 @@ std::string place_of(const CellExtreme &cell, const unsigned int dim)
 template <int dim>
 MeshRun<dim>::MeshRun(const ContactParameters &parameters,
                       const MeshBodyDescription &description,
+                      const BodyScales &scales,
                       const TimeStepChoice &time,
                       const MeshOperator<dim> &op,
                       const std::vector<ElasticPhase<dim>> &phases,
@@ -61,6 +63,7 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
                       RunContext &context)
   : parameters(parameters)
   , description(description)
+  , scales(scales)
   , time(time)
   , op(op)
   , checkpoint(checkpoint)
@@ -118,24 +121,14 @@ void MeshRun<dim>::set_initial_velocity()
 template <int dim>
 void MeshRun<dim>::judge(const Deformation &found, const std::uint64_t n)
 {
-  const double t = static_cast<double>(n) * time.step.dt;
-  if (!(found.jacobian.value > 0.))
-    throw NumericalFailure(place_of(found.jacobian, dim) +
-                             " is turned inside out; reduce loads and initial velocity, "
-                             "or check that all is in SI units; found",
-                           static_cast<long long>(n), t, "");
-  const bool strained = !(found.strain.value <= largest_small_strain);
-  if ((strained || !(found.rotation.value <= largest_small_strain)) && !warned)
-    {
-      context.warn(
-        (strained ? "the strain is " + quantity_text(100. * found.strain.value, "%")
-                  : "the rotation is " + quantity_text(found.rotation.value, "rad")) +
-        " in step " + std::to_string(n) + " at t = " + quantity_text(t, "s") + " in " +
-        place_of(strained ? found.strain : found.rotation, dim) +
-        ", where the theory is that of small strains and rotations: results from there "
-        "on cannot be trusted");
-      warned = true;
-    }
+  require_upright_cells(found, n, time, parameters, scales, place_of<dim>);
+  const double t            = static_cast<double>(n) * time.step.dt;
+  const std::string warning = large_strain_warning(
+    found, parameters, scales, place_of<dim>,
+    " in step " + std::to_string(n) + " at t = " + quantity_text(t, "s"));
+  if (!warning.empty() && !warned)
+    context.warn(warning);
+  warned = warned || !warning.empty();
 }
 
 template <int dim>

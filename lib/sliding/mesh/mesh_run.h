@@ -20,6 +20,7 @@ public:
   /** The initial state; all arguments must outlive it. */
   MeshRun(const ContactParameters &parameters,
           const MeshBodyDescription &description,
+          const BodyScales &scales,
           const TimeStepChoice &time,
           const MeshOperator<dim> &op,
           const std::vector<ElasticPhase<dim>> &phases,
@@ -53,6 +54,7 @@ private:
 
   const ContactParameters &parameters;
   const MeshBodyDescription &description;
+  const BodyScales &scales;
   const TimeStepChoice &time;
   const MeshOperator<dim> &op;
   TransientCheckpoint &checkpoint;

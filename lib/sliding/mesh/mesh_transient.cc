@@ -8,6 +8,7 @@
 #include "parameters/parameters.h"
 #include "sliding/mesh/mesh_analysis.h"
 #include "sliding/mesh/mesh_run.h"
+#include "sliding/transient/run_needs.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -53,13 +54,31 @@ public:
         "Performance/Instruction set = " +
         to_string(resolve(this->parameters.sweep.isa)) + "\nContent of Mesh/File = " +
         this->body.digest + "\nProgram version = " + version + "\n")
+    , distributed(this->morphology.mesh, this->phases, this->parameters.sweep.isa)
+    , scales(this->body.scales)
   {
+    scales.highest_frequency = largest_frequency(distributed.op).upper;
+    time                     = time_step();
+    const auto n             = static_cast<double>(time.n_steps);
+    needs = run_needs(this->parameters, scales, n, time.statistics_interval,
+                      static_cast<double>(dim * this->body.n_points));
+    require_memory(needs.memory);
+  }
+
+  ResourceNeed need() const override
+  {
+    return needs.disk;
   }
 
   void describe(std::ostream &out) const override
   {
     MeshAnalysis<dim>::describe(out);
-    out << time_step(distribute_body()).text() << '\n';
+    out << time.text() << "\nTimes: " << crossing_text(this->parameters, scales) << '\n'
+        << needs.n_snapshots << " snapshots, " << bytes_text(needs.disk.bytes)
+        << " on the disk, " << bytes_text(needs.memory.bytes)
+        << " of memory for histories\n";
+    for (const std::string &warning : warnings())
+      out << "Warning: " << warning << '\n';
   }
 
   bool resumable() const override
@@ -70,36 +89,38 @@ public:
   void run(RunContext &context) override;
 
 private:
-  DistributedBody<dim> distribute_body() const
-  {
-    return {this->morphology.mesh, this->phases, this->parameters.sweep.isa};
-  }
-
-  TimeStepChoice time_step(const DistributedBody<dim> &distributed) const
+  TimeStepChoice time_step() const
   {
     constexpr double most_steps = 1e15;
-    TimeStepChoice time =
-      choose_time_step(this->parameters, largest_frequency(distributed.op).upper);
+    TimeStepChoice time   = choose_time_step(this->parameters, scales.highest_frequency);
     const double end_time = this->parameters.time.end_time, n = end_time / time.step.dt;
     if (!(n < most_steps))
       throw UserError("Time/End time: " + to_text(end_time) + " s are " +
                       quantity_text(n, "") +
                       " steps, more than any run can do; are Mesh/Scale, materials and "
                       "times in SI units?");
-    time.statistics_interval = statistics_interval(this->body.crossing, time.step.dt);
+    time.statistics_interval =
+      statistics_interval(this->body.shortest_side / scales.wave_speed, time.step.dt);
     check_steady_from(this->parameters, n, time.statistics_interval);
     return time;
   }
 
+  std::vector<std::string> warnings() const
+  {
+    return implausible_run(this->parameters, scales, static_cast<double>(time.n_steps));
+  }
+
   const std::string identity; ///< lines "key = value"
+  const DistributedBody<dim> distributed;
+  BodyScales scales;
+  TimeStepChoice time;
+  RunNeeds needs;
 };
 
 template <int dim>
 void MeshTransient<dim>::run(RunContext &context)
 {
   this->log_body(context);
-  const DistributedBody<dim> distributed = distribute_body();
-  const TimeStepChoice time              = time_step(distributed);
   TransientCheckpoint checkpoint(context, this->parameters.checkpoints,
                                  identity + "Time step in s = " + to_text(time.step.dt) +
                                    "\n");
@@ -118,11 +139,13 @@ void MeshTransient<dim>::run(RunContext &context)
                               "history.csv", "energy.csv"});
     }
   context.log(time.text());
+  for (const std::string &warning : warnings())
+    context.warn(warning);
 
   MeshOutput<dim> output(context, this->parameters, this->morphology, this->body, time,
                          distributed.part);
-  MeshRun<dim> run(this->parameters, this->body, time, distributed.op, this->phases,
-                   checkpoint, output, context);
+  MeshRun<dim> run(this->parameters, this->body, scales, time, distributed.op,
+                   this->phases, checkpoint, output, context);
   if (resumed)
     run.restore();
   TransientResult result = run.run();

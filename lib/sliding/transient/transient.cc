@@ -5,15 +5,12 @@
 #include "base/version.h"
 #include "grid/row_partition.h"
 #include "material/plausibility.h"
-#include "observation/steady_record.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
 #include "sliding/transient/dynamics_output.h"
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
-#include <cmath>
 #include <ostream>
 
 namespace mesoslip
@@ -40,6 +37,7 @@ run_identity(const Keys &keys, const InstructionSet isa, const std::string &rve_
 
 TransientAnalysis::TransientAnalysis(const ContactParameters &p, const Keys &keys)
   : BodyAnalysis(p)
+  , scales(material)
   , identity(run_identity(keys, parameters.sweep.isa, body.rve_digest))
 {
   const unsigned int n_rows  = body.grid.cells[1] + 1,
@@ -58,91 +56,39 @@ TransientAnalysis::TransientAnalysis(const ContactParameters &p, const Keys &key
                     quantity_text(n_steps, "") +
                     " steps, more than any run can do; are Body/Size in m, the stiffness "
                     "in Pa, the density in kg/m^3 and the times in s?");
-  check_steady_from(parameters, n_steps,
-                    statistics_interval(material, parameters.time.end_time / n_steps));
-  require_memory(history_memory(n_steps));
-  disk = disk_space(n_steps);
+  const auto interval = statistics_interval(material, parameters.time.end_time / n_steps);
+  check_steady_from(parameters, n_steps, interval);
+  needs = needs_of(n_steps, interval);
+  require_memory(needs.memory);
 }
 
-double TransientAnalysis::n_snapshots(const double n_steps) const
+RunNeeds TransientAnalysis::needs_of(const double n_steps,
+                                     const unsigned int interval) const
 {
-  const ObservationParameters &o = parameters.observation;
-  if (!(o.snapshots_interval > 0.))
-    return 0.;
-  const double end  = parameters.time.end_time,
-               to   = std::isnan(o.snapshots_to) ? end : o.snapshots_to,
-               last = std::min(to, end);
-  if (!(o.snapshots_from <= last))
-    throw UserError("Snapshots/From: " + to_text(o.snapshots_from) +
-                    " s is after the last one, at " + to_text(last) +
-                    " s, so there would be none; set it earlier, or Interval = 0");
-  return std::min(std::floor((to - o.snapshots_from) / o.snapshots_interval) + 1.,
-                  n_steps);
+  return run_needs(parameters, scales, n_steps, interval,
+                   2. * (body.grid.cells[0] + 1.) * (body.grid.cells[1] + 1.));
 }
 
-double TransientAnalysis::history_bytes(const double n_steps) const
+std::vector<std::string> TransientAnalysis::warnings() const
 {
-  // Of a sample of the histories with the reference node; of a probe; of the energies.
-  constexpr double history_numbers = 18., probe_numbers = 11., energy_numbers = 10.;
-  const ObservationParameters &o = parameters.observation;
-  const double n_probes          = static_cast<double>(o.probes.size());
-  double numbers = history_numbers * n_steps / parameters.history_interval +
-                   probe_numbers * n_probes * n_steps / o.probe_interval;
-  if (parameters.energy_interval > 0)
-    numbers += energy_numbers * n_steps / parameters.energy_interval;
-  return sizeof(double) * numbers;
-}
-
-ResourceNeed TransientAnalysis::history_memory(const double n_steps) const
-{
-  // With the samples for the statistics, which are not written.
-  const double dt = parameters.time.end_time / n_steps;
-  const double samples =
-    SteadyRecord::numbers(n_steps / statistics_interval(material, dt));
-  const std::string damping = damping_warning(parameters, material, "them");
-  return {history_bytes(n_steps) + sizeof(double) * samples,
-          brief_text(3,
-                     "increase Observation/History interval (and Probe interval, Energy "
-                     "interval), or reduce Time/End time, now ",
-                     n_steps, " steps of ", dt, " s",
-                     !std::isnan(parameters.step.dt) ? " (Time/Time step)"
-                     : !damping.empty()
-                       ? ": " + damping
-                       : brief_text(3, " (", 100. * parameters.time.safety,
-                                    " % of the critical time step)"))};
-}
-
-ResourceNeed TransientAnalysis::disk_space(const double n_steps) const
-{
-  const double snapshots = n_snapshots(n_steps);
-  const double field =
-    2. * sizeof(double) * (body.grid.cells[0] + 1.) * (body.grid.cells[1] + 1.);
-  const double fields = snapshots * field, histories = history_bytes(n_steps);
-  // Displacement, increment and histories, in the old one and in the new.
-  ResourceNeed need        = history_memory(n_steps);
-  const double checkpoints = 2. * (2. * field + need.bytes);
-  if (fields > histories)
-    need.remedy = to_text(snapshots) +
-                  " snapshots take most of it: increase Snapshots/Interval, now " +
-                  to_text(parameters.observation.snapshots_interval) +
-                  " s, or set From and To";
-  need.bytes = fields + histories + checkpoints;
-  return need;
+  return implausible_run(parameters, scales,
+                         largest_number_of_steps(parameters, material));
 }
 
 void TransientAnalysis::describe(std::ostream &out) const
 {
   BodyAnalysis::describe(out);
   const TimeStepChoice time = choose_time_step(parameters, material);
-  const double n            = static_cast<double>(time.n_steps);
+  const RunNeeds exact =
+    needs_of(static_cast<double>(time.n_steps), time.statistics_interval);
   out.precision(4);
-  out << time.text() << "\nTimes: " << crossing_text(parameters, material) << '\n'
-      << n_snapshots(n) << " snapshots, " << bytes_text(disk_space(n).bytes)
+  out << time.text() << "\nTimes: " << crossing_text(parameters, scales) << '\n'
+      << exact.n_snapshots << " snapshots, " << bytes_text(exact.disk.bytes)
       << " on the disk, "
       << bytes_text(field_memory(parameters.analysis, body.grid).bytes +
-                    history_memory(n).bytes)
+                    exact.memory.bytes)
       << " of memory\n";
-  for (const std::string &warning : implausible_run(parameters, material))
+  for (const std::string &warning : warnings())
     out << "Warning: " << warning << '\n';
 }
 
@@ -172,7 +118,7 @@ void TransientAnalysis::run(RunContext &context)
                               "history.csv", "energy.csv"});
     }
   context.log(time.text());
-  for (const std::string &warning : implausible_run(parameters, material))
+  for (const std::string &warning : warnings())
     context.warn(warning);
 
   DynamicsOutput output(context, parameters, body, time);

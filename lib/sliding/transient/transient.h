@@ -6,6 +6,7 @@
 #include "sliding/run_plan.h"
 #include "sliding/sliding_body.h"
 #include "sliding/transient/dynamics_output.h"
+#include "sliding/transient/run_needs.h"
 #include "sliding/transient/run_statistics.h"
 
 #include <chrono>
@@ -69,7 +70,8 @@ private:
   const ContactParameters &parameters;
   const BodyDescription &description;
   const TimeStepChoice &time;
-  const UniformMaterial &material;
+  const BodyScales scales;
+  const PlaceText place; ///< of a cell
   TransientCheckpoint &checkpoint;
   DynamicsOutput &output;
   RunContext &context;
@@ -103,7 +105,7 @@ public:
 
   ResourceNeed need() const override
   {
-    return disk;
+    return needs.disk;
   }
 
   void describe(std::ostream &out) const override;
@@ -120,23 +122,12 @@ public:
   void run(RunContext &context) override;
 
 private:
-  /**
-   * Snapshots that a run of @p n_steps takes, at most one a step.
-   * @throws UserError when they begin after the end
-   */
-  double n_snapshots(const double n_steps) const;
+  RunNeeds needs_of(const double n_steps, const unsigned int interval) const;
+  std::vector<std::string> warnings() const;
 
-  /** Bytes of all that a run of @p n_steps records every few steps. */
-  double history_bytes(const double n_steps) const;
-
-  /** Memory of the histories, which are kept until the end of a run. */
-  ResourceNeed history_memory(const double n_steps) const;
-
-  /** Disk space of dynamics.h5 and the checkpoints when it is largest. */
-  ResourceNeed disk_space(const double n_steps) const;
-
+  const BodyScales scales;
   const std::string identity; ///< lines "key = value"
-  ResourceNeed disk;
+  RunNeeds needs;             ///< estimated from above
 };
 } // namespace mesoslip
 

@@ -67,7 +67,8 @@ TransientRun::TransientRun(const ContactParameters &parameters,
   : parameters(parameters)
   , description(description)
   , time(time)
-  , material(material)
+  , scales(material)
+  , place(cell_text(material.grid()))
   , checkpoint(checkpoint)
   , output(output)
   , context(context)
@@ -120,9 +121,9 @@ void TransientRun::set_initial_velocity()
 
 void TransientRun::judge(const Deformation &found, const std::uint64_t n)
 {
-  require_upright_cells(found, n, time, parameters, material);
+  require_upright_cells(found, n, time, parameters, scales, place);
   const std::string warning = large_strain_warning(
-    found, parameters, material,
+    found, parameters, scales, place,
     " in step " + std::to_string(n) + " at t = " + quantity_text(n * time.step.dt, "s"));
   if (!warning.empty() && !warned)
     context.warn(warning);

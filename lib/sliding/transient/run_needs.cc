@@ -1,0 +1,86 @@
+#include "sliding/transient/run_needs.h"
+
+#include "base/errors.h"
+#include "observation/steady_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+double number_of_snapshots(const ContactParameters &parameters, const double n_steps)
+{
+  const ObservationParameters &o = parameters.observation;
+  if (!(o.snapshots_interval > 0.))
+    return 0.;
+  const double end  = parameters.time.end_time,
+               to   = std::isnan(o.snapshots_to) ? end : o.snapshots_to,
+               last = std::min(to, end);
+  if (!(o.snapshots_from <= last))
+    throw UserError("Snapshots/From: " + to_text(o.snapshots_from) +
+                    " s is after the last one, at " + to_text(last) +
+                    " s, so there would be none; set it earlier, or Interval = 0");
+  return std::min(std::floor((to - o.snapshots_from) / o.snapshots_interval) + 1.,
+                  n_steps);
+}
+
+/** Bytes of all that is recorded every few steps. */
+double history_bytes(const ContactParameters &parameters, const double n_steps)
+{
+  // Of a sample of the histories with the reference node; of a probe; of the energies.
+  constexpr double history_numbers = 18., probe_numbers = 11., energy_numbers = 10.;
+  const ObservationParameters &o = parameters.observation;
+  const double n_probes          = static_cast<double>(o.probes.size());
+  double numbers = history_numbers * n_steps / parameters.history_interval +
+                   probe_numbers * n_probes * n_steps / o.probe_interval;
+  if (parameters.energy_interval > 0)
+    numbers += energy_numbers * n_steps / parameters.energy_interval;
+  return sizeof(double) * numbers;
+}
+
+/** What to do about too many samples. */
+std::string fewer_samples(const ContactParameters &parameters,
+                          const BodyScales &scales,
+                          const double n_steps)
+{
+  const std::string damping = damping_warning(parameters, scales, "them");
+  return brief_text(3,
+                    "increase Observation/History interval (and Probe interval, Energy "
+                    "interval), or reduce Time/End time, now ",
+                    n_steps, " steps of ", parameters.time.end_time / n_steps, " s",
+                    !std::isnan(parameters.step.dt) ? " (Time/Time step)"
+                    : !damping.empty()
+                      ? ": " + damping
+                      : brief_text(3, " (", 100. * parameters.time.safety,
+                                   " % of the critical time step)"));
+}
+} // namespace
+
+RunNeeds run_needs(const ContactParameters &parameters,
+                   const BodyScales &scales,
+                   const double n_steps,
+                   const unsigned int statistics_interval,
+                   const double n_dofs)
+{
+  RunNeeds needs;
+  needs.n_snapshots = number_of_snapshots(parameters, n_steps);
+  // With the samples for the statistics, which are not written.
+  const double histories = history_bytes(parameters, n_steps);
+  needs.memory           = {histories +
+                              sizeof(double) * SteadyRecord::numbers(n_steps / statistics_interval),
+                            fewer_samples(parameters, scales, n_steps)};
+
+  // Displacement, increment and histories, in the old checkpoint and in the new.
+  const double field = sizeof(double) * n_dofs, fields = needs.n_snapshots * field;
+  needs.disk = {fields + histories + 2. * (2. * field + needs.memory.bytes),
+                needs.memory.remedy};
+  if (fields > histories)
+    needs.disk.remedy = to_text(needs.n_snapshots) +
+                        " snapshots take most of it: increase Snapshots/Interval, now " +
+                        to_text(parameters.observation.snapshots_interval) +
+                        " s, or set From and To";
+  return needs;
+}
+} // namespace mesoslip

@@ -1,0 +1,29 @@
+#ifndef mesoslip_sliding_transient_run_needs_h
+#define mesoslip_sliding_transient_run_needs_h
+
+#include "program/output_folder.h"
+#include "sliding/run_plan.h"
+
+namespace mesoslip
+{
+/** What a transient run keeps in memory besides its fields, and writes. */
+struct RunNeeds
+{
+  double n_snapshots = 0.; ///< at most one a step
+  ResourceNeed memory;     ///< of the histories, which are kept until the end
+  ResourceNeed disk;       ///< of dynamics.h5 and the checkpoints when it is largest
+};
+
+/**
+ * Of a run of @p n_steps on a grid or a mesh, whose displacement has @p n_dofs numbers,
+ * with a sample for statistics every @p statistics_interval steps.
+ * @throws UserError when snapshots begin after the end
+ */
+RunNeeds run_needs(const ContactParameters &parameters,
+                   const BodyScales &scales,
+                   const double n_steps,
+                   const unsigned int statistics_interval,
+                   const double n_dofs);
+} // namespace mesoslip
+
+#endif
