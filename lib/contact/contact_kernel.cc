@@ -1,6 +1,6 @@
 // The contact kernel of one instruction set. Compiled once for each set, see
-// elasticity/kernel_variants.h. No branches: comparisons give masks, ?: selects lane by
-// lane.
+// elasticity/kernel_variants.h. No branches by node: comparisons give masks, ?: selects lane
+// by lane.
 #include "contact/contact_kernel.h"
 
 #include "elasticity/kernel_variants.h"
@@ -38,10 +38,15 @@ MESOSLIP_INLINE vdouble at_least_smallest(const vdouble x)
 
 MESOSLIP_INLINE vdouble length_of(const vdouble x, const vdouble y)
 {
-  vdouble length = x * x + y * y;
+  return square_root(x * x + y * y);
+}
+
+MESOSLIP_INLINE bool any(const vint64 mask)
+{
+  std::int64_t all = 0;
   for (unsigned int l = 0; l < Simd<double>::length; ++l)
-    length[l] = __builtin_sqrt(length[l]);
-  return length;
+    all |= mask[l];
+  return all != 0;
 }
 
 /** Sticking nodes, and tangential force and Coulomb's force on the body as if all nodes
@@ -124,10 +129,13 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
   const vint64 moves[2] = {compliance[0] > zero, compliance[1] > zero};
   const vint64 one_held =
     (moves[0] ^ moves[1]) & (absolute(slip[0]) > zero) & (absolute(slip[1]) > zero);
-  vdouble left[2];
-  for (int k = 0; k < 2; ++k)
-    left[k] = one_held & moves[k] ? slip_left(slip[k], slip[1 - k], compliance[k] * limit)
-                                  : slip[k];
+  vdouble left[2] = {slip[0], slip[1]};
+  if (any(one_held)) // of few bodies; takes ten times as long as all else
+    for (int k = 0; k < 2; ++k)
+      {
+        const vdouble found = slip_left(slip[k], slip[1 - k], compliance[k] * limit);
+        left[k]             = one_held & moves[k] ? found : slip[k];
+      }
   const vdouble distance_left = length_of(left[0], left[1]);
   vdouble to_stick[2], direction[2], pull[2];
   vdouble moved = {}, softness = {}; // along the slip, by friction and by a unit force

@@ -91,6 +91,15 @@ MESOSLIP_INLINE vfloat fnma(const vfloat a, const vfloat b, const vfloat c)
 {
   return (vfloat)MESOSLIP_MM(fnmadd_ps)((mfloat)a, (mfloat)b, (mfloat)c);
 }
+
+MESOSLIP_INLINE vdouble square_root(const vdouble x)
+{
+#  ifdef __AVX512F__ // GCC 12 warns of what _mm512_sqrt_pd() leaves open
+  return (vdouble)_mm512_maskz_sqrt_pd(0xff, (mdouble)x);
+#  else
+  return (vdouble)_mm256_sqrt_pd((mdouble)x);
+#  endif
+}
 #else
 template <typename Vector>
 MESOSLIP_INLINE Vector fma(const Vector a, const Vector b, const Vector c)
@@ -102,6 +111,13 @@ template <typename Vector>
 MESOSLIP_INLINE Vector fnma(const Vector a, const Vector b, const Vector c)
 {
   return c - a * b;
+}
+
+MESOSLIP_INLINE vdouble square_root(vdouble x)
+{
+  for (unsigned int l = 0; l < Simd<double>::length; ++l)
+    x[l] = __builtin_sqrt(x[l]);
+  return x;
 }
 #endif
 #undef MESOSLIP_MM
