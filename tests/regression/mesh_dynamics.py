@@ -199,6 +199,22 @@ def check_resumed(folder):
     assert len(whole["time"]) == 1000
 
 
+def check_warnings(folder):
+    """What looks like another unit is warned about as on a grid; a run that no machine can hold is refused as there."""
+    def warnings(prm_file, slips):
+        out = folder.run(0, "contact_dynamics", prm_file, "--validate", *("--set=" + slip for slip in slips))
+        found = [line for line in out.splitlines() if line.startswith("Warning: ")]
+        return sorted(line.replace("Mesh/Scale", "Body/Size") for line in found if "Body/Size along" not in line)
+
+    slips = (["Top/Pressure=5", "Flat/Velocity=3000", "Time/End time=1e-6", "Friction/Coefficient=30", "Flat/Gap=1"],
+             ["Top/Pressure=5e9", "Flat/Velocity=1e-9", "Friction/Regularization time=1", "Top/Platen mass=1e9", "Body/Initial velocity=1000, 0"])
+    for some in slips:
+        of_grid = warnings("grid.prm", some)
+        assert len(of_grid) >= len(some) and warnings("mesh.prm", some) == of_grid, (of_grid, warnings("mesh.prm", some))
+    said = folder.run(2, "contact_dynamics", "mesh.prm", "--output", "none", "--set=Time/End time=1e4", "--set=Time/Time step=auto")
+    assert "of memory, but the machine has" in said and "Observation/History interval" in said, said
+
+
 def check_refused(folder):
     def refused(words, *settings, prm_file="solid.prm"):
         said = folder.run(2, "contact_dynamics", prm_file, "--output", "none", *("--set=" + setting for setting in settings))
@@ -216,6 +232,7 @@ def check_refused(folder):
     refused(["Body/Cells", "the body is a mesh"], "Body/Cells=3, 4")
     refused(["Friction/Node rule"], "Friction/Coefficient=0.25", "Friction/Coefficient from=phases", "Friction/Node rule=largest")
     refused(["Mesh/Held in z", "platen"], "Mesh/Held in z=Top", "Top/Kind=platen")
+    refused(["Snapshots/From: 1 s is after the last one"], "Snapshots/From=1")
     refused(["Time/Time step", "above the critical"], "Time/Time step=1e-6")
     folder.write("friction.prm", prm({"Analysis": "friction homogenization", "Mesh/File": "mesh.msh", **STEEL}))
     refused(["Mesh/File has no effect, as Analysis is 'friction homogenization'"], prm_file="friction.prm")
@@ -228,6 +245,7 @@ def main():
         folder = Folder(path)
         check_grid_as_mesh(folder)
         check_limit_cycle(folder)
+        check_warnings(folder)
         check_solid(folder)
         check_resumed(folder)
         check_refused(folder)

@@ -6,6 +6,7 @@
 #include "material/plausibility.h"
 #include "mesh/mesh_archive.h"
 #include "program/run_context.h"
+#include "sliding/run_plan.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,28 @@
 
 namespace mesoslip
 {
+namespace
+{
+/** Sentences on materials, friction and a static load that look like another unit. */
+template <int dim>
+std::vector<std::string> implausible_body(const std::vector<Phase<dim>> &phases,
+                                          const ContactParameters &parameters,
+                                          const double stiffness)
+{
+  std::vector<PlausibleRange> ranges = plausible_phases<dim>(phases);
+  if (!parameters.friction.coefficient_by_phase)
+    ranges.push_back(
+      plausible_friction("Friction/Coefficient", parameters.friction.coefficient));
+  if (parameters.analysis == ContactAnalysis::static_contact)
+    ranges.push_back(plausible_pressure(
+      "Top/Pressure", std::fabs(parameters.top.pressure.amplitude()), stiffness));
+  std::vector<std::string> sentences = implausible(ranges);
+  if (const std::string one = stiffness_warning<dim>(phases); !one.empty())
+    sentences.push_back(one);
+  return sentences;
+}
+} // namespace
+
 template <int dim>
 MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
   : parameters(with_effective_phase<dim>(given))
@@ -23,6 +46,9 @@ MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
     morphology = read_mesh<dim>(parameters.mesh.mesh, parameters.mesh.mesh.files[0],
                                 parameters.mesh.phases);
     body       = describe_body(morphology, parameters);
+    for (const std::string &sentence :
+         implausible_body<dim>(morphology.phases, parameters, body.scales.stiffness))
+      morphology.warnings.push_back(sentence);
   });
   broadcast_object(MPI_COMM_WORLD, body);
   for (const Phase<dim> &phase : make_phases<dim>(parameters.mesh.phases))
