@@ -83,6 +83,17 @@ std::string scatter(const MPI_Comm communicator, const std::vector<std::string> 
   return texts.front();
 }
 
+std::string scatter(const MPI_Comm communicator,
+                    const std::function<std::string(unsigned int)> &make)
+{
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) > 0)
+    return receive(communicator, 0);
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  for (unsigned int r = 1; r < n_ranks; ++r)
+    send(communicator, static_cast<int>(r), make(r));
+  return {};
+}
+
 void on_root(const MPI_Comm communicator, const std::function<void()> &work)
 {
   using dealii::Utilities::MPI::broadcast;
