@@ -126,6 +126,24 @@ void on_root(const MPI_Comm communicator, const std::function<void()> &work)
     }
 }
 
+std::string scatter(const MPI_Comm communicator,
+                    const std::function<std::string(unsigned int)> &make)
+{
+  const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(communicator),
+                     n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  std::string own;
+  for (unsigned int r = 1; r < n_ranks; ++r)
+    {
+      std::string text;
+      on_root(communicator, [&]() { text = make(r); });
+      if (rank == 0)
+        send(communicator, static_cast<int>(r), text);
+      else if (rank == r)
+        own = receive(communicator, 0);
+    }
+  return own;
+}
+
 void wait_for_all(std::vector<MPI_Request> &requests)
 {
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);

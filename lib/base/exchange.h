@@ -38,6 +38,13 @@ std::vector<std::string> gather(const MPI_Comm communicator, const std::string &
 /** Gives rank r the text r of rank 0. */
 std::string scatter(const MPI_Comm communicator, const std::vector<std::string> &texts);
 
+/**
+ * Gives each rank but the first the text that @p make (its number) returns on rank 0, made
+ * one after the other so that rank 0 never has all of them; on rank 0 empty.
+ */
+std::string scatter(const MPI_Comm communicator,
+                    const std::function<std::string(unsigned int)> &make);
+
 /** Waits for @p requests and forgets them. */
 void wait_for_all(std::vector<MPI_Request> &requests);
 

@@ -129,6 +129,9 @@ public:
   /** Waits until what was written is on the disk. */
   void sync();
 
+  /** flush(), and closes the file as `<path>.part`, for ParallelRows or resume(). */
+  void leave();
+
   /** The final name. */
   const std::string &path() const
   {

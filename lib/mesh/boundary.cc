@@ -18,12 +18,14 @@ namespace mesoslip
 {
 namespace
 {
-/** A face with its points in ascending order, the same for all cells that share it. */
+/** A face of a cell by its points in ascending order, the same for all that share it. As
+ * small as can be: there are six of each hexahedron. */
 template <int dim>
 struct SortedFace
 {
   std::array<unsigned int, BoundaryFace<dim>::max_points> key;
-  BoundaryFace<dim> face;
+  unsigned int cell;
+  unsigned int number; ///< of the face in the cell
 
   bool operator<(const SortedFace &other) const
   {
@@ -42,24 +44,38 @@ sorted_points(const unsigned int *points, const unsigned int n)
   return key;
 }
 
+/** Face @p number of a cell. */
+template <int dim>
+BoundaryFace<dim>
+face_of_cell(const Mesh<dim> &mesh, const unsigned int k, const unsigned int number)
+{
+  const auto &vertices = mesh.cells[k].vertices;
+  const auto cell      = dealii::ReferenceCell::n_vertices_to_type(dim, vertices.size());
+  BoundaryFace<dim> face;
+  face.cell     = k;
+  face.n_points = cell.face_reference_cell(number).n_vertices();
+  for (unsigned int v = 0; v < face.n_points; ++v)
+    face.points[v] = vertices[cell.face_to_cell_vertices(number, v, 1)];
+  return face;
+}
+
 template <int dim>
 std::vector<SortedFace<dim>> faces_of_cells(const Mesh<dim> &mesh)
 {
+  const auto n_faces = [](const auto &cell) {
+    return dealii::ReferenceCell::n_vertices_to_type(dim, cell.vertices.size()).n_faces();
+  };
+  std::size_t n = 0;
+  for (const auto &cell : mesh.cells)
+    n += n_faces(cell);
   std::vector<SortedFace<dim>> faces;
+  faces.reserve(n);
   for (unsigned int k = 0; k < mesh.cells.size(); ++k)
-    {
-      const auto &vertices = mesh.cells[k].vertices;
-      const auto cell = dealii::ReferenceCell::n_vertices_to_type(dim, vertices.size());
-      for (const unsigned int f : cell.face_indices())
-        {
-          BoundaryFace<dim> face;
-          face.cell     = k;
-          face.n_points = cell.face_reference_cell(f).n_vertices();
-          for (unsigned int v = 0; v < face.n_points; ++v)
-            face.points[v] = vertices[cell.face_to_cell_vertices(f, v, 1)];
-          faces.push_back({sorted_points<dim>(face.points.data(), face.n_points), face});
-        }
-    }
+    for (unsigned int f = 0; f < n_faces(mesh.cells[k]); ++f)
+      {
+        const BoundaryFace<dim> face = face_of_cell(mesh, k, f);
+        faces.push_back({sorted_points<dim>(face.points.data(), face.n_points), k, f});
+      }
   std::sort(faces.begin(), faces.end());
   return faces;
 }
@@ -125,18 +141,18 @@ std::vector<BoundaryFace<dim>> boundary_faces(const Mesh<dim> &mesh)
     {
       while (last != faces.end() && last->key == first->key)
         ++last;
+      const BoundaryFace<dim> face = face_of_cell(mesh, first->cell, first->number);
       if (last - first > 2)
-        throw UserError("Mesh/File: " + std::to_string(last - first) +
-                        " cells share the " + (dim == 2 ? "edge" : "face") + " at " +
-                        place(mesh, {first->face.points.begin(),
-                                     first->face.points.begin() + first->face.n_points}) +
-                        "; cells overlap or are there twice, look at the mesh");
+        throw UserError(
+          "Mesh/File: " + std::to_string(last - first) + " cells share the " +
+          (dim == 2 ? "edge" : "face") + " at " +
+          place(mesh, {face.points.begin(), face.points.begin() + face.n_points}) +
+          "; cells overlap or are there twice, look at the mesh");
       if (last - first == 1)
-        result.push_back(first->face);
-      else if (pieces.find_set(first->face.cell) !=
-               pieces.find_set((last - 1)->face.cell))
+        result.push_back(face);
+      else if (pieces.find_set(first->cell) != pieces.find_set((last - 1)->cell))
         {
-          pieces.link(first->face.cell, (last - 1)->face.cell);
+          pieces.link(first->cell, (last - 1)->cell);
           --n_pieces;
         }
     }
@@ -146,6 +162,18 @@ std::vector<BoundaryFace<dim>> boundary_faces(const Mesh<dim> &mesh)
                     "; let parts share their boundary (in Gmsh: BooleanFragments or "
                     "Coherence), or mesh them apart");
   return result;
+}
+
+template <int dim>
+std::vector<std::array<unsigned int, 2>> neighbouring_cells(const Mesh<dim> &mesh)
+{
+  const std::vector<SortedFace<dim>> faces = faces_of_cells(mesh);
+  std::vector<std::array<unsigned int, 2>> pairs;
+  pairs.reserve(faces.size() / 2);
+  for (std::size_t k = 1; k < faces.size(); ++k)
+    if (faces[k - 1].key == faces[k].key)
+      pairs.push_back({{faces[k - 1].cell, faces[k].cell}});
+  return pairs;
 }
 
 template <int dim>
@@ -231,6 +259,8 @@ faces_of_box(const Mesh<dim> &mesh, const std::vector<BoundaryFace<dim>> &faces)
 
 template std::vector<BoundaryFace<2>> boundary_faces(const Mesh<2> &);
 template std::vector<BoundaryFace<3>> boundary_faces(const Mesh<3> &);
+template std::vector<std::array<unsigned int, 2>> neighbouring_cells(const Mesh<3> &);
+template std::vector<std::array<unsigned int, 2>> neighbouring_cells(const Mesh<2> &);
 template BoundaryPoints<2> boundary_points(const Mesh<2> &,
                                            const std::vector<BoundaryFace<2>> &);
 template BoundaryPoints<3> boundary_points(const Mesh<3> &,

@@ -26,6 +26,10 @@ struct BoundaryFace
 template <int dim>
 std::vector<BoundaryFace<dim>> boundary_faces(const Mesh<dim> &mesh);
 
+/** The pairs of cells that share a face, each once. */
+template <int dim>
+std::vector<std::array<unsigned int, 2>> neighbouring_cells(const Mesh<dim> &mesh);
+
 /** Points of a part of the boundary and the areas that they stand for. */
 template <int dim>
 struct BoundaryPoints

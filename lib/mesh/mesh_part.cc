@@ -1,18 +1,17 @@
 #include "mesh/mesh_part.h"
 
 #include "base/exchange.h"
+#include "mesh/boundary.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
-#include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/tria.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 
 namespace mesoslip
 {
@@ -128,6 +127,29 @@ private:
   const std::vector<std::vector<unsigned int>> ranks;
   std::vector<unsigned int> local; ///< of each point of the mesh its index in the part
 };
+
+/** The cells that share a face, as GridTools::get_face_connectivity_of_cells() has them,
+ * but without a Triangulation, which has a kilobyte a hexahedron. */
+template <int dim>
+dealii::SparsityPattern graph_of_cells(const Mesh<dim> &mesh)
+{
+  const auto n     = static_cast<dealii::types::global_dof_index>(mesh.cells.size());
+  const auto pairs = neighbouring_cells(mesh);
+  std::vector<unsigned int> row_lengths(n, 1); // the diagonal
+  for (const auto &[one, other] : pairs)
+    {
+      ++row_lengths[one];
+      ++row_lengths[other];
+    }
+  dealii::SparsityPattern graph(n, n, row_lengths);
+  for (const auto &[one, other] : pairs)
+    {
+      graph.add(one, other);
+      graph.add(other, one);
+    }
+  graph.compress();
+  return graph;
+}
 } // namespace
 
 template <int dim>
@@ -139,13 +161,7 @@ std::vector<unsigned int> partition_cells(const Mesh<dim> &mesh,
   std::vector<unsigned int> ranks(mesh.cells.size(), 0);
   if (n_ranks == 1)
     return ranks;
-  Triangulation<dim> triangulation;
-  triangulation.create_triangulation(mesh.points, mesh.cells, SubCellData());
-  DynamicSparsityPattern connections;
-  GridTools::get_face_connectivity_of_cells(triangulation, connections);
-  SparsityPattern graph;
-  graph.copy_from(connections);
-  SparsityTools::partition(graph, weights, n_ranks, ranks,
+  SparsityTools::partition(graph_of_cells(mesh), weights, n_ranks, ranks,
                            SparsityTools::Partitioner::metis);
   return ranks;
 }
@@ -159,18 +175,16 @@ MeshPart<dim> distribute(const Mesh<dim> &mesh,
   const bool is_root = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   if (n_ranks == 1)
     return PartMaker<dim>(mesh, rank_of_cell).make(0);
-  std::vector<std::string> messages;
+  std::optional<PartMaker<dim>> parts;
   if (is_root)
-    {
-      PartMaker<dim> parts(mesh, rank_of_cell);
-      for (unsigned int rank = 0; rank < n_ranks; ++rank)
-        {
-          MeshPart<dim> part = parts.make(rank);
-          messages.push_back(save_state(part));
-        }
-    }
+    parts.emplace(mesh, rank_of_cell);
+  const std::string message = scatter(communicator, [&parts](const unsigned int rank) {
+    return save_state(parts->make(rank));
+  });
+  if (is_root)
+    return parts->make(0);
   MeshPart<dim> own;
-  load_state(scatter(communicator, messages), own, "the part of the mesh");
+  load_state(message, own, "the part of the mesh");
   return own;
 }
 

@@ -8,11 +8,17 @@
 
 #include <gmsh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
+#include <numeric>
+
+#ifdef __GLIBC__
+#  include <malloc.h>
+#endif
 
 namespace mesoslip
 {
@@ -56,8 +62,10 @@ public:
   {
     std::vector<double> parametric;
     gmsh::model::mesh::getNodes(tags, coordinates, parametric);
-    for (std::size_t k = 0; k < tags.size(); ++k)
-      place[tags[k]] = k;
+    place.resize(tags.size());
+    std::iota(place.begin(), place.end(), 0U);
+    std::sort(place.begin(), place.end(),
+              [this](const auto a, const auto b) { return tags[a] < tags[b]; });
   }
 
   /** All cells (d = dim) or faces (d = dim - 1) that belong to physical groups. */
@@ -106,21 +114,41 @@ public:
                       " a group with the name of its phase, and save only groups");
   }
 
-  const std::string file;                   ///< its name
-  std::vector<std::size_t> tags;            ///< of the points
-  std::vector<double> coordinates;          ///< three a point, in units of the file
-  std::map<std::size_t, std::size_t> place; ///< of a tag in the list
+  const std::string file;          ///< its name
+  std::vector<std::size_t> tags;   ///< of the points
+  std::vector<double> coordinates; ///< three a point, in units of the file
 
 private:
   static std::size_t n_cells(const int d)
   {
-    std::vector<int> types;
-    std::vector<std::vector<std::size_t>> cells, corners;
-    gmsh::model::mesh::getElements(types, cells, corners, d);
     std::size_t n = 0;
-    for (const auto &list : cells)
-      n += list.size();
+    gmsh::vectorpair entities;
+    gmsh::model::getEntities(entities, d);
+    for (const auto &[dimension, entity] : entities)
+      {
+        std::vector<int> types;
+        gmsh::model::mesh::getElementTypes(types, dimension, entity);
+        for (const int type : types)
+          {
+            std::vector<std::size_t> cells, corners;
+            gmsh::model::mesh::getElementsByType(type, cells, corners, entity);
+            n += cells.size();
+          }
+      }
     return n;
+  }
+
+  std::vector<unsigned int> place; ///< in the list, in the order of the tags
+
+  /** Of a tag in the list. */
+  unsigned int place_of(const std::size_t tag) const
+  {
+    const auto found =
+      std::lower_bound(place.begin(), place.end(), tag,
+                       [this](const auto k, const auto t) { return tags[k] < t; });
+    AssertThrow(found != place.end() && tags[*found] == tag,
+                dealii::ExcMessage("Gmsh gave a cell with a point that it did not give"));
+    return *found;
   }
 
   template <int d>
@@ -139,10 +167,12 @@ private:
           {
             dealii::CellData<d> cell(n);
             for (std::size_t v = 0; v < n; ++v)
-              cell.vertices[v] = place.at(nodes[t][k * n + kind.corner[v]]);
+              cell.vertices[v] = place_of(nodes[t][k * n + kind.corner[v]]);
             cell.material_id = group; // or boundary_id, a union of the two
             cells.push_back(std::move(cell));
           }
+        cell_tags[t] = {};
+        nodes[t]     = {};
       }
   }
 
@@ -219,6 +249,38 @@ void order_edges(Mesh<dim> &mesh)
                   [](const auto &cell) { return cell.vertices.size() == 1U << dim; }))
     dealii::GridTools::consistently_order_cells(mesh.cells);
 }
+
+/** What is in the file, without the library's copy of it, which is several times as large.
+ */
+template <int dim>
+Mesh<dim> read_with_gmsh(const std::string &file, const double scale)
+{
+  try
+    {
+      const GmshLibrary library;
+      gmsh::merge(file);
+      GmshReader reader(file);
+      Mesh<dim> mesh;
+      mesh.cells = reader.cells<dim>(mesh.phases);
+      reader.require_groups(dim, mesh.cells.size());
+      mesh.faces = reader.cells<dim - 1>(mesh.boundaries);
+      set_points(mesh, reader, scale);
+      return mesh;
+    }
+  catch (const std::string &message)
+    {
+      throw UserError(file + " cannot be read by Gmsh: " + message);
+    }
+}
+
+/** Returns what is free to the system: many small pieces that would lie idle beside the
+ * large ones of the run. */
+void give_back_memory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 } // namespace
 
 template <int dim>
@@ -231,28 +293,12 @@ Mesh<dim> read_gmsh(const std::string &file, const double scale)
                     "wrote are read (4.1 or 2.2)");
   if (!std::ifstream(file))
     throw UserError("Mesh/File = " + file + " cannot be opened; check the name");
-  try
-    {
-      const GmshLibrary library;
-      gmsh::merge(file);
-      GmshReader reader(file);
-      Mesh<dim> mesh;
-      mesh.cells = reader.cells<dim>(mesh.phases);
-      reader.require_groups(dim, mesh.cells.size());
-      mesh.faces = reader.cells<dim - 1>(mesh.boundaries);
-      set_points(mesh, reader, scale);
-      dealii::GridTools::invert_cells_with_negative_measure(mesh.points, mesh.cells);
-      order_edges(mesh);
-      return mesh;
-    }
-  catch (const UserError &)
-    {
-      throw;
-    }
-  catch (const std::string &message)
-    {
-      throw UserError(file + " cannot be read by Gmsh: " + message);
-    }
+  Mesh<dim> mesh = read_with_gmsh<dim>(file, scale);
+  give_back_memory();
+  dealii::GridTools::invert_cells_with_negative_measure(mesh.points, mesh.cells);
+  order_edges(mesh);
+  give_back_memory();
+  return mesh;
 }
 
 template Mesh<2> read_gmsh(const std::string &, const double);

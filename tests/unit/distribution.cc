@@ -1,17 +1,27 @@
-// A mesh divided among ranks: who has what, and sums at points of several ranks. Runs on
-// any number of ranks.
+// A mesh divided among ranks: who has what, sums at points of several ranks, fields that
+// all ranks write to one file. Runs on any number of ranks.
 
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "io/parallel_rows.h"
 #include "mesh/mesh_part.h"
+#include "mesh/point_blocks.h"
 #include "mesh/shared_points.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <limits>
 #include <set>
+#include <unistd.h>
 
 using namespace mesoslip;
 
@@ -116,6 +126,88 @@ void expect_sums()
       ASSERT_EQ(field[i * stride + dim], 3.);
     }
 }
+
+/** Cells of a whole mesh on the ranks, by way of deal.II's triangulation. */
+template <int dim>
+std::vector<unsigned int> parts_of_triangulation(const Mesh<dim> &mesh,
+                                                 const unsigned int n)
+{
+  using namespace dealii;
+  Triangulation<dim> tria;
+  tria.create_triangulation(mesh.points, mesh.cells, SubCellData());
+  DynamicSparsityPattern connections;
+  GridTools::get_face_connectivity_of_cells(tria, connections);
+  SparsityPattern graph;
+  graph.copy_from(connections);
+  std::vector<unsigned int> ranks(mesh.cells.size());
+  SparsityTools::partition(graph, {}, n, ranks, SparsityTools::Partitioner::metis);
+  return ranks;
+}
+
+/** What a field is at a point of the whole mesh. */
+double value_at(const std::size_t point, const unsigned int c)
+{
+  return std::sqrt(3. * point + c);
+}
+
+/** All ranks write a field at the points of their parts, twice, into one file. */
+template <int dim>
+void expect_one_file()
+{
+  const std::size_t rank = mpi::this_mpi_process(MPI_COMM_WORLD),
+                    n    = mpi::n_mpi_processes(MPI_COMM_WORLD);
+  const std::string path =
+    (std::filesystem::temp_directory_path() /
+     ("mesoslip_rows_" + mpi::broadcast(MPI_COMM_WORLD, std::to_string(getpid())) +
+      ".h5"))
+      .string();
+  const Mesh<dim> mesh       = cube<dim>();
+  const MeshPart<dim> part   = part_of(mesh);
+  const std::size_t n_points = mesh.points.size();
+  const PointBlocks<dim> blocks(part, n_points, MPI_COMM_WORLD);
+  EXPECT_LE(blocks.size(), n_points / n + 1) << "points that rank " << rank << " writes";
+
+  on_root(MPI_COMM_WORLD, [&]() {
+    Hdf5File file = Hdf5File::create(path);
+    file.write_header("mesoslip-dynamics-mesh", 1, dim, "abc");
+    file.reserve_rows("/snapshots/displacement", {2, n_points, dim});
+    file.leave();
+  });
+  std::array<std::vector<double>, dim> field;
+  std::array<const double *, dim> owned;
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      for (std::size_t i = 0; i < part.n_owned; ++i)
+        field[c].push_back(value_at(part.point_in_mesh[i], c));
+      owned[c] = field[c].data();
+    }
+  {
+    ParallelRows rows(path, "/snapshots/displacement", MPI_COMM_WORLD);
+    rows.write(1, blocks.first(), blocks.gather(owned));
+    for (std::vector<double> &component : field)
+      for (double &x : component)
+        x = -x;
+    rows.write(0, blocks.first(), blocks.gather(owned));
+    rows.sync();
+    // One number on one rank stops all.
+    if (rank == n - 1)
+      field[0].back() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(rows.write(0, blocks.first(), blocks.gather(owned)), NumericalFailure);
+  }
+  on_root(MPI_COMM_WORLD, [&]() {
+    Hdf5File::resume(path).close();
+    const Hdf5File file = Hdf5File::open(path);
+    EXPECT_EQ(file.change_note("contact_dynamics"), "");
+    const auto found = file.read<double>("/snapshots/displacement", {2, n_points, dim});
+    for (std::size_t p = 0; p < n_points; ++p)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          ASSERT_EQ(found[p * dim + c], -value_at(p, c));
+          ASSERT_EQ(found[(n_points + p) * dim + c], value_at(p, c));
+        }
+    std::filesystem::remove(path);
+  });
+}
 } // namespace
 
 TEST(Distribution, GivesAwayEverythingOnce)
@@ -146,4 +238,16 @@ TEST(Distribution, CellsFollowTheCurve)
   };
   expect_steps(cube<2>());
   expect_steps(cube<3>());
+}
+
+TEST(Distribution, PartsAreThoseOfTheTriangulation)
+{
+  EXPECT_EQ(partition_cells(cube<2>(), 5), parts_of_triangulation(cube<2>(), 5));
+  EXPECT_EQ(partition_cells(cube<3>(), 4), parts_of_triangulation(cube<3>(), 4));
+}
+
+TEST(Distribution, AllRanksWriteOneFile)
+{
+  expect_one_file<2>();
+  expect_one_file<3>();
 }

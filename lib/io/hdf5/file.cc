@@ -128,6 +128,11 @@ std::string to_text(const Shape &shape)
   return text;
 }
 
+void hdf5::note_failed_writing()
+{
+  writing_failed = true;
+}
+
 bool Hdf5Handle::close()
 {
   const std::int64_t owned = std::exchange(id, -1);
@@ -212,6 +217,15 @@ void Hdf5File::sync()
   if (H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor) < 0 ||
       fsync(*static_cast<const int *>(descriptor)) != 0)
     fail_writing("cannot be written");
+}
+
+void Hdf5File::leave()
+{
+  flush();
+  write_first_line(file_path + ".part", unfinished);
+  if (!file.close())
+    fail_writing("cannot be written");
+  write_first_line(file_path + ".part", flushed);
 }
 
 void Hdf5File::close()

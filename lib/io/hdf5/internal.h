@@ -35,6 +35,9 @@ Signature check_signature(const std::string &path);
 
 namespace hdf5
 {
+/** From now on Hdf5File::writing_has_failed(). */
+void note_failed_writing();
+
 /** The type of the numbers T in memory. */
 template <typename T>
 hid_t native_type()

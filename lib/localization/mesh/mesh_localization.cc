@@ -71,18 +71,23 @@ public:
 private:
   RankWork<dim> distribute_work(const RunContext &context)
   {
-    std::vector<std::string> texts;
+    // Of all cells, on rank 0, until each rank has its own.
+    std::vector<double> L;
     on_root(context.communicator(), [&]() {
-      const std::vector<double> L = input->rve.concentration(parameters.concentration);
+      L = input->rve.concentration(parameters.concentration);
       check_concentration(L);
-      const auto n_ranks = static_cast<std::size_t>(context.n_ranks());
-      for (std::size_t r = 0; r < n_ranks; ++r)
-        texts.push_back(save_state(
-          work_of(input->first_cell(r, n_ranks), input->first_cell(r + 1, n_ranks), L)));
     });
+    const auto n_ranks      = static_cast<std::size_t>(context.n_ranks());
+    const auto work_of_rank = [&](const std::size_t r) {
+      return work_of(input->first_cell(r, n_ranks), input->first_cell(r + 1, n_ranks), L);
+    };
+    const std::string text = scatter(context.communicator(), [&](const unsigned int r) {
+      return save_state(work_of_rank(r));
+    });
+    if (context.root())
+      return work_of_rank(0);
     RankWork<dim> work;
-    load_state(scatter(context.communicator(), texts), work,
-               "the message of another process");
+    load_state(text, work, "the message of another process");
     return work;
   }
 

@@ -37,9 +37,6 @@ std::vector<std::uint64_t> snapshot_steps(const ObservationParameters &o,
   return steps;
 }
 
-/** Owned points of a rank with the displacement there. */
-using Displacements = std::pair<std::vector<unsigned int>, std::vector<double>>;
-
 } // namespace
 
 template <int dim>
@@ -79,7 +76,17 @@ void MeshOutput<dim>::begin(const Stepper &of_stepper, const std::uint64_t n_don
     if (has_snapshots())
       file->reserve_rows(mesh_snapshots, {steps.size(), body.n_points, dim});
     file->flush();
+    if (has_snapshots())
+      {
+        file->leave();
+        file.reset();
+      }
   });
+  if (has_snapshots())
+    {
+      blocks.emplace(part, body.n_points, context.communicator());
+      rows.emplace(context.file("dynamics.h5"), mesh_snapshots, context.communicator());
+    }
 }
 
 template <int dim>
@@ -90,40 +97,33 @@ std::uint64_t MeshOutput<dim>::next_step(const std::uint64_t n) const
 }
 
 template <int dim>
-std::vector<double> MeshOutput<dim>::whole_displacement() const
-{
-  std::vector<double> own(std::size_t(part.n_owned) * dim);
-  for (unsigned int i = 0; i < part.n_owned; ++i)
-    for (unsigned int c = 0; c < dim; ++c)
-      own[std::size_t(i) * dim + c] = stepper->u.row(c, 0)[i];
-  const std::vector<unsigned int> points(part.point_in_mesh.begin(),
-                                         part.point_in_mesh.begin() + part.n_owned);
-  std::vector<double> whole(context.root() ? body.n_points * dim : 0);
-  for (const std::string &message :
-       gather(context.communicator(), save_state(Displacements(points, own))))
-    {
-      Displacements of_rank;
-      load_state(message, of_rank, "the message of another process");
-      for (std::size_t i = 0; i < of_rank.first.size(); ++i)
-        std::copy_n(&of_rank.second[i * dim], dim,
-                    &whole[std::size_t(of_rank.first[i]) * dim]);
-    }
-  return whole;
-}
-
-template <int dim>
 void MeshOutput<dim>::before_step(const std::uint64_t)
 {
-  const std::vector<double> whole = whole_displacement();
-  if (context.root())
-    file->write_row(mesh_snapshots, n_written, whole);
+  std::array<const double *, dim> u;
+  for (unsigned int c = 0; c < dim; ++c)
+    u[c] = stepper->u.row(c, 0);
+  rows->write(n_written, blocks->first(), blocks->gather(u));
   ++n_written;
 }
 
 template <int dim>
 void MeshOutput<dim>::sync()
 {
-  file->sync();
+  if (rows)
+    rows->sync();
+  else
+    on_root(context.communicator(), [&]() { file->sync(); });
+}
+
+template <int dim>
+void MeshOutput<dim>::end()
+{
+  if (!rows)
+    return;
+  rows.reset();
+  on_root(context.communicator(), [&]() {
+    file.emplace(Hdf5File::resume(context.file("dynamics.h5"), "start again"));
+  });
 }
 
 template <int dim>

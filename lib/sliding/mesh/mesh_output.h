@@ -1,7 +1,8 @@
 #ifndef mesoslip_sliding_mesh_mesh_output_h
 #define mesoslip_sliding_mesh_mesh_output_h
 
-#include "io/hdf5_file.h"
+#include "io/parallel_rows.h"
+#include "mesh/point_blocks.h"
 #include "program/run_context.h"
 #include "sliding/mesh/mesh_body.h"
 #include "sliding/transient/transient_result.h"
@@ -45,14 +46,16 @@ public:
   std::uint64_t next_step(const std::uint64_t n) const override;
   void before_step(const std::uint64_t n) override;
 
-  /** On rank 0: the snapshots are on the disk. */
+  /** The snapshots are on the disk. */
   void sync();
 
-  /** On rank 0: everything else, once. */
+  /** There are no more snapshots. */
+  void end();
+
+  /** On rank 0, after end(): everything else, once. */
   void write(const TransientResult &result);
 
 private:
-  std::vector<double> whole_displacement() const;
   void write_contact();
 
   RunContext &context;
@@ -63,7 +66,11 @@ private:
   const Stepper *stepper = nullptr;
   std::vector<std::uint64_t> steps; ///< of the snapshots
   std::uint64_t n_written = 0;
-  std::optional<Hdf5File> file; ///< on rank 0
+  std::optional<Hdf5File> file; ///< on rank 0, but not while all write snapshots
+
+  /** Between begin() and end(), if there are snapshots. */
+  std::optional<ParallelRows> rows;
+  std::optional<PointBlocks<dim>> blocks; ///< see rows
 };
 } // namespace mesoslip
 

@@ -160,7 +160,7 @@ CheckpointPosition MeshRun<dim>::position() const
 template <int dim>
 void MeshRun<dim>::save()
 {
-  on_root(context.communicator(), [&]() { output.sync(); });
+  output.sync();
   checkpoint.write(position(), save_state(*this));
 }
 

@@ -149,6 +149,7 @@ void MeshTransient<dim>::run(RunContext &context)
   if (resumed)
     run.restore();
   TransientResult result = run.run();
+  output.end();
   on_root(context.communicator(), [&]() {
     result.evaluate();
     output.write(result);
