@@ -2,7 +2,6 @@
 // once for each set, see kernel_variants.h.
 #include "elasticity/element_kernel.h"
 
-#include <cmath>
 #include <cstring>
 
 #ifdef __x86_64__
@@ -45,9 +44,7 @@ simplex_gradients(const CellBatches &cells, const double *points, double *gradie
             J[c][d] = x[c] - first[c];
         }
       const vdouble determinant = adjugate(J, A);
-      vdouble scale;
-      for (unsigned int l = 0; l < n_lanes; ++l)
-        scale[l] = std::sqrt(volume / determinant[l]);
+      const vdouble scale       = square_root(splat(volume) / determinant);
       for (int d = 0; d < dim; ++d)
         for (int c = 0; c < dim; ++c)
           store(gradients + ((k * dim + d) * dim + c) * n_lanes, scale * A[d][c]);

@@ -48,6 +48,37 @@ def check_grid_as_mesh(folder, velocity, top):
         found, others = columns(folder, "mesh", *names, "shear_traction [Pa]")
         assert_close(expected, found, 1e-6)
         assert states == others, (ranks, states, others)
+        assert_same_pressures(folder, 1e-6)
+
+
+def assert_same_pressures(folder, tolerance):
+    """What follows from the pressures of the only phase, eqs (17) and (19)."""
+    grid, mesh = folder.summary("grid"), folder.summary("mesh")
+    for key in ("surface_fractions", "phase_contact_pressures", "phase_pressures_eq_19", "homogenized_friction_coefficient"):
+        assert len(grid[key]) == len(mesh[key]) > 0
+        for one, other in zip(grid[key].values(), mesh[key].values()):
+            assert abs(one - other) <= tolerance * abs(one), (key, one, other)
+    assert abs(grid["phase_pressure_imbalance"] - mesh["phase_pressure_imbalance"]) <= tolerance
+
+
+def check_two_phases(folder):
+    """Columns of two phases without Poisson's ratio under a platen are compressed alike, as eq. (19) says."""
+    phases = {"Phases/Names": "soft, stiff", "Friction/Coefficient from": "phases"}
+    for name, modulus, friction in (("soft", 10e9, 0.1), ("stiff", 30e9, 0.5)):
+        phases.update({f"Phases/{name}/{key}": value for key, value in (
+            ("Young modulus", modulus), ("Poisson ratio", 0), ("Density", DENSITY), ("Friction coefficient", friction))})
+    folder.write("columns.prm", "set Dimension = 3\n" + prm({
+        "Analysis": "static contact", "Top/Kind": "platen", "Top/Pressure": 1e6, "Flat/Velocity": 0, "Mesh/File": "mesh.msh",
+        "Mesh/Scale": 0.001, **phases}))
+    box = Box([8, 2, 3], [8, 2, 3], lambda x: "soft" if x[0] < 6 else "stiff")
+    box.name_side("Contact", 2, False).name_side("Top", 2, True).write(folder("mesh.msh"))
+    for ranks in (1, 2):
+        folder.run(0, "contact_dynamics", "columns.prm", "--output", "columns", ranks=ranks)
+        found = folder.summary("columns")
+        assert_close([np.array([0.75, 0.25]), np.array([2 / 3 * 1e6, 2e6]), np.array([2 / 3 * 1e6, 2e6]), np.array([0.3, 0.3])],
+                     [np.array(list(found[key].values())) for key in (
+                         "surface_fractions", "phase_contact_pressures", "phase_pressures_eq_19", "homogenized_friction_coefficient")], 1e-6)
+        assert found["phase_pressure_imbalance"] < 1e-6
 
 
 def check_layer(folder):
@@ -85,3 +116,4 @@ with tempfile.TemporaryDirectory() as path:
     check_grid_as_mesh(scenes, 2, "platen")
     check_layer(scenes)
     check_refused(scenes)
+    check_two_phases(scenes)

@@ -54,8 +54,7 @@ void ParallelRows::write(const std::size_t row,
   Shape count(all.begin(), all.end()), offset(count.size(), 0);
   AssertThrow(row < count[0], dealii::ExcIndexRange(row, 0, count[0]));
   count[0] = 1;
-  count[1] = 1;
-  count[1] = values.size() / hdf5::product(count);
+  count[1] = values.size() / hdf5::product({count.begin() + 2, count.end()});
   AssertThrow(values.size() == hdf5::product(count) && first + count[1] <= all[1],
               dealii::ExcMessage("a piece of a row has to lie in it"));
   offset[0]               = row;

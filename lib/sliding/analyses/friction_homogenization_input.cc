@@ -233,8 +233,8 @@ read_friction_homogenization(const FrictionHomogenizationParameters &parameters,
   BodyDescription body = file.heterogeneous_body();
   set_friction_coefficients(body, input.heterogeneous, rve_file, input.warnings);
   const std::vector<double> of_surface = body.fractions(body.grid.cells[0]);
-  input.surface                        = contact_phases(body.phases, of_surface);
-  input.volume = contact_phases(body.phases, body.fractions(body.grid.n_cells()));
+  input.surface                        = contact_phases<2>(body.phases, of_surface);
+  input.volume = contact_phases<2>(body.phases, body.fractions(body.grid.n_cells()));
   for (std::size_t p = 0; p < body.phases.size(); ++p)
     if (of_surface[p] > 0.)
       input.phase_names.push_back(body.phases[p].name);

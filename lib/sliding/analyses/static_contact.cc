@@ -86,38 +86,16 @@ std::vector<double> bottom_cell_pressures(const BodyDescription &body,
   return pressure;
 }
 
-void evaluate_phases(const ContactParameters &parameters,
-                     const BodyDescription &body,
-                     StaticContactResult &result)
+PhasePressures pressures_of_phases(const ContactParameters &parameters,
+                                   const BodyDescription &body,
+                                   const StaticContactResult &result)
 {
   const unsigned int nx = body.grid.cells[0];
-  std::vector<double> sum(body.phases.size(), 0.), pressures;
+  std::vector<double> sum(body.phases.size(), 0.);
   for (unsigned int i = 0; i < nx; ++i)
     sum[body.phase_of(i)] += result.cell_pressure[i] / nx;
-  result.surface_fraction          = body.fractions(nx);
-  std::vector<ContactPhase> phases = contact_phases(body.phases, result.surface_fraction);
-  const std::vector<double> repartition =
-    static_pressure_repartition(parameters.top.pressure.amplitude(), phases);
-
-  for (std::size_t p = 0; p < body.phases.size(); ++p)
-    {
-      result.phase_pressure.emplace_back();
-      result.repartition.emplace_back();
-      if (const double f = result.surface_fraction[p]; f > 0.)
-        {
-          result.repartition.back()    = repartition[pressures.size()];
-          result.phase_pressure.back() = pressures.emplace_back(sum[p] / f);
-        }
-    }
-  const double total        = std::accumulate(sum.begin(), sum.end(), 0.);
-  const double force        = result.normal_force / body.grid.extent(0);
-  result.pressure_imbalance = std::fabs(total - force) / std::fabs(force);
-
-  if (!parameters.friction.coefficient_by_phase)
-    for (ContactPhase &phase : phases)
-      phase.friction_coefficient = parameters.friction.coefficient;
-  result.mu_homo             = homogenized_friction_coefficient(phases, pressures);
-  result.mu_homo_repartition = homogenized_friction_coefficient(phases);
+  return phase_pressures<2>(parameters, body.phases, body.fractions(nx), sum,
+                            result.normal_force / body.grid.extent(0));
 }
 } // namespace
 
@@ -166,19 +144,6 @@ void check_static_contact(const ContactParameters &parameters,
             " m: there is no equilibrium; reduce it, or set Top/Kind = platen");
 }
 
-std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
-                                         const std::vector<double> &fractions)
-{
-  std::vector<ContactPhase> result;
-  for (std::size_t p = 0; p < phases.size(); ++p)
-    if (fractions[p] > 0.)
-      {
-        const double E = closest_isotropic<2>(phases[p].stiffness).young_modulus;
-        result.push_back({fractions[p], E, phases[p].friction_coefficient});
-      }
-  return result;
-}
-
 StaticContactResult compute_static_contact(const ContactParameters &parameters,
                                            const BodyDescription &body,
                                            const UniformMaterial &material,
@@ -207,7 +172,7 @@ StaticContactResult compute_static_contact(const ContactParameters &parameters,
     }
   result.cell_pressure =
     bottom_cell_pressures(body, material, result.solution.displacement);
-  evaluate_phases(parameters, body, result);
+  result.phases = pressures_of_phases(parameters, body, result);
   return result;
 }
 } // namespace mesoslip

@@ -2,12 +2,11 @@
 #define mesoslip_sliding_analyses_static_contact_h
 
 #include "contact/static_contact_solver.h"
-#include "homogenization/homogenized_friction.h"
+#include "sliding/analyses/phase_pressures.h"
 #include "sliding/body_analysis.h"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <optional>
 #include <vector>
 
 namespace mesoslip
@@ -24,18 +23,7 @@ struct StaticContactResult
   std::vector<double> node_shear;    ///< shear traction of the bottom nodes (Pa)
   std::vector<double> cell_pressure; ///< mean of -sigma_yy in the bottom cells (Pa)
 
-  /** Share of the bottom and mean of cell_pressure by phase; none for an absent phase. */
-  std::vector<double> surface_fraction;
-  std::vector<std::optional<double>> phase_pressure; ///< Pa
-
-  /** The same by the static pressure repartition, eq. (19). */
-  std::vector<std::optional<double>> repartition;
-
-  /** Relative difference between the cells' pressures and the normal force. */
-  double pressure_imbalance = 0.;
-
-  double mu_homo             = 0.; ///< of eq. (17) with the phases' pressures
-  double mu_homo_repartition = 0.; ///< of eq. (17) with the pressures of eq. (19)
+  PhasePressures phases; ///< from cell_pressure
 };
 
 /** @throws UserError if supports and loads allow no equilibrium. */
@@ -49,13 +37,6 @@ StaticContactResult compute_static_contact(const ContactParameters &parameters,
                                            const UniformMaterial &material,
                                            const StaticContactOptions &options,
                                            const MPI_Comm communicator = MPI_COMM_SELF);
-
-/**
- * The phases that take part in the contact with @p fractions of it as areas, Young's moduli
- * of the closest isotropic solids, friction coefficients. Absent phases are left out.
- */
-std::vector<ContactPhase> contact_phases(const std::vector<Phase<2>> &phases,
-                                         const std::vector<double> &fractions);
 
 /** Analysis "static contact": static_contact.csv, dynamics.h5 with one snapshot. */
 class StaticContactAnalysis : public BodyAnalysis

@@ -29,23 +29,11 @@ void StaticContactAnalysis::log_result(RunContext &context) const
                          " nodes in contact (", count(ContactState::stick), " stick), ",
                          separated, " separated; ", s.iterations, " iterations, ",
                          s.solver_iterations, " of the solver"));
-  for (std::size_t p = 0; p < body.phases.size(); ++p)
-    context.log(
-      "  " + body.phases[p].name + " " +
-      (result.phase_pressure[p]
-         ? quantity_text(100. * result.surface_fraction[p], "%") +
-             " of the contact, mean pressure " +
-             quantity_text(1e-6 * *result.phase_pressure[p], "MPa") +
-             " (eq. 19: " + quantity_text(1e-6 * *result.repartition[p], "MPa") + ")"
-         : "not in contact"));
-  const bool slides = parameters.contact.flat_velocity.amplitude() != 0.;
-  context.log(brief_text(
-    4, "Homogenized friction coefficient, eq. (17): ", result.mu_homo,
-    " with these pressures, ", result.mu_homo_repartition, " with those of eq. (19)",
-    slides ? "; tangential over normal force, by the coefficients of the "
-             "nodes: " +
-               quantity_text(std::fabs(result.tangential_force / result.normal_force), "")
-           : ""));
+  std::optional<double> sliding;
+  if (parameters.contact.flat_velocity.amplitude() != 0.)
+    sliding = std::fabs(result.tangential_force / result.normal_force);
+  for (const std::string &line : pressure_lines(result.phases, sliding))
+    context.log(line);
 }
 
 void StaticContactAnalysis::write_table(const RunContext &context) const
@@ -101,23 +89,14 @@ void StaticContactAnalysis::write_summary(nlohmann::json &json) const
      {"flat_velocity", parameters.contact.flat_velocity.amplitude()},
      {"friction_coefficient",
       mu.coefficient_by_phase ? nlohmann::json() : nlohmann::json(mu.coefficient)},
-     {"phase_pressure_imbalance", result.pressure_imbalance},
      {"normal_force", result.normal_force},
      {"tangential_force", result.tangential_force},
-     {"homogenized_friction_coefficient",
-      {{"static_contact", result.mu_homo}, {"eq_19", result.mu_homo_repartition}}},
      {"iterations", s.iterations},
      {"state_changes", s.state_changes},
      {"solver_iterations", s.solver_iterations},
      {"residual", s.residual},
      {"friction_change", s.friction_change}});
-  for (std::size_t p = 0; p < body.phases.size(); ++p)
-    {
-      const std::string &name               = body.phases[p].name;
-      json["surface_fractions"][name]       = result.surface_fraction[p];
-      json["phase_contact_pressures"][name] = result.phase_pressure[p];
-      json["phase_pressures_eq_19"][name]   = result.repartition[p];
-    }
+  add_pressures(result.phases, json);
   for (const ContactState state :
        {ContactState::stick, ContactState::slip, ContactState::separated})
     json["nodes"][to_string(state)] = count(state);

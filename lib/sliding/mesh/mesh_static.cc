@@ -10,6 +10,7 @@
 #include "sliding/body_analysis.h"
 #include "sliding/mesh/mesh_analysis.h"
 #include "sliding/mesh/mesh_file.h"
+#include "sliding/mesh/mesh_pressures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,15 @@ private:
   {
     return std::accumulate(solution.normal_force.begin(), solution.normal_force.end(),
                            0.);
+  }
+
+  /** Likewise along axis @p c. */
+  double tangential_force(const unsigned int c) const
+  {
+    double sum = 0.;
+    for (std::size_t k = c; k < solution.tangential_force.size(); k += dim - 1)
+      sum += solution.tangential_force[k];
+    return sum;
   }
 
   void evaluate();
@@ -270,14 +280,11 @@ template <int dim>
 void MeshStatic<dim>::summarize(RunContext &context) const
 {
   this->summarize_body("static contact", context);
-  nlohmann::json &json                   = context.summary();
-  json["pressure"]                       = this->parameters.top.pressure.amplitude();
-  json["normal_force"]                   = normal_force();
-  std::array<double, dim - 1> tangential = {};
-  for (std::size_t k = 0; k < solution.tangential_force.size(); ++k)
-    tangential[k % (dim - 1)] += solution.tangential_force[k];
-  for (std::size_t c = 0; c < tangential.size(); ++c)
-    json[along_flat("tangential_force", c)] = tangential[c];
+  nlohmann::json &json = context.summary();
+  json["pressure"]     = this->parameters.top.pressure.amplitude();
+  json["normal_force"] = normal_force();
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    json[along_flat("tangential_force", c)] = tangential_force(c);
   json["iterations"]        = solution.iterations;
   json["state_changes"]     = solution.state_changes;
   json["solver_iterations"] = solution.solver_iterations;
@@ -315,10 +322,18 @@ void MeshStatic<dim>::run(RunContext &context)
                          " of the solver"));
   if (!context.root())
     return;
-  const auto scope = context.timer().scope("Output");
+  const auto scope               = context.timer().scope("Output");
+  const PhasePressures of_phases = mesh_phase_pressures(
+    this->morphology, this->parameters, solution.displacement, normal_force());
+  std::optional<double> sliding;
+  if (this->parameters.contact.flat_velocity.amplitude() != 0.)
+    sliding = std::fabs(tangential_force(0)) / normal_force();
+  for (const std::string &line : pressure_lines(of_phases, sliding))
+    context.log(line);
   write_contact_table(context);
   write_static_file(context);
   summarize(context);
+  add_pressures(of_phases, context.summary());
 }
 } // namespace
 

@@ -92,17 +92,17 @@ private:
   TimeStepChoice time_step() const
   {
     constexpr double most_steps = 1e15;
-    TimeStepChoice time   = choose_time_step(this->parameters, scales.highest_frequency);
-    const double end_time = this->parameters.time.end_time, n = end_time / time.step.dt;
+    TimeStepChoice choice = choose_time_step(this->parameters, scales.highest_frequency);
+    const double end_time = this->parameters.time.end_time, n = end_time / choice.step.dt;
     if (!(n < most_steps))
       throw UserError("Time/End time: " + to_text(end_time) + " s are " +
                       quantity_text(n, "") +
                       " steps, more than any run can do; are Mesh/Scale, materials and "
                       "times in SI units?");
-    time.statistics_interval =
-      statistics_interval(this->body.shortest_side / scales.wave_speed, time.step.dt);
-    check_steady_from(this->parameters, n, time.statistics_interval);
-    return time;
+    choice.statistics_interval =
+      statistics_interval(this->body.shortest_side / scales.wave_speed, choice.step.dt);
+    check_steady_from(this->parameters, n, choice.statistics_interval);
+    return choice;
   }
 
   std::vector<std::string> warnings() const

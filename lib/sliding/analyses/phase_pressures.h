@@ -1,0 +1,59 @@
+#ifndef mesoslip_sliding_analyses_phase_pressures_h
+#define mesoslip_sliding_analyses_phase_pressures_h
+
+#include "homogenization/homogenized_friction.h"
+#include "sliding/contact_parameters.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** What the phases carry of a static contact, and the coefficients of friction that follow;
+ * by phase, with nothing for phases that are not in contact. */
+struct PhasePressures
+{
+  std::vector<std::string> names;                 ///< of the phases
+  std::vector<double> surface_fraction;           ///< share of the contact
+  std::vector<std::optional<double>> pressure;    ///< mean (Pa)
+  std::vector<std::optional<double>> repartition; ///< by eq. (19) (Pa)
+
+  /** Relative difference between these pressures and the force on the flat. */
+  double imbalance = 0.;
+
+  double mu_homo             = 0.; ///< of eq. (17) with the phases' pressures
+  double mu_homo_repartition = 0.; ///< of eq. (17) with the pressures of eq. (19)
+};
+
+/**
+ * From the integral of the pressure over each phase's part of the contact, over the area of
+ * the whole contact (@p sum, Pa), and the mean pressure of the flat (Pa).
+ */
+template <int dim>
+PhasePressures phase_pressures(const ContactParameters &parameters,
+                               const std::vector<Phase<dim>> &phases,
+                               const std::vector<double> &surface_fraction,
+                               const std::vector<double> &sum,
+                               const double mean_pressure);
+
+/**
+ * The phases that take part in the contact with @p fractions of it as areas, Young's moduli
+ * of the closest isotropic solids, friction coefficients. Absent phases are left out.
+ */
+template <int dim>
+std::vector<ContactPhase> contact_phases(const std::vector<Phase<dim>> &phases,
+                                         const std::vector<double> &fractions);
+
+/** Lines for the log; @p sliding is the tangential over the normal force of a sliding body.
+ */
+std::vector<std::string> pressure_lines(const PhasePressures &found,
+                                        const std::optional<double> sliding);
+
+/** The same for summary.json. */
+void add_pressures(const PhasePressures &found, nlohmann::json &json);
+} // namespace mesoslip
+
+#endif
