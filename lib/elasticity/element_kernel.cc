@@ -68,7 +68,7 @@ multiply_simplex(const CellBatches &cells, const double *, const double *u, doub
           for (int c = 0; c < dim; ++c)
             {
               v[d][c] -= first[c];
-              A[d][c] = load(gradients + (d * dim + c) * n_lanes);
+              A[d][c] = load(gradients + std::size_t(d * dim + c) * n_lanes);
             }
         }
       const double *C =
@@ -175,9 +175,11 @@ multiply_matrix(const CellBatches &cells, const double *, const double *u, doubl
         {
           vdouble sum[n_rows] = {};
           for (int j = 0; j < n_dofs; ++j)
+            {
 #pragma GCC unroll 32
-            for (int i = 0; i < n_rows; ++i)
-              sum[i] = fma(splat(K[j * n_dofs + row + i]), v[j / dim][j % dim], sum[i]);
+              for (int i = 0; i < n_rows; ++i)
+                sum[i] = fma(splat(K[j * n_dofs + row + i]), v[j / dim][j % dim], sum[i]);
+            }
 #pragma GCC unroll 32
           for (int i = 0; i < n_rows; ++i)
             force[(row + i) / dim][(row + i) % dim] = sum[i];

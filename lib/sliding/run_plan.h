@@ -132,7 +132,7 @@ std::string large_strain_warning(const Deformation &found,
 std::string inverted_cell_text(const Deformation &found, const PlaceText &place);
 
 /** The load that alone strains the body most, in words. */
-std::string likely_cause(const ContactParameters &parameters, const BodyScales &scales);
+std::string likely_cause(const ContactParameters &parameters, const BodyScales &body);
 
 /**
  * Ends a run that has gone wrong before step @p n.
