@@ -140,8 +140,8 @@ TEST(StaticContact, UniformCompression)
       EXPECT_NEAR(u.row(1, 10)[7] / (strain[1] * 2e-3), 1., 1e-8);
       EXPECT_NEAR((u.row(0, 5)[35] - u.row(0, 5)[0]) / (strain[0] * 7e-3), 1., 1e-8);
       EXPECT_NEAR(result.normal_force / (P * 7e-3), 1., 1e-9);
-      EXPECT_NEAR(*result.phase_pressure[0] / P, 1., 1e-8);
-      EXPECT_NEAR(*result.repartition[0] / P, 1., 1e-12);
+      EXPECT_NEAR(*result.phases.pressure[0] / P, 1., 1e-8);
+      EXPECT_NEAR(*result.phases.repartition[0] / P, 1., 1e-12);
     }
 }
 
@@ -180,12 +180,12 @@ TEST(StaticContact, LaminateUnderPlaten)
     for (unsigned int i = 4; i < 50; i += 10)
       c.body.phase_id[j * 50 + i] = 1;
   const auto result = c.run();
-  EXPECT_NEAR(result.surface_fraction[1], 0.1, 1e-12);
+  EXPECT_NEAR(result.phases.surface_fraction[1], 0.1, 1e-12);
   for (unsigned int p = 0; p < 2; ++p)
-    EXPECT_NEAR(*result.phase_pressure[p] / *result.repartition[p], 1., 1e-8);
+    EXPECT_NEAR(*result.phases.pressure[p] / *result.phases.repartition[p], 1., 1e-8);
   // Table 4: 2.35 and 0.29 MPa.
-  EXPECT_NEAR(*result.phase_pressure[1], 2.353e6, 1e3);
-  EXPECT_NEAR(*result.phase_pressure[0], 0.294e6, 1e3);
+  EXPECT_NEAR(*result.phases.pressure[1], 2.353e6, 1e3);
+  EXPECT_NEAR(*result.phases.pressure[0], 0.294e6, 1e3);
 }
 
 TEST(StaticContact, FibresUnderPlatenBalance)
@@ -197,11 +197,11 @@ TEST(StaticContact, FibresUnderPlatenBalance)
   expect_contact_conditions(c, result, 1);
   EXPECT_NEAR(result.normal_force / (P * 14e-3), 1., 1e-12);
   EXPECT_NEAR(result.tangential_force / (0.25 * P * 14e-3), 1., 1e-8);
-  EXPECT_LT(result.pressure_imbalance, 1e-8);
-  EXPECT_GT(*result.phase_pressure[1], 2. * *result.phase_pressure[0]);
+  EXPECT_LT(result.phases.imbalance, 1e-8);
+  EXPECT_GT(*result.phases.pressure[1], 2. * *result.phases.pressure[0]);
   double mean = 0.;
   for (unsigned int p = 0; p < 2; ++p)
-    mean += result.surface_fraction[p] * *result.phase_pressure[p];
+    mean += result.phases.surface_fraction[p] * *result.phases.pressure[p];
   EXPECT_NEAR(mean / P, 1., 1e-8);
 
   // The platen takes the friction up.
