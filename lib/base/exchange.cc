@@ -144,6 +144,13 @@ std::string scatter(const MPI_Comm communicator,
   return own;
 }
 
+void sum_over_ranks(std::vector<double> &values, const MPI_Comm communicator)
+{
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()),
+                  MPI_DOUBLE, MPI_SUM, communicator);
+}
+
 void wait_for_all(std::vector<MPI_Request> &requests)
 {
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);

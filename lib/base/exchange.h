@@ -45,6 +45,9 @@ std::string scatter(const MPI_Comm communicator, const std::vector<std::string> 
 std::string scatter(const MPI_Comm communicator,
                     const std::function<std::string(unsigned int)> &make);
 
+/** Replaces @p values, as many on all ranks, by their sums over the ranks. */
+void sum_over_ranks(std::vector<double> &values, const MPI_Comm communicator);
+
 /** Waits for @p requests and forgets them. */
 void wait_for_all(std::vector<MPI_Request> &requests);
 

@@ -1,9 +1,57 @@
 #include "contact/contact_recorder.h"
 
+#include "base/exchange.h"
+#include "dynamics/shared_nodes.h"
+
+#include <deal.II/base/mpi.h>
+
 #include <utility>
 
 namespace mesoslip
 {
+namespace
+{
+constexpr unsigned int no_node = SharedNodes::none;
+} // namespace
+
+void sum_over_ranks(ContactHistory &samples, const MPI_Comm communicator)
+{
+  for (auto *values : {&samples.normal_force, &samples.tangential_force,
+                       &samples.sticking, &samples.slipping, &samples.separated,
+                       &samples.friction_energy, &samples.impact_energy})
+    sum_over_ranks(*values, communicator);
+  for (MonitoredNode &node : samples.nodes)
+    for (auto *values :
+         {&node.ux, &node.uy, &node.vx, &node.vy, &node.normal_force,
+          &node.tangential_force, &node.across.u, &node.across.v, &node.across.force})
+      sum_over_ranks(*values, communicator);
+}
+
+std::vector<NodeCounts> gather_nodes(const std::vector<NodeCounts> &blocks,
+                                     const std::vector<unsigned int> &places,
+                                     const std::size_t n_nodes,
+                                     const MPI_Comm communicator)
+{
+  std::vector<NodeCounts> whole;
+  const auto all_places = dealii::Utilities::MPI::gather(communicator, places);
+  for (const NodeCounts &block : blocks)
+    {
+      whole.push_back({block.first_step, block.n_steps, {}, {}, {}});
+      for (auto counts : {&NodeCounts::stick, &NodeCounts::slip, &NodeCounts::landings})
+        {
+          std::vector<float> own((block.*counts).begin(),
+                                 (block.*counts).begin() + places.size());
+          const auto of_ranks     = dealii::Utilities::MPI::gather(communicator, own);
+          std::vector<float> &all = whole.back().*counts;
+          all.resize(n_nodes);
+          for (std::size_t rank = 0; rank < of_ranks.size(); ++rank)
+            for (std::size_t i = 0; i < of_ranks[rank].size(); ++i)
+              all[all_places[rank][i]] = of_ranks[rank][i];
+        }
+    }
+  return whole;
+}
+
 template <int dim>
 ContactRecorder<dim>::ContactRecorder(const unsigned int interval,
                                       const std::vector<unsigned int> &nodes,
@@ -29,7 +77,7 @@ template <int dim>
 void ContactRecorder<dim>::before(const SurfaceView<dim> &surface)
 {
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int c = 0; c < dim && nodes[k] != no_node; ++c)
       {
         motion_before[k].u[c] = surface.u[c][nodes[k]];
         motion_before[k].w[c] = surface.w[c][nodes[k]];
@@ -56,23 +104,25 @@ void ContactRecorder<dim>::after(const SurfaceView<dim> &surface,
   for (std::size_t k = 0; k < nodes.size(); ++k)
     {
       const unsigned int i = nodes[k];
+      const bool here      = i != no_node;
       const Motion &before = motion_before[k];
       MonitoredNode &node  = samples.nodes[k];
       // v_n = w_n + b dt a_n = (1 - b) w_n + b w_(n+1)
       const auto velocity = [&](const unsigned int c) {
-        return (1. - beta2) * before.w[c] + beta2 * surface.w[c][i];
+        return here ? (1. - beta2) * before.w[c] + beta2 * surface.w[c][i] : 0.;
       };
+      const auto force = [&](const double *of_nodes) { return here ? of_nodes[i] : 0.; };
       node.ux.push_back(before.u[0]);
       node.uy.push_back(before.u[normal]);
       node.vx.push_back(velocity(0));
       node.vy.push_back(velocity(normal));
-      node.normal_force.push_back(contact.normal_force()[i]);
-      node.tangential_force.push_back(contact.tangential_force()[i]);
+      node.normal_force.push_back(force(contact.normal_force()));
+      node.tangential_force.push_back(force(contact.tangential_force()));
       if constexpr (dim == 3)
         {
           node.across.u.push_back(before.u[1]);
           node.across.v.push_back(velocity(1));
-          node.across.force.push_back(contact.lateral_force()[i]);
+          node.across.force.push_back(force(contact.lateral_force()));
         }
     }
 }

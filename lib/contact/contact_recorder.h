@@ -70,12 +70,19 @@ struct ContactHistory
   }
 };
 
+/**
+ * Makes samples of the nodes of each rank those of all nodes: every rank gets the sums.
+ * Collective.
+ */
+void sum_over_ranks(ContactHistory &samples, const MPI_Comm communicator);
+
 /** Histories of the contact: resultants, and motion and forces of some nodes. */
 template <int dim>
 class ContactRecorder : public ContactObserver<dim>
 {
 public:
-  /** A sample every @p interval steps (0: none), with those of the given nodes. */
+  /** A sample every @p interval steps (0: none), with those of the given nodes, zero for
+   * SharedNodes::none. */
   ContactRecorder(const unsigned int interval,
                   const std::vector<unsigned int> &nodes,
                   const StepParameters &step);
@@ -107,7 +114,7 @@ private:
   /** u_n and w_n of a monitored node. */
   struct Motion
   {
-    std::array<double, dim> u, w;
+    std::array<double, dim> u = {}, w = {};
   };
 
   const unsigned int interval;
@@ -116,6 +123,15 @@ private:
   std::vector<Motion> motion_before;
   ContactHistory samples;
 };
+
+/**
+ * Of counts of the nodes of each rank those of the whole contact of @p n_nodes on rank 0;
+ * the first nodes of the counts are number @p places there. Collective.
+ */
+std::vector<NodeCounts> gather_nodes(const std::vector<NodeCounts> &blocks,
+                                     const std::vector<unsigned int> &places,
+                                     const std::size_t n_nodes,
+                                     const MPI_Comm communicator);
 
 /** States of the nodes, counted in blocks of steps. */
 template <int dim>

@@ -21,12 +21,12 @@ ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParamet
   : setup(setup)
   , step(step)
   , n_nodes(setup.friction_coefficient.size())
-  , n_distinct(setup.periodic ? n_nodes - 1 : n_nodes)
+  , n_distinct(setup.n_owned.value_or(setup.periodic ? n_nodes - 1 : n_nodes))
   , values(n_nodes, 1, ContactArrays::n_columns_in(dim))
 {
   const unsigned int n_padded = whole_vectors<double>(n_nodes);
   std::fill_n(column(Column::gap), n_padded, std::numeric_limits<double>::infinity());
-  std::fill_n(column(Column::gap), n_distinct, setup.gap);
+  std::fill_n(column(Column::gap), setup.periodic ? n_distinct : n_nodes, setup.gap);
   for (std::size_t i = 0; i < setup.height.size(); ++i)
     column(Column::gap)[i] += setup.height[i];
   std::copy(setup.friction_coefficient.begin(), setup.friction_coefficient.end(),
@@ -37,22 +37,38 @@ ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParamet
 }
 
 template <int dim>
-ContactArrays ContactSurface<dim>::arrays(const SurfaceView<dim> &surface)
+ContactArrays ContactSurface<dim>::arrays(const SurfaceView<dim> &surface,
+                                          const unsigned int first,
+                                          const unsigned int end)
 {
   static_assert(contact_lanes == lanes<double>, "fields are padded to whole vectors");
   ContactArrays a = {};
-  a.n             = whole_vectors<double>(n_nodes);
+  a.n             = whole_vectors<double>(end - first);
   for (unsigned int c = 0; c < dim; ++c)
     {
       const unsigned int component = c == 0 ? 0 : c == 1 ? dim - 1 : 1;
-      a.force[c]                   = surface.force[component];
-      a.inverse_mass[c]            = surface.inverse_mass[component];
-      a.u[c]                       = surface.u[component];
-      a.w[c]                       = surface.w[component];
+      a.force[c]                   = surface.force[component] + first;
+      a.inverse_mass[c]            = surface.inverse_mass[component] + first;
+      a.u[c]                       = surface.u[component] + first;
+      a.w[c]                       = surface.w[component] + first;
     }
   for (unsigned int k = 0; k < values.n_components(); ++k)
-    a.column[k] = values.row(k, 0);
+    a.column[k] = values.row(k, 0) + first;
   return a;
+}
+
+// What copies of nodes of other ranks contribute is counted there.
+template <int dim>
+void ContactSurface<dim>::advance_all(const SurfaceView<dim> &surface,
+                                      const double flat_velocity)
+{
+  const ContactStep constants = {step.dt, step.beta2, flat_velocity * step.dt};
+  const unsigned int n_own    = setup.n_owned.value_or(n_nodes),
+                     copies   = whole_vectors<double>(n_own);
+  advance_nodes(arrays(surface, 0, n_own), constants, last);
+  ContactSums elsewhere;
+  if (copies < n_nodes)
+    advance_nodes(arrays(surface, copies, n_nodes), constants, elsewhere);
 }
 
 template <int dim>
@@ -71,7 +87,7 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
     if (observer->wants(surface.step))
       observer->before(surface);
 
-  advance_nodes(arrays(surface), {step.dt, step.beta2, flat_velocity * step.dt}, last);
+  advance_all(surface, flat_velocity);
 
   if (setup.periodic)
     for (unsigned int c = 0; c < dim; ++c)

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace mesoslip
@@ -160,6 +161,10 @@ struct ContactSetup
 
   /** The last node duplicates the first. */
   bool periodic = false;
+
+  /** The first nodes, which this rank owns; those from the next whole vector on are copies
+   * (SharedNodes). Not given: all. */
+  std::optional<unsigned int> n_owned;
 };
 
 /** Number of steps that each node stuck or slipped in, and in which contact began. */
@@ -218,19 +223,20 @@ public:
   /** Contact forces by forward increment Lagrange multipliers, then the step. */
   void advance(const SurfaceView<dim> &surface) override;
 
-  /** Energies since the start, of all nodes; external is the work of the moving flat. */
+  /** Energies since the start, of the nodes of this rank; external is the work of the
+   * moving flat. */
   const BoundaryWork &work() const
   {
     return total;
   }
 
-  /** Resultants of the last step. */
+  /** Resultants of the last step, of the nodes of this rank. */
   const ContactSums &sums() const
   {
     return last;
   }
 
-  /** Number of nodes, a periodic one counted once. */
+  /** Number of nodes of this rank, a periodic one counted once. */
   unsigned int n_distinct_nodes() const
   {
     return n_distinct;
@@ -277,7 +283,10 @@ private:
   {
     return values.row(c, 0);
   }
-  ContactArrays arrays(const SurfaceView<dim> &surface);
+  ContactArrays arrays(const SurfaceView<dim> &surface,
+                       const unsigned int first,
+                       const unsigned int end);
+  void advance_all(const SurfaceView<dim> &surface, const double flat_velocity);
 
   void initialize_increments(const SurfaceView<dim> &surface);
 

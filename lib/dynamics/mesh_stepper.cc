@@ -76,25 +76,18 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
       for (unsigned int c = 0; c < dim; ++c)
         inverse_mass.row(c, 0)[i] = 1. / mass;
     }
-  std::vector<std::pair<unsigned int, unsigned int>> local;
-  for (unsigned int i = 0; i < in_mesh.size(); ++i)
-    local.emplace_back(in_mesh[i], i);
-  std::sort(local.begin(), local.end());
+  const PointIndex index(in_mesh);
   for (const HeldComponent &h : held)
-    {
-      const auto found =
-        std::lower_bound(local.begin(), local.end(), std::make_pair(h.point, 0U));
-      if (found != local.end() && found->first == h.point)
-        inverse_mass.row(h.component, 0)[found->second] = 0.;
-    }
+    if (const std::optional<unsigned int> i = index.find(h.point))
+      inverse_mass.row(h.component, 0)[*i] = 0.;
 }
 
 template <int dim>
-void MeshStepper<dim>::add_surface(const std::vector<unsigned int> &points_in_mesh,
+void MeshStepper<dim>::add_surface(const SharedNodes &nodes,
                                    SurfaceCondition<dim> &condition)
 {
-  surfaces.push_back(std::make_unique<MeshSurface<dim>>(
-    points_in_mesh, op.part, inverse_mass, condition, communicator));
+  surfaces.push_back(
+    std::make_unique<MeshSurface<dim>>(nodes, inverse_mass, condition, communicator));
 }
 
 template <int dim>
@@ -134,7 +127,7 @@ void MeshStepper<dim>::step_once()
   for (const auto &surface : surfaces)
     {
       surface->finish(n_done, static_cast<double>(n_done) * dt, u, w);
-      for (const unsigned int i : surface->local_points())
+      for (const unsigned int i : surface->points())
         for (unsigned int c = 0; c < dim; ++c)
           z[i * stride<dim> + c] = u.row(c, 0)[i] + parameters.beta * w.row(c, 0)[i];
     }

@@ -46,10 +46,9 @@ public:
               NodalField<double> &w,
               const std::optional<unsigned int> top_point = {});
 
-  /** From now on @p condition moves the given points of the whole mesh, in their order,
-   * and must outlive the last step. No point may be in two surfaces. Collective. */
-  void add_surface(const std::vector<unsigned int> &points_in_mesh,
-                   SurfaceCondition<dim> &condition);
+  /** From now on @p condition moves these nodes and must outlive the last step. No point
+   * may be in two surfaces. Collective. */
+  void add_surface(const SharedNodes &nodes, SurfaceCondition<dim> &condition);
 
   void advance(const std::uint64_t n_steps) override;
   void multiply(NodalField<double> &Kx, NodalField<double> &x) const override;

@@ -18,7 +18,7 @@ namespace mesoslip
 template <int dim>
 struct SurfaceView
 {
-  std::size_t n = 0; ///< number of nodes
+  std::size_t n = 0; ///< number of nodes, with copies of those of other ranks
 
   /** u_n (m) and w_n (m/s), to be advanced in place. */
   std::array<double *, dim> u = {};
@@ -37,7 +37,28 @@ struct SurfaceView
 
   /** n dt (s), the time of u_n. */
   double time = 0.;
+
+  /** Sum of the forces of all ranks (N/m), where the condition wants it and the surface is
+   *  shared among ranks; else null. */
+  const double *total_force = nullptr;
 };
+
+/** The sum of @p n values by eight partial sums: the order is fixed, and the loop does not
+ * wait for one addition before it starts the next. */
+inline double sum_of(const double *values, const std::size_t n)
+{
+  std::array<double, 8> lanes = {};
+  std::size_t i               = 0;
+  for (; i + 8 <= n; i += 8)
+    for (unsigned int l = 0; l < 8; ++l)
+      lanes[l] += values[i + l];
+  double sum = 0.;
+  for (; i < n; ++i)
+    sum += values[i];
+  for (const double lane : lanes)
+    sum += lane;
+  return sum;
+}
 
 /**
  * What happens on a boundary surface: turns forces into motion,
@@ -54,7 +75,14 @@ struct SurfaceCondition
 {
   virtual ~SurfaceCondition() = default;
 
-  /** One step of the surface, on the rank that owns it. */
+  /** Whether the nodes depend on the sum of their forces (SurfaceView::total_force). */
+  virtual bool wants_total_force() const
+  {
+    return false;
+  }
+
+  /** One step of the surface: on a grid on the rank that has it, on a mesh on all ranks,
+   * each with the nodes that it has. */
   virtual void advance(const SurfaceView<dim> &surface) = 0;
 };
 

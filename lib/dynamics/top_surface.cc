@@ -1,6 +1,9 @@
 #include "dynamics/top_surface.h"
 
+#include "base/exchange.h"
+
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <array>
@@ -8,25 +11,12 @@
 
 namespace mesoslip
 {
-namespace
+void sum_over_ranks(TopHistory &samples, const MPI_Comm communicator)
 {
-// Eight partial sums: the order is fixed, and the loop does not wait for one addition
-// before it starts the next.
-double sum_of(const double *values, const unsigned int n)
-{
-  std::array<double, 8> lanes = {};
-  unsigned int i              = 0;
-  for (; i + 8 <= n; i += 8)
-    for (unsigned int l = 0; l < 8; ++l)
-      lanes[l] += values[i + l];
-  double sum = 0.;
-  for (; i < n; ++i)
-    sum += values[i];
-  for (const double lane : lanes)
-    sum += lane;
-  return sum;
+  auto &[normal, tangential, displacement] = samples;
+  for (auto *values : {&normal, &tangential, &displacement})
+    sum_over_ranks(*values, communicator);
 }
-} // namespace
 
 void TopRecorder::record(const double displacement, const TopLoad &load)
 {
@@ -38,21 +28,29 @@ void TopRecorder::record(const double displacement, const TopLoad &load)
 template <int dim>
 TopSurface<dim>::TopSurface(const TopSetup &setup,
                             const StepParameters &step,
-                            const unsigned int n_nodes)
+                            const unsigned int n_nodes,
+                            const MPI_Comm ranks)
   : setup(setup)
   , step(step)
-  , n_distinct(setup.periodic ? n_nodes - 1 : n_nodes)
+  , n_distinct(setup.n_owned.value_or(setup.periodic ? n_nodes - 1 : n_nodes))
+  , ranks(ranks)
   , tributary(setup.tributary)
 {
   for (std::vector<double> &component : increment)
     component.assign(n_nodes, 0.);
-  area = std::accumulate(tributary.begin(), tributary.end(), 0.);
-  if (!tributary.empty())
-    return;
-  area = setup.cell_width * (n_nodes - 1);
-  tributary.assign(n_nodes, setup.cell_width);
-  if (!setup.periodic)
-    tributary.front() = tributary.back() = 0.5 * setup.cell_width;
+  if (tributary.empty() && n_nodes > 0)
+    {
+      area = setup.cell_width * (n_nodes - 1);
+      tributary.assign(n_nodes, setup.cell_width);
+      if (!setup.periodic)
+        tributary.front() = tributary.back() = 0.5 * setup.cell_width;
+    }
+  else
+    area = std::accumulate(tributary.begin(), tributary.begin() + n_distinct, 0.);
+  top_area = dealii::Utilities::MPI::sum(area, ranks);
+  n_in_top = dealii::Utilities::MPI::sum(static_cast<double>(n_distinct), ranks);
+  if (top_area > 0.)
+    platen_mass = setup.platen_mass * (area / top_area);
 }
 
 template <int dim>
@@ -66,7 +64,7 @@ void TopSurface<dim>::advance(const SurfaceView<dim> &surface)
   const bool sampled              = std::any_of(
                  all.begin(), all.end(), [&](const TopRecorder *r) { return r->wants(surface.step); });
   const double displacement =
-    sampled ? sum_of(surface.u[dim - 1], n_distinct) / n_distinct : 0.;
+    sampled ? sum_of(surface.u[dim - 1], n_distinct) / n_in_top : 0.;
 
   work_this_step  = 0.;
   const bool held = setup.kind == TopSetup::Kind::held || surface.time >= setup.hold_from;
@@ -85,11 +83,12 @@ void TopSurface<dim>::initialize(const SurfaceView<dim> &surface)
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int i = 0; i < surface.n; ++i)
       increment[c][i] = step.dt * surface.w[c][i];
-  moving_mass = setup.platen_mass;
+  moving_mass = platen_mass;
   for (unsigned int i = 0; i < n_distinct; ++i)
     if (surface.inverse_mass[dim - 1][i] > 0.)
       moving_mass += 1. / surface.inverse_mass[dim - 1][i];
-  started = true;
+  moving_mass = dealii::Utilities::MPI::sum(moving_mass, ranks);
+  started     = true;
 }
 
 template <int dim>
@@ -137,10 +136,15 @@ TopLoad TopSurface<dim>::push_platen(const SurfaceView<dim> &surface)
   constexpr unsigned int y = dim - 1;
 
   TopLoad load;
-  load.normal     = setup.pressure(surface.time) * area;
-  load.tangential = -sum_of(surface.force[0], n_distinct);
-  const double acceleration =
-    -(load.normal + sum_of(surface.force[y], n_distinct)) / moving_mass;
+  const double pressure = setup.pressure(surface.time);
+  load.normal           = pressure * area;
+  load.tangential       = -sum_of(surface.force[0], n_distinct);
+  if (surface.n == 0)
+    return load;
+  const double force        = surface.total_force != nullptr
+                                ? surface.total_force[y]
+                                : sum_of(surface.force[y], n_distinct);
+  const double acceleration = -(pressure * top_area + force) / moving_mass;
 
   double u = surface.u[y][0], w = surface.w[y][0];
   move_node(u, w, acceleration);
@@ -173,7 +177,8 @@ void TopSurface<dim>::stop(const SurfaceView<dim> &surface)
                         increment[c][i], surface.force[c][i]);
       work_this_step += of_node;
     }
-  work_this_step += work(setup.platen_mass, platen_w, increment[dim - 1][0], 0.);
+  if (surface.n > 0)
+    work_this_step += work(platen_mass, platen_w, increment[dim - 1][0], 0.);
 }
 
 template <int dim>

@@ -11,6 +11,8 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <mpi.h>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -49,6 +51,10 @@ struct TopSetup
 
   /** The last column duplicates the first. */
   bool periodic = false;
+
+  /** The first nodes, which this rank owns; the others are copies (SharedNodes). Not
+   * given: all. */
+  std::optional<unsigned int> n_owned;
 };
 
 /** Forces on the body during one step, per unit thickness. */
@@ -72,6 +78,12 @@ struct TopHistory
     serialize_members<3>(archive, *this);
   }
 };
+
+/**
+ * Makes samples of the nodes of each rank those of all nodes: every rank gets the sums.
+ * Collective.
+ */
+void sum_over_ranks(TopHistory &samples, const MPI_Comm communicator);
 
 /** Histories of the top. */
 class TopRecorder
@@ -117,17 +129,20 @@ private:
 };
 
 /**
- * The top of the body under its load. Work is formed with the central increment
+ * The top of the body under its load. Ranks that share it count loads and work of their
+ * own nodes, whose sums are those of the top. Work is formed with the central increment
  * (u_(n+1) - u_(n-1)) / 2, for which the discrete energy balance is exact.
  */
 template <int dim>
 class TopSurface : public SurfaceCondition<dim>
 {
 public:
-  /** For a top of @p n_nodes nodes, at rest. */
+  /** For a top of which this rank has @p n_nodes nodes, at rest, and @p ranks share the
+   * rest. Collective. */
   TopSurface(const TopSetup &setup,
              const StepParameters &step,
-             const unsigned int n_nodes);
+             const unsigned int n_nodes,
+             const MPI_Comm ranks = MPI_COMM_SELF);
 
   /** @p recorder is filled from now on and has to outlive the last step. */
   void observe(TopRecorder &recorder)
@@ -135,10 +150,15 @@ public:
     recorders.push_back(&recorder);
   }
 
+  bool wants_total_force() const override
+  {
+    return setup.kind == TopSetup::Kind::platen;
+  }
+
   /** One step of the surface under its load. */
   void advance(const SurfaceView<dim> &surface) override;
 
-  /** Work done on the body since the start (J/m). */
+  /** Work done on the body since the start (J/m), by the load on the nodes of this rank. */
   double work() const
   {
     return total_work;
@@ -163,10 +183,16 @@ private:
 
   const TopSetup setup;
   const StepParameters step;
-  const unsigned int n_distinct;
+  const unsigned int n_distinct; ///< nodes that this rank owns
+  const MPI_Comm ranks;
 
   std::vector<double> tributary; ///< area (m^2, m) that each node carries
-  double area = 0.;              ///< of the whole top (m^2, m)
+  double area     = 0.;          ///< of the nodes of this rank (m^2, m)
+  double top_area = 0.;          ///< of the whole top (m^2, m)
+  double n_in_top = 0.;          ///< nodes of the whole top
+
+  /** What this rank counts of TopSetup::platen_mass: its share of the area. */
+  double platen_mass = 0.;
   std::array<std::vector<double>, dim> increment; ///< of the step before (m)
   bool started          = false;
   bool holding          = false;

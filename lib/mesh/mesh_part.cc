@@ -152,6 +152,22 @@ dealii::SparsityPattern graph_of_cells(const Mesh<dim> &mesh)
 }
 } // namespace
 
+PointIndex::PointIndex(const std::vector<unsigned int> &point_in_mesh)
+{
+  for (unsigned int i = 0; i < point_in_mesh.size(); ++i)
+    sorted.emplace_back(point_in_mesh[i], i);
+  std::sort(sorted.begin(), sorted.end());
+}
+
+std::optional<unsigned int> PointIndex::find(const unsigned int point_in_mesh) const
+{
+  const auto found =
+    std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(point_in_mesh, 0U));
+  return found != sorted.end() && found->first == point_in_mesh
+           ? std::optional<unsigned int>(found->second)
+           : std::nullopt;
+}
+
 template <int dim>
 std::vector<unsigned int> partition_cells(const Mesh<dim> &mesh,
                                           const unsigned int n_ranks,

@@ -5,8 +5,25 @@
 
 #include <mpi.h>
 
+#include <optional>
+#include <utility>
+
 namespace mesoslip
 {
+/** Finds points of the whole mesh among those of a part. */
+class PointIndex
+{
+public:
+  /** Of MeshPart. */
+  explicit PointIndex(const std::vector<unsigned int> &point_in_mesh);
+
+  /** Its index in the part, if it is there. */
+  std::optional<unsigned int> find(const unsigned int point_in_mesh) const;
+
+private:
+  std::vector<std::pair<unsigned int, unsigned int>> sorted; ///< in mesh, in part
+};
+
 /**
  * What one rank holds of a mesh whose cells are divided among the ranks: its cells and
  * all their points. A point of several ranks is owned by the lowest of them.

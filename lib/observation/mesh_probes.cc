@@ -52,12 +52,12 @@ MeshPlace place_in(const Mesh<dim> &mesh,
 
 /** Nearest of the @p contact points if @p place is on the contact; of two that are equally
  * near the first. */
-std::optional<std::size_t> nearest_contact(const MeshPlace &place,
-                                           const std::vector<unsigned int> &contact)
+std::optional<unsigned int> nearest_contact(const MeshPlace &place,
+                                            const std::vector<unsigned int> &contact)
 {
-  std::optional<std::size_t> nearest;
+  std::optional<unsigned int> nearest;
   double inside = 0., largest = 0.;
-  for (std::size_t i = 0; i < contact.size(); ++i)
+  for (unsigned int i = 0; i < contact.size(); ++i)
     for (std::size_t v = 0; v < place.corners.size(); ++v)
       if (place.corners[v] == contact[i])
         {
@@ -172,8 +172,8 @@ void MeshProbes<dim>::sample_contact(const std::size_t k, ProbeHistory &history)
 {
   if (!contact_node[k])
     return;
-  const std::size_t i = *contact_node[k];
-  const double area   = -contact.area[i];
+  const double area    = -contact.area[*contact_node[k]];
+  const unsigned int i = *contact.nodes.find(*contact_node[k]);
   history.traction.push_back(contact.surface.tangential_force()[i] / area);
   if (dim == 3)
     history.traction.push_back(contact.surface.lateral_force()[i] / area);

@@ -2,6 +2,7 @@
 #define mesoslip_observation_mesh_probes_h
 
 #include "contact/contact_surface.h"
+#include "dynamics/shared_nodes.h"
 #include "elasticity/element_operator.h"
 #include "mesh/mesh_part.h"
 #include "observation/probe_recorder.h"
@@ -43,8 +44,9 @@ public:
   /** The contact boundary: points of the whole mesh and their areas (m^2, in 2D m). */
   struct Contact
   {
-    const ContactSurface<dim> &surface;      ///< its forces; all ranks have all of them
-    const std::vector<unsigned int> &points; ///< of the whole mesh
+    const ContactSurface<dim> &surface;      ///< forces on the nodes of this rank
+    const SharedNodes &nodes;               ///< of this rank
+    const std::vector<unsigned int> &points; ///< of the whole contact and mesh
     const std::vector<double> &area; ///< along the normal, negative as it faces down
   };
 
@@ -71,7 +73,7 @@ private:
   std::vector<std::vector<unsigned int>> corners; ///< of the places, points of the part
 
   /** Of the places: the nearest contact node, if they are on the contact. */
-  std::vector<std::optional<std::size_t>> contact_node;
+  std::vector<std::optional<unsigned int>> contact_node;
 };
 } // namespace mesoslip
 

@@ -20,7 +20,7 @@ SlidingSurfaces<dim>::SlidingSurfaces(const SlidingSetup &setup,
                                       const unsigned int n_top_nodes)
   : setup(setup)
   , contact(setup.contact, setup.step)
-  , top(setup.top, setup.step, n_top_nodes)
+  , top(setup.top, setup.step, n_top_nodes, setup.ranks)
   , contact_recorder(setup.history_interval, setup.monitored_nodes, setup.step)
   , node_statistics(setup.steps_per_block)
   , top_recorder(setup.history_interval)
@@ -36,6 +36,16 @@ BoundaryWork SlidingSurfaces<dim>::boundary_work() const
   BoundaryWork work = contact.work();
   work.external     = top.work() + work.external;
   return work;
+}
+
+template <int dim>
+std::vector<NodeCounts> SlidingSurfaces<dim>::contact_states(const std::size_t n_nodes)
+{
+  node_statistics.finish(contact);
+  return setup.ranks == MPI_COMM_SELF
+           ? node_statistics.blocks()
+           : gather_nodes(node_statistics.blocks(), setup.contact_places, n_nodes,
+                          setup.ranks);
 }
 
 template <int dim>

@@ -31,6 +31,12 @@ struct SlidingSetup
   /** Contact nodes whose motion and tractions are kept with the histories. */
   std::vector<unsigned int> monitored_nodes;
 
+  /** Which share contact and top, each observing its own nodes; on a grid one has all. */
+  MPI_Comm ranks = MPI_COMM_SELF;
+
+  /** Numbers in the whole contact of the nodes that this rank owns; not used on a grid. */
+  std::vector<unsigned int> contact_places;
+
   /** Steps in a block of the node statistics; 0: one block for the whole run. */
   std::uint64_t steps_per_block = 0;
 
@@ -51,6 +57,9 @@ public:
 
   /** Work done on and dissipated at contact and top since the start, of this rank. */
   BoundaryWork boundary_work() const;
+
+  /** States of all @p n_nodes nodes of the contact, on rank 0. Collective. */
+  std::vector<NodeCounts> contact_states(const std::size_t n_nodes);
 
   /** State between two steps (Boost.Serialization). */
   template <class Archive>

@@ -181,7 +181,7 @@ private:
   {
     surfaces.push_back(
       std::make_unique<PeriodicSurface<dim>>(condition, partners(mesh, points)));
-    stepper.add_surface(points, *surfaces.back());
+    stepper.add_surface(SharedNodes(points, part), *surfaces.back());
   }
 
 public:

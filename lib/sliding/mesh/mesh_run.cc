@@ -93,7 +93,8 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
            op.part,
            phases,
            body.stepper,
-           {body.contact, description.contact.points, description.contact.area},
+           {body.contact, body.contact_nodes, description.contact.points,
+            description.contact.area},
            parameters.observation.probe_interval)
   , statistics(parameters, size, time, body, checkpoint, context)
 {
@@ -103,19 +104,24 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
 template <int dim>
 void MeshRun<dim>::set_initial_velocity()
 {
-  std::vector<std::array<bool, dim>> held(description.n_points);
+  const MeshPart<dim> &part = op.part;
+  std::vector<std::array<bool, dim>> held(part.points.size());
+  const PointIndex index(part.point_in_mesh);
+  const auto hold = [&](const unsigned int point, const unsigned int component) {
+    if (const auto i = index.find(point))
+      held[*i][component] = true;
+  };
   for (const HeldComponent &h : description.held)
-    held[h.point][h.component] = true;
+    hold(h.point, h.component);
   // What the top holds does not move from the start.
   for (const unsigned int point : description.top.points)
     for (unsigned int c = 0; c < dim; ++c)
       if (c + 1 < dim ? transmits_tangential_force(parameters.top)
                       : parameters.top.kind == TopSetup::Kind::held)
-        held[point][c] = true;
+        hold(point, c);
   for (unsigned int c = 0; c < dim; ++c)
-    for (std::size_t i = 0; i < op.part.points.size(); ++i)
-      body.w.row(c, 0)[i] =
-        held[op.part.point_in_mesh[i]][c] ? 0. : parameters.body.initial_velocity[c];
+    for (std::size_t i = 0; i < part.points.size(); ++i)
+      body.w.row(c, 0)[i] = held[i][c] ? 0. : parameters.body.initial_velocity[c];
 }
 
 template <int dim>

@@ -1,7 +1,5 @@
 #include "sliding/mesh/sliding_mesh.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -11,12 +9,31 @@ namespace mesoslip
 {
 namespace
 {
-SlidingSetup
-on_mesh(SlidingSetup setup, const MeshBoundary &contact, const MeshBoundary &top)
+/** Of the whole surfaces what concerns the nodes of this rank. */
+SlidingSetup restricted(SlidingSetup setup,
+                        const MeshBoundary &contact,
+                        const SharedNodes &contact_nodes,
+                        const MeshBoundary &top,
+                        const SharedNodes &top_nodes,
+                        const MPI_Comm communicator)
 {
+  std::vector<double> &friction = setup.contact.friction_coefficient;
+  AssertDimension(friction.size(), contact.points.size());
+  friction             = contact_nodes.of(friction, 0.);
   setup.contact.height = contact.height;
-  setup.top.tributary  = top.area;
-  AssertDimension(setup.contact.friction_coefficient.size(), contact.points.size());
+  setup.contact.height.resize(contact.points.size(), 0.);
+  setup.contact.height =
+    contact_nodes.of(setup.contact.height, std::numeric_limits<double>::infinity());
+  setup.contact.n_owned = contact_nodes.n_owned();
+  setup.contact_places  = contact_nodes.owned_places();
+  for (unsigned int &node : setup.monitored_nodes)
+    {
+      const auto here = contact_nodes.find(node);
+      node = here && *here < contact_nodes.n_owned() ? *here : SharedNodes::none;
+    }
+  setup.top.tributary = top_nodes.of(top.area, 0.);
+  setup.top.n_owned   = top_nodes.n_owned();
+  setup.ranks         = communicator;
   return setup;
 }
 } // namespace
@@ -81,25 +98,38 @@ SlidingMesh<dim>::SlidingMesh(const MeshOperator<dim> &op,
                               const MeshBoundary &top,
                               const std::vector<HeldComponent> &held,
                               const SlidingSetup &setup)
-  : SlidingSurfaces<dim>(on_mesh(setup, contact, top),
-                         static_cast<unsigned int>(top.points.size()))
+  : SlidingMesh(op,
+                contact,
+                SharedNodes(contact.points, op.part),
+                top,
+                SharedNodes(top.points, op.part),
+                held,
+                setup)
+{
+}
+
+template <int dim>
+SlidingMesh<dim>::SlidingMesh(const MeshOperator<dim> &op,
+                              const MeshBoundary &contact,
+                              const SharedNodes &contact_nodes,
+                              const MeshBoundary &top,
+                              const SharedNodes &top_nodes,
+                              const std::vector<HeldComponent> &held,
+                              const SlidingSetup &setup)
+  : SlidingSurfaces<dim>(
+      restricted(setup, contact, contact_nodes, top, top_nodes, op.communicator),
+      top_nodes.size())
+  , contact_nodes(contact_nodes)
   , u(static_cast<unsigned int>(op.part.points.size()), 1, dim)
   , w(u)
   , stepper(op, held, setup.step, u, w, top.points.at(0))
 {
-  stepper.add_surface(contact.points, this->contact);
-  stepper.add_surface(top.points, this->top);
+  stepper.add_surface(contact_nodes, this->contact);
+  stepper.add_surface(top_nodes, this->top);
   if (setup.energy_interval > 0)
     energy =
       std::make_unique<EnergyAudit>(stepper, setup.top.platen_mass, setup.energy_interval,
-                                    [this]() { return boundary_work(); });
-}
-
-template <int dim>
-BoundaryWork SlidingMesh<dim>::boundary_work() const
-{
-  const bool counts = dealii::Utilities::MPI::this_mpi_process(stepper.communicator) == 0;
-  return counts ? SlidingSurfaces<dim>::boundary_work() : BoundaryWork();
+                                    [this]() { return this->boundary_work(); });
 }
 
 #define MESOSLIP_INSTANTIATE(dim)                                                    \

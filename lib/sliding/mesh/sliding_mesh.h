@@ -49,26 +49,22 @@ std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
                                    const std::vector<double> &weight);
 
 /**
- * A body of any shape on the moving flat, as SlidingBody on a grid. All ranks have the
- * whole contact and the whole top.
+ * A body of any shape on the moving flat, as SlidingBody on a grid. Each rank has the nodes
+ * of contact and top that are in its part of the mesh, see SharedNodes.
  */
 template <int dim>
 class SlidingMesh : public SlidingSurfaces<dim>
 {
 public:
   /**
-   * At rest at u = 0. @p op must outlive the body; of @p setup sides, sweep and periodicity
-   * are not used. Collective.
+   * At rest at u = 0. @p op must outlive the body; @p setup speaks of the nodes of the whole
+   * contact and top, and its sides, sweep and periodicity are not used. Collective.
    */
   SlidingMesh(const MeshOperator<dim> &op,
               const MeshBoundary &contact,
               const MeshBoundary &top,
               const std::vector<HeldComponent> &held,
               const SlidingSetup &setup);
-
-  /** Work done on and dissipated at contact and top since the start: on one rank, as all
-   * have all of it; on the others zero. */
-  BoundaryWork boundary_work() const;
 
   /** State between two steps (Boost.Serialization), for the same ranks. */
   template <class Archive>
@@ -82,10 +78,21 @@ public:
       archive &*energy;
   }
 
+  const SharedNodes contact_nodes;    ///< of this rank
   NodalField<double> u;                ///< displacement (m), a column for each point
   NodalField<double> w;                ///< velocity of the scheme (m/s)
   MeshStepper<dim> stepper;            ///< the time integration
   std::unique_ptr<EnergyAudit> energy; ///< null without an energy interval
+
+private:
+  /** With the nodes of this rank. */
+  SlidingMesh(const MeshOperator<dim> &op,
+              const MeshBoundary &contact,
+              const SharedNodes &contact_nodes,
+              const MeshBoundary &top,
+              const SharedNodes &top_nodes,
+              const std::vector<HeldComponent> &held,
+              const SlidingSetup &setup);
 };
 } // namespace mesoslip
 

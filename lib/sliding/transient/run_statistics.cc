@@ -85,12 +85,15 @@ template <int dim>
 RunRequest RunStatistics<dim>::own_request(const std::uint64_t n,
                                            const EnergyAudit *energy)
 {
-  // On a mesh every rank has the contact; what it means for the run is for rank 0 to say.
   ContactHistory fresh = recent_contact.take();
+  TopHistory of_top    = recent_top.take();
+  sum_over_ranks(fresh, surfaces.setup.ranks);
+  sum_over_ranks(of_top, surfaces.setup.ranks);
+  // What the contact means for the run is for rank 0 to say.
   if (!context.root())
     fresh = ContactHistory();
   record.add(fresh);
-  record.add(recent_top.take());
+  record.add(of_top);
   if (!limit_cycle.update(fresh, energy))
     return RunRequest::look;
   const bool reached =
@@ -119,11 +122,13 @@ void RunStatistics<dim>::collect(TransientResult &all)
     broadcast_object(context.communicator(), object, context.n_ranks() - 1);
     return object;
   };
-  surfaces.node_statistics.finish(surfaces.contact);
+  all.blocks  = surfaces.contact_states(all.body.n_contact_nodes);
   all.history = surfaces.contact_recorder.history();
-  all.blocks  = surfaces.node_statistics.blocks();
-  all.top     = of_top(surfaces.top_recorder.history());
-  all.series  = record.series();
+  all.top     = surfaces.top_recorder.history();
+  sum_over_ranks(all.history, surfaces.setup.ranks);
+  sum_over_ranks(all.top, surfaces.setup.ranks);
+  all.top    = of_top(all.top);
+  all.series = record.series();
   // Where the top takes no tangential forces, they are those of the contact.
   const std::vector<double> at_the_top = of_top(record.top_friction());
   if (transmits_tangential_force(parameters.top))
