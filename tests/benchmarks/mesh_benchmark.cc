@@ -149,12 +149,14 @@ void run_kind(const std::string &name, const unsigned int n, const Cells &cells)
     n_sent += neighbour.points.size();
   const std::size_t sent = dealii::Utilities::MPI::max(n_sent, MPI_COMM_WORLD);
   const double largest   = dealii::Utilities::MPI::max(bytes, MPI_COMM_WORLD);
+  const unsigned contact =
+    dealii::Utilities::MPI::max(all.body.contact_nodes.n_owned(), MPI_COMM_WORLD);
   if (rank() == 0)
-    std::printf("%s,%d,%zu,%zu,%u,%zu,%zu,%.0f%s%s%s%s\n", name.c_str(), dim,
+    std::printf("%s,%d,%zu,%zu,%u,%zu,%zu,%u,%.0f%s%s%s%s\n", name.c_str(), dim,
                 c.mesh.cells.size(), c.mesh.points.size(), ranks, sent,
-                c.side(2 * (dim - 1)).points.size(), largest, text(seconds[0]).c_str(),
-                text(seconds[1]).c_str(), text(seconds[2]).c_str(),
-                text(seconds[3]).c_str());
+                c.side(2 * (dim - 1)).points.size(), contact, largest,
+                text(seconds[0]).c_str(), text(seconds[1]).c_str(),
+                text(seconds[2]).c_str(), text(seconds[3]).c_str());
   std::fflush(stdout);
 }
 
@@ -162,7 +164,9 @@ int run(int argc, char **argv)
 {
   if (rank() == 0)
     {
-      std::printf("kind,dim,cells,points,ranks,points_sent,contact_nodes,bytes_a_rank");
+      std::printf(
+        "kind,dim,cells,points,ranks,points_sent,contact_nodes,contact_nodes_a_rank,"
+        "bytes_a_rank");
       for (const char *what : {"one_rank", "matrix", "all_ranks", "side_by_side"})
         std::printf(",%s_s,%s_s_low,%s_s_high", what, what, what);
       std::printf("\n");

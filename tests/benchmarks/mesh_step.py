@@ -43,8 +43,8 @@ def run(bench):
 
 
 class Model:
-    """Seconds a step: work a cell, of the nodes of the contact, which all ranks advance, and a start; an exchange of the points
-    between the ranks, which cells in the inside hide as far as they last, and one of the forces on the contact."""
+    """Seconds a step: work a cell, of the nodes of the contact that the rank has, and a start; an exchange of the points between
+    the ranks, which cells in the inside hide as far as they last, and one of the sum of the forces on the platen."""
 
     def __init__(self, rows, messages):
         self.dim = rows[0]["dim"]
@@ -57,28 +57,29 @@ class Model:
         self.sent = largest["points_sent"] / largest["cells"] ** (1 - 1 / self.dim)  # of the points of a cut through a block
 
     def on_two_ranks(self, row):
-        message = [float(np.interp(8 * self.dim * row[what], *zip(*self.messages))) for what in ("points_sent", "contact_nodes")]
+        points, platen = (float(np.interp(8 * self.dim * n, *zip(*self.messages))) for n in (row["points_sent"], 1))
         work = self.cell * row["cells"] / 2
-        return max(work, message[0]) + self.contact * row["contact_nodes"] + self.start + message[1]
+        return max(work, points) + self.contact * row["contact_nodes_a_rank"] + self.start + platen
 
     def constants(self):
         return {"work_s_per_cell": self.cell, "work_s_per_contact_node": self.contact, "work_s_per_step": self.start,
                 "points_of_a_cut": self.sent, **{f"message_{size}_bytes_s": seconds for size, seconds in self.messages}}
 
     def cluster(self):
-        """Blocks of the same size, each with as many neighbours as a cube has faces."""
+        """Blocks of the same size, each with as many neighbours as a cube has faces; the lowest and the highest have one of theirs
+        at the contact or at the platen."""
         rows, share = [], CELLS_A_RANK
         for ranks in (1, 10, 100, 1000):
-            contact = (share * ranks) ** (1 - 1 / self.dim)
+            contact, at_platen = share ** (1 - 1 / self.dim), ranks ** (1 - 1 / self.dim)
             sides = 0 if ranks == 1 else 2 * self.dim
             sent = 8 * self.dim * sides * self.sent * share ** (1 - 1 / self.dim)
             rate = CLUSTER["network"] / min(ranks, CLUSTER["ranks"])
             points = sides * CLUSTER["latency"] + sent / rate
-            gather = 0 if ranks == 1 else CLUSTER["latency"] * np.log2(ranks) + 8 * self.dim * contact / rate
+            platen = CLUSTER["latency"] * np.log2(at_platen) + 8 * self.dim * at_platen / rate if ranks > 1 else 0
             work = self.cell * share
-            total = max(work, points) + self.contact * contact + self.start + gather
+            total = max(work, points) + self.contact * contact + self.start + platen
             rows.append({"dim": self.dim, "ranks": ranks, "cells": share * ranks, "work_s": work, "points_s": points,
-                         "contact_s": self.contact * contact, "gather_contact_s": gather, "step_s": total, "efficiency": work / total})
+                         "contact_s": self.contact * contact, "sum_of_platen_s": platen, "step_s": total, "efficiency": work / total})
         return rows
 
 
