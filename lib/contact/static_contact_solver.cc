@@ -178,10 +178,13 @@ private:
         normal[i] =
           touches(i) ? Ku(normal_axis, node) - problem.force(normal_axis, node) : 0.;
         for (unsigned int c = 0; c < n_tangents; ++c)
-          tangential[index(i, c)] = solution.state[i] == ContactState::stick
-                                      ? Ku(c, node) - problem.force(c, node)
-                                    : touches(i) ? friction[index(i, c)]
-                                                 : 0.;
+          tangential[index(i, c)] =
+            // What a side holds takes the reaction of the side.
+            problem.constrained.is_constrained(c, node) ? 0.
+            : solution.state[i] == ContactState::stick
+              ? Ku(c, node) - problem.force(c, node)
+            : touches(i) ? friction[index(i, c)]
+                         : 0.;
       }
   }
 
