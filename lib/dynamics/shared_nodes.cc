@@ -8,7 +8,7 @@ namespace mesoslip
 {
 template <int dim>
 SharedNodes::SharedNodes(const std::vector<unsigned int> &points,
-                           const MeshPart<dim> &part)
+                         const MeshPart<dim> &part)
 {
   const PointIndex index(part.point_in_mesh);
   for (const bool copies : {false, true})
@@ -32,7 +32,7 @@ SharedNodes::SharedNodes(const std::vector<unsigned int> &points,
 }
 
 std::vector<double> SharedNodes::of(const std::vector<double> &whole,
-                                     const double otherwise) const
+                                    const double otherwise) const
 {
   std::vector<double> values;
   for (const unsigned int k : place)
@@ -47,8 +47,6 @@ std::optional<unsigned int> SharedNodes::find(const unsigned int of_whole) const
                               : std::optional<unsigned int>(found - place.begin());
 }
 
-template SharedNodes::SharedNodes(const std::vector<unsigned int> &,
-                                    const MeshPart<2> &);
-template SharedNodes::SharedNodes(const std::vector<unsigned int> &,
-                                    const MeshPart<3> &);
+template SharedNodes::SharedNodes(const std::vector<unsigned int> &, const MeshPart<2> &);
+template SharedNodes::SharedNodes(const std::vector<unsigned int> &, const MeshPart<3> &);
 } // namespace mesoslip

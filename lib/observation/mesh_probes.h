@@ -45,7 +45,7 @@ public:
   struct Contact
   {
     const ContactSurface<dim> &surface;      ///< forces on the nodes of this rank
-    const SharedNodes &nodes;               ///< of this rank
+    const SharedNodes &nodes;                ///< of this rank
     const std::vector<unsigned int> &points; ///< of the whole contact and mesh
     const std::vector<double> &area; ///< along the normal, negative as it faces down
   };
