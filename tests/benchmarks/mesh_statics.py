@@ -58,13 +58,15 @@ def row_of(result, cost, dim, n):
 def draw(bench, rows):
     figure, (iterations, time) = panels(2, width=11)
     iterations.set_xscale("log")
-    iterations.set(xlabel="unknowns", ylabel="iterations of a load case, most", title="conjugate gradients with ML, contrast 8", ylim=(0, None))
+    iterations.set(xlabel="unknowns", ylabel="iterations of a load case, most", title="conjugate gradients with ML, contrast 8")
     logarithmic(time, "unknowns", "seconds", "all load cases of a condition, one rank", percent=False)
     for k, (dim, condition) in enumerate((dim, condition) for dim in SIDES for condition in ("KUBC", "PBC")):
         own = [row for row in rows if row["dim"] == dim]
         unknowns = [row["unknowns"] for row in own]
         curve(iterations, k, unknowns, [row[f"most_iterations_{condition}"] for row in own], f"{dim}D, {condition}")
         curve(time, k, unknowns, [row[f"seconds_{condition}"] for row in own], f"{dim}D, {condition}")
+    iterations.set_ylim(0, None)
+    time.xaxis.set_minor_formatter("")
     legend(iterations)
     legend(time)
     bench.draw("mesh-statics", figure)
