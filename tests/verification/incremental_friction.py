@@ -3,8 +3,9 @@
 Spence: a cylinder pressed on the flat with friction. As its loading is self-similar, the share of the contact that sticks and friction by
 pressure are those of a flat punch, solved here by boundary elements of the half plane.
 Cattaneo and Mindlin: a cylinder and a sphere pressed, then displaced. Their solutions hold where normal and tangential loads are
-independent, on a rigid flat for Poisson's ratio 1/2, which these elements do not take. But the part of friction that is even in x is an
-even function of that coupling, so that its error is of second order: Poisson's ratio 0.45 does."""
+independent, on a rigid flat for Poisson's ratio 1/2, for which these elements lock. With 0.45 the coupling is left, most of it odd in x:
+coefficient (1 for the cylinder, as coupling matters less then) and measures (a second moment, total widths) are chosen to feel it
+little, and limits are as wide as what is left. Shear node by node does not converge to the closed form, and no order follows."""
 
 import csv
 import math
