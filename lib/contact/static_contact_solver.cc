@@ -2,6 +2,7 @@
 
 #include "contact/anderson_acceleration.h"
 #include "contact/equilibrium_solver.h"
+#include "contact/incremental_friction.h"
 #include "material/plausibility.h"
 
 #include <algorithm>
@@ -30,13 +31,17 @@ public:
     , force(problem.force)
     , friction(Eigen::VectorXd::Zero(Eigen::Index{n_nodes} * n_tangents))
     , normal(Eigen::VectorXd::Zero(n_nodes))
-    , tangential(Eigen::VectorXd::Zero(Eigen::Index{n_nodes} * n_tangents))
-    , direction(n_nodes, Direction{{static_cast<double>(problem.sliding)}})
+    , tangential(problem.reference, n_nodes, scale, problem.sliding)
   {
     for (unsigned int i = 0; i < n_nodes; ++i)
       solution.state.push_back(problem.constrained.is_constrained(normal_axis, nodes[i])
                                  ? ContactState::held
-                                 : at_rest(i));
+                               : problem.state.empty() ? at_rest(i)
+                                                       : problem.state[i]);
+    for (unsigned int i = 0; i < n_nodes && !problem.friction.empty(); ++i)
+      if (solution.state[i] == ContactState::slip)
+        for (unsigned int c = 0; c < n_tangents; ++c)
+          friction[index(i, c)] = problem.friction[index(i, c)];
   }
 
   StaticContactSolution run()
@@ -85,12 +90,12 @@ public:
     solution.solver_iterations = solver.iterations();
     solution.friction_change   = change;
     solution.normal_force.assign(normal.data(), normal.data() + n_nodes);
-    solution.tangential_force.assign(tangential.data(),
-                                     tangential.data() + tangential.size());
+    solution.tangential_force.assign(tangential.force.data(),
+                                     tangential.force.data() + tangential.force.size());
     if (body.periodicity().x)
       {
         solution.normal_force.push_back(normal[0]);
-        solution.tangential_force.push_back(tangential[0]);
+        solution.tangential_force.push_back(tangential.force[0]);
         solution.state.push_back(solution.state[0]);
       }
     return std::move(solution);
@@ -101,18 +106,11 @@ private:
   static constexpr unsigned int normal_axis = dim - 1; ///< of the flat
   static constexpr unsigned int hasty_changes =
     10; ///< of states, before friction is exact
-  using Direction = std::array<double, n_tangents>;
+  using Friction = IncrementalFriction<dim>;
 
-  // Of component c of the friction of contact node i.
   static Eigen::Index index(const unsigned int i, const unsigned int c)
   {
-    return static_cast<Eigen::Index>(i) * n_tangents + c;
-  }
-
-  static bool reversed(const Direction &before, const Direction &now)
-  {
-    return now != before &&
-           !(std::inner_product(now.begin(), now.end(), before.begin(), 0.) > 0.);
+    return Friction::index(i, c);
   }
 
   double gap(const unsigned int i) const
@@ -134,6 +132,12 @@ private:
            solution.state[i] == ContactState::slip;
   }
 
+  /** Whether a side does, so that a flat at rest has nothing to add. */
+  bool side_carries(const unsigned int i, const unsigned int c) const
+  {
+    return problem.sliding == 0 && problem.constrained.is_constrained(c, nodes[i]);
+  }
+
   void hold_contact()
   {
     DofMask constrained   = problem.constrained;
@@ -143,7 +147,7 @@ private:
       if (constrained.is_constrained(c, nodes[i]))
         return;
       constrained.constrain(c, nodes[i]);
-      u(c, nodes[i]) = c == normal_axis ? -gap(i) : 0.;
+      u(c, nodes[i]) = c == normal_axis ? -gap(i) : tangential.sticks_at(i, c);
       if (i == 0 && body.periodicity().x)
         {
           constrained.constrain(c, nodes[n_nodes]);
@@ -178,13 +182,10 @@ private:
         normal[i] =
           touches(i) ? Ku(normal_axis, node) - problem.force(normal_axis, node) : 0.;
         for (unsigned int c = 0; c < n_tangents; ++c)
-          tangential[index(i, c)] =
-            // What a side holds takes the reaction of the side.
-            problem.constrained.is_constrained(c, node) ? 0.
-            : solution.state[i] == ContactState::stick
-              ? Ku(c, node) - problem.force(c, node)
-            : touches(i) ? friction[index(i, c)]
-                         : 0.;
+          tangential.force[index(i, c)] = !touches(i) || side_carries(i, c) ? 0.
+                                          : solution.state[i] == ContactState::stick
+                                            ? Ku(c, node) - problem.force(c, node)
+                                            : friction[index(i, c)];
       }
   }
 
@@ -201,7 +202,7 @@ private:
           return state;
         // A node that comes down moves freely along the flat until its friction is known.
         if (problem.sliding == 0)
-          direction[i] = {};
+          tangential.direction[i] = {};
         return ContactState::slip;
       }
     if (normal[i] < -negligible)
@@ -209,41 +210,13 @@ private:
     if (at_rest(i) == ContactState::slip)
       return ContactState::slip;
     // Resting flat: friction opposes the displacement and stays below its limit.
-    const double limit      = problem.friction_coefficient[i] * normal[i];
-    double friction_squares = 0., along = 0.;
-    for (unsigned int c = 0; c < n_tangents; ++c)
-      {
-        const double f = tangential[index(i, c)];
-        friction_squares += f * f;
-        along += f * problem.displacement(c, nodes[i]);
-      }
+    const double limit = problem.friction_coefficient[i] * normal[i];
     // A node that moves with its friction sticks before it may slip the other way.
-    if (size_of_trial(i) <= limit ||
-        (along > 0. && std::sqrt(friction_squares) <= (1. + 1e-6) * limit))
+    if (tangential.size_of_trial(problem.displacement, nodes[i], i) <= limit ||
+        tangential.is_pushed(problem.displacement, nodes[i], i, limit))
       return ContactState::stick;
-    turn_friction(i);
+    tangential.turn(problem.displacement, nodes[i], i);
     return ContactState::slip;
-  }
-
-  /** Component of what friction tends to on a flat at rest: against the displacement. */
-  double trial(const unsigned int i, const unsigned int c) const
-  {
-    return tangential[index(i, c)] - scale * problem.displacement(c, nodes[i]);
-  }
-
-  double size_of_trial(const unsigned int i) const
-  {
-    double squares = 0.;
-    for (unsigned int c = 0; c < n_tangents; ++c)
-      squares += trial(i, c) * trial(i, c);
-    return std::sqrt(squares);
-  }
-
-  void turn_friction(const unsigned int i)
-  {
-    const double size = size_of_trial(i);
-    for (unsigned int c = 0; c < n_tangents && size > 0.; ++c)
-      direction[i][c] = trial(i, c) / size;
   }
 
   /** In 3D friction turns without a change of states. */
@@ -251,7 +224,7 @@ private:
   {
     for (unsigned int i = 0; i < n_nodes && dim == 3 && problem.sliding == 0; ++i)
       if (solution.state[i] == ContactState::slip)
-        turn_friction(i);
+        tangential.turn(problem.displacement, nodes[i], i);
   }
 
   bool update_states()
@@ -259,10 +232,10 @@ private:
     bool changed = false;
     for (unsigned int i = 0; i < n_nodes; ++i)
       {
-        const Direction before   = direction[i];
+        const auto before        = tangential.direction[i];
         const ContactState state = next_state(i);
         const bool turned        = state == ContactState::slip &&
-                            reversed(before, direction[i]) &&
+                            Friction::reversed(before, tangential.direction[i]) &&
                             solution.state[i] == ContactState::slip;
         if (state == solution.state[i] && !turned)
           continue;
@@ -281,8 +254,8 @@ private:
     for (unsigned int i = 0; i < n_nodes; ++i)
       if (solution.state[i] == ContactState::slip)
         for (unsigned int c = 0; c < n_tangents; ++c)
-          result[index(i, c)] =
-            direction[i][c] * problem.friction_coefficient[i] * std::max(0., normal[i]);
+          result[index(i, c)] = tangential.direction[i][c] *
+                                problem.friction_coefficient[i] * std::max(0., normal[i]);
     return result;
   }
 
@@ -320,8 +293,8 @@ private:
   const double scale;                  ///< see stiffness_scale()
 
   NodalField<double> force;
-  Eigen::VectorXd friction, normal, tangential;
-  std::vector<Direction> direction; ///< of the friction force at nodes that slip
+  Eigen::VectorXd friction, normal;
+  Friction tangential; ///< of the last solution
   AndersonAcceleration acceleration;
   StaticContactSolution solution;
 };

@@ -46,9 +46,23 @@ struct StaticContactProblem
 
   /**
    * Direction (+1, -1) along x in which the flat slides below the body: all contact nodes slip.
-   * 0: the flat rests, nodes stick or slip against their own displacement from zero.
+   * 0: the flat rests, nodes stick or slip against their own displacement from reference.
    */
   int sliding = 0;
+
+  /**
+   * On a flat at rest, of each node the displacement along the flat at which it sticks
+   * (m), its dim - 1 components together: where it was after the last increment of the
+   * load, moved with the flat, unless a side holds it; what sides hold carries no friction
+   * then. Empty: zero.
+   */
+  std::vector<double> reference = {};
+
+  /** First guess of the state of each node; empty: all of them touch the flat. */
+  std::vector<ContactState> state = {};
+
+  /** First guess of the friction, as StaticContactSolution::tangential_force, or empty. */
+  std::vector<double> friction = {};
 };
 
 /** How it is solved. */

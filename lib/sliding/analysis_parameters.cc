@@ -59,6 +59,23 @@ void bind_statics(Keys &keys, ContactParameters &p)
             "iteration ends, relative to the contact force [-]");
   keys.bind("Iterations", p.static_contact.max_iterations, 1, 100000,
             "Largest number of iterations over contact states and friction forces [-]");
+  StaticLoadParameters &load = p.static_load;
+  keys.bind(
+    "Load steps", load.steps, 1, 100000,
+    "On a mesh, increments in which the load of the top grows, and then those of "
+    "Flat displacement; friction opposes the displacement since the last one [-]");
+  keys.bind_list("Flat displacement", load.of_flat, Range::any(),
+                 "On a mesh, displacement of the flat along x and, in 3D, y under the "
+                 "whole load of the top; empty: none [m]",
+                 0, 2);
+  keys.require(load.of_flat.size() < 2 || p.mesh.mesh.dim == 3, "Flat displacement",
+               "it has two components, but Dimension is 2");
+  keys.require(
+    !load.moves_flat() || p.contact.flat_velocity.amplitude() == 0., "Flat displacement",
+    "the flat slides with Flat/Velocity, which is not 0; set one of them to 0");
+  keys.only_if(p.mesh.is_given(), {"Load steps", "Flat displacement"},
+               "on a grid static contact takes the load in one step",
+               "name a mesh in Mesh/File");
 }
 
 void bind_homogenization(Keys &keys, FrictionHomogenizationParameters &p)

@@ -10,6 +10,7 @@
 #include "sliding/sliding_body.h"
 #include "statics/static_solver.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <string>
@@ -91,6 +92,26 @@ struct FrictionHomogenizationParameters
   bool calibrate        = false;  ///< delta relative to the homogeneous run
 };
 
+/** Section Static contact, besides the StaticContactOptions. */
+struct StaticLoadParameters
+{
+  unsigned int steps          = 1;  ///< of the normal load, and of the displacement
+  std::vector<double> of_flat = {}; ///< displacement along x and, in 3D, y (m), or empty
+
+  /** Whether there are several increments. */
+  bool has_history() const
+  {
+    return steps > 1 || moves_flat();
+  }
+
+  /** Whether the flat is displaced under the normal load. */
+  bool moves_flat() const
+  {
+    return std::any_of(of_flat.begin(), of_flat.end(),
+                       [](const double d) { return d != 0.; });
+  }
+};
+
 /** Section Checkpoints. */
 struct CheckpointParameters
 {
@@ -114,6 +135,7 @@ struct ContactParameters : SlidingSetup
   VibrationModesOptions modal;                     ///< section Modal, but for the bottom
   std::string modal_bottom = "both";               ///< free, held in y or z, both
   StaticContactOptions static_contact;             ///< section Static contact
+  StaticLoadParameters static_load;                ///< section Static contact
   FrictionHomogenizationParameters homogenization; ///< section Friction homogenization
   StaticSolverKind static_solver =
     StaticSolverKind::multigrid; ///< for static contact and modes

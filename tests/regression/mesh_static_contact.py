@@ -81,6 +81,39 @@ def check_two_phases(folder):
         assert found["phase_pressure_imbalance"] < 1e-6
 
 
+def check_steps(folder):
+    """Where nothing but the size of the load changes steps are as good as one; back and forth again; the same on 1, 2 and 3 ranks."""
+    names = ("pressure [Pa]", "displacement_x [m]", "shear_traction [Pa]")
+    common = {**LOADS, **MESH, "Top/Kind": "platen", "Flat/Velocity": 0}
+    del common["Top/Lateral held"]
+    Box([6, 2], [12, 5], lambda x: "body").name_side("Contact", 1, False).name_side("Top", 1, True).write(folder("mesh.msh"))
+    folder.write("steps.prm", prm(common))
+    tables = {}
+    for steps in (1, 3):
+        folder.run(0, "contact_dynamics", "steps.prm", "--output", "steps", f"--set=Static contact/Load steps={steps}")
+        tables[steps] = columns(folder, "steps", *names)
+    assert_close(tables[1][0], tables[3][0], 1e-5)
+    assert tables[1][1] == tables[3][1], tables
+    moved = []
+    for ranks in (1, 2, 3):
+        folder.run(0, "contact_dynamics", "steps.prm", "--output", "steps", "--set=Static contact/Load steps=2",
+                   "--set=Static contact/Flat displacement=1e-8", ranks=ranks)
+        moved.append(columns(folder, "steps", *names))
+        assert_close(moved[0][0], moved[-1][0], 1e-6)
+        assert moved[0][1] == moved[-1][1]
+    with open(folder("steps", "load_steps.csv"), encoding="ascii") as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["flat_displacement_x [m]"]) for row in rows] == [0, 0, 5e-9, 1e-8]
+    force = [float(row["tangential_force [N/m]"]) for row in rows]
+    assert abs(force[1]) < 1e-5 * force[3] and 0 < force[2] < force[3] <= 0.2 * 6000 * (1 + 1e-6), force
+    for words, named in ((["Flat/Velocity=2", "Static contact/Flat displacement=1e-7"], "Flat displacement"),
+                         (["Static contact/Flat displacement=1e-7, 1e-7"], "Flat displacement"),
+                         (["Static contact/Load steps=0"], "Load steps"),
+                         (["Top/Kind=pressure", "Static contact/Flat displacement=1e-7"], "Flat displacement")):
+        said = folder.run(2, "contact_dynamics", "steps.prm", "--validate", *["--set=" + word for word in words])
+        assert named in said, said
+
+
 def check_layer(folder):
     """One layer of hexahedra with u_y held is the plane body."""
     folder.write("flat.prm", prm({**LOADS, **MESH, "Flat/Velocity": 2}))
@@ -114,6 +147,7 @@ with tempfile.TemporaryDirectory() as path:
     check_grid_as_mesh(scenes, 2, "pressure")
     check_grid_as_mesh(scenes, 0, "pressure")
     check_grid_as_mesh(scenes, 2, "platen")
+    check_steps(scenes)
     check_layer(scenes)
     check_refused(scenes)
     check_two_phases(scenes)

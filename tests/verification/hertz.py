@@ -1,6 +1,5 @@
-"""Hertz: a cylinder (plane strain) and a sphere pressed on the rigid flat without friction: width and pressure of the contact on two meshes.
-
-A quarter of the body on blocks whose lower side is round: fine cells as wide as the contact and more, then growing ones."""
+"""Hertz: a cylinder (plane strain) and a sphere pressed on the rigid flat without friction: width and pressure of the contact on two meshes of
+a quarter of the body."""
 
 import csv
 import math
@@ -11,37 +10,11 @@ import tempfile
 import numpy as np
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from mesh_files import Box  # noqa: E402
+from round_bodies import HALF_WIDTH, RADIUS, WIDTH, round_body  # noqa: E402
 from scenes import Folder, prm  # noqa: E402
 
 YOUNG, POISSON = 210e9, 0.3
 MODULUS = YOUNG / (1 - POISSON**2)
-RADIUS, WIDTH = 1.0, 0.5  # m: of the round side, of the body in x (and y) and z
-HALF_WIDTH = 0.01  # m: of the contact that is aimed at
-
-
-def graded(length, size, fine, growth):
-    """Points from 0 to about `length`: cells of `size` as far as `fine`, then each `growth` times as long as the one before."""
-    points = [0.0]
-    while points[-1] < length:
-        points.append(points[-1] + size)
-        size *= growth if points[-1] > fine else 1
-    return length / points[-1] * np.array(points)
-
-
-def round_body(dim, size, growth):
-    along = graded(WIDTH, size, 1.3 * HALF_WIDTH, growth)
-    up = graded(WIDTH, size, 0.5 * HALF_WIDTH, growth)
-    box = Box([1.0] * dim, [len(along) - 1] * (dim - 1) + [len(up) - 1], lambda middle: "steel")
-    for axis in range(dim):
-        box.name_side(("x", "y", "z")[axis] + " low", axis, False)
-    box.name_side("Top", dim - 1, True)
-    places = np.rint(box.points * np.array([len(along) - 1] * (dim - 1) + [len(up) - 1])).astype(int)
-    points = np.column_stack([along[places[:, d]] for d in range(dim - 1)] + [up[places[:, -1]]])
-    bottom = RADIUS - np.sqrt(RADIUS**2 - np.sum(points[:, :-1] ** 2, axis=1))
-    points[:, -1] = bottom + (WIDTH - bottom) * points[:, -1] / WIDTH
-    box.points = points
-    return box
 
 
 def contact(folder, dim, cells, growth):

@@ -11,12 +11,12 @@
 #include "sliding/mesh/mesh_analysis.h"
 #include "sliding/mesh/mesh_file.h"
 #include "sliding/mesh/mesh_pressures.h"
+#include "sliding/mesh/mesh_static_load.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 namespace mesoslip
 {
@@ -46,29 +46,9 @@ private:
   /** Puts the contact nodes of the description into the order of @p elastic. */
   void order_contact(const ElasticBody<dim> &elastic);
 
-  StaticContactProblem make_problem(const ElasticBody<dim> &elastic) const;
-
-  /** Lowers the platen until the flat carries its pressure. @throws NotConverged */
-  void press(const ElasticBody<dim> &elastic, const StaticContactOptions &options);
-
-  /** Of the flat on the body (N, in 2D N/m). */
-  double normal_force() const
-  {
-    return std::accumulate(solution.normal_force.begin(), solution.normal_force.end(),
-                           0.);
-  }
-
-  /** Likewise along axis @p c. */
-  double tangential_force(const unsigned int c) const
-  {
-    double sum = 0.;
-    for (std::size_t k = c; k < solution.tangential_force.size(); k += dim - 1)
-      sum += solution.tangential_force[k];
-    return sum;
-  }
-
   void evaluate();
   void write_contact_table(const RunContext &context) const;
+  void write_step_table(const RunContext &context) const;
   void write_static_file(const RunContext &context) const;
   void summarize(RunContext &context) const;
 
@@ -79,6 +59,7 @@ private:
   }
 
   StaticContactSolution solution;
+  std::vector<StaticLoadStep> steps;
   std::vector<double> pressure;                   ///< of the contact nodes (Pa)
   std::array<std::vector<double>, dim - 1> shear; ///< likewise, on the body (Pa)
 };
@@ -109,6 +90,10 @@ void MeshStatic<dim>::check() const
       "Nothing holds the body against the friction of the sliding flat: set "
       "Top/Lateral held, hold a group in Mesh/Held in x, "
       "Friction/Coefficient = 0 or Flat/Velocity = 0");
+  if (!held_x && p.static_load.moves_flat())
+    throw UserError(
+      "Static contact/Flat displacement: nothing holds the body against the "
+      "flat; set Top/Lateral held or hold a group in Mesh/Held in x");
 }
 
 template <int dim>
@@ -128,69 +113,6 @@ void MeshStatic<dim>::order_contact(const ElasticBody<dim> &elastic)
       this->body.contact.height[k] = contact.height[old];
       this->body.friction[k]       = friction[old];
     }
-}
-
-template <int dim>
-StaticContactProblem MeshStatic<dim>::make_problem(const ElasticBody<dim> &elastic) const
-{
-  const ContactParameters &p = this->parameters;
-  const double load          = p.top.pressure.amplitude();
-  const MeshBoundary &top    = this->body.top;
-  StaticContactProblem problem;
-  problem.constrained            = this->held_by_mesh(p.top);
-  problem.displacement           = elastic.zero_field();
-  problem.force                  = elastic.zero_field();
-  problem.friction_coefficient   = this->body.friction;
-  problem.gap                    = this->body.contact.height;
-  const double v                 = p.contact.flat_velocity.amplitude();
-  problem.sliding                = v > 0. ? 1 : (v < 0. ? -1 : 0);
-  const std::vector<double> mass = elastic.lumped_mass();
-  for (unsigned int i = 0; i < mass.size(); ++i)
-    for (unsigned int c = 0; c < dim; ++c)
-      problem.force(c, {i, 0}) = mass[i] * p.step.acceleration[c];
-  for (std::size_t k = 0; k < top.points.size() && p.top.kind == TopSetup::Kind::pressure;
-       ++k)
-    problem.force(dim - 1, {top.points[k], 0}) -= load * top.area[k];
-  return problem;
-}
-
-template <int dim>
-void MeshStatic<dim>::press(const ElasticBody<dim> &elastic,
-                            const StaticContactOptions &options)
-{
-  // The force grows with the displacement, in proportion where there are no gaps: the
-  // secant through the last two.
-  constexpr unsigned int most = 20;
-  const MeshBoundary &top     = this->body.top;
-  const double load           = this->parameters.top.pressure.amplitude(),
-               wanted = load * std::accumulate(top.area.begin(), top.area.end(), 0.),
-               D      = this->phases[0].stiffness(dim - 1, dim - 1);
-  StaticContactProblem problem = make_problem(elastic);
-  double lowered = load / D * elastic.extent(dim - 1), lowered_before = 0., before = 0.;
-  unsigned int iterations = 0, changes = 0, of_solver = 0;
-  for (unsigned int n = 0; n < most; ++n)
-    {
-      for (const unsigned int point : top.points)
-        problem.displacement(dim - 1, {point, 0}) = -lowered;
-      solution             = solve_static_contact(elastic, problem, options);
-      problem.displacement = solution.displacement;
-      solution.iterations += iterations;
-      solution.state_changes += changes;
-      solution.solver_iterations += of_solver;
-      iterations         = solution.iterations;
-      changes            = solution.state_changes;
-      of_solver          = solution.solver_iterations;
-      const double force = normal_force();
-      if (std::fabs(force - wanted) <= 10. * options.tolerance * wanted)
-        return;
-      const double next =
-        lowered + (wanted - force) * (lowered - lowered_before) / (force - before);
-      lowered_before = lowered;
-      before         = force;
-      lowered        = next;
-    }
-  throw NotConverged(brief_text(6, "static contact: the flat carries ", before, " of ",
-                                wanted, " N after lowering the platen ", most, " times"));
 }
 
 template <int dim>
@@ -241,6 +163,36 @@ void MeshStatic<dim>::write_contact_table(const RunContext &context) const
 }
 
 template <int dim>
+void MeshStatic<dim>::write_step_table(const RunContext &context) const
+{
+  const std::string force          = dim == 2 ? " [N/m]" : " [N]",
+                    area           = dim == 2 ? " [m]" : " [m^2]";
+  std::vector<std::string> columns = {"share_of_load [-]"};
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    columns.push_back(std::string("flat_displacement_") + "xy"[c] + " [m]");
+  columns.push_back("normal_force" + force);
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    columns.push_back(along_flat("tangential_force", c) + force);
+  columns.insert(columns.end(),
+                 {"contact_area" + area, "stick_area" + area, "iterations [-]"});
+  TableWriter table(context.file("load_steps.csv"), columns);
+  for (const StaticLoadStep &step : steps)
+    {
+      std::vector<double> row = {step.share};
+      const auto add          = [&row](const std::array<double, 2> &vector) {
+        row.insert(row.end(), vector.begin(), vector.begin() + (dim - 1));
+      };
+      add(step.displacement);
+      row.push_back(step.normal_force);
+      add(step.tangential_force);
+      row.insert(row.end(), {step.contact_area, step.stick_area,
+                             static_cast<double>(step.iterations)});
+      table.add_row(row);
+    }
+  table.flush();
+}
+
+template <int dim>
 void MeshStatic<dim>::write_static_file(const RunContext &context) const
 {
   Hdf5File file = create_mesh_file(context.file("dynamics.h5"), "mesoslip-dynamics-mesh",
@@ -282,9 +234,9 @@ void MeshStatic<dim>::summarize(RunContext &context) const
   this->summarize_body("static contact", context);
   nlohmann::json &json = context.summary();
   json["pressure"]     = this->parameters.top.pressure.amplitude();
-  json["normal_force"] = normal_force();
+  json["normal_force"] = normal_force(solution);
   for (unsigned int c = 0; c + 1 < dim; ++c)
-    json[along_flat("tangential_force", c)] = tangential_force(c);
+    json[along_flat("tangential_force", c)] = tangential_force(solution, c, dim - 1);
   json["iterations"]        = solution.iterations;
   json["state_changes"]     = solution.state_changes;
   json["solver_iterations"] = solution.solver_iterations;
@@ -299,8 +251,8 @@ template <int dim>
 void MeshStatic<dim>::run(RunContext &context)
 {
   this->log_body(context);
-  context.remove_results(
-    {"dynamics.h5", "dynamics.xdmf", "dynamics-phases.xdmf", "static_contact.csv"});
+  context.remove_results({"dynamics.h5", "dynamics.xdmf", "dynamics-phases.xdmf",
+                          "static_contact.csv", "load_steps.csv"});
   StaticContactOptions options = this->parameters.static_contact;
   options.before_iteration     = stop_or_report(context, "iteration");
   const auto elastic           = this->make_elastic_body();
@@ -308,10 +260,11 @@ void MeshStatic<dim>::run(RunContext &context)
   {
     const auto scope = context.timer().scope("Equilibrium");
     with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
-      if (this->parameters.top.kind == TopSetup::Kind::platen)
-        press(*elastic, options);
-      else
-        solution = solve_static_contact(*elastic, make_problem(*elastic), options);
+      const DofMask held = this->held_by_mesh(this->parameters.top);
+      MeshStaticLoad<dim> load(this->parameters, this->body, *elastic, held,
+                               this->phases[0].stiffness(dim - 1, dim - 1));
+      solution = load.follow(options);
+      steps    = load.steps();
     });
   }
   evaluate();
@@ -324,13 +277,15 @@ void MeshStatic<dim>::run(RunContext &context)
     return;
   const auto scope               = context.timer().scope("Output");
   const PhasePressures of_phases = mesh_phase_pressures(
-    this->morphology, this->parameters, solution.displacement, normal_force());
+    this->morphology, this->parameters, solution.displacement, normal_force(solution));
   std::optional<double> sliding;
   if (this->parameters.contact.flat_velocity.amplitude() != 0.)
-    sliding = std::fabs(tangential_force(0)) / normal_force();
+    sliding = std::fabs(tangential_force(solution, 0, dim - 1)) / normal_force(solution);
   for (const std::string &line : pressure_lines(of_phases, sliding))
     context.log(line);
   write_contact_table(context);
+  if (this->parameters.static_load.has_history())
+    write_step_table(context);
   write_static_file(context);
   summarize(context);
   add_pressures(of_phases, context.summary());

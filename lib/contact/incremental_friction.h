@@ -1,0 +1,113 @@
+#ifndef mesoslip_contact_incremental_friction_h
+#define mesoslip_contact_incremental_friction_h
+
+#include "body/elastic_body.h"
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * Coulomb friction of contact nodes on a flat at rest, for one increment of the load: it
+ * opposes their displacement along the flat from where they stick.
+ */
+template <int dim>
+class IncrementalFriction
+{
+public:
+  static constexpr unsigned int n_tangents = dim - 1; ///< its components
+  using Direction = std::array<double, n_tangents>;   ///< along the flat
+
+  /**
+   * Of @p n_nodes nodes. @p reference: displacement (m) at which each of them sticks, its
+   * components together; empty: zero. @p scale compares displacements with forces, see
+   * stiffness_scale(). @p initial: direction of all.
+   */
+  IncrementalFriction(const std::vector<double> &reference,
+                      const std::size_t n_nodes,
+                      const double scale,
+                      const double initial)
+    : force(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n_nodes) * n_tangents))
+    , direction(n_nodes, Direction{{initial}})
+    , reference(reference)
+    , scale(scale)
+  {
+  }
+
+  /** Of component @p c of node @p i. */
+  static Eigen::Index index(const unsigned int i, const unsigned int c)
+  {
+    return static_cast<Eigen::Index>(i) * n_tangents + c;
+  }
+
+  /** Component @p c of the displacement (m) at which node @p i sticks. */
+  double sticks_at(const unsigned int i, const unsigned int c) const
+  {
+    return reference.empty() ? 0. : reference[index(i, c)];
+  }
+
+  /** Whether @p now points against @p before. */
+  static bool reversed(const Direction &before, const Direction &now)
+  {
+    return now != before &&
+           !(std::inner_product(now.begin(), now.end(), before.begin(), 0.) > 0.);
+  }
+
+  /** Size of what friction of node @p i tends to (N), with @p node and displacement @p u. */
+  double size_of_trial(const NodalField<double> &u,
+                       const NodeIndex &node,
+                       const unsigned int i) const
+  {
+    double squares = 0.;
+    for (unsigned int c = 0; c < n_tangents; ++c)
+      squares += trial(u, node, i, c) * trial(u, node, i, c);
+    return std::sqrt(squares);
+  }
+
+  /** Turns the friction of node @p i against its displacement; see size_of_trial(). */
+  void turn(const NodalField<double> &u, const NodeIndex &node, const unsigned int i)
+  {
+    const double size = size_of_trial(u, node, i);
+    for (unsigned int c = 0; c < n_tangents && size > 0.; ++c)
+      direction[i][c] = trial(u, node, i, c) / size;
+  }
+
+  /** Whether node @p i moves with its friction, which is at most @p limit (N). */
+  bool is_pushed(const NodalField<double> &u,
+                 const NodeIndex &node,
+                 const unsigned int i,
+                 const double limit) const
+  {
+    double friction_squares = 0., along = 0.;
+    for (unsigned int c = 0; c < n_tangents; ++c)
+      {
+        const double f = force[index(i, c)];
+        friction_squares += f * f;
+        along += f * (u(c, node) - sticks_at(i, c));
+      }
+    return along > 0. && std::sqrt(friction_squares) <= (1. + 1e-6) * limit;
+  }
+
+  Eigen::VectorXd force;            ///< on the body (N, in 2D N/m), see index()
+  std::vector<Direction> direction; ///< of friction at nodes that slip
+
+private:
+  double trial(const NodalField<double> &u,
+               const NodeIndex &node,
+               const unsigned int i,
+               const unsigned int c) const
+  {
+    return force[index(i, c)] - scale * (u(c, node) - sticks_at(i, c));
+  }
+
+  const std::vector<double> &reference;
+  const double scale;
+};
+} // namespace mesoslip
+
+#endif
