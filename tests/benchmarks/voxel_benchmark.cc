@@ -29,8 +29,9 @@ PhaseMap<3> spheres(const std::array<unsigned int, 3> cells, const double aspect
   std::size_t filled = 0;
   while (filled < 0.3 * map.id.size())
     {
-      const double centre[3] = {uniform(generator), uniform(generator), uniform(generator)};
-      std::size_t cell = 0;
+      const double centre[3] = {uniform(generator), uniform(generator),
+                                uniform(generator)};
+      std::size_t cell       = 0;
       for (unsigned int k = 0; k < cells[2]; ++k)
         for (unsigned int j = 0; j < cells[1]; ++j)
           for (unsigned int i = 0; i < cells[0]; ++i, ++cell)
@@ -79,7 +80,8 @@ int main(int argc, char **argv)
     : sides == "SUBC" ? voxel::Sides::free
                       : voxel::Sides::periodic);
   const auto seconds = [&]() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+      .count();
   };
   const double set_up            = seconds();
   const auto reports             = solver.solve_all(1e-8);

@@ -102,7 +102,7 @@ void Level::smooth(const Smoothing &smoothing,
 /** The diagonal is the sum of those of the eight cells around a node. */
 void Level::set_inverse_diagonal()
 {
-  const unsigned int n = stiffness.n_coefficients;
+  const unsigned int n                    = stiffness.n_coefficients;
   const std::vector<BrickMatrix> matrices = brick_matrices(grid.spacing, n);
   const unsigned int nx = grid.n_nodes(0), ny = grid.n_nodes(1), nz = grid.n_nodes(2);
   for (unsigned int k = 1; k <= nz; ++k)

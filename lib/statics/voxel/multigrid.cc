@@ -16,7 +16,9 @@ namespace
 constexpr double rigid_energy = 1e-11;
 
 /** Number of the unknown, or of none, of a node (field numbers) on the coarsest grid. */
-long unknown(const VoxelGrid &grid, std::array<unsigned int, 3> node, const unsigned int c)
+long unknown(const VoxelGrid &grid,
+             std::array<unsigned int, 3> node,
+             const unsigned int c)
 {
   long number = 0;
   for (unsigned int d = 3; d-- > 0;)
@@ -45,17 +47,17 @@ Multigrid::Multigrid(const VoxelGrid &grid,
   for (VoxelGrid next = coarser(grid); next.cells != levels.back().grid.cells;
        next           = coarser(levels.back().grid))
     {
-      Level &fine = levels.back();
-      transfers.emplace_back(fine.grid, next);
-      levels.emplace_back(next, coarsened(fine.grid, fine.stiffness, next));
-      const Smoothing &last = smoothings.back();
-      const unsigned int degree =
-        std::max(last.degree, std::min(options.greatest, last.degree * options.growth));
-      const double growth = static_cast<double>(degree) / last.degree;
-      smoothings.push_back({degree, last.range / (growth * growth)});
-      x.emplace_back(next);
-      b.emplace_back(next);
-      d.emplace_back(next);
+                Level &fine = levels.back();
+                transfers.emplace_back(fine.grid, next);
+                levels.emplace_back(next, coarsened(fine.grid, fine.stiffness, next));
+                const Smoothing &last = smoothings.back();
+                const unsigned int degree =
+                  std::max(last.degree, std::min(options.greatest, last.degree * options.growth));
+                const double growth = static_cast<double>(degree) / last.degree;
+                smoothings.push_back({degree, last.range / (growth * growth)});
+                x.emplace_back(next);
+                b.emplace_back(next);
+                d.emplace_back(next);
     }
   build_bottom();
 }
@@ -64,17 +66,18 @@ void Multigrid::build_bottom()
 {
   Level &level         = levels.back();
   const VoxelGrid grid = level.grid;
-  const auto n         = static_cast<Eigen::Index>(3) * grid.n_nodes(0) * grid.n_nodes(1) *
-                 grid.n_nodes(2);
-  Eigen::MatrixXd K    = Eigen::MatrixXd::Zero(n, n);
+  const auto n =
+    static_cast<Eigen::Index>(3) * grid.n_nodes(0) * grid.n_nodes(1) * grid.n_nodes(2);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
   const std::vector<BrickMatrix> matrices =
     brick_matrices(grid.spacing, level.stiffness.n_coefficients);
-  for (unsigned int cell = 0; cell < grid.cells[0] * grid.cells[1] * grid.cells[2]; ++cell)
+  for (unsigned int cell = 0; cell < grid.cells[0] * grid.cells[1] * grid.cells[2];
+       ++cell)
     {
       const std::array<unsigned int, 3> first = {
         {cell % grid.cells[0] + grid.first(),
-        cell / grid.cells[0] % grid.cells[1] + grid.first(),
-        cell / grid.cells[0] / grid.cells[1] + grid.first()}};
+         cell / grid.cells[0] % grid.cells[1] + grid.first(),
+         cell / grid.cells[0] / grid.cells[1] + grid.first()}};
       BrickMatrix matrix = BrickMatrix::Zero();
       for (unsigned int m = 0; m < matrices.size(); ++m)
         matrix += static_cast<double>(
@@ -85,9 +88,9 @@ void Multigrid::build_bottom()
         {
           const unsigned int corner = k / 3;
           index[k]                  = unknown(grid,
-                                              {{first[0] + (corner & 1U),
-                                first[1] + (corner >> 1 & 1U), first[2] + (corner >> 2)}},
-                             k % 3);
+                                              {{first[0] + (corner & 1U), first[1] + (corner >> 1 & 1U),
+                                                first[2] + (corner >> 2)}},
+                                              k % 3);
         }
       for (unsigned int r = 0; r < 24; ++r)
         for (unsigned int c = 0; c < 24; ++c)
@@ -120,10 +123,9 @@ void Multigrid::solve_bottom(VoxelField<float> &solution,
   for_each([&](Eigen::Index index, unsigned int c, unsigned int i, unsigned int j,
                unsigned int k) { in[index] = force.row(c, j, k)[i]; });
   const Eigen::VectorXd out = bottom_inverse * in;
-  for_each([&](Eigen::Index index, unsigned int c, unsigned int i, unsigned int j,
-               unsigned int k) {
-    solution.row(c, j, k)[i] = static_cast<float>(out[index]);
-  });
+  for_each(
+    [&](Eigen::Index index, unsigned int c, unsigned int i, unsigned int j,
+        unsigned int k) { solution.row(c, j, k)[i] = static_cast<float>(out[index]); });
   solution.set_ghosts();
 }
 

@@ -24,8 +24,8 @@ public:
   /** Smoothing of grid 0, and by how much the degree grows from grid to grid. */
   struct Options
   {
-    Smoothing finest;          ///< of grid 0
-    unsigned int growth   = 1; ///< of the degree, from grid to grid
+    Smoothing finest;           ///< of grid 0
+    unsigned int growth   = 1;  ///< of the degree, from grid to grid
     unsigned int greatest = 32; ///< degree
   };
 
@@ -39,6 +39,12 @@ public:
   Level &finest()
   {
     return levels.front();
+  }
+
+  /** A field of grid 0 that vmult() overwrites. */
+  VoxelField<float> &finest_buffer()
+  {
+    return d.front();
   }
 
 private:

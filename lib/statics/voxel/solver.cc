@@ -65,6 +65,9 @@ Solver::Solver(const PhaseMap<3> &map,
       if (!is_isotropic(stiffness[phase]))
         n_coefficients = n_general;
     }
+  for (const std::uint8_t id : map.id)
+    mean_stiffness += stiffness[id] / modulus;
+  mean_stiffness /= static_cast<double>(map.id.size());
   length       = map.grid.spacing[1];
   voxels.cells = map.grid.cells;
   voxels.sides = sides;
@@ -108,9 +111,6 @@ void Solver::set_phases(const PhaseMap<3> &map)
         table[m * 256 + phase] = c[m] / modulus * voxels.factor();
       table[n_coefficients * 256 + phase] = 1.;
     }
-  for (const std::uint8_t id : map.id)
-    mean_stiffness += stiffness[id] / modulus;
-  mean_stiffness /= static_cast<double>(map.id.size());
 }
 
 void Solver::build_multigrid(const PhaseMap<3> &map)
@@ -126,19 +126,21 @@ void Solver::build_multigrid(const PhaseMap<3> &map)
           static_cast<float>(table[m * 256 + phases[row * stride + i]]);
   multigrid = std::make_unique<Multigrid>(voxels, std::move(cells),
                                           options_for(stiffness_ratio(map, stiffness)));
-  r = VoxelField<float>(voxels);
-  p = q = z = r;
 }
 
 /** Residual of load case @p k, and the square of its norm. */
-double Solver::outer(const unsigned int k, VoxelField<double> &v, VoxelField<float> &out)
+double Solver::outer(const unsigned int k,
+                     VoxelField<double> &v,
+                     VoxelField<float> &out,
+                     double *exact)
 {
   SweepArguments<double> a = sweep_arguments(voxels, work);
   a.x                      = v.data();
   a.out                    = out.data();
+  a.exact                  = exact;
   a.phase                  = phases.data();
   a.table                  = table.data();
-  const double volume = voxels.spacing[0] * voxels.spacing[1] * voxels.spacing[2];
+  const double volume      = voxels.spacing[0] * voxels.spacing[1] * voxels.spacing[2];
   if (voxels.sides == Sides::free)
     a.stress[k] = volume / 4.;
   else
@@ -146,14 +148,16 @@ double Solver::outer(const unsigned int k, VoxelField<double> &v, VoxelField<flo
   return kernels().outer[n_coefficients == n_general](a);
 }
 
-void Solver::residual(const unsigned int k, VoxelField<double> &v, VoxelField<float> &out)
+void Solver::residual(const unsigned int k,
+                      VoxelField<double> &v,
+                      VoxelField<double> &out)
 {
   v.set_ghosts();
-  outer(k, v, out);
-  // From volume per length, in the unit of stress, to N.
-  const double unit = voxels.sides == Sides::free ? 1. : modulus;
+  outer(k, v, multigrid->finest_buffer(), out.data());
+  // From the units of stress and length.
+  const double unit = (voxels.sides == Sides::free ? 1. : modulus) * length * length;
   for (std::size_t i = 0; i < out.size(); ++i)
-    out.data()[i] = static_cast<float>(out.data()[i] * unit * length * length);
+    out.data()[i] *= unit;
 }
 
 SolverReport
@@ -163,6 +167,9 @@ Solver::solve(const unsigned int k, const double tolerance, const unsigned int l
   if (!multigrid)
     return report;
   const FlushDenormals flush;
+  for (VoxelField<float> *field : {&r, &p, &q, &z})
+    if (field->size() == 0)
+      *field = VoxelField<float>(voxels);
   u[k]                   = VoxelField<double>(voxels);
   const double reference = std::sqrt(outer(k, u[k], r));
   double norm = reference, alpha = 0., rz = 0., trusted = reference;
@@ -206,7 +213,8 @@ Solver::solve(const unsigned int k, const double tolerance, const unsigned int l
 }
 
 std::array<SolverReport, 6>
-Solver::solve_all(const double tolerance, const std::function<void(unsigned int)> &progress)
+Solver::solve_all(const double tolerance,
+                  const std::function<void(unsigned int)> &progress)
 {
   std::array<SolverReport, 6> reports;
   for (unsigned int k = 0; k < 6; ++k)
@@ -224,14 +232,18 @@ VoigtMatrix<3> Solver::effective_stiffness()
     return mean_stiffness * modulus;
   const double volume = voxels.spacing[0] * voxels.spacing[1] * voxels.spacing[2] *
                         voxels.cells[0] * voxels.cells[1] * voxels.cells[2];
-  VoxelField<double> zero(voxels);
+  // In the place of what the next solve makes anew.
+  r = p = q = z = VoxelField<float>();
+  VoxelField<double> zero(voxels), force(voxels);
+  VoxelField<float> &unused    = multigrid->finest_buffer();
   VoigtMatrix<3> work_of_loads = VoigtMatrix<3>::Zero();
   for (unsigned int k = 0; k < 6; ++k)
     {
-      outer(k, zero, r);
+      outer(k, zero, unused, force.data());
       for (unsigned int l = k; l < 6; ++l)
         work_of_loads(k, l) = work_of_loads(l, k) =
-          (kernels().mixed_dot(r.size(), r.data(), u[l].data()) + corrections(k, l)) /
+          (kernels().double_dot(force.size(), force.data(), u[l].data()) +
+           corrections(k, l)) /
           volume;
     }
   if (voxels.sides == Sides::free)

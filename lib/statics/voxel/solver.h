@@ -38,9 +38,8 @@ public:
    * of zero. @p limit bounds the iterations.
    * @throws NotConverged
    */
-  SolverReport solve(const unsigned int k,
-                     const double tolerance,
-                     const unsigned int limit = 2000);
+  SolverReport
+  solve(const unsigned int k, const double tolerance, const unsigned int limit = 2000);
 
   /** Solves all; @p progress gets the number of those that are done. */
   std::array<SolverReport, 6>
@@ -64,8 +63,10 @@ public:
   VoigtVector<3> cell_strain(const unsigned int k,
                              const std::array<unsigned int, 3> &cell) const;
 
-  /** Residual forces (N) of a field of unknowns under the load of case k; for tests. */
-  void residual(const unsigned int k, VoxelField<double> &u, VoxelField<float> &out);
+  /** Forces (N) of the load of case k less those of the unknowns @p v, a field of grid(),
+   *  in edges along y (for free sides: times the unit of stress over 1 Pa, the largest
+   *  entry of all stiffnesses); its ghosts are set. */
+  void residual(const unsigned int k, VoxelField<double> &v, VoxelField<double> &out);
 
   /** Nodes and cells as the fields count them; lengths in edges along y. */
   const VoxelGrid &grid() const
@@ -76,13 +77,16 @@ public:
 private:
   void set_phases(const PhaseMap<3> &map);
   void build_multigrid(const PhaseMap<3> &map);
-  double outer(const unsigned int k, VoxelField<double> &u, VoxelField<float> &out);
+  double outer(const unsigned int k,
+               VoxelField<double> &v,
+               VoxelField<float> &out,
+               double *exact = nullptr);
 
   const std::vector<VoigtMatrix<3>> stiffness;
   VoxelGrid voxels;
-  unsigned int n_coefficients = 0;
-  double modulus = 1.; ///< unit of stress (Pa)
-  double length  = 1.; ///< unit of length (m)
+  unsigned int n_coefficients   = 0;
+  double modulus                = 1.;                     ///< unit of stress (Pa)
+  double length                 = 1.;                     ///< unit of length (m)
   VoigtMatrix<3> mean_stiffness = VoigtMatrix<3>::Zero(); ///< in units of modulus
   LineVector<std::uint8_t> phases;
   LineVector<double> table, work;

@@ -26,8 +26,8 @@ std::vector<std::vector<Share>> shares(const unsigned int n_fine,
   std::vector<std::vector<Share>> result(n_coarse);
   // In units of 1 / (n_fine n_coarse) of the box, which are whole.
   for (unsigned int i = 0; i < n_coarse; ++i)
-    for (unsigned int f = i * n_fine / n_coarse; f < n_fine && f * n_coarse < (i + 1) * n_fine;
-         ++f)
+    for (unsigned int f = i * n_fine / n_coarse;
+         f < n_fine && f * n_coarse < (i + 1) * n_fine; ++f)
       {
         const unsigned int begin = std::max(i * n_fine, f * n_coarse),
                            end   = std::min((i + 1) * n_fine, (f + 1) * n_coarse);
@@ -81,9 +81,9 @@ coarsened(const VoxelGrid &fine, CellStiffness &stiffness, const VoxelGrid &coar
   CellStiffness result;
   result.n_coefficients = stiffness.n_coefficients;
   result.numbers.resize(coarse.n_cell_rows() * result.n_coefficients * coarse.stride());
-  const auto x = shares(fine.cells[0], coarse.cells[0]),
-             y = shares(fine.cells[1], coarse.cells[1]),
-             z = shares(fine.cells[2], coarse.cells[2]);
+  const auto x             = shares(fine.cells[0], coarse.cells[0]),
+             y             = shares(fine.cells[1], coarse.cells[1]),
+             z             = shares(fine.cells[2], coarse.cells[2]);
   const unsigned int first = fine.first();
   const auto factor        = static_cast<float>(coarse.factor() / fine.factor());
   for (unsigned int k = 0; k < coarse.cells[2]; ++k)
@@ -123,7 +123,7 @@ Transfer::axis(const VoxelGrid &fine, const VoxelGrid &coarse, const unsigned in
 {
   Axis result;
   const std::size_t n = fine.cells[d], m = coarse.cells[d];
-  result.halves       = 2 * m == n;
+  result.halves = 2 * m == n;
   // By number in the field; ghosts have no place.
   result.left.resize(fine.n_nodes(d) + 2);
   result.weight.resize(fine.n_nodes(d) + 2);
@@ -144,7 +144,7 @@ void Transfer::restrict_row(const float *fine, float *coarse) const
   if (x.halves)
     {
       // Fine node 2 i (held) or 2 i - 1 is coarse node i.
-      const float *same = fine - first;
+      const float *same    = fine - first;
       const unsigned int n = n_coarse[0];
       for (unsigned int i = 1; i <= n; ++i)
         coarse[i] = same[2 * i] + 0.5F * same[2 * i + 1];
@@ -178,7 +178,7 @@ void Transfer::restrict_to(const VoxelField<float> &r, VoxelField<float> &b)
     for (unsigned int i = 1; i <= n_fine[d]; ++i)
       for (unsigned int next = 0; next < 2; ++next)
         {
-          const float w  = next == 1 ? axes[d].weight[i] : 1.F - axes[d].weight[i];
+          const float w   = next == 1 ? axes[d].weight[i] : 1.F - axes[d].weight[i];
           unsigned int to = axes[d].left[i] + next;
           if (periodic && to == n_coarse[d] + 1)
             to = 1;
@@ -213,7 +213,7 @@ void Transfer::add_row(const float *coarse, float *fine) const
   const Axis &x = axes[0];
   if (x.halves)
     {
-      float *same = fine - first;
+      float *same          = fine - first;
       const unsigned int n = n_coarse[0];
       if (first == 0)
         fine[1] += 0.5F * coarse[1];
@@ -245,8 +245,8 @@ void Transfer::add_from(const VoxelField<float> &c, VoxelField<float> &x)
                         z = next & 2U ? axes[2].weight[k] : 1.F - axes[2].weight[k];
             if (y * z == 0.F)
               continue;
-            const float *coarse = c.row(0, axes[1].left[j] + (next & 1U),
-                                        axes[2].left[k] + (next >> 1));
+            const float *coarse =
+              c.row(0, axes[1].left[j] + (next & 1U), axes[2].left[k] + (next >> 1));
             for (std::size_t i = 0; i < n; ++i)
               sum[i] += y * z * coarse[i];
           }

@@ -20,8 +20,8 @@ enum class Sides
 /** A box of cells and which of its nodes are unknowns. */
 struct VoxelGrid
 {
-  std::array<unsigned int, 3> cells = {}; ///< numbers along x, y, z
-  std::array<double, 3> spacing     = {}; ///< edges of a cell, in any unit
+  std::array<unsigned int, 3> cells = {};          ///< numbers along x, y, z
+  std::array<double, 3> spacing     = {};          ///< edges of a cell, in any unit
   Sides sides                       = Sides::held; ///< all six
 
   /** Number of nodes that are unknowns along an axis. */
@@ -85,7 +85,8 @@ public:
   }
 
   /** The same to read. */
-  const Number *row(const unsigned int c, const unsigned int j, const unsigned int k) const
+  const Number *
+  row(const unsigned int c, const unsigned int j, const unsigned int k) const
   {
     return numbers.data() + ((std::size_t{n[1] + 2} * k + j) * 3 + c) * stride;
   }

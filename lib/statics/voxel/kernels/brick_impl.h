@@ -13,8 +13,8 @@
 template <typename Number>
 MESOSLIP_INLINE typename Simd<Number>::Vector load_any(const Number *p)
 {
-  typedef Number vector
-    __attribute__((vector_size(MESOSLIP_VECTOR_BYTES), aligned(sizeof(Number)), may_alias));
+  typedef Number vector __attribute__((vector_size(MESOSLIP_VECTOR_BYTES),
+                                       aligned(sizeof(Number)), may_alias));
   return (typename Simd<Number>::Vector) * reinterpret_cast<const vector *>(p);
 }
 

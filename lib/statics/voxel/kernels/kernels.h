@@ -46,6 +46,7 @@ struct SweepArguments
   const float *inverse;    ///< D^-1
   float *d;                ///< last change of x
   float *out;              ///< result, zero in ghosts along x
+  double *exact;           ///< the same of outer in double precision, or null
   float keep, step;        ///< see chebyshev
   Number *work;            ///< n_work_rows rows, and a plane of [n[1] + 1][6][stride]
   /** @name Of outer alone: phases of cells [n[2] + 1][n[1] + 1][stride], what a phase has
@@ -76,7 +77,8 @@ struct Kernels
   void (*combine)(std::size_t n, float a, const float *x, float b, float *y);
 
   /** x = d = a D^-1 b: the first Chebyshev step from zero */
-  void (*first_step)(std::size_t n, float a, const float *inverse, const float *b, float *x, float *d);
+  void (*first_step)(
+    std::size_t n, float a, const float *inverse, const float *b, float *x, float *d);
 
   /** x.y */
   double (*dot)(std::size_t n, const float *x, const float *y);
@@ -87,6 +89,9 @@ struct Kernels
 
   /** x.y */
   double (*mixed_dot)(std::size_t n, const float *x, const double *y);
+
+  /** x.y */
+  double (*double_dot)(std::size_t n, const double *x, const double *y);
 
   /** u += a p, r -= a q; r.r */
   double (*step)(

@@ -50,8 +50,7 @@ struct OfPhases
   }
   inline __attribute__((always_inline)) Vector inside(const std::size_t i) const
   {
-    return gather(table + n * 256,
-                  load_bytes(first + i, typename Simd<Number>::Index{}));
+    return gather(table + n * 256, load_bytes(first + i, typename Simd<Number>::Index{}));
   }
 
   const std::uint8_t *first;
@@ -62,16 +61,16 @@ struct OfPhases
 template <typename Number>
 struct Layer
 {
-  const Number *lower, *upper;        ///< nodes of the planes, from row 0 on
-  Number *combined;                   ///< of the last row: sums and differences along z, x
-  Number *forces;                     ///< on these, from the last row of cells
-  Number *plane;                      ///< on those along x of the lower plane, then the upper
-  Number *complete;                   ///< forces on a row of nodes
-  std::size_t stride;                 ///< of all of these
-  unsigned int n_vectors;             ///< in a row
-  Number x, z;                        ///< ratios
-  Number weight[3];                   ///< of terms with xi
-  Number strain[6], stress[6];        ///< added
+  const Number *lower, *upper; ///< nodes of the planes, from row 0 on
+  Number *combined;            ///< of the last row: sums and differences along z, x
+  Number *forces;              ///< on these, from the last row of cells
+  Number *plane;               ///< on those along x of the lower plane, then the upper
+  Number *complete;            ///< forces on a row of nodes
+  std::size_t stride;          ///< of all of these
+  unsigned int n_vectors;      ///< in a row
+  Number x, z;                 ///< ratios
+  Number weight[3];            ///< of terms with xi
+  Number strain[6], stress[6]; ///< added
 };
 
 /** Sums and differences along x and z of a row of nodes: [component][x + 2 z]. */
@@ -87,10 +86,10 @@ combine_nodes(const Layer<Number> &layer, const std::size_t at, Vector v[3][4])
                    a1 = load_any(above + 1);
       const Vector bs = b0 + b1, bd = layer.x * (b1 - b0), as = a0 + a1,
                    ad = layer.x * (a1 - a0);
-      v[c][0] = bs + as;
-      v[c][1] = bd + ad;
-      v[c][2] = layer.z * (as - bs);
-      v[c][3] = layer.z * (ad - bd);
+      v[c][0]         = bs + as;
+      v[c][1]         = bd + ad;
+      v[c][2]         = layer.z * (as - bs);
+      v[c][3]         = layer.z * (ad - bd);
     }
 }
 
@@ -117,10 +116,10 @@ template <typename Number, typename Material>
 MESOSLIP_INLINE void
 row_of_cells(const Layer<Number> &layer, const Material &cells, const std::size_t j)
 {
-  using Vector          = typename Simd<Number>::Vector;
-  const std::size_t s   = layer.stride;
-  Number *plane         = layer.plane + 6 * j * s;
-  Vector before[3]      = {};
+  using Vector        = typename Simd<Number>::Vector;
+  const std::size_t s = layer.stride;
+  Number *plane       = layer.plane + 6 * j * s;
+  Vector before[3]    = {};
   for (unsigned int n = 0; n < layer.n_vectors; ++n)
     {
       const std::size_t i = std::size_t{n} * Simd<Number>::length;
@@ -165,7 +164,7 @@ row_of_cells(const Layer<Number> &layer, const Material &cells, const std::size_
                   store(place, g[c][set[m]] + along);
                 }
             }
-          Number *sums       = plane + (2 * c) * s + i, *differences = sums + s;
+          Number *sums = plane + (2 * c) * s + i, *differences = sums + s;
           const Vector sum   = load(sums) + h[0] - layer.z * h[2],
                        other = load(differences) + h[1] - layer.z * h[3];
           store(sums, h[0] + layer.z * h[2]);
@@ -203,8 +202,8 @@ finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *f)
         else if constexpr (kind == Sweep::chebyshev)
           {
             const Vector change =
-              a.keep * load(a.d + first + i) +
-              a.step * load(a.inverse + first + i) * (load(a.b + first + i) - load(f + i));
+              a.keep * load(a.d + first + i) + a.step * load(a.inverse + first + i) *
+                                                 (load(a.b + first + i) - load(f + i));
             store(a.d + first + i, change);
             store(x + i, load(x + i) + change);
           }
@@ -213,6 +212,8 @@ finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *f)
             sum += load(f + i) * load(f + i);
             for (unsigned int l = 0; l < Simd<Number>::length; ++l)
               a.out[first + i + l] = static_cast<float>(-f[i + l]);
+            if (a.exact)
+              store(a.exact + first + i, -load(f + i));
           }
       if (kind == Sweep::chebyshev && a.periodic)
         {

@@ -53,8 +53,9 @@ MESOSLIP_INLINE double sum_in_pieces(const std::size_t n, const Term &term)
 
 static double dot(const std::size_t n, const float *x, const float *y)
 {
-  return sum_in_pieces(n, [=](const std::size_t i)
-                            __attribute__((always_inline)) { return load(x + i) * load(y + i); });
+  return sum_in_pieces(
+    n, [=](const std::size_t i)
+         __attribute__((always_inline)) { return load(x + i) * load(y + i); });
 }
 
 static void two_dots(
@@ -93,19 +94,24 @@ static double mixed_dot(const std::size_t n, const float *x, const double *y)
   return sum_of<double>(sum);
 }
 
-static double step(const std::size_t n,
-                   const float a,
-                   const float *p,
-                   const float *q,
-                   double *u,
-                   float *r)
+static double double_dot(const std::size_t n, const double *x, const double *y)
+{
+  vdouble sum = {};
+  for (std::size_t i = 0; i < n; i += Simd<double>::length)
+    sum += load(x + i) * load(y + i);
+  return sum_of<double>(sum);
+}
+
+static double step(
+  const std::size_t n, const float a, const float *p, const float *q, double *u, float *r)
 {
   const double factor = a;
-  return sum_in_pieces(n, [=](const std::size_t i) __attribute__((always_inline)) {
-    for (std::size_t l = i; l < i + Simd<float>::length; l += Simd<double>::length)
-      store(u + l, load(u + l) + factor * widened(p + l));
-    const vfloat value = load(r + i) - a * load(q + i);
-    store(r + i, value);
-    return value * value;
-  });
+  return sum_in_pieces(
+    n, [=](const std::size_t i) __attribute__((always_inline)) {
+      for (std::size_t l = i; l < i + Simd<float>::length; l += Simd<double>::length)
+        store(u + l, load(u + l) + factor * widened(p + l));
+      const vfloat value = load(r + i) - a * load(q + i);
+      store(r + i, value);
+      return value * value;
+    });
 }

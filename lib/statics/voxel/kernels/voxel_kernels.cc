@@ -33,6 +33,7 @@ const Kernels &kernels()
     dot,
     two_dots,
     mixed_dot,
+    double_dot,
     step};
   return table;
 }
