@@ -82,6 +82,7 @@ combine_nodes(const Layer<Number> &layer, const std::size_t at, Vector v[3][4])
     {
       const Number *below = layer.lower + c * layer.stride + at,
                    *above = layer.upper + c * layer.stride + at;
+      __builtin_prefetch(above + 3 * layer.stride);
       const Vector b0 = load(below), b1 = load_any(below + 1), a0 = load(above),
                    a1 = load_any(above + 1);
       const Vector bs = b0 + b1, bd = layer.x * (b1 - b0), as = a0 + a1,
@@ -177,49 +178,66 @@ row_of_cells(const Layer<Number> &layer, const Material &cells, const std::size_
     }
 }
 
-/** The forces @p f on a row of nodes are complete. */
+/** Rows in a field that begin on a cache line, from their pointers; null stays null. */
+template <typename T>
+MESOSLIP_INLINE T *at_row(T *field, const std::size_t first)
+{
+  return field ? field + first : nullptr;
+}
+
+/** The forces @p f on a row of nodes are complete. What the next row needs is fetched. */
 template <Sweep kind, typename Number>
 MESOSLIP_INLINE double
-finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *f)
+finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *__restrict f)
 {
-  using Vector = typename Simd<Number>::Vector;
-  Vector sum   = {};
-  for (int c = 0; c < 3; ++c, f += a.stride)
+  using Vector             = typename Simd<Number>::Vector;
+  const std::size_t first  = 3 * row * a.stride, n = 3 * a.stride;
+  const float *__restrict b = at_row(a.b, first), *__restrict inverse =
+                                                    at_row(a.inverse, first);
+  float *__restrict d      = at_row(a.d, first), *__restrict out = at_row(a.out, first);
+  double *__restrict exact = at_row(a.exact, first);
+  Number *__restrict x     = a.x + first;
+  const float keep = a.keep, step = a.step;
+  Vector sum = {};
+  for (int c = 0; c < 3; ++c)
     {
-      const std::size_t first = (3 * row + c) * a.stride;
-      f[0]                    = 0;
+      f[c * a.stride] = 0;
       for (std::size_t i = a.n[0] + 1; i < a.stride; ++i)
-        f[i] = 0;
-      Number *x = a.x + first;
-      for (std::size_t i = 0; i < a.stride; i += Simd<Number>::length)
-        if constexpr (kind == Sweep::product)
-          {
-            sum += load(f + i) * load(x + i);
-            store(a.out + first + i, load(f + i));
-          }
-        else if constexpr (kind == Sweep::residual)
-          store(a.out + first + i, load(a.b + first + i) - load(f + i));
-        else if constexpr (kind == Sweep::chebyshev)
-          {
-            const Vector change =
-              a.keep * load(a.d + first + i) + a.step * load(a.inverse + first + i) *
-                                                 (load(a.b + first + i) - load(f + i));
-            store(a.d + first + i, change);
-            store(x + i, load(x + i) + change);
-          }
-        else
-          {
-            sum += load(f + i) * load(f + i);
-            for (unsigned int l = 0; l < Simd<Number>::length; ++l)
-              a.out[first + i + l] = static_cast<float>(-f[i + l]);
-            if (a.exact)
-              store(a.exact + first + i, -load(f + i));
-          }
-      if (kind == Sweep::chebyshev && a.periodic)
-        {
-          x[0]          = x[a.n[0]];
-          x[a.n[0] + 1] = x[1];
-        }
+        f[c * a.stride + i] = 0;
+    }
+  for (std::size_t i = 0; i < n; i += Simd<Number>::length)
+    if constexpr (kind == Sweep::product)
+      {
+        sum += load(f + i) * load(x + i);
+        store(out + i, load(f + i));
+      }
+    else if constexpr (kind == Sweep::residual)
+      {
+        __builtin_prefetch(b + i + n);
+        store(out + i, load(b + i) - load(f + i));
+      }
+    else if constexpr (kind == Sweep::chebyshev)
+      {
+        __builtin_prefetch(b + i + n);
+        __builtin_prefetch(inverse + i + n);
+        __builtin_prefetch(d + i + n);
+        const Vector change =
+          keep * load(d + i) + step * load(inverse + i) * (load(b + i) - load(f + i));
+        store(d + i, change);
+        store(x + i, load(x + i) + change);
+      }
+    else
+      {
+        sum += load(f + i) * load(f + i);
+        for (unsigned int l = 0; l < Simd<Number>::length; ++l)
+          out[i + l] = static_cast<float>(-f[i + l]);
+        if (exact)
+          store(exact + i, -load(f + i));
+      }
+  for (int c = 0; kind == Sweep::chebyshev && a.periodic && c < 3; ++c)
+    {
+      x[c * a.stride]              = x[c * a.stride + a.n[0]];
+      x[c * a.stride + a.n[0] + 1] = x[c * a.stride + 1];
     }
   double total = 0.;
   for (unsigned int l = 0; l < Simd<Number>::length; ++l)
