@@ -20,8 +20,8 @@ constexpr double strong_ratio = 30.;
 /** The residual is computed anew when it has dropped by this factor: single precision. */
 constexpr double trusted_drop = 1e-4;
 
-/** Largest over smallest shear modulus, bulk modulus or Lame's lambda over shear modulus
- *  among the phases that occur. */
+/** Largest over smallest entry of the diagonals among the phases that occur: grows with the
+ *  contrast and where a phase is nearly incompressible. */
 double stiffness_ratio(const PhaseMap<3> &map,
                        const std::vector<VoigtMatrix<3>> &stiffness)
 {
@@ -42,7 +42,7 @@ double stiffness_ratio(const PhaseMap<3> &map,
 Multigrid::Options options_for(const double ratio)
 {
   if (ratio < strong_ratio)
-    return {{2, 1. / 8.}, 1, 32};
+    return {{2, 1. / 10.}, 2, 8};
   return {{4, 1. / 20.}, 4, 32};
 }
 } // namespace

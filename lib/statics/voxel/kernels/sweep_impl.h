@@ -190,11 +190,11 @@ template <Sweep kind, typename Number>
 MESOSLIP_INLINE double
 finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *__restrict f)
 {
-  using Vector             = typename Simd<Number>::Vector;
-  const std::size_t first  = 3 * row * a.stride, n = 3 * a.stride;
+  using Vector            = typename Simd<Number>::Vector;
+  const std::size_t first = 3 * row * a.stride, n = 3 * a.stride;
   const float *__restrict b = at_row(a.b, first), *__restrict inverse =
                                                     at_row(a.inverse, first);
-  float *__restrict d      = at_row(a.d, first), *__restrict out = at_row(a.out, first);
+  float *__restrict d = at_row(a.d, first), *__restrict out = at_row(a.out, first);
   double *__restrict exact = at_row(a.exact, first);
   Number *__restrict x     = a.x + first;
   const float keep = a.keep, step = a.step;
