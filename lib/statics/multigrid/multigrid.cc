@@ -1,11 +1,9 @@
 #include "statics/multigrid/multigrid.h"
 
+#include "statics/flush_denormals.h"
+
 #include <algorithm>
-#include <cfenv>
 #include <limits>
-#ifdef __x86_64__
-#  include <xmmintrin.h>
-#endif
 
 namespace mesoslip::multigrid
 {
@@ -33,36 +31,6 @@ double shear_contrast(const UniformMaterial &material)
     }
   return largest / smallest;
 }
-
-/**
- * Numbers below the range of single precision count as zero while this lives: what decays
- * along a line would otherwise spend hundreds of cycles an operation on being denormal.
- * On processors other than x86-64 and ARM it does nothing.
- */
-class FlushDenormals
-{
-public:
-  FlushDenormals()
-  {
-    std::fegetenv(&saved);
-#if defined(__x86_64__)
-    constexpr unsigned int flush_to_zero = 0x8000, denormals_are_zero = 0x0040;
-    _mm_setcsr(_mm_getcsr() | flush_to_zero | denormals_are_zero);
-#elif defined(__aarch64__)
-    constexpr unsigned long flush_to_zero = 1UL << 24;
-    unsigned long control;
-    asm volatile("mrs %0, fpcr" : "=r"(control));
-    asm volatile("msr fpcr, %0" : : "r"(control | flush_to_zero));
-#endif
-  }
-  ~FlushDenormals()
-  {
-    std::fesetenv(&saved);
-  }
-
-private:
-  std::fenv_t saved;
-};
 } // namespace
 
 const Kernels &kernels()

@@ -1,0 +1,205 @@
+// The stiffness of a brick, vectors of neighbouring cells at a time. Included inside a
+// namespace by kernels_table.cc.
+//
+// In the basis of products of nodal sums and differences u_S = sum over the nodes of
+// chi_S(n) u(n), chi_S(n) = product over the axes d in S of (2 n_d - 1), S being a set of
+// axes (bit 0: x, 1: y, 2: z), the displacement is 1/8 sum of u_S xi^S with xi from -1 to 1.
+// So the gradient is a polynomial of few terms: constants, coefficients of one xi, and of
+// two; integrals of products of different terms vanish, the others have the weights 1, 1/3
+// and 1/9. Differences along x and z come multiplied by r = h_y / h_x and h_y / h_z, which
+// leaves 2 / h_y before every gradient and 1 / r^2 with every further xi.
+
+/** Vectors at any address. */
+template <typename Number>
+MESOSLIP_INLINE typename Simd<Number>::Vector load_any(const Number *p)
+{
+  typedef Number vector __attribute__((vector_size(MESOSLIP_VECTOR_BYTES),
+                                       aligned(sizeof(Number)), may_alias));
+  return (typename Simd<Number>::Vector) * reinterpret_cast<const vector *>(p);
+}
+
+/** Place of the component c, d in Voigt order. */
+constexpr int voigt(const int c, const int d)
+{
+  return c == d ? c : 6 - c - d;
+}
+
+/** Place of i, j in the upper triangle of a symmetric 6x6 matrix. */
+constexpr int triangle(const int i, const int j)
+{
+  return i <= j ? i * 6 - i * (i - 1) / 2 + j - i : triangle(j, i);
+}
+
+/** Coefficients of neighbouring cells of a row, and what they make of a strain. */
+template <typename Number, unsigned int n_coefficients>
+struct Stiffness;
+
+template <typename Number>
+struct Stiffness<Number, n_isotropic>
+{
+  using Vector = typename Simd<Number>::Vector;
+  Vector lambda, mu;
+
+  template <typename Load>
+  MESOSLIP_INLINE Stiffness of(const Load &load_one)
+  {
+    return {load_one(0), load_one(1)};
+  }
+
+  /** All six stresses of six strains. */
+  inline __attribute__((always_inline)) void stress(const Vector e[6], Vector s[6]) const
+  {
+    const Vector trace = lambda * (e[0] + e[1] + e[2]), twice = mu + mu;
+    for (int i = 0; i < 3; ++i)
+      {
+        s[i]     = trace + twice * e[i];
+        s[i + 3] = mu * e[i + 3];
+      }
+  }
+
+  /** The stresses that matter of strains without the component axis, axis. */
+  template <int axis>
+  inline __attribute__((always_inline)) void plane_stress(const Vector e[6],
+                                                          Vector s[6]) const
+  {
+    constexpr int a = (axis + 1) % 3, b = (axis + 2) % 3;
+    const Vector trace = lambda * (e[a] + e[b]), twice = mu + mu;
+    s[a] = trace + twice * e[a];
+    s[b] = trace + twice * e[b];
+    for (int i = 3; i < 6; ++i)
+      s[i] = mu * e[i];
+  }
+
+  /** sigma n of the strain u n, n along the axis. */
+  template <int axis>
+  inline __attribute__((always_inline)) void line_stress(const Vector u[3],
+                                                         Vector t[3]) const
+  {
+    for (int c = 0; c < 3; ++c)
+      t[c] = (c == axis ? lambda + mu + mu : mu) * u[c];
+  }
+};
+
+template <typename Number>
+struct Stiffness<Number, n_general>
+{
+  using Vector = typename Simd<Number>::Vector;
+  Vector c[n_general];
+
+  template <typename Load>
+  MESOSLIP_INLINE Stiffness of(const Load &load_one)
+  {
+    Stiffness result;
+    for (unsigned int m = 0; m < n_general; ++m)
+      result.c[m] = load_one(m);
+    return result;
+  }
+
+  inline __attribute__((always_inline)) void stress(const Vector e[6], Vector s[6]) const
+  {
+    for (int i = 0; i < 6; ++i)
+      {
+        s[i] = c[triangle(i, 0)] * e[0];
+        for (int j = 1; j < 6; ++j)
+          s[i] += c[triangle(i, j)] * e[j];
+      }
+  }
+
+  template <int axis>
+  inline __attribute__((always_inline)) void plane_stress(const Vector e[6],
+                                                          Vector s[6]) const
+  {
+    for (int i = 0; i < 6; ++i)
+      if (i != axis)
+        {
+          s[i] = c[triangle(i, 3)] * e[3];
+          for (int j = 0; j < 6; ++j)
+            if (j != axis && j != 3)
+              s[i] += c[triangle(i, j)] * e[j];
+        }
+  }
+
+  template <int axis>
+  inline __attribute__((always_inline)) void line_stress(const Vector u[3],
+                                                         Vector t[3]) const
+  {
+    for (int i = 0; i < 3; ++i)
+      {
+        t[i] = c[triangle(voigt(i, axis), voigt(0, axis))] * u[0];
+        for (int j = 1; j < 3; ++j)
+          t[i] += c[triangle(voigt(i, axis), voigt(j, axis))] * u[j];
+      }
+  }
+};
+
+/** Adds to @p g what the terms with xi of the axis make of the modes @p u. */
+template <int axis, typename Vector, typename Material, typename Number>
+MESOSLIP_INLINE void add_linear_terms(const Material &material,
+                                      const Vector u[3][8],
+                                      const Number weight,
+                                      Vector g[3][8])
+{
+  constexpr int a = (axis + 1) % 3, b = (axis + 2) % 3;
+  constexpr int A = 1 << a | 1 << axis, B = 1 << b | 1 << axis;
+  Vector e[6], s[6];
+  e[axis]           = Vector{};
+  e[a]              = u[a][A];
+  e[b]              = u[b][B];
+  e[voigt(a, b)]    = u[a][B] + u[b][A];
+  e[voigt(axis, a)] = u[axis][A];
+  e[voigt(axis, b)] = u[axis][B];
+  material.template plane_stress<axis>(e, s);
+  g[a][A] += weight * s[a];
+  g[b][B] += weight * s[b];
+  g[a][B] += weight * s[voigt(a, b)];
+  g[b][A] += weight * s[voigt(a, b)];
+  g[axis][A] += weight * s[voigt(axis, a)];
+  g[axis][B] += weight * s[voigt(axis, b)];
+}
+
+/** The same for the term with the xi of both other axes. */
+template <int axis, typename Vector, typename Material, typename Number>
+MESOSLIP_INLINE void add_product_term(const Material &material,
+                                      const Vector u[3][8],
+                                      const Number weight,
+                                      Vector g[3][8])
+{
+  const Vector v[3] = {u[0][7], u[1][7], u[2][7]};
+  Vector t[3];
+  material.template line_stress<axis>(v, t);
+  for (int c = 0; c < 3; ++c)
+    g[c][7] += weight * t[c];
+}
+
+/** Strains of the constant gradient. */
+template <typename Vector>
+MESOSLIP_INLINE void mean_strain(const Vector u[3][8], Vector e[6])
+{
+  for (int c = 0; c < 3; ++c)
+    e[c] = u[c][1 << c];
+  e[3] = u[1][4] + u[2][2];
+  e[4] = u[0][4] + u[2][1];
+  e[5] = u[0][2] + u[1][1];
+}
+
+/** Forces @p g on the modes from stresses @p s of the constant gradient and the modes u. */
+template <typename Vector, typename Material, typename Number>
+MESOSLIP_INLINE void mode_forces(const Material &material,
+                                 const Vector u[3][8],
+                                 const Vector s[6],
+                                 const Number weight[3],
+                                 Vector g[3][8])
+{
+  for (int c = 0; c < 3; ++c)
+    {
+      for (int d = 0; d < 3; ++d)
+        g[c][1 << d] = s[voigt(c, d)];
+      g[c][3] = g[c][5] = g[c][6] = g[c][7] = Vector{};
+    }
+  add_linear_terms<0>(material, u, weight[0], g);
+  add_linear_terms<1>(material, u, weight[1], g);
+  add_linear_terms<2>(material, u, weight[2], g);
+  add_product_term<0>(material, u, weight[1] * weight[2], g);
+  add_product_term<1>(material, u, weight[2] * weight[0], g);
+  add_product_term<2>(material, u, weight[0] * weight[1], g);
+}

@@ -1,0 +1,114 @@
+#ifndef mesoslip_statics_voxel_kernels_kernels_h
+#define mesoslip_statics_voxel_kernels_kernels_h
+
+#include "elasticity/kernel_variants.h"
+
+#include <cstddef>
+#include <cstdint>
+
+/**
+ * Interface between the solver on voxels and its kernels, which are compiled once for each
+ * instruction set. Plain structures and pointers only, see kernel_variants.h.
+ *
+ * A field has n[0] x n[1] x n[2] nodes, numbered from 1, and one ghost node at either end
+ * of each axis: numbers 0 and n + 1. Cell number c lies between the nodes c and c + 1, so
+ * there are n + 1 of them; what lies outside of the body has no stiffness. Rows along x are
+ * `stride` numbers long and start a cache line; a field is [n[2] + 2][n[1] + 2][3][stride].
+ */
+namespace mesoslip::voxel
+{
+/** Numbers a cell: Lame's two, or the upper triangle of the stiffness by rows. */
+constexpr unsigned int n_isotropic = 2, n_general = 21;
+
+/** Arrays of one row (of nodes or cells) that the sweep needs for itself: [...][stride] */
+constexpr unsigned int n_work_rows = 27;
+
+/** What a sweep over all nodes does with the forces K x. */
+enum class Sweep : unsigned int
+{
+  product,   ///< out = K x; sum: x.K x
+  residual,  ///< out = b - K x
+  chebyshev, ///< d = keep d + step D^-1 (b - K x), x += d
+  outer      ///< out = - K x with strain and stress added in each cell; sum: its square
+};
+
+/** Arguments of a sweep. Stiffness is that of a cell times its volume over 16 h_y^2. */
+template <typename Number>
+struct SweepArguments
+{
+  unsigned int n[3];       ///< nodes
+  std::size_t stride;      ///< of rows
+  bool periodic;           ///< in x
+  Number ratio[2];         ///< h_y / h_x, h_y / h_z
+  Number *x;               ///< ghosts set; changed by chebyshev
+  const Number *stiffness; ///< [n[2] + 1][n[1] + 1][coefficients][stride], not for outer
+  const float *b;          ///< right-hand side
+  const float *inverse;    ///< D^-1
+  float *d;                ///< last change of x
+  float *out;              ///< result, zero in ghosts along x
+  double *exact;           ///< the same of outer in double precision, or null
+  float keep, step;        ///< see chebyshev
+  Number *work;            ///< n_work_rows rows, and a plane of [n[1] + 1][6][stride]
+  /** @name Of outer alone: phases of cells [n[2] + 1][n[1] + 1][stride], what a phase has
+   * of each coefficient and, last, whether it is one: [coefficients + 1][256]; Voigt strain
+   * times 4 h_y and stress times volume over 4 h_y that are added.
+   * @{
+   */
+  const std::uint8_t *phase;
+  const Number *table;
+  Number strain[6];
+  Number stress[6];
+  /** @} */
+};
+
+/** All kernels of one instruction set. Arrays in [2] are for isotropic and any cells. */
+struct Kernels
+{
+  double (*product[2])(const SweepArguments<float> &);   ///< see Sweep
+  double (*residual[2])(const SweepArguments<float> &);  ///< see Sweep
+  double (*chebyshev[2])(const SweepArguments<float> &); ///< see Sweep
+  double (*outer[2])(const SweepArguments<double> &);    ///< see Sweep
+
+  /**
+   * @name Vectors of n numbers, n in whole cache lines
+   * @{
+   */
+  /** y = a x + b y */
+  void (*combine)(std::size_t n, float a, const float *x, float b, float *y);
+
+  /** x = d = a D^-1 b: the first Chebyshev step from zero */
+  void (*first_step)(
+    std::size_t n, float a, const float *inverse, const float *b, float *x, float *d);
+
+  /** x.y */
+  double (*dot)(std::size_t n, const float *x, const float *y);
+
+  /** x.z and y.z */
+  void (*two_dots)(
+    std::size_t n, const float *x, const float *y, const float *z, double results[2]);
+
+  /** x.y */
+  double (*mixed_dot)(std::size_t n, const float *x, const double *y);
+
+  /** x.y */
+  double (*double_dot)(std::size_t n, const double *x, const double *y);
+
+  /** u += a p, r -= a q; r.r */
+  double (*step)(
+    std::size_t n, float a, const float *p, const float *q, double *u, float *r);
+  /** @} */
+};
+
+#define MESOSLIP_DECLARE_TABLE(name) \
+  namespace name                     \
+  {                                  \
+  const Kernels &kernels();          \
+  }
+MESOSLIP_FOR_EACH_VARIANT(MESOSLIP_DECLARE_TABLE)
+#undef MESOSLIP_DECLARE_TABLE
+
+/** The kernels for what this processor can run (see InstructionSet::automatic). */
+const Kernels &kernels();
+} // namespace mesoslip::voxel
+
+#endif

@@ -1,0 +1,117 @@
+// Operations on whole fields. Included inside a namespace by kernels_table.cc; what they
+// do is in kernels.h.
+
+/** Sum of the entries in double precision. */
+template <typename Number, typename Vector>
+MESOSLIP_INLINE double sum_of(const Vector v)
+{
+  double sum = 0.;
+  for (unsigned int l = 0; l < Simd<Number>::length; ++l)
+    sum += v[l];
+  return sum;
+}
+
+static void
+combine(const std::size_t n, const float a, const float *x, const float b, float *y)
+{
+  for (std::size_t i = 0; i < n; i += Simd<float>::length)
+    store(y + i, a * load(x + i) + b * load(y + i));
+}
+
+static void first_step(const std::size_t n,
+                       const float a,
+                       const float *inverse,
+                       const float *b,
+                       float *x,
+                       float *d)
+{
+  for (std::size_t i = 0; i < n; i += Simd<float>::length)
+    {
+      const vfloat change = a * load(inverse + i) * load(b + i);
+      store(x + i, change);
+      store(d + i, change);
+    }
+}
+
+/** Single precision within so many numbers, double beyond. */
+constexpr std::size_t piece = 512;
+
+template <typename Term>
+MESOSLIP_INLINE double sum_in_pieces(const std::size_t n, const Term &term)
+{
+  double sum = 0.;
+  for (std::size_t begin = 0; begin < n; begin += piece)
+    {
+      const std::size_t end = begin + piece < n ? begin + piece : n;
+      vfloat part           = {};
+      for (std::size_t i = begin; i < end; i += Simd<float>::length)
+        part += term(i);
+      sum += sum_of<float>(part);
+    }
+  return sum;
+}
+
+static double dot(const std::size_t n, const float *x, const float *y)
+{
+  return sum_in_pieces(
+    n, [=](const std::size_t i)
+         __attribute__((always_inline)) { return load(x + i) * load(y + i); });
+}
+
+static void two_dots(
+  const std::size_t n, const float *x, const float *y, const float *z, double results[2])
+{
+  results[1] = 0.;
+  double sum = 0.;
+  for (std::size_t begin = 0; begin < n; begin += piece)
+    {
+      const std::size_t end = begin + piece < n ? begin + piece : n;
+      vfloat first = {}, second = {};
+      for (std::size_t i = begin; i < end; i += Simd<float>::length)
+        {
+          first += load(x + i) * load(z + i);
+          second += load(y + i) * load(z + i);
+        }
+      sum += sum_of<float>(first);
+      results[1] += sum_of<float>(second);
+    }
+  results[0] = sum;
+}
+
+/** One vector in double precision, from single precision. */
+MESOSLIP_INLINE vdouble widened(const float *p)
+{
+  typedef float half
+    __attribute__((vector_size(MESOSLIP_VECTOR_BYTES / 2), aligned(4), may_alias));
+  return __builtin_convertvector(*reinterpret_cast<const half *>(p), vdouble);
+}
+
+static double mixed_dot(const std::size_t n, const float *x, const double *y)
+{
+  vdouble sum = {};
+  for (std::size_t i = 0; i < n; i += Simd<double>::length)
+    sum += widened(x + i) * load(y + i);
+  return sum_of<double>(sum);
+}
+
+static double double_dot(const std::size_t n, const double *x, const double *y)
+{
+  vdouble sum = {};
+  for (std::size_t i = 0; i < n; i += Simd<double>::length)
+    sum += load(x + i) * load(y + i);
+  return sum_of<double>(sum);
+}
+
+static double step(
+  const std::size_t n, const float a, const float *p, const float *q, double *u, float *r)
+{
+  const double factor = a;
+  return sum_in_pieces(
+    n, [=](const std::size_t i) __attribute__((always_inline)) {
+      for (std::size_t l = i; l < i + Simd<float>::length; l += Simd<double>::length)
+        store(u + l, load(u + l) + factor * widened(p + l));
+      const vfloat value = load(r + i) - a * load(q + i);
+      store(r + i, value);
+      return value * value;
+    });
+}

@@ -1,0 +1,88 @@
+#ifndef mesoslip_statics_voxel_level_h
+#define mesoslip_statics_voxel_level_h
+
+#include "statics/voxel/kernels/kernels.h"
+#include "statics/voxel/voxel_field.h"
+
+#include <vector>
+
+namespace mesoslip::voxel
+{
+/** Coefficients of the cells of a grid, as in kernels.h: [z][y][coefficient][stride]. */
+struct CellStiffness
+{
+  unsigned int n_coefficients = 0; ///< n_isotropic or n_general
+  LineVector<float> numbers;       ///< zero outside of the body
+
+  /** Coefficient @p m of a row of cells. */
+  float *row(const VoxelGrid &grid,
+             const unsigned int m,
+             const unsigned int j,
+             const unsigned int k)
+  {
+    return numbers.data() +
+           ((std::size_t{grid.n_nodes(1)} + 1) * k + j) * n_coefficients * grid.stride() +
+           m * grid.stride();
+  }
+};
+
+/** Polynomial of a smoother: its degree, and the share of the spectrum it works on, from
+ *  the largest eigenvalue down to this fraction of it. */
+struct Smoothing
+{
+  unsigned int degree = 2;      ///< steps
+  double range        = 1. / 8; ///< of the spectrum
+};
+
+/** A grid of the multigrid: stiffness in single precision and Chebyshev's smoother with the
+ *  diagonal. */
+class Level
+{
+public:
+  /** Estimates the largest eigenvalue of D^-1 K. */
+  Level(const VoxelGrid &grid, CellStiffness &&stiffness);
+
+  /** out = K x, ghosts of x set; returns x.K x. */
+  double product(VoxelField<float> &x, VoxelField<float> &out);
+
+  /** out = b - K x. */
+  void residual(VoxelField<float> &x, const VoxelField<float> &b, VoxelField<float> &out);
+
+  /** Improves x, or starts from zero. @p d is overwritten. */
+  void smooth(const Smoothing &smoothing,
+              const bool from_zero,
+              VoxelField<float> &x,
+              const VoxelField<float> &b,
+              VoxelField<float> &d);
+
+  const VoxelGrid grid;    ///< its cells
+  CellStiffness stiffness; ///< of them
+
+private:
+  SweepArguments<float> arguments(VoxelField<float> &x);
+  void set_inverse_diagonal();
+  void estimate_largest_eigenvalue();
+
+  VoxelField<float> inverse;
+  LineVector<float> work;
+  double largest = 0.;
+};
+
+/** Arguments of a sweep that follow from the grid. @p work gets its size. */
+template <typename Number>
+SweepArguments<Number> sweep_arguments(const VoxelGrid &grid, LineVector<Number> &work)
+{
+  SweepArguments<Number> a = {};
+  for (unsigned int d = 0; d < 3; ++d)
+    a.n[d] = grid.n_nodes(d);
+  a.stride   = grid.stride();
+  a.periodic = grid.sides == Sides::periodic;
+  a.ratio[0] = static_cast<Number>(grid.ratio(0));
+  a.ratio[1] = static_cast<Number>(grid.ratio(2));
+  work.resize((n_work_rows + 6 * (std::size_t{a.n[1]} + 1)) * a.stride);
+  a.work = work.data();
+  return a;
+}
+} // namespace mesoslip::voxel
+
+#endif

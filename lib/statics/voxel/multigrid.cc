@@ -1,0 +1,152 @@
+#include "statics/voxel/multigrid.h"
+
+#include "statics/flush_denormals.h"
+#include "statics/voxel/brick_matrices.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <utility>
+
+namespace mesoslip::voxel
+{
+namespace
+{
+/** Energies below this share of the largest are those of rigid motions. */
+constexpr double rigid_energy = 1e-11;
+
+/** Number of the unknown, or of none, of a node (field numbers) on the coarsest grid. */
+long unknown(const VoxelGrid &grid,
+             std::array<unsigned int, 3> node,
+             const unsigned int c)
+{
+  long number = 0;
+  for (unsigned int d = 3; d-- > 0;)
+    {
+      const unsigned int n = grid.n_nodes(d);
+      if (grid.sides == Sides::periodic)
+        node[d] = (node[d] + n - 1) % n + 1;
+      if (node[d] < 1 || node[d] > n)
+        return -1;
+      number = number * n + node[d] - 1;
+    }
+  return 3 * number + c;
+}
+} // namespace
+
+Multigrid::Multigrid(const VoxelGrid &grid,
+                     CellStiffness &&stiffness,
+                     const Options &options)
+{
+  const FlushDenormals flush;
+  levels.emplace_back(grid, std::move(stiffness));
+  smoothings.push_back(options.finest);
+  d.emplace_back(grid);
+  x.emplace_back();
+  b.emplace_back();
+  for (VoxelGrid next = coarser(grid); next.cells != levels.back().grid.cells;
+       next           = coarser(levels.back().grid))
+    {
+                Level &fine = levels.back();
+                transfers.emplace_back(fine.grid, next);
+                levels.emplace_back(next, coarsened(fine.grid, fine.stiffness, next));
+                const Smoothing &last = smoothings.back();
+                const unsigned int degree =
+                  std::max(last.degree, std::min(options.greatest, last.degree * options.growth));
+                const double growth = static_cast<double>(degree) / last.degree;
+                smoothings.push_back({degree, last.range / (growth * growth)});
+                x.emplace_back(next);
+                b.emplace_back(next);
+                d.emplace_back(next);
+    }
+  build_bottom();
+}
+
+void Multigrid::build_bottom()
+{
+  Level &level         = levels.back();
+  const VoxelGrid grid = level.grid;
+  const auto n =
+    static_cast<Eigen::Index>(3) * grid.n_nodes(0) * grid.n_nodes(1) * grid.n_nodes(2);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+  const std::vector<BrickMatrix> matrices =
+    brick_matrices(grid.spacing, level.stiffness.n_coefficients);
+  for (unsigned int cell = 0; cell < grid.cells[0] * grid.cells[1] * grid.cells[2];
+       ++cell)
+    {
+      const std::array<unsigned int, 3> first = {
+        {cell % grid.cells[0] + grid.first(),
+         cell / grid.cells[0] % grid.cells[1] + grid.first(),
+         cell / grid.cells[0] / grid.cells[1] + grid.first()}};
+      BrickMatrix matrix = BrickMatrix::Zero();
+      for (unsigned int m = 0; m < matrices.size(); ++m)
+        matrix += static_cast<double>(
+                    level.stiffness.row(grid, m, first[1], first[2])[first[0]]) *
+                  matrices[m];
+      std::array<long, 24> index;
+      for (unsigned int k = 0; k < 24; ++k)
+        {
+          const unsigned int corner = k / 3;
+          index[k]                  = unknown(grid,
+                                              {{first[0] + (corner & 1U), first[1] + (corner >> 1 & 1U),
+                                                first[2] + (corner >> 2)}},
+                                              k % 3);
+        }
+      for (unsigned int r = 0; r < 24; ++r)
+        for (unsigned int c = 0; c < 24; ++c)
+          if (index[r] >= 0 && index[c] >= 0)
+            K(index[r], index[c]) += matrix(r, c);
+    }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K);
+  const Eigen::VectorXd &energies = modes.eigenvalues();
+  Eigen::VectorXd inverse         = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (energies[i] > rigid_energy * energies[n - 1])
+      inverse[i] = 1. / energies[i];
+  bottom_inverse =
+    modes.eigenvectors() * inverse.asDiagonal() * modes.eigenvectors().transpose();
+}
+
+void Multigrid::solve_bottom(VoxelField<float> &solution,
+                             const VoxelField<float> &force) const
+{
+  const auto &n = solution.n_nodes();
+  Eigen::VectorXd in(bottom_inverse.rows());
+  const auto for_each = [&n](const auto &function) {
+    Eigen::Index index = 0;
+    for (unsigned int k = 1; k <= n[2]; ++k)
+      for (unsigned int j = 1; j <= n[1]; ++j)
+        for (unsigned int i = 1; i <= n[0]; ++i)
+          for (unsigned int c = 0; c < 3; ++c, ++index)
+            function(index, c, i, j, k);
+  };
+  for_each([&](Eigen::Index index, unsigned int c, unsigned int i, unsigned int j,
+               unsigned int k) { in[index] = force.row(c, j, k)[i]; });
+  const Eigen::VectorXd out = bottom_inverse * in;
+  for_each(
+    [&](Eigen::Index index, unsigned int c, unsigned int i, unsigned int j,
+        unsigned int k) { solution.row(c, j, k)[i] = static_cast<float>(out[index]); });
+  solution.set_ghosts();
+}
+
+void Multigrid::vmult(VoxelField<float> &solution, const VoxelField<float> &force)
+{
+  const FlushDenormals flush;
+  visit(0, solution, force);
+}
+
+void Multigrid::visit(const std::size_t l,
+                      VoxelField<float> &solution,
+                      const VoxelField<float> &force)
+{
+  if (l + 1 == levels.size())
+    return solve_bottom(solution, force);
+  Level &level = levels[l];
+  level.smooth(smoothings[l], true, solution, force, d[l]);
+  level.residual(solution, force, d[l]);
+  transfers[l].restrict_to(d[l], b[l + 1]);
+  visit(l + 1, x[l + 1], b[l + 1]);
+  transfers[l].add_from(x[l + 1], solution);
+  level.smooth(smoothings[l], false, solution, force, d[l]);
+}
+} // namespace mesoslip::voxel

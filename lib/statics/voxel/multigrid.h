@@ -1,0 +1,63 @@
+#ifndef mesoslip_statics_voxel_multigrid_h
+#define mesoslip_statics_voxel_multigrid_h
+
+#include "statics/voxel/level.h"
+#include "statics/voxel/transfer.h"
+
+#include <Eigen/Core>
+
+#include <deque>
+#include <vector>
+
+namespace mesoslip::voxel
+{
+/**
+ * Preconditioner for the stiffness of voxels, in single precision: one V cycle, symmetric,
+ * with Chebyshev's smoother on every grid and means of the stiffness on the coarse ones,
+ * which are spectrally equivalent to the Galerkin operators whatever the contrast. Coarser
+ * grids are smoothed more: inclusions that touch on a coarse grid and not on a fine one are
+ * moved by the latter alone, and steps there cost an eighth.
+ */
+class Multigrid
+{
+public:
+  /** Smoothing of grid 0, and by how much the degree grows from grid to grid. */
+  struct Options
+  {
+    Smoothing finest;           ///< of grid 0
+    unsigned int growth   = 1;  ///< of the degree, from grid to grid
+    unsigned int greatest = 32; ///< degree
+  };
+
+  /** Takes the finest grid; ghost cells of @p stiffness are set. */
+  Multigrid(const VoxelGrid &grid, CellStiffness &&stiffness, const Options &options);
+
+  /** x = M^-1 b; ghosts of x are set. */
+  void vmult(VoxelField<float> &x, const VoxelField<float> &b);
+
+  /** Grid 0. */
+  Level &finest()
+  {
+    return levels.front();
+  }
+
+  /** A field of grid 0 that vmult() overwrites. */
+  VoxelField<float> &finest_buffer()
+  {
+    return d.front();
+  }
+
+private:
+  void visit(const std::size_t l, VoxelField<float> &x, const VoxelField<float> &b);
+  void build_bottom();
+  void solve_bottom(VoxelField<float> &x, const VoxelField<float> &b) const;
+
+  std::deque<Level> levels;
+  std::vector<Transfer> transfers; ///< from grid l to l + 1
+  std::vector<Smoothing> smoothings;
+  std::vector<VoxelField<float>> x, b, d; ///< x and b of grid 0 are the caller's
+  Eigen::MatrixXd bottom_inverse;
+};
+} // namespace mesoslip::voxel
+
+#endif

@@ -1,0 +1,100 @@
+#ifndef mesoslip_statics_voxel_solver_h
+#define mesoslip_statics_voxel_solver_h
+
+#include "grid/uniform_grid.h"
+#include "material/voigt.h"
+#include "statics/static_solver.h"
+#include "statics/voxel/multigrid.h"
+#include "statics/voxel/voxel_field.h"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace mesoslip::voxel
+{
+/**
+ * The six unit load cases of a volume of voxels: trilinear bricks, exactly integrated,
+ * without a matrix. Conjugate gradients in single precision with a multigrid cycle; the
+ * displacements and, from time to time, the residual are in double precision.
+ *
+ * Held and periodic sides: u = E.x + fluctuation with a unit strain E (engineering shear),
+ * the fluctuation being zero at the sides (KUBC) or periodic (PBC, up to a translation).
+ * Free sides: tractions S.n of a unit stress (SUBC, up to a rigid motion), and the whole
+ * displacement is called fluctuation.
+ */
+class Solver
+{
+public:
+  /** Phases have their stiffness (Pa) in @p stiffness; at most 255 of them.
+   * @throws std::invalid_argument for a phase without a stiffness */
+  Solver(const PhaseMap<3> &phases,
+         const std::vector<VoigtMatrix<3>> &stiffness,
+         const Sides sides);
+
+  /**
+   * Solves load case @p k (Voigt) from zero until the residual is @p tolerance times that
+   * of zero. @p limit bounds the iterations.
+   * @throws NotConverged
+   */
+  SolverReport
+  solve(const unsigned int k, const double tolerance, const unsigned int limit = 2000);
+
+  /** Solves all; @p progress gets the number of those that are done. */
+  std::array<SolverReport, 6>
+  solve_all(const double tolerance,
+            const std::function<void(unsigned int)> &progress = {});
+
+  /**
+   * Effective stiffness (Pa) from the energies, of second order in the error of the
+   * solutions: lambda_min <= SUBC <= PBC <= KUBC of the true one. After all cases in
+   * ascending order.
+   */
+  VoigtMatrix<3> effective_stiffness();
+
+  /** Fluctuation of case k (m, for free sides m for 1 Pa), component c at node (i, j, l)
+   *  of the grid, from 0 to the numbers of cells. */
+  double fluctuation(const unsigned int k,
+                     const unsigned int c,
+                     const std::array<unsigned int, 3> &node) const;
+
+  /** Mean strain (for free sides: for 1 Pa) of a cell in case k, that of E included. */
+  VoigtVector<3> cell_strain(const unsigned int k,
+                             const std::array<unsigned int, 3> &cell) const;
+
+  /** Forces (N) of the load of case k less those of the unknowns @p v, a field of grid(),
+   *  in edges along y (for free sides: times the unit of stress over 1 Pa, the largest
+   *  entry of all stiffnesses); its ghosts are set. */
+  void residual(const unsigned int k, VoxelField<double> &v, VoxelField<double> &out);
+
+  /** Nodes and cells as the fields count them; lengths in edges along y. */
+  const VoxelGrid &grid() const
+  {
+    return voxels;
+  }
+
+private:
+  void set_phases(const PhaseMap<3> &map);
+  void build_multigrid(const PhaseMap<3> &map);
+  double outer(const unsigned int k,
+               VoxelField<double> &v,
+               VoxelField<float> &out,
+               double *exact = nullptr);
+
+  const std::vector<VoigtMatrix<3>> stiffness;
+  VoxelGrid voxels;
+  unsigned int n_coefficients   = 0;
+  double modulus                = 1.;                     ///< unit of stress (Pa)
+  double length                 = 1.;                     ///< unit of length (m)
+  VoigtMatrix<3> mean_stiffness = VoigtMatrix<3>::Zero(); ///< in units of modulus
+  LineVector<std::uint8_t> phases;
+  LineVector<double> table, work;
+  std::unique_ptr<Multigrid> multigrid;
+  std::array<VoxelField<double>, 6> u;
+  VoxelField<float> r, p, q, z;
+  VoigtMatrix<3> corrections = VoigtMatrix<3>::Zero(); ///< u_k . residual of l, k <= l
+};
+} // namespace mesoslip::voxel
+
+#endif

@@ -1,0 +1,258 @@
+#include "statics/voxel/transfer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mesoslip::voxel
+{
+namespace
+{
+/** No axis is cut into fewer cells. */
+constexpr unsigned int fewest_cells = 2;
+/** Cells so much longer than the shortest edge are not made longer before the others. */
+constexpr double longer = 1.5;
+
+/** A fine cell below a coarse one, and the share that it has of it along an axis. */
+struct Share
+{
+  unsigned int cell;
+  float share;
+};
+
+std::vector<std::vector<Share>> shares(const unsigned int n_fine,
+                                       const unsigned int n_coarse)
+{
+  std::vector<std::vector<Share>> result(n_coarse);
+  // In units of 1 / (n_fine n_coarse) of the box, which are whole.
+  for (unsigned int i = 0; i < n_coarse; ++i)
+    for (unsigned int f = i * n_fine / n_coarse;
+         f < n_fine && f * n_coarse < (i + 1) * n_fine; ++f)
+      {
+        const unsigned int begin = std::max(i * n_fine, f * n_coarse),
+                           end   = std::min((i + 1) * n_fine, (f + 1) * n_coarse);
+        result[i].push_back({f, static_cast<float>(end - begin) / n_fine});
+      }
+  return result;
+}
+
+/** Ghost cells of a periodic body, of one row, and of rows and planes. */
+void copy_ghost_cells(const VoxelGrid &grid, CellStiffness &stiffness)
+{
+  if (grid.sides != Sides::periodic)
+    return;
+  const std::size_t line  = stiffness.n_coefficients * grid.stride(),
+                    plane = line * (grid.cells[1] + 1);
+  for (unsigned int k = 1; k <= grid.cells[2]; ++k)
+    {
+      for (unsigned int j = 1; j <= grid.cells[1]; ++j)
+        for (unsigned int m = 0; m < stiffness.n_coefficients; ++m)
+          {
+            float *row = stiffness.row(grid, m, j, k);
+            row[0]     = row[grid.cells[0]];
+          }
+      std::copy_n(stiffness.row(grid, 0, grid.cells[1], k), line,
+                  stiffness.row(grid, 0, 0, k));
+    }
+  std::copy_n(stiffness.row(grid, 0, 0, grid.cells[2]), plane,
+              stiffness.row(grid, 0, 0, 0));
+}
+} // namespace
+
+VoxelGrid coarser(const VoxelGrid &grid)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (unsigned int d = 0; d < 3; ++d)
+    if (grid.cells[d] > fewest_cells)
+      shortest = std::min(shortest, grid.spacing[d]);
+  VoxelGrid result = grid;
+  for (unsigned int d = 0; d < 3; ++d)
+    if (grid.cells[d] > fewest_cells && grid.spacing[d] < longer * shortest)
+      {
+        result.cells[d]   = (grid.cells[d] + 1) / 2;
+        result.spacing[d] = grid.spacing[d] * grid.cells[d] / result.cells[d];
+      }
+  return result;
+}
+
+CellStiffness
+coarsened(const VoxelGrid &fine, CellStiffness &stiffness, const VoxelGrid &coarse)
+{
+  CellStiffness result;
+  result.n_coefficients = stiffness.n_coefficients;
+  result.numbers.resize(coarse.n_cell_rows() * result.n_coefficients * coarse.stride());
+  const auto x             = shares(fine.cells[0], coarse.cells[0]),
+             y             = shares(fine.cells[1], coarse.cells[1]),
+             z             = shares(fine.cells[2], coarse.cells[2]);
+  const unsigned int first = fine.first();
+  const auto factor        = static_cast<float>(coarse.factor() / fine.factor());
+  for (unsigned int k = 0; k < coarse.cells[2]; ++k)
+    for (unsigned int j = 0; j < coarse.cells[1]; ++j)
+      for (unsigned int m = 0; m < result.n_coefficients; ++m)
+        {
+          float *out = result.row(coarse, m, j + first, k + first) + first;
+          for (const Share &in_z : z[k])
+            for (const Share &in_y : y[j])
+              {
+                const float weight = factor * in_z.share * in_y.share;
+                const float *in =
+                  stiffness.row(fine, m, in_y.cell + first, in_z.cell + first) + first;
+                for (unsigned int i = 0; i < coarse.cells[0]; ++i)
+                  for (const Share &in_x : x[i])
+                    out[i] += weight * in_x.share * in[in_x.cell];
+              }
+        }
+  copy_ghost_cells(coarse, result);
+  return result;
+}
+
+Transfer::Transfer(const VoxelGrid &fine, const VoxelGrid &coarse)
+  : n_fine{{fine.n_nodes(0), fine.n_nodes(1), fine.n_nodes(2)}}
+  , n_coarse{{coarse.n_nodes(0), coarse.n_nodes(1), coarse.n_nodes(2)}}
+  , fine_stride(fine.stride())
+  , coarse_stride(coarse.stride())
+  , periodic(fine.sides == Sides::periodic)
+  , first(fine.first())
+  , axes{{axis(fine, coarse, 0), axis(fine, coarse, 1), axis(fine, coarse, 2)}}
+  , line(3 * std::max(fine_stride, coarse_stride))
+{
+}
+
+Transfer::Axis
+Transfer::axis(const VoxelGrid &fine, const VoxelGrid &coarse, const unsigned int d)
+{
+  Axis result;
+  const std::size_t n = fine.cells[d], m = coarse.cells[d];
+  result.halves = 2 * m == n;
+  // By number in the field; ghosts have no place.
+  result.left.resize(fine.n_nodes(d) + 2);
+  result.weight.resize(fine.n_nodes(d) + 2);
+  for (unsigned int i = 1; i <= fine.n_nodes(d); ++i)
+    {
+      const std::size_t place = (i - fine.first()) * m;
+      // The last node of all is the end of the last cell.
+      result.left[i]   = static_cast<unsigned int>(place / n) + fine.first();
+      result.weight[i] = static_cast<float>(place % n) / static_cast<float>(n);
+    }
+  return result;
+}
+
+/** @p coarse += those of a row along x; its ghosts take what is not theirs. */
+void Transfer::restrict_row(const float *fine, float *coarse) const
+{
+  const Axis &x = axes[0];
+  if (x.halves)
+    {
+      // Fine node 2 i (held) or 2 i - 1 is coarse node i.
+      const float *same    = fine - first;
+      const unsigned int n = n_coarse[0];
+      for (unsigned int i = 1; i <= n; ++i)
+        coarse[i] = same[2 * i] + 0.5F * same[2 * i + 1];
+      coarse[1] += first == 0 ? 0.5F * fine[1] : periodic ? 0.5F * fine[n_fine[0]] : 0.F;
+      for (unsigned int i = 2; i <= n; ++i)
+        coarse[i] += 0.5F * same[2 * i - 1];
+      return;
+    }
+  std::fill_n(coarse, coarse_stride, 0.F);
+  for (unsigned int i = 1; i <= n_fine[0]; ++i)
+    {
+      coarse[x.left[i]] += (1.F - x.weight[i]) * fine[i];
+      coarse[x.left[i] + 1] += x.weight[i] * fine[i];
+    }
+  if (periodic)
+    coarse[1] += coarse[n_coarse[0] + 1];
+  coarse[0] = coarse[n_coarse[0] + 1] = 0.F;
+}
+
+void Transfer::restrict_to(const VoxelField<float> &r, VoxelField<float> &b)
+{
+  const unsigned int ny = n_coarse[1], nz = n_coarse[2];
+  // Fine rows that a coarse one takes from, with their weights.
+  struct Source
+  {
+    unsigned int row;
+    float weight;
+  };
+  const auto sources = [this](const unsigned int d) {
+    std::vector<std::vector<Source>> result(n_coarse[d] + 2);
+    for (unsigned int i = 1; i <= n_fine[d]; ++i)
+      for (unsigned int next = 0; next < 2; ++next)
+        {
+          const float w   = next == 1 ? axes[d].weight[i] : 1.F - axes[d].weight[i];
+          unsigned int to = axes[d].left[i] + next;
+          if (periodic && to == n_coarse[d] + 1)
+            to = 1;
+          if (w != 0.F)
+            result[to].push_back({i, w});
+        }
+    return result;
+  };
+  const auto in_y = sources(1), in_z = sources(2);
+  const std::size_t n = 3 * fine_stride;
+  for (unsigned int k = 1; k <= nz; ++k)
+    for (unsigned int j = 1; j <= ny; ++j)
+      {
+        float *sum = line.data();
+        std::fill_n(sum, n, 0.F);
+        for (const Source &z : in_z[k])
+          for (const Source &y : in_y[j])
+            {
+              const float weight = z.weight * y.weight;
+              const float *fine  = r.row(0, y.row, z.row);
+              for (std::size_t i = 0; i < n; ++i)
+                sum[i] += weight * fine[i];
+            }
+        for (unsigned int c = 0; c < 3; ++c)
+          restrict_row(sum + c * fine_stride, b.row(c, j, k));
+      }
+}
+
+/** @p fine += the interpolation of @p coarse along x. */
+void Transfer::add_row(const float *coarse, float *fine) const
+{
+  const Axis &x = axes[0];
+  if (x.halves)
+    {
+      float *same          = fine - first;
+      const unsigned int n = n_coarse[0];
+      if (first == 0)
+        fine[1] += 0.5F * coarse[1];
+      for (unsigned int i = 1; i <= n; ++i)
+        {
+          same[2 * i] += coarse[i];
+          same[2 * i + 1] += 0.5F * (coarse[i] + coarse[i + 1]);
+        }
+      if (first == 1 && !periodic)
+        same[2 * n + 1] = 0.F;
+      return;
+    }
+  for (unsigned int i = 1; i <= n_fine[0]; ++i)
+    fine[i] +=
+      coarse[x.left[i]] + x.weight[i] * (coarse[x.left[i] + 1] - coarse[x.left[i]]);
+}
+
+void Transfer::add_from(const VoxelField<float> &c, VoxelField<float> &x)
+{
+  const std::size_t n = 3 * coarse_stride;
+  float *sum          = line.data();
+  for (unsigned int k = 1; k <= n_fine[2]; ++k)
+    for (unsigned int j = 1; j <= n_fine[1]; ++j)
+      {
+        std::fill_n(sum, n, 0.F);
+        for (unsigned int next = 0; next < 4; ++next)
+          {
+            const float y = next & 1U ? axes[1].weight[j] : 1.F - axes[1].weight[j],
+                        z = next & 2U ? axes[2].weight[k] : 1.F - axes[2].weight[k];
+            if (y * z == 0.F)
+              continue;
+            const float *coarse =
+              c.row(0, axes[1].left[j] + (next & 1U), axes[2].left[k] + (next >> 1));
+            for (std::size_t i = 0; i < n; ++i)
+              sum[i] += y * z * coarse[i];
+          }
+        for (unsigned int component = 0; component < 3; ++component)
+          add_row(sum + component * coarse_stride, x.row(component, j, k));
+      }
+  x.set_ghosts();
+}
+} // namespace mesoslip::voxel

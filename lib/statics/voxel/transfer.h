@@ -1,0 +1,56 @@
+#ifndef mesoslip_statics_voxel_transfer_h
+#define mesoslip_statics_voxel_transfer_h
+
+#include "statics/voxel/level.h"
+#include "statics/voxel/voxel_field.h"
+
+#include <array>
+#include <vector>
+
+namespace mesoslip::voxel
+{
+/**
+ * Between a grid and a coarser one of the same box, both uniform: linear interpolation by
+ * position, also where the nodes do not coincide (odd numbers of cells).
+ */
+class Transfer
+{
+public:
+  /** Of the given grids. */
+  Transfer(const VoxelGrid &fine, const VoxelGrid &coarse);
+
+  /** b = P^T r; ghosts of @p r are not read. */
+  void restrict_to(const VoxelField<float> &r, VoxelField<float> &b);
+
+  /** x += P c, ghosts of both set. */
+  void add_from(const VoxelField<float> &c, VoxelField<float> &x);
+
+private:
+  /** Where the nodes of an axis lie between coarse ones. */
+  struct Axis
+  {
+    std::vector<unsigned int> left; ///< coarse node at or before the fine one
+    std::vector<float> weight;      ///< of the next one
+    bool halves = false;            ///< two to one: even numbers of cells
+  };
+  static Axis axis(const VoxelGrid &fine, const VoxelGrid &coarse, const unsigned int d);
+  void restrict_row(const float *fine, float *coarse) const;
+  void add_row(const float *coarse, float *fine) const;
+
+  std::array<unsigned int, 3> n_fine, n_coarse;
+  std::size_t fine_stride, coarse_stride;
+  bool periodic;
+  unsigned int first;
+  std::array<Axis, 3> axes;
+  LineVector<float> line;
+};
+
+/** Coefficients of a coarser grid: means by volume. */
+CellStiffness
+coarsened(const VoxelGrid &fine, CellStiffness &stiffness, const VoxelGrid &coarse);
+
+/** The next coarser grid: half as many cells along the axes whose cells are short. */
+VoxelGrid coarser(const VoxelGrid &grid);
+} // namespace mesoslip::voxel
+
+#endif

@@ -1,0 +1,96 @@
+/**
+ * The six load cases of a volume of voxels: overlapping spheres, 30 %.
+ *
+ *   voxel_benchmark [cells] [contrast] [KUBC|SUBC|PBC] [nu of the matrix] [h_z / h_x]
+ */
+#include "material/stiffness.h"
+#include "statics/voxel/solver.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <random>
+#include <string>
+
+using namespace mesoslip;
+
+namespace
+{
+/** Overlapping spheres in a periodic box of @p cells, until they fill 30 %. */
+PhaseMap<3> spheres(const std::array<unsigned int, 3> cells, const double aspect)
+{
+  PhaseMap<3> map{{cells, {{1e-6, 1e-6, 1e-6 * aspect}}, {}}, {}};
+  map.id.assign(map.grid.n_cells(), 0);
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> uniform;
+  std::size_t filled = 0;
+  while (filled < 0.3 * map.id.size())
+    {
+      const double centre[3] = {uniform(generator), uniform(generator),
+                                uniform(generator)};
+      std::size_t cell       = 0;
+      for (unsigned int k = 0; k < cells[2]; ++k)
+        for (unsigned int j = 0; j < cells[1]; ++j)
+          for (unsigned int i = 0; i < cells[0]; ++i, ++cell)
+            {
+              const unsigned int place[3] = {i, j, k};
+              double square               = 0.;
+              for (unsigned int d = 0; d < 3; ++d)
+                {
+                  const double x = std::abs((place[d] + 0.5) / cells[d] - centre[d]);
+                  square += std::pow(std::min(x, 1. - x), 2);
+                }
+              if (square < 0.16 * 0.16 && map.id[cell] == 0)
+                {
+                  map.id[cell] = 1;
+                  ++filled;
+                }
+            }
+    }
+  return map;
+}
+
+/** Highest resident memory (MB). */
+double memory()
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind("VmHWM:", 0) == 0)
+      return std::atof(line.c_str() + 6) / 1024.;
+  return 0.;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const auto n            = static_cast<unsigned int>(argc > 1 ? std::atoi(argv[1]) : 64);
+  const double contrast   = argc > 2 ? std::atof(argv[2]) : 8.;
+  const std::string sides = argc > 3 ? argv[3] : "PBC";
+  const double nu         = argc > 4 ? std::atof(argv[4]) : 0.3;
+  const double aspect     = argc > 5 ? std::atof(argv[5]) : 1.;
+  const PhaseMap<3> map   = spheres({{n, n, n}}, aspect);
+
+  const auto start = std::chrono::steady_clock::now();
+  voxel::Solver solver(
+    map, {isotropic_stiffness<3>(1e9, nu), isotropic_stiffness<3>(contrast * 1e9, 0.2)},
+    sides == "KUBC"   ? voxel::Sides::held
+    : sides == "SUBC" ? voxel::Sides::free
+                      : voxel::Sides::periodic);
+  const auto seconds = [&]() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+      .count();
+  };
+  const double set_up            = seconds();
+  const auto reports             = solver.solve_all(1e-8);
+  const VoigtMatrix<3> effective = solver.effective_stiffness();
+  std::printf("%4u %8g %s nu %5g h_z/h_x %g: iterations", n, contrast, sides.c_str(), nu,
+              aspect);
+  for (const SolverReport &report : reports)
+    std::printf(" %u", report.iterations);
+  std::printf(", set-up %.2f s, in all %.2f s, %.0f MB, C11 %.6f C44 %.6f GPa\n", set_up,
+              seconds(), memory(), 1e-9 * effective(0, 0), 1e-9 * effective(3, 3));
+  return 0;
+}

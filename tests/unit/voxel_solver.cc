@@ -1,0 +1,344 @@
+// The solver on voxels against an assembled matrix of Q1 bricks (three Gauss points a
+// direction, another path than the sums and differences of the kernel) and a direct solver.
+#include "material/stiffness.h"
+#include "statics/voxel/solver.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Dense>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace mesoslip;
+using voxel::Sides;
+
+namespace
+{
+constexpr std::array<Sides, 3> all_sides = {{Sides::held, Sides::free, Sides::periodic}};
+
+/** Random phases on cells with three different edges (m). */
+PhaseMap<3> random_map(const std::array<unsigned int, 3> cells,
+                       const unsigned int n_phases)
+{
+  PhaseMap<3> map{{cells, {{1.3e-3, 1e-3, 0.6e-3}}, {}}, {}};
+  std::mt19937 generator(3);
+  std::uniform_int_distribution<int> phase(0, static_cast<int>(n_phases) - 1);
+  for (std::size_t i = 0; i < map.grid.n_cells(); ++i)
+    map.id.push_back(static_cast<std::uint8_t>(phase(generator)));
+  return map;
+}
+
+/** Isotropic ones (Pa), and one that couples everything if asked for. */
+std::vector<VoigtMatrix<3>> stiffnesses(const bool general)
+{
+  std::vector<VoigtMatrix<3>> result = {isotropic_stiffness<3>(3e9, 0.35),
+                                        isotropic_stiffness<3>(24e9, 0.2)};
+  if (general)
+    {
+      VoigtMatrix<3> A;
+      for (unsigned int i = 0; i < 36; ++i)
+        A(i / 6, i % 6) = std::sin(1. + 7. * i);
+      result.emplace_back(5e9 * (VoigtMatrix<3>::Identity() + 0.3 * A * A.transpose()));
+    }
+  return result;
+}
+
+/** The same body with a dense matrix; unit lengths are metres. */
+class Assembled
+{
+public:
+  Assembled(const PhaseMap<3> &map,
+            const std::vector<VoigtMatrix<3>> &stiffness,
+            const Sides sides)
+    : map(map)
+    , stiffness(stiffness)
+    , sides(sides)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+      n[d] = map.grid.cells[d] + (sides == Sides::free) - (sides == Sides::held);
+    const auto size = static_cast<Eigen::Index>(3) * n[0] * n[1] * n[2];
+    K.setZero(size, size);
+    load.setZero(size, 6);
+    for_each_point([&](const std::array<long, 24> &index, const auto &B,
+                       const VoigtMatrix<3> &C, const double weight) {
+      const Eigen::Matrix<double, 24, 24> k = weight * B.transpose() * C * B;
+      const Eigen::Matrix<double, 24, 6> f =
+        sides == Sides::free ? Eigen::Matrix<double, 24, 6>(weight * B.transpose())
+                             : Eigen::Matrix<double, 24, 6>(-weight * B.transpose() * C);
+      for (unsigned int r = 0; r < 24; ++r)
+        if (index[r] >= 0)
+          {
+            load.row(index[r]) += f.row(r);
+            for (unsigned int c = 0; c < 24; ++c)
+              if (index[c] >= 0)
+                K(index[r], index[c]) += k(r, c);
+          }
+    });
+  }
+
+  /** Number of an unknown, -1 if there is none, of a node counted from 0. */
+  long unknown(const std::array<unsigned int, 3> &node, const unsigned int c) const
+  {
+    long number = 0;
+    for (unsigned int d = 3; d-- > 0;)
+      {
+        long i = node[d];
+        if (sides == Sides::held)
+          i -= 1;
+        if (sides == Sides::periodic)
+          i %= n[d];
+        if (i < 0 || i >= static_cast<long>(n[d]))
+          return -1;
+        number = number * n[d] + i;
+      }
+    return 3 * number + c;
+  }
+
+  /** Solutions of all cases, one a column; minimal rigid motion. */
+  Eigen::MatrixXd solve() const
+  {
+    return K.completeOrthogonalDecomposition().solve(load);
+  }
+
+  /** Effective stiffness (Pa) from mean strains and stresses. */
+  VoigtMatrix<3> effective(const Eigen::MatrixXd &u) const
+  {
+    VoigtMatrix<3> strain = VoigtMatrix<3>::Zero(), stress = strain;
+    double volume = 0.;
+    for_each_point([&](const std::array<long, 24> &index, const auto &B,
+                       const VoigtMatrix<3> &C, const double weight) {
+      Eigen::Matrix<double, 24, 6> v = Eigen::Matrix<double, 24, 6>::Zero();
+      for (unsigned int r = 0; r < 24; ++r)
+        if (index[r] >= 0)
+          v.row(r) = u.row(index[r]);
+      VoigtMatrix<3> e = B * v;
+      if (sides != Sides::free)
+        e += VoigtMatrix<3>::Identity();
+      strain += weight * e;
+      stress += weight * C * e;
+      volume += weight;
+    });
+    return sides == Sides::free ? VoigtMatrix<3>(strain.inverse() * volume)
+                                : VoigtMatrix<3>(stress / volume);
+  }
+
+  Eigen::MatrixXd K, load;
+
+private:
+  /** function(unknowns, strains of the corners, stiffness, weight) */
+  template <typename Function>
+  void for_each_point(const Function &function) const
+  {
+    const std::array<double, 3> at = {{-std::sqrt(0.6), 0., std::sqrt(0.6)}},
+                                w  = {{5. / 9., 8. / 9., 5. / 9.}};
+    const auto &h                  = map.grid.spacing;
+    for (unsigned int cell = 0; cell < map.id.size(); ++cell)
+      {
+        const auto &m                             = map.grid.cells;
+        const std::array<unsigned int, 3> corner0 = {
+          {cell % m[0], cell / m[0] % m[1], cell / m[0] / m[1]}};
+        std::array<long, 24> index;
+        for (unsigned int r = 0; r < 24; ++r)
+          index[r] = unknown({{corner0[0] + (r / 3 & 1U), corner0[1] + (r / 6 & 1U),
+                               corner0[2] + (r / 12)}},
+                             r % 3);
+        for (unsigned int q = 0; q < 27; ++q)
+          {
+            const std::array<unsigned int, 3> p = {{q % 3, q / 3 % 3, q / 9}};
+            Eigen::Matrix<double, 6, 24> B      = Eigen::Matrix<double, 6, 24>::Zero();
+            for (unsigned int r = 0; r < 8; ++r)
+              {
+                std::array<double, 3> value, slope;
+                for (unsigned int d = 0; d < 3; ++d)
+                  {
+                    const double end = (r >> d & 1U) != 0 ? 1. : -1.;
+                    value[d]         = 0.5 * (1. + end * at[p[d]]);
+                    slope[d]         = end / h[d];
+                  }
+                const double gx = slope[0] * value[1] * value[2],
+                             gy = value[0] * slope[1] * value[2],
+                             gz = value[0] * value[1] * slope[2];
+                Eigen::Matrix<double, 6, 3> b;
+                b << gx, 0, 0, 0, gy, 0, 0, 0, gz, 0, gz, gy, gz, 0, gx, gy, gx, 0;
+                B.middleCols<3>(3 * r) = b;
+              }
+            function(index, B, stiffness[map.id[cell]],
+                     w[p[0]] * w[p[1]] * w[p[2]] / 8. * h[0] * h[1] * h[2]);
+          }
+      }
+  }
+
+  const PhaseMap<3> map;
+  const std::vector<VoigtMatrix<3>> stiffness;
+  const Sides sides;
+  std::array<unsigned int, 3> n = {};
+};
+
+/** Calls function(component, node from 1, unknown). */
+template <typename Function>
+void for_each_unknown(const voxel::VoxelGrid &grid, const Function &function)
+{
+  long index = 0;
+  for (unsigned int k = 1; k <= grid.n_nodes(2); ++k)
+    for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
+      for (unsigned int i = 1; i <= grid.n_nodes(0); ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          function(c, i, j, k, index++);
+}
+
+void compare_operator(const bool general, const Sides sides)
+{
+  const PhaseMap<3> map = random_map({{19, 3, 4}}, general ? 3 : 2);
+  const auto stiffness  = stiffnesses(general);
+  voxel::Solver solver(map, stiffness, sides);
+  const Assembled assembled(map, stiffness, sides);
+  double modulus = 0.;
+  for (const auto &C : stiffness)
+    modulus = std::max(modulus, C.cwiseAbs().maxCoeff());
+  const double unit = map.grid.spacing[1] / (sides == Sides::free ? modulus : 1.);
+
+  voxel::VoxelField<double> u(solver.grid()), out(solver.grid());
+  Eigen::VectorXd v(assembled.K.rows());
+  for_each_unknown(solver.grid(), [&](unsigned int c, unsigned int i, unsigned int j,
+                                      unsigned int k, long index) {
+    u.row(c, j, k)[i] = std::sin(0.3 + 1.7 * static_cast<double>(index));
+    v[index]          = u.row(c, j, k)[i] * unit;
+  });
+  for (unsigned int load = 0; load < 6; ++load)
+    {
+      solver.residual(load, u, out);
+      const Eigen::VectorXd expected = assembled.load.col(load) - assembled.K * v;
+      const double scale             = expected.cwiseAbs().maxCoeff();
+      for_each_unknown(solver.grid(), [&](unsigned int c, unsigned int i, unsigned int j,
+                                          unsigned int k, long index) {
+        ASSERT_NEAR(out.row(c, j, k)[i], expected[index], 1e-12 * scale)
+          << "load " << load << ", node " << i << ' ' << j << ' ' << k << ", " << c;
+      });
+    }
+}
+
+void compare_solution(const bool general,
+                      const Sides sides,
+                      const std::array<unsigned int, 3> cells)
+{
+  const PhaseMap<3> map = random_map(cells, general ? 3 : 2);
+  const auto stiffness  = stiffnesses(general);
+  voxel::Solver solver(map, stiffness, sides);
+  const Assembled assembled(map, stiffness, sides);
+  for (const SolverReport &report : solver.solve_all(1e-11))
+    {
+      EXPECT_LE(report.residual, 1e-11);
+      EXPECT_LE(report.iterations, 80U);
+    }
+  const Eigen::MatrixXd u        = assembled.solve();
+  const VoigtMatrix<3> expected  = assembled.effective(u),
+                       effective = solver.effective_stiffness();
+  EXPECT_LE((effective - expected).norm(), 1e-10 * expected.norm()) << effective << "\n\n"
+                                                                    << expected;
+
+  // Differences from the first node of a cell have no translation; strains no rotation.
+  const double scale = u.cwiseAbs().maxCoeff() / (cells[0] * map.grid.spacing[0]);
+  for (unsigned int load = 0; load < 6; ++load)
+    for (unsigned int cell = 0; cell < map.id.size(); ++cell)
+      {
+        const std::array<unsigned int, 3> first = {
+          {cell % cells[0], cell / cells[0] % cells[1], cell / cells[0] / cells[1]}};
+        VoigtVector<3> strain = VoigtVector<3>::Zero();
+        if (sides != Sides::free)
+          strain[load] = 1.;
+        for (unsigned int corner = 0; corner < 8; ++corner)
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              const long index = assembled.unknown(
+                {{first[0] + (corner & 1U), first[1] + (corner >> 1 & 1U),
+                  first[2] + (corner >> 2)}},
+                c);
+              for (unsigned int d = 0; d < 3 && index >= 0; ++d)
+                strain[voigt_index<3>(c, d)] += ((corner >> d & 1U) != 0 ? 1. : -1.) *
+                                                u(index, load) /
+                                                (4. * map.grid.spacing[d]);
+            }
+        ASSERT_LE((solver.cell_strain(load, first) - strain).norm(),
+                  1e-8 * scale + 1e-9 * strain.norm())
+          << "load " << load << ", cell " << cell << ": "
+          << solver.cell_strain(load, first).transpose() << ", " << strain.transpose();
+      }
+}
+} // namespace
+
+TEST(VoxelSolver, OperatorIsTheAssembledMatrix)
+{
+  for (const bool general : {false, true})
+    for (const Sides sides : all_sides)
+      {
+        SCOPED_TRACE(static_cast<int>(sides));
+        compare_operator(general, sides);
+      }
+}
+
+TEST(VoxelSolver, SolutionsAreThoseOfTheAssembledMatrix)
+{
+  for (const Sides sides : all_sides)
+    {
+      SCOPED_TRACE(static_cast<int>(sides));
+      compare_solution(false, sides, {{7, 5, 6}});
+      compare_solution(true, sides, {{5, 6, 3}});
+    }
+}
+
+TEST(VoxelSolver, OneLayerOfCells)
+{
+  for (const Sides sides : {Sides::free, Sides::periodic})
+    compare_solution(false, sides, {{6, 7, 1}});
+  // No node is free.
+  const PhaseMap<3> map = random_map({{6, 7, 1}}, 2);
+  const auto stiffness  = stiffnesses(false);
+  voxel::Solver held(map, stiffness, Sides::held);
+  EXPECT_EQ(held.solve_all(1e-8)[0].iterations, 0U);
+  VoigtMatrix<3> mean = VoigtMatrix<3>::Zero();
+  for (const std::uint8_t id : map.id)
+    mean += stiffness[id] / 42.;
+  EXPECT_LE((held.effective_stiffness() - mean).norm(), 1e-12 * mean.norm());
+}
+
+TEST(VoxelSolver, RefusesAPhaseWithoutStiffness)
+{
+  const PhaseMap<3> map = random_map({{3, 3, 3}}, 3);
+  EXPECT_THROW(voxel::Solver(map, stiffnesses(false), Sides::held),
+               std::invalid_argument);
+}
+
+/** Odd and even sizes, contrasts, incompressible phases and flat cells converge alike. */
+TEST(VoxelSolver, IterationsAreBounded)
+{
+  struct Case
+  {
+    unsigned int n;
+    double contrast, nu;
+    unsigned int most;
+  };
+  for (const Case &c :
+       {Case{16, 8., 0.3, 20}, Case{27, 8., 0.3, 20}, Case{20, 1e3, 0.3, 60},
+        Case{20, 1e-4, 0.3, 30}, Case{16, 8., 0.499, 70}})
+    for (const Sides sides : all_sides)
+      {
+        PhaseMap<3> map{{{{c.n, c.n, c.n}}, {{1., 1., 1.}}, {}}, {}};
+        for (std::size_t cell = 0; cell < map.grid.n_cells(); ++cell)
+          {
+            const std::size_t x = cell % c.n, y = cell / c.n % c.n, z = cell / c.n / c.n;
+            const auto part = [&c](const std::size_t i) {
+              return std::abs((static_cast<double>(i) + 0.5) / c.n - 0.5);
+            };
+            map.id.push_back(std::hypot(part(x), part(y), part(z)) < 0.35 ? 1 : 0);
+          }
+        voxel::Solver solver(
+          map,
+          {isotropic_stiffness<3>(1., c.nu), isotropic_stiffness<3>(c.contrast, 0.2)},
+          sides);
+        for (const unsigned int load : {0U, 4U})
+          EXPECT_LE(solver.solve(load, 1e-8).iterations, c.most)
+            << c.n << ' ' << c.contrast << ' ' << c.nu << ' ' << static_cast<int>(sides);
+      }
+}
