@@ -1,10 +1,9 @@
 """Volumes of voxels against a finite element code written apart, in scipy, and against the plane grid.
 
 Q1 bricks with 2x2x2 Gauss points, nx, ny and nz all different and cells that are no cubes, so that every mix-up of axes shows.
-KUBC, SUBC and PBC on one and two ranks: all 36 entries agree to 1e-6 of the largest; the stiffness orders KUBC >= PBC >= SUBC.
+KUBC, SUBC and PBC on one, two and three ranks: all 36 entries agree to 1e-6 of the largest; the stiffness orders KUBC >= PBC >= SUBC.
 One layer of voxels has the plane entries of the grid in 2D (PBC, to 1e-10; under KUBC both faces of the layer are held, so all its
-nodes are), a laminate the exact stiffness (1e-9). What is no
-array of voxels is refused before anything is computed.
+nodes are), a laminate the exact stiffness (1e-9). What is no array of voxels is refused before anything is computed.
 """
 
 import os
