@@ -69,7 +69,7 @@ Mesh<dim> BodySnapshots<dim>::mesh() const
   Mesh<dim> mesh;
   if constexpr (dim == 2)
     if (is_grid)
-      mesh = mesh_of_cells(read_grid(file, snapshots_program));
+      mesh = mesh_of_cells(read_grid<2>(file, snapshots_program));
   if (!is_grid)
     mesh = read_mesh_cells<dim>(file, snapshots_program);
   std::vector<std::uint8_t> id(mesh.cells.size());

@@ -70,21 +70,24 @@ void write_table(const std::string &path,
   table.flush();
 }
 
-UniformGrid<2> read_grid(const Hdf5File &file, const std::string &program)
+template <int dim>
+UniformGrid<dim> read_grid(const Hdf5File &file, const std::string &program)
 {
-  using Numbers          = std::array<double, 2>;
+  using Numbers          = std::array<double, dim>;
+  using Counts           = std::array<unsigned int, dim>;
   const std::string hint = program + " writes it";
-  UniformGrid<2> grid;
-  grid.cells   = file.read_attribute<std::array<unsigned int, 2>>("/grid", "cells", hint);
+  UniformGrid<dim> grid;
+  grid.cells   = file.read_attribute<Counts>("/grid", "cells", hint);
   grid.spacing = file.read_attribute<Numbers>("/grid", "spacing", hint);
   grid.origin  = file.read_attribute<Numbers>("/grid", "origin", hint);
-  for (unsigned int d = 0; d < 2; ++d)
+  for (unsigned int d = 0; d < dim; ++d)
     if (grid.cells[d] == 0 || grid.cells[d] > 1000000 || !(grid.spacing[d] > 0.))
       throw wrong(file, "/grid", "has sizes that make no sense", program);
   return grid;
 }
 
-void write_grid(Hdf5File &file, const UniformGrid<2> &grid)
+template <int dim>
+void write_grid(Hdf5File &file, const UniformGrid<dim> &grid)
 {
   file.write_attribute("/grid", "cells", grid.cells);
   file.write_attribute("/grid", "spacing", grid.spacing);
@@ -188,6 +191,10 @@ template void require_stiffness<3>(const Hdf5File &,
                                    const std::string &,
                                    const VoigtMatrix<3> &,
                                    const std::string &);
+template UniformGrid<2> read_grid(const Hdf5File &, const std::string &);
+template UniformGrid<3> read_grid(const Hdf5File &, const std::string &);
+template void write_grid(Hdf5File &, const UniformGrid<2> &);
+template void write_grid(Hdf5File &, const UniformGrid<3> &);
 template std::vector<Phase<3>>
 read_phases<3>(const Hdf5File &, const std::string &, const bool, const std::string &);
 template std::vector<Phase<2>>

@@ -52,10 +52,12 @@ void write_dataset(Hdf5File &file,
 }
 
 /** Reads the attributes of /grid. @throws UserError */
-UniformGrid<2> read_grid(const Hdf5File &file, const std::string &program);
+template <int dim>
+UniformGrid<dim> read_grid(const Hdf5File &file, const std::string &program);
 
 /** Writes the attributes of /grid. */
-void write_grid(Hdf5File &file, const UniformGrid<2> &grid);
+template <int dim>
+void write_grid(Hdf5File &file, const UniformGrid<dim> &grid);
 
 /**
  * Reads name, stiffness, density and, if asked for, friction_coefficient of phases.

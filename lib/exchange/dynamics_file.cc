@@ -89,7 +89,7 @@ DynamicsFile DynamicsFile::resume(const std::string &path, const std::size_t n_s
   if (file.shape(snapshots_name, remedy)[0] < n_snapshots)
     throw UserError(path + " has fewer than the " + std::to_string(n_snapshots) +
                     " snapshots it had at the checkpoint; " + remedy);
-  file.grid = read_grid(file, dynamics_program);
+  file.grid = read_grid<2>(file, dynamics_program);
   for (const std::string &name : file.list("/"))
     if (name != "grid" && name != "material" && name != "snapshots")
       file.remove("/" + name);
@@ -101,7 +101,7 @@ DynamicsFile DynamicsFile::open(const std::string &path, const std::string &hint
   DynamicsFile file(Hdf5File::open(path, hint));
   file.digest =
     file.check_header("mesoslip-dynamics", newest_dynamics_version, 2, file_hint);
-  file.grid       = read_grid(file, dynamics_program);
+  file.grid       = read_grid<2>(file, dynamics_program);
   file.conditions = read_run_conditions(file);
   return file;
 }

@@ -107,7 +107,7 @@ LocalizationFile LocalizationFile::open(const std::string &path)
   Hdf5File opened = Hdf5File::open(path, "run stress_localization first");
   opened.check_header(localization_format, newest_localization_version, 2,
                       localization_program);
-  const UniformGrid<2> grid = read_grid(opened, localization_program);
+  const UniformGrid<2> grid = read_grid<2>(opened, localization_program);
   return {std::move(opened), 2, cells_of(grid)};
 }
 

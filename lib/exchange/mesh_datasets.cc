@@ -3,6 +3,9 @@
 #include "base/errors.h"
 #include "exchange/datasets.h"
 
+#include <algorithm>
+#include <array>
+
 namespace mesoslip
 {
 namespace
@@ -96,23 +99,39 @@ Mesh<dim> read_mesh_cells(const Hdf5File &file, const std::string &program)
   return mesh;
 }
 
-Mesh<2> mesh_of_cells(const UniformGrid<2> &grid)
+template <int dim>
+Mesh<dim> mesh_of_cells(const UniformGrid<dim> &grid)
 {
-  Mesh<2> mesh;
-  const unsigned int n_columns = grid.cells[0] + 1;
-  for (unsigned int j = 0; j <= grid.cells[1]; ++j)
-    for (unsigned int i = 0; i < n_columns; ++i)
-      mesh.points.emplace_back(grid.origin[0] + i * grid.spacing[0],
-                               grid.origin[1] + j * grid.spacing[1]);
-  for (unsigned int j = 0; j < grid.cells[1]; ++j)
-    for (unsigned int i = 0; i < grid.cells[0]; ++i)
-      {
-        const unsigned int lower = j * n_columns + i, upper = lower + n_columns;
-        mesh.cells.emplace_back(4).vertices = {lower, lower + 1, upper, upper + 1};
-      }
+  std::array<unsigned int, 3> cells = {{1, 1, 0}}; // a plane grid has one plane of nodes
+  std::copy(grid.cells.begin(), grid.cells.end(), cells.begin());
+  const unsigned int n_columns = cells[0] + 1, n_plane = n_columns * (cells[1] + 1);
+  Mesh<dim> mesh;
+  mesh.points.reserve(grid.n_nodes());
+  mesh.cells.reserve(grid.n_cells());
+  for (unsigned int k = 0; k <= cells[2]; ++k)
+    for (unsigned int j = 0; j <= cells[1]; ++j)
+      for (unsigned int i = 0; i < n_columns; ++i)
+        {
+          const std::array<unsigned int, 3> number = {{i, j, k}};
+          auto &point                              = mesh.points.emplace_back();
+          for (unsigned int d = 0; d < dim; ++d)
+            point[d] = grid.origin[d] + number[d] * grid.spacing[d];
+        }
+  for (unsigned int k = 0; k < (dim == 2 ? 1 : cells[2]); ++k)
+    for (unsigned int j = 0; j < cells[1]; ++j)
+      for (unsigned int i = 0; i < cells[0]; ++i)
+        {
+          auto &corners            = mesh.cells.emplace_back(1U << dim).vertices;
+          const unsigned int first = k * n_plane + j * n_columns + i;
+          for (unsigned int v = 0; v < 1U << dim; ++v)
+            corners[v] =
+              first + (v & 1U) + (v >> 1U & 1U) * n_columns + (v >> 2U) * n_plane;
+        }
   return mesh;
 }
 
+template Mesh<2> mesh_of_cells(const UniformGrid<2> &);
+template Mesh<3> mesh_of_cells(const UniformGrid<3> &);
 template std::size_t topology_size(const Mesh<2> &);
 template std::size_t topology_size(const Mesh<3> &);
 template void write_mesh(Hdf5File &, const Mesh<2> &);

@@ -29,8 +29,9 @@ void write_mesh(Hdf5File &file, const Mesh<dim> &mesh);
 template <int dim>
 Mesh<dim> read_mesh_cells(const Hdf5File &file, const std::string &program);
 
-/** The nodes and cells of a plane grid as those of a mesh, x fastest, of phase 0. */
-Mesh<2> mesh_of_cells(const UniformGrid<2> &grid);
+/** The nodes and cells of a grid as those of a mesh, x fastest, of phase 0. */
+template <int dim>
+Mesh<dim> mesh_of_cells(const UniformGrid<dim> &grid);
 } // namespace mesoslip
 
 #endif

@@ -24,9 +24,8 @@ std::string concentration_name(const std::string &condition)
 template <int dim>
 UniformGrid<dim> read_extent(const Hdf5File &file)
 {
-  if constexpr (dim == 2)
-    if (!file.exists("/mesh"))
-      return read_grid(file, rve_program);
+  if (!file.exists("/mesh"))
+    return read_grid<dim>(file, rve_program);
   UniformGrid<dim> box;
   const std::string again = std::string("run ") + rve_program + " again";
   const auto origin = file.read_attribute<std::vector<double>>("/mesh", "origin", again),
@@ -66,9 +65,9 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
       file.write_attribute("/mesh", "origin", lower);
       file.write_attribute("/mesh", "size", size);
     }
-  else if constexpr (dim == 2)
+  else
     {
-      cells = {content.grid.cells[1], content.grid.cells[0]};
+      cells.assign(content.grid.cells.rbegin(), content.grid.cells.rend());
       write_grid(file, content.grid);
     }
   write_phases(file, "/phase", content.phases, true);
@@ -93,7 +92,7 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
                     name = std::filesystem::path(path).filename();
   if (content.mesh != nullptr)
     write_xdmf(xdmf, name, *content.mesh, shown);
-  else if constexpr (dim == 2)
+  else
     write_xdmf(xdmf, name, content.grid, shown);
 }
 
@@ -136,7 +135,7 @@ void RveFile<dim>::require_grid(const std::string &nothing) const
 template <int dim>
 Shape RveFile<dim>::cells() const
 {
-  return is_mesh() ? Shape{any_extent} : Shape{grid.cells[1], grid.cells[0]};
+  return is_mesh() ? Shape{any_extent} : Shape(grid.cells.rbegin(), grid.cells.rend());
 }
 
 template <int dim>
@@ -194,11 +193,8 @@ std::vector<double> RveFile<dim>::concentration(const std::string &name) const
 template <int dim>
 Mesh<dim> RveFile<dim>::mesh() const
 {
-  Mesh<dim> mesh;
-  if constexpr (dim == 2)
-    mesh = is_mesh() ? read_mesh_cells<dim>(file, rve_program) : mesh_of_cells(grid);
-  else
-    mesh = read_mesh_cells<dim>(file, rve_program);
+  Mesh<dim> mesh =
+    is_mesh() ? read_mesh_cells<dim>(file, rve_program) : mesh_of_cells(grid);
   const std::vector<std::uint8_t> id = phase_id();
   if (id.size() != mesh.cells.size())
     throw UserError(path() + ": /phase/id and /mesh have different numbers of cells; run "

@@ -36,7 +36,8 @@ struct RveContent
   /**
    * Concentration tensors of the cells, in Voigt components, of KUBC and PBC (strain: row
    * local, column macroscopic component) and of SUBC (stress), as far as they are to be
-   * stored: [ny][nx][3][3] on a plane grid, [n][3][3] or [n][6][6] on a mesh.
+   * stored: [ny][nx][3][3] or [nz][ny][nx][6][6] on a grid, [n][3][3] or [n][6][6] on a
+   * mesh.
    */
   std::map<std::string, const std::vector<double> *> concentration;
 };
@@ -100,7 +101,7 @@ public:
    * them */
   std::vector<double> concentration(const std::string &name) const;
 
-  /** The cells, those of a grid as quadrilaterals, with their phases as material_id. */
+  /** The cells, those of a grid as quadrilaterals or hexahedra, with their phases as material_id. */
   Mesh<dim> mesh() const;
 
 private:

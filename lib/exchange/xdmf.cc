@@ -253,6 +253,11 @@ template void write_xdmf(const std::string &,
                          const std::vector<double> &);
 template void write_xdmf(const std::string &,
                          const std::string &,
+                         const UniformGrid<3> &,
+                         const std::vector<XdmfField> &,
+                         const std::vector<double> &);
+template void write_xdmf(const std::string &,
+                         const std::string &,
                          const Mesh<2> &,
                          const std::vector<XdmfField> &,
                          const std::vector<double> &);

@@ -19,16 +19,20 @@ void refuse_keys_of_grids(const Keys &keys, const RveParameters &parameters)
   const std::string reason = "Mesh/File is given";
   keys.only_if(grid, {"Grid/", "Microstructure/", "Ensemble/Members"}, reason,
                "leave Mesh/File empty");
-  keys.only_if(grid || parameters.solver == StaticSolverKind::ml,
-               {"Homogenization/Solver"}, reason + " and meshes are solved with ml",
+  keys.only_if((grid && parameters.mesh.dim == 2) ||
+                 parameters.solver == StaticSolverKind::ml,
+               {"Homogenization/Solver"},
+               grid ? "Dimension is 3 and voxels are solved with ml"
+                    : reason + " and meshes are solved with ml",
                "set it to ml");
 }
 } // namespace
 
 void RveParameters::bind(Keys &keys)
 {
+  mesh.has_grids_in_3d = true;
   mesh.bind(keys);
-  microstructure.bind(keys);
+  microstructure.bind(keys, mesh.files.empty() ? mesh.dim : 2);
   {
     const auto section             = keys.section("Homogenization");
     std::vector<std::string> names = {"KUBC", "SUBC"};

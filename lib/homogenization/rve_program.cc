@@ -119,7 +119,8 @@ std::unique_ptr<Analysis> make_volume_analysis(Keys &keys)
   parameters.check();
   const std::string digest = inputs_digest(keys, parameters);
   if (parameters.mesh.files.empty())
-    return make_grid_analysis(parameters, digest);
+    return parameters.mesh.dim == 2 ? make_grid_analysis(parameters, digest)
+                                    : make_voxel_analysis(parameters, digest);
   return parameters.mesh.dim == 2 ? make_mesh_analysis<2>(parameters, digest)
                                   : make_mesh_analysis<3>(parameters, digest);
 }

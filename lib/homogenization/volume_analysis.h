@@ -47,6 +47,10 @@ protected:
 std::unique_ptr<Analysis> make_grid_analysis(const RveParameters &parameters,
                                              const std::string &digest);
 
+/** The analysis of volumes of voxels. Collective. @throws UserError */
+std::unique_ptr<Analysis> make_voxel_analysis(const RveParameters &parameters,
+                                              const std::string &digest);
+
 /** The analysis of volumes on meshes. Collective. @throws UserError */
 template <int dim>
 std::unique_ptr<Analysis> make_mesh_analysis(const RveParameters &parameters,

@@ -177,7 +177,9 @@ std::string file_name_of(const std::string &path)
 void MeshParameters::bind(Keys &keys)
 {
   keys.bind("Dimension", dim, 2, 3,
-            "Dimension of the body: 2, plane strain, or 3, which needs a mesh [-]");
+            has_grids_in_3d
+              ? "Dimension of the body: 2, plane strain, or 3 [-]"
+              : "Dimension of the body: 2, plane strain, or 3, which needs a mesh [-]");
   {
     const auto section = keys.section("Mesh");
     keys.bind_inputs("File", files,
@@ -191,7 +193,7 @@ void MeshParameters::bind(Keys &keys)
     keys.only_if(!files.empty(), {"Scale"}, "there is no mesh", "set Mesh/File");
   }
   scale_typed = keys.is_typed("Mesh/Scale");
-  keys.require(dim == 2 || !files.empty(), "Dimension",
+  keys.require(dim == 2 || has_grids_in_3d || !files.empty(), "Dimension",
                "3 needs a mesh; set Mesh/File to one that Gmsh wrote");
 }
 

@@ -21,6 +21,9 @@ struct MeshParameters
   /** Whether all groups of cells are one phase, whatever their names. */
   bool one_phase = false;
 
+  /** Whether the program has grids in 3D, so that Dimension = 3 needs no mesh. */
+  bool has_grids_in_3d = false;
+
   /** Binds the keys. */
   void bind(Keys &keys);
 };

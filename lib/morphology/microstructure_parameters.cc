@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "grid/uniform_grid.h"
+#include "morphology/voxels.h"
 #include "parameters/keys.h"
 #include "program/output_folder.h"
 
@@ -16,46 +17,84 @@ namespace
 {
 using Type = MicrostructureParameters::Type;
 
-/** Section `Grid`; the default is the paper's pin with cells of 0.1 mm. */
-void bind_grid(Keys &keys, UniformGrid<2> &grid, std::array<double, 2> &size)
+/** Section `Grid` as it stands in the .prm, of two or three axes. */
+struct GridKeys
 {
-  const auto section      = keys.section("Grid");
-  std::vector<long> cells = {560, 160};
-  std::vector<double> spacing;
-  size = {{0.056, 0.016}};
-  keys.bind_list("Cells", cells, 1, 1000000,
-                 "Numbers of cells along x and y; a solution costs memory and time in "
-                 "proportion to their product [-]",
-                 2, 2);
-  keys.bind("Size", size, Range::length(),
-            "Width (x) and height (y) of the box; its lower left corner is the origin "
-            "[m]");
-  keys.bind_list("Spacing", spacing, Range::length(),
-                 "Instead of Size: edge of the square cells, or their width and height. "
-                 "Empty: Size over Cells [m]",
-                 0, 2);
-  if (!spacing.empty())
+  std::vector<long> cells     = {560, 160};
+  std::vector<double> size    = {0.056, 0.016};
+  std::vector<double> spacing = {};
+};
+
+/** Lengths of the box (m) from Size or Spacing, which must not contradict each other. */
+std::vector<double> box_lengths(const Keys &keys, const GridKeys &given)
+{
+  if (given.spacing.empty())
+    return given.size;
+  std::vector<double> found;
+  bool agrees = true;
+  for (std::size_t d = 0; d < given.cells.size(); ++d)
     {
-      const std::array<double, 2> found = {
-        {cells[0] * spacing.front(), cells[1] * spacing.back()}};
-      const bool agrees = std::abs(size[0] - found[0]) <= 1e-9 * found[0] &&
-                          std::abs(size[1] - found[1]) <= 1e-9 * found[1];
-      keys.only_if(agrees, {"Size"},
-                   "Grid/Cells times Grid/Spacing make a box of " +
-                     lengths_text(found[0], found[1]),
-                   "leave Grid/Spacing empty");
-      size = found;
+      found.push_back(static_cast<double>(given.cells[d]) *
+                      given.spacing[given.spacing.size() == 1 ? 0 : d]);
+      agrees = agrees && given.size.size() == given.cells.size() &&
+               std::abs(given.size[d] - found[d]) <= 1e-9 * found[d];
     }
-  const double n = static_cast<double>(cells[0]) * static_cast<double>(cells[1]);
+  keys.only_if(
+    agrees, {"Size"},
+    "Grid/Cells times Grid/Spacing make a box of " +
+      (found.size() == 2 ? lengths_text(found[0], found[1]) : to_text(found) + " m"),
+    "leave Grid/Spacing empty");
+  return found;
+}
+
+/** Section `Grid`; the default is the paper's pin with cells of 0.1 mm. */
+void bind_grid(Keys &keys, MicrostructureParameters &p)
+{
+  const auto section = keys.section("Grid");
+  GridKeys given;
+  keys.bind_list("Cells", given.cells, 1, 1000000,
+                 "Numbers of cells along x and y (3D: x, y and z); a solution costs "
+                 "memory and time in proportion to their product [-]",
+                 2, 3);
+  keys.bind_list(
+    "Size", given.size, Range::length(),
+    "Width (x) and height (y) of the box, in 3D its lengths along x, y and z; "
+    "its lower left corner is the origin [m]",
+    2, 3);
+  keys.bind_list(
+    "Spacing", given.spacing, Range::length(),
+    "Instead of Size: edge of the square or cubic cells, or their edges along "
+    "the axes. Empty: Size over Cells [m]",
+    0, 3);
+  const std::string wanted =
+    " numbers where Dimension is " + std::to_string(p.dim) + "; give one for each axis";
+  const auto require_axes = [&](const char *key, const std::size_t n) {
+    keys.require(n == p.dim, key, "there are " + std::to_string(n) + wanted);
+  };
+  require_axes("Cells", given.cells.size());
+  if (given.spacing.size() > 1)
+    require_axes("Spacing", given.spacing.size());
+  if (given.spacing.empty())
+    require_axes("Size", given.size.size());
+  const std::vector<double> size = box_lengths(keys, given);
+  double n                       = 1.;
+  for (const long cells : given.cells)
+    n *= static_cast<double>(cells);
   keys.require(n < 2147483648., "Cells",
                to_text(n) + " cells are too many; there may be up to 2^31");
-  for (unsigned int d = 0; d < 2; ++d)
+  for (std::size_t d = 0; d < given.cells.size(); ++d)
     {
       keys.require(Range::length().contains(size[d]), "Size",
-                   to_text(size[d]) + " m is not the size of a box; give two lengths " +
+                   to_text(size[d]) + " m is not the size of a box; give lengths " +
                      Range::length().text());
-      grid.cells[d]   = static_cast<unsigned int>(cells[d]);
-      grid.spacing[d] = size[d] / grid.cells[d];
+      const auto cells = static_cast<unsigned int>(given.cells[d]);
+      p.box.cells[d]   = cells;
+      p.box.spacing[d] = size[d] / cells;
+      if (d == 2)
+        continue;
+      p.size[d]         = size[d];
+      p.grid.cells[d]   = cells;
+      p.grid.spacing[d] = size[d] / cells;
     }
 }
 
@@ -165,31 +204,42 @@ void check_image_values(const MicrostructureParameters &p)
 }
 } // namespace
 
-void MicrostructureParameters::bind(Keys &keys)
+void MicrostructureParameters::bind(Keys &keys, const unsigned int dimension)
 {
-  bind_grid(keys, grid, size);
+  dim = dimension;
+  bind_grid(keys, *this);
   bind_phases(keys, phases);
   image.n_phases     = static_cast<unsigned int>(phases.size());
   const auto section = keys.section("Microstructure");
-  keys.bind("Type", type, {"homogeneous", "random fibres", "rectangles", "image"},
+  keys.bind("Type", type,
+            {"homogeneous", "random fibres", "rectangles", "image", "voxels"},
             "Where the morphology comes from: all of the first phase; random fibres; a "
-            "list of rectangles; an image [-]");
-  keys.bind_input("File", file,
-                  "Rectangles: CSV with x_left_mm,y_bottom_mm,width_mm,height_mm and, "
-                  "if needed, phase (the index, 1 where missing). Image: PNG, or text "
-                  "with rows of whole numbers from the top [-]");
-  keys.bind_list("Image values", image.values, std::numeric_limits<int>::min(),
-                 std::numeric_limits<int>::max(),
-                 "Image: the value of each phase in the order of Phases/Names. Empty: "
-                 "the values that occur, in ascending order, if there are as many as "
-                 "phases [-]",
-                 0, std::numeric_limits<std::size_t>::max());
+            "list of rectangles; an image; in 3D an array of voxels [-]");
+  keys.require(dim == 2 ? type != Type::voxels
+                        : type == Type::voxels || type == Type::homogeneous,
+               "Type",
+               dim == 2 ? "voxels need Dimension = 3"
+                        : "where Dimension is 3 it is voxels or homogeneous");
+  keys.bind_input(
+    "File", file,
+    "Rectangles: CSV with x_left_mm,y_bottom_mm,width_mm,height_mm and, "
+    "if needed, phase (the index, 1 where missing). Image: PNG, or text "
+    "with rows of whole numbers from the top. Voxels: NumPy array [z][y][x] of "
+    "whole numbers (.npy) [-]");
+  keys.bind_list(
+    "Image values", image.values, std::numeric_limits<int>::min(),
+    std::numeric_limits<int>::max(),
+    "Image, voxels: the value of each phase in the order of Phases/Names. Empty: "
+    "the values that occur, in ascending order, if there are as many as "
+    "phases [-]",
+    0, std::numeric_limits<std::size_t>::max());
   keys.bind("Oblong pixels", image.oblong_pixels,
             "Image: the pixels need not be squares in the body; otherwise Grid/Cells "
             "and Grid/Size have to make them so within 1 % [-]");
   keys.only_with("Type", {"random fibres"}, {"Random fibres/"});
-  keys.only_with("Type", {"rectangles", "image"}, {"File"});
-  keys.only_with("Type", {"image"}, {"Image values", "Oblong pixels"});
+  keys.only_with("Type", {"rectangles", "image", "voxels"}, {"File"});
+  keys.only_with("Type", {"image", "voxels"}, {"Image values"});
+  keys.only_with("Type", {"image"}, {"Oblong pixels"});
 
   const auto subsection = keys.section("Random fibres");
   bind_fibres(keys, placement);
@@ -205,11 +255,13 @@ void MicrostructureParameters::bind(Keys &keys)
 void MicrostructureParameters::check() const
 {
   for (const PhaseParameters &phase : phases)
-    phase.check<2>();
+    dim == 2 ? phase.check<2>() : phase.check<3>();
   if (type == Type::random_fibres)
     check_fibres(*this);
-  if (type == Type::image)
+  if (type == Type::image || type == Type::voxels)
     check_image_values(*this);
+  if (type == Type::voxels)
+    check_voxels(*this);
   if (type == Type::image || type == Type::rectangles)
     {
       require_memory({static_cast<double>(grid.n_cells()), "reduce Grid/Cells"});

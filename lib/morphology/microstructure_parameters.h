@@ -88,16 +88,21 @@ struct MicrostructureParameters
     homogeneous,
     random_fibres,
     rectangles,
-    image
+    image,
+    voxels
   };
 
-  UniformGrid<2> grid;             ///< section Grid; the origin is the lower left corner
-  std::array<double, 2> size = {}; ///< m, of the box, as in the .prm
+  /** Of the box: 2, or 3 in programs that have grids in 3D. */
+  unsigned int dim = 2;
+
+  UniformGrid<2> grid; ///< section Grid in 2D; the origin is the lower left corner
+  UniformGrid<3> box;  ///< the same in 3D, of the default in 2D
+  std::array<double, 2> size = {};     ///< m, of the box in 2D, as in the .prm
   std::vector<PhaseParameters> phases; ///< section Phases, in the order of `Names`
 
   Type type = Type::random_fibres; ///< key Type
 
-  /** Rectangles (CSV) or image (PNG, plain text). */
+  /** Rectangles (CSV), image (PNG, plain text) or voxels (.npy). */
   std::string file;
 
   ImageReading image; ///< how an image is read
@@ -111,8 +116,8 @@ struct MicrostructureParameters
    */
   double placement_spacing = 0.;
 
-  /** Binds the keys of all three sections. */
-  void bind(Keys &keys);
+  /** Binds the keys of all three sections, of a box of @p dimension. */
+  void bind(Keys &keys, const unsigned int dimension = 2);
 
   /**
    * Throws UserError: every section's own checks and those across sections. Files

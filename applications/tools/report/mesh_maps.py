@@ -1,4 +1,4 @@
-"""Maps of volumes on meshes: phases and von Mises stress, of a plane mesh as it is, of a solid one in three sections through its middle."""
+"""Maps of volumes on meshes and of voxels: phases and von Mises stress, of a plane mesh as it is, of a solid one in three sections through its middle."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -49,12 +49,26 @@ def section(points, cells, axis):
     return polygons, numbers
 
 
+def voxel_section(run, axis):
+    """Rectangles (mm) of the layer of voxels just above the middle of an axis, and the numbers of these cells."""
+    if run.grid() is None:
+        raise Missing(f"{run.name} has neither a mesh nor a grid")
+    n, h, origin = run.grid()[0].astype(int), *(1e3 * lengths for lengths in run.grid()[1:])
+    numbers = np.take(np.arange(np.prod(n, dtype=int)).reshape(n[::-1]), n[axis] // 2, axis=2 - axis).ravel()
+    places = np.stack([numbers % n[0], numbers // n[0] % n[1], numbers // (n[0] * n[1])], axis=1)
+    others = [d for d in range(3) if d != axis]
+    corners = places[:, None, others] + np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+    return origin[others] + h[others] * corners, numbers
+
+
 def views(run):
     """Labels of the axes, polygons and numbers of cells of each picture."""
+    labels = [("y", "z"), ("x", "z"), ("x", "y")]
+    if not run.members("/mesh"):
+        return [(*labels[axis], *voxel_section(run, axis)) for axis in range(3)]
     points, cells = cells_of(run)
     if points.shape[1] == 2:
         return [("x", "y", [points[corners] for _, corners in cells], np.arange(len(cells)))]
-    labels = [("y", "z"), ("x", "z"), ("x", "y")]
     return [(*labels[axis], *section(points, cells, axis)) for axis in range(3)]
 
 
@@ -106,11 +120,11 @@ def stress_figure(run, field):
 
 
 def morphology(run):
-    ids = run.need("/phase/id")
+    ids = run.need("/phase/id").ravel()
     n = int(ids.max()) + 1
     colours = ListedColormap((PHASE_COLOURS * (n // len(PHASE_COLOURS) + 1))[:n])
     figure, (axes,), _ = draw(run, (ids, colours, (-0.5, n - 0.5)))
-    shares = run.need("/phase/volume_fraction")
+    shares = run.need("/phase/volume_fraction") if run.members("/mesh") else [np.mean(ids == i) for i in range(n)]
     handles = [Patch(facecolor=colours(i), edgecolor="#adb5bd", label=f"{name} ({100 * share:.1f} %)")
                for i, (name, share) in enumerate(zip(phase_names(run, n), shares))]
     legend = axes[len(axes) // 2].legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.02), ncol=4)
@@ -126,6 +140,7 @@ def von_mises(run, pressure=0.5e6):
     ids, stiffness, tensors, effective = run.need("/phase/id", "/phase/stiffness", f"/concentration/{condition}",
                                                   f"/stiffness/{condition}")
     n = effective.shape[0]
+    ids, tensors = ids.ravel(), tensors.reshape(-1, n, n)
     dim = 2 if n == 3 else 3
     mean = np.zeros(n)
     mean[dim - 1] = -pressure

@@ -23,7 +23,7 @@ def plan(chain):
         result.append(("Beside the paper", [(key_numbers.beside_the_paper, run) for run in pins]))
     if chain.rve:
         result.append(("Stiffness", [(stiffness_table, run) for run in chain.rve]))
-    on_mesh = [run for run in chain.rve if run.members("/mesh")]
+    on_mesh = [run for run in chain.rve if run.members("/mesh") or run.summary.get("dim") == 3]  # voxels are shown like meshes
     on_grid = [run for run in chain.rve if run not in on_mesh]
     fields = [(morphology, chain)] if on_grid or any(run.heterogeneous and run.grid() for run in chain.runs) else []
     fields += [(rve_stress, run) for run in on_grid if run.members("/concentration")]
@@ -156,7 +156,7 @@ def rve_stress(page, run):
 
 
 def mesh_morphology(page, run):
-    return page.figure(mesh_maps.morphology(run), f"Phases of {escape(run.name)} on their mesh{sections_of(run)}.")
+    return page.figure(mesh_maps.morphology(run), f"Phases of {escape(run.name)}{' on their mesh' if run.members('/mesh') else ''}{sections_of(run)}.")
 
 
 def mesh_stress(page, run):

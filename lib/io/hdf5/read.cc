@@ -226,6 +226,8 @@ void Hdf5File::require_unit(const std::string &dataset, const std::string &unit)
                                          const std::string &) const;               \
   template std::array<T, 2> Hdf5File::read_attribute<std::array<T, 2>>(            \
     const std::string &, const std::string &, const std::string &) const;          \
+  template std::array<T, 3> Hdf5File::read_attribute<std::array<T, 3>>(            \
+    const std::string &, const std::string &, const std::string &) const;          \
   template std::vector<T> Hdf5File::read_attribute<std::vector<T>>(                \
     const std::string &, const std::string &, const std::string &) const;
 MESOSLIP_HDF5_TYPES(MESOSLIP_INSTANTIATE)

@@ -198,6 +198,8 @@ void Hdf5File::write_header(const std::string &format,
                                              const T &);                               \
   template void Hdf5File::write_attribute<std::array<T, 2>>(                           \
     const std::string &, const std::string &, const std::array<T, 2> &);               \
+  template void Hdf5File::write_attribute<std::array<T, 3>>(                           \
+    const std::string &, const std::string &, const std::array<T, 3> &);               \
   template void Hdf5File::write_attribute<std::vector<T>>(                             \
     const std::string &, const std::string &, const std::vector<T> &);
 MESOSLIP_HDF5_TYPES(MESOSLIP_INSTANTIATE)

@@ -20,14 +20,14 @@ class FormatError(ValueError):
 
 
 class Grid(collections.namedtuple("Grid", "cells spacing origin")):
-    """The uniform grid: `cells` (nx, ny), `spacing` and `origin` (m)."""
+    """The uniform grid: `cells` (nx, ny), of voxels (nx, ny, nz), `spacing` and `origin` (m)."""
 
     def nodes(self):
-        """Coordinates x [nx+1] and y [ny+1] of the nodes."""
+        """Coordinates x [nx+1], y [ny+1] and, of voxels, z [nz+1] of the nodes."""
         return tuple(Array(o + h * np.arange(n + 1), "m") for n, h, o in zip(*self))
 
     def centres(self):
-        """Coordinates x [nx] and y [ny] of the centres of the cells."""
+        """Coordinates x [nx], y [ny] and, of voxels, z [nz] of the centres of the cells."""
         return tuple(Array(o + h * (np.arange(n) + 0.5), "m") for n, h, o in zip(*self))
 
 

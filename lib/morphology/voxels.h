@@ -1,0 +1,36 @@
+#ifndef mesoslip_morphology_voxels_h
+#define mesoslip_morphology_voxels_h
+
+#include "grid/uniform_grid.h"
+#include "material/voigt.h"
+
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+struct MicrostructureParameters;
+
+/** A morphology of voxels with the materials it is made of. */
+struct VoxelMorphology
+{
+  PhaseMap<3> map;               ///< phase of each cell
+  std::vector<Phase<3>> phases;  ///< by index
+  std::vector<double> fractions; ///< volume fraction of each phase
+
+  /** Lines for the log: grid, file, cells and material of each phase, phases of the cells
+   * in the corners, fractions in slices across each axis. */
+  std::vector<std::string> description;
+  std::vector<std::string> warnings; ///< sentences for the log: phases without cells
+};
+
+/** Reads the header of the file of voxels. @throws UserError if the array is not one of
+ * [z][y][x] that fits `Grid/Cells` */
+void check_voxels(const MicrostructureParameters &parameters);
+
+/** Reads the voxels, or fills the box with the first phase. @p parameters have passed
+ * check(). @throws UserError when it is not clear which value is which phase */
+VoxelMorphology make_voxels(const MicrostructureParameters &parameters);
+} // namespace mesoslip
+
+#endif
