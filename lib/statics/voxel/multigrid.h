@@ -14,7 +14,7 @@ namespace mesoslip::voxel
 /**
  * Preconditioner for the stiffness of voxels, in single precision: one V cycle, symmetric,
  * with Chebyshev's smoother on every grid and means of the stiffness on the coarse ones,
- * which are spectrally equivalent to the Galerkin operators whatever the contrast. Coarser
+ * with which a prototype took as many iterations as with Galerkin operators. Coarser
  * grids are smoothed more: inclusions that touch on a coarse grid and not on a fine one are
  * moved by the latter alone, and steps there cost an eighth.
  */

@@ -47,9 +47,8 @@ public:
             const std::function<void(unsigned int)> &progress = {});
 
   /**
-   * Effective stiffness (Pa) from the energies, of second order in the error of the
-   * solutions: lambda_min <= SUBC <= PBC <= KUBC of the true one. After all cases in
-   * ascending order.
+   * Effective stiffness (Pa) from the energies, which is of second order in the error of
+   * the solutions. After all cases in ascending order.
    */
   VoigtMatrix<3> effective_stiffness();
 
