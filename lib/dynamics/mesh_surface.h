@@ -1,8 +1,8 @@
 #ifndef mesoslip_dynamics_mesh_surface_h
 #define mesoslip_dynamics_mesh_surface_h
 
-#include "dynamics/surface_condition.h"
 #include "dynamics/shared_nodes.h"
+#include "dynamics/surface_condition.h"
 #include "grid/nodal_field.h"
 
 namespace mesoslip

@@ -78,7 +78,7 @@ public:
       archive &*energy;
   }
 
-  const SharedNodes contact_nodes;    ///< of this rank
+  const SharedNodes contact_nodes;     ///< of this rank
   NodalField<double> u;                ///< displacement (m), a column for each point
   NodalField<double> w;                ///< velocity of the scheme (m/s)
   MeshStepper<dim> stepper;            ///< the time integration
