@@ -234,9 +234,10 @@ void MeshStatic<dim>::summarize(RunContext &context) const
   this->summarize_body("static contact", context);
   nlohmann::json &json = context.summary();
   json["pressure"]     = this->parameters.top.pressure.amplitude();
-  json["normal_force"] = normal_force(solution);
+  json["normal_force"] = total_normal_force(solution);
   for (unsigned int c = 0; c + 1 < dim; ++c)
-    json[along_flat("tangential_force", c)] = tangential_force(solution, c, dim - 1);
+    json[along_flat("tangential_force", c)] =
+      total_tangential_force(solution, c, dim - 1);
   json["iterations"]        = solution.iterations;
   json["state_changes"]     = solution.state_changes;
   json["solver_iterations"] = solution.solver_iterations;
@@ -275,12 +276,14 @@ void MeshStatic<dim>::run(RunContext &context)
                          " of the solver"));
   if (!context.root())
     return;
-  const auto scope               = context.timer().scope("Output");
-  const PhasePressures of_phases = mesh_phase_pressures(
-    this->morphology, this->parameters, solution.displacement, normal_force(solution));
+  const auto scope = context.timer().scope("Output");
+  const PhasePressures of_phases =
+    mesh_phase_pressures(this->morphology, this->parameters, solution.displacement,
+                         total_normal_force(solution));
   std::optional<double> sliding;
   if (this->parameters.contact.flat_velocity.amplitude() != 0.)
-    sliding = std::fabs(tangential_force(solution, 0, dim - 1)) / normal_force(solution);
+    sliding = std::fabs(total_tangential_force(solution, 0, dim - 1)) /
+              total_normal_force(solution);
   for (const std::string &line : pressure_lines(of_phases, sliding))
     context.log(line);
   write_contact_table(context);

@@ -8,14 +8,14 @@
 
 namespace mesoslip
 {
-double normal_force(const StaticContactSolution &solution)
+double total_normal_force(const StaticContactSolution &solution)
 {
   return std::accumulate(solution.normal_force.begin(), solution.normal_force.end(), 0.);
 }
 
-double tangential_force(const StaticContactSolution &solution,
-                        const unsigned int c,
-                        const unsigned int n_tangents)
+double total_tangential_force(const StaticContactSolution &solution,
+                              const unsigned int c,
+                              const unsigned int n_tangents)
 {
   double sum = 0.;
   for (std::size_t k = c; k < solution.tangential_force.size(); k += n_tangents)
@@ -129,7 +129,7 @@ void MeshStaticLoad<dim>::press(const double share)
   else
     {
       lowered_before = lowered;
-      force_before   = normal_force(solution);
+      force_before   = total_normal_force(solution);
       lowered *= share / done.back().share;
     }
   for (unsigned int n = 0; n < most; ++n)
@@ -137,7 +137,7 @@ void MeshStaticLoad<dim>::press(const double share)
       for (const unsigned int point : top.points)
         problem.displacement(dim - 1, {point, 0}) = -lowered;
       solve();
-      const double force = normal_force(solution);
+      const double force = total_normal_force(solution);
       if (std::fabs(force - wanted) <= 10. * options.tolerance * wanted)
         return;
       const double next =
@@ -157,11 +157,11 @@ void MeshStaticLoad<dim>::record(const double share, const double share_of_flat)
   const std::vector<double> &of_flat = parameters.static_load.of_flat;
   StaticLoadStep step;
   step.share        = share;
-  step.normal_force = normal_force(solution);
+  step.normal_force = total_normal_force(solution);
   for (unsigned int c = 0; c + 1 < dim; ++c)
     {
       step.displacement[c]     = c < of_flat.size() ? share_of_flat * of_flat[c] : 0.;
-      step.tangential_force[c] = tangential_force(solution, c, dim - 1);
+      step.tangential_force[c] = total_tangential_force(solution, c, dim - 1);
     }
   for (std::size_t i = 0; i < solution.state.size(); ++i)
     {

@@ -22,12 +22,12 @@ struct StaticLoadStep
 };
 
 /** Normal force of the flat on the body (N, in 2D N/m). */
-double normal_force(const StaticContactSolution &solution);
+double total_normal_force(const StaticContactSolution &solution);
 
 /** Its force along axis @p c of the dim - 1 along the flat. */
-double tangential_force(const StaticContactSolution &solution,
-                        const unsigned int c,
-                        const unsigned int n_tangents);
+double total_tangential_force(const StaticContactSolution &solution,
+                              const unsigned int c,
+                              const unsigned int n_tangents);
 
 /** A body on a mesh under a load that grows in increments. */
 template <int dim>
@@ -48,7 +48,7 @@ public:
    * Presses the body on the flat, then displaces the flat. Iterations are those of all
    * increments. Collective. @throws NotConverged
    */
-  StaticContactSolution follow(const StaticContactOptions &options);
+  StaticContactSolution follow(const StaticContactOptions &given);
 
   /** One for each increment. */
   const std::vector<StaticLoadStep> &steps() const

@@ -32,8 +32,8 @@ public:
   /** Takes the finest grid; ghost cells of @p stiffness are set. */
   Multigrid(const VoxelGrid &grid, CellStiffness &&stiffness, const Options &options);
 
-  /** x = M^-1 b; ghosts of x are set. */
-  void vmult(VoxelField<float> &x, const VoxelField<float> &b);
+  /** @p solution = M^-1 @p force; ghosts of @p solution are set. */
+  void vmult(VoxelField<float> &solution, const VoxelField<float> &force);
 
   /** Grid 0. */
   Level &finest()
@@ -48,9 +48,10 @@ public:
   }
 
 private:
-  void visit(const std::size_t l, VoxelField<float> &x, const VoxelField<float> &b);
+  void
+  visit(const std::size_t l, VoxelField<float> &solution, const VoxelField<float> &force);
   void build_bottom();
-  void solve_bottom(VoxelField<float> &x, const VoxelField<float> &b) const;
+  void solve_bottom(VoxelField<float> &solution, const VoxelField<float> &force) const;
 
   std::deque<Level> levels;
   std::vector<Transfer> transfers; ///< from grid l to l + 1

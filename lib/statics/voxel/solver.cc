@@ -102,7 +102,7 @@ void Solver::set_phases(const PhaseMap<3> &map)
           if (x < voxels.cells[0] && y < voxels.cells[1] && z < voxels.cells[2])
             row(j, k)[i] = map.id[(z * voxels.cells[1] + y) * voxels.cells[0] + x];
         }
-  table.assign((n_coefficients + 1) * 256, 0.);
+  table.assign(std::size_t{256} * (n_coefficients + 1), 0.);
   for (unsigned int phase = 0; phase < std::min<std::size_t>(stiffness.size(), outside);
        ++phase)
     {

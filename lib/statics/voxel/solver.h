@@ -27,10 +27,10 @@ namespace mesoslip::voxel
 class Solver
 {
 public:
-  /** Phases have their stiffness (Pa) in @p stiffness; at most 255 of them.
+  /** Phases of @p map have @p the_stiffness (Pa); at most 255 of them.
    * @throws std::invalid_argument for a phase without a stiffness */
-  Solver(const PhaseMap<3> &phases,
-         const std::vector<VoigtMatrix<3>> &stiffness,
+  Solver(const PhaseMap<3> &map,
+         const std::vector<VoigtMatrix<3>> &the_stiffness,
          const Sides sides);
 
   /**

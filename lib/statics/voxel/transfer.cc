@@ -144,12 +144,12 @@ void Transfer::restrict_row(const float *fine, float *coarse) const
   if (x.halves)
     {
       // Fine node 2 i (held) or 2 i - 1 is coarse node i.
-      const float *same    = fine - first;
-      const unsigned int n = n_coarse[0];
-      for (unsigned int i = 1; i <= n; ++i)
+      const float *same   = fine - first;
+      const std::size_t n = n_coarse[0];
+      for (std::size_t i = 1; i <= n; ++i)
         coarse[i] = same[2 * i] + 0.5F * same[2 * i + 1];
       coarse[1] += first == 0 ? 0.5F * fine[1] : periodic ? 0.5F * fine[n_fine[0]] : 0.F;
-      for (unsigned int i = 2; i <= n; ++i)
+      for (std::size_t i = 2; i <= n; ++i)
         coarse[i] += 0.5F * same[2 * i - 1];
       return;
     }
@@ -213,11 +213,11 @@ void Transfer::add_row(const float *coarse, float *fine) const
   const Axis &x = axes[0];
   if (x.halves)
     {
-      float *same          = fine - first;
-      const unsigned int n = n_coarse[0];
+      float *same         = fine - first;
+      const std::size_t n = n_coarse[0];
       if (first == 0)
         fine[1] += 0.5F * coarse[1];
-      for (unsigned int i = 1; i <= n; ++i)
+      for (std::size_t i = 1; i <= n; ++i)
         {
           same[2 * i] += coarse[i];
           same[2 * i + 1] += 0.5F * (coarse[i] + coarse[i + 1]);

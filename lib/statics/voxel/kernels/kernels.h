@@ -17,8 +17,8 @@
  */
 namespace mesoslip::voxel
 {
-/** Numbers a cell: Lame's two, or the upper triangle of the stiffness by rows. */
-constexpr unsigned int n_isotropic = 2, n_general = 21;
+constexpr unsigned int n_isotropic = 2;  ///< numbers a cell: Lame's two
+constexpr unsigned int n_general   = 21; ///< those of the upper triangle of the stiffness
 
 /** Arrays of one row (of nodes or cells) that the sweep needs for itself: [...][stride] */
 constexpr unsigned int n_work_rows = 27;
@@ -47,17 +47,18 @@ struct SweepArguments
   float *d;                ///< last change of x
   float *out;              ///< result, zero in ghosts along x
   double *exact;           ///< the same of outer in double precision, or null
-  float keep, step;        ///< see chebyshev
+  float keep;              ///< see chebyshev
+  float step;              ///< see chebyshev
   Number *work;            ///< n_work_rows rows, and a plane of [n[1] + 1][6][stride]
-  /** @name Of outer alone: phases of cells [n[2] + 1][n[1] + 1][stride], what a phase has
-   * of each coefficient and, last, whether it is one: [coefficients + 1][256]; Voigt strain
-   * times 4 h_y and stress times volume over 4 h_y that are added.
+  /** @name Of outer alone
    * @{
    */
-  const std::uint8_t *phase;
+  const std::uint8_t *phase; ///< of cells [n[2] + 1][n[1] + 1][stride]
+  /** What a phase has of each coefficient and, last, whether it is one:
+   * [coefficients + 1][256]. */
   const Number *table;
-  Number strain[6];
-  Number stress[6];
+  Number strain[6]; ///< Voigt, times 4 h_y, that is added
+  Number stress[6]; ///< times volume over 4 h_y, that is added
   /** @} */
 };
 

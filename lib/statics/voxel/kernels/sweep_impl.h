@@ -165,7 +165,7 @@ row_of_cells(const Layer<Number> &layer, const Material &cells, const std::size_
                   store(place, g[c][set[m]] + along);
                 }
             }
-          Number *sums = plane + (2 * c) * s + i, *differences = sums + s;
+          Number *sums = plane + std::size_t(2 * c) * s + i, *differences = sums + s;
           const Vector sum   = load(sums) + h[0] - layer.z * h[2],
                        other = load(differences) + h[1] - layer.z * h[3];
           store(sums, h[0] + layer.z * h[2]);
