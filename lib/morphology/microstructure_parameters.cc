@@ -66,8 +66,8 @@ void bind_grid(Keys &keys, MicrostructureParameters &p)
     "Instead of Size: edge of the square or cubic cells, or their edges along "
     "the axes. Empty: Size over Cells [m]",
     0, 3);
-  const std::string wanted =
-    " numbers where Dimension is " + std::to_string(p.dim) + "; give one for each axis";
+  const std::string wanted = " numbers where Dimension is " + std::to_string(p.dim) +
+                             "; give one for each axis, or a mesh in Mesh/File";
   const auto require_axes = [&](const char *key, const std::size_t n) {
     keys.require(n == p.dim, key, "there are " + std::to_string(n) + wanted);
   };
