@@ -47,16 +47,16 @@ struct SurfaceView
  * wait for one addition before it starts the next. */
 inline double sum_of(const double *values, const std::size_t n)
 {
-  std::array<double, 8> lanes = {};
-  std::size_t i               = 0;
+  double lanes[8] = {};
+  std::size_t i   = 0;
   for (; i + 8 <= n; i += 8)
     for (unsigned int l = 0; l < 8; ++l)
       lanes[l] += values[i + l];
   double sum = 0.;
   for (; i < n; ++i)
     sum += values[i];
-  for (const double lane : lanes)
-    sum += lane;
+  for (unsigned int l = 0; l < 8; ++l)
+    sum += lanes[l];
   return sum;
 }
 

@@ -103,11 +103,11 @@ std::vector<std::string> slice_lines(const PhaseMap<3> &map,
   std::vector<std::string> lines;
   const auto &n              = map.grid.cells;
   const std::uint8_t counted = phases.size() - 1;
+  std::size_t stride         = 1;
   for (unsigned int d = 0; d < 3; ++d)
     {
       const unsigned int n_slices = std::min(4U, n[d]);
       std::vector<double> all(n_slices, 0.), part(n_slices, 0.);
-      const std::size_t stride = d == 0 ? 1 : d == 1 ? n[0] : std::size_t{n[0]} * n[1];
       for (std::size_t k = 0; k < map.id.size(); ++k)
         {
           const std::size_t slice = k / stride % n[d] * n_slices / n[d];
@@ -119,6 +119,7 @@ std::vector<std::string> slice_lines(const PhaseMap<3> &map,
       for (unsigned int s = 0; s < n_slices; ++s)
         line += (s == 0 ? " " : ", ") + percent_text(part[s] / all[s]);
       lines.push_back(line);
+      stride *= n[d];
     }
   return lines;
 }

@@ -20,9 +20,8 @@ struct CellStiffness
              const unsigned int j,
              const unsigned int k)
   {
-    return numbers.data() +
-           ((std::size_t{grid.n_nodes(1)} + 1) * k + j) * n_coefficients * grid.stride() +
-           m * grid.stride();
+    const std::size_t row = (std::size_t{grid.n_nodes(1)} + 1) * k + j;
+    return &numbers[(row * n_coefficients + m) * grid.stride()];
   }
 };
 

@@ -98,9 +98,10 @@ void Solver::set_phases(const PhaseMap<3> &map)
     for (std::size_t j = 0; j <= voxels.n_nodes(1); ++j)
       for (std::size_t i = 0; i <= voxels.n_nodes(0); ++i)
         {
-          const std::size_t x = cell(i, 0), y = cell(j, 1), z = cell(k, 2);
-          if (x < voxels.cells[0] && y < voxels.cells[1] && z < voxels.cells[2])
-            row(j, k)[i] = map.id[(z * voxels.cells[1] + y) * voxels.cells[0] + x];
+          const std::array<unsigned int, 3> &n = voxels.cells;
+          const std::array<std::size_t, 3> at  = {{cell(i, 0), cell(j, 1), cell(k, 2)}};
+          if (at[0] < n[0] && at[1] < n[1] && at[2] < n[2])
+            row(j, k)[i] = map.id[(at[2] * n[1] + at[1]) * n[0] + at[0]];
         }
   table.assign(std::size_t{256} * (n_coefficients + 1), 0.);
   for (unsigned int phase = 0; phase < std::min<std::size_t>(stiffness.size(), outside);

@@ -81,14 +81,14 @@ public:
    *  last. */
   Number *row(const unsigned int c, const unsigned int j, const unsigned int k)
   {
-    return numbers.data() + ((std::size_t{n[1] + 2} * k + j) * 3 + c) * stride;
+    return &numbers[((std::size_t{n[1] + 2} * k + j) * 3 + c) * stride];
   }
 
   /** The same to read. */
   const Number *
   row(const unsigned int c, const unsigned int j, const unsigned int k) const
   {
-    return numbers.data() + ((std::size_t{n[1] + 2} * k + j) * 3 + c) * stride;
+    return &numbers[((std::size_t{n[1] + 2} * k + j) * 3 + c) * stride];
   }
 
   /** Whole field, in whole cache lines. */

@@ -75,8 +75,8 @@ struct Stiffness<Number, n_isotropic>
   inline __attribute__((always_inline)) void line_stress(const Vector u[3],
                                                          Vector t[3]) const
   {
-    for (int c = 0; c < 3; ++c)
-      t[c] = (c == axis ? lambda + mu + mu : mu) * u[c];
+    for (int i = 0; i < 3; ++i)
+      t[i] = (i == axis ? lambda + mu + mu : mu) * u[i];
   }
 };
 
