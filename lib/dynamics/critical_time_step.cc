@@ -226,10 +226,10 @@ FrequencyEstimate largest_frequency(const MeshOperator<dim> &op,
   };
   // Whatever the ranks, a point of the mesh gets the same numbers.
   std::vector<std::pair<unsigned int, unsigned int>> points;
-  for (unsigned int i = 0; i < part.n_owned; ++i)
+  for (unsigned int i = 0; i < part.n_distinct; ++i)
     points.emplace_back(part.point_in_mesh[i], i);
   std::sort(points.begin(), points.end());
-  std::vector<double> start(dim * std::size_t(part.n_owned));
+  std::vector<double> start(dim * std::size_t(part.n_distinct));
   StartNumbers random;
   unsigned int drawn = 0;
   for (const auto &[in_mesh, i] : points)

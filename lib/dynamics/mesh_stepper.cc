@@ -15,7 +15,7 @@ template <int dim>
 std::optional<NodeIndex> owned_point(const MeshPart<dim> &part,
                                      const std::optional<unsigned int> point)
 {
-  for (unsigned int i = 0; point && i < part.n_owned; ++i)
+  for (unsigned int i = 0; point && i < part.n_distinct; ++i)
     if (part.point_in_mesh[i] == *point)
       return NodeIndex{i, 0};
   return {};
@@ -55,7 +55,7 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
             u,
             w,
             NodeRows::all(1),
-            op.part.n_owned,
+            op.part.n_distinct,
             owned_point(op.part, top_point),
             op.communicator)
   , op(op)
@@ -72,14 +72,14 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
   for (std::size_t i = 0; i < in_mesh.size(); ++i)
     {
       const double mass     = op.lumped_mass()[i];
-      own_mass.row(0, 0)[i] = i < op.part.n_owned ? mass : 0.;
+      own_mass.row(0, 0)[i] = i < op.part.n_distinct ? mass : 0.;
       for (unsigned int c = 0; c < dim; ++c)
         inverse_mass.row(c, 0)[i] = 1. / mass;
     }
-  const PointIndex index(in_mesh);
+  const PointIndex index(op.part);
   for (const HeldComponent &h : held)
-    if (const std::optional<unsigned int> i = index.find(h.point))
-      inverse_mass.row(h.component, 0)[*i] = 0.;
+    for (const unsigned int i : index.find(h.point))
+      inverse_mass.row(h.component, 0)[i] = 0.;
 }
 
 template <int dim>

@@ -13,7 +13,7 @@ namespace mesoslip
 /** A component of a point of a mesh whose acceleration is kept at zero. */
 struct HeldComponent
 {
-  unsigned int point     = 0; ///< index into the whole mesh
+  unsigned int point     = 0; ///< index into the whole mesh, of an original
   unsigned int component = 0; ///< 0: x
 
   /** Of boost::serialization. */
@@ -30,7 +30,8 @@ struct HeldComponent
  *     a = M^-1 (boundary forces + M g - K (u + beta w))
  *     w += dt a,   u += dt w + (beta2 - 1/2) dt^2 a
  *
- * Points of several ranks are advanced by all of them, with the same bits. u and w are one
+ * Points of several ranks are advanced by all of them, and points that move together each,
+ * with the same bits. u and w are one
  * row with a column for each point of the part, owned ones first.
  */
 template <int dim>
@@ -65,7 +66,7 @@ private:
 
   const MeshOperator<dim> &op;
   NodalField<double> inverse_mass; ///< m/kg, 0 where held
-  NodalField<double> own_mass;     ///< of owned points, 0 of others
+  NodalField<double> own_mass;     ///< of points that this rank counts, 0 of others
   LineVector<double> z;            ///< u + beta w
   LineVector<double> force;
   const kernels::NodeArrays arrays;

@@ -10,22 +10,22 @@ template <int dim>
 SharedNodes::SharedNodes(const std::vector<unsigned int> &points,
                          const MeshPart<dim> &part)
 {
-  const PointIndex index(part.point_in_mesh);
+  const PointIndex index(part);
   for (const bool copies : {false, true})
     {
       for (unsigned int k = 0; k < points.size(); ++k)
-        {
-          const std::optional<unsigned int> i = index.find(points[k]);
-          if (!i || (*i >= part.n_owned) != copies)
-            continue;
-          if (copies && place.size() == owned)
-            {
-              place.resize(whole_vectors<double>(owned), none);
-              local.resize(place.size(), none);
-            }
-          place.push_back(k);
-          local.push_back(*i);
-        }
+        for (const unsigned int i : index.find(points[k]))
+          {
+            if ((i >= part.n_distinct) != copies)
+              continue;
+            if (copies && place.size() == owned)
+              {
+                place.resize(whole_vectors<double>(owned), none);
+                local.resize(place.size(), none);
+              }
+            place.push_back(k);
+            local.push_back(i);
+          }
       if (!copies)
         owned = size();
     }

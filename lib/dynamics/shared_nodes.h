@@ -12,7 +12,7 @@ namespace mesoslip
 {
 /**
  * The nodes of a boundary surface that are on this rank: those that it owns and, behind
- * them, copies of those of other ranks, both in the order of the surface. The forces on a
+ * them, copies of those of other ranks and of its own across periodic sides, both in the order of the surface. The forces on a
  * copy are complete, so that it moves as its original does without a message; what is
  * summed over the nodes is summed over those that are owned. Copies begin at a whole vector
  * of numbers: in between and at the end are places without a node.
@@ -23,7 +23,7 @@ public:
   /** No node: what stands for one where arrays are filled up to whole vectors. */
   static constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 
-  /** Those of @p points, numbers in the whole mesh, which the surface is made of. */
+  /** Those of @p points, originals of the whole mesh, which the surface is made of. */
   template <int dim>
   SharedNodes(const std::vector<unsigned int> &points, const MeshPart<dim> &part);
 

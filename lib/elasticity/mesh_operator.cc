@@ -14,6 +14,8 @@ std::vector<std::vector<dealii::CellData<dim>>> split_cells(const MeshPart<dim> 
   for (const auto &neighbour : part.neighbours)
     for (const unsigned int p : neighbour.points)
       is_shared[p] = true;
+  for (const auto &[copy, first] : part.copies)
+    is_shared[copy] = is_shared[first] = true;
   std::vector<std::vector<dealii::CellData<dim>>> cells(2);
   for (const auto &cell : part.cells)
     {
@@ -35,7 +37,7 @@ MeshOperator<dim>::MeshOperator(const MeshPart<dim> &part,
   , communicator(communicator)
   , isa(resolve(isa))
   , elements(part.points, split_cells(part), phases, this->isa)
-  , shared(part.neighbours, kernels::node_stride<dim>, communicator)
+  , shared(part, kernels::node_stride<dim>, communicator)
   , mass(mesoslip::lumped_mass(part.points, part.cells, phases))
 {
   constexpr unsigned int stride = kernels::node_stride<dim>;

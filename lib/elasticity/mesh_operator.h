@@ -10,7 +10,8 @@ namespace mesoslip
 {
 /**
  * Stiffness and lumped mass of a mesh that is divided among ranks. Each rank multiplies
- * with its own cells, first with those that have points of other ranks: while these are
+ * with its own cells, first with those that have points that other ranks have or that move
+ * with others (see Mesh::originals): while these are
  * summed up it goes on with the others.
  *
  * Fields are those of ElementOperator on the points of the part, whoever owns them; on
@@ -32,7 +33,8 @@ public:
     return elements.zero_field();
   }
 
-  /** Replaces the terms at points of several ranks by their sums. Collective. */
+  /** Replaces the terms at points of several ranks, or that move together, by their sums.
+   * Collective. */
   void sum_up(double *field) const
   {
     shared.start(field);

@@ -29,6 +29,16 @@ struct Mesh
 
   std::vector<std::string> phases;     ///< names of the groups of cells
   std::vector<std::string> boundaries; ///< names of the groups of edges (2D) or faces
+
+  /** With periodic sides: for each point the one that it moves with, itself where it is the
+   * original; empty without such sides. See join_sides(). */
+  std::vector<unsigned int> originals;
+
+  /** The point that moves as @p point does, which may be itself. */
+  unsigned int original(const unsigned int point) const
+  {
+    return originals.empty() ? point : originals[point];
+  }
 };
 } // namespace mesoslip
 

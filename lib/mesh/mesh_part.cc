@@ -41,21 +41,35 @@ std::vector<unsigned int> curve_order(const Mesh<dim> &mesh)
   return order;
 }
 
-/** For each point of the mesh the ranks whose cells have it, in ascending order. */
+/** For each original of the mesh the ranks whose cells have it or one that moves with it, in
+ * ascending order. */
 template <int dim>
 std::vector<std::vector<unsigned int>>
 ranks_of_points(const Mesh<dim> &mesh, const std::vector<unsigned int> &rank_of_cell)
 {
   std::vector<std::vector<unsigned int>> ranks(mesh.points.size());
   for (std::size_t k = 0; k < mesh.cells.size(); ++k)
-    for (const unsigned int p : mesh.cells[k].vertices)
+    for (const unsigned int v : mesh.cells[k].vertices)
       {
+        const unsigned int p = mesh.original(v);
         const auto place =
           std::lower_bound(ranks[p].begin(), ranks[p].end(), rank_of_cell[k]);
         if (place == ranks[p].end() || *place != rank_of_cell[k])
           ranks[p].insert(place, rank_of_cell[k]);
       }
   return ranks;
+}
+
+/** For each point of the mesh the lowest rank whose cells have it. */
+template <int dim>
+std::vector<unsigned int> owners_of_points(const Mesh<dim> &mesh,
+                                           const std::vector<unsigned int> &rank_of_cell)
+{
+  std::vector<unsigned int> owners(mesh.points.size(), nobody);
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k)
+    for (const unsigned int p : mesh.cells[k].vertices)
+      owners[p] = std::min(owners[p], rank_of_cell[k]);
+  return owners;
 }
 
 /** Makes the part of one rank after the other; its working memory is as large as a list
@@ -69,6 +83,7 @@ public:
     , rank_of_cell(rank_of_cell)
     , order(curve_order(mesh))
     , ranks(ranks_of_points(mesh, rank_of_cell))
+    , owners(owners_of_points(mesh, rank_of_cell))
     , local(mesh.points.size(), nobody)
   {
   }
@@ -76,7 +91,7 @@ public:
   MeshPart<dim> make(const unsigned int rank)
   {
     MeshPart<dim> part;
-    std::vector<unsigned int> foreign;
+    std::vector<unsigned int> own_copies, foreign;
     for (const unsigned int k : order)
       if (rank_of_cell[k] == rank)
         {
@@ -85,15 +100,22 @@ public:
             if (local[p] == nobody)
               {
                 local[p] = 0;
-                (ranks[p].front() == rank ? part.point_in_mesh : foreign).push_back(p);
+                (owners[p] != rank       ? foreign
+                 : mesh.original(p) == p ? part.point_in_mesh
+                                         : own_copies)
+                  .push_back(p);
               }
         }
-    part.n_owned = static_cast<unsigned int>(part.point_in_mesh.size());
-    part.point_in_mesh.insert(part.point_in_mesh.end(), foreign.begin(), foreign.end());
+    std::vector<unsigned int> &points = part.point_in_mesh;
+    part.n_distinct                   = static_cast<unsigned int>(points.size());
+    points.insert(points.end(), own_copies.begin(), own_copies.end());
+    part.n_owned = static_cast<unsigned int>(points.size());
+    points.insert(points.end(), foreign.begin(), foreign.end());
     for (unsigned int i = 0; i < part.point_in_mesh.size(); ++i)
       {
         local[part.point_in_mesh[i]] = i;
         part.points.push_back(mesh.points[part.point_in_mesh[i]]);
+        part.original_in_mesh.push_back(mesh.original(part.point_in_mesh[i]));
       }
     for (const unsigned int k : part.cell_in_mesh)
       {
@@ -110,13 +132,24 @@ public:
 private:
   void find_neighbours(const unsigned int rank, MeshPart<dim> &part) const
   {
-    std::vector<unsigned int> in_order = part.point_in_mesh;
+    std::vector<std::pair<unsigned int, unsigned int>> in_order;
+    for (const unsigned int p : part.point_in_mesh)
+      in_order.emplace_back(mesh.original(p), local[p]);
     std::sort(in_order.begin(), in_order.end());
     std::map<unsigned int, std::vector<unsigned int>> shared;
-    for (const unsigned int p : in_order)
-      for (const unsigned int other : ranks[p])
-        if (other != rank)
-          shared[other].push_back(local[p]);
+    for (std::size_t k = 0, first = 0; k < in_order.size(); ++k)
+      {
+        const auto [original, point] = in_order[k];
+        if (original == in_order[first].first && k > first)
+          {
+            part.copies.emplace_back(point, in_order[first].second);
+            continue;
+          }
+        first = k;
+        for (const unsigned int other : ranks[original])
+          if (other != rank)
+            shared[other].push_back(point);
+      }
     for (const auto &[other, points] : shared)
       part.neighbours.push_back({other, points});
   }
@@ -124,7 +157,8 @@ private:
   const Mesh<dim> &mesh;
   const std::vector<unsigned int> &rank_of_cell;
   const std::vector<unsigned int> order;
-  const std::vector<std::vector<unsigned int>> ranks;
+  const std::vector<std::vector<unsigned int>> ranks; ///< of originals
+  const std::vector<unsigned int> owners;
   std::vector<unsigned int> local; ///< of each point of the mesh its index in the part
 };
 
@@ -152,20 +186,22 @@ dealii::SparsityPattern graph_of_cells(const Mesh<dim> &mesh)
 }
 } // namespace
 
-PointIndex::PointIndex(const std::vector<unsigned int> &point_in_mesh)
+template <int dim>
+PointIndex::PointIndex(const MeshPart<dim> &part)
 {
-  for (unsigned int i = 0; i < point_in_mesh.size(); ++i)
-    sorted.emplace_back(point_in_mesh[i], i);
+  for (unsigned int i = 0; i < part.original_in_mesh.size(); ++i)
+    sorted.emplace_back(part.original_in_mesh[i], i);
   std::sort(sorted.begin(), sorted.end());
 }
 
-std::optional<unsigned int> PointIndex::find(const unsigned int point_in_mesh) const
+std::vector<unsigned int> PointIndex::find(const unsigned int original) const
 {
-  const auto found =
-    std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(point_in_mesh, 0U));
-  return found != sorted.end() && found->first == point_in_mesh
-           ? std::optional<unsigned int>(found->second)
-           : std::nullopt;
+  std::vector<unsigned int> points;
+  for (auto found =
+         std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(original, 0U));
+       found != sorted.end() && found->first == original; ++found)
+    points.push_back(found->second);
+  return points;
 }
 
 template <int dim>
@@ -206,6 +242,7 @@ MeshPart<dim> distribute(const Mesh<dim> &mesh,
 
 #define MESOSLIP_INSTANTIATE(dim)                                              \
   template struct MeshPart<dim>;                                               \
+  template PointIndex::PointIndex(const MeshPart<dim> &);                      \
   template std::vector<unsigned int> partition_cells(                          \
     const Mesh<dim> &, const unsigned int, const std::vector<unsigned int> &); \
   template MeshPart<dim> distribute(const Mesh<dim> &,                         \

@@ -5,34 +5,20 @@
 
 #include <mpi.h>
 
-#include <optional>
 #include <utility>
 
 namespace mesoslip
 {
-/** Finds points of the whole mesh among those of a part. */
-class PointIndex
-{
-public:
-  /** Of MeshPart. */
-  explicit PointIndex(const std::vector<unsigned int> &point_in_mesh);
-
-  /** Its index in the part, if it is there. */
-  std::optional<unsigned int> find(const unsigned int point_in_mesh) const;
-
-private:
-  std::vector<std::pair<unsigned int, unsigned int>> sorted; ///< in mesh, in part
-};
-
 /**
  * What one rank holds of a mesh whose cells are divided among the ranks: its cells and
- * all their points. A point of several ranks is owned by the lowest of them.
+ * all their points. A point of several ranks is owned by the lowest of them. Points that move
+ * with another one, see Mesh::originals, are points of their own.
  */
 template <int dim>
 struct MeshPart
 {
-  /** Points that this rank shares with another one, in the order of the whole mesh, which
-   * is the same on both. */
+  /** Points that this rank shares with another one, in the order of their originals in the
+   * whole mesh, which is the same on both; of those that move together one. */
   struct Neighbour
   {
     unsigned int rank = 0;            ///< number of the other one
@@ -46,26 +32,48 @@ struct MeshPart
     }
   };
 
-  /** Corners of the cells (m), those owned by this rank first; in both parts in the order
-   * in which the cells need them. */
+  /** Corners of the cells (m): originals owned by this rank, others that it owns, those of
+   * other ranks; each in the order in which the cells need them. */
   std::vector<dealii::Point<dim>> points;
 
-  unsigned int n_owned = 0; ///< number of points that this rank owns
+  unsigned int n_distinct = 0; ///< originals that this rank owns, what sums are over
+  unsigned int n_owned    = 0; ///< number of points that this rank owns
 
   /** Along a space-filling curve; vertices are indices into points. */
   std::vector<dealii::CellData<dim>> cells;
 
-  std::vector<unsigned int> point_in_mesh; ///< indices of the points in the whole mesh
-  std::vector<unsigned int> cell_in_mesh;  ///< indices of the cells in the whole mesh
+  std::vector<unsigned int> point_in_mesh;    ///< indices of the points in the whole mesh
+  std::vector<unsigned int> original_in_mesh; ///< those of their originals
+  std::vector<unsigned int> cell_in_mesh;     ///< indices of the cells in the whole mesh
 
   std::vector<Neighbour> neighbours; ///< in ascending order of their ranks
+
+  /** Points that move with another one of the part, which comes second. */
+  std::vector<std::pair<unsigned int, unsigned int>> copies;
 
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &points &n_owned &cells &point_in_mesh &cell_in_mesh &neighbours;
+    archive &points &n_distinct &n_owned &cells &point_in_mesh &original_in_mesh;
+    archive &cell_in_mesh &neighbours &copies;
   }
+};
+
+/** Finds points of the whole mesh among those of a part. */
+class PointIndex
+{
+public:
+  /** Of this part. */
+  template <int dim>
+  explicit PointIndex(const MeshPart<dim> &part);
+
+  /** Those of the part that move as @p original of the whole mesh, the one that the rank
+   * counts (see MeshPart::n_distinct) first. */
+  std::vector<unsigned int> find(const unsigned int original) const;
+
+private:
+  std::vector<std::pair<unsigned int, unsigned int>> sorted; ///< in mesh, in part
 };
 
 /**

@@ -8,6 +8,9 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
 
+#include <limits>
+#include <numeric>
+
 namespace mesoslip
 {
 template <int dim>
@@ -50,6 +53,45 @@ OppositePoints<dim> opposite_points(const Mesh<dim> &mesh,
   return result;
 }
 
+template <int dim>
+void join_sides(Mesh<dim> &mesh,
+                const std::vector<unsigned int> &lower,
+                const std::vector<unsigned int> &upper,
+                const unsigned int axis,
+                const double cell_size)
+{
+  const auto pairs = opposite_points(mesh, lower, upper, axis, cell_size).pairs;
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0.;
+  for (const auto &[p, opposite] : pairs)
+    {
+      const double length = mesh.points[p][axis] - mesh.points[opposite][axis];
+      shortest            = std::min(shortest, length);
+      longest             = std::max(longest, length);
+    }
+  if (!(shortest > 0. && longest - shortest <= 1e-6 * cell_size))
+    throw UserError(
+      std::string("Mesh/Periodic in ") + "xyz"[axis] +
+      ": points of the second group lie between " + to_text(shortest) + " and " +
+      to_text(longest) +
+      " m behind those opposite; the one has to be the other, shifted along "
+      "this axis");
+  std::vector<unsigned int> &originals = mesh.originals;
+  if (originals.empty())
+    {
+      originals.resize(mesh.points.size());
+      std::iota(originals.begin(), originals.end(), 0U);
+    }
+  const auto root = [&originals](unsigned int p) {
+    while (originals[p] != p)
+      p = originals[p];
+    return p;
+  };
+  for (const auto &[p, opposite] : pairs)
+    originals[root(p)] = root(opposite);
+  for (unsigned int &p : originals)
+    p = root(p);
+}
+
 template OppositePoints<2> opposite_points(const Mesh<2> &,
                                            const std::vector<unsigned int> &,
                                            const std::vector<unsigned int> &,
@@ -60,4 +102,14 @@ template OppositePoints<3> opposite_points(const Mesh<3> &,
                                            const std::vector<unsigned int> &,
                                            const unsigned int,
                                            const double);
+template void join_sides(Mesh<2> &,
+                         const std::vector<unsigned int> &,
+                         const std::vector<unsigned int> &,
+                         const unsigned int,
+                         const double);
+template void join_sides(Mesh<3> &,
+                         const std::vector<unsigned int> &,
+                         const std::vector<unsigned int> &,
+                         const unsigned int,
+                         const double);
 } // namespace mesoslip

@@ -25,10 +25,11 @@ void copy_terms(const double *field,
 } // namespace
 
 template <int dim>
-SharedPoints<dim>::SharedPoints(const Neighbours &neighbours,
+SharedPoints<dim>::SharedPoints(const MeshPart<dim> &part,
                                 const unsigned int stride,
                                 const MPI_Comm communicator)
-  : neighbours(neighbours)
+  : neighbours(part.neighbours)
+  , copies(part.copies)
   , stride(stride)
   , communicator(communicator)
   , rank(dealii::Utilities::MPI::this_mpi_process(communicator))
@@ -54,11 +55,14 @@ SharedPoints<dim>::~SharedPoints()
 }
 
 template <int dim>
-void SharedPoints<dim>::start(const double *field)
+void SharedPoints<dim>::start(double *field)
 {
   Assert(receiving.empty(),
          dealii::ExcMessage("terms were sent whose sum is not formed"));
   wait_for_all(sending);
+  for (const auto &[copy, first] : copies)
+    for (unsigned int c = 0; c < dim; ++c)
+      field[std::size_t(first) * stride + c] += field[std::size_t(copy) * stride + c];
   for (std::size_t k = 0; k < neighbours.size(); ++k)
     {
       const int count = static_cast<int>(sent[k].size());
@@ -97,6 +101,9 @@ void SharedPoints<dim>::finish(double *field)
     }
   if (!own_added)
     add(points, own);
+  for (const auto &[copy, first] : copies)
+    std::copy_n(field + std::size_t(first) * stride, dim,
+                field + std::size_t(copy) * stride);
 }
 
 template class SharedPoints<2>;

@@ -6,7 +6,7 @@
 namespace mesoslip
 {
 /**
- * Sums over the ranks at the points that they share. All ranks of a point add up the same
+ * Sums over the ranks at the points that they share, and over points that move together. All ranks of a point add up the same
  * numbers in the same order, that of the ranks, and so get the same bits: what they compute
  * from them needs no message.
  */
@@ -14,10 +14,9 @@ template <int dim>
 class SharedPoints
 {
 public:
-  using Neighbours = std::vector<typename MeshPart<dim>::Neighbour>; ///< of MeshPart
-
-  /** For fields with @p stride numbers a point, of which the first dim are summed. */
-  SharedPoints(const Neighbours &neighbours,
+  /** For fields with @p stride numbers a point of @p part, of which the first dim are
+   * summed. */
+  SharedPoints(const MeshPart<dim> &part,
                const unsigned int stride,
                const MPI_Comm communicator);
 
@@ -27,14 +26,16 @@ public:
   SharedPoints(const SharedPoints &)            = delete; ///< requests refer to members
   SharedPoints &operator=(const SharedPoints &) = delete; ///< see the constructor
 
-  /** Sends the terms of this rank. */
-  void start(const double *field);
+  /** Sends the terms of this rank, of which those of points that move together are added up
+   * at one of them. */
+  void start(double *field);
 
   /** Replaces the terms of this rank by the sums, once those of the others are there. */
   void finish(double *field);
 
 private:
-  const Neighbours neighbours;
+  const std::vector<typename MeshPart<dim>::Neighbour> neighbours;
+  const std::vector<std::pair<unsigned int, unsigned int>> copies; ///< of MeshPart
   const unsigned int stride;
   const MPI_Comm communicator;
   unsigned int rank = 0;

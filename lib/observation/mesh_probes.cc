@@ -45,6 +45,8 @@ MeshPlace place_in(const Mesh<dim> &mesh,
     place.point.position[d] = at[d];
   const CellShapes<dim> shapes = shapes_at(mesh, place.corners, at);
   place.shape                  = shapes.values;
+  for (unsigned int &corner : place.corners)
+    corner = mesh.original(corner);
   for (const auto &gradient : shapes.gradients)
     place.gradient.insert(place.gradient.end(), gradient.begin_raw(), gradient.end_raw());
   return place;
@@ -132,7 +134,7 @@ MeshProbes<dim>::MeshProbes(const std::vector<MeshPlace> &places,
           const auto &of_cell = part.cells[found - part.cell_in_mesh.begin()].vertices;
           corners.back().push_back(
             *std::find_if(of_cell.begin(), of_cell.end(), [&](const unsigned int point) {
-              return part.point_in_mesh[point] == place.corners[v];
+              return part.original_in_mesh[point] == place.corners[v];
             }));
         }
       contact_node.push_back(nearest_contact(place, contact.points));

@@ -15,7 +15,7 @@ struct MeshPlace
   ProbePoint point;                  ///< moved to a node if so wanted
   unsigned int cell  = 0;            ///< of the whole mesh, in which it lies
   unsigned int phase = 0;            ///< of this cell
-  std::vector<unsigned int> corners; ///< of this cell, points of the whole mesh
+  std::vector<unsigned int> corners; ///< of this cell, originals of the whole mesh
   std::vector<double> shape;         ///< of the corners at the point [-]
   std::vector<double> gradient;      ///< of the shapes, [corner][d] (1/m)
 

@@ -108,7 +108,7 @@ void expect_sums()
   for (std::size_t i = 0; i < part.points.size(); ++i)
     for (unsigned int c = 0; c < dim; ++c)
       field[i * stride + c] = term(rank, part.point_in_mesh[i], c);
-  SharedPoints<dim> shared(part.neighbours, stride, MPI_COMM_WORLD);
+  SharedPoints<dim> shared(part, stride, MPI_COMM_WORLD);
   shared.start(field.data());
   shared.finish(field.data());
 

@@ -45,7 +45,8 @@ MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
   on_root(MPI_COMM_WORLD, [this]() {
     morphology = read_mesh<dim>(parameters.mesh.mesh, parameters.mesh.mesh.files[0],
                                 parameters.mesh.phases);
-    body       = describe_body(morphology, parameters);
+    join_periodic_sides(morphology, parameters.mesh);
+    body = describe_body(morphology, parameters);
     for (const std::string &sentence :
          implausible_body<dim>(morphology.phases, parameters, body.scales.stiffness))
       morphology.warnings.push_back(sentence);

@@ -7,6 +7,8 @@
 #include "base/text.h"
 #include "elasticity/element_operator.h"
 #include "exchange/rve_file.h"
+#include "mesh/cell_quality.h"
+#include "mesh/periodic_points.h"
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
 
@@ -186,11 +188,24 @@ void MeshBodyParameters::bind(Keys &keys)
         std::string("Held in ") + "xyz" [c], held[c], {},
         std::string("Physical groups whose displacement along ") + "xyz"[c] +
           " is zero; empty: none [-]");
-    keys.only_if(
-      is_given(),
-      {"Contact boundary", "Top boundary", "Held in x", "Held in y", "Held in z"},
-      "there is no mesh", "set Mesh/File");
-    keys.only_if(mesh.dim == 3, {"Held in z"}, "Dimension is 2", "set Dimension = 3");
+    for (unsigned int c = 0; c < 2; ++c)
+      {
+        const std::string key = std::string("Periodic in ") + "xy"[c];
+        keys.bind_list(
+          key, periodic[c], {},
+          "Two physical groups, the second of which is the first one shifted along " +
+            std::string(1, "xy"[c]) +
+            ": opposite points move together; empty: not periodic [-]");
+        keys.require(periodic[c].empty() || periodic[c].size() == 2, key,
+                     "it names " + std::to_string(periodic[c].size()) +
+                       " groups; name two, that at the lower and that at the upper end");
+      }
+    keys.only_if(is_given(),
+                 {"Contact boundary", "Top boundary", "Held in x", "Held in y",
+                  "Held in z", "Periodic in x", "Periodic in y"},
+                 "there is no mesh", "set Mesh/File");
+    keys.only_if(mesh.dim == 3, {"Held in z", "Periodic in y"}, "Dimension is 2",
+                 "set Dimension = 3");
     keys.require(mesh.files.size() < 2, "File",
                  "it names " + std::to_string(mesh.files.size()) +
                    " meshes; name one, which is the body");
@@ -243,6 +258,25 @@ ContactParameters with_effective_phase(ContactParameters parameters)
 }
 
 template <int dim>
+void join_periodic_sides(MeshMorphology<dim> &morphology,
+                         const MeshBodyParameters &parameters)
+{
+  Mesh<dim> &mesh  = morphology.mesh;
+  const auto faces = boundary_faces(mesh);
+  for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+    if (const auto &groups = parameters.periodic[axis]; !groups.empty())
+      {
+        const std::string key = std::string("Mesh/Periodic in ") + "xy"[axis];
+        const auto lower      = boundary_points(
+                          mesh, group_faces(morphology, faces, key, groups[0])),
+                   upper = boundary_points(
+                     mesh, group_faces(morphology, faces, key, groups[1]));
+        join_sides(mesh, lower.points, upper.points, axis,
+                   cell_quality(mesh).smallest_edge);
+      }
+}
+
+template <int dim>
 MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
                                   const ContactParameters &given)
 {
@@ -282,7 +316,7 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
       for (const unsigned int point :
            boundary_points(mesh, faces_with(std::string("Held in ") + "xyz"[c], name))
              .points)
-        body.held.push_back({point, c});
+        body.held.push_back({mesh.original(point), c});
   check_supports(body, dim - 1, parameters, given.top);
   body.n_points   = mesh.points.size();
   body.n_cells    = mesh.cells.size();
@@ -298,6 +332,8 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
 
 template ContactParameters with_effective_phase<2>(ContactParameters);
 template ContactParameters with_effective_phase<3>(ContactParameters);
+template void join_periodic_sides(MeshMorphology<2> &, const MeshBodyParameters &);
+template void join_periodic_sides(MeshMorphology<3> &, const MeshBodyParameters &);
 template MeshBodyDescription describe_body(const MeshMorphology<2> &,
                                            const ContactParameters &);
 template MeshBodyDescription describe_body(const MeshMorphology<3> &,

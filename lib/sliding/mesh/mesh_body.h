@@ -21,7 +21,10 @@ struct MeshBodyParameters
   std::string contact_boundary = "Contact";     ///< name of a physical group
   std::string top_boundary     = "Top";         ///< name of a physical group
   std::array<std::vector<std::string>, 3> held; ///< groups, for each component
-  std::vector<PhaseParameters> phases;          ///< empty without a mesh
+
+  /** For x and y: none, or two groups that are joined. */
+  std::array<std::vector<std::string>, 2> periodic;
+  std::vector<PhaseParameters> phases; ///< empty without a mesh
 
   /** Whether the body is a mesh. */
   bool is_given() const
@@ -45,6 +48,14 @@ struct MeshBodyParameters
  */
 template <int dim>
 ContactParameters with_effective_phase(ContactParameters parameters);
+
+/**
+ * Joins the sides of the mesh that are periodic, and refuses those with points that do not
+ * lie opposite. @throws UserError
+ */
+template <int dim>
+void join_periodic_sides(MeshMorphology<dim> &morphology,
+                         const MeshBodyParameters &parameters);
 
 /** What all ranks know of a body on a mesh. */
 struct MeshBodyDescription

@@ -106,10 +106,10 @@ void MeshRun<dim>::set_initial_velocity()
 {
   const MeshPart<dim> &part = op.part;
   std::vector<std::array<bool, dim>> held(part.points.size());
-  const PointIndex index(part.point_in_mesh);
+  const PointIndex index(part);
   const auto hold = [&](const unsigned int point, const unsigned int component) {
-    if (const auto i = index.find(point))
-      held[*i][component] = true;
+    for (const unsigned int i : index.find(point))
+      held[i][component] = true;
   };
   for (const HeldComponent &h : description.held)
     hold(h.point, h.component);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <map>
 #include <unordered_map>
 
 namespace mesoslip
@@ -43,22 +43,25 @@ MeshBoundary mesh_boundary(const Mesh<dim> &mesh,
                            const std::vector<BoundaryFace<dim>> &faces)
 {
   const BoundaryPoints<dim> found = boundary_points(mesh, faces);
-  std::vector<std::size_t> order(found.points.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  const auto coordinates = [&](const std::size_t k) {
-    const dealii::Point<dim> &p = mesh.points[found.points[k]];
+  std::map<unsigned int, double> area; // of originals
+  for (std::size_t k = 0; k < found.points.size(); ++k)
+    area[mesh.original(found.points[k])] += found.normal_area[k][dim - 1];
+  MeshBoundary boundary;
+  for (const auto &[point, of_point] : area)
+    boundary.points.push_back(point);
+  const auto coordinates = [&](const unsigned int point) {
+    const dealii::Point<dim> &p = mesh.points[point];
     return std::vector<double>(p.begin_raw(), p.end_raw());
   };
-  std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) {
-    return coordinates(a) < coordinates(b);
-  });
-  MeshBoundary boundary;
+  std::sort(boundary.points.begin(), boundary.points.end(),
+            [&](const unsigned int a, const unsigned int b) {
+              return coordinates(a) < coordinates(b);
+            });
   double lowest = std::numeric_limits<double>::infinity();
-  for (const std::size_t k : order)
+  for (const unsigned int point : boundary.points)
     {
-      boundary.points.push_back(found.points[k]);
-      boundary.area.push_back(found.normal_area[k][dim - 1]);
-      boundary.height.push_back(mesh.points[found.points[k]][dim - 1]);
+      boundary.area.push_back(area.at(point));
+      boundary.height.push_back(mesh.points[point][dim - 1]);
       lowest = std::min(lowest, boundary.height.back());
     }
   for (double &h : boundary.height)
@@ -81,7 +84,7 @@ std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
       for (std::size_t k = 0; k < of_face.points.size(); ++k)
         {
           const double share = weight[phase] * of_face.normal_area[k].norm();
-          auto &sum          = sums[of_face.points[k]];
+          auto &sum          = sums[mesh.original(of_face.points[k])];
           sum[0] += share * property[phase];
           sum[1] += share;
         }

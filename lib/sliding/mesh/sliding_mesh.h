@@ -15,7 +15,7 @@ namespace mesoslip
  * x, then y. */
 struct MeshBoundary
 {
-  std::vector<unsigned int> points; ///< indices into the whole mesh
+  std::vector<unsigned int> points; ///< indices into the whole mesh, of originals
 
   /** Tributary area (m^2, in 2D m) as seen along the normal of the flat: positive where the
    * body is below it. */
@@ -31,7 +31,7 @@ struct MeshBoundary
   }
 };
 
-/** The boundary of @p faces. */
+/** The boundary of @p faces, of points that move together one. */
 template <int dim>
 MeshBoundary mesh_boundary(const Mesh<dim> &mesh,
                            const std::vector<BoundaryFace<dim>> &faces);
