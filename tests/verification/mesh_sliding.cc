@@ -32,10 +32,28 @@ MeshCase<dim> thrown_body(const Cells &kind)
   return c;
 }
 
+/** Under pressure, periodic along all axes but the normal of the flat. */
+template <int dim>
+MeshCase<dim> joined_body(const Cells &kind)
+{
+  MeshCase<dim> c  = thrown_body<dim>(kind);
+  c.setup.top.kind = TopSetup::Kind::pressure;
+  for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+    c.join(axis);
+  return c;
+}
+
 /** Downwards, and in 3D turning as well. */
 template <int dim>
-double thrown(const dealii::Point<dim> &p, const unsigned int c)
+double
+thrown(const MeshCase<dim> &body, const dealii::Point<dim> &p, const unsigned int c)
 {
+  if (!body.mesh.originals.empty())
+    {
+      const double turns = p[0] / (dim == 2 ? 11e-3 : 4e-3) + (dim - 2) * p[1] / 3e-3;
+      return c == dim - 1 ? -1.5 + 0.3 * std::sin(2. * M_PI * turns + 400. * p[dim - 1])
+                          : 0.5 * (dim - 2);
+    }
   return c == dim - 1 ? -1.5 + 0.3 * std::sin(900. * p[0] + 400. * p[dim - 1])
                       : 300. * (c == 0 ? p[1] : -p[0]) * (dim - 2);
 }
@@ -47,7 +65,7 @@ void expect_closed(const MeshCase<dim> &c, const std::string &what)
   run.set_w([&](const auto &p, const unsigned int k) {
     return c.setup.top.kind == TopSetup::Kind::platen && p[dim - 1] > 0.99 * 1.6e-3
              ? (k == dim - 1 ? -1.5 : 0.)
-             : thrown(p, k);
+             : thrown(c, p, k);
   });
   run.run(2000);
   const auto states     = run.body.contact_states(c.side(2 * (dim - 1)).points.size());
@@ -84,6 +102,7 @@ void expect_closed()
       c.hold(1, dim - 1);
       expect_closed(c, kind + ", gravity, damping, beta2, held sides");
     }
+  expect_closed(joined_body<dim>({true, 0.05}), std::to_string(dim) + "D, periodic");
   MeshCase<dim> c          = thrown_body<dim>({false, 0.2});
   c.setup.top.platen_mass  = 0.05 * (dim == 3 ? 3e-3 : 1.);
   c.setup.contact.law.time = 0.;
@@ -113,9 +132,12 @@ TEST(MeshSliding, EnergiesClose)
 // The grid handed in as a mesh, with everything that a run can have.
 TEST(MeshSliding, EqualsTheGrid)
 {
-  for (const auto kind : {TopSetup::Kind::platen, TopSetup::Kind::pressure})
+  for (const auto &[kind, periodic] : {std::make_pair(TopSetup::Kind::platen, false),
+                                       std::make_pair(TopSetup::Kind::platen, true),
+                                       std::make_pair(TopSetup::Kind::pressure, false),
+                                       std::make_pair(TopSetup::Kind::pressure, true)})
     {
-      MeshCase<2> c = thrown_body<2>({});
+      MeshCase<2> c = periodic ? joined_body<2>({}) : thrown_body<2>({});
       BodySetup grid;
       grid.cells                = {{22, 9}};
       grid.spacing              = {{5e-4, 4e-4}};
@@ -125,9 +147,12 @@ TEST(MeshSliding, EqualsTheGrid)
       c.setup.step.beta         = 2e-8;
       c.setup.step.beta2        = 0.8;
       c.setup.top.kind          = kind;
-      c.setup.sides.left_held   = {{true, false}};
-      for (const unsigned int p : c.side(0).points)
-        c.held.push_back({p, 0});
+      c.setup.periodic          = periodic;
+      if (!periodic)
+        {
+          c.setup.sides.left_held = {{true, false}};
+          c.hold(0, 0);
+        }
       grid.ids.resize(22 * 9);
       for (const auto &cell : c.mesh.cells)
         {
@@ -141,8 +166,9 @@ TEST(MeshSliding, EqualsTheGrid)
 
       Body on_grid(grid);
       MeshRun<2> on_mesh(c, MPI_COMM_WORLD);
-      const auto start = [&](const dealii::Point<2> &p, const unsigned int k) {
-        return k == 0 ? 0. : kind == TopSetup::Kind::platen ? -1.5 : thrown(p, k);
+      const bool platen = kind == TopSetup::Kind::platen;
+      const auto start  = [&](const dealii::Point<2> &p, const unsigned int k) {
+        return k == 0 ? 0. : platen ? -1.5 : thrown(c, p, k);
       };
       on_grid.set_w([&](const double x, const double y, const unsigned int k) {
         return start(dealii::Point<2>(x, y), k);
@@ -170,17 +196,21 @@ TEST(MeshSliding, EqualsTheGrid)
 template <int dim>
 void expect_equal_on_all_ranks()
 {
-  for (const bool simplices : {false, true})
+  for (const auto &[simplices, periodic] :
+       {std::make_pair(false, false), std::make_pair(true, false),
+        std::make_pair(false, true), std::make_pair(true, true)})
     {
-      MeshCase<dim> c           = thrown_body<dim>({simplices, simplices ? 0.05 : 0.2});
-      c.setup.top.kind          = TopSetup::Kind::pressure;
+      const Cells kind = {simplices, simplices ? 0.05 : 0.2};
+      MeshCase<dim> c  = periodic ? joined_body<dim>(kind) : thrown_body<dim>(kind);
+      c.setup.top.kind = TopSetup::Kind::pressure;
       c.setup.step.acceleration = {{300., 200., 0.}};
       MeshRun<dim> alone(c, MPI_COMM_SELF), together(c, MPI_COMM_WORLD);
       EXPECT_NEAR(together.body.setup.step.dt, alone.body.setup.step.dt,
                   1e-12 * alone.body.setup.step.dt);
       for (MeshRun<dim> *run : {&alone, &together})
         {
-          run->set_w(thrown<dim>);
+          run->set_w(
+            [&c = c](const auto &p, const unsigned int k) { return thrown(c, p, k); });
           run->run(1000);
         }
       EXPECT_LT(
@@ -279,7 +309,7 @@ TEST(MeshSliding, ExtrudedBodyEqualsThePlaneOne)
       MeshRun<3> in_space(solid, MPI_COMM_WORLD);
       const auto start = [&](const double x, const double z, const unsigned int k) {
         const dealii::Point<2> p(x, z);
-        return kind == TopSetup::Kind::platen ? -1.5 * k : thrown(p, k);
+        return kind == TopSetup::Kind::platen ? -1.5 * k : thrown(plane, p, k);
       };
       in_plane.set_w(
         [&](const auto &p, const unsigned int k) { return start(p[0], p[1], k); });

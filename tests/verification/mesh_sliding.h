@@ -3,6 +3,7 @@
 
 #include "mesh/boundary.h"
 #include "mesh/mesh_part.h"
+#include "mesh/periodic_points.h"
 #include "sliding/mesh/sliding_mesh.h"
 #include "sliding_body.h"
 
@@ -73,6 +74,14 @@ struct MeshCase
     return mesh_boundary(mesh, faces_of_box(mesh, boundary_faces(mesh))[number]);
   }
 
+  /** Makes it periodic along @p axis. */
+  void join(const unsigned int axis)
+  {
+    const auto faces = faces_of_box(mesh, boundary_faces(mesh));
+    join_sides(mesh, boundary_points(mesh, faces[2 * axis]).points,
+               boundary_points(mesh, faces[2 * axis + 1]).points, axis, 1e-6);
+  }
+
   void hold(const unsigned int side_number, const unsigned int component)
   {
     for (const unsigned int p : side(side_number).points)
@@ -105,7 +114,7 @@ public:
       for (std::size_t i = 0; i < part.points.size(); ++i)
         {
           const auto is_here = [&](const HeldComponent &h) {
-            return h.point == part.point_in_mesh[i] && h.component == c;
+            return h.point == part.original_in_mesh[i] && h.component == c;
           };
           const bool held_here = std::any_of(held.begin(), held.end(), is_here);
           body.w.row(c, 0)[i]  = held_here ? 0. : f(part.points[i], c);
