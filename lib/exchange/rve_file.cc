@@ -20,6 +20,12 @@ std::string concentration_name(const std::string &condition)
   return (condition == "SUBC" ? "/stress_concentration/" : "/concentration/") + condition;
 }
 
+std::string concentration_hint(const std::string &condition)
+{
+  return "run rve_homogenization with " + condition +
+         " among its boundary conditions and its concentration tensors written";
+}
+
 /** The grid, or the bounding box of the mesh as one cell. */
 template <int dim>
 UniformGrid<dim> read_extent(const Hdf5File &file)
@@ -184,10 +190,33 @@ std::vector<double> RveFile<dim>::concentration(const std::string &name) const
 {
   Shape shape = cells();
   shape.insert(shape.end(), {n_voigt<dim>, n_voigt<dim>});
-  return file.read<double>(
-    concentration_name(name), shape,
-    "run rve_homogenization with " + name +
-      " among its boundary conditions and its concentration tensors written");
+  return file.read<double>(concentration_name(name), shape, concentration_hint(name));
+}
+
+// Of a grid whole lines (2D) or layers are read, in which these cells are.
+template <int dim>
+std::vector<double> RveFile<dim>::concentration(const std::string &name,
+                                                const std::size_t first,
+                                                const std::size_t count) const
+{
+  const std::string dataset = concentration_name(name);
+  Shape extent              = file.shape("/phase/id", "rve_homogenization writes it");
+  const Shape found         = file.shape(dataset, concentration_hint(name));
+  std::size_t layer         = 1;
+  for (std::size_t axis = 1; axis < extent.size(); ++axis)
+    layer *= extent[axis];
+  extent.insert(extent.end(), {n_voigt<dim>, n_voigt<dim>});
+  if (found != extent)
+    throw UserError(path() + ": concentration tensors and cells differ in number; run "
+                             "rve_homogenization again");
+  Shape offset(extent.size(), 0);
+  offset[0] = first / layer;
+  extent[0] = (first + count + layer - 1) / layer - offset[0];
+  const std::vector<double> read =
+    file.read_block<double>(dataset, offset, extent, concentration_hint(name));
+  constexpr auto n = std::ptrdiff_t{n_voigt<dim>} * n_voigt<dim>;
+  const auto begin = read.begin() + n * static_cast<std::ptrdiff_t>(first % layer);
+  return {begin, begin + n * static_cast<std::ptrdiff_t>(count)};
 }
 
 template <int dim>

@@ -101,6 +101,11 @@ public:
    * them */
   std::vector<double> concentration(const std::string &name) const;
 
+  /** Those of @p count cells from cell @p first on; only these are read. */
+  std::vector<double> concentration(const std::string &name,
+                                    const std::size_t first,
+                                    const std::size_t count) const;
+
   /** The cells, those of a grid as quadrilaterals or hexahedra, with their phases as material_id. */
   Mesh<dim> mesh() const;
 

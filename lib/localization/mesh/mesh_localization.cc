@@ -8,26 +8,41 @@
 #include "program/run_context.h"
 
 #include <ostream>
+#include <utility>
 
 namespace mesoslip
 {
 namespace
 {
-/** Largest entry of (volume mean of L) - I, which is zero for KUBC and PBC. */
+/** The volume mean of L, from parts of the volume. */
 template <int dim>
-double mean_defect(const std::vector<double> &concentration,
-                   const std::vector<double> &volumes)
+class MeanConcentration
 {
+public:
+  /** Cells of the volumes @p volumes [first] and so on. */
+  void add(const std::vector<double> &concentration,
+           const std::vector<double> &volumes,
+           const std::size_t first)
+  {
+    constexpr std::size_t n = n_voigt<dim> * n_voigt<dim>;
+    for (std::size_t k = 0; k * n < concentration.size(); ++k)
+      {
+        const Eigen::Map<const VoigtMatrix<dim>> L(&concentration[n * k]);
+        sum += volumes[first + k] * L;
+        volume += volumes[first + k];
+      }
+  }
+
+  /** Largest entry of the mean minus I, which is zero for KUBC and PBC. */
+  double defect() const
+  {
+    return (sum / volume - VoigtMatrix<dim>::Identity()).cwiseAbs().maxCoeff();
+  }
+
+private:
   VoigtMatrix<dim> sum = VoigtMatrix<dim>::Zero();
   double volume        = 0.;
-  for (std::size_t k = 0; k < volumes.size(); ++k)
-    {
-      sum += volumes[k] * Eigen::Map<const VoigtMatrix<dim>>(
-                            &concentration[n_voigt<dim> * n_voigt<dim> * k]);
-      volume += volumes[k];
-    }
-  return (sum / volume - VoigtMatrix<dim>::Identity()).cwiseAbs().maxCoeff();
-}
+};
 
 template <int dim>
 class MeshLocalization : public Analysis
@@ -52,16 +67,7 @@ public:
   {
     context.remove_results(
       {"localization.h5", "localization.xdmf", "probes.csv", "field_errors.csv"});
-    const RankWork<dim> work = distribute_work(context);
-    tell(context);
-    RankResult mine;
-    {
-      const auto scope = context.timer().scope("Localization");
-      pass_homogeneous(work, mine, context);
-      if (!parameters.direct_run.empty())
-        pass_direct(work, mine, context);
-    }
-    const auto texts = gather(context.communicator(), save_state(mine));
+    auto texts       = gather(context.communicator(), localize(context));
     const auto scope = context.timer().scope("Output");
     on_root(context.communicator(), [&]() { write(texts, context); });
     if (context.root())
@@ -69,36 +75,47 @@ public:
   }
 
 private:
+  /** The RankResult of this rank, saved. */
+  std::string localize(RunContext &context)
+  {
+    const RankWork<dim> work = distribute_work(context);
+    tell(context);
+    RankResult mine;
+    const auto scope = context.timer().scope("Localization");
+    pass_homogeneous(work, mine, context);
+    if (!parameters.direct_run.empty())
+      pass_direct(work, mine, context);
+    return save_state(mine);
+  }
+
   RankWork<dim> distribute_work(const RunContext &context)
   {
-    // Of all cells, on rank 0, until each rank has its own.
-    std::vector<double> L;
-    on_root(context.communicator(), [&]() {
-      L = input->rve.concentration(parameters.concentration);
-      check_concentration(L);
-    });
-    const auto n_ranks      = static_cast<std::size_t>(context.n_ranks());
+    const auto n_ranks = static_cast<std::size_t>(context.n_ranks());
+    MeanConcentration<dim> mean;
     const auto work_of_rank = [&](const std::size_t r) {
-      return work_of(input->first_cell(r, n_ranks), input->first_cell(r + 1, n_ranks), L);
+      const std::size_t first = input->first_cell(r, n_ranks),
+                        end   = input->first_cell(r + 1, n_ranks);
+      RankWork<dim> work      = work_of(first, end);
+      mean.add(work.concentration, input->measures, first);
+      return work;
     };
+    // Of all cells but those of one rank nothing is kept.
     const std::string text = scatter(context.communicator(), [&](const unsigned int r) {
       return save_state(work_of_rank(r));
     });
-    if (context.root())
-      return work_of_rank(0);
     RankWork<dim> work;
-    load_state(text, work, "the message of another process");
+    if (context.root())
+      {
+        work = work_of_rank(0);
+        check_concentration(mean.defect());
+      }
+    else
+      load_state(text, work, "the message of another process");
     return work;
   }
 
-  void check_concentration(const std::vector<double> &L)
+  void check_concentration(const double defect)
   {
-    const std::size_t n = n_voigt<dim> * n_voigt<dim>;
-    if (L.size() != n * input->volume.cells.size())
-      throw UserError(input->rve.path() +
-                      ": concentration tensors and cells differ in number; run "
-                      "rve_homogenization again");
-    const double defect = mean_defect<dim>(L, input->measures);
     if (!(defect <= 1e-6))
       input->warnings.push_back(
         input->rve.path() + ": the mean of the concentration tensors " +
@@ -106,15 +123,12 @@ private:
         "; rve_homogenization should be run with a smaller tolerance");
   }
 
-  RankWork<dim> work_of(const std::size_t first,
-                        const std::size_t end,
-                        const std::vector<double> &L) const
+  RankWork<dim> work_of(const std::size_t first, const std::size_t end) const
   {
-    constexpr auto n = std::ptrdiff_t{n_voigt<dim>} * n_voigt<dim>;
     RankWork<dim> work;
     work.is_body = input->is_body();
-    work.concentration.assign(L.begin() + n * static_cast<std::ptrdiff_t>(first),
-                              L.begin() + n * static_cast<std::ptrdiff_t>(end));
+    work.concentration =
+      input->rve.concentration(parameters.concentration, first, end - first);
     for (std::size_t k = first; k < end; ++k)
       {
         work.phase.push_back(input->volume.cells[k].material_id);
@@ -227,11 +241,12 @@ private:
       context.log(note);
   }
 
-  void write(const std::vector<std::string> &texts, RunContext &context) const
+  void write(std::vector<std::string> &texts, RunContext &context) const
   {
     std::vector<RankResult> of_ranks(texts.size());
     for (std::size_t r = 0; r < texts.size(); ++r)
-      load_state(texts[r], of_ranks[r], "the message of another process");
+      load_state(std::exchange(texts[r], {}), of_ranks[r],
+                 "the message of another process");
     const LocalizationOrigin origin = origin_of(*input);
     const LocalizationResult result = put_together(*input, of_ranks);
     write_localization(origin, result, canonical, context.output_folder());

@@ -3,6 +3,7 @@
 #include <deal.II/base/bounding_box.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace mesoslip
 {
@@ -13,8 +14,7 @@ template <int dim>
 class Assembly
 {
 public:
-  Assembly(const MeshLocalizationInput<dim> &input,
-           const std::vector<RankResult> &of_ranks)
+  Assembly(const MeshLocalizationInput<dim> &input, std::vector<RankResult> &of_ranks)
     : input(input)
     , of_ranks(of_ranks)
     , n_points(input.points.size())
@@ -41,14 +41,15 @@ public:
   }
 
 private:
+  /** Takes them away from the ranks. */
   StressFields fields(const std::size_t k) const
   {
     StressFields all;
-    for (const RankResult &part : of_ranks)
+    for (RankResult &part : of_ranks)
       for (const StressField &field : stress_fields(dim))
         {
-          const auto &values = part.fields[k].*field.values;
-          auto &to           = all.*field.values;
+          const auto values = std::exchange(part.fields[k].*field.values, {});
+          auto &to          = all.*field.values;
           to.insert(to.end(), values.begin(), values.end());
         }
     return all;
@@ -119,14 +120,14 @@ private:
   }
 
   const MeshLocalizationInput<dim> &input;
-  const std::vector<RankResult> &of_ranks;
+  std::vector<RankResult> &of_ranks;
   const std::size_t n_points, n_variants;
 };
 } // namespace
 
 template <int dim>
 LocalizationResult put_together(const MeshLocalizationInput<dim> &input,
-                                const std::vector<RankResult> &of_ranks)
+                                std::vector<RankResult> &of_ranks)
 {
   return Assembly<dim>(input, of_ranks).result();
 }
@@ -157,9 +158,9 @@ LocalizationOrigin origin_of(const MeshLocalizationInput<dim> &input)
 }
 
 template LocalizationResult put_together(const MeshLocalizationInput<2> &,
-                                         const std::vector<RankResult> &);
+                                         std::vector<RankResult> &);
 template LocalizationResult put_together(const MeshLocalizationInput<3> &,
-                                         const std::vector<RankResult> &);
+                                         std::vector<RankResult> &);
 template LocalizationOrigin origin_of(const MeshLocalizationInput<2> &);
 template LocalizationOrigin origin_of(const MeshLocalizationInput<3> &);
 } // namespace mesoslip

@@ -7,10 +7,10 @@
 
 namespace mesoslip
 {
-/** The result of all ranks, from what each found in its cells. */
+/** The result of all ranks, from what each found in its cells, whose fields are used up. */
 template <int dim>
 LocalizationResult put_together(const MeshLocalizationInput<dim> &input,
-                                const std::vector<RankResult> &of_ranks);
+                                std::vector<RankResult> &of_ranks);
 
 /** What the results say of @p input, which must outlive it. */
 template <int dim>

@@ -6,6 +6,72 @@
 
 namespace mesoslip
 {
+namespace
+{
+constexpr int tag = 74;
+
+/** Some cells of a body, points and cells in its order. */
+template <int dim>
+struct Neighbourhood
+{
+  Mesh<dim> mesh;
+  std::vector<unsigned int> points; ///< in the body
+  std::vector<unsigned int> wanted; ///< cells of mesh
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &mesh.points &mesh.cells &points &wanted;
+  }
+};
+
+/** Those of the cells @p wanted, and of two layers around them: what CellStrain looks at. */
+template <int dim>
+Neighbourhood<dim> neighbourhood(const Mesh<dim> &body,
+                                 const std::vector<unsigned int> &wanted)
+{
+  std::vector<bool> is_near(body.cells.size(), false), touched(body.points.size());
+  for (const unsigned int k : wanted)
+    is_near[k] = true;
+  for (unsigned int layer = 0; layer < 2; ++layer)
+    {
+      for (std::size_t k = 0; k < is_near.size(); ++k)
+        for (const unsigned int v : body.cells[k].vertices)
+          touched[v] = touched[v] || is_near[k];
+      for (std::size_t k = 0; k < is_near.size(); ++k)
+        for (const unsigned int v : body.cells[k].vertices)
+          is_near[k] = is_near[k] || touched[v];
+    }
+  for (std::size_t k = 0; k < is_near.size(); ++k)
+    for (const unsigned int v : body.cells[k].vertices)
+      touched[v] = touched[v] || is_near[k];
+  Neighbourhood<dim> part;
+  for (unsigned int p = 0; p < touched.size(); ++p)
+    if (touched[p])
+      {
+        part.points.push_back(p);
+        part.mesh.points.push_back(body.points[p]);
+      }
+  auto next = wanted.begin();
+  for (unsigned int k = 0; k < is_near.size(); ++k)
+    if (is_near[k])
+      {
+        if (next != wanted.end() && *next == k)
+          {
+            part.wanted.push_back(static_cast<unsigned int>(part.mesh.cells.size()));
+            ++next;
+          }
+        part.mesh.cells.push_back(body.cells[k]);
+        for (unsigned int &v : part.mesh.cells.back().vertices)
+          v = static_cast<unsigned int>(
+            std::lower_bound(part.points.begin(), part.points.end(), v) -
+            part.points.begin());
+      }
+  return part;
+}
+} // namespace
+
 template <int dim>
 StrainSource<dim>::StrainSource(const Mesh<dim> &of_root,
                                 const PlacesInCells<dim> &given,
@@ -13,27 +79,32 @@ StrainSource<dim>::StrainSource(const Mesh<dim> &of_root,
   : communicator(the_communicator)
   , places(given.at)
 {
-  const bool is_root = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-  // Whole on all ranks while the cells near to the places are looked for.
-  Mesh<dim> received;
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-    {
-      auto parts = std::make_pair(of_root.points, of_root.cells);
-      broadcast_object(communicator, parts);
-      received.points = std::move(parts.first);
-      received.cells  = std::move(parts.second);
-    }
-  const Mesh<dim> &mesh            = is_root ? of_root : received;
+  namespace mpi                    = dealii::Utilities::MPI;
+  const bool is_root               = mpi::this_mpi_process(communicator) == 0;
   std::vector<unsigned int> wanted = given.cell;
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   for (const unsigned int cell : given.cell)
     wanted_cell.push_back(std::lower_bound(wanted.begin(), wanted.end(), cell) -
                           wanted.begin());
-  strain = std::make_unique<CellStrain<dim>>(mesh, wanted);
-  displacement.resize(mesh.points.size() * dim);
+  const auto wanted_of_rank = mpi::gather(communicator, wanted);
+  points_of_rank.resize(wanted_of_rank.size());
+  const auto make = [&](const unsigned int rank) {
+    Neighbourhood<dim> part = neighbourhood(of_root, wanted_of_rank[rank]);
+    points_of_rank[rank]    = part.points;
+    return part;
+  };
+  const std::string message = scatter(
+    communicator, [&](const unsigned int rank) { return save_state(make(rank)); });
+  Neighbourhood<dim> own;
   if (is_root)
-    mean_of_body = std::make_unique<MeanStrain<dim>>(mesh);
+    own = make(0);
+  else
+    load_state(message, own, "the cells around the places of this process");
+  strain = std::make_unique<CellStrain<dim>>(own.mesh, own.wanted);
+  displacement.resize(own.points.size() * dim);
+  if (is_root)
+    mean_of_body = std::make_unique<MeanStrain<dim>>(of_root);
 }
 
 template <int dim>
@@ -41,19 +112,31 @@ void StrainSource<dim>::set_displacement(const std::vector<double> &u)
 {
   if (mean_of_body)
     {
-      AssertDimension(u.size(), displacement.size());
-      displacement = u;
-      mean_strain  = (*mean_of_body)(u);
+      mean_strain = (*mean_of_body)(u);
+      send_displacement(u);
     }
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-    {
-      dealii::Utilities::MPI::broadcast(displacement.data(), displacement.size(), 0,
-                                        communicator);
-      dealii::Utilities::MPI::broadcast(mean_strain.data(),
-                                        static_cast<std::size_t>(mean_strain.size()), 0,
-                                        communicator);
-    }
+  else
+    MPI_Recv(displacement.data(), static_cast<int>(displacement.size()), MPI_DOUBLE, 0,
+             tag, communicator, MPI_STATUS_IGNORE);
+  dealii::Utilities::MPI::broadcast(
+    mean_strain.data(), static_cast<std::size_t>(mean_strain.size()), 0, communicator);
   strain->set_displacement(displacement);
+}
+
+/** Of rank 0 to the others, one after the other, and to itself. */
+template <int dim>
+void StrainSource<dim>::send_displacement(const std::vector<double> &u)
+{
+  for (std::size_t rank = points_of_rank.size(); rank-- > 0;)
+    {
+      displacement.clear();
+      for (const unsigned int p : points_of_rank[rank])
+        displacement.insert(displacement.end(), &u[std::size_t(p) * dim],
+                            &u[std::size_t(p) * dim] + dim);
+      if (rank > 0)
+        MPI_Send(displacement.data(), static_cast<int>(displacement.size()), MPI_DOUBLE,
+                 static_cast<int>(rank), tag, communicator);
+    }
 }
 
 template class StrainSource<2>;

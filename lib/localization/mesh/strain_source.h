@@ -25,7 +25,7 @@ struct PlacesInCells
 
 /**
  * The strain of a run at some places, different ones on each rank, and its mean over the
- * body, from snapshots that rank 0 has.
+ * body, from snapshots that rank 0 has. Of the body each rank gets what is around its places.
  */
 template <int dim>
 class StrainSource
@@ -53,10 +53,15 @@ public:
   }
 
 private:
+  void send_displacement(const std::vector<double> &u);
+
   const MPI_Comm communicator;
   std::vector<dealii::Point<dim>> places;
   std::vector<std::size_t> wanted_cell; ///< place among those of CellStrain
-  std::vector<double> displacement;     ///< [n_points][dim]
+
+  /** On rank 0: the points of the body that each rank needs the displacement of. */
+  std::vector<std::vector<unsigned int>> points_of_rank;
+  std::vector<double> displacement; ///< of those of this rank, [point][dim]
   std::unique_ptr<CellStrain<dim>> strain;
   std::unique_ptr<MeanStrain<dim>> mean_of_body; ///< on rank 0
   VoigtVector<dim> mean_strain = VoigtVector<dim>::Zero();
