@@ -31,7 +31,7 @@ public:
     , force(problem.force)
     , friction(Eigen::VectorXd::Zero(Eigen::Index{n_nodes} * n_tangents))
     , normal(Eigen::VectorXd::Zero(n_nodes))
-    , tangential(problem.reference, n_nodes, scale, problem.sliding)
+    , tangential(problem.reference, n_nodes, turning * scale, problem.sliding)
   {
     for (unsigned int i = 0; i < n_nodes; ++i)
       solution.state.push_back(problem.constrained.is_constrained(normal_axis, nodes[i])
@@ -104,6 +104,11 @@ public:
 private:
   static constexpr unsigned int n_tangents  = dim - 1; ///< components of friction
   static constexpr unsigned int normal_axis = dim - 1; ///< of the flat
+
+  /** Of the scale in the direction of friction, which in 3D turns: nodes that slip together
+   * are softer than one, and with 1 friction turns too far. Between 0.03 and 0.3 a pressed
+   * cylinder needs 30 to 140 iterations, with 0.1 at most 56, with 3 there is no end. */
+  static constexpr double turning = dim == 3 ? 0.1 : 1.;
   static constexpr unsigned int hasty_changes =
     10; ///< of states, before friction is exact
   using Friction = IncrementalFriction<dim>;
