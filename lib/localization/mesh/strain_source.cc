@@ -3,13 +3,12 @@
 #include "base/exchange.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace mesoslip
 {
 namespace
 {
-constexpr int tag = 74;
-
 /** Some cells of a body, points and cells in its order. */
 template <int dim>
 struct Neighbourhood
@@ -70,6 +69,18 @@ Neighbourhood<dim> neighbourhood(const Mesh<dim> &body,
       }
   return part;
 }
+
+/** The bytes of the displacement of @p points, dim numbers each. */
+template <int dim>
+std::string displacement_of(const std::vector<unsigned int> &points,
+                            const std::vector<double> &u)
+{
+  constexpr std::size_t size = dim * sizeof(double);
+  std::string bytes(points.size() * size, '\0');
+  for (std::size_t i = 0; i < points.size(); ++i)
+    std::memcpy(&bytes[i * size], &u[std::size_t{points[i]} * dim], size);
+  return bytes;
+}
 } // namespace
 
 template <int dim>
@@ -110,33 +121,16 @@ StrainSource<dim>::StrainSource(const Mesh<dim> &of_root,
 template <int dim>
 void StrainSource<dim>::set_displacement(const std::vector<double> &u)
 {
+  std::vector<std::string> parts;
+  for (const std::vector<unsigned int> &points : points_of_rank)
+    parts.push_back(displacement_of<dim>(points, u));
   if (mean_of_body)
-    {
-      mean_strain = (*mean_of_body)(u);
-      send_displacement(u);
-    }
-  else
-    MPI_Recv(displacement.data(), static_cast<int>(displacement.size()), MPI_DOUBLE, 0,
-             tag, communicator, MPI_STATUS_IGNORE);
+    mean_strain = (*mean_of_body)(u);
+  const std::string part = scatter(communicator, parts);
+  std::memcpy(displacement.data(), part.data(), part.size());
   dealii::Utilities::MPI::broadcast(
     mean_strain.data(), static_cast<std::size_t>(mean_strain.size()), 0, communicator);
   strain->set_displacement(displacement);
-}
-
-/** Of rank 0 to the others, one after the other, and to itself. */
-template <int dim>
-void StrainSource<dim>::send_displacement(const std::vector<double> &u)
-{
-  for (std::size_t rank = points_of_rank.size(); rank-- > 0;)
-    {
-      displacement.clear();
-      for (const unsigned int p : points_of_rank[rank])
-        displacement.insert(displacement.end(), &u[std::size_t(p) * dim],
-                            &u[std::size_t(p) * dim] + dim);
-      if (rank > 0)
-        MPI_Send(displacement.data(), static_cast<int>(displacement.size()), MPI_DOUBLE,
-                 static_cast<int>(rank), tag, communicator);
-    }
 }
 
 template class StrainSource<2>;

@@ -53,8 +53,6 @@ public:
   }
 
 private:
-  void send_displacement(const std::vector<double> &u);
-
   const MPI_Comm communicator;
   std::vector<dealii::Point<dim>> places;
   std::vector<std::size_t> wanted_cell; ///< place among those of CellStrain
