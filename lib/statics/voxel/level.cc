@@ -46,7 +46,8 @@ double Level::product(VoxelField<float> &x, VoxelField<float> &out)
 {
   SweepArguments<float> a = arguments(x);
   a.out                   = out.data();
-  return kernels().product[stiffness.n_coefficients == n_general](a);
+  return sum_over_ranks(grid,
+                        kernels().product[stiffness.n_coefficients == n_general](a));
 }
 
 void Level::residual(VoxelField<float> &x,
@@ -130,23 +131,29 @@ void Level::set_inverse_diagonal()
 void Level::estimate_largest_eigenvalue()
 {
   VoxelField<float> x(grid), d(grid), q(grid);
-  std::uint32_t state = 1;
   for (unsigned int k = 1; k <= grid.n_nodes(2); ++k)
-    for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
-      for (unsigned int c = 0; c < 3; ++c)
-        for (unsigned int i = 1; i <= grid.n_nodes(0); ++i)
-          {
-            state             = 1664525U * state + 1013904223U;
-            x.row(c, j, k)[i] = static_cast<float>(state >> 8) / 16777216.F - 0.5F;
-          }
-  double norm = std::sqrt(kernels().dot(x.size(), x.data(), x.data()));
+    {
+      // The same for any number of ranks.
+      std::uint32_t state = 2654435761U * (grid.below() + k);
+      for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int i = 1; i <= grid.n_nodes(0); ++i)
+            {
+              state             = 1664525U * state + 1013904223U;
+              x.row(c, j, k)[i] = static_cast<float>(state >> 8) / 16777216.F - 0.5F;
+            }
+    }
+  const auto norm_of_x = [&]() {
+    return std::sqrt(sum_over_ranks(grid, kernels().dot(x.size(), x.data(), x.data())));
+  };
+  double norm = norm_of_x();
   for (unsigned int i = 0; i < n_power_iterations && norm > 0.; ++i)
     {
       x.set_ghosts();
       product(x, q);
       kernels().first_step(x.size(), static_cast<float>(1. / norm), inverse.data(),
                            q.data(), x.data(), d.data());
-      norm    = std::sqrt(kernels().dot(x.size(), x.data(), x.data()));
+      norm    = norm_of_x();
       largest = safety * norm;
     }
 }

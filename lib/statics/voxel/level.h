@@ -41,7 +41,7 @@ public:
   /** Estimates the largest eigenvalue of D^-1 K. */
   Level(const VoxelGrid &grid, CellStiffness &&stiffness);
 
-  /** out = K x, ghosts of x set; returns x.K x. */
+  /** out = K x, ghosts of x set; returns x.K x over all ranks. Collective. */
   double product(VoxelField<float> &x, VoxelField<float> &out);
 
   /** out = b - K x. */

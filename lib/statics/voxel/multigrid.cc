@@ -14,6 +14,8 @@ namespace
 {
 /** Energies below this share of the largest are those of rigid motions. */
 constexpr double rigid_energy = 1e-11;
+/** A grid with fewer planes on a rank is not divided. */
+constexpr unsigned int fewest_planes = 4;
 
 /** Number of the unknown, or of none, of a node (field numbers) on the coarsest grid. */
 long unknown(const VoxelGrid &grid,
@@ -49,17 +51,37 @@ Multigrid::Multigrid(const VoxelGrid &grid,
     {
                 Level &fine = levels.back();
                 transfers.emplace_back(fine.grid, next);
-                levels.emplace_back(next, coarsened(fine.grid, fine.stiffness, next));
                 const Smoothing &last = smoothings.back();
                 const unsigned int degree =
                   std::max(last.degree, std::min(options.greatest, last.degree * options.growth));
                 const double growth = static_cast<double>(degree) / last.degree;
                 smoothings.push_back({degree, last.range / (growth * growth)});
-                x.emplace_back(next);
-                b.emplace_back(next);
-                d.emplace_back(next);
+                add_level(next, coarsened(fine.grid, fine.stiffness, next));
     }
   build_bottom();
+}
+
+void Multigrid::add_level(VoxelGrid grid, CellStiffness &&stiffness)
+{
+  if (grid.is_divided() && !has_planes(grid, fewest_planes))
+    {
+      first_whole = levels.size();
+      part_x = part_b      = VoxelField<float>(grid);
+      CellStiffness whole  = {stiffness.n_coefficients, {}};
+      const VoxelGrid part = grid;
+      grid.planes.clear();
+      grid.rank         = 0;
+      grid.communicator = MPI_COMM_SELF;
+      whole.numbers.resize(grid.n_cell_rows() * whole.n_coefficients * grid.stride());
+      gather_planes(part, stiffness.numbers.data(), whole.numbers.data(),
+                    (std::size_t{grid.n_nodes(1)} + 1) * whole.n_coefficients *
+                      grid.stride());
+      stiffness = std::move(whole);
+    }
+  levels.emplace_back(grid, std::move(stiffness));
+  x.emplace_back(grid);
+  b.emplace_back(grid);
+  d.emplace_back(grid);
 }
 
 void Multigrid::build_bottom()
@@ -144,9 +166,17 @@ void Multigrid::visit(const std::size_t l,
   Level &level = levels[l];
   level.smooth(smoothings[l], true, solution, force, d[l]);
   level.residual(solution, force, d[l]);
-  transfers[l].restrict_to(d[l], b[l + 1]);
+  const bool gathers         = l + 1 == first_whole;
+  VoxelField<float> &x_below = gathers ? part_x : x[l + 1],
+                    &b_below = gathers ? part_b : b[l + 1];
+  transfers[l].restrict_to(d[l], b_below);
+  if (gathers)
+    gather_planes(part_b.grid(), part_b.data(), b[l + 1].data(), part_b.plane_size());
   visit(l + 1, x[l + 1], b[l + 1]);
-  transfers[l].add_from(x[l + 1], solution);
+  if (gathers)
+    std::copy_n(x[l + 1].row(0, 0, part_x.grid().below()),
+                part_x.plane_size() * (part_x.n_nodes()[2] + 2), part_x.data());
+  transfers[l].add_from(x_below, solution);
   level.smooth(smoothings[l], false, solution, force, d[l]);
 }
 } // namespace mesoslip::voxel

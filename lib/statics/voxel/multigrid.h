@@ -17,6 +17,9 @@ namespace mesoslip::voxel
  * with which a prototype took as many iterations as with Galerkin operators. Coarser
  * grids are smoothed more: inclusions that touch on a coarse grid and not on a fine one are
  * moved by the latter alone, and steps there cost an eighth.
+ *
+ * Grids with few planes a rank are not divided: every rank does the same there. All
+ * members are collective.
  */
 class Multigrid
 {
@@ -50,6 +53,7 @@ public:
 private:
   void
   visit(const std::size_t l, VoxelField<float> &solution, const VoxelField<float> &force);
+  void add_level(VoxelGrid grid, CellStiffness &&stiffness);
   void build_bottom();
   void solve_bottom(VoxelField<float> &solution, const VoxelField<float> &force) const;
 
@@ -57,6 +61,11 @@ private:
   std::vector<Transfer> transfers; ///< from grid l to l + 1
   std::vector<Smoothing> smoothings;
   std::vector<VoxelField<float>> x, b, d; ///< x and b of grid 0 are the caller's
+
+  /** The first grid that is not divided and follows one that is, if any; parts of its x and
+   *  b as the latter is divided. */
+  std::size_t first_whole = 0;
+  VoxelField<float> part_x, part_b;
   Eigen::MatrixXd bottom_inverse;
 };
 } // namespace mesoslip::voxel

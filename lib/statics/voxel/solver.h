@@ -23,15 +23,22 @@ namespace mesoslip::voxel
  * the fluctuation being zero at the sides (KUBC) or periodic (PBC, up to a translation).
  * Free sides: tractions S.n of a unit stress (SUBC, up to a rigid motion), and the whole
  * displacement is called fluctuation.
+ *
+ * Planes across z are divided among the ranks (see VoxelGrid); a box of fewer than two a
+ * rank is solved by every rank alone. All members but those that say so are collective.
  */
 class Solver
 {
 public:
-  /** Phases of @p map have @p the_stiffness (Pa); at most 255 of them.
-   * @throws std::invalid_argument for a phase without a stiffness */
+  /**
+   * Phases of @p map, of which rank 0's counts, have @p the_stiffness (Pa); at most 255 of
+   * them.
+   * @throws std::invalid_argument for a phase without a stiffness
+   */
   Solver(const PhaseMap<3> &map,
          const std::vector<VoigtMatrix<3>> &the_stiffness,
-         const Sides sides);
+         const Sides sides,
+         const MPI_Comm communicator = MPI_COMM_SELF);
 
   /**
    * Solves load case @p k (Voigt) from zero until the residual is @p tolerance times that
@@ -48,43 +55,50 @@ public:
 
   /**
    * Effective stiffness (Pa) from the energies, which is of second order in the error of
-   * the solutions. After all cases in ascending order.
+   * the solutions. Only after solve_all().
    */
   VoigtMatrix<3> effective_stiffness();
 
-  /** Fluctuation of case k (m, for free sides m for 1 Pa), component c at node (i, j, l)
-   *  of the grid, from 0 to the numbers of cells. */
-  double fluctuation(const unsigned int k,
-                     const unsigned int c,
-                     const std::array<unsigned int, 3> &node) const;
+  /** Strains of a row of cells along x. */
+  struct RowOfCells
+  {
+    const std::uint8_t *phase; ///< of each cell
 
-  /** Mean strain (for free sides: for 1 Pa) of a cell in case k, that of E included. */
-  VoigtVector<3> cell_strain(const unsigned int k,
-                             const std::array<unsigned int, 3> &cell) const;
+    /** Mean strain (for free sides: for 1 Pa) of each cell, that of E included: [load
+     *  case][Voigt component]. */
+    std::array<std::array<std::vector<double>, 6>, 6> strain;
+  };
+
+  /** Evaluates row @p j along y of plane @p k of cells; planes are numbered from the first
+   *  of grid().n_cell_planes() of this rank. Not collective. */
+  void evaluate(const unsigned int j, const unsigned int k, RowOfCells &row) const;
 
   /** Forces (N) of the load of case k less those of the unknowns @p v, a field of grid(),
    *  in edges along y (for free sides: times the unit of stress over 1 Pa, the largest
    *  entry of all stiffnesses); its ghosts are set. */
   void residual(const unsigned int k, VoxelField<double> &v, VoxelField<double> &out);
 
-  /** Nodes and cells as the fields count them; lengths in edges along y. */
+  /** Nodes and cells as the fields count them; lengths in edges along y. Not collective. */
   const VoxelGrid &grid() const
   {
     return voxels;
   }
 
 private:
-  void set_phases(const PhaseMap<3> &map);
-  void build_multigrid(const PhaseMap<3> &map);
+  void set_table();
+  void build_multigrid(const double ratio);
   double outer(const unsigned int k,
                VoxelField<double> &v,
                VoxelField<float> &out,
                double *exact = nullptr);
+  double gross_load(const unsigned int k) const;
 
   const std::vector<VoigtMatrix<3>> stiffness;
   VoxelGrid voxels;
-  unsigned int n_coefficients   = 0;
-  double modulus                = 1.;                     ///< unit of stress (Pa)
+  std::vector<double> n_cells;                            ///< of each phase
+  unsigned int n_coefficients   = 0;                      ///< n_isotropic or n_general
+  unsigned int n_solved         = 0;                      ///< cases 0 to n_solved - 1
+  double modulus                = 0.;                     ///< unit of stress (Pa)
   double length                 = 1.;                     ///< unit of length (m)
   VoigtMatrix<3> mean_stiffness = VoigtMatrix<3>::Zero(); ///< in units of modulus
   LineVector<std::uint8_t> phases;

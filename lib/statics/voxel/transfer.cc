@@ -36,14 +36,16 @@ std::vector<std::vector<Share>> shares(const unsigned int n_fine,
   return result;
 }
 
-/** Ghost cells of a periodic body, of one row, and of rows and planes. */
-void copy_ghost_cells(const VoxelGrid &grid, CellStiffness &stiffness)
+/** Cells that are with two ranks, and ghost cells of a periodic body: of one row, of rows
+ *  and of planes. */
+void complete_cells(const VoxelGrid &grid, CellStiffness &stiffness)
 {
+  const std::size_t line  = stiffness.n_coefficients * grid.stride(),
+                    plane = line * (grid.n_nodes(1) + 1);
+  sum_shared_cells(grid, stiffness.numbers.data(), plane);
   if (grid.sides != Sides::periodic)
     return;
-  const std::size_t line  = stiffness.n_coefficients * grid.stride(),
-                    plane = line * (grid.cells[1] + 1);
-  for (unsigned int k = 1; k <= grid.cells[2]; ++k)
+  for (unsigned int k = 0; k <= grid.n_nodes(2); ++k)
     {
       for (unsigned int j = 1; j <= grid.cells[1]; ++j)
         for (unsigned int m = 0; m < stiffness.n_coefficients; ++m)
@@ -54,8 +56,9 @@ void copy_ghost_cells(const VoxelGrid &grid, CellStiffness &stiffness)
       std::copy_n(stiffness.row(grid, 0, grid.cells[1], k), line,
                   stiffness.row(grid, 0, 0, k));
     }
-  std::copy_n(stiffness.row(grid, 0, 0, grid.cells[2]), plane,
-              stiffness.row(grid, 0, 0, 0));
+  if (!grid.is_divided())
+    std::copy_n(stiffness.row(grid, 0, 0, grid.cells[2]), plane,
+                stiffness.row(grid, 0, 0, 0));
 }
 } // namespace
 
@@ -72,6 +75,7 @@ VoxelGrid coarser(const VoxelGrid &grid)
         result.cells[d]   = (grid.cells[d] + 1) / 2;
         result.spacing[d] = grid.spacing[d] * grid.cells[d] / result.cells[d];
       }
+  divide_as(grid, result);
   return result;
 }
 
@@ -86,28 +90,35 @@ coarsened(const VoxelGrid &fine, CellStiffness &stiffness, const VoxelGrid &coar
              z             = shares(fine.cells[2], coarse.cells[2]);
   const unsigned int first = fine.first();
   const auto factor        = static_cast<float>(coarse.factor() / fine.factor());
+  // Each rank adds the planes of fine cells that are its alone.
+  const unsigned int begin = fine.below() + fine.first_cell_plane() - first,
+                     end   = begin + fine.n_cell_planes();
   for (unsigned int k = 0; k < coarse.cells[2]; ++k)
-    for (unsigned int j = 0; j < coarse.cells[1]; ++j)
-      for (unsigned int m = 0; m < result.n_coefficients; ++m)
-        {
-          float *out = result.row(coarse, m, j + first, k + first) + first;
-          for (const Share &in_z : z[k])
-            for (const Share &in_y : y[j])
-              {
-                const float weight = factor * in_z.share * in_y.share;
-                const float *in =
-                  stiffness.row(fine, m, in_y.cell + first, in_z.cell + first) + first;
-                for (unsigned int i = 0; i < coarse.cells[0]; ++i)
-                  for (const Share &in_x : x[i])
-                    out[i] += weight * in_x.share * in[in_x.cell];
-              }
-        }
-  copy_ghost_cells(coarse, result);
+    for (const Share &in_z : z[k])
+      if (in_z.cell >= begin && in_z.cell < end)
+        for (unsigned int j = 0; j < coarse.cells[1]; ++j)
+          for (unsigned int m = 0; m < result.n_coefficients; ++m)
+            {
+              float *out =
+                result.row(coarse, m, j + first, k + first - coarse.below()) + first;
+              for (const Share &in_y : y[j])
+                {
+                  const float weight = factor * in_z.share * in_y.share;
+                  const float *in    = stiffness.row(fine, m, in_y.cell + first,
+                                                     in_z.cell + first - fine.below()) +
+                                    first;
+                  for (unsigned int i = 0; i < coarse.cells[0]; ++i)
+                    for (const Share &in_x : x[i])
+                      out[i] += weight * in_x.share * in[in_x.cell];
+                }
+            }
+  complete_cells(coarse, result);
   return result;
 }
 
 Transfer::Transfer(const VoxelGrid &fine, const VoxelGrid &coarse)
-  : n_fine{{fine.n_nodes(0), fine.n_nodes(1), fine.n_nodes(2)}}
+  : coarse_grid(coarse)
+  , n_fine{{fine.n_nodes(0), fine.n_nodes(1), fine.n_nodes(2)}}
   , n_coarse{{coarse.n_nodes(0), coarse.n_nodes(1), coarse.n_nodes(2)}}
   , fine_stride(fine.stride())
   , coarse_stride(coarse.stride())
@@ -127,11 +138,13 @@ Transfer::axis(const VoxelGrid &fine, const VoxelGrid &coarse, const unsigned in
   // By number in the field; ghosts have no place.
   result.left.resize(fine.n_nodes(d) + 2);
   result.weight.resize(fine.n_nodes(d) + 2);
+  const unsigned int fine_below   = d == 2 ? fine.below() : 0,
+                     coarse_below = d == 2 ? coarse.below() : 0;
   for (unsigned int i = 1; i <= fine.n_nodes(d); ++i)
     {
-      const std::size_t place = (i - fine.first()) * m;
+      const std::size_t place = (i + std::size_t{fine_below} - fine.first()) * m;
       // The last node of all is the end of the last cell.
-      result.left[i]   = static_cast<unsigned int>(place / n) + fine.first();
+      result.left[i] = static_cast<unsigned int>(place / n) + fine.first() - coarse_below;
       result.weight[i] = static_cast<float>(place % n) / static_cast<float>(n);
     }
   return result;
@@ -166,7 +179,6 @@ void Transfer::restrict_row(const float *fine, float *coarse) const
 
 void Transfer::restrict_to(const VoxelField<float> &r, VoxelField<float> &b)
 {
-  const unsigned int ny = n_coarse[1], nz = n_coarse[2];
   // Fine rows that a coarse one takes from, with their weights.
   struct Source
   {
@@ -180,7 +192,7 @@ void Transfer::restrict_to(const VoxelField<float> &r, VoxelField<float> &b)
         {
           const float w   = next == 1 ? axes[d].weight[i] : 1.F - axes[d].weight[i];
           unsigned int to = axes[d].left[i] + next;
-          if (periodic && to == n_coarse[d] + 1)
+          if (periodic && to == n_coarse[d] + 1 && !(d == 2 && coarse_grid.is_divided()))
             to = 1;
           if (w != 0.F)
             result[to].push_back({i, w});
@@ -189,8 +201,10 @@ void Transfer::restrict_to(const VoxelField<float> &r, VoxelField<float> &b)
   };
   const auto in_y = sources(1), in_z = sources(2);
   const std::size_t n = 3 * fine_stride;
-  for (unsigned int k = 1; k <= nz; ++k)
-    for (unsigned int j = 1; j <= ny; ++j)
+  // What falls on a ghost plane belongs to another rank.
+  const unsigned int ghosts = coarse_grid.is_divided() ? 1 : 0;
+  for (unsigned int k = 1 - ghosts; k <= n_coarse[2] + ghosts; ++k)
+    for (unsigned int j = 1; j <= n_coarse[1]; ++j)
       {
         float *sum = line.data();
         std::fill_n(sum, n, 0.F);
@@ -205,6 +219,7 @@ void Transfer::restrict_to(const VoxelField<float> &r, VoxelField<float> &b)
         for (unsigned int c = 0; c < 3; ++c)
           restrict_row(sum + c * fine_stride, b.row(c, j, k));
       }
+  add_ghost_planes(coarse_grid, b.data(), b.plane_size());
 }
 
 /** @p fine += the interpolation of @p coarse along x. */

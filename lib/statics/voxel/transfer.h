@@ -19,10 +19,10 @@ public:
   /** Of the given grids. */
   Transfer(const VoxelGrid &fine, const VoxelGrid &coarse);
 
-  /** b = P^T r; ghosts of @p r are not read. */
+  /** b = P^T r; ghosts of @p r are not read, those of @p b are overwritten. Collective. */
   void restrict_to(const VoxelField<float> &r, VoxelField<float> &b);
 
-  /** x += P c, ghosts of both set. */
+  /** x += P c, ghosts of both set. Collective. */
   void add_from(const VoxelField<float> &c, VoxelField<float> &x);
 
 private:
@@ -37,7 +37,8 @@ private:
   void restrict_row(const float *fine, float *coarse) const;
   void add_row(const float *coarse, float *fine) const;
 
-  std::array<unsigned int, 3> n_fine, n_coarse;
+  VoxelGrid coarse_grid;
+  std::array<unsigned int, 3> n_fine, n_coarse; ///< nodes of this rank
   std::size_t fine_stride, coarse_stride;
   bool periodic;
   unsigned int first;
@@ -45,11 +46,12 @@ private:
   LineVector<float> line;
 };
 
-/** Coefficients of a coarser grid: means by volume. */
+/** Coefficients of a coarser grid: means by volume. Collective. */
 CellStiffness
 coarsened(const VoxelGrid &fine, CellStiffness &stiffness, const VoxelGrid &coarse);
 
-/** The next coarser grid: half as many cells along the axes whose cells are short. */
+/** The next coarser grid: half as many cells along the axes whose cells are short, divided
+ *  as @p grid is. */
 VoxelGrid coarser(const VoxelGrid &grid);
 } // namespace mesoslip::voxel
 

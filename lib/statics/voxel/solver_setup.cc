@@ -1,0 +1,156 @@
+#include "base/exchange.h"
+#include "statics/voxel/brick_matrices.h"
+#include "statics/voxel/solver.h"
+
+#include <algorithm>
+
+namespace mesoslip::voxel
+{
+namespace
+{
+/** The phase of what lies outside of the body. */
+constexpr unsigned int outside = 255;
+/** Ratio of stiffness beyond which smoothing pays. */
+constexpr double strong_ratio = 30.;
+
+/** Largest over smallest entry of the diagonals among the phases that occur: grows with the
+ *  contrast and where a phase is nearly incompressible. */
+double stiffness_ratio(const std::vector<double> &n_cells,
+                       const std::vector<VoigtMatrix<3>> &stiffness)
+{
+  double smallest = 1e300, largest = 0.;
+  for (std::size_t phase = 0; phase < stiffness.size(); ++phase)
+    if (n_cells[phase] > 0.)
+      for (unsigned int m = 0; m < 6; ++m)
+        {
+          smallest = std::min(smallest, stiffness[phase](m, m));
+          largest  = std::max(largest, stiffness[phase](m, m));
+        }
+  return largest / smallest;
+}
+
+/** Numbers of cells of @p n_phases phases. */
+std::vector<double> count_cells(const PhaseMap<3> &map, const std::size_t n_phases)
+{
+  if (map.id.size() != map.grid.n_cells() || map.id.empty())
+    throw std::invalid_argument("The map has another number of phases than of cells.");
+  std::vector<double> n(n_phases, 0.);
+  for (const std::uint8_t id : map.id)
+    {
+      if (id >= n_phases || id >= outside)
+        throw std::invalid_argument("A cell has a phase without a stiffness.");
+      n[id] += 1.;
+    }
+  return n;
+}
+
+/** Phases of the cells of a rank's fields, [z][y][stride]. */
+std::string padded_phases(const PhaseMap<3> &map, const VoxelGrid &grid)
+{
+  const std::size_t stride = grid.stride();
+  std::string phases(grid.n_cell_rows() * stride, static_cast<char>(outside));
+  // Numbers of cells in a field, ghosts included, and of those in the map.
+  const auto cell = [&](const std::size_t number, const unsigned int axis) {
+    const std::size_t n = grid.cells[axis];
+    return grid.sides == Sides::periodic ? (number + n - 1) % n : number - grid.first();
+  };
+  char *row = phases.data();
+  for (std::size_t k = 0; k <= grid.n_nodes(2); ++k)
+    for (std::size_t j = 0; j <= grid.n_nodes(1); ++j, row += stride)
+      for (std::size_t i = 0; i <= grid.n_nodes(0); ++i)
+        {
+          const std::array<unsigned int, 3> &n = grid.cells;
+          const std::array<std::size_t, 3> at  = {
+             {cell(i, 0), cell(j, 1), cell(k + grid.below(), 2)}};
+          if (at[0] < n[0] && at[1] < n[1] && at[2] < n[2])
+            row[i] = static_cast<char>(map.id[(at[2] * n[1] + at[1]) * n[0] + at[0]]);
+        }
+  return phases;
+}
+
+Multigrid::Options options_for(const double ratio)
+{
+  if (ratio < strong_ratio)
+    return {{2, 1. / 10.}, 2, 8};
+  return {{4, 1. / 20.}, 4, 32};
+}
+} // namespace
+
+Solver::Solver(const PhaseMap<3> &map,
+               const std::vector<VoigtMatrix<3>> &the_stiffness,
+               const Sides sides,
+               const MPI_Comm communicator)
+  : stiffness(the_stiffness)
+{
+  on_root(communicator, [&]() { n_cells = count_cells(map, stiffness.size()); });
+  std::array<double, 6> box = {};
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      box[d]     = map.grid.cells[d];
+      box[d + 3] = map.grid.spacing[d];
+    }
+  broadcast_object(communicator, n_cells);
+  broadcast_object(communicator, box);
+  length       = box[4];
+  voxels.sides = sides;
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      voxels.cells[d]   = static_cast<unsigned int>(box[d]);
+      voxels.spacing[d] = box[d + 3] / length;
+    }
+  divide(voxels, communicator);
+  const auto of_rank = [&](const unsigned int rank) {
+    VoxelGrid grid = voxels;
+    grid.rank      = grid.is_divided() ? rank : 0;
+    return padded_phases(map, grid);
+  };
+  const std::string others = scatter(communicator, of_rank);
+  const std::string own =
+    dealii::Utilities::MPI::this_mpi_process(communicator) == 0 ? of_rank(0) : others;
+  phases.assign(own.begin(), own.end());
+  set_table();
+  for (unsigned int d = 0; d < 3; ++d)
+    if (voxels.n_all_nodes(d) == 0)
+      return; // no unknowns
+  build_multigrid(stiffness_ratio(n_cells, stiffness));
+}
+
+/** What phases have of each coefficient, in units, and the mean stiffness. */
+void Solver::set_table()
+{
+  double sum     = 0.;
+  n_coefficients = n_isotropic;
+  for (std::size_t phase = 0; phase < stiffness.size(); ++phase)
+    if (n_cells[phase] > 0.)
+      {
+        sum += n_cells[phase];
+        modulus = std::max(modulus, stiffness[phase].cwiseAbs().maxCoeff());
+        if (!is_isotropic(stiffness[phase]))
+          n_coefficients = n_general;
+      }
+  table.assign(std::size_t{256} * (n_coefficients + 1), 0.);
+  for (std::size_t phase = 0; phase < stiffness.size(); ++phase)
+    if (n_cells[phase] > 0.)
+      {
+        mean_stiffness += n_cells[phase] / sum * stiffness[phase] / modulus;
+        const std::vector<double> c = coefficients_of(stiffness[phase], n_coefficients);
+        for (unsigned int m = 0; m < n_coefficients; ++m)
+          table[m * 256 + phase] = c[m] / modulus * voxels.factor();
+        table[n_coefficients * 256 + phase] = 1.;
+      }
+}
+
+void Solver::build_multigrid(const double ratio)
+{
+  const std::size_t stride = voxels.stride();
+  CellStiffness cells;
+  cells.n_coefficients = n_coefficients;
+  cells.numbers.resize(voxels.n_cell_rows() * n_coefficients * stride);
+  for (std::size_t row = 0; row < voxels.n_cell_rows(); ++row)
+    for (unsigned int m = 0; m < n_coefficients; ++m)
+      for (std::size_t i = 0; i < stride; ++i)
+        cells.numbers[(row * n_coefficients + m) * stride + i] =
+          static_cast<float>(table[m * 256 + phases[row * stride + i]]);
+  multigrid = std::make_unique<Multigrid>(voxels, std::move(cells), options_for(ratio));
+}
+} // namespace mesoslip::voxel
