@@ -1,10 +1,12 @@
 /**
  * The six load cases of a volume of voxels: overlapping spheres, 30 %.
  *
- *   voxel_benchmark [cells] [contrast] [KUBC|SUBC|PBC] [nu of the matrix] [h_z / h_x]
+ *   mpirun -np [ranks] voxel_benchmark [cells] [contrast] [KUBC|SUBC|PBC] [nu of the matrix] [h_z / h_x]
  */
 #include "material/stiffness.h"
 #include "statics/voxel/solver.h"
+
+#include <deal.II/base/mpi.h>
 
 #include <chrono>
 #include <cmath>
@@ -66,6 +68,8 @@ double memory()
 
 int main(int argc, char **argv)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
   const auto n            = static_cast<unsigned int>(argc > 1 ? std::atoi(argv[1]) : 64);
   const double contrast   = argc > 2 ? std::atof(argv[2]) : 8.;
   const std::string sides = argc > 3 ? argv[3] : "PBC";
@@ -78,7 +82,8 @@ int main(int argc, char **argv)
     map, {isotropic_stiffness<3>(1e9, nu), isotropic_stiffness<3>(contrast * 1e9, 0.2)},
     sides == "KUBC"   ? voxel::Sides::held
     : sides == "SUBC" ? voxel::Sides::free
-                      : voxel::Sides::periodic);
+                      : voxel::Sides::periodic,
+    MPI_COMM_WORLD);
   const auto seconds = [&]() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
       .count();
@@ -86,11 +91,14 @@ int main(int argc, char **argv)
   const double set_up            = seconds();
   const auto reports             = solver.solve_all(1e-8);
   const VoigtMatrix<3> effective = solver.effective_stiffness();
-  std::printf("%4u %8g %s nu %5g h_z/h_x %g: iterations", n, contrast, sides.c_str(), nu,
-              aspect);
+  const double most              = dealii::Utilities::MPI::max(memory(), MPI_COMM_WORLD);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
+    return 0;
+  std::printf("%u ranks, %4u %8g %s nu %5g h_z/h_x %g: iterations", n_ranks, n, contrast,
+              sides.c_str(), nu, aspect);
   for (const SolverReport &report : reports)
     std::printf(" %u", report.iterations);
   std::printf(", set-up %.2f s, in all %.2f s, %.0f MB, C11 %.6f C44 %.6f GPa\n", set_up,
-              seconds(), memory(), 1e-9 * effective(0, 0), 1e-9 * effective(3, 3));
+              seconds(), most, 1e-9 * effective(0, 0), 1e-9 * effective(3, 3));
   return 0;
 }
