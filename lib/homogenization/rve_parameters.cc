@@ -19,12 +19,13 @@ void refuse_keys_of_grids(const Keys &keys, const RveParameters &parameters)
   const std::string reason = "Mesh/File is given";
   keys.only_if(grid, {"Grid/", "Microstructure/", "Ensemble/Members"}, reason,
                "leave Mesh/File empty");
-  keys.only_if((grid && parameters.mesh.dim == 2) ||
-                 parameters.solver == StaticSolverKind::ml,
+  const bool voxels = grid && parameters.mesh.dim == 3;
+  keys.only_if(voxels ? parameters.solver == StaticSolverKind::multigrid
+                      : grid || parameters.solver == StaticSolverKind::ml,
                {"Homogenization/Solver"},
-               grid ? "Dimension is 3 and voxels are solved with ml"
-                    : reason + " and meshes are solved with ml",
-               "set it to ml");
+               voxels ? "Dimension is 3 and voxels are solved with multigrid"
+                      : reason + " and meshes are solved with ml",
+               voxels ? "set it to multigrid" : "set it to ml");
 }
 } // namespace
 

@@ -5,6 +5,7 @@
 #include "material/plausibility.h"
 #include "morphology/voxels.h"
 #include "program/run_context.h"
+#include "statics/voxel/brick_matrices.h"
 
 #include <ostream>
 
@@ -12,8 +13,13 @@ namespace mesoslip
 {
 namespace
 {
-/** Bytes that a node costs all ranks together: cells, matrix, hierarchy of ML, load cases. */
-constexpr double bytes_per_voxel = 21000.;
+/** Bytes of a node, divided among the ranks: phases, multigrid, vectors, load cases; as
+ *  measured. */
+constexpr double bytes_per_node = 340.;
+/** More where a phase is not isotropic. */
+constexpr double anisotropic_bytes = 90.;
+/** Bytes of a concentration tensor. */
+constexpr double tensor_bytes = 288.;
 
 class VoxelAnalysis : public VolumeAnalysis<3>
 {
@@ -21,8 +27,13 @@ public:
   VoxelAnalysis(const RveParameters &given, const std::string &digest_of_inputs)
     : VolumeAnalysis<3>(given, digest_of_inputs)
   {
-    require_memory({bytes() / dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
-                    "reduce Grid/Cells or take more ranks"});
+    require_memory(
+      {divided_bytes() / dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) +
+         tensors_bytes(),
+       parameters.write_concentration
+         ? "set Homogenization/Write concentration = false, reduce Grid/Cells "
+           "or take more ranks"
+         : "reduce Grid/Cells or take more ranks"});
     on_root(MPI_COMM_WORLD,
             [this]() { volume = make_voxels(parameters.microstructure); });
   }
@@ -32,8 +43,12 @@ public:
     for (const std::string &line : volume.description)
       out << line << '\n';
     out << n_cases() << " load cases, about "
-        << 150 + static_cast<unsigned long>(1e-6 * bytes())
-        << " MB, divided among the ranks\n";
+        << 150 + static_cast<unsigned long>(1e-6 * divided_bytes())
+        << " MB, divided among the ranks";
+    if (parameters.write_concentration)
+      out << ", and " << 1 + static_cast<unsigned long>(1e-6 * tensors_bytes())
+          << " MB of concentration tensors";
+    out << '\n';
     for (const std::vector<std::string> &sentences : {volume.warnings, slips()})
       for (const std::string &warning : sentences)
         out << "Warning: " << warning << '\n';
@@ -92,9 +107,22 @@ private:
     return n_voigt<3> * parameters.conditions.size();
   }
 
-  double bytes() const
+  double divided_bytes() const
   {
-    return bytes_per_voxel * static_cast<double>(parameters.microstructure.box.n_nodes());
+    double bytes = bytes_per_node;
+    for (const auto &phase : make_phases<3>(parameters.microstructure.phases))
+      if (!voxel::is_isotropic(phase.stiffness))
+        bytes = bytes_per_node + anisotropic_bytes;
+    return bytes * static_cast<double>(parameters.microstructure.box.n_nodes());
+  }
+
+  /** On rank 0. */
+  double tensors_bytes() const
+  {
+    return parameters.write_concentration
+             ? tensor_bytes * n_cells() *
+                 static_cast<double>(parameters.conditions.size())
+             : 0.;
   }
 
   EnsembleMember<3> compute_member(RunContext &context)

@@ -1,50 +1,158 @@
 #include "homogenization/voxel_volume.h"
 
-#include "exchange/mesh_datasets.h"
-#include "homogenization/mesh_volume.h"
+#include "base/exchange.h"
+
+#include <Eigen/LU>
+
+#include <boost/serialization/vector.hpp>
 
 namespace mesoslip
 {
 namespace
 {
-Mesh<3> mesh_of_voxels(const PhaseMap<3> &map, const std::size_t n_phases)
+voxel::Sides sides_of(const BoundaryCondition condition)
 {
-  if (map.id.empty())
-    return {}; // not on rank 0
-  Mesh<3> mesh = mesh_of_cells(map.grid);
-  mesh.phases.resize(n_phases);
-  for (std::size_t k = 0; k < map.id.size(); ++k)
-    mesh.cells[k].material_id = map.id[k];
-  return mesh;
+  switch (condition)
+    {
+    case BoundaryCondition::KUBC:
+      return voxel::Sides::held;
+    case BoundaryCondition::SUBC:
+      return voxel::Sides::free;
+    default:
+      return voxel::Sides::periodic;
+    }
+}
+
+/** Calls action(phase, strain) with the strains of the load cases, one a column, of each
+ *  cell of this rank, x fastest. */
+template <typename Action>
+void for_each_cell(const voxel::Solver &solver, const Action &action)
+{
+  const voxel::VoxelGrid &grid = solver.grid();
+  voxel::Solver::RowOfCells row;
+  VoigtMatrix<3> strain;
+  for (unsigned int k = 0; k < grid.n_cell_planes(); ++k)
+    for (unsigned int j = 0; j < grid.cells[1]; ++j)
+      {
+        solver.evaluate(j, k, row);
+        for (unsigned int i = 0; i < grid.cells[0]; ++i)
+          {
+            for (unsigned int load = 0; load < 6; ++load)
+              for (unsigned int m = 0; m < 6; ++m)
+                strain(m, load) = row.strain[load][m][i];
+            action(row.phase[i], strain);
+          }
+      }
 }
 } // namespace
 
-/** The volume as a mesh of hexahedra. */
-class VoxelVolume::Solver : public MeshVolume<3>
-{
-public:
-  using MeshVolume<3>::MeshVolume;
-};
-
 VoxelVolume::VoxelVolume(const PhaseMap<3> &map,
-                         const std::vector<ElasticPhase<3>> &phases,
-                         const MPI_Comm communicator)
-  : solver(
-      std::make_unique<Solver>(mesh_of_voxels(map, phases.size()), phases, communicator))
+                         const std::vector<ElasticPhase<3>> &the_phases,
+                         const MPI_Comm the_communicator)
+  : map(map)
+  , phases(the_phases)
+  , communicator(the_communicator)
 {
 }
 
-VoxelVolume::~VoxelVolume() = default;
-
-VolumeSums<3> VoxelVolume::solve(const BoundaryCondition condition,
+VolumeSums<3> VoxelVolume::solve(const BoundaryCondition wanted,
                                  const double tolerance,
                                  const std::function<void()> &case_done)
 {
-  return solver->solve(condition, tolerance, case_done);
+  condition = wanted;
+  solver.reset();
+  std::vector<VoigtMatrix<3>> stiffness;
+  for (const ElasticPhase<3> &phase : phases)
+    stiffness.push_back(phase.stiffness);
+  solver =
+    std::make_unique<voxel::Solver>(map, stiffness, sides_of(condition), communicator);
+  std::array<SolverReport, 6> reports;
+  for (unsigned int k = 0; k < 6; ++k)
+    try
+      {
+        reports[k] = solver->solve(k, tolerance);
+        if (case_done)
+          case_done();
+      }
+    catch (const NotConverged &error)
+      {
+        throw NotConverged(to_string(condition) + " " + voigt_names<3>[k] + ": " +
+                             error.what(),
+                           error.reason);
+      }
+  VolumeSums<3> sums = integrate();
+  sums.reports       = reports;
+  return sums;
+}
+
+VolumeSums<3> VoxelVolume::integrate()
+{
+  VolumeSums<3> sums;
+  sums.condition = condition;
+  sums.phases.resize(phases.size());
+  for_each_cell(*solver, [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
+    sums.phases[phase].strain += strain;
+    sums.phases[phase].volume += 1.;
+  });
+  std::vector<double> all;
+  for (const PhaseSums<3> &phase : sums.phases)
+    {
+      all.insert(all.end(), phase.strain.data(), phase.strain.data() + 36);
+      all.push_back(phase.volume);
+    }
+  // An undivided body is whole on every rank.
+  if (solver->grid().is_divided())
+    sum_over_ranks(all, communicator);
+  VoigtMatrix<3> mean = VoigtMatrix<3>::Zero();
+  for (std::size_t p = 0; p < phases.size(); ++p)
+    {
+      PhaseSums<3> &phase = sums.phases[p];
+      phase.strain        = Eigen::Map<const VoigtMatrix<3>>(&all[37 * p]);
+      phase.volume        = all[37 * p + 36];
+      sums.volume += phase.volume;
+      mean += phase.strain;
+    }
+  mean /= sums.volume;
+  // Of stresses the solver gives the complementary energy, twice the work of the tractions
+  // less the elastic energy.
+  sums.energy = solver->effective_stiffness();
+  if (condition == BoundaryCondition::SUBC)
+    sums.energy = mean + mean.transpose() - VoigtMatrix<3>(sums.energy.inverse());
+  return sums;
+}
+
+std::vector<double> VoxelVolume::own_concentration() const
+{
+  const voxel::VoxelGrid &grid = solver->grid();
+  std::vector<double> tensors;
+  tensors.reserve(std::size_t{36} * grid.n_cell_planes() * grid.cells[1] * grid.cells[0]);
+  for_each_cell(*solver, [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
+    const VoigtMatrix<3> tensor = condition == BoundaryCondition::SUBC
+                                    ? VoigtMatrix<3>(phases[phase].stiffness * strain)
+                                    : strain;
+    tensors.insert(tensors.end(), tensor.data(), tensor.data() + 36);
+  });
+  return tensors;
 }
 
 std::vector<double> VoxelVolume::concentration() const
 {
-  return solver->concentration();
+  const unsigned int n    = dealii::Utilities::MPI::n_mpi_processes(communicator),
+                     rank = dealii::Utilities::MPI::this_mpi_process(communicator);
+  if (!solver->grid().is_divided())
+    return rank == 0 ? own_concentration() : std::vector<double>();
+  std::vector<double> part = own_concentration(), all;
+  if (rank == 0)
+    {
+      all.reserve(36 * map.id.size());
+      all.insert(all.end(), part.begin(), part.end());
+    }
+  for (unsigned int owner = 1; owner < n; ++owner)
+    {
+      bring_object_to_root(communicator, part, static_cast<int>(owner));
+      if (rank == 0)
+        all.insert(all.end(), part.begin(), part.end());
+    }
+  return all;
 }
 } // namespace mesoslip
