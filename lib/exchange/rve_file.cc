@@ -15,11 +15,6 @@ namespace
 {
 const char rve_program[] = "rve_homogenization";
 
-std::string concentration_name(const std::string &condition)
-{
-  return (condition == "SUBC" ? "/stress_concentration/" : "/concentration/") + condition;
-}
-
 std::string concentration_hint(const std::string &condition)
 {
   return "run rve_homogenization with " + condition +
@@ -47,14 +42,43 @@ UniformGrid<dim> read_extent(const Hdf5File &file)
     }
   return box;
 }
+
+/** [ny][nx] or [nz][ny][nx] */
+template <int dim>
+Shape cells_of(const UniformGrid<dim> &grid)
+{
+  return {grid.cells.rbegin(), grid.cells.rend()};
+}
 } // namespace
+
+std::string concentration_dataset(const std::string &condition)
+{
+  return (condition == "SUBC" ? "/stress_concentration/" : "/concentration/") + condition;
+}
+
+template <int dim>
+void reserve_concentration(const std::string &path,
+                           const UniformGrid<dim> &grid,
+                           const std::vector<std::string> &conditions)
+{
+  Hdf5File file = Hdf5File::create(path);
+  Shape shape   = cells_of(grid);
+  shape.insert(shape.end(), {n_voigt<dim>, n_voigt<dim>});
+  for (const std::string &condition : conditions)
+    {
+      file.reserve_rows(concentration_dataset(condition), shape);
+      file.write_unit(concentration_dataset(condition), "-");
+    }
+  file.leave();
+}
 
 template <int dim>
 void write_rve_file(const std::string &path, const RveContent<dim> &content)
 {
   using Values            = XdmfField::Values;
   constexpr std::size_t v = n_voigt<dim>;
-  Hdf5File file           = Hdf5File::create(path);
+  Hdf5File file =
+    content.reserved.empty() ? Hdf5File::create(path) : Hdf5File::resume(path);
   file.write_header(rve_format, newest_rve_version, dim, content.digest);
   write_dataset(file, "/summary", {1}, std::vector<std::string>{content.summary});
   Shape cells = {content.phase_id.size()};
@@ -73,7 +97,7 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
     }
   else
     {
-      cells.assign(content.grid.cells.rbegin(), content.grid.cells.rend());
+      cells = cells_of(content.grid);
       write_grid(file, content.grid);
     }
   write_phases(file, "/phase", content.phases, true);
@@ -85,14 +109,19 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
     write_dataset(file, "/stiffness/" + of, {v, v},
                   std::vector<double>(D.data(), D.data() + D.size()), "Pa");
   std::vector<XdmfField> shown = {{"phase", "/phase/id", Values::phases}};
+  const auto show              = [&](const std::string &of) {
+    const std::string dataset = concentration_dataset(of);
+    shown.push_back({dataset.substr(1), dataset, Values::cells, {v, v}});
+  };
   for (const auto &[of, tensors] : content.concentration)
     {
-      const std::string dataset = concentration_name(of);
-      Shape shape               = cells;
+      Shape shape = cells;
       shape.insert(shape.end(), {v, v});
-      write_dataset(file, dataset, shape, *tensors);
-      shown.push_back({dataset.substr(1), dataset, Values::cells, {v, v}});
+      write_dataset(file, concentration_dataset(of), shape, *tensors);
+      show(of);
     }
+  for (const std::string &of : content.reserved)
+    show(of);
   file.close();
   const std::string xdmf = path.substr(0, path.rfind('.')) + ".xdmf",
                     name = std::filesystem::path(path).filename();
@@ -190,7 +219,7 @@ std::vector<double> RveFile<dim>::concentration(const std::string &name) const
 {
   Shape shape = cells();
   shape.insert(shape.end(), {n_voigt<dim>, n_voigt<dim>});
-  return file.read<double>(concentration_name(name), shape, concentration_hint(name));
+  return file.read<double>(concentration_dataset(name), shape, concentration_hint(name));
 }
 
 // Of a grid whole lines (2D) or layers are read, in which these cells are.
@@ -199,7 +228,7 @@ std::vector<double> RveFile<dim>::concentration(const std::string &name,
                                                 const std::size_t first,
                                                 const std::size_t count) const
 {
-  const std::string dataset = concentration_name(name);
+  const std::string dataset = concentration_dataset(name);
   Shape extent              = file.shape("/phase/id", "rve_homogenization writes it");
   const Shape found         = file.shape(dataset, concentration_hint(name));
   std::size_t layer         = 1;
@@ -235,6 +264,9 @@ Mesh<dim> RveFile<dim>::mesh() const
 
 template class RveFile<2>;
 template class RveFile<3>;
+template void reserve_concentration(const std::string &,
+                                    const UniformGrid<3> &,
+                                    const std::vector<std::string> &);
 template void write_rve_file(const std::string &, const RveContent<2> &);
 template void write_rve_file(const std::string &, const RveContent<3> &);
 } // namespace mesoslip

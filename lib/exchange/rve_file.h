@@ -40,7 +40,23 @@ struct RveContent
    * mesh.
    */
   std::map<std::string, const std::vector<double> *> concentration;
+
+  /** Whose tensors are in the file since reserve_concentration(). */
+  std::vector<std::string> reserved;
 };
+
+/** The dataset of the concentration tensors of KUBC, SUBC or PBC. */
+std::string concentration_dataset(const std::string &condition);
+
+/**
+ * Begins rve.h5, of which @p path is the name, with room for the concentration tensors of
+ * all cells of a grid under @p conditions, which ParallelRows fills plane by plane before
+ * write_rve_file() adds the rest.
+ */
+template <int dim>
+void reserve_concentration(const std::string &path,
+                           const UniformGrid<dim> &grid,
+                           const std::vector<std::string> &conditions);
 
 /**
  * Writes rve.h5, of which @p path is the name, and `NAME.xdmf` for ParaView beside it.

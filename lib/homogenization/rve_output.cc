@@ -143,9 +143,7 @@ void log_identities(const EnsembleMember<dim> &member, RunContext &context)
 } // namespace
 
 template <int dim>
-void write_rve_results(const RveParameters &parameters,
-                       RveResults<dim> &results,
-                       RunContext &context)
+void write_rve_results(RveResults<dim> &results, RunContext &context)
 {
   RveContent<dim> &content       = results.first;
   content.summary                = context.summary().dump();
@@ -155,7 +153,7 @@ void write_rve_results(const RveParameters &parameters,
     {
       const std::string name  = to_string(response.condition);
       content.stiffness[name] = response.stiffness;
-      if (parameters.write_concentration)
+      if (!response.concentration.empty())
         content.concentration[name] = &response.concentration;
     }
   write_rve_file(context.file("rve.h5"), content);
@@ -318,13 +316,13 @@ void write_rve_summary(const RveParameters &parameters,
   log_identities(first, context);
 }
 
-template void write_rve_results<2>(const RveParameters &, RveResults<2> &, RunContext &);
+template void write_rve_results<2>(RveResults<2> &, RunContext &);
 template void
 write_rve_tables<2>(const RveParameters &, const RveResults<2> &, const RunContext &);
 template void log_stiffness<2>(RunContext &);
 template void
 write_rve_summary<2>(const RveParameters &, const RveResults<2> &, RunContext &);
-template void write_rve_results<3>(const RveParameters &, RveResults<3> &, RunContext &);
+template void write_rve_results<3>(RveResults<3> &, RunContext &);
 template void
 write_rve_tables<3>(const RveParameters &, const RveResults<3> &, const RunContext &);
 template void log_stiffness<3>(RunContext &);

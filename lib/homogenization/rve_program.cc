@@ -107,7 +107,7 @@ void VolumeAnalysis<dim>::run(RunContext &context)
   results.first.digest = digest;
   write_rve_tables<dim>(parameters, results, context);
   write_rve_summary<dim>(parameters, results, context);
-  write_rve_results<dim>(parameters, results, context);
+  write_rve_results<dim>(results, context);
 }
 
 namespace

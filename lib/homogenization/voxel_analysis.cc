@@ -1,7 +1,9 @@
 #include "base/errors.h"
 #include "base/exchange.h"
+#include "exchange/rve_file.h"
 #include "homogenization/volume_analysis.h"
 #include "homogenization/voxel_volume.h"
+#include "io/parallel_rows.h"
 #include "material/plausibility.h"
 #include "morphology/voxels.h"
 #include "program/run_context.h"
@@ -18,8 +20,6 @@ namespace
 constexpr double bytes_per_node = 340.;
 /** More where a phase is not isotropic. */
 constexpr double anisotropic_bytes = 90.;
-/** Bytes of a concentration tensor. */
-constexpr double tensor_bytes = 288.;
 
 class VoxelAnalysis : public VolumeAnalysis<3>
 {
@@ -28,12 +28,8 @@ public:
     : VolumeAnalysis<3>(given, digest_of_inputs)
   {
     require_memory(
-      {divided_bytes() / dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) +
-         tensors_bytes(),
-       parameters.write_concentration
-         ? "set Homogenization/Write concentration = false, reduce Grid/Cells "
-           "or take more ranks"
-         : "reduce Grid/Cells or take more ranks"});
+      {divided_bytes() / dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+       "reduce Grid/Cells or take more ranks"});
     on_root(MPI_COMM_WORLD,
             [this]() { volume = make_voxels(parameters.microstructure); });
   }
@@ -44,11 +40,7 @@ public:
       out << line << '\n';
     out << n_cases() << " load cases, about "
         << 150 + static_cast<unsigned long>(1e-6 * divided_bytes())
-        << " MB, divided among the ranks";
-    if (parameters.write_concentration)
-      out << ", and " << 1 + static_cast<unsigned long>(1e-6 * tensors_bytes())
-          << " MB of concentration tensors";
-    out << '\n';
+        << " MB, divided among the ranks\n";
     for (const std::vector<std::string> &sentences : {volume.warnings, slips()})
       for (const std::string &warning : sentences)
         out << "Warning: " << warning << '\n';
@@ -83,6 +75,15 @@ protected:
     if (context.root())
       for (const std::string &warning : volume.warnings)
         context.warn(warning);
+    if (parameters.write_concentration)
+      {
+        for (const BoundaryCondition condition : parameters.conditions)
+          results.first.reserved.push_back(to_string(condition));
+        on_root(context.communicator(), [&]() {
+          reserve_concentration(context.file("rve.h5"), volume.map.grid,
+                                results.first.reserved);
+        });
+      }
     results.members.push_back(compute_member(context));
     context.progress().finish();
     results.first.grid     = volume.map.grid;
@@ -116,15 +117,6 @@ private:
     return bytes * static_cast<double>(parameters.microstructure.box.n_nodes());
   }
 
-  /** On rank 0. */
-  double tensors_bytes() const
-  {
-    return parameters.write_concentration
-             ? tensor_bytes * n_cells() *
-                 static_cast<double>(parameters.conditions.size())
-             : 0.;
-  }
-
   EnsembleMember<3> compute_member(RunContext &context)
   {
     EnsembleMember<3> member;
@@ -145,9 +137,23 @@ private:
                                      [&]() { context.progress().update(++done); }),
                         phases));
         if (parameters.write_concentration)
-          member.responses.back().concentration = solver.concentration();
+          write_concentration(solver, condition, context);
       }
     return member;
+  }
+
+  /** All ranks write what they have, plane by plane. */
+  static void write_concentration(const VoxelVolume &solver,
+                                  const BoundaryCondition condition,
+                                  const RunContext &context)
+  {
+    ParallelRows rows(context.file("rve.h5"), concentration_dataset(to_string(condition)),
+                      context.communicator());
+    const auto [first, n]   = solver.planes();
+    const unsigned int most = dealii::Utilities::MPI::max(n, context.communicator());
+    for (unsigned int k = 0; k < most; ++k)
+      rows.write(k < n ? first + k : 0, 0,
+                 k < n ? solver.concentration(k) : std::vector<double>());
   }
 
   VoxelMorphology volume; ///< on rank 0

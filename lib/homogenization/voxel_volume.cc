@@ -4,8 +4,6 @@
 
 #include <Eigen/LU>
 
-#include <boost/serialization/vector.hpp>
-
 namespace mesoslip
 {
 namespace
@@ -24,25 +22,26 @@ voxel::Sides sides_of(const BoundaryCondition condition)
 }
 
 /** Calls action(phase, strain) with the strains of the load cases, one a column, of each
- *  cell of this rank, x fastest. */
+ *  cell of plane @p k of this rank, x fastest. */
 template <typename Action>
-void for_each_cell(const voxel::Solver &solver, const Action &action)
+void for_each_cell(const voxel::Solver &solver,
+                   const unsigned int k,
+                   const Action &action)
 {
   const voxel::VoxelGrid &grid = solver.grid();
   voxel::Solver::RowOfCells row;
   VoigtMatrix<3> strain;
-  for (unsigned int k = 0; k < grid.n_cell_planes(); ++k)
-    for (unsigned int j = 0; j < grid.cells[1]; ++j)
-      {
-        solver.evaluate(j, k, row);
-        for (unsigned int i = 0; i < grid.cells[0]; ++i)
-          {
-            for (unsigned int load = 0; load < 6; ++load)
-              for (unsigned int m = 0; m < 6; ++m)
-                strain(m, load) = row.strain[load][m][i];
-            action(row.phase[i], strain);
-          }
-      }
+  for (unsigned int j = 0; j < grid.cells[1]; ++j)
+    {
+      solver.evaluate(j, k, row);
+      for (unsigned int i = 0; i < grid.cells[0]; ++i)
+        {
+          for (unsigned int load = 0; load < 6; ++load)
+            for (unsigned int m = 0; m < 6; ++m)
+              strain(m, load) = row.strain[load][m][i];
+          action(row.phase[i], strain);
+        }
+    }
 }
 } // namespace
 
@@ -90,10 +89,12 @@ VolumeSums<3> VoxelVolume::integrate()
   VolumeSums<3> sums;
   sums.condition = condition;
   sums.phases.resize(phases.size());
-  for_each_cell(*solver, [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
-    sums.phases[phase].strain += strain;
-    sums.phases[phase].volume += 1.;
-  });
+  for (unsigned int k = 0; k < solver->grid().n_cell_planes(); ++k)
+    for_each_cell(*solver, k,
+                  [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
+                    sums.phases[phase].strain += strain;
+                    sums.phases[phase].volume += 1.;
+                  });
   std::vector<double> all;
   for (const PhaseSums<3> &phase : sums.phases)
     {
@@ -121,38 +122,25 @@ VolumeSums<3> VoxelVolume::integrate()
   return sums;
 }
 
-std::vector<double> VoxelVolume::own_concentration() const
+std::array<unsigned int, 2> VoxelVolume::planes() const
+{
+  const voxel::VoxelGrid &grid = solver->grid();
+  if (!grid.is_divided() && dealii::Utilities::MPI::this_mpi_process(communicator) > 0)
+    return {{0, 0}};
+  return {{grid.below() + grid.first_cell_plane() - grid.first(), grid.n_cell_planes()}};
+}
+
+std::vector<double> VoxelVolume::concentration(const unsigned int k) const
 {
   const voxel::VoxelGrid &grid = solver->grid();
   std::vector<double> tensors;
-  tensors.reserve(std::size_t{36} * grid.n_cell_planes() * grid.cells[1] * grid.cells[0]);
-  for_each_cell(*solver, [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
+  tensors.reserve(std::size_t{36} * grid.cells[1] * grid.cells[0]);
+  for_each_cell(*solver, k, [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
     const VoigtMatrix<3> tensor = condition == BoundaryCondition::SUBC
                                     ? VoigtMatrix<3>(phases[phase].stiffness * strain)
                                     : strain;
     tensors.insert(tensors.end(), tensor.data(), tensor.data() + 36);
   });
   return tensors;
-}
-
-std::vector<double> VoxelVolume::concentration() const
-{
-  const unsigned int n    = dealii::Utilities::MPI::n_mpi_processes(communicator),
-                     rank = dealii::Utilities::MPI::this_mpi_process(communicator);
-  if (!solver->grid().is_divided())
-    return rank == 0 ? own_concentration() : std::vector<double>();
-  std::vector<double> part = own_concentration(), all;
-  if (rank == 0)
-    {
-      all.reserve(36 * map.id.size());
-      all.insert(all.end(), part.begin(), part.end());
-    }
-  for (unsigned int owner = 1; owner < n; ++owner)
-    {
-      bring_object_to_root(communicator, part, static_cast<int>(owner));
-      if (rank == 0)
-        all.insert(all.end(), part.begin(), part.end());
-    }
-  return all;
 }
 } // namespace mesoslip

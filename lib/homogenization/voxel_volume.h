@@ -14,7 +14,7 @@ namespace mesoslip
 {
 /**
  * A volume element of voxels with the load cases of KUBC, SUBC and PBC: cells are
- * trilinear bricks, solved by voxel::Solver. All members are collective.
+ * trilinear bricks, solved by voxel::Solver. Collective where nothing else is said.
  */
 class VoxelVolume
 {
@@ -33,16 +33,18 @@ public:
                       const double tolerance,
                       const std::function<void()> &case_done = {});
 
+  /** The first plane of cells across z of this rank, and their number; what every rank has
+   *  (see voxel::Solver) counts as rank 0's. */
+  std::array<unsigned int, 2> planes() const;
+
   /**
-   * Concentration tensors of the cells for the condition that was solved last, as
-   * HomogenizedResponse has them: on rank 0 of all cells, x fastest, on the other ranks
-   * empty.
+   * Concentration tensors, as HomogenizedResponse has them, of the cells of plane @p k of
+   * those, [ny][nx][6][6], for the condition that was solved last. Not collective.
    */
-  std::vector<double> concentration() const;
+  std::vector<double> concentration(const unsigned int k) const;
 
 private:
   VolumeSums<3> integrate();
-  std::vector<double> own_concentration() const;
 
   const PhaseMap<3> &map;
   const std::vector<ElasticPhase<3>> phases;
