@@ -140,7 +140,7 @@ private:
     for (std::size_t k = 0, first = 0; k < in_order.size(); ++k)
       {
         const auto [original, point] = in_order[k];
-        if (original == in_order[first].first && k > first)
+        if (k > first && original == in_order[first].first)
           {
             part.copies.emplace_back(point, in_order[first].second);
             continue;

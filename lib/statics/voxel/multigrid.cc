@@ -166,9 +166,9 @@ void Multigrid::visit(const std::size_t l,
   Level &level = levels[l];
   level.smooth(smoothings[l], true, solution, force, d[l]);
   level.residual(solution, force, d[l]);
-  const bool gathers         = l + 1 == first_whole;
-  VoxelField<float> &x_below = gathers ? part_x : x[l + 1],
-                    &b_below = gathers ? part_b : b[l + 1];
+  const bool gathers               = l + 1 == first_whole;
+  const VoxelField<float> &x_below = gathers ? part_x : x[l + 1];
+  VoxelField<float> &b_below       = gathers ? part_b : b[l + 1];
   transfers[l].restrict_to(d[l], b_below);
   if (gathers)
     gather_planes(part_b.grid(), part_b.data(), b[l + 1].data(), part_b.plane_size());

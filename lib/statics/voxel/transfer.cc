@@ -142,7 +142,8 @@ Transfer::axis(const VoxelGrid &fine, const VoxelGrid &coarse, const unsigned in
                      coarse_below = d == 2 ? coarse.below() : 0;
   for (unsigned int i = 1; i <= fine.n_nodes(d); ++i)
     {
-      const std::size_t place = (i + std::size_t{fine_below} - fine.first()) * m;
+      const std::size_t node  = std::size_t{fine_below} + i - fine.first(),
+                        place = node * m;
       // The last node of all is the end of the last cell.
       result.left[i] = static_cast<unsigned int>(place / n) + fine.first() - coarse_below;
       result.weight[i] = static_cast<float>(place % n) / static_cast<float>(n);
