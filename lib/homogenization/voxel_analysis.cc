@@ -17,7 +17,7 @@ namespace
 {
 /** Bytes of a node, divided among the ranks: phases, multigrid, vectors, load cases; as
  *  measured. */
-constexpr double bytes_per_node = 340.;
+constexpr double bytes_per_voxel = 340.;
 /** More where a phase is not isotropic. */
 constexpr double anisotropic_bytes = 90.;
 
@@ -110,10 +110,10 @@ private:
 
   double divided_bytes() const
   {
-    double bytes = bytes_per_node;
+    double bytes = bytes_per_voxel;
     for (const auto &phase : make_phases<3>(parameters.microstructure.phases))
       if (!voxel::is_isotropic(phase.stiffness))
-        bytes = bytes_per_node + anisotropic_bytes;
+        bytes = bytes_per_voxel + anisotropic_bytes;
     return bytes * static_cast<double>(parameters.microstructure.box.n_nodes());
   }
 

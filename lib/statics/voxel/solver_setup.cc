@@ -135,8 +135,8 @@ void Solver::set_table()
         mean_stiffness += n_cells[phase] / sum * stiffness[phase] / modulus;
         const std::vector<double> c = coefficients_of(stiffness[phase], n_coefficients);
         for (unsigned int m = 0; m < n_coefficients; ++m)
-          table[m * 256 + phase] = c[m] / modulus * voxels.factor();
-        table[n_coefficients * 256 + phase] = 1.;
+          table[std::size_t{m} * 256 + phase] = c[m] / modulus * voxels.factor();
+        table[std::size_t{n_coefficients} * 256 + phase] = 1.;
       }
 }
 
