@@ -202,42 +202,88 @@ FrequencyEstimate largest_frequency(const UniformMaterial &material,
                  max_iterations);
 }
 
-template <int dim>
-FrequencyEstimate largest_frequency(const MeshOperator<dim> &op,
+namespace
+{
+/**
+ * On the points of a part that count here, dim numbers each: @p multiply (Kx, x) replaces Kx;
+ * @p mass of all points.
+ */
+template <int dim, typename Multiply>
+FrequencyEstimate frequency_of_part(const MeshPart<dim> &part,
+                                    const std::vector<double> &mass,
+                                    const Multiply &multiply,
+                                    Operator op,
                                     const double tolerance,
                                     const unsigned int max_iterations)
 {
-  constexpr unsigned int stride = kernels::node_stride<dim>;
-  const MeshPart<dim> &part     = op.part;
-  LineVector<double> x = op.zero_field(), f = x;
   std::vector<double> scale;
-  for (const double mass : op.lumped_mass())
-    scale.push_back(1. / std::sqrt(mass));
-  const auto apply = [&](std::vector<double> &y, const std::vector<double> &v) {
-    std::fill(x.begin(), x.end(), 0.);
-    std::fill(f.begin(), f.end(), 0.);
+  for (unsigned int i = 0; i < part.n_distinct; ++i)
+    scale.push_back(1. / std::sqrt(mass[i]));
+  std::vector<double> x(dim * std::size_t(part.n_distinct));
+  op.apply = [&](std::vector<double> &y, const std::vector<double> &v) {
     for (std::size_t k = 0; k < v.size(); ++k)
-      x[k / dim * stride + k % dim] = scale[k / dim] * v[k];
-    // Zeros of those who do not own a point leave the sum that of its owner.
-    op.sum_up(x.data());
-    op.add_product(f.data(), x.data());
+      x[k] = scale[k / dim] * v[k];
+    multiply(y, x);
     for (std::size_t k = 0; k < v.size(); ++k)
-      y[k] = scale[k / dim] * f[k / dim * stride + k % dim];
+      y[k] *= scale[k / dim];
   };
   // Whatever the ranks, a point of the mesh gets the same numbers.
   std::vector<std::pair<unsigned int, unsigned int>> points;
   for (unsigned int i = 0; i < part.n_distinct; ++i)
     points.emplace_back(part.point_in_mesh[i], i);
   std::sort(points.begin(), points.end());
-  std::vector<double> start(dim * std::size_t(part.n_distinct));
+  std::vector<double> start(x.size());
   StartNumbers random;
   unsigned int drawn = 0;
   for (const auto &[in_mesh, i] : points)
     for (; drawn <= in_mesh; ++drawn)
       for (unsigned int c = 0; c < dim; ++c)
         start[dim * std::size_t(i) + c] = random();
-  return iterate({apply, std::numeric_limits<double>::infinity(), op.communicator}, start,
-                 tolerance, max_iterations);
+  return iterate(op, start, tolerance, max_iterations);
+}
+} // namespace
+
+template <int dim>
+FrequencyEstimate largest_frequency(const MeshOperator<dim> &op,
+                                    const double tolerance,
+                                    const unsigned int max_iterations)
+{
+  constexpr unsigned int stride = kernels::node_stride<dim>;
+  LineVector<double> field = op.zero_field(), f = field;
+  const auto multiply = [&](std::vector<double> &Kx, const std::vector<double> &x) {
+    std::fill(field.begin(), field.end(), 0.);
+    std::fill(f.begin(), f.end(), 0.);
+    for (std::size_t k = 0; k < x.size(); ++k)
+      field[k / dim * stride + k % dim] = x[k];
+    // Zeros of those who do not own a point leave the sum that of its owner.
+    op.sum_up(field.data());
+    op.add_product(f.data(), field.data());
+    for (std::size_t k = 0; k < x.size(); ++k)
+      Kx[k] = f[k / dim * stride + k % dim];
+  };
+  return frequency_of_part(op.part, op.lumped_mass(), multiply,
+                           {{}, std::numeric_limits<double>::infinity(), op.communicator},
+                           tolerance, max_iterations);
+}
+
+FrequencyEstimate largest_frequency(const BrickOperator &op,
+                                    const double tolerance,
+                                    const unsigned int max_iterations)
+{
+  const MeshPart<3> &part = op.slab().part;
+  NodalField<double> field(static_cast<unsigned int>(part.points.size()), 1, 3),
+    f                 = field;
+  const auto multiply = [&](std::vector<double> &Kx, const std::vector<double> &x) {
+    for (std::size_t k = 0; k < x.size(); ++k)
+      field.row(k % 3, 0)[k / 3] = x[k];
+    op.set_points_of_others(field);
+    op.multiply(f, field);
+    for (std::size_t k = 0; k < x.size(); ++k)
+      Kx[k] = f.row(k % 3, 0)[k / 3];
+  };
+  return frequency_of_part(part, op.lumped_mass(), multiply,
+                           {{}, op.frequency_bound(), op.communicator}, tolerance,
+                           max_iterations);
 }
 
 template FrequencyEstimate

@@ -1,6 +1,7 @@
 #ifndef mesoslip_dynamics_critical_time_step_h
 #define mesoslip_dynamics_critical_time_step_h
 
+#include "elasticity/brick/brick_operator.h"
 #include "elasticity/mesh_operator.h"
 #include "elasticity/uniform_material.h"
 
@@ -48,6 +49,11 @@ FrequencyEstimate largest_frequency(const UniformMaterial &material,
 /** The same on a mesh. Collective; the same on any number of ranks up to round-off. */
 template <int dim>
 FrequencyEstimate largest_frequency(const MeshOperator<dim> &op,
+                                    const double tolerance            = 2e-3,
+                                    const unsigned int max_iterations = 120);
+
+/** The same on a box of bricks. Collective. */
+FrequencyEstimate largest_frequency(const BrickOperator &op,
                                     const double tolerance            = 2e-3,
                                     const unsigned int max_iterations = 120);
 

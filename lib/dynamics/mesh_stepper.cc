@@ -12,16 +12,6 @@ template <int dim>
 constexpr unsigned int stride = kernels::node_stride<dim>;
 
 template <int dim>
-std::optional<NodeIndex> owned_point(const MeshPart<dim> &part,
-                                     const std::optional<unsigned int> point)
-{
-  for (unsigned int i = 0; point && i < part.n_distinct; ++i)
-    if (part.point_in_mesh[i] == *point)
-      return NodeIndex{i, 0};
-  return {};
-}
-
-template <int dim>
 kernels::NodeArrays node_arrays(NodalField<double> &u,
                                 NodalField<double> &w,
                                 const NodalField<double> &inverse_mass,
@@ -51,13 +41,7 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
                               NodalField<double> &u,
                               NodalField<double> &w,
                               const std::optional<unsigned int> top_point)
-  : Stepper(parameters,
-            u,
-            w,
-            NodeRows::all(1),
-            op.part.n_distinct,
-            owned_point(op.part, top_point),
-            op.communicator)
+  : SurfaceStepper<dim>(parameters, u, w, op.part, top_point, op.communicator)
   , op(op)
   , inverse_mass(u.n_columns(), 1, dim)
   , own_mass(u.n_columns(), 1, 1)
@@ -67,8 +51,6 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
       u, w, inverse_mass, parameters.is_heavy() ? own_mass.row(0, 0) : nullptr, z, force))
 {
   const std::vector<unsigned int> &in_mesh = op.part.point_in_mesh;
-  AssertDimension(u.n_columns(), in_mesh.size());
-  AssertDimension(w.n_columns(), in_mesh.size());
   for (std::size_t i = 0; i < in_mesh.size(); ++i)
     {
       const double mass     = op.lumped_mass()[i];
@@ -86,8 +68,12 @@ template <int dim>
 void MeshStepper<dim>::add_surface(const SharedNodes &nodes,
                                    SurfaceCondition<dim> &condition)
 {
-  surfaces.push_back(
-    std::make_unique<MeshSurface<dim>>(nodes, inverse_mass, condition, communicator));
+  surfaces.push_back(std::make_unique<MeshSurface<dim>>(
+    nodes,
+    [this](const unsigned int i, const unsigned int c) {
+      return inverse_mass.row(c, 0)[i];
+    },
+    condition, communicator));
 }
 
 template <int dim>
@@ -121,7 +107,12 @@ void MeshStepper<dim>::step_once()
 {
   op.add_product(force.data(), z.data());
   for (const auto &surface : surfaces)
-    surface->start(force.data(), stride<dim>);
+    {
+      const std::vector<unsigned int> &points = surface->points();
+      surface->start([&](const std::size_t k, const unsigned int c) {
+        return force[std::size_t{points[k]} * stride<dim> + c];
+      });
+    }
   const double dt = parameters.dt, beta2 = parameters.beta2;
   op.advance(arrays, node_step(dt, dt * (beta2 + 0.5), -dt * (beta2 - 0.5)));
   for (const auto &surface : surfaces)

@@ -2,7 +2,7 @@
 #define mesoslip_dynamics_mesh_stepper_h
 
 #include "dynamics/mesh_surface.h"
-#include "dynamics/stepper.h"
+#include "dynamics/surface_stepper.h"
 #include "elasticity/mesh_operator.h"
 
 #include <memory>
@@ -10,20 +10,6 @@
 
 namespace mesoslip
 {
-/** A component of a point of a mesh whose acceleration is kept at zero. */
-struct HeldComponent
-{
-  unsigned int point     = 0; ///< index into the whole mesh, of an original
-  unsigned int component = 0; ///< 0: x
-
-  /** Of boost::serialization. */
-  template <class Archive>
-  void serialize(Archive &archive, const unsigned int)
-  {
-    archive &point &component;
-  }
-};
-
 /**
  * Explicit time integration of a mesh by the beta2 scheme, see ExplicitStepper:
  *
@@ -35,7 +21,7 @@ struct HeldComponent
  * row with a column for each point of the part, owned ones first.
  */
 template <int dim>
-class MeshStepper : public Stepper
+class MeshStepper : public SurfaceStepper<dim>
 {
 public:
   /** @p op and the fields must outlive the stepper; @p top_point of the whole mesh carries
@@ -47,9 +33,7 @@ public:
               NodalField<double> &w,
               const std::optional<unsigned int> top_point = {});
 
-  /** From now on @p condition moves these nodes and must outlive the last step. No point
-   * may be in two surfaces. Collective. */
-  void add_surface(const SharedNodes &nodes, SurfaceCondition<dim> &condition);
+  void add_surface(const SharedNodes &nodes, SurfaceCondition<dim> &condition) override;
 
   void advance(const std::uint64_t n_steps) override;
   void multiply(NodalField<double> &Kx, NodalField<double> &x) const override;
@@ -59,6 +43,13 @@ public:
   std::string kernel_name() const override;
 
 private:
+  using Stepper::communicator;
+  using Stepper::n_distinct;
+  using Stepper::n_done;
+  using Stepper::parameters;
+  using Stepper::u;
+  using Stepper::w;
+
   void load_state();
   void step_once();
   kernels::NodeStep

@@ -3,10 +3,11 @@
 namespace mesoslip
 {
 template <int dim>
-MeshSurface<dim>::MeshSurface(const SharedNodes &nodes,
-                              const NodalField<double> &inverse_mass_of_part,
-                              SurfaceCondition<dim> &condition,
-                              const MPI_Comm communicator)
+MeshSurface<dim>::MeshSurface(
+  const SharedNodes &nodes,
+  const std::function<double(unsigned int, unsigned int)> &inverse_mass_of,
+  SurfaceCondition<dim> &condition,
+  const MPI_Comm communicator)
   : condition(condition)
   , n_owned(nodes.n_owned())
   , u(nodes.size(), 1, dim)
@@ -20,7 +21,7 @@ MeshSurface<dim>::MeshSurface(const SharedNodes &nodes,
         point.push_back(nodes.point(i));
         place.push_back(i);
         for (unsigned int c = 0; c < dim; ++c)
-          inverse_mass.row(c, 0)[i] = inverse_mass_of_part.row(c, 0)[nodes.point(i)];
+          inverse_mass.row(c, 0)[i] = inverse_mass_of(nodes.point(i), c);
       }
   if (!condition.wants_total_force())
     return;
@@ -51,16 +52,6 @@ void MeshSurface<dim>::load(const NodalField<double> &u_of_part,
         u.row(c, 0)[place[k]] = u_of_part.row(c, 0)[point[k]];
         w.row(c, 0)[place[k]] = w_of_part.row(c, 0)[point[k]];
       }
-}
-
-template <int dim>
-void MeshSurface<dim>::start(const double *force_of_part, const unsigned int stride)
-{
-  for (std::size_t k = 0; k < point.size(); ++k)
-    for (unsigned int c = 0; c < dim; ++c)
-      force.row(c, 0)[place[k]] = force_of_part[std::size_t(point[k]) * stride + c];
-  if (ranks != MPI_COMM_NULL)
-    start_sum();
 }
 
 // Of each rank to all, so that all add up the same numbers in the same order.

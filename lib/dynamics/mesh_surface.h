@@ -5,6 +5,8 @@
 #include "dynamics/surface_condition.h"
 #include "grid/nodal_field.h"
 
+#include <functional>
+
 namespace mesoslip
 {
 /**
@@ -16,9 +18,9 @@ template <int dim>
 class MeshSurface
 {
 public:
-  /** @p inverse_mass (m/kg) is that of the points of the part. Collective. */
+  /** @p inverse_mass (m/kg) of a component of a point of the part. Collective. */
   MeshSurface(const SharedNodes &nodes,
-              const NodalField<double> &inverse_mass,
+              const std::function<double(unsigned int, unsigned int)> &inverse_mass,
               SurfaceCondition<dim> &condition,
               const MPI_Comm communicator);
 
@@ -27,9 +29,17 @@ public:
   MeshSurface(const MeshSurface &)            = delete; ///< owns a communicator
   MeshSurface &operator=(const MeshSurface &) = delete; ///< see the constructor
 
-  /** Takes the forces (N, in 2D N/m) on the nodes, dim of @p stride numbers a point of the
-   * part; they are complete. */
-  void start(const double *force, const unsigned int stride);
+  /** Takes the forces (N, in 2D N/m) on the nodes: @p force_of (k, c) is component c of that
+   * on points()[k]; they are complete. */
+  template <typename Force>
+  void start(const Force &force_of)
+  {
+    for (std::size_t k = 0; k < point.size(); ++k)
+      for (unsigned int c = 0; c < dim; ++c)
+        force.row(c, 0)[place[k]] = force_of(k, c);
+    if (ranks != MPI_COMM_NULL)
+      start_sum();
+  }
 
   /** One step with these forces; u and w of the nodes are set. */
   void finish(const std::uint64_t step,

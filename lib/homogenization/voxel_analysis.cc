@@ -1,5 +1,6 @@
 #include "base/errors.h"
 #include "base/exchange.h"
+#include "elasticity/brick/brick_matrices.h"
 #include "exchange/rve_file.h"
 #include "homogenization/volume_analysis.h"
 #include "homogenization/voxel_volume.h"
@@ -7,7 +8,6 @@
 #include "material/plausibility.h"
 #include "morphology/voxels.h"
 #include "program/run_context.h"
-#include "statics/voxel/brick_matrices.h"
 
 #include <ostream>
 
@@ -112,7 +112,7 @@ private:
   {
     double bytes = bytes_per_voxel;
     for (const auto &phase : make_phases<3>(parameters.microstructure.phases))
-      if (!voxel::is_isotropic(phase.stiffness))
+      if (!is_isotropic(phase.stiffness))
         bytes = bytes_per_voxel + anisotropic_bytes;
     return bytes * static_cast<double>(parameters.microstructure.box.n_nodes());
   }

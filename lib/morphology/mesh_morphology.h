@@ -1,10 +1,12 @@
 #ifndef mesoslip_morphology_mesh_morphology_h
 #define mesoslip_morphology_mesh_morphology_h
 
+#include "grid/brick_box.h"
 #include "material/voigt.h"
 #include "mesh/mesh.h"
 #include "morphology/microstructure_parameters.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,9 @@ struct MeshMorphology
 
   /** Its phases are those of `Phases/Names`, in their order. */
   Mesh<dim> mesh;
+
+  /** Of a grid in 3D: the mesh is that of its cells (see mesh_of_cells()). */
+  std::optional<BrickBox> box;
 
   std::vector<Phase<dim>> phases; ///< by index
   std::vector<double> fractions;  ///< volume fraction of each phase

@@ -56,7 +56,7 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
                       const MeshBodyDescription &description,
                       const BodyScales &scales,
                       const TimeStepChoice &time,
-                      const MeshOperator<dim> &op,
+                      const DistributedBody<dim> &distributed,
                       const std::vector<ElasticPhase<dim>> &phases,
                       TransientCheckpoint &checkpoint,
                       MeshOutput<dim> &output,
@@ -65,12 +65,12 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
   , description(description)
   , scales(scales)
   , time(time)
-  , op(op)
   , checkpoint(checkpoint)
   , output(output)
   , context(context)
   , size(body_size(description, dim))
-  , body(op,
+  , part(distributed.part())
+  , body(distributed,
          description.contact,
          description.top,
          description.held,
@@ -90,7 +90,7 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
   , strains(body.stepper,
             [this](const Deformation &found, const std::uint64_t n) { judge(found, n); })
   , probes(description.probes,
-           op.part,
+           part,
            phases,
            body.stepper,
            {body.contact, body.contact_nodes, description.contact.points,
@@ -104,7 +104,6 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
 template <int dim>
 void MeshRun<dim>::set_initial_velocity()
 {
-  const MeshPart<dim> &part = op.part;
   std::vector<std::array<bool, dim>> held(part.points.size());
   const PointIndex index(part);
   const auto hold = [&](const unsigned int point, const unsigned int component) {

@@ -22,7 +22,7 @@ public:
           const MeshBodyDescription &description,
           const BodyScales &scales,
           const TimeStepChoice &time,
-          const MeshOperator<dim> &op,
+          const DistributedBody<dim> &distributed,
           const std::vector<ElasticPhase<dim>> &phases,
           TransientCheckpoint &checkpoint,
           MeshOutput<dim> &output,
@@ -56,7 +56,7 @@ private:
   const MeshBodyDescription &description;
   const BodyScales &scales;
   const TimeStepChoice &time;
-  const MeshOperator<dim> &op;
+  const MeshPart<dim> &part;
   TransientCheckpoint &checkpoint;
   MeshOutput<dim> &output;
   RunContext &context;

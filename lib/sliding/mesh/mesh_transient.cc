@@ -18,53 +18,6 @@ namespace mesoslip
 {
 namespace
 {
-/**
- * What the cells cost in a step, for METIS: those at the contact with their share of its
- * nodes, of which one costs as much as a quadrilateral or as 0.4 hexahedra (measured).
- */
-template <int dim>
-std::vector<unsigned int> cell_weights(const Mesh<dim> &mesh,
-                                       const std::vector<unsigned int> &contact)
-{
-  constexpr unsigned int of_cell = 10, of_contact = dim == 2 ? 10 : 4;
-  std::vector<unsigned int> weights(mesh.cells.size(), of_cell);
-  std::vector<bool> touches(mesh.points.size());
-  for (const unsigned int point : contact)
-    touches[point] = true;
-  for (std::size_t k = 0; k < weights.size(); ++k)
-    for (const unsigned int v : mesh.cells[k].vertices)
-      if (touches[v])
-        {
-          weights[k] += of_contact;
-          break;
-        }
-  return weights;
-}
-
-/** The cells of this rank, and what they make of a displacement. */
-template <int dim>
-struct DistributedBody
-{
-  DistributedBody(const Mesh<dim> &mesh,
-                  const std::vector<unsigned int> &contact,
-                  const std::vector<ElasticPhase<dim>> &phases,
-                  const InstructionSet isa)
-    : part(distribute(
-        mesh,
-        mesh.cells.empty()
-          ? std::vector<unsigned int>()
-          : partition_cells(mesh,
-                            dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
-                            cell_weights(mesh, contact)),
-        MPI_COMM_WORLD))
-    , op(part, phases, MPI_COMM_WORLD, isa)
-  {
-  }
-
-  const MeshPart<dim> part;
-  const MeshOperator<dim> op;
-};
-
 template <int dim>
 class MeshTransient : public MeshAnalysis<dim>
 {
@@ -79,13 +32,13 @@ public:
         "Performance/Instruction set = " +
         to_string(resolve(this->parameters.sweep.isa)) + "\nContent of Mesh/File = " +
         this->body.digest + "\nProgram version = " + version + "\n")
-    , distributed(this->morphology.mesh,
-                  this->body.contact.points,
-                  this->phases,
-                  this->parameters.sweep.isa)
+    , distributed(distribute_body(this->morphology,
+                                  this->body.contact.points,
+                                  this->phases,
+                                  this->parameters.sweep.isa))
     , scales(this->body.scales)
   {
-    scales.highest_frequency = largest_frequency(distributed.op).upper;
+    scales.highest_frequency = distributed->largest_frequency().upper;
     time                     = time_step();
     const auto n             = static_cast<double>(time.n_steps);
     needs = run_needs(this->parameters, scales, n, time.statistics_interval,
@@ -139,7 +92,7 @@ private:
   }
 
   const std::string identity; ///< lines "key = value"
-  const DistributedBody<dim> distributed;
+  const std::unique_ptr<DistributedBody<dim>> distributed;
   BodyScales scales;
   TimeStepChoice time;
   RunNeeds needs;
@@ -171,9 +124,9 @@ void MeshTransient<dim>::run(RunContext &context)
     context.warn(warning);
 
   MeshOutput<dim> output(context, this->parameters, this->morphology, this->body, time,
-                         distributed.part);
-  MeshRun<dim> run(this->parameters, this->body, scales, time, distributed.op,
-                   this->phases, checkpoint, output, context);
+                         distributed->part());
+  MeshRun<dim> run(this->parameters, this->body, scales, time, *distributed, this->phases,
+                   checkpoint, output, context);
   if (resumed)
     run.restore();
   TransientResult result = run.run();

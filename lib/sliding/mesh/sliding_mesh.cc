@@ -96,23 +96,23 @@ std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
 }
 
 template <int dim>
-SlidingMesh<dim>::SlidingMesh(const MeshOperator<dim> &op,
+SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
                               const MeshBoundary &contact,
                               const MeshBoundary &top,
                               const std::vector<HeldComponent> &held,
                               const SlidingSetup &setup)
-  : SlidingMesh(op,
+  : SlidingMesh(body,
                 contact,
-                SharedNodes(contact.points, op.part),
+                SharedNodes(contact.points, body.part()),
                 top,
-                SharedNodes(top.points, op.part),
+                SharedNodes(top.points, body.part()),
                 held,
                 setup)
 {
 }
 
 template <int dim>
-SlidingMesh<dim>::SlidingMesh(const MeshOperator<dim> &op,
+SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
                               const MeshBoundary &contact,
                               const SharedNodes &contact_nodes,
                               const MeshBoundary &top,
@@ -120,12 +120,13 @@ SlidingMesh<dim>::SlidingMesh(const MeshOperator<dim> &op,
                               const std::vector<HeldComponent> &held,
                               const SlidingSetup &setup)
   : SlidingSurfaces<dim>(
-      restricted(setup, contact, contact_nodes, top, top_nodes, op.communicator),
+      restricted(setup, contact, contact_nodes, top, top_nodes, body.communicator()),
       top_nodes.size())
   , contact_nodes(contact_nodes)
-  , u(static_cast<unsigned int>(op.part.points.size()), 1, dim)
+  , u(static_cast<unsigned int>(body.part().points.size()), 1, dim)
   , w(u)
-  , stepper(op, held, setup.step, u, w, top.points.at(0))
+  , own_stepper(body.make_stepper(held, setup.step, u, w, top.points.at(0)))
+  , stepper(*own_stepper)
 {
   stepper.add_surface(contact_nodes, this->contact);
   stepper.add_surface(top_nodes, this->top);

@@ -1,8 +1,8 @@
 #ifndef mesoslip_sliding_mesh_sliding_mesh_h
 #define mesoslip_sliding_mesh_sliding_mesh_h
 
-#include "dynamics/mesh_stepper.h"
 #include "mesh/boundary.h"
+#include "sliding/mesh/distributed_body.h"
 #include "sliding/sliding_body.h"
 
 #include <memory>
@@ -57,10 +57,10 @@ class SlidingMesh : public SlidingSurfaces<dim>
 {
 public:
   /**
-   * At rest at u = 0. @p op must outlive the body; @p setup speaks of the nodes of the whole
+   * At rest at u = 0. @p body must outlive it; @p setup speaks of the nodes of the whole
    * contact and top, and its sides, sweep and periodicity are not used. Collective.
    */
-  SlidingMesh(const MeshOperator<dim> &op,
+  SlidingMesh(const DistributedBody<dim> &body,
               const MeshBoundary &contact,
               const MeshBoundary &top,
               const std::vector<HeldComponent> &held,
@@ -78,15 +78,30 @@ public:
       archive &*energy;
   }
 
-  const SharedNodes contact_nodes;     ///< of this rank
-  NodalField<double> u;                ///< displacement (m), a column for each point
-  NodalField<double> w;                ///< velocity of the scheme (m/s)
-  MeshStepper<dim> stepper;            ///< the time integration
+  const SharedNodes contact_nodes; ///< of this rank
+  NodalField<double> u;            ///< displacement (m), a column for each point
+  NodalField<double> w;            ///< velocity of the scheme (m/s)
+
+private:
+  const std::unique_ptr<SurfaceStepper<dim>> own_stepper;
+
+public:
+  SurfaceStepper<dim> &stepper;        ///< the time integration
   std::unique_ptr<EnergyAudit> energy; ///< null without an energy interval
+
+  /** The same with any cells; @p op must outlive the body. */
+  SlidingMesh(const MeshOperator<dim> &op,
+              const MeshBoundary &contact,
+              const MeshBoundary &top,
+              const std::vector<HeldComponent> &held,
+              const SlidingSetup &setup)
+    : SlidingMesh(*make_distributed_body(op), contact, top, held, setup)
+  {
+  }
 
 private:
   /** With the nodes of this rank. */
-  SlidingMesh(const MeshOperator<dim> &op,
+  SlidingMesh(const DistributedBody<dim> &body,
               const MeshBoundary &contact,
               const SharedNodes &contact_nodes,
               const MeshBoundary &top,

@@ -1,7 +1,7 @@
 #include "statics/voxel/level.h"
 
+#include "elasticity/brick/brick_matrices.h"
 #include "grid/instruction_set.h"
-#include "statics/voxel/brick_matrices.h"
 
 #include <cmath>
 #include <cstdint>

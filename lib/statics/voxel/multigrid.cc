@@ -1,7 +1,7 @@
 #include "statics/voxel/multigrid.h"
 
+#include "elasticity/brick/brick_matrices.h"
 #include "statics/flush_denormals.h"
-#include "statics/voxel/brick_matrices.h"
 
 #include <Eigen/Eigenvalues>
 

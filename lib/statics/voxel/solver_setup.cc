@@ -1,5 +1,5 @@
 #include "base/exchange.h"
-#include "statics/voxel/brick_matrices.h"
+#include "elasticity/brick/brick_matrices.h"
 #include "statics/voxel/solver.h"
 
 #include <algorithm>

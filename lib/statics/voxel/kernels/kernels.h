@@ -1,6 +1,7 @@
 #ifndef mesoslip_statics_voxel_kernels_kernels_h
 #define mesoslip_statics_voxel_kernels_kernels_h
 
+#include "elasticity/brick/coefficients.h"
 #include "elasticity/kernel_variants.h"
 
 #include <cstddef>
@@ -17,9 +18,6 @@
  */
 namespace mesoslip::voxel
 {
-constexpr unsigned int n_isotropic = 2;  ///< numbers a cell: Lame's two
-constexpr unsigned int n_general   = 21; ///< those of the upper triangle of the stiffness
-
 /** Arrays of one row (of nodes or cells) that the sweep needs for itself: [...][stride] */
 constexpr unsigned int n_work_rows = 27;
 

@@ -1,6 +1,25 @@
-// A sweep over all nodes: forces of the cells, layer by layer and row by row, and what is
-// done with them as soon as those of a row of nodes are complete. Nothing later needs this
-// row, so it may be changed in place. Included inside a namespace by kernels_table.cc.
+// A sweep over all nodes: forces of the cells, layer by layer and row by row (see
+// layer_impl.h), and what is done with them as soon as those of a row of nodes are complete.
+// Nothing later needs this row, so it may be changed in place. Included inside a namespace by
+// voxel_kernels.cc.
+
+/** The row of nodes of the upper plane that follows those of cells @p row. */
+template <typename Number>
+MESOSLIP_INLINE const Number *next_nodes(const SweepArguments<Number> &a,
+                                         const std::size_t row)
+{
+  const std::size_t k = row / (a.n[1] + 1), j = row % (a.n[1] + 1);
+  return a.x + ((k + 1) * (a.n[1] + 2) + j + 2) * 3 * a.stride;
+}
+
+/** These will be wanted soon. */
+template <typename Number>
+MESOSLIP_INLINE void
+prefetch_nodes(const Number *row, const std::size_t stride, const std::size_t i)
+{
+  for (int c = 0; c < 3; ++c)
+    __builtin_prefetch(row + c * stride + i);
+}
 
 /** Coefficients of the cells of a row in memory. */
 template <typename Number, unsigned int n>
@@ -13,6 +32,7 @@ struct Stored
   Stored(const SweepArguments<Number> &a, const std::size_t row)
     : first(a.stiffness + row * n * a.stride)
     , stride(a.stride)
+    , next(next_nodes(a, row))
   {
   }
   inline __attribute__((always_inline)) Stiffness<Number, n> at(const std::size_t i) const
@@ -25,8 +45,14 @@ struct Stored
     return Vector{};
   }
 
+  inline __attribute__((always_inline)) void prefetch(const std::size_t i) const
+  {
+    prefetch_nodes(next, stride, i);
+  }
+
   const Number *first;
   std::size_t stride;
+  const Number *next;
 };
 
 /** The same from a table by the phase of the cell; strain and stress are added. */
@@ -40,6 +66,8 @@ struct OfPhases
   OfPhases(const SweepArguments<Number> &a, const std::size_t row)
     : first(a.phase + row * a.stride)
     , table(a.table)
+    , stride(a.stride)
+    , next(next_nodes(a, row))
   {
   }
   inline __attribute__((always_inline)) Stiffness<Number, n> at(const std::size_t i) const
@@ -53,130 +81,16 @@ struct OfPhases
     return gather(table + n * 256, load_bytes(first + i, typename Simd<Number>::Index{}));
   }
 
+  inline __attribute__((always_inline)) void prefetch(const std::size_t i) const
+  {
+    prefetch_nodes(next, stride, i);
+  }
+
   const std::uint8_t *first;
   const Number *table;
+  std::size_t stride;
+  const Number *next;
 };
-
-/** What the rows of cells between two planes of nodes share. */
-template <typename Number>
-struct Layer
-{
-  const Number *lower, *upper; ///< nodes of the planes, from row 0 on
-  Number *combined;            ///< of the last row: sums and differences along z, x
-  Number *forces;              ///< on these, from the last row of cells
-  Number *plane;               ///< on those along x of the lower plane, then the upper
-  Number *complete;            ///< forces on a row of nodes
-  std::size_t stride;          ///< of all of these
-  unsigned int n_vectors;      ///< in a row
-  Number x, z;                 ///< ratios
-  Number weight[3];            ///< of terms with xi
-  Number strain[6], stress[6]; ///< added
-};
-
-/** Sums and differences along x and z of a row of nodes: [component][x + 2 z]. */
-template <typename Number, typename Vector>
-MESOSLIP_INLINE void
-combine_nodes(const Layer<Number> &layer, const std::size_t at, Vector v[3][4])
-{
-  for (int c = 0; c < 3; ++c)
-    {
-      const Number *below = layer.lower + c * layer.stride + at,
-                   *above = layer.upper + c * layer.stride + at;
-      __builtin_prefetch(above + 3 * layer.stride);
-      const Vector b0 = load(below), b1 = load_any(below + 1), a0 = load(above),
-                   a1 = load_any(above + 1);
-      const Vector bs = b0 + b1, bd = layer.x * (b1 - b0), as = a0 + a1,
-                   ad = layer.x * (a1 - a0);
-      v[c][0]         = bs + as;
-      v[c][1]         = bd + ad;
-      v[c][2]         = layer.z * (as - bs);
-      v[c][3]         = layer.z * (ad - bd);
-    }
-}
-
-/** Before the first row of cells. */
-template <typename Number>
-MESOSLIP_INLINE void start_layer(const Layer<Number> &layer)
-{
-  using Vector = typename Simd<Number>::Vector;
-  for (unsigned int n = 0; n < layer.n_vectors; ++n)
-    {
-      const std::size_t i = std::size_t{n} * Simd<Number>::length;
-      Vector v[3][4];
-      combine_nodes(layer, i, v);
-      for (int m = 0; m < 12; ++m)
-        {
-          store(layer.combined + m * layer.stride + i, v[m / 4][m % 4]);
-          store(layer.forces + m * layer.stride + i, Vector{});
-        }
-    }
-}
-
-/** Row @p j of cells: completes the forces on row j of the nodes of the lower plane. */
-template <typename Number, typename Material>
-MESOSLIP_INLINE void
-row_of_cells(const Layer<Number> &layer, const Material &cells, const std::size_t j)
-{
-  using Vector        = typename Simd<Number>::Vector;
-  const std::size_t s = layer.stride;
-  Number *plane       = layer.plane + 6 * j * s;
-  Vector before[3]    = {};
-  for (unsigned int n = 0; n < layer.n_vectors; ++n)
-    {
-      const std::size_t i = std::size_t{n} * Simd<Number>::length;
-      Vector v[3][4], u[3][8], g[3][8], e[6], t[6];
-      combine_nodes(layer, 3 * (j + 1) * s + i, v);
-      for (int c = 0; c < 3; ++c)
-        for (int m = 0; m < 4; ++m)
-          {
-            Number *place        = layer.combined + (4 * c + m) * s + i;
-            const Vector last    = load(place);
-            constexpr int set[4] = {0, 1, 4, 5};
-            u[c][set[m]]         = last + v[c][m];
-            u[c][set[m] + 2]     = v[c][m] - last;
-            store(place, v[c][m]);
-          }
-      const auto stiffness = cells.at(i);
-      mean_strain(u, e);
-      if constexpr (Material::adds_stress)
-        for (int m = 0; m < 6; ++m)
-          e[m] += layer.strain[m];
-      stiffness.stress(e, t);
-      if constexpr (Material::adds_stress)
-        for (int m = 0; m < 6; ++m)
-          t[m] -= cells.inside(i) * layer.stress[m];
-      mode_forces(stiffness, u, t, layer.weight, g);
-      for (int c = 0; c < 3; ++c)
-        {
-          Vector h[4];
-          for (int m = 0; m < 4; ++m)
-            {
-              Number *place        = layer.forces + (4 * c + m) * s + i;
-              constexpr int set[4] = {0, 1, 4, 5};
-              const Vector along   = g[c][set[m] + 2];
-              if (m == 0)
-                {
-                  h[m] = load(place) - along;
-                  store(place, along);
-                }
-              else
-                {
-                  h[m] = load(place) + (g[c][set[m]] - along);
-                  store(place, g[c][set[m]] + along);
-                }
-            }
-          Number *sums = plane + std::size_t(2 * c) * s + i, *differences = sums + s;
-          const Vector sum   = load(sums) + h[0] - layer.z * h[2],
-                       other = load(differences) + h[1] - layer.z * h[3];
-          store(sums, h[0] + layer.z * h[2]);
-          store(differences, h[1] + layer.z * h[3]);
-          const Vector right = sum + layer.x * other;
-          store(layer.complete + c * s + i,
-                sum - layer.x * other + left_neighbours(before[c], right));
-          before[c] = right;
-        }
-    }
-}
 
 /** Rows in a field that begin on a cache line, from their pointers; null stays null. */
 template <typename T>

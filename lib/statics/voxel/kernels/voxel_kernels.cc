@@ -11,7 +11,9 @@ namespace mesoslip::voxel::MESOSLIP_VARIANT
 {
 #include "elasticity/simd.h"
 //
-#include "statics/voxel/kernels/brick_impl.h"
+#include "elasticity/brick/brick_impl.h"
+//
+#include "elasticity/brick/layer_impl.h"
 //
 #include "statics/voxel/kernels/sweep_impl.h"
 //

@@ -1,5 +1,5 @@
-#ifndef mesoslip_statics_voxel_brick_matrices_h
-#define mesoslip_statics_voxel_brick_matrices_h
+#ifndef mesoslip_elasticity_brick_brick_matrices_h
+#define mesoslip_elasticity_brick_brick_matrices_h
 
 #include "material/voigt.h"
 
@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace mesoslip::voxel
+namespace mesoslip
 {
 /** Stiffness of a brick: node x + 2 y + 4 z of its corners, three components a node. */
 using BrickMatrix = Eigen::Matrix<double, 24, 24>;
@@ -16,7 +16,7 @@ using BrickMatrix = Eigen::Matrix<double, 24, 24>;
 /**
  * The stiffness of a brick (exact integration) is linear in that of its material: the
  * matrices that belong to the coefficients of the kernels (n_isotropic or n_general of
- * kernels.h, volume / (16 h_y^2) included) for edges h.
+ * coefficients.h, volume / (16 h_y^2) included) for edges h.
  */
 std::vector<BrickMatrix> brick_matrices(const std::array<double, 3> &spacing,
                                         const unsigned int n_coefficients);
@@ -27,6 +27,6 @@ bool is_isotropic(const VoigtMatrix<3> &stiffness);
 /** The coefficients of a stiffness. */
 std::vector<double> coefficients_of(const VoigtMatrix<3> &stiffness,
                                     const unsigned int n_coefficients);
-} // namespace mesoslip::voxel
+} // namespace mesoslip
 
 #endif

@@ -1,10 +1,10 @@
-#include "statics/voxel/brick_matrices.h"
+#include "elasticity/brick/brick_matrices.h"
 
-#include "statics/voxel/kernels/kernels.h"
+#include "elasticity/brick/coefficients.h"
 
 #include <cmath>
 
-namespace mesoslip::voxel
+namespace mesoslip
 {
 namespace
 {
@@ -90,4 +90,4 @@ std::vector<double> coefficients_of(const VoigtMatrix<3> &stiffness,
       result.push_back(stiffness(i, j));
   return result;
 }
-} // namespace mesoslip::voxel
+} // namespace mesoslip

@@ -1,5 +1,5 @@
 // The stiffness of a brick, vectors of neighbouring cells at a time. Included inside a
-// namespace by kernels_table.cc.
+// namespace by the kernels of steps and of statics, after simd.h.
 //
 // In the basis of products of nodal sums and differences u_S = sum over the nodes of
 // chi_S(n) u(n), chi_S(n) = product over the axes d in S of (2 n_d - 1), S being a set of
@@ -77,6 +77,31 @@ struct Stiffness<Number, n_isotropic>
   {
     for (int i = 0; i < 3; ++i)
       t[i] = (i == axis ? lambda + mu + mu : mu) * u[i];
+  }
+};
+
+/** Of isotropic cubes: lambda, mu, lambda / 3 and (lambda + 4 mu) / 9. */
+template <typename Number>
+struct Stiffness<Number, n_cubes>
+{
+  using Vector = typename Simd<Number>::Vector;
+  Vector lambda, mu, third_of_lambda, of_products;
+
+  template <typename Load>
+  MESOSLIP_INLINE Stiffness of(const Load &load_one)
+  {
+    return {load_one(0), load_one(1), load_one(2), load_one(3)};
+  }
+
+  /** All six stresses of six strains. */
+  inline __attribute__((always_inline)) void stress(const Vector e[6], Vector s[6]) const
+  {
+    const Vector trace = lambda * (e[0] + e[1] + e[2]), twice = mu + mu;
+    for (int i = 0; i < 3; ++i)
+      {
+        s[i]     = trace + twice * e[i];
+        s[i + 3] = mu * e[i + 3];
+      }
   }
 };
 
@@ -202,4 +227,32 @@ MESOSLIP_INLINE void mode_forces(const Material &material,
   add_product_term<0>(material, u, weight[1] * weight[2], g);
   add_product_term<1>(material, u, weight[2] * weight[0], g);
   add_product_term<2>(material, u, weight[0] * weight[1], g);
+}
+
+/** The same of isotropic cubes, whose weights are all 1/3: equal terms of the three axes are
+ * taken together. */
+template <typename Vector, typename Number>
+MESOSLIP_INLINE void mode_forces(const Stiffness<Number, n_cubes> &material,
+                                 const Vector u[3][8],
+                                 const Vector s[6],
+                                 const Number weight[3],
+                                 Vector g[3][8])
+{
+  const Vector third_of_mu = weight[1] * material.mu;
+  Vector shear[3];
+  for (int q = 0; q < 3; ++q)
+    {
+      const int p = (q + 1) % 3, r = (q + 2) % 3, pq = 1 << p | 1 << q,
+                rq       = 1 << r | 1 << q;
+      const Vector trace = material.third_of_lambda * (u[p][pq] + u[r][rq]);
+      g[p][pq]           = material.mu * u[p][pq] + trace;
+      g[r][rq]           = material.mu * u[r][rq] + trace;
+      shear[q]           = third_of_mu * (u[p][rq] + u[r][pq]);
+      for (int d = 0; d < 3; ++d)
+        g[q][1 << d] = s[voigt(q, d)];
+      g[q][7] = material.of_products * u[q][7];
+    }
+  g[0][6] = shear[1] + shear[2];
+  g[1][5] = shear[0] + shear[2];
+  g[2][3] = shear[0] + shear[1];
 }

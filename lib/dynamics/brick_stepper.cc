@@ -1,0 +1,200 @@
+#include "dynamics/brick_stepper.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace mesoslip
+{
+namespace
+{
+/** Number of the component in the order of the sweep. */
+std::uint32_t in_sweep(const unsigned int component)
+{
+  return component == 0 ? 0 : 3 - component;
+}
+} // namespace
+
+BrickStepper::BrickStepper(const BrickOperator &op,
+                           const std::vector<HeldComponent> &held,
+                           const StepParameters &parameters,
+                           NodalField<double> &u,
+                           NodalField<double> &w,
+                           const std::optional<unsigned int> top_point)
+  : SurfaceStepper<3>(parameters, u, w, op.slab().part, top_point, op.communicator)
+  , op(op)
+{
+  set_inverse_mass();
+  set_held(held);
+}
+
+/** Rows that are equal are kept once: of bodies of one density these are a few. */
+void BrickStepper::set_inverse_mass()
+{
+  const BrickSlab &slab         = op.slab();
+  const std::size_t n           = slab.n_nodes[0];
+  const std::vector<double> &of = op.lumped_mass();
+  std::map<std::string, std::size_t> known;
+  std::vector<std::size_t> first;
+  for (const std::size_t start : slab.plane_start)
+    for (std::size_t k = 0; k < slab.n_nodes[1]; ++k)
+      {
+        const double *row = of.data() + start + k * n;
+        const std::string bytes(reinterpret_cast<const char *>(row), n * sizeof(double));
+        const auto [place, is_new] = known.emplace(bytes, mass_rows.size());
+        first.push_back(place->second);
+        for (std::size_t i = 0; is_new && i < n; ++i)
+          mass_rows.push_back(1. / row[i]);
+      }
+  mass_rows.resize(mass_rows.size() + lanes<double>);
+  for (const std::size_t place : first)
+    inverse_mass.push_back(mass_rows.data() + place);
+}
+
+void BrickStepper::set_held(const std::vector<HeldComponent> &components)
+{
+  const BrickSlab &slab    = op.slab();
+  const std::size_t n_rows = std::size_t{slab.n_planes} * slab.n_nodes[1];
+  const PointIndex index(slab.part);
+  std::vector<std::array<std::uint32_t, 3>> all; // row, component, node
+  for (const HeldComponent &h : components)
+    for (const unsigned int point : index.find(h.point))
+      {
+        const auto [node, row, plane] = slab.place_of(point);
+        all.push_back({{plane * slab.n_nodes[1] + row, in_sweep(h.component), node}});
+      }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  held_begin.assign(n_rows + 1, 0);
+  for (const auto &[row, component, node] : all)
+    {
+      ++held_begin[row + 1];
+      held.push_back({node, component});
+    }
+  std::partial_sum(held_begin.begin(), held_begin.end(), held_begin.begin());
+}
+
+bool BrickStepper::is_held(const unsigned int point, const unsigned int component) const
+{
+  const auto [node, row, plane] = op.slab().place_of(point);
+  const std::size_t k           = std::size_t{plane} * op.slab().n_nodes[1] + row;
+  return std::any_of(held.begin() + held_begin[k], held.begin() + held_begin[k + 1],
+                     [&, node = node](const kernels::HeldNode &h) {
+                       return h.node == node && h.component == in_sweep(component);
+                     });
+}
+
+void BrickStepper::add_surface(const SharedNodes &nodes, SurfaceCondition<3> &condition)
+{
+  const BrickSlab &slab   = op.slab();
+  const unsigned int last = slab.n_nodes[1] - 1;
+  // All ranks have nodes of bottom and top, or all have none.
+  bool is_top = false;
+  for (unsigned int i = 0; i < nodes.size(); ++i)
+    if (nodes.point(i) != SharedNodes::none)
+      {
+        const unsigned int row = slab.place_of(nodes.point(i))[1];
+        if (row != 0 && row != last)
+          throw std::invalid_argument("surfaces of a box are at its bottom and top");
+        is_top = row == last;
+      }
+  Side &side   = sides[is_top ? 1 : 0];
+  side.surface = std::make_unique<MeshSurface<3>>(
+    nodes,
+    [this](const unsigned int point, const unsigned int c) {
+      return is_held(point, c) ? 0. : 1. / op.lumped_mass()[point];
+    },
+    condition, communicator);
+  const std::size_t n = slab.n_nodes[0];
+  side.force.resize(3 * n * slab.n_planes);
+  for (const unsigned int point : side.surface->points())
+    {
+      const auto [node, row, plane] = slab.place_of(point);
+      side.force_place.push_back(3 * n * plane + node);
+    }
+  if (side.force_place.size() < std::size_t{slab.box.grid.cells[0] + 1} * slab.n_planes)
+    throw std::invalid_argument("a surface of a box has to be the whole bottom or top");
+}
+
+kernels::BrickStep BrickStepper::brick_step()
+{
+  kernels::BrickStep step = {};
+  for (unsigned int c = 0; c < 3; ++c)
+    {
+      const unsigned int axis = BrickOperator::sweep_axis[c];
+      step.u[c]               = u.row(axis, 0);
+      step.w[c]               = w.row(axis, 0);
+      step.acceleration[c]    = parameters.acceleration[axis];
+    }
+  step.dt           = parameters.dt;
+  step.c_new        = parameters.dt * (parameters.beta2 + 0.5);
+  step.c_old        = -parameters.dt * (parameters.beta2 - 0.5);
+  step.beta         = parameters.beta;
+  step.inverse_mass = inverse_mass.data();
+  step.held_begin   = held_begin.data();
+  step.held         = held.data();
+  for (unsigned int s = 0; s < 2; ++s)
+    step.surface_force[s] = sides[s].surface ? sides[s].force.data() : nullptr;
+  return step;
+}
+
+void BrickStepper::advance(const std::uint64_t n_steps)
+{
+  // They may have been changed since the last step.
+  for (const Side &side : sides)
+    if (side.surface)
+      side.surface->load(u, w);
+  const kernels::BrickStep step = brick_step();
+  const std::size_t n           = op.slab().n_nodes[0];
+  for (std::uint64_t k = 0; k < n_steps; ++k, ++n_done)
+    {
+      op.advance(step);
+      for (const Side &side : sides)
+        if (side.surface)
+          side.surface->start([&](const std::size_t i, const unsigned int c) {
+            const std::size_t place = side.force_place[i];
+            return side.force[place + n * in_sweep(c)] -
+                   parameters.acceleration[c] *
+                     op.lumped_mass()[side.surface->points()[i]];
+          });
+      for (const Side &side : sides)
+        if (side.surface)
+          side.surface->finish(n_done, static_cast<double>(n_done) * parameters.dt, u, w);
+    }
+  op.set_copies(u);
+  op.set_copies(w);
+}
+
+void BrickStepper::multiply(NodalField<double> &Kx, NodalField<double> &x) const
+{
+  op.multiply(Kx, x);
+}
+
+double BrickStepper::elastic_energy() const
+{
+  NodalField<double> Ku(u.n_columns(), 1, 3);
+  op.multiply(Ku, u);
+  double sum = 0.;
+  for (unsigned int c = 0; c < 3; ++c)
+    for (unsigned int i = 0; i < n_distinct; ++i)
+      sum += u.row(c, 0)[i] * Ku.row(c, 0)[i];
+  return 0.5 * sum;
+}
+
+void BrickStepper::mass_row(const unsigned int, double *mass) const
+{
+  std::copy(op.lumped_mass().begin(), op.lumped_mass().end(), mass);
+}
+
+Deformation BrickStepper::deformation() const
+{
+  return largest_deformation(op.slab().part, u, communicator);
+}
+
+std::string BrickStepper::kernel_name() const
+{
+  return op.kernel_name();
+}
+} // namespace mesoslip

@@ -1,0 +1,60 @@
+#ifndef mesoslip_dynamics_brick_stepper_h
+#define mesoslip_dynamics_brick_stepper_h
+
+#include "dynamics/mesh_surface.h"
+#include "dynamics/surface_stepper.h"
+#include "elasticity/brick/brick_operator.h"
+
+#include <memory>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * Explicit time integration of a box of equal bricks by the beta2 scheme, see MeshStepper.
+ * Force and update of a row of nodes are one sweep, in place; the surfaces, which have to be
+ * parts of bottom and top, are advanced after it. Any number of ranks computes the same bits.
+ */
+class BrickStepper : public SurfaceStepper<3>
+{
+public:
+  /** @p op and the fields must outlive the stepper; see MeshStepper. */
+  BrickStepper(const BrickOperator &op,
+               const std::vector<HeldComponent> &held,
+               const StepParameters &parameters,
+               NodalField<double> &u,
+               NodalField<double> &w,
+               const std::optional<unsigned int> top_point = {});
+
+  void add_surface(const SharedNodes &nodes, SurfaceCondition<3> &condition) override;
+  void advance(const std::uint64_t n_steps) override;
+  void multiply(NodalField<double> &Kx, NodalField<double> &x) const override;
+  double elastic_energy() const override;
+  void mass_row(const unsigned int j, double *mass) const override;
+  Deformation deformation() const override;
+  std::string kernel_name() const override;
+
+private:
+  /** A surface, and where the forces on its points are kept. */
+  struct Side
+  {
+    std::unique_ptr<MeshSurface<3>> surface;
+    LineVector<double> force;             ///< see BrickStep::surface_force
+    std::vector<std::size_t> force_place; ///< of the first component, for each point
+  };
+
+  void set_inverse_mass();
+  void set_held(const std::vector<HeldComponent> &held);
+  kernels::BrickStep brick_step();
+  bool is_held(const unsigned int point, const unsigned int component) const;
+
+  const BrickOperator &op;
+  std::vector<double> mass_rows;            ///< one over mass, distinct rows
+  std::vector<const double *> inverse_mass; ///< of each row of nodes
+  std::vector<std::uint32_t> held_begin;    ///< of each row, and the end
+  std::vector<kernels::HeldNode> held;      ///< row by row
+  Side sides[2];                            ///< bottom and top
+};
+} // namespace mesoslip
+
+#endif

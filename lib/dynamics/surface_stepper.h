@@ -1,0 +1,69 @@
+#ifndef mesoslip_dynamics_surface_stepper_h
+#define mesoslip_dynamics_surface_stepper_h
+
+#include "dynamics/shared_nodes.h"
+#include "dynamics/stepper.h"
+#include "dynamics/surface_condition.h"
+
+#include <optional>
+
+namespace mesoslip
+{
+/** A component of a point of a mesh whose acceleration is kept at zero. */
+struct HeldComponent
+{
+  unsigned int point     = 0; ///< index into the whole mesh, of an original
+  unsigned int component = 0; ///< 0: x
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &point &component;
+  }
+};
+
+/** A stepper of a part of a mesh, whose fields are one row with a column for each point, the
+ * ones that count first; boundary surfaces are moved by what is added. */
+template <int dim>
+class SurfaceStepper : public Stepper
+{
+public:
+  /** From now on @p condition moves these nodes and must outlive the last step. No point
+   * may be in two surfaces. Collective. */
+  virtual void add_surface(const SharedNodes &nodes,
+                           SurfaceCondition<dim> &condition) = 0;
+
+protected:
+  /** @p top_point of the whole mesh carries the platen. */
+  SurfaceStepper(const StepParameters &parameters,
+                 NodalField<double> &u,
+                 NodalField<double> &w,
+                 const MeshPart<dim> &part,
+                 const std::optional<unsigned int> top_point,
+                 const MPI_Comm communicator)
+    : Stepper(parameters,
+              u,
+              w,
+              NodeRows::all(1),
+              part.n_distinct,
+              counted_point(part, top_point),
+              communicator)
+  {
+    AssertDimension(u.n_columns(), part.points.size());
+    AssertDimension(w.n_columns(), part.points.size());
+  }
+
+private:
+  static std::optional<NodeIndex> counted_point(const MeshPart<dim> &part,
+                                                const std::optional<unsigned int> point)
+  {
+    for (unsigned int i = 0; point && i < part.n_distinct; ++i)
+      if (part.point_in_mesh[i] == *point)
+        return NodeIndex{i, 0};
+    return {};
+  }
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,211 @@
+#include "elasticity/brick/brick_operator.h"
+
+#include "elasticity/brick/brick_matrices.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+/** The stiffness in the axes of the sweep. */
+VoigtMatrix<3> turned(const VoigtMatrix<3> &stiffness)
+{
+  constexpr int place[6] = {0, 2, 1, 3, 5, 4};
+  VoigtMatrix<3> result;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      result(i, j) = stiffness(place[i], place[j]);
+  return result;
+}
+
+/** Rows of cells of a tile: what they share between two planes is to stay in half of the
+ * second cache, of which one byte a node and row is nearly all: 96 bytes. */
+unsigned int rows_of_tile(const std::size_t stride, const unsigned int n_rows)
+{
+  constexpr std::size_t cache = 512 * 1024, of_node = 96;
+  const auto rows = static_cast<unsigned int>(cache / (of_node * stride));
+  return std::min(std::max(rows, 4U), n_rows);
+}
+
+/** Kinds of kernels, see BrickKernels. */
+enum Kind : unsigned int
+{
+  cubes,
+  isotropic,
+  general
+};
+
+Kind kind_of(const std::vector<ElasticPhase<3>> &phases, const std::array<double, 3> &h)
+{
+  for (const ElasticPhase<3> &phase : phases)
+    if (!is_isotropic(phase.stiffness))
+      return general;
+  const bool equal =
+    std::abs(h[0] - h[1]) <= 1e-14 * h[0] && std::abs(h[0] - h[2]) <= 1e-14 * h[0];
+  return equal ? cubes : isotropic;
+}
+
+kernels::BrickKernels kernels_for(const InstructionSet isa)
+{
+  using namespace kernels;
+  using Make       = BrickKernels (*)();
+  const Make all[] = MESOSLIP_VARIANTS(brick_kernels);
+  return variant(all, isa)();
+}
+} // namespace
+
+BrickOperator::BrickOperator(BrickSlab slab,
+                             const std::vector<ElasticPhase<3>> &phases,
+                             const MPI_Comm communicator,
+                             const InstructionSet isa)
+  : communicator(communicator)
+  , the_slab(std::move(slab))
+  , isa(resolve(isa))
+  , kernels(kernels_for(this->isa))
+  , planes(std::make_unique<PlaneExchange>(the_slab, communicator))
+{
+  AssertDimension(phases.size(), the_slab.none);
+  const auto &h         = the_slab.box.grid.spacing;
+  sweep.n[0]            = the_slab.n_nodes[0];
+  sweep.n[1]            = the_slab.n_nodes[1];
+  sweep.n[2]            = the_slab.n_planes;
+  sweep.stride          = the_slab.stride;
+  sweep.periodic        = the_slab.box.periodic[0];
+  sweep.ratio[0]        = h[2] / h[0];
+  sweep.ratio[1]        = h[2] / h[1];
+  sweep.plane_start     = the_slab.plane_start.data();
+  sweep.phase           = the_slab.phase.data();
+  sweep.n_phases        = the_slab.none + 1;
+  sweep.has_layer_below = the_slab.has_layer(false);
+  sweep.has_layer_above = the_slab.has_layer(true);
+  sweep.rows_at_once    = rows_of_tile(sweep.stride, sweep.n[1]);
+  scratch.resize(kernels::scratch_size(sweep.stride, sweep.rows_at_once));
+  carry.resize((std::size_t{sweep.n[2]} + 1) * 12 * sweep.stride);
+  sweep.scratch = scratch.data();
+  sweep.carry   = carry.data();
+  sweep.below   = planes->below();
+  sweep.above   = planes->above();
+  set_stiffness(phases);
+  set_mass(phases);
+}
+
+BrickOperator::~BrickOperator() = default;
+
+void BrickOperator::set_stiffness(const std::vector<ElasticPhase<3>> &phases)
+{
+  const auto &h                     = the_slab.box.grid.spacing;
+  kind                              = kind_of(phases, h);
+  const unsigned int n_coefficients = kind == general ? n_general : n_isotropic;
+  stiffness.resize(256 * std::max(n_coefficients, n_cubes));
+  const double volume = h[0] * h[1] * h[2], factor = volume / (16. * h[2] * h[2]);
+  const std::vector<BrickMatrix> matrices = brick_matrices(h, n_general);
+  for (std::size_t p = 0; p < phases.size(); ++p)
+    {
+      std::vector<double> c =
+        coefficients_of(turned(phases[p].stiffness), n_coefficients);
+      if (kind == cubes)
+        c.insert(c.end(), {c[0] / 3., (c[0] + 4. * c[1]) / 9.});
+      for (std::size_t m = 0; m < c.size(); ++m)
+        stiffness[256 * m + p] = factor * c[m];
+      BrickMatrix K                 = BrickMatrix::Zero();
+      const std::vector<double> all = coefficients_of(phases[p].stiffness, n_general);
+      for (std::size_t m = 0; m < all.size(); ++m)
+        K += all[m] * matrices[m];
+      const Eigen::SelfAdjointEigenSolver<BrickMatrix> solver(K, Eigen::EigenvaluesOnly);
+      bound = std::max(bound,
+                       std::sqrt(solver.eigenvalues()[23] * volume / (16. * h[1] * h[1]) /
+                                 (phases[p].density * volume / 8.)));
+    }
+  sweep.stiffness = stiffness.data();
+}
+
+void BrickOperator::set_mass(const std::vector<ElasticPhase<3>> &phases)
+{
+  const auto &n = the_slab.n_nodes;
+  std::vector<double> of_cell;
+  for (const ElasticPhase<3> &phase : phases)
+    of_cell.push_back(phase.density * the_slab.box.grid.cell_measure() / 8.);
+  of_cell.push_back(0.);
+  const unsigned int n_rows = n[1] - 1;
+  const auto cell           = [&](const std::size_t layer, const unsigned int row,
+                        const unsigned int i) {
+    return row < n_rows
+                       ? of_cell[the_slab.phase[(layer * n_rows + row) * the_slab.stride + i]]
+                       : 0.;
+  };
+  mass.resize(the_slab.part.points.size());
+  const bool periodic = the_slab.box.periodic[0];
+  for (unsigned int plane = 0; plane < the_slab.n_planes; ++plane)
+    for (unsigned int k = 0; k < n[1]; ++k)
+      for (unsigned int i = 0; i < n[0]; ++i)
+        {
+          double sum = 0.;
+          for (const unsigned int layer : {plane, plane + 1})
+            for (const unsigned int row : {k - 1, k}) // beyond all rows: none
+              {
+                if (i > 0 || periodic)
+                  sum += cell(layer, row, i > 0 ? i - 1 : n[0] - 1);
+                sum += cell(layer, row, i);
+              }
+          mass[the_slab.plane_start[plane] + std::size_t{k} * n[0] + i] = sum;
+        }
+  for (const auto &[copy, first] : the_slab.part.copies)
+    mass[copy] = mass[first];
+}
+
+void BrickOperator::exchange_planes(const double *const x[3],
+                                    const double *const w[3],
+                                    const double beta) const
+{
+  planes->exchange([&](const unsigned int plane, double *out) {
+    kernels.copy_plane(sweep, x, w, beta, plane, out);
+  });
+}
+
+void BrickOperator::multiply(NodalField<double> &f, const NodalField<double> &x) const
+{
+  kernels::BrickProduct product;
+  const double *none[3] = {};
+  for (unsigned int c = 0; c < 3; ++c)
+    {
+      product.x[c]   = x.row(sweep_axis[c], 0);
+      product.out[c] = f.row(sweep_axis[c], 0);
+    }
+  exchange_planes(product.x, none, 0.);
+  kernels.product[kind](sweep, product);
+  set_copies(f);
+}
+
+void BrickOperator::advance(const kernels::BrickStep &step) const
+{
+  exchange_planes(step.u, step.w, step.beta);
+  kernels.advance[kind](sweep, step);
+}
+
+void BrickOperator::set_copies(NodalField<double> &field) const
+{
+  for (const auto &[copy, first] : the_slab.part.copies)
+    for (unsigned int c = 0; c < 3; ++c)
+      field.row(c, 0)[copy] = field.row(c, 0)[first];
+}
+
+void BrickOperator::set_points_of_others(NodalField<double> &field) const
+{
+  const std::size_t size = std::size_t{sweep.n[0]} * sweep.n[1];
+  for (unsigned int c = 0; c < 3; ++c)
+    planes->pass(field.row(c, 0) + the_slab.plane_start.front(),
+                 field.row(c, 0) + the_slab.plane_start.back(), size);
+  set_copies(field);
+}
+
+std::string BrickOperator::kernel_name() const
+{
+  const std::string kinds[] = {"cubes of isotropic phases", "bricks of isotropic phases",
+                               "bricks of anisotropic phases"};
+  return to_string(isa) + " " + kinds[kind];
+}
+} // namespace mesoslip

@@ -1,0 +1,211 @@
+#include "elasticity/brick/brick_slab.h"
+
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "grid/nodal_field.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace mesoslip
+{
+namespace
+{
+/** First plane of nodes of each rank and, last, that of the whole box. */
+std::vector<unsigned int> planes_of_ranks(const BrickBox &box, const unsigned int n_ranks)
+{
+  const unsigned int n_layers = box.grid.cells[1];
+  if (n_ranks > n_layers)
+    throw UserError("the body has " + std::to_string(n_layers) +
+                    " layers of cells along y, which are divided among the processes; "
+                    "start at most as many, not " +
+                    std::to_string(n_ranks));
+  std::vector<unsigned int> first(n_ranks + 1);
+  for (unsigned int r = 0; r <= n_ranks; ++r)
+    first[r] = static_cast<unsigned int>(std::size_t{n_layers} * r / n_ranks);
+  return first;
+}
+
+/** Phases of the cells of a rank, see BrickSlab. */
+std::string phases_of_slab(const BrickSlab &slab, const std::vector<std::uint8_t> &all)
+{
+  const auto &n             = slab.box.grid.cells;
+  const unsigned int n_rows = n[2];
+  std::string phase(std::size_t{slab.n_planes + 1} * n_rows * slab.stride,
+                    static_cast<char>(slab.none));
+  for (unsigned int layer = 0; layer <= slab.n_planes; ++layer)
+    {
+      if ((layer == 0 && !slab.has_layer(false)) ||
+          (layer == slab.n_planes && !slab.has_layer(true)))
+        continue;
+      const unsigned int j = (slab.first_plane + layer + n[1] - 1) % n[1];
+      for (std::size_t k = 0; k < n_rows; ++k)
+        std::copy_n(all.begin() + static_cast<std::ptrdiff_t>((k * n[1] + j) * n[0]),
+                    n[0],
+                    phase.begin() +
+                      static_cast<std::ptrdiff_t>((layer * n_rows + k) * slab.stride));
+    }
+  return phase;
+}
+
+/** The extents of the slab of a rank, without phases and part. */
+BrickSlab extents_of_slab(const BrickBox &box,
+                          const std::vector<unsigned int> &planes,
+                          const unsigned int rank,
+                          const unsigned int n_phases)
+{
+  BrickSlab slab;
+  slab.box         = box;
+  slab.first_plane = planes[rank];
+  slab.n_planes    = planes[rank + 1] - planes[rank] + 1;
+  slab.n_nodes = {{box.grid.cells[0] + (box.periodic[0] ? 0 : 1), box.grid.cells[2] + 1}};
+  slab.stride  = whole_vectors<double>(slab.n_nodes[0] + 2);
+  slab.none    = static_cast<std::uint8_t>(n_phases);
+  return slab;
+}
+
+/** Makes the points and cells of a slab. */
+class SlabPart
+{
+public:
+  explicit SlabPart(BrickSlab &slab)
+    : slab(slab)
+    , part(slab.part)
+    , grid(slab.box.grid)
+    , columns(grid.cells[0] + 1)
+    , plane_size(std::size_t{slab.n_nodes[0]} * slab.n_nodes[1])
+    , n_copies(slab.box.periodic[0] ? slab.n_nodes[1] : 0)
+  {
+    slab.plane_start.resize(slab.n_planes);
+    copy_start.resize(slab.n_planes);
+  }
+
+  void make()
+  {
+    const unsigned int last = slab.n_planes - 1, begin = slab.first_plane > 0 ? 1 : 0;
+    const bool repeats = slab.box.periodic[1] && slab.first_plane + last == grid.cells[1];
+    const unsigned int end = repeats ? last : last + 1;
+    for (unsigned int p = begin; p < end; ++p)
+      add_plane(p);
+    part.n_distinct = static_cast<unsigned int>(part.points.size());
+    if (repeats)
+      add_plane(last);
+    for (unsigned int p = begin; p <= last; ++p)
+      add_copies(p);
+    part.n_owned = static_cast<unsigned int>(part.points.size());
+    if (begin > 0)
+      {
+        add_plane(0);
+        add_copies(0);
+      }
+    find_copies();
+    for (unsigned int layer = 0; layer < last; ++layer)
+      add_cells(layer);
+  }
+
+private:
+  void add_point(const unsigned int i, const unsigned int plane, const unsigned int k)
+  {
+    const unsigned int j = slab.first_plane + plane;
+    const auto number    = [&](const unsigned int x, const unsigned int y) {
+      return (k * (grid.cells[1] + 1) + y) * columns + x;
+    };
+    part.points.emplace_back(grid.origin[0] + i * grid.spacing[0],
+                             grid.origin[1] + j * grid.spacing[1],
+                             grid.origin[2] + k * grid.spacing[2]);
+    part.point_in_mesh.push_back(number(i, j));
+    part.original_in_mesh.push_back(
+      number(slab.box.periodic[0] && i == grid.cells[0] ? 0 : i,
+             slab.box.periodic[1] && j == grid.cells[1] ? 0 : j));
+  }
+
+  void add_plane(const unsigned int plane)
+  {
+    slab.plane_start[plane] = part.points.size();
+    for (unsigned int k = 0; k < slab.n_nodes[1]; ++k)
+      for (unsigned int i = 0; i < slab.n_nodes[0]; ++i)
+        add_point(i, plane, k);
+  }
+
+  /** The last nodes of the rows of a box that is periodic in x. */
+  void add_copies(const unsigned int plane)
+  {
+    copy_start[plane] = part.points.size();
+    for (unsigned int k = 0; k < n_copies; ++k)
+      add_point(grid.cells[0], plane, k);
+  }
+
+  /** Pairs of points that move together, as MeshPart has them. */
+  void find_copies()
+  {
+    const PointIndex index(part);
+    for (unsigned int p = 0; p < part.points.size(); ++p)
+      {
+        const auto together = index.find(part.original_in_mesh[p]);
+        if (together[0] != p)
+          part.copies.emplace_back(p, together[0]);
+      }
+  }
+
+  unsigned int
+  point(const unsigned int i, const unsigned int plane, const unsigned int k) const
+  {
+    return static_cast<unsigned int>(
+      i < slab.n_nodes[0] ? slab.plane_start[plane] + std::size_t{k} * slab.n_nodes[0] + i
+                          : copy_start[plane] + k);
+  }
+
+  void add_cells(const unsigned int layer)
+  {
+    const auto &n = grid.cells;
+    for (unsigned int k = 0; k < n[2]; ++k)
+      for (unsigned int i = 0; i < n[0]; ++i)
+        {
+          auto &cell = part.cells.emplace_back(8);
+          for (unsigned int v = 0; v < 8; ++v)
+            cell.vertices[v] = point(i + (v & 1U), layer + (v >> 1U & 1U), k + (v >> 2U));
+          cell.material_id =
+            slab.phase[(std::size_t{layer + 1} * n[2] + k) * slab.stride + i];
+          part.cell_in_mesh.push_back((k * n[1] + slab.first_plane + layer) * n[0] + i);
+        }
+  }
+
+  BrickSlab &slab;
+  MeshPart<3> &part;
+  const UniformGrid<3> &grid;
+  const unsigned int columns;
+  const std::size_t plane_size;
+  const unsigned int n_copies;
+  std::vector<std::size_t> copy_start; ///< of each plane
+};
+} // namespace
+
+std::array<unsigned int, 3> BrickSlab::place_of(const unsigned int point) const
+{
+  const unsigned int number = part.point_in_mesh[point], columns = box.grid.cells[0] + 1,
+                     rows = box.grid.cells[1] + 1, i = number % columns;
+  return {{i < n_nodes[0] ? i : 0, number / columns / rows,
+           number / columns % rows - first_plane}};
+}
+
+BrickSlab divide_box(const BrickBox &box,
+                     const std::vector<std::uint8_t> &phase_id,
+                     const unsigned int n_phases,
+                     const MPI_Comm communicator)
+{
+  namespace mpi                          = dealii::Utilities::MPI;
+  const unsigned int n_ranks             = mpi::n_mpi_processes(communicator),
+                     rank                = mpi::this_mpi_process(communicator);
+  const std::vector<unsigned int> planes = planes_of_ranks(box, n_ranks);
+  BrickSlab slab                         = extents_of_slab(box, planes, rank, n_phases);
+  const std::string phase = scatter(communicator, [&](const unsigned int other) {
+    return phases_of_slab(extents_of_slab(box, planes, other, n_phases), phase_id);
+  });
+  const std::string &own  = rank == 0 ? phases_of_slab(slab, phase_id) : phase;
+  slab.phase.assign(own.begin(), own.end());
+  SlabPart(slab).make();
+  return slab;
+}
+} // namespace mesoslip

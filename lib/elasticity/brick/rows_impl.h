@@ -1,0 +1,113 @@
+// Rows of nodes and of phases in memory, as a sweep over a box of bricks reads them. Included
+// inside a namespace by brick_kernel.cc.
+
+/** Where the numbers of a row come from: x, or u + beta w. */
+struct Source
+{
+  const double *x[3], *w[3];
+  double beta;
+};
+
+/** Coefficients of the cells of a row by their phases. */
+template <unsigned int n>
+struct OfPhases
+{
+  static constexpr unsigned int n_coefficients = n;
+  static constexpr bool adds_stress            = false;
+  static constexpr bool cubes                  = n == n_cubes;
+
+  /** @p place: of nodes that will be wanted soon. */
+  OfPhases(const BrickSweep &a,
+           const std::size_t row,
+           const Source &source,
+           const std::size_t place)
+    : first(a.phase + row * a.stride)
+    , table(a.stiffness)
+    , is_short(has_lookup && a.n_phases <= Simd<double>::length)
+    , source(source)
+    , place(place)
+  {
+  }
+
+  inline __attribute__((always_inline)) void prefetch(const std::size_t i) const
+  {
+    for (int c = 0; c < 3; ++c)
+      {
+        __builtin_prefetch(source.x[c] + place + i);
+        if (source.beta != 0.)
+          __builtin_prefetch(source.w[c] + place + i);
+      }
+  }
+
+  inline __attribute__((always_inline)) Stiffness<double, n> at(const std::size_t i) const
+  {
+    const vint64 index = load_bytes(first + i, vint64{});
+#if defined(__AVX512F__)
+    if (is_short)
+      return Stiffness<double, n>::of([&](const unsigned int m) __attribute__((
+        always_inline)) { return lookup(load(table + m * 256), index); });
+#endif
+    return Stiffness<double, n>::of([&](const unsigned int m) __attribute__((
+      always_inline)) { return gather(table + m * 256, index); });
+  }
+
+  const std::uint8_t *first;
+  const double *table;
+  const bool is_short;
+  const Source &source;
+  const std::size_t place;
+};
+
+/** @p n numbers at any address, n being less than a vector has; zeros behind them. */
+MESOSLIP_INLINE vdouble load_some(const double *p, const std::size_t n)
+{
+  vdouble v = {};
+  for (std::size_t l = 0; l < n; ++l)
+    v[l] = p[l];
+  return v;
+}
+
+/** The first @p n numbers of a vector. */
+MESOSLIP_INLINE void store_some(double *p, const vdouble v, const std::size_t n)
+{
+  for (std::size_t l = 0; l < n; ++l)
+    p[l] = v[l];
+}
+
+/** At any address. */
+MESOSLIP_INLINE void store_any(double *p, const vdouble v)
+{
+  typedef double vector __attribute__((vector_size(MESOSLIP_VECTOR_BYTES),
+                                       aligned(sizeof(double)), may_alias));
+  *reinterpret_cast<vector *>(p) = (vector)v;
+}
+
+/** A row of nodes with what lies across a periodic side; @p place: of its first node. */
+MESOSLIP_INLINE void
+copy_row(const BrickSweep &a, const Source &source, const std::size_t place, double *row)
+{
+  constexpr std::size_t length = Simd<double>::length;
+  const std::size_t n = a.n[0], whole = n / length * length;
+  for (int c = 0; c < 3; ++c, row += a.stride)
+    {
+      const double *x = source.x[c] + place;
+      if (source.beta == 0.)
+        {
+          for (std::size_t i = 0; i < whole; i += length)
+            store(row + i, load_any(x + i));
+          store_some(row + whole, load_some(x + whole, n - whole), n - whole);
+        }
+      else
+        {
+          const double *w = source.w[c] + place;
+          for (std::size_t i = 0; i < whole; i += length)
+            store(row + i, fma(splat(source.beta), load_any(w + i), load_any(x + i)));
+          store_some(row + whole,
+                     fma(splat(source.beta), load_some(w + whole, n - whole),
+                         load_some(x + whole, n - whole)),
+                     n - whole);
+        }
+      if (a.periodic)
+        row[n] = row[0];
+    }
+}

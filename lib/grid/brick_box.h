@@ -1,0 +1,16 @@
+#ifndef mesoslip_grid_brick_box_h
+#define mesoslip_grid_brick_box_h
+
+#include "grid/uniform_grid.h"
+
+namespace mesoslip
+{
+/** A box of equal bricks; opposite sides may be one and the same. */
+struct BrickBox
+{
+  UniformGrid<3> grid;               ///< of the cells
+  std::array<bool, 2> periodic = {}; ///< along x and y
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,57 @@
+#ifndef mesoslip_sliding_mesh_distributed_body_h
+#define mesoslip_sliding_mesh_distributed_body_h
+
+#include "dynamics/critical_time_step.h"
+#include "dynamics/surface_stepper.h"
+#include "grid/instruction_set.h"
+#include "morphology/mesh_morphology.h"
+
+#include <memory>
+#include <vector>
+
+namespace mesoslip
+{
+/** What each rank has of a body that is advanced in time, and how. */
+template <int dim>
+class DistributedBody
+{
+public:
+  virtual ~DistributedBody() = default;
+
+  /** Points and cells of this rank. */
+  virtual const MeshPart<dim> &part() const = 0;
+
+  /** Of the ranks that share the body. */
+  virtual MPI_Comm communicator() const = 0;
+
+  /** Largest frequency of M^-1 K. Collective. */
+  virtual FrequencyEstimate largest_frequency() const = 0;
+
+  /** A stepper for these fields, which like this must outlive it; see MeshStepper.
+   * Collective. */
+  virtual std::unique_ptr<SurfaceStepper<dim>>
+  make_stepper(const std::vector<HeldComponent> &held,
+               const StepParameters &parameters,
+               NodalField<double> &u,
+               NodalField<double> &w,
+               const std::optional<unsigned int> top_point) const = 0;
+};
+
+/** A body of any cells, see MeshOperator, which has to outlive it. */
+template <int dim>
+std::unique_ptr<DistributedBody<dim>> make_distributed_body(const MeshOperator<dim> &op);
+
+/**
+ * Divides the body of rank 0 among all ranks: a box of bricks by layers, any other mesh by
+ * METIS, where cells at the points of the @p contact weigh more. Collective.
+ * @throws UserError for more ranks than layers of cells of a box
+ */
+template <int dim>
+std::unique_ptr<DistributedBody<dim>>
+distribute_body(const MeshMorphology<dim> &morphology,
+                const std::vector<unsigned int> &contact,
+                const std::vector<ElasticPhase<dim>> &phases,
+                const InstructionSet isa);
+} // namespace mesoslip
+
+#endif
