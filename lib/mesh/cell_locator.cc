@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace mesoslip
 {
@@ -22,6 +23,14 @@ dealii::BoundingBox<dim> box_of(const Mesh<dim> &mesh, const unsigned int cell)
   for (const unsigned int v : mesh.cells[cell].vertices)
     corners.push_back(mesh.points[v]);
   return dealii::BoundingBox<dim>(corners);
+}
+
+template <int dim>
+std::vector<unsigned int> all_cells(const Mesh<dim> &mesh)
+{
+  std::vector<unsigned int> cells(mesh.cells.size());
+  std::iota(cells.begin(), cells.end(), 0U);
+  return cells;
 }
 
 template <int dim>
@@ -53,12 +62,19 @@ dealii::Point<dim> mean_of(const std::vector<dealii::Point<dim>> &points)
 } // namespace
 
 template <int dim>
-CellLocator<dim>::CellLocator(const Mesh<dim> &of_mesh)
+CellLocator<dim>::CellLocator(const Mesh<dim> &mesh)
+  : CellLocator(mesh, all_cells(mesh))
+{
+}
+
+template <int dim>
+CellLocator<dim>::CellLocator(const Mesh<dim> &of_mesh,
+                              const std::vector<unsigned int> &cells)
   : mesh(of_mesh)
 {
   std::vector<std::pair<dealii::BoundingBox<dim>, unsigned int>> all;
-  all.reserve(mesh.cells.size());
-  for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+  all.reserve(cells.size());
+  for (const unsigned int cell : cells)
     {
       all.emplace_back(box_of(mesh, cell), cell);
       all.back().first.extend(reach * diameter_of(all.back().first));

@@ -18,6 +18,9 @@ public:
   /** The mesh must outlive it. */
   explicit CellLocator(const Mesh<dim> &mesh);
 
+  /** Of some cells of the mesh. */
+  CellLocator(const Mesh<dim> &mesh, const std::vector<unsigned int> &cells);
+
   /**
    * The cell that holds @p point; of several that share it, the one with the largest
    * number. Near a curved boundary, which meshes approximate each in its own way, a point

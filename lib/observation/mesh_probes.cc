@@ -6,6 +6,7 @@
 #include "mesh/cell_shapes.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace mesoslip
 {
@@ -78,10 +79,20 @@ template <int dim>
 std::vector<MeshPlace> locate_probes(const Mesh<dim> &mesh,
                                      const std::vector<ProbePoint> &points)
 {
+  std::vector<unsigned int> all(points.empty() ? 0 : mesh.cells.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return locate_probes(mesh, points, all);
+}
+
+template <int dim>
+std::vector<MeshPlace> locate_probes(const Mesh<dim> &mesh,
+                                     const std::vector<ProbePoint> &points,
+                                     const std::vector<unsigned int> &cells)
+{
   std::vector<MeshPlace> places;
   if (points.empty())
     return places;
-  const CellLocator<dim> locator(mesh);
+  const CellLocator<dim> locator(mesh, cells);
   for (const ProbePoint &point : points)
     {
       dealii::Point<dim> at;
@@ -182,10 +193,15 @@ void MeshProbes<dim>::sample_contact(const std::size_t k, ProbeHistory &history)
   history.traction.push_back(contact.surface.normal_force()[i] / area);
 }
 
-template std::vector<MeshPlace> locate_probes(const Mesh<2> &,
-                                              const std::vector<ProbePoint> &);
-template std::vector<MeshPlace> locate_probes(const Mesh<3> &,
-                                              const std::vector<ProbePoint> &);
+#define MESOSLIP_INSTANTIATE(dim)                                                 \
+  template std::vector<MeshPlace> locate_probes(const Mesh<dim> &,                \
+                                                const std::vector<ProbePoint> &); \
+  template std::vector<MeshPlace> locate_probes(const Mesh<dim> &,                \
+                                                const std::vector<ProbePoint> &,  \
+                                                const std::vector<unsigned int> &);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
 template class MeshProbes<2>;
 template class MeshProbes<3>;
 } // namespace mesoslip

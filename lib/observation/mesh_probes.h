@@ -36,6 +36,12 @@ template <int dim>
 std::vector<MeshPlace> locate_probes(const Mesh<dim> &mesh,
                                      const std::vector<ProbePoint> &points);
 
+/** The same where only these @p cells may hold the points. */
+template <int dim>
+std::vector<MeshPlace> locate_probes(const Mesh<dim> &mesh,
+                                     const std::vector<ProbePoint> &points,
+                                     const std::vector<unsigned int> &cells);
+
 /** Probes in a mesh: interpolation by the shape functions of the cell. */
 template <int dim>
 class MeshProbes : public ProbeRecorder

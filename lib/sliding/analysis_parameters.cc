@@ -73,7 +73,7 @@ void bind_statics(Keys &keys, ContactParameters &p)
   keys.require(
     !load.moves_flat() || p.contact.flat_velocity.amplitude() == 0., "Flat displacement",
     "the flat slides with Flat/Velocity, which is not 0; set one of them to 0");
-  keys.only_if(p.mesh.is_given(), {"Load steps", "Flat displacement"},
+  keys.only_if(!p.mesh.is_plane_grid(), {"Load steps", "Flat displacement"},
                "on a grid static contact takes the load in one step",
                "name a mesh in Mesh/File");
 }
@@ -175,7 +175,8 @@ void add_friction(RunConditions &conditions, const ContactParameters &parameters
     conditions["regularization_time"] = parameters.contact.law.time;
 }
 
-/** What a body on a mesh has, whose sides are free but for the groups that are held. */
+/** What a body on a mesh or a box in 3D has, whose sides are free but for the groups that are
+ * held. */
 void add_mesh(RunConditions &conditions, const ContactParameters &p, const bool transient)
 {
   if (p.mesh.phases.size() > 1)
@@ -183,6 +184,10 @@ void add_mesh(RunConditions &conditions, const ContactParameters &p, const bool 
   for (unsigned int c = 0; c < p.mesh.mesh.dim; ++c)
     if (!p.mesh.held[c].empty())
       conditions[std::string("held_in_") + "xyz"[c]] = to_text(p.mesh.held[c]);
+  for (unsigned int axis = 0; axis < 2; ++axis)
+    if (!p.mesh.periodic[axis].empty())
+      conditions[std::string("periodic_in_") + "xy"[axis]] =
+        to_text(p.mesh.periodic[axis]);
   if (p.mesh.mesh.dim == 3)
     {
       conditions["acceleration_z"] = p.step.acceleration[2];
@@ -287,7 +292,7 @@ RunConditions ContactParameters::stated_conditions() const
       conditions["beta2"]              = step.beta2;
       conditions["rayleigh_beta"]      = step.beta;
     }
-  if (mesh.is_given())
+  if (!mesh.is_plane_grid())
     add_mesh(conditions, *this, transient);
   return conditions;
 }

@@ -50,34 +50,46 @@ void bind_body(Keys &keys, ContactParameters &p)
     "Stiffness", body.stiffness, Range::stiffness(),
     "Stiffness of a homogeneous body without RVE file in plane strain, Voigt "
     "order xx, yy, xy: D11, D12, D22, D33 or all six D11, D12, D13, D22, D23, "
-    "D33; by default that of eq. (10) [Pa]",
-    4, 6);
+    "D33; by default that of eq. (10). In 3D, order xx, yy, zz, yz, xz, xy: D11, D12, "
+    "D13, D22, D23, D33, D44, D55, D66 or all 21 of the upper triangle [Pa]",
+    4, 21);
   keys.bind("Density", body.density, Range::density(),
             "Density of a homogeneous body without RVE file [kg/m^3]");
-  keys.bind_list("Size", size, Range::length(),
-                 "Width and height of the body; empty: those of the RVE file, or the "
-                 "paper's 56 x 16 mm without one. A homogeneous body may be larger than "
-                 "the volume of the RVE file, with Cells given [m]",
-                 0, 2);
+  keys.bind_list(
+    "Size", size, Range::length(),
+    "Width and height of the body, in 3D its extents along x, y, z; empty: "
+    "those of the RVE file, or, in 2D, the paper's 56 x 16 mm without one. A "
+    "homogeneous body may be larger than the volume of the RVE file, with "
+    "Cells given [m]",
+    0, 3);
   keys.bind_list(
     "Cells", cells, 1, most_cells,
-    "Numbers of cells along x and y; empty: those of the RVE file, or 560, 160 "
-    "without one. A heterogeneous body takes whole multiples of those of the "
-    "RVE file [-]",
-    0, 2);
+    "Numbers of cells along x and y, in 3D along x, y, z; empty: those of the RVE file, "
+    "or, in 2D, 560, 160 without one. A heterogeneous body takes whole multiples of "
+    "those of the RVE file [-]",
+    0, 3);
   bind_vector(keys, "Initial velocity", body.initial_velocity, p.mesh.mesh.dim,
               "Velocity of the whole body at the start: x, y and, in 3D, z [m/s]");
   bind_vector(
     keys, "Acceleration", p.step.acceleration, p.mesh.mesh.dim,
     "Acceleration that acts on the whole body, such as gravity: x, y and, in 3D, "
     "z [m/s^2]");
-  const std::string two = "one number found, two (x, y) are needed";
-  keys.require(size.size() != 1, "Size", two);
-  keys.require(cells.size() != 1, "Cells", two);
+  const unsigned int dim  = p.mesh.mesh.dim;
+  const auto require_axes = [&](const std::string &key, const std::size_t n) {
+    keys.require(n == 0 || n == dim, key,
+                 std::to_string(n) + (n == 1 ? " number" : " numbers") + " found, " +
+                   (dim == 2 ? "two (x, y)" : "three (x, y, z)") + " are needed");
+  };
+  require_axes("Size", size.size());
+  require_axes("Cells", cells.size());
   std::copy(size.begin(), size.end(), body.size.begin());
   std::copy(cells.begin(), cells.end(), body.cells.begin());
-  keys.require(body.stiffness.size() != 5, "Stiffness",
-               "5 numbers found; give D11, D12, D22, D33 or all six");
+  const std::size_t n  = body.stiffness.size();
+  const bool is_number = dim == 2 ? n == 4 || n == 6 : n == 9 || n == 21;
+  keys.require(is_number || !keys.is_typed("Body/Stiffness"), "Stiffness",
+               std::to_string(n) + " numbers found; give " +
+                 (dim == 2 ? "D11, D12, D22, D33 or all six"
+                           : "9 of an orthotropic material or all 21"));
   const bool from_file = !body.rve_file.empty();
   keys.require(from_file || !body.heterogeneous, "RVE file",
                "it is empty, but a heterogeneous body takes its phases and morphology "
@@ -190,29 +202,6 @@ void bind_loads(Keys &keys, ContactParameters &p)
                  {"Ramp", "Ramp time", "Expression", "Hold from"});
 }
 
-void bind_sides(Keys &keys, ContactParameters &p)
-{
-  const auto section  = keys.section("Sides");
-  const auto bind_one = [&](const std::string &key, const std::string &side,
-                            std::array<bool, 2> &held) {
-    unsigned int value = 0;
-    keys.bind(key, value, {"free", "u_x", "u_y", "both"},
-              "Displacement components that are zero on the " + side + " side");
-    held = {{(value & 1) != 0, (value & 2) != 0}};
-  };
-  bind_one("Left", "left", p.sides.left_held);
-  bind_one("Right", "right", p.sides.right_held);
-  keys.bind("Periodic", p.periodic,
-            "Periodic in x: the nodes of the left and the right side are the same");
-  const std::array<bool, 2> &left = p.sides.left_held, &right = p.sides.right_held;
-  keys.require(!p.periodic || !(left[0] || left[1] || right[0] || right[1]), "Periodic",
-               "it is true, so Left and Right have to be free");
-  keys.require(p.top.kind != TopSetup::Kind::platen || !(left[1] || right[1]),
-               left[1] ? "Left" : "Right",
-               "u_y is held, but the platen of Top/Kind moves the corner; hold u_x only, "
-               "or set Top/Kind = pressure or held");
-}
-
 void bind_friction(Keys &keys, FrictionParameters &friction, FrictionLaw &law)
 {
   const auto section = keys.section("Friction");
@@ -257,22 +246,24 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
                  {"Dimension", "Mesh/"});
   keys.only_if(!p.mesh.is_given(),
                {"Body/Material", "Body/Stiffness", "Body/Density", "Body/Size",
-                "Body/Cells", "Sides/", "Performance/Temporal blocking"},
+                "Body/Cells", "Sides/"},
                "the body is a mesh", "remove Mesh/File");
-  keys.only_if(!p.mesh.is_given() || p.static_solver == StaticSolverKind::ml,
-               {"Performance/Static solver"}, "bodies on meshes are solved with ml",
-               "remove it");
+  keys.only_if(p.mesh.is_plane_grid(), {"Performance/Temporal blocking"},
+               "the body is no plane grid", "remove it");
+  keys.only_if(p.mesh.is_plane_grid() || p.static_solver == StaticSolverKind::ml,
+               {"Performance/Static solver"},
+               "bodies on meshes and in 3D are solved with ml", "remove it");
   const std::string held = p.mesh.mesh.dim == 2 ? "held in y" : "held in z";
   keys.require(
     p.modal_bottom == "free" || p.modal_bottom == "both" || p.modal_bottom == held,
     "Modal/Bottom",
     "it is '" + p.modal_bottom + "', but the normal of the flat is " + held.back() +
       " as Dimension is " + std::to_string(p.mesh.mesh.dim) + "; use '" + held + "'");
-  keys.require(!p.mesh.is_given() || p.friction.node_rule == "stiffness" ||
+  keys.require(p.mesh.is_plane_grid() || p.friction.node_rule == "stiffness" ||
                  p.friction.node_rule == "mean",
                "Friction/Node rule",
                "it is " + p.friction.node_rule +
-                 "; on a mesh there are stiffness and mean");
+                 "; on a mesh and in 3D there are stiffness and mean");
 }
 
 /** What each analysis makes use of. */
@@ -322,7 +313,7 @@ void ContactParameters::bind(Keys &keys)
   bind_body(keys, *this);
   bind_time(keys, *this);
   bind_loads(keys, *this);
-  bind_sides(keys, *this);
+  bind_sides(keys);
   bind_friction(keys, friction, contact.law);
   bind_observation(keys);
   bind_analyses(keys);

@@ -40,10 +40,10 @@ struct BodyParameters
   std::string rve_file; ///< empty: the material in stiffness and density
   std::string stiffness_name             = "effective"; ///< dataset of /stiffness
   std::vector<double> stiffness          = {36.54e9, 9.1e9, 47.26e9,
-                                            13.785e9}; ///< 4 or 6 coefficients (Pa)
+                                            13.785e9}; ///< 4, 6, in 3D 9, 21 numbers (Pa)
   double density                         = 1770.;      ///< kg/m^3
-  std::array<double, 2> size             = {};         ///< m; 0: as the RVE
-  std::array<unsigned int, 2> cells      = {};         ///< 0: as the RVE
+  std::array<double, 3> size             = {};         ///< m; 0: as the RVE
+  std::array<unsigned int, 3> cells      = {};         ///< 0: as the RVE
   std::array<double, 3> initial_velocity = {};         ///< m/s; z in 3D only
 };
 
@@ -153,6 +153,7 @@ struct ContactParameters : SlidingSetup
   RunConditions stated_conditions() const;
 
 private:
+  void bind_sides(Keys &keys);
   void bind_observation(Keys &keys);
   void bind_analyses(Keys &keys);
 };

@@ -19,17 +19,17 @@ std::unique_ptr<Analysis> build(Keys &keys)
   switch (parameters.analysis)
     {
     case ContactAnalysis::modal:
-      if (parameters.mesh.is_given())
+      if (!parameters.mesh.is_plane_grid())
         return make_mesh_modal(parameters);
       return std::make_unique<ModalAnalysis>(parameters);
     case ContactAnalysis::static_contact:
-      if (parameters.mesh.is_given())
+      if (!parameters.mesh.is_plane_grid())
         return make_mesh_static(parameters);
       return std::make_unique<StaticContactAnalysis>(parameters);
     case ContactAnalysis::friction_homogenization:
       return std::make_unique<FrictionHomogenizationAnalysis>(parameters);
     default:
-      if (parameters.mesh.is_given())
+      if (!parameters.mesh.is_plane_grid())
         return make_mesh_transient(parameters, keys);
       return std::make_unique<TransientAnalysis>(parameters, keys);
     }

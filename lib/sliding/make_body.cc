@@ -4,6 +4,7 @@
 #include "grid/uniform_grid.h"
 #include "material/stiffness.h"
 #include "sliding/body_analysis.h"
+#include "sliding/body_grid.h"
 #include "sliding/run_plan.h"
 
 #include <algorithm>
@@ -14,88 +15,6 @@ namespace mesoslip
 {
 namespace
 {
-/** The phase of Body/Stiffness and Density. */
-Phase<2> given_phase(const BodyParameters &body)
-{
-  try
-    {
-      return {"typed in", stiffness_from_coefficients<2>(body.stiffness), body.density,
-              0.};
-    }
-  catch (const std::invalid_argument &e)
-    {
-      throw UserError("Body/Stiffness is " + to_text(body.stiffness) + ": " + e.what() +
-                      "; D11 D22 has to be larger than D12^2, and D33 positive");
-    }
-}
-
-/** A body that is not the @p volume of its RVE file has to be homogeneous and larger. */
-void check_size(const BodyParameters &body, const std::array<double, 2> &volume)
-{
-  bool equal = true, smaller = false;
-  for (unsigned int d = 0; d < 2; ++d)
-    {
-      equal   = equal && std::fabs(body.size[d] - volume[d]) <= 1e-9 * volume[d];
-      smaller = smaller || body.size[d] < (1. - 1e-9) * volume[d];
-    }
-  const std::string sizes = "Body/Size is " + to_text(body.size[0]) + " x " +
-                            to_text(body.size[1]) + " m, but the volume in " +
-                            body.rve_file + " measures " + to_text(volume[0]) + " x " +
-                            to_text(volume[1]) + " m; ";
-  if (!equal && (smaller || body.heterogeneous))
-    throw UserError(sizes + "leave Size empty to take it from there" +
-                    (smaller ? "" : ", a homogeneous body may be larger"));
-  if (!equal && body.cells[0] == 0)
-    throw UserError(sizes + "leave Size empty to take it from there, or set Body/Cells "
-                            "to the numbers of cells of the larger body");
-}
-
-/** @p rve: null without a file. */
-UniformGrid<2> make_grid(const BodyParameters &body, const RveFile<2> *rve)
-{
-  UniformGrid<2> grid;
-  std::array<double, 2> size = {{56e-3, 16e-3}};
-  grid.cells                 = {{560, 160}};
-  if (rve != nullptr)
-    {
-      size       = {{rve->grid.extent(0), rve->grid.extent(1)}};
-      grid.cells = rve->grid.cells;
-    }
-  if (rve != nullptr && body.size[0] > 0.)
-    check_size(body, size);
-  if (body.size[0] > 0.)
-    size = body.size;
-  if (body.cells[0] > 0)
-    grid.cells = body.cells;
-  else if (rve != nullptr && rve->is_mesh())
-    throw UserError("Body/Cells is empty, and " + body.rve_file +
-                    " holds a mesh, which has no rows and columns; set Body/Cells to the "
-                    "numbers of cells of the body along x and y");
-  for (unsigned int d = 0; d < 2; ++d)
-    grid.spacing[d] = size[d] / grid.cells[d];
-  return grid;
-}
-
-/** Phases of the cells of @p grid, each of which lies in one cell of the RVE. */
-std::vector<std::uint8_t>
-refine(const RveFile<2> &rve, const UniformGrid<2> &grid, const std::string &file)
-{
-  rve.require_grid("a heterogeneous body on a grid takes nothing");
-  const std::array<unsigned int, 2> coarse = rve.grid.cells, fine = grid.cells;
-  if (fine[0] % coarse[0] != 0 || fine[1] % coarse[1] != 0)
-    throw UserError("Body/Cells: " + numbers_text(fine[0], fine[1]) +
-                    " is no multiple of the " + numbers_text(coarse[0], coarse[1]) +
-                    " cells of " + file +
-                    ", whose morphology a heterogeneous body takes");
-  const std::vector<std::uint8_t> coarse_id = rve.phase_id();
-  std::vector<std::uint8_t> id;
-  for (std::size_t j = 0; j < fine[1]; ++j)
-    for (std::size_t i = 0; i < fine[0]; ++i)
-      id.push_back(
-        coarse_id[j / (fine[1] / coarse[1]) * coarse[0] + i / (fine[0] / coarse[0])]);
-  return id;
-}
-
 void read_materials(const BodyParameters &given,
                     const RveFile<2> &rve,
                     BodyDescription &body)
@@ -103,11 +22,7 @@ void read_materials(const BodyParameters &given,
   body.rve_digest = rve.digest;
   if (!rve.change_note().empty())
     body.warnings.push_back(rve.change_note());
-  for (const Phase<2> &phase : rve.phases)
-    if (!(phase.density > 0.))
-      throw UserError(given.rve_file + ": phase '" + phase.name +
-                      "' has no density; set Phases/" + phase.name +
-                      "/Density and run rve_homogenization again");
+  require_densities(rve);
   if (!given.heterogeneous)
     {
       body.phases = {
@@ -115,7 +30,7 @@ void read_materials(const BodyParameters &given,
       return;
     }
   body.phases   = rve.phases;
-  body.phase_id = refine(rve, body.grid, given.rve_file);
+  body.phase_id = refine(rve, body.grid);
 }
 
 std::vector<double> friction_of_nodes(const BodyDescription &body,
@@ -192,12 +107,12 @@ BodyDescription make_body(const ContactParameters &parameters)
                             "run rve_homogenization first");
       rve.emplace(given.rve_file);
     }
-  body.grid = make_grid(given, rve ? &*rve : nullptr);
+  body.grid = make_grid<2>(given, rve ? &*rve : nullptr);
   require_memory(field_memory(parameters.analysis, body.grid));
   if (rve)
     read_materials(given, *rve, body);
   else
-    body.phases = {given_phase(given)};
+    body.phases = {given_phase<2>(given)};
   body.node_friction = friction_of_nodes(body, parameters.friction, parameters.periodic);
   return body;
 }

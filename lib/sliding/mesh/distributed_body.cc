@@ -122,10 +122,11 @@ public:
 class BodyOfBricks : public DistributedBody<3>
 {
 public:
-  BodyOfBricks(const MeshMorphology<3> &morphology,
+  BodyOfBricks(const BrickBox &box,
+               const Mesh<3> &mesh,
                const std::vector<ElasticPhase<3>> &phases,
                const InstructionSet isa)
-    : op(divide(morphology, static_cast<unsigned int>(phases.size())),
+    : op(divide(box, mesh, static_cast<unsigned int>(phases.size())),
          phases,
          MPI_COMM_WORLD,
          isa)
@@ -158,13 +159,13 @@ public:
   }
 
 private:
-  static BrickSlab divide(const MeshMorphology<3> &morphology,
-                          const unsigned int n_phases)
+  static BrickSlab
+  divide(const BrickBox &box, const Mesh<3> &mesh, const unsigned int n_phases)
   {
     std::vector<std::uint8_t> phase_id;
-    for (const auto &cell : morphology.mesh.cells)
+    for (const auto &cell : mesh.cells)
       phase_id.push_back(static_cast<std::uint8_t>(cell.material_id));
-    return divide_box(*morphology.box, phase_id, n_phases, MPI_COMM_WORLD);
+    return divide_box(box, phase_id, n_phases, MPI_COMM_WORLD);
   }
 
   const BrickOperator op;
@@ -185,8 +186,14 @@ distribute_body(const MeshMorphology<dim> &morphology,
                 const InstructionSet isa)
 {
   if constexpr (dim == 3)
-    if (morphology.box)
-      return std::make_unique<BodyOfBricks>(morphology, phases, isa);
+    {
+      bool is_box  = morphology.box.has_value();
+      BrickBox box = morphology.box.value_or(BrickBox());
+      broadcast_object(MPI_COMM_WORLD, is_box);
+      broadcast_object(MPI_COMM_WORLD, box);
+      if (is_box)
+        return std::make_unique<BodyOfBricks>(box, morphology.mesh, phases, isa);
+    }
   return std::make_unique<BodyOfMesh<dim>>(morphology.mesh, contact, phases, isa);
 }
 

@@ -6,6 +6,7 @@
 #include "material/plausibility.h"
 #include "mesh/mesh_archive.h"
 #include "program/run_context.h"
+#include "sliding/mesh/box_body.h"
 #include "sliding/run_plan.h"
 
 #include <cmath>
@@ -35,16 +36,26 @@ std::vector<std::string> implausible_body(const std::vector<Phase<dim>> &phases,
     sentences.push_back(one);
   return sentences;
 }
+
+/** The mesh, or the box. */
+template <int dim>
+MeshMorphology<dim> read_body(const ContactParameters &parameters)
+{
+  const MeshBodyParameters &mesh = parameters.mesh;
+  if constexpr (dim == 3)
+    if (mesh.is_box())
+      return make_box(parameters);
+  return read_mesh<dim>(mesh.mesh, mesh.mesh.files[0], mesh.phases);
+}
 } // namespace
 
 template <int dim>
 MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
-  : parameters(with_effective_phase<dim>(given))
+  : parameters(with_phases<dim>(given))
 {
   parameters.mesh.check();
   on_root(MPI_COMM_WORLD, [this]() {
-    morphology = read_mesh<dim>(parameters.mesh.mesh, parameters.mesh.mesh.files[0],
-                                parameters.mesh.phases);
+    morphology = read_body<dim>(parameters);
     join_periodic_sides(morphology, parameters.mesh);
     body = describe_body(morphology, parameters);
     for (const std::string &sentence :

@@ -10,7 +10,9 @@
 #include "mesh/cell_quality.h"
 #include "mesh/periodic_points.h"
 #include "parameters/keys.h"
+#include "sliding/body_grid.h"
 #include "sliding/contact_parameters.h"
+#include "sliding/mesh/box_body.h"
 
 #include <deal.II/base/bounding_box.h>
 
@@ -39,12 +41,45 @@ std::vector<BoundaryFace<dim>> group_faces(const MeshMorphology<dim> &morphology
       (dim == 2 ? "curves" : "surfaces") + " in " + morphology.file +
       (names.empty() ? ", which has none" : "; there are " + to_text(names)) +
       "; name one there, or here");
+  if constexpr (dim == 3)
+    if (morphology.box)
+      return faces_of_side(*morphology.box,
+                           static_cast<unsigned int>(found - names.begin()));
   auto group = faces_of_group(morphology.mesh, faces,
                               static_cast<unsigned int>(found - names.begin()));
   if (group.empty())
     throw UserError(key + ": the group '" + name + "' lies inside the body of " +
                     morphology.file + "; it has to be a part of its boundary");
   return group;
+}
+
+/** All faces of the boundary, which boxes need not search for. */
+template <int dim>
+std::vector<BoundaryFace<dim>> faces_of(const MeshMorphology<dim> &morphology)
+{
+  if (morphology.box)
+    return {};
+  return boundary_faces(morphology.mesh);
+}
+
+template <int dim>
+double smallest_edge(const MeshMorphology<dim> &morphology)
+{
+  if (!morphology.box)
+    return cell_quality(morphology.mesh).smallest_edge;
+  const auto &h = morphology.box->grid.spacing;
+  return *std::min_element(h.begin(), h.end());
+}
+
+/** See locate_probes(). */
+template <int dim>
+std::vector<MeshPlace> places_of(const MeshMorphology<dim> &morphology,
+                                 const std::vector<ProbePoint> &points)
+{
+  if constexpr (dim == 3)
+    if (morphology.box)
+      return locate_probes(morphology.mesh, points, cells_near(*morphology.box, points));
+  return locate_probes(morphology.mesh, points);
 }
 
 double sum_of(const std::vector<double> &values)
@@ -108,9 +143,11 @@ void check_supports(const MeshBodyDescription &body,
 /** The contact node nearest to Reference x, or to the middle of the contact, in 3D halfway
  * along y; of two that are equally near the last, as on grids. */
 template <int dim>
-ReferenceNode
-reference_node(const Mesh<dim> &mesh, const MeshBoundary &contact, const double wanted_x)
+ReferenceNode reference_node(const MeshMorphology<dim> &morphology,
+                             const MeshBoundary &contact,
+                             const double wanted_x)
 {
+  const Mesh<dim> &mesh = morphology.mesh;
   std::vector<dealii::Point<dim>> points;
   for (const unsigned int point : contact.points)
     points.push_back(mesh.points[point]);
@@ -135,7 +172,7 @@ reference_node(const Mesh<dim> &mesh, const MeshBoundary &contact, const double 
     }
   std::copy_n(points[node.number].begin_raw(), dim, node.position.begin());
   node.area        = -contact.area[node.number];
-  const auto place = locate_probes(mesh, {{"the reference node", node.position}});
+  const auto place = places_of(morphology, {{"the reference node", node.position}});
   node.phase       = place[0].phase;
   return node;
 }
@@ -173,6 +210,7 @@ BodyScales scales_of(const MeshMorphology<dim> &morphology,
 
 void MeshBodyParameters::bind(Keys &keys)
 {
+  mesh.has_grids_in_3d = true;
   mesh.bind(keys);
   {
     const auto section = keys.section("Mesh");
@@ -225,44 +263,11 @@ void MeshBodyParameters::check() const
 }
 
 template <int dim>
-ContactParameters with_effective_phase(ContactParameters parameters)
-{
-  const std::string &path = parameters.body.rve_file;
-  if (path.empty())
-    return parameters;
-  if (parameters.friction.coefficient_by_phase)
-    throw UserError(
-      "Friction/Coefficient from is 'phases', but the body is homogeneous; use "
-      "'constant' (analysis 'friction homogenization' gives the coefficient)");
-  auto numbers = std::make_pair(std::vector<double>(), std::string());
-  on_root(MPI_COMM_WORLD, [&]() {
-    require_readable_file("Body/RVE file: ", path, "run rve_homogenization first");
-    const RveFile<dim> rve(path);
-    const VoigtMatrix<dim> D = rve.stiffness(parameters.body.stiffness_name);
-    for (int i = 0; i < n_voigt<dim>; ++i)
-      for (int j = i; j < n_voigt<dim>; ++j)
-        numbers.first.push_back(0.5 * (D(i, j) + D(j, i)));
-    numbers.first.push_back(rve.mean_density());
-    numbers.second = rve.digest;
-  });
-  broadcast_object(MPI_COMM_WORLD, numbers);
-  PhaseParameters effective;
-  effective.name    = "effective";
-  effective.type    = PhaseParameters::Type::stiffness;
-  effective.density = numbers.first.back();
-  numbers.first.pop_back();
-  effective.coefficients     = numbers.first;
-  parameters.mesh.phases     = {effective};
-  parameters.mesh.rve_digest = numbers.second;
-  return parameters;
-}
-
-template <int dim>
 void join_periodic_sides(MeshMorphology<dim> &morphology,
                          const MeshBodyParameters &parameters)
 {
   Mesh<dim> &mesh  = morphology.mesh;
-  const auto faces = boundary_faces(mesh);
+  const auto faces = faces_of(morphology);
   for (unsigned int axis = 0; axis + 1 < dim; ++axis)
     if (const auto &groups = parameters.periodic[axis]; !groups.empty())
       {
@@ -271,8 +276,7 @@ void join_periodic_sides(MeshMorphology<dim> &morphology,
                           mesh, group_faces(morphology, faces, key, groups[0])),
                    upper = boundary_points(
                      mesh, group_faces(morphology, faces, key, groups[1]));
-        join_sides(mesh, lower.points, upper.points, axis,
-                   cell_quality(mesh).smallest_edge);
+        join_sides(mesh, lower.points, upper.points, axis, smallest_edge(morphology));
       }
 }
 
@@ -286,7 +290,7 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
     if (!(phase.density > 0.))
       throw UserError("Phases/" + phase.name +
                       "/Density is not given; dynamics needs it, in kg/m^3");
-  const auto faces      = boundary_faces(mesh);
+  const auto faces      = faces_of(morphology);
   const auto faces_with = [&](const std::string &key, const std::string &name) {
     return group_faces(morphology, faces, "Mesh/" + key, name);
   };
@@ -302,7 +306,8 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
           "' does not face down; the flat is below the body, its normal is " + normal);
       body.friction =
         friction_of_points(morphology, bottom, body.contact, given.friction);
-      body.reference = reference_node(mesh, body.contact, given.observation.reference_x);
+      body.reference =
+        reference_node(morphology, body.contact, given.observation.reference_x);
     }
   if (needs_top(given))
     {
@@ -318,20 +323,21 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
              .points)
         body.held.push_back({mesh.original(point), c});
   check_supports(body, dim - 1, parameters, given.top);
-  body.n_points   = mesh.points.size();
-  body.n_cells    = mesh.cells.size();
-  body.digest     = Digest().add_file(morphology.file).add(parameters.rve_digest).hex();
-  body.rve_digest = parameters.rve_digest;
+  body.n_points = mesh.points.size();
+  body.n_cells  = mesh.cells.size();
+  Digest digest;
+  if (!morphology.file.empty())
+    digest.add_file(morphology.file);
+  body.digest               = digest.add(parameters.rve_digest).hex();
+  body.rve_digest           = parameters.rve_digest;
   const auto [lower, upper] = dealii::BoundingBox<dim>(mesh.points).get_boundary_points();
   const dealii::Tensor<1, dim> sides = upper - lower;
   body.scales                        = scales_of(morphology, sides, body.top);
   body.shortest_side = *std::min_element(sides.begin_raw(), sides.end_raw());
-  body.probes        = locate_probes(mesh, given.observation.probes);
+  body.probes        = places_of(morphology, given.observation.probes);
   return body;
 }
 
-template ContactParameters with_effective_phase<2>(ContactParameters);
-template ContactParameters with_effective_phase<3>(ContactParameters);
 template void join_periodic_sides(MeshMorphology<2> &, const MeshBodyParameters &);
 template void join_periodic_sides(MeshMorphology<3> &, const MeshBodyParameters &);
 template MeshBodyDescription describe_body(const MeshMorphology<2> &,

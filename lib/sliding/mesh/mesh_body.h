@@ -26,10 +26,23 @@ struct MeshBodyParameters
   std::array<std::vector<std::string>, 2> periodic;
   std::vector<PhaseParameters> phases; ///< empty without a mesh
 
-  /** Whether the body is a mesh. */
+  /** Whether there is a file. */
   bool is_given() const
   {
     return !mesh.files.empty();
+  }
+
+  /** Whether the body is a grid in 3D, whose sides are the groups Left, Right (x), Front, Back
+   * (y), Contact and Top (z). */
+  bool is_box() const
+  {
+    return mesh.dim == 3 && !is_given();
+  }
+
+  /** Whether it is a grid in 2D, and thus none of the others. */
+  bool is_plane_grid() const
+  {
+    return mesh.dim == 2 && !is_given();
   }
 
   /** Of the RVE file whose effective stiffness the whole body has; empty without one. */
@@ -43,11 +56,12 @@ struct MeshBodyParameters
 };
 
 /**
- * The parameters with the effective stiffness and the mean density of the RVE file, if one
- * is given, as the only phase. Collective. @throws UserError
+ * The parameters with the phases of the body, where these are not those of section Phases:
+ * the effective stiffness and the mean density of the RVE file, its phases, or Body/Stiffness.
+ * Collective. @throws UserError
  */
 template <int dim>
-ContactParameters with_effective_phase(ContactParameters parameters);
+ContactParameters with_phases(ContactParameters parameters);
 
 /**
  * Joins the sides of the mesh that are periodic, and refuses those with points that do not

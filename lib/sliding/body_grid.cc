@@ -1,0 +1,150 @@
+#include "sliding/body_grid.h"
+
+#include "base/errors.h"
+#include "base/text.h"
+#include "material/stiffness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace mesoslip
+{
+namespace
+{
+/** "560 x 160" or "10 x 20 x 30". */
+template <typename Numbers>
+std::string extents_text(const Numbers &numbers, const unsigned int dim)
+{
+  std::string text;
+  for (unsigned int d = 0; d < dim; ++d)
+    text += (d == 0 ? "" : " x ") + to_text(numbers[d]);
+  return text;
+}
+
+/** A body that is not the @p volume of its RVE file has to be homogeneous and larger. */
+template <int dim>
+void check_size(const BodyParameters &body, const std::array<double, dim> &volume)
+{
+  bool equal = true, smaller = false;
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      equal   = equal && std::fabs(body.size[d] - volume[d]) <= 1e-9 * volume[d];
+      smaller = smaller || body.size[d] < (1. - 1e-9) * volume[d];
+    }
+  const std::string sizes = "Body/Size is " + extents_text(body.size, dim) +
+                            " m, but the volume in " + body.rve_file + " measures " +
+                            extents_text(volume, dim) + " m; ";
+  if (!equal && (smaller || body.heterogeneous))
+    throw UserError(sizes + "leave Size empty to take it from there" +
+                    (smaller ? "" : ", a homogeneous body may be larger"));
+  if (!equal && body.cells[0] == 0)
+    throw UserError(sizes + "leave Size empty to take it from there, or set Body/Cells "
+                            "to the numbers of cells of the larger body");
+}
+} // namespace
+
+template <int dim>
+Phase<dim> given_phase(const BodyParameters &body)
+{
+  try
+    {
+      return {"typed in", stiffness_from_coefficients<dim>(body.stiffness), body.density,
+              0.};
+    }
+  catch (const std::invalid_argument &e)
+    {
+      throw UserError("Body/Stiffness is " + to_text(body.stiffness) + ": " + e.what() +
+                      (dim == 2
+                         ? "; D11 D22 has to be larger than D12^2, and D33 positive"
+                         : "; give 9 numbers of an orthotropic material or all 21"));
+    }
+}
+
+template <int dim>
+UniformGrid<dim> make_grid(const BodyParameters &body, const RveFile<dim> *rve)
+{
+  UniformGrid<dim> grid;
+  std::array<double, dim> size = {};
+  if constexpr (dim == 2)
+    {
+      size       = {{56e-3, 16e-3}};
+      grid.cells = {{560, 160}};
+    }
+  if (rve != nullptr)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        size[d] = rve->grid.extent(d);
+      grid.cells = rve->grid.cells;
+    }
+  if (rve != nullptr && body.size[0] > 0.)
+    check_size<dim>(body, size);
+  if (body.size[0] > 0.)
+    std::copy_n(body.size.begin(), dim, size.begin());
+  if (body.cells[0] > 0)
+    std::copy_n(body.cells.begin(), dim, grid.cells.begin());
+  else if (rve != nullptr && rve->is_mesh())
+    throw UserError("Body/Cells is empty, and " + body.rve_file +
+                    " holds a mesh, which has no rows and columns; set Body/Cells to the "
+                    "numbers of cells of the body along " +
+                    (dim == 2 ? "x and y" : "x, y and z"));
+  if (!(size[0] > 0.) || grid.cells[0] == 0)
+    throw UserError(
+      std::string("Body/") + (size[0] > 0. ? "Cells" : "Size") +
+      " is empty, and without a Body/RVE file a body in 3D has to be given by Size, in "
+      "m, and "
+      "Cells, each three numbers along x, y, z; or name a mesh in Mesh/File");
+  for (unsigned int d = 0; d < dim; ++d)
+    grid.spacing[d] = size[d] / grid.cells[d];
+  return grid;
+}
+
+template <int dim>
+std::vector<std::uint8_t> refine(const RveFile<dim> &rve, const UniformGrid<dim> &grid)
+{
+  rve.require_grid("a heterogeneous body on a grid takes nothing");
+  const std::array<unsigned int, dim> coarse = rve.grid.cells, fine = grid.cells;
+  std::array<unsigned int, 3> ratio = {{1, 1, 1}}, n = ratio, n_coarse = ratio;
+  bool fits = true;
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      ratio[d]    = fine[d] / coarse[d];
+      n[d]        = fine[d];
+      n_coarse[d] = coarse[d];
+      fits        = fits && ratio[d] > 0 && fine[d] % coarse[d] == 0;
+    }
+  if (!fits)
+    throw UserError("Body/Cells: " + extents_text(fine, dim) + " is no multiple of the " +
+                    extents_text(coarse, dim) + " cells of " + rve.path() +
+                    ", whose morphology a heterogeneous body takes");
+  const std::vector<std::uint8_t> coarse_id = rve.phase_id();
+  std::vector<std::uint8_t> id;
+  id.reserve(grid.n_cells());
+  for (std::size_t k = 0; k < n[2]; ++k)
+    for (std::size_t j = 0; j < n[1]; ++j)
+      for (std::size_t i = 0; i < n[0]; ++i)
+        id.push_back(coarse_id[(k / ratio[2] * n_coarse[1] + j / ratio[1]) * n_coarse[0] +
+                               i / ratio[0]]);
+  return id;
+}
+
+template <int dim>
+void require_densities(const RveFile<dim> &rve)
+{
+  for (const Phase<dim> &phase : rve.phases)
+    if (!(phase.density > 0.))
+      throw UserError(rve.path() + ": phase '" + phase.name +
+                      "' has no density; set Phases/" + phase.name +
+                      "/Density and run rve_homogenization again");
+}
+
+#define MESOSLIP_INSTANTIATE(dim)                                                    \
+  template Phase<dim> given_phase<dim>(const BodyParameters &);                      \
+  template UniformGrid<dim> make_grid(const BodyParameters &, const RveFile<dim> *); \
+  template std::vector<std::uint8_t> refine(const RveFile<dim> &,                    \
+                                            const UniformGrid<dim> &);               \
+  template void require_densities(const RveFile<dim> &);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
+} // namespace mesoslip

@@ -1,0 +1,34 @@
+#ifndef mesoslip_sliding_body_grid_h
+#define mesoslip_sliding_body_grid_h
+
+#include "exchange/rve_file.h"
+#include "sliding/contact_parameters.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace mesoslip
+{
+/** The phase of Body/Stiffness and Density. @throws UserError */
+template <int dim>
+Phase<dim> given_phase(const BodyParameters &body);
+
+/**
+ * The cells of the body: those of Body/Cells and Size or, where these are empty, of @p rve,
+ * which is null without a file. @throws UserError for a body that is not the volume of the
+ * file, unless it is homogeneous and larger
+ */
+template <int dim>
+UniformGrid<dim> make_grid(const BodyParameters &body, const RveFile<dim> *rve);
+
+/** Phases of the cells of @p grid, each of which lies in one cell of the volume. @throws
+ * UserError unless the numbers of cells are multiples of those of the volume */
+template <int dim>
+std::vector<std::uint8_t> refine(const RveFile<dim> &rve, const UniformGrid<dim> &grid);
+
+/** @throws UserError naming a phase without density */
+template <int dim>
+void require_densities(const RveFile<dim> &rve);
+} // namespace mesoslip
+
+#endif
