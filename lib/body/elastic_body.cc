@@ -25,6 +25,15 @@ void ElasticBody<dim>::copy_duplicates(NodalField<double> &field) const
 }
 
 template <int dim>
+void ElasticBody<dim>::copy_duplicates(DofMask &mask) const
+{
+  for (const auto &[duplicate, original] : duplicates)
+    for (unsigned int c = 0; c < dim; ++c)
+      if (mask.is_constrained(c, original))
+        mask.constrain(c, duplicate);
+}
+
+template <int dim>
 std::vector<double> phase_volumes(const ElasticBody<dim> &body)
 {
   std::vector<double> volumes(body.phases().size(), 0.);
@@ -87,9 +96,12 @@ free_rigid_motions(const ElasticBody<3> &body, const DofMask &mask, const bool c
       motions.col(3 + d) = Eigen::Vector3d::Unit(d).cross(x);
     return motions;
   };
+  // A rotation about the axis along which sides are one is the same on both.
   Eigen::Matrix<double, 6, 6> hold = Eigen::Matrix<double, 6, 6>::Zero();
-  if (!can_rotate || body.periodicity().x || body.periodicity().y)
-    hold.bottomRightCorner<3, 3>().setIdentity();
+  const Periodicity periodic       = body.periodicity();
+  for (unsigned int d = 0; d < 3; ++d)
+    if (!can_rotate || (periodic.x && d != 0) || (periodic.y && d != 1))
+      hold(3 + d, 3 + d) = 1.;
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int i = 0; i < body.n_columns(); ++i)
       if (mask.bits({i, j}) != 0)

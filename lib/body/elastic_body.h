@@ -17,9 +17,12 @@ namespace mesoslip
 template <int dim>
 struct SurfaceNodes
 {
-  /** In 2D in ascending order along the side; on a periodic body the last is the duplicate
-   * of the first. */
+  /** In 2D in ascending order along the side. */
   std::vector<NodeIndex> nodes;
+
+  /** In 2D on a body whose sides are periodic: the last node is the duplicate of the first.
+   * Meshes with Mesh::originals have no duplicates here. */
+  bool closed = false;
 
   /** Integral of the outward normal times the shape function of each node: its tributary
    * length (2D, m) or area (3D, m^2) in the direction of the normal. */
@@ -94,6 +97,9 @@ public:
 
   /** Sets duplicate nodes to the value of their originals. */
   void copy_duplicates(NodalField<double> &field) const;
+
+  /** Constrains duplicate nodes where their originals are constrained. */
+  void copy_duplicates(DofMask &mask) const;
 
   /** Length of the body's bounding box along axis @p d (m). */
   double extent(const unsigned int d) const

@@ -42,6 +42,9 @@ public:
     mass                       = material.total_mass();
     number_of_cells            = grid.n_cells();
 
+    sides[0].closed = sides[1].closed = periodicity().y;
+    sides[2].closed = sides[3].closed = periodicity().x;
+
     const std::array<unsigned int, 2> last = grid.cells;
     // Ends stand for half a cell.
     const auto add = [&](const unsigned int id, const NodeIndex &node,

@@ -201,7 +201,7 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
     {
       const int component = 2 * k;
       const vdouble slide = dt * w[component] + c * a_free[component];
-      slip[k]             = k == 0 ? step.flat_increment - slide : -slide;
+      slip[k]             = step.flat_increment[k] - slide;
       compliance[k]       = c * minv[component];
     }
   const vdouble limit   = load(at(Arrays::friction_coefficient)) * normal;
@@ -237,17 +237,20 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   store(at(Arrays::tangential_force), force[0]);
   store(at(Arrays::target), touches ? f.target[0] : zero);
   s.normal += normal;
-  s.tangential += force[0];
   s.sticking += stick;
   s.touching += in_contact;
-  s.friction_energy += force[0] * (step.flat_increment - central[0]);
+  s.friction_energy += force[0] * (step.flat_increment[0] - central[0]);
   s.impact_energy -= normal * central[1];
   if constexpr (dim == 3)
     {
       store(at(Arrays::lateral_force), force[2]);
       store(at(Arrays::lateral_target), touches ? f.target[1] : zero);
-      s.friction_energy -= force[2] * central[2];
+      s.tangential +=
+        step.flat_direction[0] * force[0] + step.flat_direction[1] * force[2];
+      s.friction_energy += force[2] * (step.flat_increment[1] - central[2]);
     }
+  else
+    s.tangential += force[0];
 }
 
 template <int dim>

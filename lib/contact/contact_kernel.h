@@ -13,8 +13,8 @@ constexpr std::size_t contact_lanes = 8;
 /**
  * Pointers to everything the contact kernels read and write, one value a node, 64-byte
  * aligned and padded to a multiple of contact_lanes. Padding has gap = infinity and no
- * inverse mass. Components are along the motion of the flat (0), normal to the contact (1)
- * and, in 3D, along the contact across that motion (2).
+ * inverse mass. Components are along x (0), normal to the contact (1) and, in 3D, along
+ * y (2).
  */
 struct ContactArrays
 {
@@ -27,11 +27,11 @@ struct ContactArrays
     decay,                ///< weight of the friction memory, see Relaxation
     lag,                  ///< weight of the target's change, see Relaxation
     // Displacement increments: of the step before, and predicted (m).
-    increment_x, ///< along the contact
+    increment_x, ///< along x
     increment_y, ///< normal to it
     // State in the step before, 0 when separated; results of this step.
-    tangential_force, ///< friction on the body (N/m)
-    target,           ///< Coulomb's force on the body (N/m)
+    tangential_force, ///< friction on the body along x (N/m)
+    target,           ///< Coulomb's force on the body along x (N/m)
     touching,         ///< 1 or 0
     normal_force,     ///< N/m, pressing on the node from below, not negative
     sticking,         ///< 1: touches without sliding
@@ -40,7 +40,7 @@ struct ContactArrays
     slip_count,      ///< steps slipped
     landing_count,   ///< steps in which contact began
     n_plane_columns, ///< those above are all of a 2D contact
-    // As those without the word, across the motion of the flat.
+    // As those without the word, along y.
     lateral_increment = n_plane_columns, ///< m
     lateral_force,                       ///< N
     lateral_target,                      ///< N
@@ -64,16 +64,17 @@ struct ContactArrays
 /** The time step's constants as the kernels use them. */
 struct ContactStep
 {
-  double dt;             ///< s
-  double beta2;          ///< of the time scheme, 0.5 to 1
-  double flat_increment; ///< displacement of the flat during the step (m)
+  double dt;                           ///< s
+  double beta2;                        ///< of the time scheme, 0.5 to 1
+  double flat_increment[2];            ///< of the flat during the step, along x and y (m)
+  double flat_direction[2] = {1., 0.}; ///< along which it moves, of length one
 };
 
 /** Sums over the row after one step; forces and energies are per unit thickness. */
 struct ContactSums
 {
   double normal_force     = 0.; ///< N/m
-  double tangential_force = 0.; ///< N/m, on the body, along the flat's motion
+  double tangential_force = 0.; ///< N/m, on the body, along flat_direction
   double sticking         = 0.; ///< number of nodes
   double slipping         = 0.; ///< number of nodes
   double friction_energy  = 0.; ///< dissipated in this step (J/m)

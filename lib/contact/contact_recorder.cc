@@ -27,6 +27,24 @@ void sum_over_ranks(ContactHistory &samples, const MPI_Comm communicator)
       sum_over_ranks(*values, communicator);
 }
 
+void turn_along_flat(ContactHistory &samples, const std::array<double, 2> &direction)
+{
+  const auto [c, s] = direction;
+  if (s == 0.)
+    return;
+  for (MonitoredNode &node : samples.nodes)
+    for (auto [along, across] :
+         {std::make_pair(&node.ux, &node.across.u),
+          std::make_pair(&node.vx, &node.across.v),
+          std::make_pair(&node.tangential_force, &node.across.force)})
+      for (std::size_t k = 0; k < along->size(); ++k)
+        {
+          const double x = (*along)[k], y = (*across)[k];
+          (*along)[k]  = c * x + s * y;
+          (*across)[k] = c * y - s * x;
+        }
+}
+
 std::vector<NodeCounts> gather_nodes(const std::vector<NodeCounts> &blocks,
                                      const std::vector<unsigned int> &places,
                                      const std::size_t n_nodes,

@@ -11,7 +11,7 @@
 
 namespace mesoslip
 {
-/** In 3D: motion and force of a contact node across the motion of the flat. */
+/** In 3D: motion and force of a contact node along y. */
 struct LateralMotion
 {
   std::vector<double> u;     ///< displacement (m)
@@ -26,8 +26,8 @@ struct LateralMotion
   }
 };
 
-/** Motion and forces of one contact node, a value each sample; x is along the motion of
- * the flat, y its normal also in 3D; forces in 2D per unit thickness. */
+/** Motion and forces of one contact node, a value each sample; y is the normal of the flat
+ * also in 3D; forces in 2D per unit thickness. */
 struct MonitoredNode
 {
   std::vector<double> ux;               ///< displacement (m)
@@ -35,7 +35,7 @@ struct MonitoredNode
   std::vector<double> vx;               ///< velocity (m/s)
   std::vector<double> vy;               ///< velocity (m/s)
   std::vector<double> normal_force;     ///< N/m, positive when pressed
-  std::vector<double> tangential_force; ///< N/m, on the body
+  std::vector<double> tangential_force; ///< N/m, on the body, along x
   LateralMotion across;                 ///< empty in 2D
 
   /** Of boost::serialization. */
@@ -53,7 +53,7 @@ struct ContactHistory
   std::vector<std::uint64_t> step;      ///< number of the sampled step
   std::vector<double> time;             ///< s
   std::vector<double> normal_force;     ///< N/m, positive when pressed
-  std::vector<double> tangential_force; ///< N/m, on the body
+  std::vector<double> tangential_force; ///< N/m, on the body, along the flat's motion
   std::vector<double> sticking;         ///< number of nodes that stick
   std::vector<double> slipping;         ///< number of nodes that slip
   std::vector<double> separated;        ///< numbers of nodes
@@ -75,6 +75,10 @@ struct ContactHistory
  * Collective.
  */
 void sum_over_ranks(ContactHistory &samples, const MPI_Comm communicator);
+
+/** Turns motion and forces of the nodes: x becomes @p direction, of length one, along which
+ * the flat moves, and what was along y is what is across. */
+void turn_along_flat(ContactHistory &samples, const std::array<double, 2> &direction);
 
 /** Histories of the contact: resultants, and motion and forces of some nodes. */
 template <int dim>

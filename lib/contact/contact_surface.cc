@@ -62,9 +62,12 @@ template <int dim>
 void ContactSurface<dim>::advance_all(const SurfaceView<dim> &surface,
                                       const double flat_velocity)
 {
-  const ContactStep constants = {step.dt, step.beta2, flat_velocity * step.dt};
-  const unsigned int n_own    = setup.n_owned.value_or(n_nodes),
-                     copies   = whole_vectors<double>(n_own);
+  const std::array<double, 2> &along = setup.flat_direction;
+  const double moved                 = flat_velocity * step.dt;
+  const ContactStep constants        = {
+           step.dt, step.beta2, {moved * along[0], moved * along[1]}, {along[0], along[1]}};
+  const unsigned int n_own  = setup.n_owned.value_or(n_nodes),
+                     copies = whole_vectors<double>(n_own);
   advance_nodes(arrays(surface, 0, n_own), constants, last);
   ContactSums elsewhere;
   if (copies < n_nodes)
@@ -80,7 +83,9 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
     initialize_increments(surface);
   if (setup.law.node_law)
     setup.law.node_law->update(
-      {n_nodes, surface.w[0], flat_velocity, dim == 3 ? surface.w[1] : nullptr}, step.dt,
+      {n_nodes, surface.w[0], flat_velocity * setup.flat_direction[0],
+       dim == 3 ? surface.w[1] : nullptr, flat_velocity * setup.flat_direction[1]},
+      step.dt,
       {column(Column::friction_coefficient), column(Column::decay), column(Column::lag)});
 
   for (ContactObserver<dim> *observer : observers)

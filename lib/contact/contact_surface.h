@@ -9,6 +9,7 @@
 #include "grid/uniform_grid.h"
 #include "parameters/load_history.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -22,10 +23,10 @@ struct SlidingNodes
 {
   unsigned int n         = 0;       ///< number of nodes
   const double *velocity = nullptr; ///< along x (m/s), n values
-  double flat_velocity   = 0.;      ///< m/s
+  double flat_velocity   = 0.;      ///< along x (m/s)
 
-  /** In 3D: along the contact across the motion of the flat (m/s), n values. */
-  const double *lateral_velocity = nullptr;
+  const double *lateral_velocity = nullptr; ///< in 3D: along y (m/s), n values
+  double lateral_flat_velocity   = 0.;      ///< in 3D: along y (m/s)
 };
 
 /**
@@ -105,7 +106,8 @@ public:
         const double along     = std::fabs(nodes.flat_velocity - nodes.velocity[i]),
                      slip_rate = nodes.lateral_velocity == nullptr
                                    ? along
-                                   : std::hypot(along, nodes.lateral_velocity[i]);
+                                   : std::hypot(along, nodes.lateral_flat_velocity -
+                                                         nodes.lateral_velocity[i]);
         friction.set(i, Relaxation(dt, length / (slip_rate + reference_velocity)));
       }
   }
@@ -149,8 +151,11 @@ struct ContactSetup
   /** Coulomb coefficient of each node of the surface. */
   std::vector<double> friction_coefficient;
 
-  /** Velocity of the flat along x (m/s). */
+  /** Velocity of the flat along flat_direction (m/s). */
   LoadHistory flat_velocity;
+
+  /** Along x and y, of length one; x in 2D. */
+  std::array<double, 2> flat_direction = {{1., 0.}};
 
   /** Distance between surface and flat in the undeformed state (m). */
   double gap = 0.;
@@ -204,7 +209,7 @@ struct ContactObserver
 };
 
 /**
- * The law of contact with a rigid flat that moves along x: forward increment Lagrange
+ * The law of contact with a rigid flat that moves along itself: forward increment Lagrange
  * multipliers and regularized Coulomb friction (eqs 2, 4, 7).
  */
 template <int dim>
@@ -248,14 +253,13 @@ public:
     return column(Column::normal_force);
   }
 
-  /** Tangential forces of the last step on the body (N/m) along the motion of the flat,
-   * one value a node. */
+  /** Tangential forces of the last step on the body (N/m) along x, one value a node. */
   const double *tangential_force() const
   {
     return column(Column::tangential_force);
   }
 
-  /** In 3D: the same across the motion of the flat. */
+  /** In 3D: the same along y. */
   const double *lateral_force() const
   {
     return column(Column::lateral_force);

@@ -31,9 +31,9 @@ public:
   IncrementalFriction(const std::vector<double> &reference,
                       const std::size_t n_nodes,
                       const double scale,
-                      const double initial)
+                      const Direction &initial)
     : force(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n_nodes) * n_tangents))
-    , direction(n_nodes, Direction{{initial}})
+    , direction(n_nodes, initial)
     , reference(reference)
     , scale(scale)
   {

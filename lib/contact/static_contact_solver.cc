@@ -26,12 +26,13 @@ public:
     , options(options)
     , solver(body)
     , nodes(body.surface(ElasticBody<dim>::bottom).nodes)
-    , n_nodes(nodes.size() - (body.periodicity().x ? 1 : 0))
+    , closed(body.surface(ElasticBody<dim>::bottom).closed)
+    , n_nodes(nodes.size() - (closed ? 1 : 0))
     , scale(stiffness_scale(body))
     , force(problem.force)
     , friction(Eigen::VectorXd::Zero(Eigen::Index{n_nodes} * n_tangents))
     , normal(Eigen::VectorXd::Zero(n_nodes))
-    , tangential(problem.reference, n_nodes, turning * scale, problem.sliding)
+    , tangential(problem.reference, n_nodes, turning * scale, of_sliding_flat())
   {
     for (unsigned int i = 0; i < n_nodes; ++i)
       solution.state.push_back(problem.constrained.is_constrained(normal_axis, nodes[i])
@@ -92,7 +93,7 @@ public:
     solution.normal_force.assign(normal.data(), normal.data() + n_nodes);
     solution.tangential_force.assign(tangential.force.data(),
                                      tangential.force.data() + tangential.force.size());
-    if (body.periodicity().x)
+    if (closed)
       {
         solution.normal_force.push_back(normal[0]);
         solution.tangential_force.push_back(tangential.force[0]);
@@ -112,6 +113,15 @@ private:
   static constexpr unsigned int hasty_changes =
     10; ///< of states, before friction is exact
   using Friction = IncrementalFriction<dim>;
+
+  /** Of friction on all nodes; zero on a flat at rest. */
+  typename Friction::Direction of_sliding_flat() const
+  {
+    typename Friction::Direction direction;
+    for (unsigned int c = 0; c < n_tangents; ++c)
+      direction[c] = problem.sliding * problem.flat_direction[c];
+    return direction;
+  }
 
   static Eigen::Index index(const unsigned int i, const unsigned int c)
   {
@@ -153,11 +163,6 @@ private:
         return;
       constrained.constrain(c, nodes[i]);
       u(c, nodes[i]) = c == normal_axis ? -gap(i) : tangential.sticks_at(i, c);
-      if (i == 0 && body.periodicity().x)
-        {
-          constrained.constrain(c, nodes[n_nodes]);
-          u(c, nodes[n_nodes]) = u(c, nodes[i]);
-        }
     };
     for (unsigned int i = 0; i < n_nodes; ++i)
       {
@@ -167,6 +172,8 @@ private:
           for (unsigned int c = 0; c < n_tangents; ++c)
             put(c, i);
       }
+    body.copy_duplicates(constrained);
+    body.copy_duplicates(u);
     solver.set_constrained(constrained);
   }
 
@@ -294,6 +301,7 @@ private:
   const StaticContactOptions &options;
   EquilibriumSolver<dim> solver;
   const std::vector<NodeIndex> &nodes; ///< of the bottom, the duplicate at the end
+  const bool closed;                   ///< the last of them is the first one again
   const unsigned int n_nodes;          ///< distinct ones of the bottom
   const double scale;                  ///< see stiffness_scale()
 

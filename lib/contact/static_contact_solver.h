@@ -3,6 +3,7 @@
 
 #include "body/elastic_body.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -45,10 +46,14 @@ struct StaticContactProblem
   std::vector<double> gap = {};
 
   /**
-   * Direction (+1, -1) along x in which the flat slides below the body: all contact nodes slip.
-   * 0: the flat rests, nodes stick or slip against their own displacement from reference.
+   * Direction (+1, -1) along flat_direction in which the flat slides below the body: all contact
+   * nodes slip. 0: the flat rests, nodes stick or slip against their own displacement from
+   * reference.
    */
   int sliding = 0;
+
+  /** Along x and y, of length one; x in 2D. */
+  std::array<double, 2> flat_direction = {{1., 0.}};
 
   /**
    * On a flat at rest, of each node the displacement along the flat at which it sticks

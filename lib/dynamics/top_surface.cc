@@ -98,6 +98,15 @@ void TopSurface<dim>::move_node(double &u, double &w, const double acceleration)
   u += step.dt * w + (step.beta2 - 0.5) * step.dt * step.dt * acceleration;
 }
 
+/** Tangential force along TopSetup::direction. */
+template <int dim>
+double TopSurface<dim>::transmitted(const SurfaceView<dim> &surface) const
+{
+  const auto [c, s]    = setup.direction;
+  const double along_x = sum_of(surface.force[0], n_distinct);
+  return s == 0. ? -along_x : -(c * along_x + s * sum_of(surface.force[1], n_distinct));
+}
+
 template <int dim>
 TopLoad TopSurface<dim>::push_nodes(const SurfaceView<dim> &surface)
 {
@@ -126,7 +135,7 @@ TopLoad TopSurface<dim>::push_nodes(const SurfaceView<dim> &surface)
       increment[y][i] = moved;
     }
   if (setup.lateral_held)
-    load.tangential = -sum_of(surface.force[0], n_distinct);
+    load.tangential = transmitted(surface);
   return load;
 }
 
@@ -138,7 +147,7 @@ TopLoad TopSurface<dim>::push_platen(const SurfaceView<dim> &surface)
   TopLoad load;
   const double pressure = setup.pressure(surface.time);
   load.normal           = pressure * area;
-  load.tangential       = -sum_of(surface.force[0], n_distinct);
+  load.tangential       = transmitted(surface);
   if (surface.n == 0)
     return load;
   const double force        = surface.total_force != nullptr
@@ -193,7 +202,7 @@ TopLoad TopSurface<dim>::hold(const SurfaceView<dim> &surface)
 
   TopLoad load;
   load.normal     = -sum_of(surface.force[dim - 1], n_distinct);
-  load.tangential = -sum_of(surface.force[0], n_distinct);
+  load.tangential = transmitted(surface);
   return load;
 }
 

@@ -43,6 +43,9 @@ struct TopSetup
   /** From this time (s) on the top stays where it is. */
   double hold_from = std::numeric_limits<double>::infinity();
 
+  /** Along which tangential forces are counted: x and y, of length one. */
+  std::array<double, 2> direction = {{1., 0.}};
+
   /** Width of a cell of a grid (m). */
   double cell_width = 0.;
 
@@ -61,7 +64,7 @@ struct TopSetup
 struct TopLoad
 {
   double normal     = 0.; ///< N/m, positive when it presses
-  double tangential = 0.; ///< N/m, as transmitted from the contact
+  double tangential = 0.; ///< N/m, as transmitted from the contact, along direction
 };
 
 /** Sampled resultants at the top, per unit thickness. */
@@ -177,6 +180,7 @@ private:
   TopLoad push_nodes(const SurfaceView<dim> &surface);
   TopLoad push_platen(const SurfaceView<dim> &surface);
   TopLoad hold(const SurfaceView<dim> &surface);
+  double transmitted(const SurfaceView<dim> &surface) const;
   void stop(const SurfaceView<dim> &surface);
 
   void move_node(double &u, double &w, const double acceleration) const;

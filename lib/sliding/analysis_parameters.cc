@@ -184,10 +184,10 @@ void add_mesh(RunConditions &conditions, const ContactParameters &p, const bool 
   for (unsigned int c = 0; c < p.mesh.mesh.dim; ++c)
     if (!p.mesh.held[c].empty())
       conditions[std::string("held_in_") + "xyz"[c]] = to_text(p.mesh.held[c]);
-  for (unsigned int axis = 0; axis < 2; ++axis)
-    if (!p.mesh.periodic[axis].empty())
-      conditions[std::string("periodic_in_") + "xy"[axis]] =
-        to_text(p.mesh.periodic[axis]);
+  if (!p.mesh.periodic[0].empty())
+    conditions["periodic"] = "yes";
+  if (!p.mesh.periodic[1].empty())
+    conditions["periodic_in_y"] = "yes";
   if (p.mesh.mesh.dim == 3)
     {
       conditions["acceleration_z"] = p.step.acceleration[2];
@@ -280,6 +280,11 @@ RunConditions ContactParameters::stated_conditions() const
     {"acceleration_y", step.acceleration[1]}};
   add_load(conditions, "pressure", top.pressure);
   add_load(conditions, "velocity", contact.flat_velocity);
+  if (contact.flat_direction[1] != 0.)
+    {
+      conditions["flat_direction_x"] = contact.flat_direction[0];
+      conditions["flat_direction_y"] = contact.flat_direction[1];
+    }
   add_friction(conditions, *this);
   if (top.kind == Kind::platen)
     conditions["platen_mass"] = top.platen_mass;

@@ -167,14 +167,32 @@ LoadHistory bind_history(Keys &keys,
     }
 }
 
+/** Puts the direction of the flat into @p p; its speed along it (m/s). */
+double bind_flat_direction(Keys &keys, ContactParameters &p)
+{
+  std::vector<double> velocity = {2.};
+  keys.bind_list("Velocity", velocity, Range::any(),
+                 "Velocity of the rigid flat along x and, in 3D, y (0 where it is left "
+                 "out). With two components a ramp or an expression is along their "
+                 "direction [m/s]",
+                 1, 2);
+  keys.require(velocity.size() < 2 || p.mesh.mesh.dim == 3, "Velocity",
+               "it has two components, but Dimension is 2; give the one along x");
+  if (velocity.size() < 2 || velocity[1] == 0.)
+    return velocity[0];
+  const double speed = std::hypot(velocity[0], velocity[1]);
+  keys.require(std::isfinite(speed), "Velocity", "its size is infinite; give it in m/s");
+  p.contact.flat_direction = {{velocity[0] / speed, velocity[1] / speed}};
+  p.top.direction          = p.contact.flat_direction;
+  return speed;
+}
+
 void bind_loads(Keys &keys, ContactParameters &p)
 {
   {
-    const auto section = keys.section("Flat");
-    double velocity    = 2.;
-    keys.bind("Velocity", velocity, Range::any(),
-              "Velocity of the rigid flat along x [m/s]");
-    p.contact.flat_velocity = bind_history(keys, velocity, "velocity", "m/s");
+    const auto section      = keys.section("Flat");
+    const double speed      = bind_flat_direction(keys, p);
+    p.contact.flat_velocity = bind_history(keys, speed, "velocity", "m/s");
     keys.bind("Gap", p.contact.gap, Range::non_negative(),
               "Distance between the body and the flat at the start [m]");
   }
@@ -278,8 +296,7 @@ void check_analysis(const Keys &keys)
              "Flat/Expression", "Top/Ramp", "Top/Ramp time", "Top/Expression",
              "Friction/Law", "Friction/Regularization time", "Friction/Length",
              "Friction/Reference velocity", "Observation/", "Snapshots/", "Checkpoints/",
-             "Performance/Temporal blocking", "Performance/Instruction set",
-             "Mesh/Periodic in x", "Mesh/Periodic in y"});
+             "Performance/Temporal blocking", "Performance/Instruction set"});
   only_with({"transient", "modal"}, {"Top/Platen mass", "Top/Hold from"});
   only_with({"transient", "static contact"},
             {"Body/Acceleration", "Flat/", "Top/Pressure", "Friction/"});

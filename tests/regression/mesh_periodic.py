@@ -1,6 +1,7 @@
-"""Periodic sides of meshes in contact_dynamics: a periodic grid handed in as a mesh, a solid whose phases are shifted across both
-sides, going on from a checkpoint, and what is refused."""
+"""Periodic sides of meshes in contact_dynamics, transient, modal and static contact: a periodic grid handed in as a mesh, a solid whose
+phases are shifted across both sides; going on from a checkpoint, and what is refused."""
 
+import csv
 import tempfile
 
 import h5py
@@ -8,14 +9,16 @@ import numpy as np
 
 from mesh_dynamics import BODY, COMMON, DENSITY, MESH, OBSERVED, PLANE_PROBES, STATES, STEEL, STIFFNESS, check_equal, check_same_summary, group
 from mesh_files import Box
+from mesh_static_contact import LOADS, columns
 from scenes import Folder, prm
 
 PERIODIC = {"Mesh/Periodic in x": "left, right"}
 CELLS = [6, 4, 3]
-SOLID = "set Dimension = 3\n" + MESH + prm({
+SOLID_BODY = "set Dimension = 3\n" + prm({
     "Phases/Names": "body, core", **{key: value for key, value in STEEL.items() if key != "Phases/Names"},
-    "Phases/core/Young modulus": "70e9", "Phases/core/Poisson ratio": 0.2, "Phases/core/Density": 2700, "Top/Kind": "pressure",
-    "Body/Initial velocity": "0.5, 1, -1", "Snapshots/Interval": 1e-5, **PERIODIC, "Mesh/Periodic in y": "front, back"})
+    "Phases/core/Young modulus": "70e9", "Phases/core/Poisson ratio": 0.2, "Phases/core/Density": 2700})
+SOLID = SOLID_BODY + MESH + prm({
+    "Top/Kind": "pressure", "Body/Initial velocity": "0.5, 1, -1", "Snapshots/Interval": 1e-5, **PERIODIC, "Mesh/Periodic in y": "front, back"})
 
 
 def box_with_sides(size, cells, phase, kind="cube"):
@@ -25,6 +28,13 @@ def box_with_sides(size, cells, phase, kind="cube"):
         for upper, name in enumerate(of_axis):
             box.name_side(name, axis, bool(upper))
     return box
+
+
+def shifted_box(shift):
+    def phase(x):
+        return "core" if (int(x[0] / 0.5 + shift) % CELLS[0], int(x[1] / 0.5 + shift) % CELLS[1]) in ((0, 0), (2, 1), (1, 1)) else "body"
+
+    return box_with_sides([0.5 * n for n in CELLS], CELLS, phase)
 
 
 def check_grid_as_mesh(folder):
@@ -66,12 +76,9 @@ def displacement(folder, run):
 
 def check_shifted(folder):
     """Phases that are shifted across the sides shift what happens."""
-    def phase(shift):
-        return lambda x: "core" if (int(x[0] / 0.5 + shift) % CELLS[0], int(x[1] / 0.5 + shift) % CELLS[1]) in ((0, 0), (2, 1), (1, 1)) else "body"
-
     fields = []
     for shift, ranks in ((0, 1), (0, 3), (2, 2)):
-        box_with_sides([0.5 * n for n in CELLS], CELLS, phase(shift)).write(folder("mesh.msh"))
+        shifted_box(shift).write(folder("mesh.msh"))
         folder.write("solid.prm", SOLID)
         folder.run(0, "contact_dynamics", "solid.prm", "--output", f"solid{shift}{ranks}", ranks=ranks)
         fields.append(np.roll(displacement(folder, f"solid{shift}{ranks}"), (shift, shift), (1, 2)))
@@ -79,6 +86,79 @@ def check_shifted(folder):
     assert spread > 1e-5 * np.abs(fields[0]).max(), spread  # the body as a whole moves far
     for other in fields[1:]:
         assert np.abs(other - fields[0]).max() < 1e-6 * spread, np.abs(other - fields[0]).max() / spread
+
+
+def check_modes_of_grid(folder):
+    """Frequencies and effective masses, of modes in pairs their sum, under a platen with mass."""
+    modal = {"Analysis": "modal", "Modal/Number of modes": 8, "Modal/Tolerance": 1e-12, "Top/Platen mass": 0.05}
+    folder.write("grid.prm", prm({**modal, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
+                                  "Body/Cells": "24, 10", "Sides/Periodic": "true"}))
+    folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid_modal")
+    box_with_sides([12, 4], [24, 10], lambda x: "body").write(folder("mesh.msh"))
+    folder.write("mesh.prm", prm({**modal, **BODY, **PERIODIC, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001}))
+
+    def of(run):
+        with open(folder(run, "modes.csv"), encoding="ascii") as file:
+            rows = list(csv.DictReader(file))
+        frequency = np.array([float(row["frequency [Hz]"]) for row in rows])
+        masses = [sum(float(row[f"effective_mass_{axis} [-]"]) for row in rows) for axis in "xy"]
+        assert np.sum(np.diff(frequency) < 1e-9 * frequency[1:]) >= 4, frequency  # pairs
+        return frequency, masses
+
+    expected = of("grid_modal")
+    for ranks in (1, 2, 3):
+        folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh_modal", ranks=ranks)
+        found = of("mesh_modal")
+        assert np.abs(found[0] / expected[0] - 1).max() < 1e-9, (ranks, found, expected)
+        assert np.allclose(found[1], expected[1], rtol=0, atol=1e-8), (ranks, found, expected)
+        assert folder.summary("mesh_modal")["rigid_motions"] == folder.summary("grid_modal")["rigid_motions"]
+
+
+def check_static_of_grid(folder):
+    """Gravity along the flat, which rests: a layer that sticks; and one on a flat that slides."""
+    for load in ({"Flat/Velocity": 0, "Body/Acceleration": "3e3, -2e4"}, {"Flat/Velocity": -2, "Top/Lateral held": "true"}):
+        common = {**LOADS, "Top/Lateral held": "false", **load}
+        folder.write("grid.prm", prm({**common, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
+                                      "Body/Cells": "24, 10", "Sides/Periodic": "true"}))
+        folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid_static")
+        folder.write("mesh.prm", prm({**common, **BODY, **PERIODIC, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001}))
+        names = ("pressure [Pa]", "shear_traction [Pa]", "displacement_x [m]")
+        expected, states = columns(folder, "grid_static", *names)
+        for ranks in (1, 2, 3):
+            folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh_static", ranks=ranks)
+            found, others = columns(folder, "mesh_static", *names)
+            assert states[:-1] == others and len(others) == 24
+            for one, other in zip(expected, found):
+                assert np.abs(one[:-1] - other).max() <= 1e-7 * np.abs(one).max() + 1e-18, (ranks, one, other)
+            for key in ("normal_force", "tangential_force"):
+                one, other = folder.summary("grid_static")[key], folder.summary("mesh_static")[key]
+                assert abs(one - other) <= 1e-7 * abs(folder.summary("grid_static")["normal_force"]), (key, one, other)
+
+
+def check_shifted_statics(folder):
+    """Phases that are shifted across the sides shift the equilibrium and leave the frequencies as they are."""
+    solid = SOLID_BODY + prm({"Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, **PERIODIC, "Mesh/Periodic in y": "front, back"})
+    folder.write("static.prm", solid + prm({**LOADS, "Flat/Velocity": "1, -2"}))
+    folder.write("rest.prm", solid + prm({**LOADS, "Top/Lateral held": "false", "Flat/Velocity": 0, "Body/Acceleration": "1e3, 2e3, -1e4"}))
+    folder.write("modal.prm", solid + prm({"Analysis": "modal", "Modal/Number of modes": 6, "Top/Kind": "pressure", "Modal/Tolerance": 1e-12}))
+    fields, frequencies = {"static": [], "rest": []}, []
+    for shift, ranks in ((0, 1), (0, 3), (2, 2)):
+        shifted_box(shift).write(folder("mesh.msh"))
+        for name, found in fields.items():
+            folder.run(0, "contact_dynamics", name + ".prm", "--output", name, ranks=ranks)
+            found.append(np.roll(displacement(folder, name), (shift, shift), (1, 2)))
+            assert len(columns(folder, name, "pressure [Pa]")[1]) == CELLS[0] * CELLS[1]
+        folder.run(0, "contact_dynamics", "modal.prm", "--output", "modal", ranks=ranks)
+        assert folder.summary("modal")["rigid_motions"] == {"free": 3, "held": 2}, folder.summary("modal")["rigid_motions"]
+        with h5py.File(folder("modal", "modal.h5")) as file:
+            frequencies.append(np.concatenate([file["modes"][bottom]["frequency"][()] for bottom in ("free", "held")]))
+    for found in fields.values():
+        spread = np.ptp(found[0][1, :, :, 2])
+        assert spread > 0.01 * np.abs(found[0][..., 2]).max(), spread
+        for other in found[1:]:
+            assert np.abs(other - found[0]).max() < 1e-6 * spread, np.abs(other - found[0]).max() / spread
+    for other in frequencies[1:]:
+        assert np.abs(other / frequencies[0] - 1).max() < 1e-9, other / frequencies[0] - 1
 
 
 def check_resumed(folder):
@@ -97,7 +177,6 @@ def check_refused(folder):
     refused(["Mesh/Periodic in x", "'side' is no physical group"], "Mesh/Periodic in x=left, side")
     refused(["Mesh/Periodic in x", "second group lie between -0.003"], "Mesh/Periodic in x=right, left")
     refused(["both ends of x", "20 and 35 points"], "Mesh/Periodic in x=left, Top")
-    refused(["Mesh/Periodic in x", "has no effect, as Analysis is 'modal'"], "Analysis=modal")
     bent = box_with_sides([0.5 * n for n in CELLS], CELLS, lambda x: "core" if x[0] > 1 else "body")
     right = bent.points[:, 0] == bent.points[:, 0].max()
     bent.points[right, 0] += 0.05 * bent.points[right, 2]
@@ -113,6 +192,9 @@ def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
         check_grid_as_mesh(folder)
+        check_modes_of_grid(folder)
+        check_static_of_grid(folder)
+        check_shifted_statics(folder)
         check_shifted(folder)
         check_resumed(folder)
         check_refused(folder)

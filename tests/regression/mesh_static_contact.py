@@ -142,12 +142,17 @@ def check_refused(folder):
         assert said in folder.run(2, "contact_dynamics", "bad.prm", "--output", "bad"), key
 
 
-with tempfile.TemporaryDirectory() as path:
-    scenes = Folder(path)
-    check_grid_as_mesh(scenes, 2, "pressure")
-    check_grid_as_mesh(scenes, 0, "pressure")
-    check_grid_as_mesh(scenes, 2, "platen")
-    check_steps(scenes)
-    check_layer(scenes)
-    check_refused(scenes)
-    check_two_phases(scenes)
+def main():
+    with tempfile.TemporaryDirectory() as path:
+        scenes = Folder(path)
+        check_grid_as_mesh(scenes, 2, "pressure")
+        check_grid_as_mesh(scenes, 0, "pressure")
+        check_grid_as_mesh(scenes, 2, "platen")
+        check_steps(scenes)
+        check_layer(scenes)
+        check_refused(scenes)
+        check_two_phases(scenes)
+
+
+if __name__ == "__main__":
+    main()

@@ -152,8 +152,9 @@ void contact_kernel()
   ContactSums sums;
   for (unsigned int step = 0; step < 5; ++step)
     {
-      contact_kernels::baseline::advance(a, {1e-1, 0.7, 1e-3}, sums);
-      contact_kernels::baseline::advance_in_space(a, {1e-1, 0.7, 1e-3}, sums);
+      const ContactStep constants = {1e-1, 0.7, {1e-3, -4e-4}, {0.6, 0.8}};
+      contact_kernels::baseline::advance(a, constants, sums);
+      contact_kernels::baseline::advance_in_space(a, constants, sums);
     }
   const double all[] = {sums.normal_force, sums.tangential_force, sums.sticking,
                         sums.slipping,     sums.friction_energy,  sums.impact_energy};

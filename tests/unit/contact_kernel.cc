@@ -191,7 +191,7 @@ void expect_the_same_bits()
                          Arrays::lateral_target})
       a.column[c] = row(0., 5.);
     for (unsigned int k = 0; k < 5; ++k)
-      contact_function<dim>(isa)(a, {1e-2, 0.7, 1e-3}, sums);
+      contact_function<dim>(isa)(a, {1e-2, 0.7, {1e-3, -4e-4}, {0.6, 0.8}}, sums);
     return values;
   };
   ContactSums first;

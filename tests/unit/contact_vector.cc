@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <memory>
 
 using namespace mesoslip;
 
@@ -12,19 +14,37 @@ namespace
 {
 constexpr double point_mass = 2., weight = 6., point_mu = 0.25; // kg, N
 
-/** A point on the flat. */
+using Vector = std::array<double, 2>;
+
+/** Relaxes in a constant time (s). */
+FrictionLaw relaxing_in(const double delta)
+{
+  FrictionLaw law;
+  law.time = delta;
+  return law;
+}
+
+/** @p v turned by the angle (rad). */
+Vector turned_by(const double angle, const Vector &v)
+{
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {{c * v[0] - s * v[1], s * v[0] + c * v[1]}};
+}
+
+/** A point on the flat, which moves with its velocity along its direction. */
 class Point
 {
 public:
   Point(const double dt,
-        const double delta,
+        const FrictionLaw &law,
         const double flat_velocity,
-        const std::array<double, 2> &velocity)
+        const Vector &velocity,
+        const Vector &direction = {{1., 0.}})
     : u(1, 1, 3)
     , w(u)
     , force(u)
     , inverse_mass(u)
-    , contact(setup(delta, flat_velocity), step(dt))
+    , contact(setup(law, flat_velocity, direction), step(dt))
   {
     for (unsigned int c = 0; c < 3; ++c)
       {
@@ -52,12 +72,14 @@ public:
   ContactSurface<3> contact;
 
 private:
-  static ContactSetup setup(const double delta, const double flat_velocity)
+  static ContactSetup
+  setup(const FrictionLaw &law, const double flat_velocity, const Vector &direction)
   {
     ContactSetup s;
-    s.law.time             = delta;
+    s.law                  = law;
     s.friction_coefficient = {point_mu};
     s.flat_velocity        = LoadHistory(flat_velocity);
+    s.flat_direction       = direction;
     return s;
   }
 
@@ -79,7 +101,7 @@ TEST(FrictionVector, SlipGoesStraightAndEnds)
   const double V = 0.7, vx = 0.1, vy = 0.8, dt = 1e-4;
   const double slip         = std::hypot(V - vx, vy),
                deceleration = point_mu * weight / point_mass;
-  Point p(dt, 0., V, {{vx, vy}});
+  Point p(dt, relaxing_in(0.), V, {{vx, vy}});
   const double end         = slip / deceleration;
   const unsigned int n_end = static_cast<unsigned int>(end / dt);
   for (unsigned int n = 1; n < n_end; ++n)
@@ -101,31 +123,47 @@ TEST(FrictionVector, SlipGoesStraightAndEnds)
   EXPECT_NEAR(p.contact.work().friction, 0.5 * point_mass * slip * slip, 1e-3);
 }
 
-// No direction is special: what happens along x happens along any.
-TEST(FrictionVector, TurnsWithThePull)
+namespace
 {
-  for (const double delta : {0., 0.03})
-    for (const double angle : {0.4, 1.3, 2.9, -2.2})
-      {
-        const double c = std::cos(angle), s = std::sin(angle), v = 0.6;
-        Point straight(1e-2, delta, 0., {{v, 0.2}});
-        Point turned(1e-2, delta, 0., {{c * v - s * 0.2, s * v + c * 0.2}});
-        bool stuck = false, slipped = false;
-        for (unsigned int n = 0; n < 500; ++n)
-          {
-            const double x = 2. * std::sin(0.05 * n), y = 1.3 * std::sin(0.11 * n + 1.);
-            straight.advance(x, y);
-            turned.advance(c * x - s * y, s * x + c * y);
-            const double u = straight.u.row(0, 0)[0], w = straight.u.row(1, 0)[0];
-            ASSERT_NEAR(turned.u.row(0, 0)[0], c * u - s * w, 1e-12) << n;
-            ASSERT_NEAR(turned.u.row(1, 0)[0], s * u + c * w, 1e-12) << n;
-            (straight.contact.sums().sticking > 0. ? stuck : slipped) = true;
-          }
-        EXPECT_TRUE(slipped);
-        EXPECT_TRUE(stuck);
-        EXPECT_NEAR(turned.contact.work().friction, straight.contact.work().friction,
-                    1e-11);
-      }
+/** No direction is special: what happens along x happens along any. */
+void expect_turned(const FrictionLaw &law, const double flat_velocity, const double angle)
+{
+  Point straight(1e-2, law, flat_velocity, {{0.6, 0.2}});
+  Point turned(1e-2, law, flat_velocity, turned_by(angle, {{0.6, 0.2}}),
+               turned_by(angle, {{1., 0.}}));
+  bool stuck = false, slipped = false;
+  for (unsigned int n = 0; n < 500; ++n)
+    {
+      const Vector pull  = {{2. * std::sin(0.05 * n), 1.3 * std::sin(0.11 * n + 1.)}},
+                   askew = turned_by(angle, pull);
+      straight.advance(pull[0], pull[1]);
+      turned.advance(askew[0], askew[1]);
+      const Vector u =
+        turned_by(angle, {{straight.u.row(0, 0)[0], straight.u.row(1, 0)[0]}});
+      ASSERT_NEAR(turned.u.row(0, 0)[0], u[0], 1e-11) << n;
+      ASSERT_NEAR(turned.u.row(1, 0)[0], u[1], 1e-11) << n;
+      ASSERT_NEAR(turned.contact.sums().tangential_force,
+                  straight.contact.sums().tangential_force, 1e-9)
+        << n;
+      (straight.contact.sums().sticking > 0. ? stuck : slipped) = true;
+    }
+  EXPECT_TRUE(slipped);
+  EXPECT_TRUE(stuck);
+  const BoundaryWork expected = straight.contact.work(), found = turned.contact.work();
+  EXPECT_NEAR(found.friction, expected.friction, 1e-10);
+  EXPECT_NEAR(found.external, expected.external, 1e-10);
+  EXPECT_EQ(std::fabs(expected.external) > 1e-2, flat_velocity != 0.);
+}
+} // namespace
+
+TEST(FrictionVector, TurnsWithPullAndFlat)
+{
+  FrictionLaw slip_rate;
+  slip_rate.node_law = std::make_shared<SlipRateRegularization>(0.01, 0.1);
+  for (const FrictionLaw &law : {relaxing_in(0.), relaxing_in(0.03), slip_rate})
+    for (const double flat_velocity : {0., 0.5})
+      for (const double angle : {0.4, M_PI / 2., 1.3, 2.9, -2.2})
+        expect_turned(law, flat_velocity, angle);
 }
 
 // Against a slip that turns by a right angle the vector follows with its time delta
@@ -133,7 +171,7 @@ TEST(FrictionVector, TurnsWithThePull)
 TEST(FrictionVector, RelaxesTowardsTheNewDirection)
 {
   const double delta = 0.05, dt = 1e-4, v = 1e3; // too fast to change its direction
-  Point p(dt, delta, 0., {{v, 0.}});
+  Point p(dt, relaxing_in(delta), 0., {{v, 0.}});
   for (unsigned int n = 0; n < 20000; ++n)
     p.advance();
   EXPECT_NEAR(p.contact.tangential_force()[0], -point_mu * weight, 1e-10);

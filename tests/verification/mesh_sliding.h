@@ -13,6 +13,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <random>
 #include <vector>
@@ -67,10 +68,14 @@ struct MeshCase
   SlidingSetup setup;
   double friction = 0.;
   std::vector<HeldComponent> held;
+  std::map<unsigned int, MeshBoundary>
+    sides; ///< of a box that does not lie along the axes
 
   /** The boundary on a side of the box, numbered as deal.II does. */
   MeshBoundary side(const unsigned int number) const
   {
+    if (const auto known = sides.find(number); known != sides.end())
+      return known->second;
     return mesh_boundary(mesh, faces_of_box(mesh, boundary_faces(mesh))[number]);
   }
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <string>
 
@@ -89,6 +90,24 @@ std::vector<BoundaryFace<dim>> faces_in_plane(const Mesh<dim> &mesh,
   return result;
 }
 
+/** Areas of points that move together summed up at the original. */
+template <int dim>
+BoundaryPoints<dim> of_originals(const Mesh<dim> &mesh, const BoundaryPoints<dim> &all)
+{
+  if (mesh.originals.empty())
+    return all;
+  std::map<unsigned int, dealii::Tensor<1, dim>> area;
+  for (std::size_t k = 0; k < all.points.size(); ++k)
+    area[mesh.original(all.points[k])] += all.normal_area[k];
+  BoundaryPoints<dim> result;
+  for (const auto &[point, of_point] : area)
+    {
+      result.points.push_back(point);
+      result.normal_area.push_back(of_point);
+    }
+  return result;
+}
+
 template <int dim>
 std::vector<BoundaryFace<dim>> faces_called(const Mesh<dim> &mesh,
                                             const std::vector<BoundaryFace<dim>> &faces,
@@ -156,9 +175,9 @@ void MeshBody<dim>::find_sides()
       const std::string &name = id == ElasticBody<dim>::bottom ? input.contact_boundary
                                 : id == ElasticBody<dim>::top  ? input.top_boundary
                                                                : std::string();
-      const auto side =
-        boundary_points(mesh, name.empty() ? faces_in_plane(mesh, faces, box, id)
-                                           : faces_called(mesh, faces, name));
+      const auto side         = of_originals(
+                mesh, boundary_points(mesh, name.empty() ? faces_in_plane(mesh, faces, box, id)
+                                                         : faces_called(mesh, faces, name)));
       std::vector<std::size_t> order(side.points.size());
       std::iota(order.begin(), order.end(), 0);
       if (dim == 2)
@@ -167,6 +186,9 @@ void MeshBody<dim>::find_sides()
                     return mesh.points[side.points[a]][1 - id / 2] <
                            mesh.points[side.points[b]][1 - id / 2];
                   });
+      const Periodicity ends = input.periodicity;
+      this->sides[id].closed =
+        dim == 2 && mesh.originals.empty() && (id < 2 ? ends.y : ends.x);
       for (const std::size_t k : order)
         {
           this->sides[id].nodes.push_back(node(side.points[k]));
@@ -179,8 +201,18 @@ void MeshBody<dim>::find_sides()
 }
 
 template <int dim>
+void MeshBody<dim>::tie_copies()
+{
+  for (unsigned int p = 0; p < mesh.originals.size(); ++p)
+    if (mesh.originals[p] != p)
+      this->duplicates.push_back({{node(p), node(mesh.originals[p])}});
+}
+
+template <int dim>
 void MeshBody<dim>::tie_sides()
 {
+  if (!mesh.originals.empty())
+    return tie_copies();
   const auto points = [this](const unsigned int side) {
     std::vector<unsigned int> result;
     for (const NodeIndex &n : this->sides[side].nodes)

@@ -19,7 +19,9 @@ struct MeshBodyInput
 
   std::vector<ElasticPhase<dim>> phases; ///< stiffness (Pa) and density (kg/m^3)
 
-  Periodicity periodicity = {}; ///< sides of the bounding box that are one, in 2D
+  /** Sides of the bounding box that are one, in 2D; with Mesh::originals the axes along
+   * which these repeat the mesh. */
+  Periodicity periodicity = {};
 
   /** Fields have the points in rows of this many; 0: all in one row. */
   unsigned int n_columns = 0;
@@ -73,6 +75,7 @@ private:
   NodeIndex node(const std::size_t point) const;
   void find_sides();
   void tie_sides();
+  void tie_copies();
 
   const MeshBodyInput<dim> input;
   const Mesh<dim> &mesh; ///< of the input

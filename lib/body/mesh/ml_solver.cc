@@ -93,7 +93,6 @@ void MlSolver<dim>::set_constrained(const DofMask &mask)
 template <int dim>
 void MlSolver<dim>::support(DofMask mask)
 {
-  // None is a duplicate where it matters: periodic bodies do not rotate.
   const std::vector<NodeIndex> &bottom = body.surface(ElasticBody<dim>::bottom).nodes;
   std::vector<NodeIndex> nodes;
   if (bottom.size() > 1)
@@ -101,6 +100,10 @@ void MlSolver<dim>::support(DofMask mask)
   // A round body may have no lower side, or one that is too small to stand on.
   for (const NodeIndex &node : distant_nodes(body))
     nodes.push_back(node);
+  for (NodeIndex &node : nodes) // duplicates have no row of their own
+    for (const auto &[duplicate, original] : body.duplicate_nodes())
+      if (duplicate.i == node.i && duplicate.j == node.j)
+        node = original;
   std::vector<std::pair<unsigned int, NodeIndex>> candidates;
   for (unsigned int c = 0; c < dim; ++c)
     candidates.emplace_back(c, nodes.front());

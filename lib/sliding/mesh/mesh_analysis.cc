@@ -127,7 +127,9 @@ std::unique_ptr<ElasticBody<dim>> MeshAnalysis<dim>::make_elastic_body() const
   MeshBodyInput<dim> input;
   input.mesh = morphology.mesh;
   broadcast_object(MPI_COMM_WORLD, input.mesh);
-  input.phases = phases;
+  input.phases      = phases;
+  input.periodicity = {!parameters.mesh.periodic[0].empty(),
+                       !parameters.mesh.periodic[1].empty()};
   // What the analysis does not need may not be there.
   if (!body.contact.points.empty())
     input.contact_boundary = parameters.mesh.contact_boundary;

@@ -4,6 +4,8 @@
 #include "sliding/mesh/mesh_analysis.h"
 #include "sliding/mesh/mesh_file.h"
 
+#include <deal.II/base/mpi.h>
+
 namespace mesoslip
 {
 namespace
@@ -14,6 +16,7 @@ class MeshModal : public MeshAnalysis<dim>
 public:
   explicit MeshModal(const ContactParameters &given)
     : MeshAnalysis<dim>(given)
+    , n_copies(copies_on_rank_0())
   {
     for (const std::string &bottom : modal_bottoms(this->parameters))
       require_modes(n_free(constraints(bottom == "held")), this->parameters);
@@ -39,8 +42,20 @@ private:
     for (unsigned int i = 0; i < this->body.n_points; ++i)
       for (unsigned int c = 0; c < dim; ++c)
         n += held.is_constrained(c, {i, 0}) ? 0 : 1;
-    return n;
+    return n - dim * n_copies; // which nothing holds but their originals
   }
+
+  /** Points that move as others do, of the mesh that rank 0 has. Collective. */
+  std::size_t copies_on_rank_0() const
+  {
+    const Mesh<dim> &mesh = this->morphology.mesh;
+    std::size_t n         = 0;
+    for (unsigned int p = 0; p < mesh.points.size(); ++p)
+      n += mesh.original(p) == p ? 0 : 1;
+    return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, n);
+  }
+
+  const std::size_t n_copies; ///< see above
 };
 
 template <int dim>

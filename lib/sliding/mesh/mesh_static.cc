@@ -17,6 +17,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace mesoslip
 {
@@ -46,6 +47,7 @@ private:
   /** Puts the contact nodes of the description into the order of @p elastic. */
   void order_contact(const ElasticBody<dim> &elastic);
 
+  std::optional<double> sliding_friction() const;
   void evaluate();
   void write_contact_table(const RunContext &context) const;
   void write_step_table(const RunContext &context) const;
@@ -82,18 +84,39 @@ void MeshStatic<dim>::check() const
     throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
                     " m; a static contact analysis starts from a body that touches the "
                     "flat, set it to 0");
-  const bool held_x = platen || p.top.lateral_held || !p.mesh.held[0].empty();
-  const auto &mu    = this->body.friction;
-  if (!held_x && p.contact.flat_velocity.amplitude() != 0. &&
-      *std::max_element(mu.begin(), mu.end()) > 0.)
-    throw UserError(
-      "Nothing holds the body against the friction of the sliding flat: set "
-      "Top/Lateral held, hold a group in Mesh/Held in x, "
-      "Friction/Coefficient = 0 or Flat/Velocity = 0");
-  if (!held_x && p.static_load.moves_flat())
-    throw UserError(
-      "Static contact/Flat displacement: nothing holds the body against the "
-      "flat; set Top/Lateral held or hold a group in Mesh/Held in x");
+  const auto &mu                     = this->body.friction;
+  const bool rubs                    = *std::max_element(mu.begin(), mu.end()) > 0.;
+  const double speed                 = p.contact.flat_velocity.amplitude();
+  const std::vector<double> &of_flat = p.static_load.of_flat;
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    {
+      const std::string along = std::string("Mesh/Held in ") + "xy"[c];
+      if (platen || p.top.lateral_held || !p.mesh.held[c].empty())
+        continue;
+      if (rubs && speed * p.contact.flat_direction[c] != 0.)
+        throw UserError(
+          "Nothing holds the body against the friction of the sliding flat: set "
+          "Top/Lateral held, hold a group in " +
+          along + ", Friction/Coefficient = 0 or Flat/Velocity = 0");
+      if (c < of_flat.size() && of_flat[c] != 0.)
+        throw UserError(
+          "Static contact/Flat displacement: nothing holds the body against the "
+          "flat; set Top/Lateral held or hold a group in " +
+          along);
+    }
+}
+
+/** Friction along the motion of the flat over the normal force; nothing where it rests. */
+template <int dim>
+std::optional<double> MeshStatic<dim>::sliding_friction() const
+{
+  const ContactSetup &flat = this->parameters.contact;
+  if (flat.flat_velocity.amplitude() == 0.)
+    return std::nullopt;
+  double along = 0.;
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    along += flat.flat_direction[c] * total_tangential_force(solution, c, dim - 1);
+  return std::fabs(along) / total_normal_force(solution);
 }
 
 template <int dim>
@@ -280,11 +303,7 @@ void MeshStatic<dim>::run(RunContext &context)
   const PhasePressures of_phases =
     mesh_phase_pressures(this->morphology, this->parameters, solution.displacement,
                          total_normal_force(solution));
-  std::optional<double> sliding;
-  if (this->parameters.contact.flat_velocity.amplitude() != 0.)
-    sliding = std::fabs(total_tangential_force(solution, 0, dim - 1)) /
-              total_normal_force(solution);
-  for (const std::string &line : pressure_lines(of_phases, sliding))
+  for (const std::string &line : pressure_lines(of_phases, sliding_friction()))
     context.log(line);
   write_contact_table(context);
   if (this->parameters.static_load.has_history())

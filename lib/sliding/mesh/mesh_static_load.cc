@@ -45,6 +45,7 @@ MeshStaticLoad<dim>::MeshStaticLoad(const ContactParameters &parameters,
   problem.gap                    = body.contact.height;
   const double v                 = p.contact.flat_velocity.amplitude();
   problem.sliding                = v > 0. ? 1 : (v < 0. ? -1 : 0);
+  problem.flat_direction         = p.contact.flat_direction;
   const std::vector<double> mass = elastic.lumped_mass();
   for (unsigned int i = 0; i < mass.size(); ++i)
     for (unsigned int c = 0; c < dim; ++c)

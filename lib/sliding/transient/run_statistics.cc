@@ -89,6 +89,7 @@ RunRequest RunStatistics<dim>::own_request(const std::uint64_t n,
   TopHistory of_top    = recent_top.take();
   sum_over_ranks(fresh, surfaces.setup.ranks);
   sum_over_ranks(of_top, surfaces.setup.ranks);
+  turn_along_flat(fresh, parameters.contact.flat_direction);
   // What the contact means for the run is for rank 0 to say.
   if (!context.root())
     fresh = ContactHistory();

@@ -115,6 +115,8 @@ void TransientResult::write_summary(RunContext &context) const
      {"steady_from", steady_from},
      {"limit_cycle_reached", limit_cycle_reached},
      {"limit_cycle", limit_cycle}});
+  if (body.dim == 3)
+    summary["flat_direction"] = parameters.contact.flat_direction;
   if (!regime.empty())
     summary["reference_node"] = {{"slip", reference_shares.slip},
                                  {"stick", reference_shares.stick},
