@@ -190,7 +190,7 @@ void BrickStepper::mass_row(const unsigned int, double *mass) const
 
 Deformation BrickStepper::deformation() const
 {
-  return largest_deformation(op.slab().part, u, communicator);
+  return largest_deformation(op.slab(), u, communicator);
 }
 
 std::string BrickStepper::kernel_name() const

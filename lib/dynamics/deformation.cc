@@ -102,6 +102,96 @@ Deformation over_ranks(const Extremes &found, const MPI_Comm communicator)
   return largest;
 }
 
+/** The displacements of the rows of nodes around a row of bricks, and what the bricks
+ * contribute to Extremes. */
+class BrickRow
+{
+public:
+  explicit BrickRow(const BrickSlab &slab)
+    : slab(slab)
+    , n_cells(slab.box.grid.cells[0])
+    , values{std::vector<double>(n_cells), std::vector<double>(n_cells),
+             std::vector<double>(n_cells)}
+  {
+    for (auto &one : nodes)
+      one.resize(std::size_t{n_cells} + 1);
+  }
+
+  /** The bricks of a layer above plane @p plane of nodes. */
+  const RowValues &
+  evaluate(const NodalField<double> &u, const unsigned int plane, const unsigned int row)
+  {
+    for (unsigned int corner = 0; corner < 4; ++corner) // y + 2 z
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          const std::size_t first = slab.plane_start[plane + corner % 2] +
+                                    std::size_t{row + corner / 2} * slab.n_nodes[0];
+          std::vector<double> &to = nodes[3 * corner + c];
+          std::copy_n(u.row(c, 0) + first, slab.n_nodes[0], to.begin());
+          if (slab.box.periodic[0])
+            to.back() = to.front();
+        }
+    for (unsigned int i = 0; i < n_cells; ++i)
+      evaluate_brick(i);
+    return values;
+  }
+
+private:
+  double at(const unsigned int i, const unsigned int corner, const unsigned int c) const
+  {
+    return nodes[3 * (corner >> 1U) + c][i + (corner & 1U)];
+  }
+
+  void evaluate_brick(const unsigned int i)
+  {
+    const auto &h = slab.box.grid.spacing;
+    double edge[3][4][3]; // du/dx along the edges: [axis][the other two axes][component]
+    double mean[3][3] = {};
+    for (unsigned int d = 0; d < 3; ++d)
+      for (unsigned int e = 0; e < 4; ++e)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const unsigned int low = (1U << d) - 1, // spread the two bits around bit d
+              corner               = (e & low) | (e & ~low) << 1U;
+            edge[d][e][c] = (at(i, corner | 1U << d, c) - at(i, corner, c)) / h[d];
+            mean[c][d] += 0.25 * edge[d][e][c];
+          }
+    double strain = 0., rotation = 0., smallest = std::numeric_limits<double>::infinity();
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          const double sum        = 0.5 * (mean[c][d] + mean[d][c]),
+                       difference = 0.5 * (mean[c][d] - mean[d][c]);
+          strain += sum * sum;
+          rotation += 0.5 * difference * difference;
+        }
+    for (unsigned int corner = 0; corner < 8; ++corner)
+      {
+        double F[3][3];
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            const unsigned int low = (1U << d) - 1,
+                               e   = (corner & low) | (corner >> 1U & ~low);
+            for (unsigned int c = 0; c < 3; ++c)
+              F[c][d] = edge[d][e][c] + (c == d ? 1. : 0.);
+          }
+        const double jacobian = F[0][0] * (F[1][1] * F[2][2] - F[1][2] * F[2][1]) -
+                                F[0][1] * (F[1][0] * F[2][2] - F[1][2] * F[2][0]) +
+                                F[0][2] * (F[1][0] * F[2][1] - F[1][1] * F[2][0]);
+        smallest = jacobian < smallest ? jacobian : smallest;
+      }
+    values.strain[i]   = strain;
+    values.rotation[i] = rotation;
+    // Comparisons pass over a NaN, the sum does not.
+    values.minus_jacobian[i] = -(smallest + 0. * strain);
+  }
+
+  const BrickSlab &slab;
+  const unsigned int n_cells;
+  std::array<std::vector<double>, 12> nodes; ///< [y + 2 z][component]
+  RowValues values;
+};
+
 /** What one cell of a mesh contributes to Extremes. */
 template <int dim>
 std::array<double, 3> evaluate_cell(const std::vector<dealii::Point<dim>> &points,
@@ -166,6 +256,38 @@ Deformation largest_deformation(const UniformGrid<2> &grid,
       extreme.middle[d] =
         (0.5 + (d == 0 ? extreme.cell % grid.cells[0] : extreme.cell / grid.cells[0])) *
         grid.spacing[d];
+  return over_ranks(found, communicator);
+}
+
+Deformation largest_deformation(const BrickSlab &slab,
+                                const NodalField<double> &u,
+                                const MPI_Comm communicator)
+{
+  const UniformGrid<3> &grid = slab.box.grid;
+  const auto &n              = grid.cells;
+  Extremes found             = none();
+  BrickRow row(slab);
+  for (unsigned int plane = 0; plane + 1 < slab.n_planes; ++plane)
+    for (unsigned int k = 0; k < n[2]; ++k)
+      {
+        const RowValues &values = row.evaluate(u, plane, k);
+        const std::uint64_t first =
+          (std::uint64_t{k} * n[1] + slab.first_plane + plane) * n[0];
+        for (unsigned int i = 0; i < n[0]; ++i)
+          {
+            take_larger(found[0], values.strain[i], first + i);
+            take_larger(found[1], values.rotation[i], first + i);
+            take_larger(found[2], values.minus_jacobian[i], first + i);
+          }
+      }
+  for (CellExtreme &extreme : found)
+    {
+      const std::array<std::uint64_t, 3> place = {
+        {extreme.cell % n[0], extreme.cell / n[0] % n[1], extreme.cell / n[0] / n[1]}};
+      for (unsigned int d = 0; d < 3; ++d)
+        extreme.middle[d] =
+          grid.origin[d] + (0.5 + static_cast<double>(place[d])) * grid.spacing[d];
+    }
   return over_ranks(found, communicator);
 }
 

@@ -1,6 +1,7 @@
 #ifndef mesoslip_dynamics_deformation_h
 #define mesoslip_dynamics_deformation_h
 
+#include "elasticity/brick/brick_slab.h"
 #include "grid/nodal_field.h"
 #include "grid/row_partition.h"
 #include "grid/uniform_grid.h"
@@ -50,6 +51,11 @@ Deformation largest_deformation(const UniformGrid<2> &grid,
 /** The same on a mesh, where @p u (m) has a column for each point of @p part. */
 template <int dim>
 Deformation largest_deformation(const MeshPart<dim> &part,
+                                const NodalField<double> &u,
+                                const MPI_Comm communicator);
+/** The same on a box of bricks, where @p u (m) has a column for each point of the part.
+ * Collective. */
+Deformation largest_deformation(const BrickSlab &slab,
                                 const NodalField<double> &u,
                                 const MPI_Comm communicator);
 } // namespace mesoslip

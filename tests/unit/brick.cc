@@ -238,6 +238,30 @@ TEST(Brick, HasTheSameBitsOnAllRanks)
     }
 }
 
+TEST(Brick, DeformationIsThatOfTheMesh)
+{
+  for (const Case &c : cases())
+    {
+      const Box box(c, MPI_COMM_WORLD);
+      const MeshPart<3> part = whole(box.mesh), &own = box.op.slab().part;
+      NodalField<double> x(static_cast<unsigned int>(own.points.size()), 1, 3),
+        y(static_cast<unsigned int>(part.points.size()), 1, 3);
+      set_random(box, own, x, 5e-4);
+      set_random(box, part, y, 5e-4);
+      const Deformation a = largest_deformation(box.op.slab(), x, MPI_COMM_WORLD),
+                        b = largest_deformation(part, y, MPI_COMM_SELF);
+      const std::array<std::array<CellExtreme, 2>, 3> pairs = {
+        {{{a.strain, b.strain}}, {{a.rotation, b.rotation}}, {{a.jacobian, b.jacobian}}}};
+      for (const auto &[found, wanted] : pairs)
+        {
+          EXPECT_NEAR(found.value, wanted.value, 1e-12 * std::abs(wanted.value));
+          EXPECT_EQ(found.cell, wanted.cell);
+          for (unsigned int d = 0; d < 3; ++d)
+            EXPECT_NEAR(found.middle[d], wanted.middle[d], 1e-14);
+        }
+    }
+}
+
 // The largest eigenvalue of a mesh by Lanczos from below; the bound of a cell above it.
 TEST(Brick, LargestFrequencyIsThatOfTheMesh)
 {

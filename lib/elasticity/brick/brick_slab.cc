@@ -82,7 +82,7 @@ public:
     copy_start.resize(slab.n_planes);
   }
 
-  void make()
+  void make(const std::vector<unsigned int> &cells)
   {
     const unsigned int last = slab.n_planes - 1, begin = slab.first_plane > 0 ? 1 : 0;
     const bool repeats = slab.box.periodic[1] && slab.first_plane + last == grid.cells[1];
@@ -101,8 +101,8 @@ public:
         add_copies(0);
       }
     find_copies();
-    for (unsigned int layer = 0; layer < last; ++layer)
-      add_cells(layer);
+    for (const unsigned int cell : cells)
+      add_cell(cell);
   }
 
 private:
@@ -157,19 +157,19 @@ private:
                           : copy_start[plane] + k);
   }
 
-  void add_cells(const unsigned int layer)
+  void add_cell(const unsigned int number)
   {
-    const auto &n = grid.cells;
-    for (unsigned int k = 0; k < n[2]; ++k)
-      for (unsigned int i = 0; i < n[0]; ++i)
-        {
-          auto &cell = part.cells.emplace_back(8);
-          for (unsigned int v = 0; v < 8; ++v)
-            cell.vertices[v] = point(i + (v & 1U), layer + (v >> 1U & 1U), k + (v >> 2U));
-          cell.material_id =
-            slab.phase[(std::size_t{layer + 1} * n[2] + k) * slab.stride + i];
-          part.cell_in_mesh.push_back((k * n[1] + slab.first_plane + layer) * n[0] + i);
-        }
+    const auto &n        = grid.cells;
+    const unsigned int i = number % n[0], j = number / n[0] % n[1],
+                       k = number / n[0] / n[1];
+    if (j < slab.first_plane || j + 1 >= slab.first_plane + slab.n_planes)
+      return;
+    const unsigned int layer = j - slab.first_plane;
+    auto &cell               = part.cells.emplace_back(8);
+    for (unsigned int v = 0; v < 8; ++v)
+      cell.vertices[v] = point(i + (v & 1U), layer + (v >> 1U & 1U), k + (v >> 2U));
+    cell.material_id = slab.phase[(std::size_t{layer + 1} * n[2] + k) * slab.stride + i];
+    part.cell_in_mesh.push_back(number);
   }
 
   BrickSlab &slab;
@@ -193,7 +193,8 @@ std::array<unsigned int, 3> BrickSlab::place_of(const unsigned int point) const
 BrickSlab divide_box(const BrickBox &box,
                      const std::vector<std::uint8_t> &phase_id,
                      const unsigned int n_phases,
-                     const MPI_Comm communicator)
+                     const MPI_Comm communicator,
+                     const std::vector<unsigned int> &cells)
 {
   namespace mpi                          = dealii::Utilities::MPI;
   const unsigned int n_ranks             = mpi::n_mpi_processes(communicator),
@@ -205,7 +206,7 @@ BrickSlab divide_box(const BrickBox &box,
   });
   const std::string &own  = rank == 0 ? phases_of_slab(slab, phase_id) : phase;
   slab.phase.assign(own.begin(), own.end());
-  SlabPart(slab).make();
+  SlabPart(slab).make(cells);
   return slab;
 }
 } // namespace mesoslip

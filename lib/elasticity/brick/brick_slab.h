@@ -35,7 +35,9 @@ struct BrickSlab
   std::vector<std::uint8_t> phase;
   std::uint8_t none = 0; ///< number of phases
 
-  MeshPart<3> part; ///< without neighbours: the kernels need none
+  /** Without neighbours, and with no cells but those that were asked for: the kernels need
+   * none. */
+  MeshPart<3> part;
 
   /** Whether there are cells below the first plane of this rank, or above its last. */
   bool has_layer(const bool above) const
@@ -51,13 +53,15 @@ struct BrickSlab
 
 /**
  * Divides the box among the ranks. @p phase_id, of each cell with x fastest, then y, counts
- * on rank 0 only; phases are below @p n_phases. Collective.
+ * on rank 0 only; phases are below @p n_phases. Each of @p cells becomes one of the part of
+ * the rank that has it. Collective.
  * @throws UserError for more ranks than layers of cells
  */
 BrickSlab divide_box(const BrickBox &box,
                      const std::vector<std::uint8_t> &phase_id,
                      const unsigned int n_phases,
-                     const MPI_Comm communicator);
+                     const MPI_Comm communicator,
+                     const std::vector<unsigned int> &cells = {});
 } // namespace mesoslip
 
 #endif

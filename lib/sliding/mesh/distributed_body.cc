@@ -124,9 +124,10 @@ class BodyOfBricks : public DistributedBody<3>
 public:
   BodyOfBricks(const BrickBox &box,
                const Mesh<3> &mesh,
+               const std::vector<MeshPlace> &probes,
                const std::vector<ElasticPhase<3>> &phases,
                const InstructionSet isa)
-    : op(divide(box, mesh, static_cast<unsigned int>(phases.size())),
+    : op(divide(box, mesh, probes, static_cast<unsigned int>(phases.size())),
          phases,
          MPI_COMM_WORLD,
          isa)
@@ -159,13 +160,18 @@ public:
   }
 
 private:
-  static BrickSlab
-  divide(const BrickBox &box, const Mesh<3> &mesh, const unsigned int n_phases)
+  static BrickSlab divide(const BrickBox &box,
+                          const Mesh<3> &mesh,
+                          const std::vector<MeshPlace> &probes,
+                          const unsigned int n_phases)
   {
     std::vector<std::uint8_t> phase_id;
     for (const auto &cell : mesh.cells)
       phase_id.push_back(static_cast<std::uint8_t>(cell.material_id));
-    return divide_box(box, phase_id, n_phases, MPI_COMM_WORLD);
+    std::vector<unsigned int> cells;
+    for (const MeshPlace &place : probes)
+      cells.push_back(place.cell);
+    return divide_box(box, phase_id, n_phases, MPI_COMM_WORLD, cells);
   }
 
   const BrickOperator op;
@@ -182,6 +188,7 @@ template <int dim>
 std::unique_ptr<DistributedBody<dim>>
 distribute_body(const MeshMorphology<dim> &morphology,
                 const std::vector<unsigned int> &contact,
+                const std::vector<MeshPlace> &probes,
                 const std::vector<ElasticPhase<dim>> &phases,
                 const InstructionSet isa)
 {
@@ -192,17 +199,18 @@ distribute_body(const MeshMorphology<dim> &morphology,
       broadcast_object(MPI_COMM_WORLD, is_box);
       broadcast_object(MPI_COMM_WORLD, box);
       if (is_box)
-        return std::make_unique<BodyOfBricks>(box, morphology.mesh, phases, isa);
+        return std::make_unique<BodyOfBricks>(box, morphology.mesh, probes, phases, isa);
     }
   return std::make_unique<BodyOfMesh<dim>>(morphology.mesh, contact, phases, isa);
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                       \
-  template std::unique_ptr<DistributedBody<dim>> make_distributed_body( \
-    const MeshOperator<dim> &);                                         \
-  template std::unique_ptr<DistributedBody<dim>> distribute_body(       \
-    const MeshMorphology<dim> &, const std::vector<unsigned int> &,     \
-    const std::vector<ElasticPhase<dim>> &, const InstructionSet);
+#define MESOSLIP_INSTANTIATE(dim)                                           \
+  template std::unique_ptr<DistributedBody<dim>> make_distributed_body(     \
+    const MeshOperator<dim> &);                                             \
+  template std::unique_ptr<DistributedBody<dim>> distribute_body(           \
+    const MeshMorphology<dim> &, const std::vector<unsigned int> &,         \
+    const std::vector<MeshPlace> &, const std::vector<ElasticPhase<dim>> &, \
+    const InstructionSet);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)
 #undef MESOSLIP_INSTANTIATE

@@ -5,6 +5,7 @@
 #include "dynamics/surface_stepper.h"
 #include "grid/instruction_set.h"
 #include "morphology/mesh_morphology.h"
+#include "observation/mesh_probes.h"
 
 #include <memory>
 #include <vector>
@@ -43,13 +44,15 @@ std::unique_ptr<DistributedBody<dim>> make_distributed_body(const MeshOperator<d
 
 /**
  * Divides the body of rank 0 among all ranks: a box of bricks by layers, any other mesh by
- * METIS, where cells at the points of the @p contact weigh more. Collective.
+ * METIS, where cells at the points of the @p contact weigh more. Of a box the part has no
+ * cells but those of the @p probes. Collective.
  * @throws UserError for more ranks than layers of cells of a box
  */
 template <int dim>
 std::unique_ptr<DistributedBody<dim>>
 distribute_body(const MeshMorphology<dim> &morphology,
                 const std::vector<unsigned int> &contact,
+                const std::vector<MeshPlace> &probes,
                 const std::vector<ElasticPhase<dim>> &phases,
                 const InstructionSet isa);
 } // namespace mesoslip

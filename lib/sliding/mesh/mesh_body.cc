@@ -199,11 +199,13 @@ BodyScales scales_of(const MeshMorphology<dim> &morphology,
     box *= sides[d];
   for (std::size_t k = 0; k < phases.size(); ++k)
     mean_density += morphology.fractions[k] * phases[k].density;
-  scales.height = sides[dim - 1];
-  scales.area   = top.points.empty() ? box : sum_of(top.area);
-  scales.mass =
-    sum_of(lumped_mass(morphology.mesh.points, morphology.mesh.cells, phases));
+  scales.height  = sides[dim - 1];
+  scales.area    = top.points.empty() ? box : sum_of(top.area);
   scales.density = mean_density;
+  scales.mass =
+    morphology.box
+      ? mean_density * box * sides[dim - 1]
+      : sum_of(lumped_mass(morphology.mesh.points, morphology.mesh.cells, phases));
   return scales;
 }
 } // namespace

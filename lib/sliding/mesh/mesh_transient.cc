@@ -34,6 +34,7 @@ public:
         this->body.digest + "\nProgram version = " + version + "\n")
     , distributed(distribute_body(this->morphology,
                                   this->body.contact.points,
+                                  this->body.probes,
                                   this->phases,
                                   this->parameters.sweep.isa))
     , scales(this->body.scales)
