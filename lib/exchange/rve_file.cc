@@ -11,6 +11,11 @@
 
 namespace mesoslip
 {
+std::string concentration_dataset(const std::string &condition)
+{
+  return (condition == "SUBC" ? "/stress_concentration/" : "/concentration/") + condition;
+}
+
 namespace
 {
 const char rve_program[] = "rve_homogenization";
@@ -49,27 +54,40 @@ Shape cells_of(const UniformGrid<dim> &grid)
 {
   return {grid.cells.rbegin(), grid.cells.rend()};
 }
-} // namespace
 
-std::string concentration_dataset(const std::string &condition)
+/** Begins the file with room for the tensors of cells of that @p shape. */
+template <int dim>
+void reserve(const std::string &path,
+             Shape shape,
+             const std::size_t n_together,
+             const std::vector<std::string> &conditions)
 {
-  return (condition == "SUBC" ? "/stress_concentration/" : "/concentration/") + condition;
+  Hdf5File file = Hdf5File::create(path);
+  shape.insert(shape.end(), {n_voigt<dim>, n_voigt<dim>});
+  for (const std::string &condition : conditions)
+    {
+      file.reserve_rows(concentration_dataset(condition), shape, n_together);
+      file.write_unit(concentration_dataset(condition), "-");
+    }
+  file.leave();
 }
+} // namespace
 
 template <int dim>
 void reserve_concentration(const std::string &path,
                            const UniformGrid<dim> &grid,
                            const std::vector<std::string> &conditions)
 {
-  Hdf5File file = Hdf5File::create(path);
-  Shape shape   = cells_of(grid);
-  shape.insert(shape.end(), {n_voigt<dim>, n_voigt<dim>});
-  for (const std::string &condition : conditions)
-    {
-      file.reserve_rows(concentration_dataset(condition), shape);
-      file.write_unit(concentration_dataset(condition), "-");
-    }
-  file.leave();
+  reserve<dim>(path, cells_of(grid), 1, conditions);
+}
+
+template <int dim>
+void reserve_concentration(const std::string &path,
+                           const std::size_t n_cells,
+                           const std::vector<std::string> &conditions)
+{
+  constexpr std::size_t tensors_together = 1024;
+  reserve<dim>(path, {n_cells}, tensors_together, conditions);
 }
 
 template <int dim>
@@ -267,6 +285,12 @@ template class RveFile<3>;
 template void reserve_concentration(const std::string &,
                                     const UniformGrid<3> &,
                                     const std::vector<std::string> &);
+template void reserve_concentration<2>(const std::string &,
+                                       const std::size_t,
+                                       const std::vector<std::string> &);
+template void reserve_concentration<3>(const std::string &,
+                                       const std::size_t,
+                                       const std::vector<std::string> &);
 template void write_rve_file(const std::string &, const RveContent<2> &);
 template void write_rve_file(const std::string &, const RveContent<3> &);
 } // namespace mesoslip

@@ -58,6 +58,12 @@ void reserve_concentration(const std::string &path,
                            const UniformGrid<dim> &grid,
                            const std::vector<std::string> &conditions);
 
+/** The same for the @p n_cells cells of a mesh, cell by cell. */
+template <int dim>
+void reserve_concentration(const std::string &path,
+                           const std::size_t n_cells,
+                           const std::vector<std::string> &conditions);
+
 /**
  * Writes rve.h5, of which @p path is the name, and `NAME.xdmf` for ParaView beside it.
  */

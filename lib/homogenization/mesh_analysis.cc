@@ -1,7 +1,9 @@
 #include "base/errors.h"
 #include "base/exchange.h"
+#include "exchange/rve_file.h"
 #include "homogenization/mesh_volume.h"
 #include "homogenization/volume_analysis.h"
+#include "io/parallel_rows.h"
 #include "material/plausibility.h"
 #include "program/run_context.h"
 
@@ -71,6 +73,16 @@ protected:
   {
     RveResults<dim> results;
     context.progress().start("Load cases", n_cases() * parameters.n_members);
+    if (parameters.write_concentration)
+      {
+        for (const BoundaryCondition condition : parameters.conditions)
+          results.first.reserved.push_back(to_string(condition));
+        std::sort(results.first.reserved.begin(), results.first.reserved.end());
+        on_root(context.communicator(), [&]() {
+          reserve_concentration<dim>(context.file("rve.h5"), sizes[1],
+                                     results.first.reserved);
+        });
+      }
     for (unsigned int m = 0; m < parameters.n_members; ++m)
       results.members.push_back(compute_member(m, context));
     context.progress().finish();
@@ -151,9 +163,19 @@ private:
                                        [&]() { context.progress().update(++done); }),
                           phases));
         if (parameters.write_concentration && m == 0)
-          member.responses.back().concentration = volume.concentration();
+          write_concentration(volume.concentration(), condition, context);
       }
     return member;
+  }
+
+  /** All ranks write their blocks of cells. */
+  static void write_concentration(const typename MeshVolume<dim>::CellTensors &tensors,
+                                  const BoundaryCondition condition,
+                                  const RunContext &context)
+  {
+    ParallelRows rows(context.file("rve.h5"), concentration_dataset(to_string(condition)),
+                      context.communicator());
+    rows.write_rows(tensors.first, tensors.values);
   }
 
   std::vector<MeshMorphology<dim>> volumes; ///< on rank 0

@@ -11,6 +11,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mesoslip
@@ -40,12 +41,18 @@ public:
                         const double tolerance,
                         const std::function<void()> &case_done = {});
 
+  /** Concentration tensors, as HomogenizedResponse has them, of consecutive cells. */
+  struct CellTensors
+  {
+    std::size_t first = 0;      ///< the first of these cells
+    std::vector<double> values; ///< tensor after tensor
+  };
+
   /**
-   * Concentration tensors of the cells for the condition that was solved last, as
-   * HomogenizedResponse has them: on rank 0 of all cells in the order of the mesh, on the
-   * other ranks empty. Collective.
+   * Those of the condition that was solved last, in the order of the mesh: each rank has a
+   * block of cells, see NumberedBlocks. Collective.
    */
-  std::vector<double> concentration() const;
+  CellTensors concentration() const;
 
 private:
   using Index                           = typename DistributedMesh<dim>::Index;
@@ -58,6 +65,7 @@ private:
   std::vector<Vector> rigid_motions() const;
   SolverReport solve_case(const unsigned int k, const double tolerance);
   VolumeSums<dim> integrate() const;
+  std::pair<std::vector<std::uint64_t>, std::vector<double>> own_concentration() const;
 
   /** Strain tensor (row local, column load case) times JxW at each quadrature point of a
    * cell of this rank, and JxW. */

@@ -1,14 +1,11 @@
-#include "base/exchange.h"
 #include "body/mesh/cell_values.h"
 #include "homogenization/mesh_volume.h"
+#include "mesh/point_blocks.h"
 
 #include <deal.II/base/mpi.templates.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
-
-#include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
 
 #include <cmath>
 
@@ -115,11 +112,12 @@ VolumeSums<dim> MeshVolume<dim>::integrate() const
   return sums;
 }
 
+/** Of the cells of this rank, in their order: numbers in the mesh, and tensors. */
 template <int dim>
-std::vector<double> MeshVolume<dim>::concentration() const
+std::pair<std::vector<std::uint64_t>, std::vector<double>>
+MeshVolume<dim>::own_concentration() const
 {
   constexpr std::size_t n_entries = n_voigt<dim> * n_voigt<dim>;
-  // Of the cells of this rank, in their order: number in the mesh, mean of the strain.
   std::pair<std::vector<std::uint64_t>, std::vector<double>> part;
   VoigtMatrix<dim> mean = VoigtMatrix<dim>::Zero();
   double volume         = 0.;
@@ -147,17 +145,27 @@ std::vector<double> MeshVolume<dim>::concentration() const
   if (!part.first.empty())
     finish();
 
-  const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(mesh.communicator()),
-                     n    = dealii::Utilities::MPI::n_mpi_processes(mesh.communicator());
-  const std::size_t all =
-    dealii::Utilities::MPI::sum<std::uint64_t>(part.first.size(), mesh.communicator());
-  std::vector<double> result(rank == 0 ? all * n_entries : 0);
-  for (unsigned int owner = 0; owner < n; ++owner)
+  return part;
+}
+
+template <int dim>
+typename MeshVolume<dim>::CellTensors MeshVolume<dim>::concentration() const
+{
+  constexpr std::size_t n_entries = n_voigt<dim> * n_voigt<dim>;
+  const auto [numbers, own]       = own_concentration();
+  const NumberedBlocks blocks(
+    numbers,
+    dealii::Utilities::MPI::sum<std::uint64_t>(numbers.size(), mesh.communicator()),
+    mesh.communicator());
+  CellTensors result = {blocks.first(), std::vector<double>(blocks.size() * n_entries)};
+  std::vector<double> entry(numbers.size()), in_block;
+  for (std::size_t e = 0; e < n_entries; ++e)
     {
-      bring_object_to_root(mesh.communicator(), part, static_cast<int>(owner));
-      for (std::size_t k = 0; rank == 0 && k < part.first.size(); ++k)
-        std::copy_n(&part.second[k * n_entries], n_entries,
-                    &result[part.first[k] * n_entries]);
+      for (std::size_t k = 0; k < numbers.size(); ++k)
+        entry[k] = own[k * n_entries + e];
+      blocks.gather(entry.data(), in_block);
+      for (std::size_t k = 0; k < in_block.size(); ++k)
+        result.values[k * n_entries + e] = in_block[k];
     }
   return result;
 }
@@ -166,6 +174,6 @@ template void MeshVolume<2>::assemble();
 template void MeshVolume<3>::assemble();
 template VolumeSums<2> MeshVolume<2>::integrate() const;
 template VolumeSums<3> MeshVolume<3>::integrate() const;
-template std::vector<double> MeshVolume<2>::concentration() const;
-template std::vector<double> MeshVolume<3>::concentration() const;
+template MeshVolume<2>::CellTensors MeshVolume<2>::concentration() const;
+template MeshVolume<3>::CellTensors MeshVolume<3>::concentration() const;
 } // namespace mesoslip

@@ -191,8 +191,11 @@ public:
    * Creates a dataset of numbers of type double to be filled with write_row(), or gives
    * one that exists another number of rows; its first axis counts the rows. All its
    * space is reserved at once, so that writing a row changes nothing else in the file.
+   * Short rows are kept together, @p n_together of them.
    */
-  void reserve_rows(const std::string &name, const Shape &shape);
+  void reserve_rows(const std::string &name,
+                    const Shape &shape,
+                    const std::size_t n_together = 1);
 
   /** Writes row number @p row of a dataset made by reserve_rows(). */
   void write_row(const std::string &name,

@@ -9,7 +9,7 @@ namespace mesoslip
 {
 /**
  * A dataset of Hdf5File::reserve_rows() into which all ranks write together, each a piece
- * of a row, through MPI-IO (on one rank through the file as it is). Rank 0 has left the
+ * of a row or some rows, through MPI-IO (on one rank through the file as it is). Rank 0 has left the
  * file with Hdf5File::leave() and takes it back with Hdf5File::resume() when this object is
  * gone. Nothing but the rows changes in the file, so it stays one that resume() takes.
  * All members are collective.
@@ -31,10 +31,17 @@ public:
              const std::size_t first,
              const std::vector<double> &values);
 
+  /** Writes the @p values of this rank, whole rows from row @p first on; those of the ranks do
+   * not overlap. @throws as write() */
+  void write_rows(const std::size_t first, const std::vector<double> &values);
+
   /** Waits until what was written is on the disk. */
   void sync();
 
 private:
+  Shape extent() const;
+  void
+  write_block(const Shape &offset, const Shape &count, const std::vector<double> &values);
   void require(const bool fine, const std::string &what) const;
 
   const std::string path, name;

@@ -6,35 +6,49 @@
 
 namespace mesoslip
 {
-template <int dim>
-PointBlocks<dim>::PointBlocks(const MeshPart<dim> &part,
-                              const std::size_t n_points,
-                              const MPI_Comm communicator)
-  : n_owned(part.n_owned)
+NumberedBlocks::NumberedBlocks(const std::vector<std::uint64_t> &numbers,
+                               const std::size_t n_all,
+                               const MPI_Comm communicator)
+  : n_owned(numbers.size())
 {
   namespace mpi            = dealii::Utilities::MPI;
   const std::size_t rank   = mpi::this_mpi_process(communicator),
                     n_rank = mpi::n_mpi_processes(communicator);
-  begin                    = rank * n_points / n_rank;
-  end                      = (rank + 1) * n_points / n_rank;
+  begin                    = rank * n_all / n_rank;
+  end                      = (rank + 1) * n_all / n_rank;
   using Index              = dealii::types::global_dof_index;
-  const std::vector<Index> owned(part.point_in_mesh.begin(),
-                                 part.point_in_mesh.begin() + part.n_owned);
+  const std::vector<Index> owned(numbers.begin(), numbers.end());
   std::vector<Index> block(end - begin);
   std::iota(block.begin(), block.end(), static_cast<Index>(begin));
   exchange.reinit(owned, block, communicator);
+}
+
+void NumberedBlocks::gather(const double *owned, std::vector<double> &block) const
+{
+  block.resize(size());
+  exchange.export_to_ghosted_array<double>(
+    dealii::ArrayView<const double>(owned, n_owned),
+    dealii::ArrayView<double>(block.data(), block.size()));
+}
+
+template <int dim>
+PointBlocks<dim>::PointBlocks(const MeshPart<dim> &part,
+                              const std::size_t n_points,
+                              const MPI_Comm communicator)
+  : blocks({part.point_in_mesh.begin(), part.point_in_mesh.begin() + part.n_owned},
+           n_points,
+           communicator)
+{
 }
 
 template <int dim>
 std::vector<double>
 PointBlocks<dim>::gather(const std::array<const double *, dim> &owned) const
 {
-  std::vector<double> values(size() * dim), component(size());
+  std::vector<double> values(size() * dim), component;
   for (unsigned int d = 0; d < dim; ++d)
     {
-      exchange.export_to_ghosted_array<double>(
-        dealii::ArrayView<const double>(owned[d], n_owned),
-        dealii::ArrayView<double>(component.data(), component.size()));
+      blocks.gather(owned[d], component);
       for (std::size_t i = 0; i < component.size(); ++i)
         values[i * dim + d] = component[i];
     }

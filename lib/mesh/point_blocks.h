@@ -5,12 +5,49 @@
 
 #include <deal.II/base/mpi_noncontiguous_partitioner.h>
 
+#include <cstdint>
+#include <vector>
+
 namespace mesoslip
 {
 /**
+ * What ranks have of numbered things, such as points or cells, brought into the order of
+ * their numbers so that no rank has all: rank r of n gets those from r N / n to
+ * (r + 1) N / n, as files have them.
+ */
+class NumberedBlocks
+{
+public:
+  /** There are @p n_all things, of which this rank owns those called @p numbers, in any
+   * order. Collective. */
+  NumberedBlocks(const std::vector<std::uint64_t> &numbers,
+                 const std::size_t n_all,
+                 const MPI_Comm communicator);
+
+  /** The first number in the block of this rank. */
+  std::size_t first() const
+  {
+    return begin;
+  }
+
+  /** How many are in the block of this rank. */
+  std::size_t size() const
+  {
+    return end - begin;
+  }
+
+  /** One value of each in the block from those of what this rank @p owned. Collective. */
+  void gather(const double *owned, std::vector<double> &block) const;
+
+private:
+  const std::size_t n_owned;
+  std::size_t begin = 0, end = 0;
+  dealii::Utilities::MPI::NoncontiguousPartitioner exchange;
+};
+
+/**
  * Fields at the points of a mesh that is divided among the ranks, brought into the order of
- * the whole mesh so that no rank has all of them: rank r of n gets the points from r N / n
- * to (r + 1) N / n, as files have them.
+ * the whole mesh as NumberedBlocks.
  */
 template <int dim>
 class PointBlocks
@@ -24,13 +61,13 @@ public:
   /** The first point of the block of this rank. */
   std::size_t first() const
   {
-    return begin;
+    return blocks.first();
   }
 
   /** Number of points in the block of this rank. */
   std::size_t size() const
   {
-    return end - begin;
+    return blocks.size();
   }
 
   /** Values [size()][dim] in the block from those at the points that this rank owns, in
@@ -38,9 +75,7 @@ public:
   std::vector<double> gather(const std::array<const double *, dim> &owned) const;
 
 private:
-  const std::size_t n_owned;
-  std::size_t begin = 0, end = 0;
-  dealii::Utilities::MPI::NoncontiguousPartitioner exchange;
+  const NumberedBlocks blocks;
 };
 } // namespace mesoslip
 

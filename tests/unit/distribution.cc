@@ -150,17 +150,22 @@ double value_at(const std::size_t point, const unsigned int c)
   return std::sqrt(3. * point + c);
 }
 
+/** A name that no other test has. */
+std::string file_of_all_ranks()
+{
+  return (std::filesystem::temp_directory_path() /
+          ("mesoslip_rows_" + mpi::broadcast(MPI_COMM_WORLD, std::to_string(getpid())) +
+           ".h5"))
+    .string();
+}
+
 /** All ranks write a field at the points of their parts, twice, into one file. */
 template <int dim>
 void expect_one_file()
 {
-  const std::size_t rank = mpi::this_mpi_process(MPI_COMM_WORLD),
-                    n    = mpi::n_mpi_processes(MPI_COMM_WORLD);
-  const std::string path =
-    (std::filesystem::temp_directory_path() /
-     ("mesoslip_rows_" + mpi::broadcast(MPI_COMM_WORLD, std::to_string(getpid())) +
-      ".h5"))
-      .string();
+  const std::size_t rank     = mpi::this_mpi_process(MPI_COMM_WORLD),
+                    n        = mpi::n_mpi_processes(MPI_COMM_WORLD);
+  const std::string path     = file_of_all_ranks();
   const Mesh<dim> mesh       = cube<dim>();
   const MeshPart<dim> part   = part_of(mesh);
   const std::size_t n_points = mesh.points.size();
@@ -209,6 +214,48 @@ void expect_one_file()
   });
 }
 } // namespace
+
+// Tensors of things in any order: each rank writes a block of rows, some of them none.
+TEST(Distribution, RowsOfNumberedThings)
+{
+  const std::string path  = file_of_all_ranks();
+  const unsigned int n    = mpi::n_mpi_processes(MPI_COMM_WORLD),
+                     rank = mpi::this_mpi_process(MPI_COMM_WORLD);
+  for (const std::size_t n_all : {std::size_t{1}, std::size_t{57}})
+    {
+      std::vector<std::uint64_t> own;
+      std::vector<double> values;
+      for (std::uint64_t k = n_all; k-- > 0;)
+        if (k * 7 % 5 % n == rank)
+          {
+            own.push_back(k);
+            values.push_back(10. * k);
+          }
+      const NumberedBlocks blocks(own, n_all, MPI_COMM_WORLD);
+      std::vector<double> block, rows_of_block;
+      blocks.gather(values.data(), block);
+      ASSERT_EQ(block.size(), blocks.size());
+      for (const double x : block)
+        rows_of_block.insert(rows_of_block.end(), {x, x + 1., x + 2.});
+      on_root(MPI_COMM_WORLD, [&]() {
+        Hdf5File file = Hdf5File::create(path);
+        file.reserve_rows("/rows", {n_all, 3}, 16);
+        file.leave();
+      });
+      {
+        ParallelRows rows(path, "/rows", MPI_COMM_WORLD);
+        rows.write_rows(blocks.first(), rows_of_block);
+        EXPECT_ANY_THROW(rows.write_rows(n_all, {1., 2., 3.}));
+      }
+      on_root(MPI_COMM_WORLD, [&]() {
+        Hdf5File::resume(path).close();
+        const auto found = Hdf5File::open(path).read<double>("/rows", {n_all, 3});
+        for (std::size_t k = 0; k < found.size(); ++k)
+          ASSERT_EQ(found[k], 10. * (k / 3) + k % 3);
+        std::filesystem::remove(path);
+      });
+    }
+}
 
 TEST(Distribution, GivesAwayEverythingOnce)
 {

@@ -173,8 +173,11 @@ TEST(PeriodicLayer, FreeMotionsAndLoads)
   for (const bool along_y : {false, true})
     for (const bool simplices : {false, true})
       {
-        const MeshBody<3> body(layer_of(2, {simplices, simplices ? 0.05 : 0.2}, along_y),
-                               MPI_COMM_WORLD);
+        MeshBodyInput<3> input =
+          layer_of(2, {simplices, simplices ? 0.05 : 0.2}, along_y);
+        for (auto &p : input.mesh.points) // with no lower side that could support it
+          p[2] += along_y ? 0. : 0.5 * std::fabs(p[1] - 0.6);
+        const MeshBody<3> body(input, MPI_COMM_WORLD);
         const DofMask free(body.n_columns(), 1);
         const auto motions    = free_rigid_motions<3>(body, free);
         NodalField<double> Ku = body.zero_field(), force(Ku), u(Ku);

@@ -44,21 +44,46 @@ void ParallelRows::write(const std::size_t row,
                          const std::size_t first,
                          const std::vector<double> &values)
 {
+  const Shape all = extent();
+  Shape count     = all, offset(all.size(), 0);
+  AssertThrow(row < all[0], dealii::ExcIndexRange(row, 0, all[0]));
+  count[0]  = 1;
+  count[1]  = values.size() / hdf5::product({all.begin() + 2, all.end()});
+  offset[0] = row;
+  offset[1] = first;
+  write_block(offset, count, values);
+}
+
+void ParallelRows::write_rows(const std::size_t first, const std::vector<double> &values)
+{
+  const Shape all = extent();
+  Shape count     = all, offset(all.size(), 0);
+  count[0]        = values.size() / hdf5::product({all.begin() + 1, all.end()});
+  offset[0]       = first;
+  write_block(offset, count, values);
+}
+
+Shape ParallelRows::extent() const
+{
+  const Hdf5Handle extents(H5Dget_space(dataset));
+  std::vector<hsize_t> all(static_cast<std::size_t>(H5Sget_simple_extent_ndims(extents)));
+  H5Sget_simple_extent_dims(extents, all.data(), nullptr);
+  return {all.begin(), all.end()};
+}
+
+void ParallelRows::write_block(const Shape &offset,
+                               const Shape &count,
+                               const std::vector<double> &values)
+{
   if (!on_all(hdf5::not_finite(values.data(), values.size()).empty(), communicator))
     throw NumericalFailure(path + ": " + hdf5::dataset_text(name) +
                            " would hold a value that is not finite; look for an input "
                            "that is far too large, and at its unit");
-  const Hdf5Handle extents(H5Dget_space(dataset));
-  std::vector<hsize_t> all(static_cast<std::size_t>(H5Sget_simple_extent_ndims(extents)));
-  H5Sget_simple_extent_dims(extents, all.data(), nullptr);
-  Shape count(all.begin(), all.end()), offset(count.size(), 0);
-  AssertThrow(row < count[0], dealii::ExcIndexRange(row, 0, count[0]));
-  count[0] = 1;
-  count[1] = values.size() / hdf5::product({count.begin() + 2, count.end()});
-  AssertThrow(values.size() == hdf5::product(count) && first + count[1] <= all[1],
-              dealii::ExcMessage("a piece of a row has to lie in it"));
-  offset[0]               = row;
-  offset[1]               = first;
+  const Shape all = extent();
+  bool inside     = values.size() == hdf5::product(count);
+  for (std::size_t axis = 0; axis < all.size() && !values.empty(); ++axis)
+    inside = inside && offset[axis] + count[axis] <= all[axis];
+  AssertThrow(inside, dealii::ExcMessage("a piece has to lie in the dataset"));
   const Hdf5Handle memory = hdf5::make_space(count),
                    space  = hdf5::select_block(dataset, offset, count);
   require(values.empty() || H5Dwrite(dataset, H5T_NATIVE_DOUBLE, memory, space,

@@ -129,7 +129,9 @@ void Hdf5File::write_attribute(const std::string &object,
     write_them({}, &value);
 }
 
-void Hdf5File::reserve_rows(const std::string &name, const Shape &shape)
+void Hdf5File::reserve_rows(const std::string &name,
+                            const Shape &shape,
+                            const std::size_t n_together)
 {
   if (exists(name))
     {
@@ -138,7 +140,7 @@ void Hdf5File::reserve_rows(const std::string &name, const Shape &shape)
       return;
     }
   Shape chunk = shape;
-  chunk[0]    = 1;
+  chunk[0]    = std::min(n_together, shape[0]);
   // The library takes chunks below 4 GB.
   while (hdf5::product(chunk) > (std::size_t(1) << 28))
     chunk[1] = (chunk[1] + 1) / 2;
