@@ -91,6 +91,10 @@ void bind_body(Keys &keys, ContactParameters &p)
                  (dim == 2 ? "D11, D12, D22, D33 or all six"
                            : "9 of an orthotropic material or all 21"));
   const bool from_file = !body.rve_file.empty();
+  keys.require(!p.mesh.is_box() || from_file || keys.is_typed("Body/Stiffness"),
+               "Stiffness",
+               "it is not given; in 3D a body takes its materials from Body/RVE file or "
+               "Mesh/File, or is homogeneous with 9 or 21 numbers here");
   keys.require(from_file || !body.heterogeneous, "RVE file",
                "it is empty, but a heterogeneous body takes its phases and morphology "
                "from there; run rve_homogenization and name its rve.h5");

@@ -236,7 +236,7 @@ def check_refused(folder):
     refused(["Time/Time step", "above the critical"], "Time/Time step=1e-6")
     folder.write("friction.prm", prm({"Analysis": "friction homogenization", "Mesh/File": "mesh.msh", **STEEL}))
     refused(["Mesh/File has no effect, as Analysis is 'friction homogenization'"], prm_file="friction.prm")
-    refused(["Dimension", "3 needs a mesh"], "Dimension=3", prm_file="grid.prm")
+    refused(["Body/Size: 2 numbers found, three (x, y, z) are needed"], "Dimension=3", prm_file="grid.prm")
     refused(["Body/Acceleration", "three components"], "Body/Acceleration=1, 2, 3", prm_file="grid.prm")
 
 
