@@ -136,9 +136,21 @@ void bind_rules(Keys &keys, FibrePlacement &placement)
   keys.only_with("Fraction rule", {"actual"}, {"Trim last fibre"});
 }
 
-[[noreturn]] void fail(const std::string &key, const std::string &what)
+[[noreturn]] void fail(const std::string &key,
+                       const std::string &what,
+                       const std::string &section = random_fibres_section)
 {
-  throw UserError(random_fibres_section + "/" + key + ": " + what);
+  throw UserError(section + "/" + key + ": " + what);
+}
+
+/** Fibres or inclusions are not made of the first phase. */
+void check_fibre_phase(const MicrostructureParameters &p, const std::string &section)
+{
+  if (p.fibre_phase_index() == 0)
+    fail("Phase",
+         "'" + p.phases[0].name +
+           "' is the background, the first of Phases/Names; name another phase",
+         section);
 }
 
 void check_placement_spacing(const MicrostructureParameters &p)
@@ -186,9 +198,7 @@ void check_fibres(const MicrostructureParameters &p)
   if (rules.allow_overlap && rules.minimum_gap > 0.)
     fail("Minimum gap", "a gap of " + to_text(rules.minimum_gap) +
                           " m contradicts Allow overlap; set one of them to 0 or false");
-  if (p.fibre_phase_index() == 0)
-    fail("Phase", "'" + p.phases[0].name +
-                    "' is the background, the first of Phases/Names; name another phase");
+  check_fibre_phase(p, random_fibres_section);
 }
 
 void check_image_values(const MicrostructureParameters &p)
@@ -211,21 +221,26 @@ void MicrostructureParameters::bind(Keys &keys, const unsigned int dimension)
   bind_phases(keys, phases);
   image.n_phases     = static_cast<unsigned int>(phases.size());
   const auto section = keys.section("Microstructure");
-  keys.bind("Type", type,
-            {"homogeneous", "random fibres", "rectangles", "image", "voxels"},
-            "Where the morphology comes from: all of the first phase; random fibres; a "
-            "list of rectangles; an image; in 3D an array of voxels [-]");
-  keys.require(dim == 2 ? type != Type::voxels
-                        : type == Type::voxels || type == Type::homogeneous,
-               "Type",
-               dim == 2 ? "voxels need Dimension = 3"
-                        : "where Dimension is 3 it is voxels or homogeneous");
+  keys.bind(
+    "Type", type,
+    {"homogeneous", "random fibres", "rectangles", "image", "voxels",
+     "random inclusions"},
+    "Where the morphology comes from: all of the first phase; random fibres; a "
+    "list of rectangles; an image; in 3D an array of voxels, or random inclusions "
+    "[-]");
+  const bool in_3d = type == Type::voxels || type == Type::random_inclusions;
+  keys.require(dim == 2 ? !in_3d : in_3d || type == Type::homogeneous, "Type",
+               dim == 2
+                 ? "voxels and random inclusions need Dimension = 3"
+                 : "where Dimension is 3 it is voxels, random inclusions or homogeneous");
   keys.bind_input(
     "File", file,
     "Rectangles: CSV with x_left_mm,y_bottom_mm,width_mm,height_mm and, "
     "if needed, phase (the index, 1 where missing). Image: PNG, or text "
-    "with rows of whole numbers from the top. Voxels: NumPy array [z][y][x] of "
-    "whole numbers (.npy) [-]");
+    "with rows of whole numbers from the top. Voxels [z][y][x]: .npy, .raw, .h5, or a "
+    "stack of PNG or TIFF: their folder, a pattern of their names with * and ?, or a "
+    "TIFF "
+    "of several pages [-]");
   keys.bind_list(
     "Image values", image.values, std::numeric_limits<int>::min(),
     std::numeric_limits<int>::max(),
@@ -237,6 +252,13 @@ void MicrostructureParameters::bind(Keys &keys, const unsigned int dimension)
             "Image: the pixels need not be squares in the body; otherwise Grid/Cells "
             "and Grid/Size have to make them so within 1 % [-]");
   keys.only_with("Type", {"random fibres"}, {"Random fibres/"});
+  if (has_grids_in_3d)
+    {
+      voxels.bind(keys, file);
+      keys.only_with("Type", {"random inclusions"}, {"Random inclusions/"});
+      const auto subsection = keys.section("Random inclusions");
+      inclusions.bind(keys);
+    }
   keys.only_with("Type", {"rectangles", "image", "voxels"}, {"File"});
   keys.only_with("Type", {"image", "voxels"}, {"Image values"});
   keys.only_with("Type", {"image"}, {"Oblong pixels"});
@@ -258,6 +280,11 @@ void MicrostructureParameters::check() const
     dim == 2 ? phase.check<2>() : phase.check<3>();
   if (type == Type::random_fibres)
     check_fibres(*this);
+  if (type == Type::random_inclusions)
+    {
+      inclusions.check(box);
+      check_fibre_phase(*this, random_inclusions_section);
+    }
   if (type == Type::image || type == Type::voxels)
     check_image_values(*this);
   if (type == Type::voxels)
@@ -284,18 +311,22 @@ UniformGrid<2> MicrostructureParameters::placement_grid() const
 
 unsigned int MicrostructureParameters::fibre_phase_index() const
 {
-  if (fibre_phase.empty() && phases.size() < 2)
-    throw UserError("Phases/Names: there is only one phase; name a second one for the "
-                    "fibres, or choose the homogeneous microstructure");
-  if (fibre_phase.empty())
+  const bool fibres             = type != Type::random_inclusions;
+  const std::string &phase_name = fibres ? fibre_phase : inclusions.phase;
+  if (phase_name.empty() && phases.size() < 2)
+    throw UserError("Phases/Names: there is only one phase; name a second one for the " +
+                    std::string(fibres ? "fibres" : "inclusions") +
+                    ", or choose the homogeneous microstructure");
+  if (phase_name.empty())
     return 1;
   std::vector<std::string> names;
   for (const PhaseParameters &phase : phases)
     names.push_back(phase.name);
-  const auto found = std::find(names.begin(), names.end(), fibre_phase);
+  const auto found = std::find(names.begin(), names.end(), phase_name);
   if (found == names.end())
     fail("Phase",
-         "there is no phase '" + fibre_phase + "'; Phases/Names has " + to_text(names));
+         "there is no phase '" + phase_name + "'; Phases/Names has " + to_text(names),
+         fibres ? random_fibres_section : random_inclusions_section);
   return static_cast<unsigned int>(found - names.begin());
 }
 } // namespace mesoslip
