@@ -3,7 +3,7 @@
 
 # Debian packages; the programs need all but the last line, the tests also that.
 mesoslip_packages=(
-  build-essential cmake ninja-build libdeal.ii-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev libpng-dev libxxhash-dev libgmsh-dev
+  build-essential cmake ninja-build libdeal.ii-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev libpng-dev libtiff-dev libxxhash-dev libgmsh-dev
   python3 python3-numpy python3-scipy python3-h5py python3-matplotlib
   libgtest-dev python3-pil python3-pip doxygen cppcheck g++-aarch64-linux-gnu qemu-user)
 
@@ -26,7 +26,7 @@ missing_packages() {
 
 install_packages() {
   command -v dpkg-query >/dev/null || {
-    say "Not a Debian system: expecting deal.II 9.4, Gmsh, Eigen, nlohmann-json, libpng, xxhash, GoogleTest to be there."
+    say "Not a Debian system: expecting deal.II 9.4, Gmsh, Eigen, nlohmann-json, libpng, libtiff, xxhash, GoogleTest to be there."
     return
   }
   local missing as_root=()

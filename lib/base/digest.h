@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mesoslip
 {
@@ -39,7 +41,18 @@ public:
   /** The content of a file, not its name. @throws UserError if it cannot be read. */
   Digest &add_file(const std::string &path)
   {
-    return add(read_file(path));
+    require_readable_file("", path);
+    std::ifstream in(path, std::ios::binary);
+    std::uint64_t n = 0;
+    std::vector<char> piece(std::size_t{1} << 20U); // not the file, which may be large
+    while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())),
+           in.gcount() > 0)
+      {
+        add_bytes(piece.data(), static_cast<std::size_t>(in.gcount()));
+        n += static_cast<std::uint64_t>(in.gcount());
+      }
+    add_number(n);
+    return *this;
   }
 
   /** 16 hexadecimal digits. */

@@ -63,7 +63,7 @@ json ensemble_json(const RveParameters &parameters, const RveResults<dim> &resul
                    {"confidence", parameters.confidence}};
   for (std::size_t m = 0; m < results.members.size(); ++m)
     if (parameters.mesh.files.empty())
-      ensemble["seeds"].push_back(parameters.microstructure.placement.seed + m);
+      ensemble["seeds"].push_back(parameters.microstructure.seed() + m);
     else
       ensemble["meshes"].push_back(parameters.mesh.files[m]);
   for (std::size_t c = 0; c < parameters.conditions.size(); ++c)

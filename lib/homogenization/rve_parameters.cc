@@ -33,6 +33,7 @@ void RveParameters::bind(Keys &keys)
 {
   mesh.has_grids_in_3d = true;
   mesh.bind(keys);
+  microstructure.has_grids_in_3d = true;
   microstructure.bind(keys, mesh.files.empty() ? mesh.dim : 2);
   {
     const auto section             = keys.section("Homogenization");
@@ -82,7 +83,7 @@ void RveParameters::bind(Keys &keys)
     const auto section = keys.section("Ensemble");
     keys.bind("Members", n_members, 1, 100000,
               "Number of random morphologies, of the seeds Seed, Seed + 1, ... of "
-              "Microstructure/Random fibres [-]");
+              "Microstructure/Random fibres or Random inclusions [-]");
     keys.bind("Confidence", confidence, Range::open(0., 1.),
               "Probability with which the interval that is given for the mean stiffness "
               "of all morphologies contains it (Student's t) [-]");
@@ -124,10 +125,10 @@ void RveParameters::check() const
         mesh.dim == 2 ? phase.check<2>() : phase.check<3>();
       return;
     }
-  if (n_members > 1 &&
-      microstructure.type != MicrostructureParameters::Type::random_fibres)
+  if (n_members > 1 && !microstructure.is_random())
     throw UserError("Ensemble/Members is " + std::to_string(n_members) +
-                    ", but only random fibres differ between members; set Members = 1");
+                    ", but only random fibres and random inclusions differ between "
+                    "members; set Members = 1");
   microstructure.check();
 }
 } // namespace mesoslip

@@ -31,8 +31,13 @@ std::string inputs_digest(const Keys &keys, const RveParameters &parameters)
   digest.add(canonical_parameters(keys, {"Output folder", "Homogenization/Reuse"}));
   for (const std::string &file : parameters.mesh.files)
     digest.add_file(file);
-  if (!parameters.microstructure.file.empty())
-    digest.add_file(parameters.microstructure.file);
+  const MicrostructureParameters &microstructure = parameters.microstructure;
+  if (microstructure.type == MicrostructureParameters::Type::voxels)
+    for (const std::string &file :
+         microstructure.voxels.source(microstructure.file).files())
+      digest.add_file(file);
+  else if (!microstructure.file.empty())
+    digest.add_file(microstructure.file);
   return digest.hex();
 }
 
@@ -117,7 +122,11 @@ std::unique_ptr<Analysis> make_volume_analysis(Keys &keys)
   RveParameters parameters;
   parameters.bind(keys);
   parameters.check();
-  const std::string digest = inputs_digest(keys, parameters);
+  if (parameters.mesh.files.empty() && parameters.mesh.dim == 3)
+    require_voxel_memory(parameters);
+  std::string digest;
+  on_root(MPI_COMM_WORLD, [&]() { digest = inputs_digest(keys, parameters); });
+  broadcast(MPI_COMM_WORLD, digest);
   if (parameters.mesh.files.empty())
     return parameters.mesh.dim == 2 ? make_grid_analysis(parameters, digest)
                                     : make_voxel_analysis(parameters, digest);

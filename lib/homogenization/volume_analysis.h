@@ -47,6 +47,10 @@ protected:
 std::unique_ptr<Analysis> make_grid_analysis(const RveParameters &parameters,
                                              const std::string &digest);
 
+/** Collective. @throws UserError, with the number of cells that would fit, unless the machine
+ * has the memory for these voxels; before anything is read but what a file says of itself */
+void require_voxel_memory(const RveParameters &parameters);
+
 /** The analysis of volumes of voxels. Collective. @throws UserError */
 std::unique_ptr<Analysis> make_voxel_analysis(const RveParameters &parameters,
                                               const std::string &digest);

@@ -9,6 +9,8 @@
 #include "morphology/voxels.h"
 #include "program/run_context.h"
 
+#include <algorithm>
+#include <cmath>
 #include <ostream>
 
 namespace mesoslip
@@ -21,15 +23,32 @@ constexpr double bytes_per_voxel = 340.;
 /** More where a phase is not isotropic. */
 constexpr double anisotropic_bytes = 90.;
 
+/** What all ranks together need (bytes). */
+double bytes_of_solver(const MicrostructureParameters &microstructure)
+{
+  double bytes = bytes_per_voxel;
+  for (const auto &phase : make_phases<3>(microstructure.phases))
+    if (!is_isotropic(phase.stiffness))
+      bytes = bytes_per_voxel + anisotropic_bytes;
+  return bytes * static_cast<double>(microstructure.box.n_nodes());
+}
+
+/** Share of the ranks that runs on this machine. Collective. */
+double share_of_this_machine()
+{
+  MPI_Comm here;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+  const double n = dealii::Utilities::MPI::n_mpi_processes(here);
+  MPI_Comm_free(&here);
+  return n / dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+}
+
 class VoxelAnalysis : public VolumeAnalysis<3>
 {
 public:
   VoxelAnalysis(const RveParameters &given, const std::string &digest_of_inputs)
     : VolumeAnalysis<3>(given, digest_of_inputs)
   {
-    require_memory(
-      {divided_bytes() / dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
-       "reduce Grid/Cells or take more ranks"});
     on_root(MPI_COMM_WORLD,
             [this]() { volume = make_voxels(parameters.microstructure); });
   }
@@ -39,7 +58,8 @@ public:
     for (const std::string &line : volume.description)
       out << line << '\n';
     out << n_cases() << " load cases, about "
-        << 150 + static_cast<unsigned long>(1e-6 * divided_bytes())
+        << 150 +
+             static_cast<unsigned long>(1e-6 * bytes_of_solver(parameters.microstructure))
         << " MB, divided among the ranks\n";
     for (const std::vector<std::string> &sentences : {volume.warnings, slips()})
       for (const std::string &warning : sentences)
@@ -72,7 +92,7 @@ protected:
     if (context.root())
       for (const std::string &line : volume.description)
         context.log(line);
-    if (context.root())
+    if (context.root() && parameters.n_members == 1) // those of several come at the end
       for (const std::string &warning : volume.warnings)
         context.warn(warning);
     if (parameters.write_concentration)
@@ -84,12 +104,24 @@ protected:
                                 results.first.reserved);
         });
       }
-    results.members.push_back(compute_member(context));
+    results.first.grid   = volume.map.grid;
+    results.first.phases = volume.phases;
+    for (unsigned int m = 0; m < parameters.n_members; ++m)
+      {
+        if (m > 0)
+          on_root(context.communicator(), [&]() {
+            volume = VoxelMorphology(); // not two at once
+            volume = make_voxels(parameters.microstructure.member(m));
+          });
+        results.members.push_back(compute_member(m, context));
+        if (m == 0)
+          results.first.phase_id = volume.map.id;
+      }
     context.progress().finish();
-    results.first.grid     = volume.map.grid;
-    results.first.phases   = volume.phases;
-    results.first.phase_id = volume.map.id;
-    results.n_nodes        = parameters.microstructure.box.n_nodes();
+    if (parameters.n_members > 1 && context.root())
+      for (const std::string &warning : morphology_warnings<3>(results.members))
+        context.warn(warning);
+    results.n_nodes = parameters.microstructure.box.n_nodes();
     return results;
   }
 
@@ -105,29 +137,23 @@ protected:
 private:
   std::uint64_t n_cases() const
   {
-    return n_voigt<3> * parameters.conditions.size();
+    return std::uint64_t{n_voigt<3>} * parameters.conditions.size() *
+           parameters.n_members;
   }
 
-  double divided_bytes() const
+  /** Member number @p m, whose morphology is made; all ranks share it. */
+  EnsembleMember<3> compute_member(const unsigned int m, RunContext &context)
   {
-    double bytes = bytes_per_voxel;
-    for (const auto &phase : make_phases<3>(parameters.microstructure.phases))
-      if (!is_isotropic(phase.stiffness))
-        bytes = bytes_per_voxel + anisotropic_bytes;
-    return bytes * static_cast<double>(parameters.microstructure.box.n_nodes());
-  }
-
-  EnsembleMember<3> compute_member(RunContext &context)
-  {
+    const MicrostructureParameters &p = parameters.microstructure;
     EnsembleMember<3> member;
-    member.origin    = "voxels";
+    member.origin    = p.is_random() ? "seed " + std::to_string(p.seed() + m) : "voxels";
     member.warnings  = volume.warnings;
     member.fractions = volume.fractions;
     std::vector<ElasticPhase<3>> phases;
     for (const auto &phase : make_phases<3>(parameters.microstructure.phases))
       phases.push_back({phase.stiffness, phase.density});
     const auto scope   = context.timer().scope("Load cases");
-    std::uint64_t done = 0;
+    std::uint64_t done = n_cases() / parameters.n_members * m;
     VoxelVolume solver(volume.map, phases, context.communicator());
     for (const BoundaryCondition condition : parameters.conditions)
       {
@@ -136,7 +162,7 @@ private:
           homogenize<3>(solver.solve(condition, parameters.tolerance,
                                      [&]() { context.progress().update(++done); }),
                         phases));
-        if (parameters.write_concentration)
+        if (parameters.write_concentration && m == 0)
           write_concentration(solver, condition, context);
       }
     return member;
@@ -159,6 +185,21 @@ private:
   VoxelMorphology volume; ///< on rank 0
 };
 } // namespace
+
+void require_voxel_memory(const RveParameters &parameters)
+{
+  const MicrostructureParameters &p = parameters.microstructure;
+  const double bytes                = share_of_this_machine() * bytes_of_solver(p);
+  const double part                 = std::cbrt(memory_of_machine() / bytes);
+  std::string fits;
+  for (const unsigned int n : p.box.cells)
+    fits += (fits.empty() ? "" : " x ") +
+            std::to_string(std::max(1, static_cast<int>(part * n)));
+  const bool file = p.type == MicrostructureParameters::Type::voxels;
+  require_memory({bytes, "about " + fits + " cells would fit; reduce Grid/Cells" +
+                           (file ? " with Microstructure/Coarsening or Crop size" : "") +
+                           ", or take more machines"});
+}
 
 std::unique_ptr<Analysis> make_voxel_analysis(const RveParameters &parameters,
                                               const std::string &digest)

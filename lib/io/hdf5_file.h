@@ -148,6 +148,9 @@ public:
   /** Extents of a dataset. */
   Shape shape(const std::string &name, const std::string &hint = "") const;
 
+  /** Whether a dataset holds floating point numbers. */
+  bool is_floating(const std::string &name) const;
+
   /** Does nothing if it exists. */
   void create_group(const std::string &name);
 

@@ -44,18 +44,6 @@ std::string dictionary_of(std::ifstream &in, const std::string &path, std::size_
   return text;
 }
 
-/** Kind, order and length of a number: "<i4". */
-void take_type(NumpyHeader &header, const std::string &type, const std::string &path)
-{
-  std::smatch part;
-  if (!std::regex_match(type, part, std::regex("([<>|=])([biu])([1248])")))
-    throw UserError(path + " holds numbers of the type '" + type +
-                    "', but phases are whole numbers; save it as uint8");
-  header.big_endian = part[1] == ">";
-  header.is_signed  = part[2] == "i";
-  header.bytes      = static_cast<unsigned int>(std::stoul(part[3]));
-}
-
 void take_shape(NumpyHeader &header, const std::string &list, const std::string &path)
 {
   std::size_t n = 1;
@@ -70,24 +58,6 @@ void take_shape(NumpyHeader &header, const std::string &list, const std::string 
       header.shape.push_back(extent);
       n *= extent;
     }
-}
-
-std::int64_t number_at(const std::string &bytes,
-                       const std::size_t at,
-                       const NumpyHeader &header,
-                       const std::string &path)
-{
-  std::uint64_t value = 0;
-  for (unsigned int k = 0; k < header.bytes; ++k)
-    value = value << 8U | static_cast<unsigned char>(
-                            bytes[at + (header.big_endian ? k : header.bytes - 1 - k)]);
-  const unsigned int unused = 64 - 8 * header.bytes;
-  if (header.is_signed)
-    return static_cast<std::int64_t>(value << unused) >> unused;
-  if (value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
-    throw UserError(path + " holds the number " + std::to_string(value) +
-                    ", which is too large; save it as uint8");
-  return static_cast<std::int64_t>(value);
 }
 } // namespace
 
@@ -108,37 +78,16 @@ NumpyHeader read_numpy_header(const std::string &path)
       !std::regex_search(text, order, std::regex("'fortran_order': *(True|False)")) ||
       !std::regex_search(text, shape, std::regex("'shape': *\\(([^)]*)\\)")))
     throw UserError(path + " is no array of single numbers; save one with numpy.save");
-  take_type(header, type[1], path);
+  if (!parse_numpy_type(type[1], header.type))
+    throw UserError(path + " holds numbers of the type '" + std::string(type[1]) +
+                    "', but phases are whole numbers; save it as uint8");
   take_shape(header, shape[1], path);
   header.fortran_order     = order[1] == "True";
   const std::uintmax_t has = std::filesystem::file_size(path) - header.offset;
-  if (const std::uintmax_t needs = std::uintmax_t{header.bytes} * header.size();
+  if (const std::uintmax_t needs = std::uintmax_t{header.type.bytes} * header.size();
       has != needs)
     throw UserError(path + " has " + std::to_string(has) + " bytes of numbers, not the " +
                     std::to_string(needs) + " that its header states; save it again");
   return header;
-}
-
-std::vector<std::int64_t> read_numpy(const std::string &path)
-{
-  const NumpyHeader header = read_numpy_header(path);
-  const std::string bytes  = read_file(path);
-  std::vector<std::int64_t> values(header.size());
-  std::vector<std::size_t> index(header.shape.size(), 0);
-  for (std::size_t k = 0; k < values.size(); ++k)
-    {
-      std::size_t at = k;
-      if (header.fortran_order)
-        {
-          at = 0;
-          for (std::size_t axis = index.size(); axis-- > 0;)
-            at = at * header.shape[axis] + index[axis];
-          for (std::size_t axis = index.size();
-               axis-- > 0 && ++index[axis] == header.shape[axis];)
-            index[axis] = 0;
-        }
-      values[k] = number_at(bytes, header.offset + at * header.bytes, header, path);
-    }
-  return values;
 }
 } // namespace mesoslip

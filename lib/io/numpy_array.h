@@ -1,20 +1,19 @@
 #ifndef mesoslip_io_numpy_array_h
 #define mesoslip_io_numpy_array_h
 
-#include <cstdint>
+#include "io/number_type.h"
+
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
-/** What the header of a .npy says about an array of whole numbers. */
+/** What the header of a .npy says about an array of numbers. */
 struct NumpyHeader
 {
   std::vector<std::size_t> shape; ///< extents of the axes, as NumPy has them
   bool fortran_order = false;     ///< whether the first axis is the fastest
-  bool is_signed     = false;     ///< whether numbers may be negative
-  bool big_endian    = false;     ///< whether the first byte of a number is its highest
-  unsigned int bytes = 1;         ///< of a number: 1, 2, 4 or 8
+  NumberType type;                ///< of the numbers
   std::size_t offset = 0;         ///< bytes in front of the numbers
 
   /** Product of the extents. */
@@ -23,12 +22,9 @@ struct NumpyHeader
 
 /**
  * The header of a .npy (format 1 to 3). @throws UserError beginning with @p path unless it
- * is an array of whole numbers or truth values and the file has as many as it says
+ * is an array of numbers or truth values and the file has as many as it says
  */
 NumpyHeader read_numpy_header(const std::string &path);
-
-/** The numbers, the last axis fastest. @throws UserError beginning with @p path */
-std::vector<std::int64_t> read_numpy(const std::string &path);
 } // namespace mesoslip
 
 #endif

@@ -1,6 +1,7 @@
 #include "material/stiffness.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -188,6 +189,53 @@ VoigtMatrix<dim> rotate_stiffness(const VoigtMatrix<dim> &stiffness, const doubl
   const VoigtMatrix<dim> Q = mandel_rotation<dim>(angle);
   return stiffness_from_mandel<dim>(Q * stiffness_to_mandel<dim>(stiffness) *
                                     Q.transpose());
+}
+
+VoigtMatrix<3> turn_stiffness(const VoigtMatrix<3> &stiffness,
+                              const Eigen::Matrix3d &rotation)
+{
+  constexpr unsigned int axes[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+  const Eigen::Matrix3d &R          = rotation;
+  VoigtMatrix<3> Q; // of Mandel's notation, orthogonal
+  for (unsigned int row = 0; row < 6; ++row)
+    for (unsigned int column = 0; column < 6; ++column)
+      {
+        const auto [i, j] = axes[row];
+        const auto [k, l] = axes[column];
+        const double both = column < 3 ? 0. : R(i, l) * R(j, k);
+        const double scale =
+          (row < 3 ? 1. : std::sqrt(2.)) / (column < 3 ? 1. : std::sqrt(2.));
+        Q(row, column) = scale * (R(i, k) * R(j, l) + both);
+      }
+  const VoigtMatrix<3> turned =
+    stiffness_from_mandel<3>(Q * stiffness_to_mandel<3>(stiffness) * Q.transpose());
+  return 0.5 * (turned + turned.transpose());
+}
+
+Eigen::Matrix3d bunge_rotation(const double phi_1, const double Phi, const double phi_2)
+{
+  using Eigen::AngleAxisd, Eigen::Vector3d;
+  return (AngleAxisd(phi_1, Vector3d::UnitZ()) * AngleAxisd(Phi, Vector3d::UnitX()) *
+          AngleAxisd(phi_2, Vector3d::UnitZ()))
+    .toRotationMatrix();
+}
+
+Eigen::Matrix3d rotation_from_axes(const Eigen::Vector3d &axis_1,
+                                   const Eigen::Vector3d &axis_2)
+{
+  const double lengths        = axis_1.norm() * axis_2.norm();
+  constexpr double one_degree = 0.01746; // cosine of 89 degrees
+  if (!(lengths > 0.))
+    fail("axis 1 or axis 2 has no length");
+  if (!(std::fabs(axis_1.dot(axis_2)) <= one_degree * lengths))
+    fail("axis 1 and axis 2 make an angle of ",
+         std::round(std::acos(axis_1.dot(axis_2) / lengths) * 180. / M_PI),
+         " degrees and must be perpendicular");
+  Eigen::Matrix3d rotation;
+  rotation.col(0) = axis_1.normalized();
+  rotation.col(1) = (axis_2 - axis_2.dot(rotation.col(0)) * rotation.col(0)).normalized();
+  rotation.col(2) = rotation.col(0).cross(rotation.col(1));
+  return rotation;
 }
 
 template VoigtMatrix<2> isotropic_stiffness<2>(const double, const double);

@@ -84,6 +84,28 @@ double stiffness_norm(const VoigtMatrix<dim> &stiffness);
  */
 template <int dim>
 VoigtMatrix<dim> rotate_stiffness(const VoigtMatrix<dim> &stiffness, const double angle);
+
+/**
+ * The stiffness of the same solid turned so that its axis k, once along axis k of space,
+ * lies along column k of @p rotation, an orthogonal matrix.
+ */
+VoigtMatrix<3> turn_stiffness(const VoigtMatrix<3> &stiffness,
+                              const Eigen::Matrix3d &rotation);
+
+/**
+ * Columns are the axes of a material with Bunge's Euler angles (rad): turned about its
+ * axis 3 by @p phi_1, then about its axis 1 by @p Phi, then about its axis 3 by @p phi_2,
+ * each counter-clockwise. Bunge's matrix g, from space to crystal, is the transpose.
+ */
+Eigen::Matrix3d bunge_rotation(const double phi_1, const double Phi, const double phi_2);
+
+/**
+ * Columns are the axes of a material whose axis 1 lies along @p axis_1 and axis 2 along
+ * @p axis_2, vectors of any length. Throws std::invalid_argument unless they are
+ * perpendicular to one degree; what is not of axis 2 is left out.
+ */
+Eigen::Matrix3d rotation_from_axes(const Eigen::Vector3d &axis_1,
+                                   const Eigen::Vector3d &axis_2);
 } // namespace mesoslip
 
 #endif

@@ -5,7 +5,9 @@
 #include "material/voigt.h"
 #include "morphology/image_map.h"
 #include "morphology/random_fibres.h"
+#include "morphology/random_inclusions.h"
 #include "morphology/rectangles.h"
+#include "morphology/voxel_reading.h"
 
 #include <cmath>
 #include <string>
@@ -36,6 +38,9 @@ struct PhaseParameters
   std::vector<double> shear_moduli;   ///< G12, G13, G23 (Pa)
   std::vector<double> coefficients;   ///< Pa, see stiffness_from_coefficients()
 
+  std::vector<double> euler_angles;   ///< degrees, Bunge's, in 3D; empty: none
+  std::vector<double> axis_1;         ///< direction of axis 1 in 3D; empty: along x
+  std::vector<double> axis_2;         ///< direction of axis 2
   double angle                = 0.;   ///< rad, counter-clockwise from x to axis 1
   double density              = 0.;   ///< kg/m^3; 0: not given
   double friction_coefficient = 0.25; ///< Coulomb, of contact nodes in the phase
@@ -47,6 +52,15 @@ struct PhaseParameters
   /** Pa. Throws std::invalid_argument where check() throws. */
   template <int dim>
   VoigtMatrix<dim> stiffness() const;
+
+  /** Whether one of the keys for an orientation in 3D is given. */
+  bool is_turned_in_3d() const
+  {
+    return !euler_angles.empty() || !axis_1.empty() || !axis_2.empty();
+  }
+
+  /** Its axes as columns, from those keys. Throws std::invalid_argument. */
+  Eigen::Matrix3d rotation() const;
 
   /** Moduli and density for the log; check() has passed. */
   template <int dim>
@@ -89,8 +103,12 @@ struct MicrostructureParameters
     random_fibres,
     rectangles,
     image,
-    voxels
+    voxels,
+    random_inclusions
   };
+
+  /** Of programs that have grids in 3D, and the keys for them. */
+  bool has_grids_in_3d = false;
 
   /** Of the box: 2, or 3 in programs that have grids in 3D. */
   unsigned int dim = 2;
@@ -102,12 +120,17 @@ struct MicrostructureParameters
 
   Type type = Type::random_fibres; ///< key Type
 
-  /** Rectangles (CSV), image (PNG, plain text) or voxels (.npy). */
+  /** Rectangles (CSV), image (PNG, plain text), or voxels (file, folder or
+   *  pattern). */
   std::string file;
 
   ImageReading image; ///< how an image is read
 
   FibrePlacement placement; ///< rules of random fibres
+
+  VoxelReading voxels; ///< how voxels are read
+
+  InclusionPlacement inclusions; ///< rules of random inclusions, in 3D
 
   /** Name of the phase the fibres are made of; empty: the second one. */
   std::string fibre_phase;
@@ -128,8 +151,29 @@ struct MicrostructureParameters
   /** The grid that fibres are placed on: the grid itself or a coarser one. */
   UniformGrid<2> placement_grid() const;
 
-  /** Index of the phase of the fibres; throws UserError when there is none. */
+  /** Index of the phase of the fibres or inclusions; throws UserError when there is none. */
   unsigned int fibre_phase_index() const;
+
+  /** Whether members of an ensemble differ, by their seed. */
+  bool is_random() const
+  {
+    return type == Type::random_fibres || type == Type::random_inclusions;
+  }
+
+  /** Of the random numbers of whatever is random. */
+  std::uint64_t seed() const
+  {
+    return type == Type::random_inclusions ? inclusions.seed : placement.seed;
+  }
+
+  /** The same of member number @p m of an ensemble. */
+  MicrostructureParameters member(const unsigned int m) const
+  {
+    MicrostructureParameters own = *this;
+    own.placement.seed += m;
+    own.inclusions.seed += m;
+    return own;
+  }
 };
 
 /** A morphology with the materials it is made of. */

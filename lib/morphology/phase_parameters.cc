@@ -5,6 +5,7 @@
 #include "material/stiffness.h"
 #include "parameters/keys.h"
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -12,6 +13,32 @@ namespace mesoslip
 {
 namespace
 {
+/** Orientation in 3D. */
+void bind_orientation(Keys &keys, PhaseParameters &phase)
+{
+  const std::string which = "3D, orthotropic and stiffness: ";
+  keys.bind_list("Euler angles", phase.euler_angles, Range::any(),
+                 which +
+                   "Bunge's angles phi1, Phi, phi2: the material is turned about its "
+                   "axis 3 by phi1, then about its axis 1 by Phi, then about its "
+                   "axis 3 by phi2, each counter-clockwise. Empty: not turned "
+                   "[degrees]",
+                 0, 3);
+  keys.bind_list("Axis 1", phase.axis_1, Range::any(),
+                 which +
+                   "instead of Euler angles, a vector along axis 1 of the material, "
+                   "of any length. Empty: none [-]",
+                 0, 3);
+  keys.bind_list("Axis 2", phase.axis_2, Range::any(),
+                 which + "with Axis 1, a vector along axis 2, perpendicular to it [-]", 0,
+                 3);
+  for (const auto &[key, list] :
+       {std::make_pair("Euler angles", &phase.euler_angles),
+        std::make_pair("Axis 1", &phase.axis_1), std::make_pair("Axis 2", &phase.axis_2)})
+    keys.require(list->size() % 3 == 0, key,
+                 "there are " + std::to_string(list->size()) + " numbers; give three");
+}
+
 void bind_phase(Keys &keys, PhaseParameters &phase)
 {
   const Range modulus = Range::closed(0., Range::stiffness().upper);
@@ -46,6 +73,7 @@ void bind_phase(Keys &keys, PhaseParameters &phase)
   keys.bind("Angle", phase.angle, Range::any(),
             "Orthotropic and stiffness: angle by which the material is turned "
             "counter-clockwise about z, from x to its axis 1 [rad]");
+  bind_orientation(keys, phase);
   keys.bind("Density", phase.density, Range::closed(0., Range::density().upper),
             "Mass density. Statics and homogenization do without; contact_dynamics needs "
             "it [kg/m^3]");
@@ -57,7 +85,8 @@ void bind_phase(Keys &keys, PhaseParameters &phase)
   keys.only_with("Type", {"orthotropic"},
                  {"Young moduli", "Poisson ratios", "Shear moduli"});
   keys.only_with("Type", {"stiffness"}, {"Stiffness"});
-  keys.only_with("Type", {"orthotropic", "stiffness"}, {"Angle"});
+  keys.only_with("Type", {"orthotropic", "stiffness"},
+                 {"Angle", "Euler angles", "Axis 1", "Axis 2"});
 }
 } // namespace
 
@@ -101,13 +130,38 @@ VoigtMatrix<dim> PhaseParameters::stiffness() const
        shear_moduli.at(2)});
   else
     D = stiffness_from_coefficients<dim>(coefficients);
+  if constexpr (dim == 3)
+    if (is_turned_in_3d())
+      return turn_stiffness(D, rotation());
   return angle == 0. ? D : rotate_stiffness<dim>(D, angle);
+}
+
+Eigen::Matrix3d PhaseParameters::rotation() const
+{
+  if (axis_1.empty() && axis_2.empty())
+    {
+      const double degree = M_PI / 180.;
+      return bunge_rotation(degree * euler_angles.at(0), degree * euler_angles.at(1),
+                            degree * euler_angles.at(2));
+    }
+  if (axis_1.empty() || axis_2.empty())
+    throw std::invalid_argument("Axis 1 and Axis 2 must be given together");
+  return rotation_from_axes(Eigen::Vector3d(axis_1.data()),
+                            Eigen::Vector3d(axis_2.data()));
 }
 
 template <int dim>
 void PhaseParameters::check() const
 {
   const std::string section = "'Phases/" + name;
+  const char *turned        = !euler_angles.empty() ? "/Euler angles'" : "/Axis 1'";
+  if (dim == 2 && is_turned_in_3d())
+    throw UserError(section + turned + " needs Dimension = 3; in the plane set Angle");
+  if (is_turned_in_3d() &&
+      (angle != 0. || (!euler_angles.empty() && !(axis_1.empty() && axis_2.empty()))))
+    throw UserError(section + turned + " contradicts " +
+                    (angle != 0. ? "Angle" : "Axis 1 and Axis 2") +
+                    "; remove one of them");
   if (type == Type::isotropic && !(young_modulus > 0.))
     throw UserError(
       section + "/Young modulus' is " + to_text(young_modulus) +

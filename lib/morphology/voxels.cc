@@ -1,15 +1,13 @@
 #include "morphology/voxels.h"
 
 #include "base/errors.h"
-#include "base/files.h"
 #include "base/text.h"
-#include "io/numpy_array.h"
+#include "material/plausibility.h"
 #include "morphology/microstructure_parameters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 
 namespace mesoslip
 {
@@ -19,55 +17,6 @@ std::string voxel_numbers(const std::array<unsigned int, 3> &n)
 {
   return std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " +
          std::to_string(n[2]);
-}
-
-/** The value of each phase: those of the .prm, or those that occur, ascending. */
-std::vector<std::int64_t> values_of_phases(const MicrostructureParameters &p,
-                                           const std::vector<std::int64_t> &voxels)
-{
-  if (!p.image.values.empty())
-    return {p.image.values.begin(), p.image.values.end()};
-  constexpr std::size_t enough = 256; // more than this is a grey picture
-  std::set<std::int64_t> found;
-  for (std::size_t k = 0; k < voxels.size() && found.size() <= enough; ++k)
-    if (k == 0 || voxels[k] != voxels[k - 1])
-      found.insert(voxels[k]);
-  if (found.size() != p.phases.size())
-    {
-      std::vector<std::string> some;
-      for (const std::int64_t value : found)
-        if (some.size() < 8)
-          some.push_back(std::to_string(value));
-      const std::string n =
-        found.size() > enough ? "more than 256" : std::to_string(found.size());
-      throw UserError(p.file + " has " + n + " different values (" + to_text(some) +
-                      (found.size() > some.size() ? ", ..." : "") +
-                      "), and Phases/Names has " + std::to_string(p.phases.size()) +
-                      "; name as many phases, or set Microstructure/Image values");
-    }
-  return {found.begin(), found.end()};
-}
-
-/** Numbers the phases; the array is [z][y][x], so its order is that of the cells. */
-std::vector<std::uint8_t> phases_of_voxels(const MicrostructureParameters &p,
-                                           const std::vector<std::int64_t> &voxels,
-                                           const std::vector<std::int64_t> &values)
-{
-  std::vector<std::uint8_t> id(voxels.size());
-  for (std::size_t k = 0; k < voxels.size(); ++k)
-    {
-      const auto found = std::find(values.begin(), values.end(), voxels[k]);
-      if (found == values.end())
-        {
-          const std::size_t nx = p.box.cells[0], ny = p.box.cells[1];
-          throw UserError(p.file + ": voxel [" + std::to_string(k / nx / ny) + "][" +
-                          std::to_string(k / nx % ny) + "][" + std::to_string(k % nx) +
-                          "] has the value " + std::to_string(voxels[k]) +
-                          ", which is not among Microstructure/Image values");
-        }
-      id[k] = static_cast<std::uint8_t>(found - values.begin());
-    }
-  return id;
 }
 
 std::string percent_text(const double fraction)
@@ -142,31 +91,82 @@ void describe_phases(VoxelMorphology &result, const std::vector<PhaseParameters>
                                   "' of Phases/Names fills no cell of the morphology");
     }
 }
-} // namespace
-
-void check_voxels(const MicrostructureParameters &parameters)
+/** Places the inclusions, or says why there is no room for as many. */
+void place_inclusions(VoxelMorphology &result, const MicrostructureParameters &p)
 {
-  const std::string &file = parameters.file;
-  require_readable_file("Microstructure/File: ", file,
-                        "it has to name an array of voxels (.npy)");
-  const NumpyHeader header = read_numpy_header(file);
-  const auto &cells        = parameters.box.cells;
-  std::string shape;
-  for (const std::size_t n : header.shape)
-    shape += "[" + std::to_string(n) + "]";
-  if (header.shape.size() != 3)
-    throw UserError(file + " is an array " + shape +
-                    ", but voxels are one of three axes, [z][y][x]");
-  const bool fits = std::equal(cells.begin(), cells.end(), header.shape.rbegin());
-  if (!fits)
-    throw UserError("Grid/Cells: " + voxel_numbers(cells) + " cells do not fit " + file +
-                    ", an array " + shape + " in the order [z][y][x]; set Grid/Cells = " +
-                    to_text(std::vector<std::string>{std::to_string(header.shape[2]),
-                                                     std::to_string(header.shape[1]),
-                                                     std::to_string(header.shape[0])}));
-  if (parameters.phases.size() > 256)
-    throw UserError("Phases/Names: there may be up to 256 phases of voxels");
+  const InclusionPlacement &rules = p.inclusions;
+  InclusionMorphology placed      = place_random_inclusions(
+         p.box, rules, static_cast<std::uint8_t>(p.fibre_phase_index()));
+  const double reached = placed.reached_fraction(rules.fraction_rule);
+  const std::string n  = std::to_string(placed.inclusions.size()) + " ";
+  if (!placed.target_reached)
+    throw UserError(random_inclusions_section +
+                    "/Volume fraction: " + percent_text(rules.volume_fraction) +
+                    " cannot be reached, as " + n + rules.name_of_shape() + " of seed " +
+                    std::to_string(rules.seed) + " make " + percent_text(reached) +
+                    " and " + std::to_string(placed.vain_draws) +
+                    " draws found no place for another one; ask for less" +
+                    (rules.allow_overlap ? "" : ", or set Allow overlap = true"));
+  if (std::fabs(reached - rules.volume_fraction) > 0.01)
+    result.warnings.push_back(random_inclusions_section +
+                              "/Volume fraction: " + percent_text(rules.volume_fraction) +
+                              " asked for, " + percent_text(reached) + " reached, as " +
+                              n + rules.name_of_shape() +
+                              " are too few to come nearer; take a larger box or smaller "
+                              "ones");
+  const bool both = rules.allow_overlap;
+  result.description.push_back(
+    "Morphology: " + n + "random " + rules.name_of_shape() + " of seed " +
+    std::to_string(rules.seed) + "; " + percent_text(rules.volume_fraction) +
+    " wanted, " + percent_text(placed.actual_fraction) + " of the cells reached" +
+    (both
+       ? ", " + percent_text(placed.nominal_fraction) + " with overlaps counted each time"
+       : ""));
+  result.map = std::move(placed.map);
 }
+
+/** Reads the file of voxels. */
+void read_voxels(VoxelMorphology &result, const MicrostructureParameters &p)
+{
+  const auto file          = VoxelFile::open(p.voxels.source(p.file));
+  const VoxelRegion region = region_of_voxels(p, file->shape());
+  CellPhases cells         = read_cell_phases(p, *file, region);
+  result.map.id            = std::move(cells.id);
+  const auto numbers       = [](const std::array<std::size_t, 3> &n) {
+    return std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " +
+           std::to_string(n[2]);
+  };
+  const std::string n = std::to_string(p.voxels.coarsening);
+  std::string text =
+    "Morphology: voxels of " + std::filesystem::path(p.file).filename().string();
+  if (region.size !=
+      std::array<std::size_t, 3>{{file->shape()[2], file->shape()[1], file->shape()[0]}})
+    text += ", " + numbers(region.size) + " of them from (" +
+            std::to_string(region.from[0]) + ", " + std::to_string(region.from[1]) +
+            ", " + std::to_string(region.from[2]) + ") on";
+  result.description.push_back(text + (p.voxels.coarsening == 1
+                                         ? ", one per cell"
+                                         : ", " + n + " x " + n + " x " + n +
+                                             " per cell, of which the majority decides"));
+  describe_phases(result, p.phases);
+  for (std::size_t k = 0; k < p.phases.size(); ++k)
+    if (const double before = cells.fractions[k], after = result.fractions[k];
+        !(std::fabs(after - before) <= std::min(0.01, 0.1 * before)))
+      result.warnings.push_back("phase '" + p.phases[k].name + "' is " +
+                                percent_text(before) + " of the voxels and " +
+                                percent_text(after) +
+                                " of the cells, as each cell takes the majority of its "
+                                "voxels; for the composite of the file reduce "
+                                "Microstructure/Coarsening");
+}
+
+void describe_places(VoxelMorphology &result)
+{
+  result.description.push_back(corners_line(result.map, result.phases));
+  for (const std::string &line : slice_lines(result.map, result.phases))
+    result.description.push_back(line);
+}
+} // namespace
 
 VoxelMorphology make_voxels(const MicrostructureParameters &parameters)
 {
@@ -187,16 +187,14 @@ VoxelMorphology make_voxels(const MicrostructureParameters &parameters)
       result.warnings.clear();
       return result;
     }
-  const std::vector<std::int64_t> voxels = read_numpy(parameters.file);
-  const auto values                      = values_of_phases(parameters, voxels);
-  result.map.id                          = phases_of_voxels(parameters, voxels, values);
-  result.description.push_back(
-    "Morphology: voxels of " +
-    std::filesystem::path(parameters.file).filename().string() + ", one per cell");
-  describe_phases(result, parameters.phases);
-  result.description.push_back(corners_line(result.map, result.phases));
-  for (const std::string &line : slice_lines(result.map, result.phases))
-    result.description.push_back(line);
+  if (parameters.type == Type::random_inclusions)
+    {
+      place_inclusions(result, parameters);
+      describe_phases(result, parameters.phases);
+    }
+  else
+    read_voxels(result, parameters);
+  describe_places(result);
   return result;
 }
 } // namespace mesoslip

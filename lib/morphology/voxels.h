@@ -24,12 +24,13 @@ struct VoxelMorphology
   std::vector<std::string> warnings; ///< sentences for the log: phases without cells
 };
 
-/** Reads the header of the file of voxels. @throws UserError if the array is not one of
- * [z][y][x] that fits `Grid/Cells` */
+/** Reads what the file says of its voxels. @throws UserError if they are not of [z][y][x],
+ * are no cells of `Grid/Cells`, or have fractions and no thresholds */
 void check_voxels(const MicrostructureParameters &parameters);
 
-/** Reads the voxels, or fills the box with the first phase. @p parameters have passed
- * check(). @throws UserError when it is not clear which value is which phase */
+/** Reads the voxels, places random inclusions, or fills the box with the first phase.
+ * @p parameters have passed check(). @throws UserError when it is not clear which value is
+ * which phase, or when there is no room for as many inclusions */
 VoxelMorphology make_voxels(const MicrostructureParameters &parameters);
 } // namespace mesoslip
 

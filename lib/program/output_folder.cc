@@ -163,10 +163,15 @@ std::string bytes_text(const double bytes)
   return text;
 }
 
+double memory_of_machine()
+{
+  return static_cast<double>(std::max(0L, sysconf(_SC_PHYS_PAGES))) *
+         static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
 void require_memory(const ResourceNeed &need)
 {
-  const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                         static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double present = memory_of_machine();
   if (present > 0. && !(need.bytes <= present))
     throw UserError("the run needs about " + bytes_text(need.bytes) +
                     " of memory, but the machine has " + bytes_text(present) + "; " +

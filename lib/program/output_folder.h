@@ -29,6 +29,9 @@ struct ResourceNeed
 /** "1.5 GB": two or three digits with a unit of powers of 1000. */
 std::string bytes_text(const double bytes);
 
+/** Bytes of memory of this machine; 0 where it does not tell. */
+double memory_of_machine();
+
 /** @throws UserError when the machine has less memory. */
 void require_memory(const ResourceNeed &need);
 

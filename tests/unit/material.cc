@@ -176,6 +176,97 @@ TEST(Rotation, KeepsEigenvalues)
             1e-3);
 }
 
+namespace
+{
+/** Turns a stiffness as the tensor of rank four that it is, C_ijkl of 81 entries. */
+VoigtMatrix<3> turned_as_tensor(const VoigtMatrix<3> &D, const Eigen::Matrix3d &R)
+{
+  VoigtMatrix<3> result = VoigtMatrix<3>::Zero();
+  const auto at         = [](const int c, const int d) { return voigt_index<3>(c, d); };
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j)
+      for (int k = 0; k < 3; ++k)
+        for (int l = k; l < 3; ++l)
+          for (int path = 0; path < 81; ++path)
+            {
+              const int p = path / 27, q = path / 9 % 3, r = path / 3 % 3, s = path % 3;
+              result(at(i, j), at(k, l)) +=
+                R(i, p) * R(j, q) * R(k, r) * R(l, s) * D(at(p, q), at(r, s));
+            }
+  return result;
+}
+
+/** Triclinic: all 21 entries differ. */
+VoigtMatrix<3> triclinic_stiffness()
+{
+  VoigtMatrix<3> A;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      A(i, j) = std::sin(1. + 7. * i + 3. * j * j);
+  return GPa * (A * A.transpose() + 2. * VoigtMatrix<3>::Identity());
+}
+
+Eigen::Matrix3d rotation_about(const int axis, const double angle)
+{
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+  R(a, a) = R(b, b) = std::cos(angle);
+  R(b, a)           = std::sin(angle);
+  R(a, b)           = -R(b, a);
+  return R;
+}
+} // namespace
+
+TEST(Stiffness, TurnsAsATensorOfRankFour)
+{
+  const VoigtMatrix<3> D = triclinic_stiffness();
+  for (const double angle : {0.3, 1.1, -2.5})
+    {
+      const Eigen::Matrix3d R = rotation_about(0, angle) *
+                                rotation_about(1, 0.7 * angle) *
+                                rotation_about(2, 2. - angle);
+      const VoigtMatrix<3> turned = turn_stiffness(D, R);
+      EXPECT_LT((turned - turned_as_tensor(D, R)).norm(), 1e-14 * D.norm());
+      EXPECT_LT((turn_stiffness(turned, R.transpose()) - D).norm(), 1e-14 * D.norm());
+      EXPECT_LT(
+        (turn_stiffness(D, rotation_about(2, angle)) - rotate_stiffness<3>(D, angle))
+          .norm(),
+        1e-14 * D.norm());
+    }
+}
+
+TEST(Stiffness, BungeAnglesAndAxes)
+{
+  const double phi_1 = 0.4, Phi = 1.2, phi_2 = -0.9;
+  const Eigen::Matrix3d R = bunge_rotation(phi_1, Phi, phi_2);
+  EXPECT_LT(
+    (R - rotation_about(2, phi_1) * rotation_about(0, Phi) * rotation_about(2, phi_2))
+      .norm(),
+    1e-15);
+  // Row one of g, as printed by Bunge (1982), eq. (2.50), is axis 1 of the crystal.
+  const double c_1 = std::cos(phi_1), s_1 = std::sin(phi_1), c_2 = std::cos(phi_2),
+               s_2 = std::sin(phi_2), c = std::cos(Phi), s = std::sin(Phi);
+  EXPECT_LT((R.col(0) - Eigen::Vector3d(c_1 * c_2 - s_1 * s_2 * c,
+                                        s_1 * c_2 + c_1 * s_2 * c, s_2 * s))
+              .norm(),
+            1e-15);
+  EXPECT_LT((R.col(2) - Eigen::Vector3d(s_1 * s, -c_1 * s, c)).norm(), 1e-15);
+  EXPECT_LT(
+    (rotation_from_axes(3. * R.col(0), 0.1 * R.col(1) + 1e-3 * R.col(0)) - R).norm(),
+    1e-15);
+  EXPECT_THROW(rotation_from_axes({1., 0., 0.}, {0.1, 1., 0.}), std::invalid_argument);
+  EXPECT_THROW(rotation_from_axes({1., 0., 0.}, {0., 0., 0.}), std::invalid_argument);
+  // Axis 1 along y: its modulus is that of yy.
+  const VoigtMatrix<3> D =
+    orthotropic_stiffness<3>({140e9, 10e9, 9e9, 0.3, 0.3, 0.4, 5e9, 4e9, 3e9});
+  const VoigtMatrix<3> turned =
+    turn_stiffness(D, rotation_from_axes({0., 1., 0.}, {0., 0., 1.}));
+  EXPECT_NEAR(turned(1, 1), D(0, 0), 1.);
+  EXPECT_NEAR(turned(2, 2), D(1, 1), 1.);
+  EXPECT_NEAR(turned(0, 0), D(2, 2), 1.);
+  EXPECT_NEAR(turned(3, 3), D(5, 5), 1.); // the plane y, z is 1, 2
+}
+
 TEST(Bounds, VoigtAndReussOfThePaper)
 {
   const std::vector<double> f = {0.9, 0.1};

@@ -41,6 +41,12 @@ Shape Hdf5File::shape(const std::string &name, const std::string &hint) const
   return shape_of(open_dataset(name, hint), dataset_text(name));
 }
 
+bool Hdf5File::is_floating(const std::string &name) const
+{
+  const Hdf5Handle type(H5Dget_type(open_dataset(name, "")));
+  return H5Tget_class(type) == H5T_FLOAT;
+}
+
 template <typename T>
 std::vector<T> Hdf5File::read_values(const Hdf5Handle &object,
                                      const std::string &text,

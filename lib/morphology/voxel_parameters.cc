@@ -1,0 +1,164 @@
+#include "base/errors.h"
+#include "morphology/microstructure_parameters.h"
+#include "morphology/voxels.h"
+#include "parameters/keys.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace mesoslip
+{
+namespace
+{
+void bind_raw(Keys &keys, VoxelReading &reading, const std::string &path)
+{
+  constexpr long most = 1000000;
+  keys.bind("Dataset", reading.dataset,
+            "Voxels in HDF5: path of the dataset [z][y][x] in the file [-]");
+  keys.bind_list("Raw shape", reading.raw_shape, 1, most,
+                 "Voxels in a .raw: their numbers along x, y and z; in the file x is the "
+                 "fastest, then y [-]",
+                 0, 3);
+  keys.bind("Raw type", reading.raw_type, number_type_names(),
+            "Voxels in a .raw: type of the numbers [-]");
+  keys.bind(
+    "Raw byte order", reading.raw_big_endian, {"little", "big"},
+    "Voxels in a .raw: which end of a number comes first: little: the lowest byte, "
+    "as on PCs; big: the highest [-]");
+  keys.require(reading.raw_shape.size() % 3 == 0, "Raw shape",
+               "there are " + std::to_string(reading.raw_shape.size()) +
+                 " numbers; give three, along x, y and z");
+  keys.only_if(has_ending(path, ".raw"), {"Raw shape", "Raw type", "Raw byte order"},
+               "Microstructure/File does not end in .raw", "name such a file");
+  keys.only_if(has_ending(path, ".h5") || has_ending(path, ".hdf5"), {"Dataset"},
+               "Microstructure/File does not end in .h5 or .hdf5", "name such a file");
+}
+
+std::string numbers_list(const std::array<std::size_t, 3> &n)
+{
+  return std::to_string(n[0]) + ", " + std::to_string(n[1]) + ", " + std::to_string(n[2]);
+}
+} // namespace
+
+void VoxelReading::bind(Keys &keys, const std::string &path)
+{
+  constexpr long most = 1000000;
+  keys.bind_list(
+    "Thresholds", thresholds, Range::any(),
+    "Voxels: instead of Image values, numbers in ascending order, one less "
+    "than phases: values below the first are the first of Phases/Names, those "
+    "from a number on the next phase. For grey values and numbers with "
+    "fractions. Empty: none [-]",
+    0, 255);
+  keys.bind_list("Crop from", crop_from, 0, most,
+                 "Voxels: the first one that is taken along x, y and z, counted from 0. "
+                 "Empty: 0, 0, 0 [-]",
+                 0, 3);
+  keys.bind_list(
+    "Crop size", crop_size, 1, most,
+    "Voxels: how many are taken along x, y and z. Empty: all from Crop from on "
+    "[-]",
+    0, 3);
+  keys.bind(
+    "Coarsening", coarsening, 1, 1000,
+    "Voxels of an edge of a cell: a cell of n x n x n voxels takes the phase that "
+    "most of them have; where several have as many, the one furthest below its "
+    "share so far [-]");
+  bind_raw(keys, *this, path);
+  const std::vector<std::string> of_voxels = {"Thresholds", "Crop from", "Crop size",
+                                              "Coarsening"};
+  keys.only_with("Type", {"voxels"}, of_voxels);
+  for (const auto &[key, list] :
+       {std::make_pair("Crop from", &crop_from), std::make_pair("Crop size", &crop_size)})
+    keys.require(list->size() % 3 == 0, key,
+                 "there are " + std::to_string(list->size()) +
+                   " numbers; give three, along x, y and z");
+  keys.only_if(thresholds.empty(), {"Image values"}, "Microstructure/Thresholds is given",
+               "leave that one empty");
+  keys.require(
+    std::is_sorted(thresholds.begin(), thresholds.end(), std::less_equal<double>()),
+    "Thresholds", to_text(thresholds) + " is not in ascending order; sort them");
+}
+
+VoxelSource VoxelReading::source(const std::string &path) const
+{
+  VoxelSource source;
+  source.path     = path;
+  source.dataset  = dataset;
+  source.raw_type = number_type(raw_type, raw_big_endian);
+  std::copy(raw_shape.begin(), raw_shape.end(), source.raw_shape.begin());
+  return source;
+}
+
+VoxelRegion region_of_voxels(const MicrostructureParameters &p,
+                             const std::vector<std::size_t> &shape)
+{
+  const VoxelReading &reading          = p.voxels;
+  const std::array<std::size_t, 3> has = {{shape[2], shape[1], shape[0]}};
+  const std::string array = p.file + ", an array [" + std::to_string(shape[0]) + "][" +
+                            std::to_string(shape[1]) + "][" + std::to_string(shape[2]) +
+                            "] in the order [z][y][x]";
+  VoxelRegion region;
+  std::array<std::size_t, 3> cells = {}, whole = {};
+  const std::size_t n = reading.coarsening;
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      if (!reading.crop_from.empty())
+        region.from[d] = static_cast<std::size_t>(reading.crop_from[d]);
+      const std::size_t left = has[d] > region.from[d] ? has[d] - region.from[d] : 0;
+      region.size[d] =
+        reading.crop_size.empty() ? left : static_cast<std::size_t>(reading.crop_size[d]);
+      if (region.size[d] == 0 || region.size[d] > left)
+        throw UserError(
+          "Microstructure/Crop " +
+          (left == 0 ? "from: voxel "
+                     : "size: " + std::to_string(region.size[d]) + " voxels from ") +
+          std::to_string(region.from[d]) + (left == 0 ? "" : " on") + " along " +
+          "xyz"[d] + (left == 0 ? " does" : " do") + " not lie in " + array +
+          "; reduce it");
+      cells[d] = region.size[d] / n;
+      whole[d] = cells[d] * n;
+    }
+  if (whole != region.size)
+    throw UserError(
+      "Microstructure/Coarsening: " + numbers_list(region.size) +
+      " voxels are no whole cells of " + std::to_string(n) + " voxels an edge; " +
+      (cells[0] * cells[1] * cells[2] == 0 ? "reduce it"
+                                           : "set Crop size = " + numbers_list(whole)));
+  if (!std::equal(cells.begin(), cells.end(), p.box.cells.begin()))
+    {
+      const bool all = region.size == has && n == 1;
+      throw UserError(
+        "Grid/Cells: " +
+        to_text(std::vector<std::string>{
+          numbers_list({{p.box.cells[0], p.box.cells[1], p.box.cells[2]}})}) +
+        " cells do not fit " + array +
+        (all ? ""
+             : ", of which Crop and Coarsening leave " + numbers_list(cells) + " cells") +
+        "; set Grid/Cells = " + numbers_list(cells));
+    }
+  return region;
+}
+
+void check_voxels(const MicrostructureParameters &p)
+{
+  const VoxelReading &reading = p.voxels;
+  const VoxelSource source    = reading.source(p.file);
+  if (p.phases.size() > 256)
+    throw UserError("Phases/Names: there may be up to 256 phases of voxels");
+  if (p.file.empty() || source.kind() != VoxelSource::Kind::stack)
+    require_readable_file("Microstructure/File: ", p.file,
+                          "it has to name an array of voxels, such as a .npy");
+  if (!reading.thresholds.empty() && reading.thresholds.size() + 1 != p.phases.size())
+    throw UserError("Microstructure/Thresholds: there are " +
+                    std::to_string(reading.thresholds.size()) + " for " +
+                    std::to_string(p.phases.size()) +
+                    " phases; give one less than Phases/Names");
+  const auto file = VoxelFile::open(source);
+  if (!file->is_whole() && reading.thresholds.empty())
+    throw UserError(p.file + " holds numbers of the type " + file->type_text() +
+                    ", but phases are whole numbers; save it as uint8, or set "
+                    "Microstructure/Thresholds");
+  region_of_voxels(p, file->shape());
+}
+} // namespace mesoslip

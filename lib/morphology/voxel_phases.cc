@@ -1,0 +1,199 @@
+#include "base/errors.h"
+#include "morphology/microstructure_parameters.h"
+#include "morphology/voxel_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+
+namespace mesoslip
+{
+namespace
+{
+using PlaneAction =
+  std::function<void(const std::size_t z, const std::vector<double> &plane)>;
+
+/** The planes of the region, [y][x] with all voxels of the file. */
+void for_each_plane(VoxelFile &file, const VoxelRegion &region, const PlaneAction &action)
+{
+  for (std::size_t z = 0; z < region.size[2]; ++z)
+    action(z, file.plane(region.from[2] + z));
+}
+
+/** The values that occur in the region; those of a grey picture are not all counted. */
+std::set<double> values_in(VoxelFile &file, const VoxelRegion &region)
+{
+  constexpr std::size_t enough = 256;
+  std::set<double> found;
+  const std::size_t width = file.shape()[2];
+  for_each_plane(file, region, [&](std::size_t, const std::vector<double> &plane) {
+    for (std::size_t y = 0; y < region.size[1]; ++y)
+      {
+        const double *row = &plane[(region.from[1] + y) * width + region.from[0]];
+        for (std::size_t x = 0; x < region.size[0] && found.size() <= enough; ++x)
+          if (x == 0 || row[x] != row[x - 1])
+            found.insert(row[x]);
+      }
+  });
+  return found;
+}
+
+/** The value of each phase: those of the .prm, or those that occur, ascending. */
+std::vector<double> values_of_voxel_phases(const MicrostructureParameters &p,
+                                           VoxelFile &file,
+                                           const VoxelRegion &region)
+{
+  if (!p.image.values.empty())
+    return {p.image.values.begin(), p.image.values.end()};
+  const std::set<double> found = values_in(file, region);
+  if (found.size() == p.phases.size())
+    return {found.begin(), found.end()};
+  std::vector<std::string> some;
+  for (const double value : found)
+    if (some.size() < 8)
+      some.push_back(to_text(value));
+  const std::string n =
+    found.size() > 256 ? "more than 256" : std::to_string(found.size());
+  throw UserError(
+    p.file + " has " + n + " different values (" + to_text(some) +
+    (found.size() > some.size() ? ", ..." : "") + "), and Phases/Names has " +
+    std::to_string(p.phases.size()) +
+    "; name as many phases, or set Microstructure/Image values or Thresholds");
+}
+
+/** Finds the phases of values. */
+class PhaseOfValue
+{
+public:
+  PhaseOfValue(const std::vector<double> &thresholds, const std::vector<double> &values)
+    : thresholds(thresholds)
+    , values(values)
+  {
+  }
+
+  /** The phase, or none_of() for a value without one. */
+  unsigned int operator()(const double value) const
+  {
+    if (values.empty())
+      return std::isfinite(value)
+               ? std::upper_bound(thresholds.begin(), thresholds.end(), value) -
+                   thresholds.begin()
+               : none;
+    return std::find(values.begin(), values.end(), value) - values.begin();
+  }
+
+  /** From this number on it is no phase. */
+  unsigned int end() const
+  {
+    return values.empty() ? none : values.size();
+  }
+
+private:
+  static constexpr unsigned int none = 256;
+  const std::vector<double> thresholds, values;
+};
+
+[[noreturn]] void refuse_value(const std::string &path,
+                               const std::array<std::size_t, 3> &zyx,
+                               const double value,
+                               const bool thresholds)
+{
+  throw UserError(
+    path + ": voxel [" + std::to_string(zyx[0]) + "][" + std::to_string(zyx[1]) + "][" +
+    std::to_string(zyx[2]) + "] has the value " +
+    (std::isfinite(value) ? to_text(value) : std::string("nan or infinity")) +
+    (thresholds ? ", which no threshold sorts; save it with numbers only"
+                : ", which is not among Microstructure/Image values; add it"));
+}
+
+/** Counts the voxels of each phase in a layer of cells, and picks the phases of these. */
+class CellVotes
+{
+public:
+  CellVotes(const std::size_t n_cells, const std::size_t n_phases, const long voxels)
+    : counts(n_cells * n_phases, 0)
+    , missing(n_phases, 0)
+    , n(n_phases)
+    , voxels_of_cell(voxels)
+  {
+  }
+
+  /** A voxel of @p phase in @p cell of the layer. */
+  void add(const std::size_t cell, const unsigned int phase)
+  {
+    ++counts[cell * n + phase];
+  }
+
+  /** Appends the phases of the layer to @p id and begins the next one. */
+  void close_layer(std::vector<std::uint8_t> &id)
+  {
+    for (auto cell = counts.begin(); cell != counts.end(); cell += static_cast<long>(n))
+      {
+        const long most    = *std::max_element(cell, cell + static_cast<long>(n));
+        std::size_t chosen = n;
+        for (std::size_t p = 0; p < n; ++p)
+          {
+            const long has = cell[static_cast<long>(p)];
+            missing[p] += has;
+            if (has == most && (chosen == n || missing[p] > missing[chosen]))
+              chosen = p;
+          }
+        missing[chosen] -= voxels_of_cell;
+        id.push_back(static_cast<std::uint8_t>(chosen));
+      }
+    std::fill(counts.begin(), counts.end(), 0);
+  }
+
+private:
+  std::vector<unsigned int> counts; ///< [cell of the layer][phase]
+  std::vector<long>
+    missing; ///< of each phase, voxels by which the cells so far fall short
+  const std::size_t n;
+  const long voxels_of_cell;
+};
+} // namespace
+
+CellPhases read_cell_phases(const MicrostructureParameters &p,
+                            VoxelFile &file,
+                            const VoxelRegion &region)
+{
+  const bool thresholds = !p.voxels.thresholds.empty();
+  const PhaseOfValue phase_of(p.voxels.thresholds,
+                              thresholds ? std::vector<double>()
+                                         : values_of_voxel_phases(p, file, region));
+  const std::size_t edge = p.voxels.coarsening, width = file.shape()[2],
+                    n_x = p.box.cells[0];
+  CellPhases result;
+  result.id.reserve(p.box.n_cells());
+  result.fractions.assign(p.phases.size(), 0.);
+  CellVotes votes(n_x * p.box.cells[1], p.phases.size(),
+                  static_cast<long>(edge * edge * edge));
+  for_each_plane(
+    file, region, [&](const std::size_t z, const std::vector<double> &plane) {
+      for (std::size_t y = 0; y < region.size[1]; ++y)
+        {
+          const double *row  = &plane[(region.from[1] + y) * width + region.from[0]];
+          double last        = row[0];
+          unsigned int phase = phase_of(last);
+          for (std::size_t x = 0; x < region.size[0]; ++x)
+            {
+              if (row[x] != last)
+                phase = phase_of(last = row[x]);
+              if (phase >= phase_of.end())
+                refuse_value(
+                  p.file, {{region.from[2] + z, region.from[1] + y, region.from[0] + x}},
+                  row[x], thresholds);
+              result.fractions[phase] += 1.;
+              votes.add(y / edge * n_x + x / edge, phase);
+            }
+        }
+      if ((z + 1) % edge == 0)
+        votes.close_layer(result.id);
+    });
+  for (double &fraction : result.fractions)
+    fraction /= static_cast<double>(region.size[0] * region.size[1]) *
+                static_cast<double>(region.size[2]);
+  return result;
+}
+} // namespace mesoslip
