@@ -44,7 +44,7 @@ private:
   };
 
   void set_inverse_mass();
-  void set_held(const std::vector<HeldComponent> &held);
+  void set_held(const std::vector<HeldComponent> &components);
   kernels::BrickStep brick_step();
   bool is_held(const unsigned int point, const unsigned int component) const;
 

@@ -211,7 +211,10 @@ void log_key_numbers(RunContext &context)
   const json &summary = context.summary();
   if (!summary.contains("field_errors"))
     return;
-  for (const char *quantity : {"mean_von_mises", "mean_sigma_yy"})
+  // Along the normal of the flat, which in 3D is z.
+  const bool is_solid = summary["field_errors"].contains("mean_sigma_zz");
+  for (const char *quantity :
+       {"mean_von_mises", is_solid ? "mean_sigma_zz" : "mean_sigma_yy"})
     {
       const auto field = summary["field_errors"].find(quantity);
       if (field == summary["field_errors"].end())

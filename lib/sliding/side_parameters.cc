@@ -28,7 +28,7 @@ void use_sides_of_box(MeshBodyParameters &mesh,
     for (unsigned int c = 0; c < 3; ++c)
       if (held[side][c])
         mesh.held[c].push_back(names[side]);
-  for (unsigned int axis = 0; axis < 2; ++axis)
+  for (std::size_t axis = 0; axis < 2; ++axis)
     if (periodic[axis])
       mesh.periodic[axis] = {names[2 * axis], names[2 * axis + 1]};
 }

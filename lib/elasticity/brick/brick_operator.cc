@@ -26,7 +26,7 @@ VoigtMatrix<3> turned(const VoigtMatrix<3> &stiffness)
  * second cache, of which one byte a node and row is nearly all: 96 bytes. */
 unsigned int rows_of_tile(const std::size_t stride, const unsigned int n_rows)
 {
-  constexpr std::size_t cache = 512 * 1024, of_node = 96;
+  constexpr std::size_t cache = std::size_t{512} * 1024, of_node = 96;
   const auto rows = static_cast<unsigned int>(cache / (of_node * stride));
   return std::min(std::max(rows, 4U), n_rows);
 }
@@ -100,7 +100,7 @@ void BrickOperator::set_stiffness(const std::vector<ElasticPhase<3>> &phases)
   const auto &h                     = the_slab.box.grid.spacing;
   kind                              = kind_of(phases, h);
   const unsigned int n_coefficients = kind == general ? n_general : n_isotropic;
-  stiffness.resize(256 * std::max(n_coefficients, n_cubes));
+  stiffness.resize(std::size_t{256} * std::max(n_coefficients, n_cubes));
   const double volume = h[0] * h[1] * h[2], factor = volume / (16. * h[2] * h[2]);
   const std::vector<BrickMatrix> matrices = brick_matrices(h, n_general);
   for (std::size_t p = 0; p < phases.size(); ++p)

@@ -33,7 +33,7 @@ std::string phases_of_slab(const BrickSlab &slab, const std::vector<std::uint8_t
 {
   const auto &n             = slab.box.grid.cells;
   const unsigned int n_rows = n[2];
-  std::string phase(std::size_t{slab.n_planes + 1} * n_rows * slab.stride,
+  std::string phase((std::size_t{slab.n_planes} + 1) * n_rows * slab.stride,
                     static_cast<char>(slab.none));
   for (unsigned int layer = 0; layer <= slab.n_planes; ++layer)
     {
@@ -75,7 +75,6 @@ public:
     , part(slab.part)
     , grid(slab.box.grid)
     , columns(grid.cells[0] + 1)
-    , plane_size(std::size_t{slab.n_nodes[0]} * slab.n_nodes[1])
     , n_copies(slab.box.periodic[0] ? slab.n_nodes[1] : 0)
   {
     slab.plane_start.resize(slab.n_planes);
@@ -176,7 +175,6 @@ private:
   MeshPart<3> &part;
   const UniformGrid<3> &grid;
   const unsigned int columns;
-  const std::size_t plane_size;
   const unsigned int n_copies;
   std::vector<std::size_t> copy_start; ///< of each plane
 };

@@ -45,7 +45,7 @@ struct Advance
         double *out = step.surface_force[side] + k * 3 * a.n[0];
         for (int c = 0; c < 3; ++c)
           for (std::size_t i = 0; i < a.n[0]; ++i)
-            out[c * a.n[0] + i] = f[c * a.stride + i];
+            out[std::size_t{a.n[0]} * c + i] = f[c * a.stride + i];
         return;
       }
     const std::size_t row = k * a.n[1] + j, place = a.plane_start[k] + j * a.n[0];

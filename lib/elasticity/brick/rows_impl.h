@@ -45,10 +45,10 @@ struct OfPhases
 #if defined(__AVX512F__)
     if (is_short)
       return Stiffness<double, n>::of([&](const unsigned int m) __attribute__((
-        always_inline)) { return lookup(load(table + m * 256), index); });
+        always_inline)) { return lookup(load(table + std::size_t{256} * m), index); });
 #endif
     return Stiffness<double, n>::of([&](const unsigned int m) __attribute__((
-      always_inline)) { return gather(table + m * 256, index); });
+      always_inline)) { return gather(table + std::size_t{256} * m, index); });
   }
 
   const std::uint8_t *first;

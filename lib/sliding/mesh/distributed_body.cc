@@ -38,13 +38,14 @@ std::vector<unsigned int> cell_weights(const Mesh<dim> &mesh,
 /** The cells of this rank. */
 template <int dim>
 MeshPart<dim> part_of_mesh(const Mesh<dim> &mesh,
-                           const std::vector<unsigned int> &contact)
+                           const std::vector<unsigned int> &contact,
+                           const MPI_Comm communicator)
 {
   std::vector<unsigned int> ranks;
   if (!mesh.cells.empty())
-    ranks = partition_cells(mesh, dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+    ranks = partition_cells(mesh, dealii::Utilities::MPI::n_mpi_processes(communicator),
                             cell_weights(mesh, contact));
-  return distribute(mesh, ranks, MPI_COMM_WORLD);
+  return distribute(mesh, ranks, communicator);
 }
 
 /** Of an operator on any cells. */
@@ -93,9 +94,10 @@ struct CellsOfMesh
   CellsOfMesh(const Mesh<dim> &mesh,
               const std::vector<unsigned int> &contact,
               const std::vector<ElasticPhase<dim>> &phases,
-              const InstructionSet isa)
-    : own_part(part_of_mesh(mesh, contact))
-    , own_op(own_part, phases, MPI_COMM_WORLD, isa)
+              const InstructionSet isa,
+              const MPI_Comm communicator)
+    : own_part(part_of_mesh(mesh, contact, communicator))
+    , own_op(own_part, phases, communicator, isa)
   {
   }
 
@@ -111,8 +113,9 @@ public:
   BodyOfMesh(const Mesh<dim> &mesh,
              const std::vector<unsigned int> &contact,
              const std::vector<ElasticPhase<dim>> &phases,
-             const InstructionSet isa)
-    : CellsOfMesh<dim>(mesh, contact, phases, isa)
+             const InstructionSet isa,
+             const MPI_Comm communicator)
+    : CellsOfMesh<dim>(mesh, contact, phases, isa, communicator)
     , BodyOfCells<dim>(this->own_op)
   {
   }
@@ -126,11 +129,13 @@ public:
                const Mesh<3> &mesh,
                const std::vector<MeshPlace> &probes,
                const std::vector<ElasticPhase<3>> &phases,
-               const InstructionSet isa)
-    : op(divide(box, mesh, probes, static_cast<unsigned int>(phases.size())),
-         phases,
-         MPI_COMM_WORLD,
-         isa)
+               const InstructionSet isa,
+               const MPI_Comm communicator)
+    : op(
+        divide(box, mesh, probes, static_cast<unsigned int>(phases.size()), communicator),
+        phases,
+        communicator,
+        isa)
   {
   }
 
@@ -163,7 +168,8 @@ private:
   static BrickSlab divide(const BrickBox &box,
                           const Mesh<3> &mesh,
                           const std::vector<MeshPlace> &probes,
-                          const unsigned int n_phases)
+                          const unsigned int n_phases,
+                          const MPI_Comm communicator)
   {
     std::vector<std::uint8_t> phase_id;
     for (const auto &cell : mesh.cells)
@@ -171,7 +177,7 @@ private:
     std::vector<unsigned int> cells;
     for (const MeshPlace &place : probes)
       cells.push_back(place.cell);
-    return divide_box(box, phase_id, n_phases, MPI_COMM_WORLD, cells);
+    return divide_box(box, phase_id, n_phases, communicator, cells);
   }
 
   const BrickOperator op;
@@ -190,18 +196,21 @@ distribute_body(const MeshMorphology<dim> &morphology,
                 const std::vector<unsigned int> &contact,
                 const std::vector<MeshPlace> &probes,
                 const std::vector<ElasticPhase<dim>> &phases,
-                const InstructionSet isa)
+                const InstructionSet isa,
+                const MPI_Comm communicator)
 {
   if constexpr (dim == 3)
     {
       bool is_box  = morphology.box.has_value();
       BrickBox box = morphology.box.value_or(BrickBox());
-      broadcast_object(MPI_COMM_WORLD, is_box);
-      broadcast_object(MPI_COMM_WORLD, box);
+      broadcast_object(communicator, is_box);
+      broadcast_object(communicator, box);
       if (is_box)
-        return std::make_unique<BodyOfBricks>(box, morphology.mesh, probes, phases, isa);
+        return std::make_unique<BodyOfBricks>(box, morphology.mesh, probes, phases, isa,
+                                              communicator);
     }
-  return std::make_unique<BodyOfMesh<dim>>(morphology.mesh, contact, phases, isa);
+  return std::make_unique<BodyOfMesh<dim>>(morphology.mesh, contact, phases, isa,
+                                           communicator);
 }
 
 #define MESOSLIP_INSTANTIATE(dim)                                           \
@@ -210,7 +219,7 @@ distribute_body(const MeshMorphology<dim> &morphology,
   template std::unique_ptr<DistributedBody<dim>> distribute_body(           \
     const MeshMorphology<dim> &, const std::vector<unsigned int> &,         \
     const std::vector<MeshPlace> &, const std::vector<ElasticPhase<dim>> &, \
-    const InstructionSet);
+    const InstructionSet, const MPI_Comm);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)
 #undef MESOSLIP_INSTANTIATE

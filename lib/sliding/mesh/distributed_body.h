@@ -43,7 +43,7 @@ template <int dim>
 std::unique_ptr<DistributedBody<dim>> make_distributed_body(const MeshOperator<dim> &op);
 
 /**
- * Divides the body of rank 0 among all ranks: a box of bricks by layers, any other mesh by
+ * Divides the body of rank 0 among the ranks: a box of bricks by layers, any other mesh by
  * METIS, where cells at the points of the @p contact weigh more. Of a box the part has no
  * cells but those of the @p probes. Collective.
  * @throws UserError for more ranks than layers of cells of a box
@@ -54,7 +54,8 @@ distribute_body(const MeshMorphology<dim> &morphology,
                 const std::vector<unsigned int> &contact,
                 const std::vector<MeshPlace> &probes,
                 const std::vector<ElasticPhase<dim>> &phases,
-                const InstructionSet isa);
+                const InstructionSet isa,
+                const MPI_Comm communicator = MPI_COMM_WORLD);
 } // namespace mesoslip
 
 #endif
