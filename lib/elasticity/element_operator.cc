@@ -1,5 +1,6 @@
 #include "elasticity/element_operator.h"
 
+#include "material/stiffness.h"
 #include "mesh/linear_shape.h"
 
 #include <deal.II/base/quadrature.h>
@@ -27,17 +28,6 @@ kernels::CellKernels cell_kernels(const InstructionSet isa)
   static constexpr Function planes[] = MESOSLIP_VARIANTS(plane_cell_kernels);
   static constexpr Function solids[] = MESOSLIP_VARIANTS(solid_cell_kernels);
   return (dim == 2 ? variant(planes, isa) : variant(solids, isa))();
-}
-
-/** Whether normal strains cause normal stresses alone, and shears the same shear alone. */
-template <int dim>
-bool is_orthotropic(const VoigtMatrix<dim> &C)
-{
-  for (int i = 0; i < n_voigt<dim>; ++i)
-    for (int j = dim; j < n_voigt<dim>; ++j)
-      if (i != j && (C(i, j) != 0. || C(j, i) != 0.))
-        return false;
-  return true;
 }
 
 /** Corners relative to the first one, in units of @p length. */

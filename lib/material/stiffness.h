@@ -106,6 +106,17 @@ Eigen::Matrix3d bunge_rotation(const double phi_1, const double Phi, const doubl
  */
 Eigen::Matrix3d rotation_from_axes(const Eigen::Vector3d &axis_1,
                                    const Eigen::Vector3d &axis_2);
+/** Whether normal strains cause normal stresses alone, and shears the same shear alone. */
+template <int dim>
+bool is_orthotropic(const VoigtMatrix<dim> &C)
+{
+  for (int i = 0; i < n_voigt<dim>; ++i)
+    for (int j = dim; j < n_voigt<dim>; ++j)
+      if (i != j && (C(i, j) != 0. || C(j, i) != 0.))
+        return false;
+  return true;
+}
+
 } // namespace mesoslip
 
 #endif

@@ -18,7 +18,12 @@ struct Case
 {
   std::array<unsigned int, 3> cells;
   std::array<double, 3> edges; ///< of a cell (m)
-  bool isotropic;
+  enum
+  {
+    isotropic,
+    orthotropic,
+    any
+  } symmetry;
   std::array<bool, 2> periodic;
 };
 
@@ -27,7 +32,10 @@ std::vector<ElasticPhase<3>> phases_of(const Case &c)
   std::vector<ElasticPhase<3>> phases = {{isotropic_stiffness<3>(30e9, 0.2), 1900.},
                                          {isotropic_stiffness<3>(240e9, 0.35), 2600.},
                                          {isotropic_stiffness<3>(3e9, 0.45), 1100.}};
-  if (!c.isotropic)
+  if (c.symmetry == Case::orthotropic)
+    phases[1].stiffness.diagonal() +=
+      (VoigtVector<3>() << 1e10, 3e10, 5e10, 2e10, 4e10, 6e10).finished();
+  if (c.symmetry == Case::any)
     {
       std::mt19937 generator(5);
       std::uniform_real_distribution<double> uniform(-1., 1.);
@@ -138,12 +146,14 @@ std::vector<Case> cases()
 {
   const std::array<double, 3> cube  = {{1e-3, 1e-3, 1e-3}},
                               brick = {{1e-3, 0.7e-3, 1.3e-3}};
-  return {{{{9, 6, 5}}, cube, true, {{false, false}}},
-          {{{9, 6, 5}}, brick, true, {{true, false}}},
-          {{{8, 5, 40}}, brick, false, {{false, true}}},
-          {{{15, 7, 3}}, cube, true, {{true, true}}},
-          {{{1, 3, 1}}, cube, false, {{false, false}}},
-          {{{7, 4, 1}}, brick, false, {{true, true}}}};
+  return {{{{9, 6, 5}}, cube, Case::isotropic, {{false, false}}},
+          {{{9, 6, 5}}, brick, Case::isotropic, {{true, false}}},
+          {{{8, 5, 40}}, brick, Case::any, {{false, true}}},
+          {{{15, 7, 3}}, cube, Case::isotropic, {{true, true}}},
+          {{{1, 3, 1}}, cube, Case::any, {{false, false}}},
+          {{{10, 6, 4}}, brick, Case::orthotropic, {{false, true}}},
+          {{{6, 5, 9}}, cube, Case::orthotropic, {{true, false}}},
+          {{{7, 4, 1}}, brick, Case::any, {{true, true}}}};
 }
 
 /** What is compared after some steps with surfaces and held components. */

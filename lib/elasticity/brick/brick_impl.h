@@ -105,6 +105,59 @@ struct Stiffness<Number, n_cubes>
   }
 };
 
+/** Of orthotropic bricks along their axes. */
+template <typename Number>
+struct Stiffness<Number, n_orthotropic>
+{
+  using Vector = typename Simd<Number>::Vector;
+  Vector c[n_orthotropic];
+
+  template <typename Load>
+  MESOSLIP_INLINE Stiffness of(const Load &load_one)
+  {
+    Stiffness result;
+    for (unsigned int m = 0; m < n_orthotropic; ++m)
+      result.c[m] = load_one(m);
+    return result;
+  }
+
+  /** Place of the normal components i, j. */
+  static constexpr int normal(const int i, const int j)
+  {
+    return i <= j ? i * 3 - i * (i + 1) / 2 + j : normal(j, i);
+  }
+
+  inline __attribute__((always_inline)) void stress(const Vector e[6], Vector s[6]) const
+  {
+    for (int i = 0; i < 3; ++i)
+      {
+        s[i] = c[normal(i, 0)] * e[0];
+        s[i] += c[normal(i, 1)] * e[1];
+        s[i] += c[normal(i, 2)] * e[2];
+        s[i + 3] = c[i + 6] * e[i + 3];
+      }
+  }
+
+  template <int axis>
+  inline __attribute__((always_inline)) void plane_stress(const Vector e[6],
+                                                          Vector s[6]) const
+  {
+    constexpr int a = (axis + 1) % 3, b = (axis + 2) % 3;
+    s[a] = c[normal(a, a)] * e[a] + c[normal(a, b)] * e[b];
+    s[b] = c[normal(a, b)] * e[a] + c[normal(b, b)] * e[b];
+    for (int i = 3; i < 6; ++i)
+      s[i] = c[i + 3] * e[i];
+  }
+
+  template <int axis>
+  inline __attribute__((always_inline)) void line_stress(const Vector u[3],
+                                                         Vector t[3]) const
+  {
+    for (int i = 0; i < 3; ++i)
+      t[i] = (i == axis ? c[normal(i, i)] : c[voigt(i, axis) + 3]) * u[i];
+  }
+};
+
 template <typename Number>
 struct Stiffness<Number, n_general>
 {

@@ -25,8 +25,10 @@ namespace
 
 BrickKernels brick_kernels()
 {
-  return {{advance<n_cubes>, advance<n_isotropic>, advance<n_general>},
-          {multiply<n_cubes>, multiply<n_isotropic>, multiply<n_general>},
-          copy_plane};
+  return {
+    {advance<n_cubes>, advance<n_isotropic>, advance<n_orthotropic>, advance<n_general>},
+    {multiply<n_cubes>, multiply<n_isotropic>, multiply<n_orthotropic>,
+     multiply<n_general>},
+    copy_plane};
 }
 } // namespace mesoslip::kernels::MESOSLIP_VARIANT

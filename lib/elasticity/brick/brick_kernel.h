@@ -89,12 +89,13 @@ constexpr std::size_t scratch_size(const std::size_t stride,
   return stride * (15 + 12 * (std::size_t{rows_at_once} + 1)) + 64;
 }
 
-/** Kernels of one instruction set; [0]: isotropic phases and cubes, [1]: isotropic phases, [2]:
+/** Kernels of one instruction set; [0]: isotropic phases and cubes, [1]: isotropic, [2]: orthotropic,
+ * [3]:
  * any ones. */
 struct BrickKernels
 {
-  void (*advance[3])(const BrickSweep &sweep, const BrickStep &step);
-  void (*product[3])(const BrickSweep &sweep, const BrickProduct &product);
+  void (*advance[4])(const BrickSweep &sweep, const BrickStep &step);
+  void (*product[4])(const BrickSweep &sweep, const BrickProduct &product);
 
   /** Node plane @p plane of x + beta w, for other ranks: [n[1]][3][stride]. */
   void (*copy_plane)(const BrickSweep &sweep,

@@ -84,6 +84,10 @@ std::vector<double> coefficients_of(const VoigtMatrix<3> &stiffness,
 {
   if (n_coefficients == n_isotropic)
     return {stiffness(0, 1), stiffness(5, 5)};
+  if (n_coefficients == n_orthotropic)
+    return {stiffness(0, 0), stiffness(0, 1), stiffness(0, 2),
+            stiffness(1, 1), stiffness(1, 2), stiffness(2, 2),
+            stiffness(3, 3), stiffness(4, 4), stiffness(5, 5)};
   std::vector<double> result;
   for (unsigned int i = 0; i < 6; ++i)
     for (unsigned int j = i; j < 6; ++j)

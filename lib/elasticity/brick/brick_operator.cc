@@ -1,6 +1,7 @@
 #include "elasticity/brick/brick_operator.h"
 
 #include "elasticity/brick/brick_matrices.h"
+#include "material/stiffness.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -36,17 +37,21 @@ enum Kind : unsigned int
 {
   cubes,
   isotropic,
+  orthotropic,
   general
 };
 
 Kind kind_of(const std::vector<ElasticPhase<3>> &phases, const std::array<double, 3> &h)
 {
+  Kind kind = isotropic;
   for (const ElasticPhase<3> &phase : phases)
-    if (!is_isotropic(phase.stiffness))
+    if (!is_orthotropic<3>(phase.stiffness))
       return general;
+    else if (!is_isotropic(phase.stiffness))
+      kind = orthotropic;
   const bool equal =
     std::abs(h[0] - h[1]) <= 1e-14 * h[0] && std::abs(h[0] - h[2]) <= 1e-14 * h[0];
-  return equal ? cubes : isotropic;
+  return kind == isotropic && equal ? cubes : kind;
 }
 
 kernels::BrickKernels kernels_for(const InstructionSet isa)
@@ -99,7 +104,9 @@ void BrickOperator::set_stiffness(const std::vector<ElasticPhase<3>> &phases)
 {
   const auto &h                     = the_slab.box.grid.spacing;
   kind                              = kind_of(phases, h);
-  const unsigned int n_coefficients = kind == general ? n_general : n_isotropic;
+  const unsigned int n_coefficients = kind == general       ? n_general
+                                      : kind == orthotropic ? n_orthotropic
+                                                            : n_isotropic;
   stiffness.resize(std::size_t{256} * std::max(n_coefficients, n_cubes));
   const double volume = h[0] * h[1] * h[2], factor = volume / (16. * h[2] * h[2]);
   const std::vector<BrickMatrix> matrices = brick_matrices(h, n_general);
@@ -205,6 +212,7 @@ void BrickOperator::set_points_of_others(NodalField<double> &field) const
 std::string BrickOperator::kernel_name() const
 {
   const std::string kinds[] = {"cubes of isotropic phases", "bricks of isotropic phases",
+                               "bricks of orthotropic phases",
                                "bricks of anisotropic phases"};
   return to_string(isa) + " " + kinds[kind];
 }

@@ -4,9 +4,12 @@
 /** Numbers that describe the stiffness of a brick to the kernels. */
 namespace mesoslip
 {
-constexpr unsigned int n_isotropic = 2;  ///< Lame's two
-constexpr unsigned int n_cubes     = 4;  ///< of isotropic cubes: see cube_coefficients
-constexpr unsigned int n_general   = 21; ///< the upper triangle of the Voigt matrix
+constexpr unsigned int n_isotropic = 2; ///< Lame's two
+constexpr unsigned int n_cubes     = 4; ///< of isotropic cubes: see cube_coefficients
+/** Of phases whose axes are those of the body: D11, D12, D13, D22, D23, D33, D44, D55, D66. */
+constexpr unsigned int n_orthotropic = 9;
+
+constexpr unsigned int n_general = 21; ///< the upper triangle of the Voigt matrix
 } // namespace mesoslip
 
 #endif
