@@ -7,7 +7,7 @@ import numpy as np
 from data import Missing
 from figures import STRESSES, scaled
 from maps import STRESS_MAP
-from mesh_maps import cells_of, compared, middle_strain
+from mesh_maps import area, cells_of, compared, middle_strain
 from projections import Group, View, draw
 
 # Corners of the faces of each kind of cells in /mesh/topology, in turn.
@@ -101,8 +101,18 @@ def pressure(run):
     view.numbers = np.arange(len(view.numbers))
     factor, unit = scaled(mean, units=STRESSES)
     low, high = np.percentile(mean, (0.5, 99.5)) / factor
-    group = Group(mean / factor, STRESS_MAP, (min(low, 0), max(high, 0)), "", rf"mean of $-\sigma_\mathrm{{zz}}$ in {unit}")
+    total = np.average(mean, weights=[area(polygon - polygon[0]) for polygon in view.polygons]) / factor
+    group = Group(mean / factor, STRESS_MAP, (min(low, 0), max(high, 0)), f"mean over the surface {total:.3g} {unit}",
+                  rf"mean of $-\sigma_\mathrm{{zz}}$ in {unit}")
     return draw([view], [group]), len(steady)
+
+
+def nominal_pressure(run):
+    """Pa; normal force on the contact, mean over the steady part, per area seen along z; None where it is not known."""
+    time, force, areas = (run.get(name) for name in ("/history/time", "/history/contact_normal_force", "/contact/area"))
+    if any(array is None for array in (time, force, areas)) or len(time) != len(force) or time[-1] < run.steady_from():
+        return None
+    return float(force[time >= run.steady_from()].mean() / areas.sum())
 
 
 def localized_pressure(run, dynamics):

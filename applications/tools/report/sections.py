@@ -243,9 +243,12 @@ def contact_shares(page, run):
 
 def contact_pressure(page, run):
     figure, count = contact_surface.pressure(run)
+    nominal = contact_surface.nominal_pressure(run)
+    words = f" The normal force on the contact, mean over all of the steady part, is "\
+            f"{quantity(nominal, 'Pa')} per area." if nominal is not None else ""
     return page.figure(figure, f"Pressure on the contact surface of the {escape(run.label)} run, seen along z: the elastic stress "
                                "−σ<sub>zz</sub> in the middle of the cells at the contact, mean over the snapshots of the steady part "
-                               f"({count} of them). The colour scale ends at the 0.5th and 99.5th percentiles and holds zero.")
+                               f"({count} of them). The colour scale ends at the 0.5th and 99.5th percentiles and holds zero.{words}")
 
 
 def contact_map(page, run):
