@@ -1,6 +1,6 @@
-"""make_report.py on synthetic result folders: the complete chain, every subset, broken files.
+"""make_report.py on synthetic result folders: the complete chain, every subset, broken files; and on a box in 3D that is run.
 
-    report.py <folder with the programs, not used> [folder to keep the synthetic chain in]
+    report.py <folder with the programs> [folder to keep the synthetic chain in]
 """
 
 import json
@@ -14,7 +14,7 @@ import tempfile
 import h5py
 import numpy as np
 
-from scenes import TOOLS, Folder
+from scenes import PHASES, TOOLS, Folder, prm
 
 MAKE_REPORT = os.path.join(TOOLS, "report", "make_report.py")
 NX, NY, H = 140, 40, 4e-4
@@ -194,6 +194,43 @@ def report(root, *folders, status=0):
     return page
 
 
+def run_box(folder):
+    """A chain of a box in 3D, three times as long as wide; its folders."""
+    homogenize = PHASES + prm({"Grid/Cells": "12, 4, 5", "Grid/Size": "12e-4, 4e-4, 5e-4", "Microstructure/Type": "voxels",
+                               "Microstructure/File": "voxels.npy"})
+    slide = prm({"Body/RVE file": "rve/rve.h5", "Time/Time step": 5e-9, "Time/End time": 2e-6, "Top/Kind": "platen", "Top/Pressure": 5e6,
+                 "Snapshots/Interval": 2e-7})
+    localize = prm({"Input/RVE file": "rve/rve.h5", "Input/Homogeneous run": "homogeneous/dynamics.h5",
+                    "Input/Direct run": "heterogeneous/dynamics.h5"})
+    solid = "set Dimension = 3\n"
+    folder = Folder(folder, {"rve": solid + homogenize, "homogeneous": solid + slide, "localization": localize,
+                             "heterogeneous": solid + slide + prm({"Body/Material": "heterogeneous"})})
+    np.save(folder("voxels.npy"), np.random.default_rng(3).integers(0, 2, (5, 4, 12), dtype=np.uint8))
+    names = {"rve": "rve_homogenization", "homogeneous": "contact_dynamics", "heterogeneous": "contact_dynamics",
+             "localization": "stress_localization"}
+    for name, program in names.items():
+        folder.run(0, program, name + ".prm", "--output", name)
+    return [folder(name) for name in names]
+
+
+def check_box(root):
+    """Pictures of the contact surface and of planes through the middle."""
+    folders = run_box(os.path.join(root, "box"))
+    page = report(root, *folders)
+    captions = " ".join(re.sub("<.*?>", "", caption) for caption in re.findall("<figcaption>(.*?)</figcaption>", page))
+    assert "while drawing" not in page, re.findall("Left out[^<]*", page)
+    for expected, count in [("Phases of rve, in the planes through the middle", 1), ("Shares of time that the contact nodes", 2),
+                            ("Von Mises stress of the last snapshot", 2), ("Pressure on the contact surface of the", 2),
+                            ("Von Mises stress averaged over time, in the planes through the middle: localized", 1),
+                            ("Pressure on the contact surface, seen along z", 1), ("means of strips of equal x", 2),
+                            ("Shares of time each contact node", 0)]:
+        assert captions.count(expected) == count, f"{expected}: {captions.count(expected)} instead of {count}"
+    page = report(root, folders[2])
+    assert "Phases of the body of heterogeneous, in the planes through the middle" in page, "phases of a run alone"
+    page = report(root, folders[3])
+    assert "tells its contact surface" in page and "while drawing" not in page, "a localization without its runs"
+
+
 def main():
     root = tempfile.mkdtemp(prefix="mesoslip-report-")
     try:
@@ -238,6 +275,8 @@ def main():
         assert "0.1348" in page and "2.538 µs" in page, "the homogenized friction law"
         assert "41.59 kHz" in page and "41.58 kHz" in page, "the mode nearest to one of the paper's"
         assert "2.100 MPa" in page and "+5.0 %" in page, "contact pressure of the fibres, table 4"
+
+        check_box(root)
 
         # Files that are broken, empty, cut off, or not ours.
         shutil.copytree(folders[1], os.path.join(root, "cut"))

@@ -70,6 +70,16 @@ class Run:
         """What the units of forces and energies end with: those of plane bodies are per metre of the thickness."""
         return "" if self.summary.get("dim") == 3 else "/m"
 
+    def has_surface(self):
+        """Whether its contact is a surface, that of a body in 3D, and known by node."""
+        position = self.get("/contact/position", slice(0, 1))
+        return position is not None and position.ndim == 2 and position.shape[1] == 3
+
+    def is_solid(self):
+        """Whether its mesh is in 3D."""
+        point = self.get("/mesh/points", slice(0, 1))
+        return point is not None and point.shape[1] == 3
+
     def members(self, group):
         """Names in a group, empty if there is none."""
         try:

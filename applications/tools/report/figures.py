@@ -205,15 +205,34 @@ def node_statistics(runs):
     return figure
 
 
+def in_order(x, *shares):
+    """Positions in order and shares [blocks][nodes] there."""
+    if x is None:
+        return (x, *shares)
+    order = np.argsort(x, kind="stable")
+    return (x[order], *(share[:, order] for share in shares))
+
+
+def in_strips(x, *shares):
+    """Positions in order and means of shares [blocks][nodes] over strips of a contact surface in 3D across x."""
+    places, strip = np.unique(np.round(x, 9), return_inverse=True)
+    if len(places) ** 2 > 4 * len(x):  # of a mesh without rows of nodes
+        edges = np.linspace(x.min(), x.max(), 1 + max(1, int(np.sqrt(len(x)))))
+        filled, strip = np.unique(np.clip(np.searchsorted(edges, x, "right"), 1, len(edges) - 1), return_inverse=True)
+        places = 0.5 * (edges[filled] + edges[filled - 1])
+    count = np.bincount(strip)
+    mean = lambda share: np.stack([np.bincount(strip, row) for row in share]) / count
+    return (places, *(mean(share) for share in shares))
+
+
 def contact_map(run):
     time, slip, stick, separated = run.need(*[f"/contact/blocks/{name}" for name in
                                               ("time", "slip", "stick", "separated")])
     if slip.ndim != 2 or slip.shape != stick.shape or slip.shape != separated.shape:
         raise Missing(f"/contact/blocks of {run.name} has arrays of different shapes")
     x = contact_positions(run)
-    if x is not None and np.any(np.diff(x) < 0):
-        order = np.argsort(x)
-        x, slip, stick, separated = x[order], slip[:, order], stick[:, order], separated[:, order]
+    solid = run.has_surface()
+    x, slip, stick, separated = (in_strips if solid else in_order)(x, slip, stick, separated)
     bottom, top = (1e3 * x[0], 1e3 * x[-1]) if x is not None and len(x) > 1 else (0, slip.shape[1])
     rgb = [np.array(matplotlib.colors.to_rgb(c)) for c in (SLIP, STICK, SEPARATED)]
     image = sum(np.clip(np.nan_to_num(share), 0, 1)[..., None] * c
@@ -226,7 +245,7 @@ def contact_map(run):
         axis.imshow(np.clip(image, 0, 1).transpose(1, 0, 2), origin="lower", aspect="auto",
                     extent=[1e3 * first, 1e3 * time[-1], bottom, top], interpolation="nearest")
         axis.grid(False)
-        axis.set_ylabel("position in mm" if x is not None else "contact node")
+        axis.set_ylabel("contact node" if x is None else "x in mm" if solid else "position in mm")
     if n_panels > 1:
         axes[1].set_xlim(1e3 * begin, 1e3 * time[-1])
         axes[1].set_title("last periods", loc="left", color=GREY)

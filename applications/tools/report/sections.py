@@ -3,6 +3,7 @@
 import numpy as np
 
 import analyses
+import contact_surface
 import energies
 import figures
 import key_numbers
@@ -28,6 +29,8 @@ def plan(chain):
     fields = [(morphology, chain)] if on_grid or any(run.heterogeneous and run.grid() for run in chain.runs) else []
     fields += [(rve_stress, run) for run in on_grid if run.members("/concentration")]
     fields += [(make, run) for run in on_mesh for make in (mesh_morphology, mesh_stress)[: 1 + bool(run.members("/concentration"))]]
+    if not on_mesh:
+        fields += [(phases_of_run, run) for run in chain.dynamics if run.heterogeneous and run.members("/mesh")]
     fields += [(snapshot, run, chain) for run in chain.transient + chain.static if run.members("/snapshots")]
     if fields:
         result.append(("Morphology and von Mises stress", fields))
@@ -38,10 +41,13 @@ def plan(chain):
                                 ("Homogenized friction law", analyses.friction_law, chain.friction_law)]:
         if runs:
             result.append((heading, [(make, run) for run in runs]))
+    probed = [run for run in chain.localization if run.members("/probes") or not run.members("/mesh")]  # probes are of grids
+    if probed:
+        result.append(("Localization", [(localization, run) for run in probed]))
     if chain.localization:
-        result.append(("Localization", [(localization, run) for run in chain.localization]))
-        result.append(("Mean von Mises stress: localized and direct",
-                       [(mean_von_mises, run) for run in chain.localization]))
+        surfaces = [(localized_pressure, run, chain.dynamics) for run in chain.localization
+                    if run.is_solid() and run.get("/mean_stress") is not None]
+        result.append(("Mean von Mises stress: localized and direct", [(mean_von_mises, run) for run in chain.localization] + surfaces))
     return result
 
 
@@ -52,9 +58,16 @@ def transient_sections(runs):
         ("Energy", [(friction_energy, runs)] + [(energy_balance, run) for run in runs]),
         ("Phase diagram", [(phase_diagram, runs)]),
         ("Spectrum", [(spectrum, runs, regime)]),
-        ("The contact, node by node",
-         [(node_statistics, runs)] + [(contact_map, run) for run in runs]),
+        ("The contact, node by node", contact_parts(runs)),
     ]
+
+
+def contact_parts(runs):
+    solid = [run for run in runs if run.has_surface()]
+    plane = [run for run in runs if run not in solid]
+    pressed = [run for run in solid if run.members("/snapshots")]
+    return ([(node_statistics, plane)] if plane else []) + [(contact_shares, run) for run in solid] + \
+        [(contact_pressure, run) for run in pressed] + [(contact_map, run) for run in runs]
 
 
 def runs_table(page, chain):
@@ -159,6 +172,10 @@ def mesh_morphology(page, run):
     return page.figure(mesh_maps.morphology(run), f"Phases of {escape(run.name)}{' on their mesh' if run.members('/mesh') else ''}{sections_of(run)}.")
 
 
+def phases_of_run(page, run):
+    return page.figure(mesh_maps.phases_of_run(run), f"Phases of the body of {escape(run.name)}{sections_of(run)}.")
+
+
 def mesh_stress(page, run):
     figure, condition = mesh_maps.von_mises(run)
     return page.figure(figure, f"Von Mises stress in {escape(run.name)} under {condition} with a strain whose mean stress is 0.5 MPa of "
@@ -166,7 +183,7 @@ def mesh_stress(page, run):
 
 
 def sections_of(run):
-    return ", in the planes through the middle" if run.summary.get("dim") == 3 else ""
+    return ", in the planes through the middle" if run.summary.get("dim") == 3 or run.is_solid() else ""
 
 
 def snapshot(page, run, chain):
@@ -175,7 +192,7 @@ def snapshot(page, run, chain):
     time = run.last("/snapshots/time")
     when = f" at t = {quantity(float(time), 's')}" if time is not None else ""
     return page.figure(figure, f"Von Mises stress of the last snapshot of the {escape(run.label)} run{when}" +
-                       ("; below, the framed part of the contact" if not on_mesh else "") +
+                       (sections_of(run) if on_mesh else "; below, the framed part of the contact") +
                        ". The colour scale ends at the 99.5th percentile.")
 
 
@@ -217,10 +234,29 @@ def node_statistics(page, runs):
                        "Shares of time each contact node slips, sticks and is separated, over the steady part.")
 
 
+def contact_shares(page, run):
+    return page.figure(contact_surface.shares(run),
+                       f"Shares of time that the contact nodes of the {escape(run.label)} run slip, stick and are separated over the "
+                       "steady part, in per cent, on the contact surface seen along z. Each node colours its part of the faces "
+                       "around it; the means are those of the nodes.")
+
+
+def contact_pressure(page, run):
+    figure, count = contact_surface.pressure(run)
+    nominal = contact_surface.nominal_pressure(run)
+    words = f" The normal force on the contact, mean over all of the steady part, is "\
+            f"{quantity(nominal, 'Pa')} per area." if nominal is not None else ""
+    return page.figure(figure, f"Pressure on the contact surface of the {escape(run.label)} run, seen along z: the elastic stress "
+                               "−σ<sub>zz</sub> in the middle of the cells at the contact, mean over the snapshots of the steady part "
+                               f"({count} of them). The colour scale ends at the 0.5th and 99.5th percentiles and holds zero.{words}")
+
+
 def contact_map(page, run):
+    what = "means of strips of equal x of the contact surface" if run.has_surface() else "every contact node"
     return page.figure(figures.contact_map(run),
-                       f"Contact states of the {escape(run.label)} run: every contact node over time; colours "
-                       "mix where a node changes its state within a block of steps.")
+                       f"Contact states of the {escape(run.label)} run: {what} over time; colours "
+                       "mix where a node changes its state within a block of steps" +
+                       (" or the nodes of a strip differ." if run.has_surface() else "."))
 
 
 def localization(page, run):
@@ -284,4 +320,19 @@ def whole_body(page, run, module):
     figure, error = module.mean_von_mises(run)
     words = f" Relative L2 difference: {100 * error:.1f} %." if error is not None else \
         " No direct run was compared."
-    return page.figure(figure, "Von Mises stress averaged over time." + words)
+    where = sections_of(run)
+    return page.figure(figure, f"Von Mises stress averaged over time{where}{of_runs(run)}.{words}")
+
+
+def of_runs(run):
+    """What the titles of the panels stand for."""
+    if run.get("/direct/mean_von_mises") is None:
+        return ", localized from the homogeneous run"
+    return ": localized from the homogeneous run, direct from the heterogeneous run, and the difference of both"
+
+
+def localized_pressure(page, run, dynamics):
+    figure, error = contact_surface.localized_pressure(run, dynamics)
+    words = f" Relative L2 difference over these cells: {100 * error:.1f} %." if error is not None else ""
+    return page.figure(figure, "Pressure on the contact surface, seen along z: the stress −σ<sub>zz</sub> in the cells at the contact, "
+                               f"averaged over time{of_runs(run)}. The colour scales end at the 0.5th and 99.5th percentiles.{words}")

@@ -44,8 +44,8 @@ std::string phases_of_slab(const BrickSlab &slab, const std::vector<std::uint8_t
       for (std::size_t k = 0; k < n_rows; ++k)
         std::copy_n(all.begin() + static_cast<std::ptrdiff_t>((k * n[1] + j) * n[0]),
                     n[0],
-                    phase.begin() +
-                      static_cast<std::ptrdiff_t>((layer * n_rows + k) * slab.stride));
+                    phase.begin() + static_cast<std::ptrdiff_t>(
+                                      (std::size_t{layer} * n_rows + k) * slab.stride));
     }
   return phase;
 }
