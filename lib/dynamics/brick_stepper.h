@@ -26,6 +26,7 @@ public:
                NodalField<double> &w,
                const std::optional<unsigned int> top_point = {});
 
+  /** The nodes have to be the whole bottom or the whole top. @throws std::invalid_argument */
   void add_surface(const SharedNodes &nodes, SurfaceCondition<3> &condition) override;
   void advance(const std::uint64_t n_steps) override;
   void multiply(NodalField<double> &Kx, NodalField<double> &x) const override;

@@ -4,8 +4,8 @@
 #include "sliding/analyses/modal.h"
 #include "sliding/analyses/static_contact.h"
 #include "sliding/mesh/mesh_modal.h"
-#include "sliding/mesh/mesh_static.h"
 #include "sliding/mesh/mesh_transient.h"
+#include "sliding/mesh/statics/mesh_static.h"
 #include "sliding/transient/transient.h"
 
 namespace mesoslip

@@ -68,7 +68,7 @@ struct BrickStep
 
   const double *const *inverse_mass; ///< of each row of nodes, [plane][row] (m/kg)
   const std::uint32_t *held_begin;   ///< of each row of nodes, and the end
-  const HeldNode *held;
+  const HeldNode *held;              ///< row by row
 
   /** Forces on the nodes of the first and the last row of all planes, which are not
    * advanced: [plane][3][n[0]] (N); or null: they are as all others. */
@@ -94,7 +94,9 @@ constexpr std::size_t scratch_size(const std::size_t stride,
  * any ones. */
 struct BrickKernels
 {
+  /** One time step of the box. */
   void (*advance[4])(const BrickSweep &sweep, const BrickStep &step);
+  /** Forces of a displacement. */
   void (*product[4])(const BrickSweep &sweep, const BrickProduct &product);
 
   /** Node plane @p plane of x + beta w, for other ranks: [n[1]][3][stride]. */

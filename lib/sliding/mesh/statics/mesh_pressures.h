@@ -1,5 +1,5 @@
-#ifndef mesoslip_sliding_mesh_mesh_pressures_h
-#define mesoslip_sliding_mesh_mesh_pressures_h
+#ifndef mesoslip_sliding_mesh_statics_mesh_pressures_h
+#define mesoslip_sliding_mesh_statics_mesh_pressures_h
 
 #include "grid/nodal_field.h"
 #include "morphology/mesh_morphology.h"

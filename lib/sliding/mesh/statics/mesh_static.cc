@@ -1,4 +1,4 @@
-#include "sliding/mesh/mesh_static.h"
+#include "sliding/mesh/statics/mesh_static.h"
 
 #include "base/errors.h"
 #include "exchange/datasets.h"
@@ -10,8 +10,8 @@
 #include "sliding/body_analysis.h"
 #include "sliding/mesh/mesh_analysis.h"
 #include "sliding/mesh/mesh_file.h"
-#include "sliding/mesh/mesh_pressures.h"
-#include "sliding/mesh/mesh_static_load.h"
+#include "sliding/mesh/statics/mesh_pressures.h"
+#include "sliding/mesh/statics/mesh_static_load.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sliding/mesh/mesh_static_load.h"
+#include "sliding/mesh/statics/mesh_static_load.h"
 
 #include "base/errors.h"
 #include "material/plausibility.h"

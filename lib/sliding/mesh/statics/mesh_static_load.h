@@ -1,5 +1,5 @@
-#ifndef mesoslip_sliding_mesh_mesh_static_load_h
-#define mesoslip_sliding_mesh_mesh_static_load_h
+#ifndef mesoslip_sliding_mesh_statics_mesh_static_load_h
+#define mesoslip_sliding_mesh_statics_mesh_static_load_h
 
 #include "contact/static_contact_solver.h"
 #include "sliding/contact_parameters.h"

@@ -1,5 +1,5 @@
-#ifndef mesoslip_sliding_mesh_mesh_static_h
-#define mesoslip_sliding_mesh_mesh_static_h
+#ifndef mesoslip_sliding_mesh_statics_mesh_static_h
+#define mesoslip_sliding_mesh_statics_mesh_static_h
 
 #include "program/program.h"
 #include "sliding/contact_parameters.h"

@@ -1,4 +1,4 @@
-#include "sliding/mesh/mesh_pressures.h"
+#include "sliding/mesh/statics/mesh_pressures.h"
 
 #include "mesh/boundary.h"
 #include "mesh/cell_gradients.h"
