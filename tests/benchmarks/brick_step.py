@@ -22,13 +22,17 @@ def run(bench):
     bench.write("brick-step", rows, "a contact step of a box of cubes on the flat, without observers: million cells a second, medians of turns; mesh and "
                 "matrix: shifted hexahedra, at most 48 along an edge; side by side: a box of its own on each rank at once", ranks="1 and 2",
                 repetitions=9)
+    draw(bench, rows)
+
+
+def draw(bench, rows):
     figure, axes = panels(1, width=6.5)
     logarithmic(axes[0], "cells", "million cells a second", "one rank", percent=False)
     for k, kind in enumerate(KINDS):
         own = [row for row in rows if row["kind"] == kind]
         name = {"two": "two phases"}.get(kind, kind)
         curve(axes[0], k, [row["edge"] ** 3 for row in own], [row["box"] for row in own], name)
-    of_two = [row for row in rows if row["kind"] == "two"]
+    of_two = [row for row in rows if row["kind"] == "two" and row["edge"] <= 64]  # larger meshes are the same one
     for k, (what, name) in enumerate((("mesh", "mesh of hexahedra"), ("matrix", "CSR matrix")), len(KINDS)):
         curve(axes[0], k, [min(row["edge"], 48) ** 3 for row in of_two], [row[what] for row in of_two], name, ls=":", mfc="none")
     legend(axes[0])
