@@ -17,7 +17,7 @@ namespace mesoslip
 namespace
 {
 /** Rank 0 holds the mesh of all cells and its own part of it. */
-constexpr double bytes_of_cell = 450.;
+constexpr double bytes_of_cell = 600.;
 
 std::string grid_line(const UniformGrid<3> &grid)
 {
