@@ -113,8 +113,7 @@ public:
     , values{std::vector<double>(n_cells), std::vector<double>(n_cells),
              std::vector<double>(n_cells)}
   {
-    for (auto &one : nodes)
-      one.resize(std::size_t{n_cells} + 1);
+    nodes.fill(std::vector<double>(std::size_t{n_cells} + 1));
   }
 
   /** The bricks of a layer above plane @p plane of nodes. */
@@ -124,8 +123,9 @@ public:
     for (unsigned int corner = 0; corner < 4; ++corner) // y + 2 z
       for (unsigned int c = 0; c < 3; ++c)
         {
-          const std::size_t first = slab.plane_start[plane + corner % 2] +
-                                    std::size_t{row + corner / 2} * slab.n_nodes[0];
+          const std::size_t in_plane = std::size_t{row} + corner / 2,
+                            first    = slab.plane_start[plane + corner % 2] +
+                                    in_plane * slab.n_nodes[0];
           std::vector<double> &to = nodes[3 * corner + c];
           std::copy_n(u.row(c, 0) + first, slab.n_nodes[0], to.begin());
           if (slab.box.periodic[0])

@@ -65,7 +65,8 @@ bool number_before(const std::string &a, const std::string &b)
       }
     else if (a[i++] != b[j++])
       return a[i - 1] < b[j - 1];
-  return a.size() - i < b.size() - j;
+  const bool a_ended = i == a.size(), b_ended = j == b.size();
+  return a_ended && !b_ended;
 }
 
 /** Pictures of one size, one a plane. */
@@ -75,11 +76,11 @@ public:
   explicit PictureStack(const std::vector<std::string> &the_files)
     : files(the_files)
   {
-    const bool pages  = files.size() == 1 && is_tiff_name(files[0]);
-    const auto n      = pages ? tiff_pages(files[0]) : files.size();
-    const auto values = picture(0);
-    extents           = {n, height, width};
-    const bool tiff   = is_tiff_name(files[0]);
+    const bool pages = files.size() == 1 && is_tiff_name(files[0]);
+    const auto n     = pages ? tiff_pages(files[0]) : files.size();
+    picture(0); // sets width and height
+    extents         = {n, height, width};
+    const bool tiff = is_tiff_name(files[0]);
     for (const std::string &file : files)
       if (is_tiff_name(file) != tiff)
         throw UserError(file + " is of another kind than " + files[0] +

@@ -24,7 +24,8 @@ std::vector<unsigned int> planes_of_ranks(const BrickBox &box, const unsigned in
                     std::to_string(n_ranks));
   std::vector<unsigned int> first(n_ranks + 1);
   for (unsigned int r = 0; r <= n_ranks; ++r)
-    first[r] = static_cast<unsigned int>(std::size_t{n_layers} * r / n_ranks);
+    first[r] =
+      static_cast<unsigned int>(static_cast<std::size_t>(n_layers) * r / n_ranks);
   return first;
 }
 
@@ -167,7 +168,8 @@ private:
     auto &cell               = part.cells.emplace_back(8);
     for (unsigned int v = 0; v < 8; ++v)
       cell.vertices[v] = point(i + (v & 1U), layer + (v >> 1U & 1U), k + (v >> 2U));
-    cell.material_id = slab.phase[(std::size_t{layer + 1} * n[2] + k) * slab.stride + i];
+    cell.material_id =
+      slab.phase[((layer + std::size_t{1}) * n[2] + k) * slab.stride + i];
     part.cell_in_mesh.push_back(number);
   }
 
@@ -202,7 +204,7 @@ BrickSlab divide_box(const BrickBox &box,
   const std::string phase = scatter(communicator, [&](const unsigned int other) {
     return phases_of_slab(extents_of_slab(box, planes, other, n_phases), phase_id);
   });
-  const std::string &own  = rank == 0 ? phases_of_slab(slab, phase_id) : phase;
+  const std::string own   = rank == 0 ? phases_of_slab(slab, phase_id) : phase;
   slab.phase.assign(own.begin(), own.end());
   SlabPart(slab).make(cells);
   return slab;

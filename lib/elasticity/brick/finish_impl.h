@@ -51,9 +51,9 @@ struct Advance
     const std::size_t row = k * a.n[1] + j, place = a.plane_start[k] + j * a.n[0];
     const std::uint32_t first = step.held_begin[row], last = step.held_begin[row + 1];
     constexpr unsigned int at_once = 64;
-    double before[2 * at_once];
     if (last - first <= at_once)
       {
+        double before[2 * at_once];
         save(first, last, place, before);
         advance_row(a, row, place, f);
         move_held(first, last, place, before);

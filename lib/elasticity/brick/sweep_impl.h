@@ -29,8 +29,9 @@ MESOSLIP_INLINE void advance_layer(const BrickSweep &a,
   // Of the rows of nodes that are wanted after the next one; none is beyond the tile.
   const auto wanted = [&](const std::size_t j) {
     const std::size_t plane = k < a.n[2] ? k : k - 1, next = j + 2;
-    return next <= n_rows || plane + 1 == a.n[2] ? place(plane, next <= n_rows ? next : j)
-                                                 : place(plane + 1, next - n_rows - 1);
+    if (next <= n_rows)
+      return place(plane, next);
+    return plane + 1 < a.n[2] ? place(plane + 1, next - n_rows - 1) : place(plane, j);
   };
   const bool has_cells =
     (k > 0 || a.has_layer_below) && (k < a.n[2] || a.has_layer_above);

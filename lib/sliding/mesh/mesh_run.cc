@@ -65,11 +65,11 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
   , description(description)
   , scales(scales)
   , time(time)
+  , part(distributed.part())
   , checkpoint(checkpoint)
   , output(output)
   , context(context)
   , size(body_size(description, dim))
-  , part(distributed.part())
   , body(distributed,
          description.contact,
          description.top,
