@@ -102,10 +102,7 @@ struct Box
 
 /** The same numbers at a point of the mesh whatever the part; points that move together are
  * equal. */
-void set_random(const Box &box,
-                const MeshPart<3> &part,
-                NodalField<double> &field,
-                const double scale)
+void set_random(const MeshPart<3> &part, NodalField<double> &field, const double scale)
 {
   for (unsigned int p = 0; p < part.points.size(); ++p)
     {
@@ -115,7 +112,6 @@ void set_random(const Box &box,
       for (unsigned int c = 0; c < 3; ++c)
         field.row(c, 0)[p] = uniform(generator);
     }
-  (void)box;
 }
 
 /** [point of the mesh][component] of the points that this rank has; NaN of others. */
@@ -174,8 +170,8 @@ advanced(const Box &box, const Operator &op, const MeshPart<3> &part)
     else if (!box.box.periodic[1] && p / row % (box.box.grid.cells[1] + 1) == 0)
       held.push_back({p, 1});
   NodalField<double> u(static_cast<unsigned int>(part.points.size()), 1, 3), w = u;
-  set_random(box, part, u, 1e-6);
-  set_random(box, part, w, 1e-1);
+  set_random(part, u, 1e-6);
+  set_random(part, w, 1e-1);
   Stepper stepper(op, held, parameters, u, w);
   FreeSurface<3> bottom(parameters), top(parameters);
   stepper.add_surface(SharedNodes(box.plane(0), part), bottom);
@@ -201,8 +197,8 @@ TEST(Brick, ProductEqualsThatOfTheMesh)
       const MeshPart<3> &own = box.op.slab().part;
       NodalField<double> x(static_cast<unsigned int>(own.points.size()), 1, 3),
         f = x, y(static_cast<unsigned int>(part.points.size()), 1, 3), g = y;
-      set_random(box, own, x, 1e-6);
-      set_random(box, part, y, 1e-6);
+      set_random(own, x, 1e-6);
+      set_random(part, y, 1e-6);
       box.op.multiply(f, x);
       LineVector<double> in = reference.zero_field(), out = in;
       for (unsigned int p = 0; p < part.points.size(); ++p)
@@ -256,8 +252,8 @@ TEST(Brick, DeformationIsThatOfTheMesh)
       const MeshPart<3> part = whole(box.mesh), &own = box.op.slab().part;
       NodalField<double> x(static_cast<unsigned int>(own.points.size()), 1, 3),
         y(static_cast<unsigned int>(part.points.size()), 1, 3);
-      set_random(box, own, x, 5e-4);
-      set_random(box, part, y, 5e-4);
+      set_random(own, x, 5e-4);
+      set_random(part, y, 5e-4);
       const Deformation a = largest_deformation(box.op.slab(), x, MPI_COMM_WORLD),
                         b = largest_deformation(part, y, MPI_COMM_SELF);
       const std::array<std::array<CellExtreme, 2>, 3> pairs = {
