@@ -76,7 +76,7 @@ void bind_body(Keys &keys, ContactParameters &p)
     "z [m/s^2]");
   const unsigned int dim  = p.mesh.mesh.dim;
   const auto require_axes = [&](const std::string &key, const std::size_t n) {
-    keys.require(n == 0 || n == dim, key,
+    keys.require(p.mesh.is_given() || n == 0 || n == dim, key,
                  std::to_string(n) + (n == 1 ? " number" : " numbers") + " found, " +
                    (dim == 2 ? "two (x, y)" : "three (x, y, z)") + " are needed");
   };
