@@ -145,6 +145,7 @@ std::vector<Case> cases()
   return {{{{9, 6, 5}}, cube, Case::isotropic, {{false, false}}},
           {{{9, 6, 5}}, brick, Case::isotropic, {{true, false}}},
           {{{8, 5, 40}}, brick, Case::any, {{false, true}}},
+          {{{75, 3, 2}}, cube, Case::isotropic, {{false, false}}},
           {{{15, 7, 3}}, cube, Case::isotropic, {{true, true}}},
           {{{1, 3, 1}}, cube, Case::any, {{false, false}}},
           {{{10, 6, 4}}, brick, Case::orthotropic, {{false, true}}},

@@ -68,7 +68,7 @@ struct BrickStep
 
   const double *const *inverse_mass; ///< of each row of nodes, [plane][row] (m/kg)
   const std::uint32_t *held_begin;   ///< of each row of nodes, and the end
-  const HeldNode *held;              ///< row by row
+  const HeldNode *held;              ///< row by row, by component, then node
 
   /** Forces on the nodes of the first and the last row of all planes, which are not
    * advanced: [plane][3][n[0]] (N); or null: they are as all others. */

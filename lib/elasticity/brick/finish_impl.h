@@ -143,12 +143,15 @@ private:
                       const double *f) const
   {
     const double *inverse_mass = step.inverse_mass[row];
+    // They are in the order of this loop.
+    std::uint32_t next       = step.held_begin[row];
+    const std::uint32_t last = step.held_begin[row + 1];
     for (std::uint32_t c = 0; c < 3; ++c)
       for (std::size_t i = 0; i < a.n[0]; ++i)
         {
-          bool held = false;
-          for (std::uint32_t h = step.held_begin[row]; h < step.held_begin[row + 1]; ++h)
-            held = held || (step.held[h].component == c && step.held[h].node == i);
+          const bool held =
+            next < last && step.held[next].component == c && step.held[next].node == i;
+          next += held ? 1 : 0;
           double &u = step.u[c][place + i], &w = step.w[c][place + i];
           const double old = w;
           if (!held)
