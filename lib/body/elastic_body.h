@@ -63,7 +63,8 @@ public:
   /** A field that is zero. */
   NodalField<double> zero_field() const
   {
-    return NodalField<double>(columns, rows, dim);
+    return rows == 1 ? NodalField<double>::of_points(columns, dim)
+                     : NodalField<double>(columns, rows, dim);
   }
 
   /** Stiffness (Pa) and density (kg/m^3) of each phase. */

@@ -174,7 +174,7 @@ void BrickStepper::multiply(NodalField<double> &Kx, NodalField<double> &x) const
 
 double BrickStepper::elastic_energy() const
 {
-  NodalField<double> Ku(u.n_columns(), 1, 3);
+  NodalField<double> Ku = u.zeros_alike();
   op.multiply(Ku, u);
   double sum = 0.;
   for (unsigned int c = 0; c < 3; ++c)

@@ -46,7 +46,7 @@ EnergyAudit::EnergyAudit(Stepper &stepper,
   , damped(step.beta > 0.)
   , dissipative(step.beta2 != 0.5)
   , heavy(step.is_heavy())
-  , u_before(u.n_columns(), u.n_rows(), u.n_components())
+  , u_before(u.zeros_alike())
   , w_before(u_before)
   , u_now(u_before)
   , w_now(u_before)

@@ -43,8 +43,8 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
                               const std::optional<unsigned int> top_point)
   : SurfaceStepper<dim>(parameters, u, w, op.part, top_point, op.communicator)
   , op(op)
-  , inverse_mass(u.n_columns(), 1, dim)
-  , own_mass(u.n_columns(), 1, 1)
+  , inverse_mass(u.zeros_alike())
+  , own_mass(NodalField<double>::of_points(u.n_columns(), 1))
   , z(op.zero_field())
   , force(z)
   , arrays(node_arrays<dim>(
@@ -141,7 +141,7 @@ void MeshStepper<dim>::multiply(NodalField<double> &Kx, NodalField<double> &x) c
 template <int dim>
 double MeshStepper<dim>::elastic_energy() const
 {
-  NodalField<double> Ku(u.n_columns(), 1, dim);
+  NodalField<double> Ku = u.zeros_alike();
   multiply(Ku, u);
   double sum = 0.;
   for (unsigned int c = 0; c < dim; ++c)

@@ -10,7 +10,7 @@ MeshSurface<dim>::MeshSurface(
   const MPI_Comm communicator)
   : condition(condition)
   , n_owned(nodes.n_owned())
-  , u(nodes.size(), 1, dim)
+  , u(NodalField<double>::of_points(nodes.size(), dim))
   , w(u)
   , force(u)
   , inverse_mass(u)

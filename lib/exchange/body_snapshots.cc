@@ -66,12 +66,8 @@ std::vector<double> BodySnapshots<dim>::displacement(const std::size_t k) const
 template <int dim>
 Mesh<dim> BodySnapshots<dim>::mesh() const
 {
-  Mesh<dim> mesh;
-  if constexpr (dim == 2)
-    if (is_grid)
-      mesh = mesh_of_cells(read_grid<2>(file, snapshots_program));
-  if (!is_grid)
-    mesh = read_mesh_cells<dim>(file, snapshots_program);
+  Mesh<dim> mesh = is_grid ? mesh_of_cells(read_grid<dim>(file, snapshots_program))
+                           : read_mesh_cells<dim>(file, snapshots_program);
   std::vector<std::uint8_t> id(mesh.cells.size());
   if (file.exists(snapshot_phases))
     id = file.read<std::uint8_t>(snapshot_phases);

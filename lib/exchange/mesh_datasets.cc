@@ -102,31 +102,17 @@ Mesh<dim> read_mesh_cells(const Hdf5File &file, const std::string &program)
 template <int dim>
 Mesh<dim> mesh_of_cells(const UniformGrid<dim> &grid)
 {
-  std::array<unsigned int, 3> cells = {{1, 1, 0}}; // a plane grid has one plane of nodes
-  std::copy(grid.cells.begin(), grid.cells.end(), cells.begin());
-  const unsigned int n_columns = cells[0] + 1, n_plane = n_columns * (cells[1] + 1);
   Mesh<dim> mesh;
-  mesh.points.reserve(grid.n_nodes());
+  mesh.points.resize(grid.n_nodes());
+  for (unsigned int p = 0; p < mesh.points.size(); ++p)
+    for (unsigned int d = 0; d < dim; ++d)
+      mesh.points[p][d] = grid.node(p)[d];
   mesh.cells.reserve(grid.n_cells());
-  for (unsigned int k = 0; k <= cells[2]; ++k)
-    for (unsigned int j = 0; j <= cells[1]; ++j)
-      for (unsigned int i = 0; i < n_columns; ++i)
-        {
-          const std::array<unsigned int, 3> number = {{i, j, k}};
-          auto &point                              = mesh.points.emplace_back();
-          for (unsigned int d = 0; d < dim; ++d)
-            point[d] = grid.origin[d] + number[d] * grid.spacing[d];
-        }
-  for (unsigned int k = 0; k < (dim == 2 ? 1 : cells[2]); ++k)
-    for (unsigned int j = 0; j < cells[1]; ++j)
-      for (unsigned int i = 0; i < cells[0]; ++i)
-        {
-          auto &corners            = mesh.cells.emplace_back(1U << dim).vertices;
-          const unsigned int first = k * n_plane + j * n_columns + i;
-          for (unsigned int v = 0; v < 1U << dim; ++v)
-            corners[v] =
-              first + (v & 1U) + (v >> 1U & 1U) * n_columns + (v >> 2U) * n_plane;
-        }
+  for (unsigned int k = 0; k < grid.n_cells(); ++k)
+    {
+      const auto corners = grid.corners(k);
+      mesh.cells.emplace_back(1U << dim).vertices.assign(corners.begin(), corners.end());
+    }
   return mesh;
 }
 

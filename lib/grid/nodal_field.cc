@@ -44,16 +44,18 @@ void *internal::line_memory(const std::size_t bytes)
 template <typename Number>
 NodalField<Number>::NodalField(const unsigned int n_columns,
                                const unsigned int n_rows,
-                               const unsigned int n_components)
+                               const unsigned int n_components,
+                               const unsigned int ghost_rows)
   : components(n_components)
   , rows(n_rows)
   , columns(n_columns)
+  , ghost_rows(ghost_rows)
   , array_stride(whole_vectors<Number>(n_columns + 1) + 2 * lanes<Number>)
 {
   // An odd number of cache lines keeps equal columns off the same cache set.
   if ((array_stride / lanes<Number>) % 2 == 0)
     array_stride += lanes<Number>;
-  data.resize((rows + std::size_t(2)) * stride());
+  data.resize((rows + 2 * std::size_t{ghost_rows}) * stride());
 }
 
 template <typename Number>
@@ -61,7 +63,8 @@ template <typename Other>
 void NodalField<Number>::convert_from(const NodalField<Other> &other)
 {
   const unsigned int n = columns + 2, end = whole_vectors<Number>(columns) + 1;
-  for (int j = -1; j <= static_cast<int>(rows); ++j)
+  const int ghosts     = static_cast<int>(ghost_rows);
+  for (int j = -ghosts; j < static_cast<int>(rows) + ghosts; ++j)
     for (unsigned int c = 0; c < components; ++c)
       {
         const Other *from = other.row(c, j) - 1;
@@ -84,6 +87,7 @@ void NodalField<Number>::fill_ghosts(const bool x, const bool y)
           p[-1]      = p[columns - 1];
           p[columns] = p[0];
         }
+  Assert(!y || ghost_rows > 0, dealii::ExcMessage("there are no rows to fill"));
   for (unsigned int c = 0; y && c < components; ++c)
     {
       std::copy_n(row(c, rows - 1) - 1, columns + 2, row(c, -1) - 1);

@@ -90,9 +90,9 @@ struct NodeIndex
  * starts on a cache line and is followed by at least one full vector of zeros, so that a
  * kernel may read and write past the last node without a mask.
  *
- * There is one more row at either end and one more column on the left: there and behind
- * the last column a multigrid cycle has the values of neighbours across a periodic side,
- * all others zeros.
+ * There is one more row at either end, but not of points without rows, and one more column
+ * on the left: there and behind the last column a multigrid cycle has the values of neighbours
+ * across a periodic side, all others zeros.
  *
  * Rows are numbered locally; a field that belongs to a slab of the grid holds the
  * slab's node rows (ghost rows included).
@@ -106,7 +106,22 @@ public:
   /** @p n_columns nodes a row, @p n_rows rows, all zero. */
   NodalField(const unsigned int n_columns,
              const unsigned int n_rows,
-             const unsigned int n_components = 2);
+             const unsigned int n_components = 2)
+    : NodalField(n_columns, n_rows, n_components, 1)
+  {
+  }
+
+  /** One row of @p n_points points of a mesh, with none beside it, all zero. */
+  static NodalField of_points(const std::size_t n_points, const unsigned int n_components)
+  {
+    return {static_cast<unsigned int>(n_points), 1, n_components, 0};
+  }
+
+  /** A field of the same extents, all zero. */
+  NodalField zeros_alike() const
+  {
+    return {columns, rows, components, ghost_rows};
+  }
 
   /** Number of nodes in a row. */
   unsigned int n_columns() const
@@ -196,7 +211,8 @@ public:
   template <typename Other>
   void convert_from(const NodalField<Other> &other);
 
-  /** Fills columns -1 and n_columns() (if @p x) and rows -1 and n_rows() (if @p y). */
+  /** Fills columns -1 and n_columns() (if @p x) and rows -1 and n_rows() (if @p y), which have to be
+   * there. */
   void fill_ghosts(const bool x, const bool y);
 
   /**
@@ -215,17 +231,24 @@ public:
   }
 
 private:
+  NodalField(const unsigned int n_columns,
+             const unsigned int n_rows,
+             const unsigned int n_components,
+             const unsigned int ghost_rows);
+
   std::size_t offset(const unsigned int c, const int j) const
   {
+    const unsigned int place = static_cast<unsigned int>(j) + ghost_rows;
     AssertIndexRange(c, components);
-    AssertIndexRange(static_cast<unsigned int>(j + 1), rows + 2);
-    return (static_cast<std::size_t>(j + 1) * components + c) * array_stride +
+    AssertIndexRange(place, rows + 2 * ghost_rows);
+    return (static_cast<std::size_t>(place) * components + c) * array_stride +
            lanes<Number>;
   }
 
   unsigned int components  = 0;
   unsigned int rows        = 0;
   unsigned int columns     = 0;
+  unsigned int ghost_rows  = 1; ///< at either end
   std::size_t array_stride = 0;
   LineVector<Number> data;
 };

@@ -53,6 +53,35 @@ struct UniformGrid
     return measure;
   }
 
+  /** Corners of cell @p number, of which the bits of their index say whether they are at the
+   * upper end of each axis. */
+  std::array<unsigned int, 1U << dim> corners(const unsigned int number) const
+  {
+    std::array<unsigned int, 1U << dim> nodes = {};
+    unsigned int rest = number, stride = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        for (unsigned int v = 0; v < nodes.size(); ++v)
+          nodes[v] += (rest % cells[d] + (v >> d & 1U)) * stride;
+        rest /= cells[d];
+        stride *= cells[d] + 1;
+      }
+    return nodes;
+  }
+
+  /** Coordinates of node @p number (m). */
+  std::array<double, dim> node(const unsigned int number) const
+  {
+    std::array<double, dim> place = {};
+    unsigned int rest             = number;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        place[d] = origin[d] + rest % (cells[d] + 1) * spacing[d];
+        rest /= cells[d] + 1;
+      }
+    return place;
+  }
+
   /** Whether numbers, spacing and origin are equal, bit by bit. */
   bool operator==(const UniformGrid &other) const
   {

@@ -8,14 +8,16 @@ namespace mesoslip
 {
 NumberedBlocks::NumberedBlocks(const std::vector<std::uint64_t> &numbers,
                                const std::size_t n_all,
-                               const MPI_Comm communicator)
+                               const MPI_Comm communicator,
+                               const std::size_t n_together)
   : n_owned(numbers.size())
 {
   namespace mpi            = dealii::Utilities::MPI;
   const std::size_t rank   = mpi::this_mpi_process(communicator),
                     n_rank = mpi::n_mpi_processes(communicator);
-  begin                    = rank * n_all / n_rank;
-  end                      = (rank + 1) * n_all / n_rank;
+  const std::size_t n_groups = n_all / n_together;
+  begin                      = rank * n_groups / n_rank * n_together;
+  end                        = (rank + 1) * n_groups / n_rank * n_together;
   using Index              = dealii::types::global_dof_index;
   const std::vector<Index> owned(numbers.begin(), numbers.end());
   std::vector<Index> block(end - begin);
@@ -34,10 +36,12 @@ void NumberedBlocks::gather(const double *owned, std::vector<double> &block) con
 template <int dim>
 PointBlocks<dim>::PointBlocks(const MeshPart<dim> &part,
                               const std::size_t n_points,
-                              const MPI_Comm communicator)
+                              const MPI_Comm communicator,
+                              const std::size_t n_together)
   : blocks({part.point_in_mesh.begin(), part.point_in_mesh.begin() + part.n_owned},
            n_points,
-           communicator)
+           communicator,
+           n_together)
 {
 }
 

@@ -13,16 +13,17 @@ namespace mesoslip
 /**
  * What ranks have of numbered things, such as points or cells, brought into the order of
  * their numbers so that no rank has all: rank r of n gets those from r N / n to
- * (r + 1) N / n, as files have them.
+ * (r + 1) N / n, as files have them, or where they come in equal groups the groups likewise.
  */
 class NumberedBlocks
 {
 public:
   /** There are @p n_all things, of which this rank owns those called @p numbers, in any
-   * order. Collective. */
+   * order; @p n_together of them in a group. Collective. */
   NumberedBlocks(const std::vector<std::uint64_t> &numbers,
                  const std::size_t n_all,
-                 const MPI_Comm communicator);
+                 const MPI_Comm communicator,
+                 const std::size_t n_together = 1);
 
   /** The first number in the block of this rank. */
   std::size_t first() const
@@ -53,10 +54,11 @@ template <int dim>
 class PointBlocks
 {
 public:
-  /** The whole mesh has @p n_points. Collective. */
+  /** The whole mesh has @p n_points, @p n_together in a group. Collective. */
   PointBlocks(const MeshPart<dim> &part,
               const std::size_t n_points,
-              const MPI_Comm communicator);
+              const MPI_Comm communicator,
+              const std::size_t n_together = 1);
 
   /** The first point of the block of this rank. */
   std::size_t first() const

@@ -6,6 +6,7 @@
 #include "mesh/mesh.h"
 #include "morphology/microstructure_parameters.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,7 @@ struct MeshParameters
   void bind(Keys &keys);
 };
 
-/** A mesh with the materials of its cells. */
+/** A mesh, or a box of bricks, with the materials of its cells. */
 template <int dim>
 struct MeshMorphology
 {
@@ -39,8 +40,50 @@ struct MeshMorphology
   /** Its phases are those of `Phases/Names`, in their order. */
   Mesh<dim> mesh;
 
-  /** Of a grid in 3D: the mesh is that of its cells (see mesh_of_cells()). */
+  /** Of a grid in 3D, whose nodes and cells are numbered with x fastest, then y. */
   std::optional<BrickBox> box;
+
+  std::vector<std::uint8_t> phase_id; ///< of a box: of all its cells
+
+  /** Numbers in the box of the points and cells of the mesh, ascending, where the mesh has only
+   * some; empty: it has all. */
+  std::vector<unsigned int> point_in_box, cell_in_box;
+
+  /** Number in the whole body of point @p i of the mesh. */
+  unsigned int whole_point(const unsigned int i) const
+  {
+    return point_in_box.empty() ? i : point_in_box[i];
+  }
+
+  /** The same of cell @p k. */
+  unsigned int whole_cell(const unsigned int k) const
+  {
+    return cell_in_box.empty() ? k : cell_in_box[k];
+  }
+
+  /** Where point @p number of the whole body is. */
+  dealii::Point<dim> point(const unsigned int number) const
+  {
+    if constexpr (dim == 3)
+      if (box)
+        {
+          const auto place = box->grid.node(number);
+          return {place[0], place[1], place[2]};
+        }
+    return mesh.points[number];
+  }
+
+  /** Of the whole body. */
+  std::size_t n_points() const
+  {
+    return box ? box->grid.n_nodes() : mesh.points.size();
+  }
+
+  /** Of the whole body. */
+  std::size_t n_cells() const
+  {
+    return box ? box->grid.n_cells() : mesh.cells.size();
+  }
 
   std::vector<Phase<dim>> phases; ///< by index
   std::vector<double> fractions;  ///< volume fraction of each phase

@@ -43,7 +43,10 @@ private:
     box.mesh = mesh_of_cells(box.box->grid);
     std::mt19937 random(1);
     for (auto &cell : box.mesh.cells)
-      cell.material_id = random() % 4 == 0 ? n_phases - 1 : 0;
+      {
+        cell.material_id = random() % 4 == 0 ? n_phases - 1 : 0;
+        box.phase_id.push_back(static_cast<std::uint8_t>(cell.material_id));
+      }
     return box;
   }
 
@@ -51,8 +54,8 @@ private:
          const std::vector<ElasticPhase<3>> &phases,
          const MPI_Comm communicator,
          MeshMorphology<3> &&box)
-    : contact(mesh_boundary(box.mesh, faces_of_side(*box.box, 4)))
-    , top(mesh_boundary(box.mesh, faces_of_side(*box.box, 5)))
+    : contact(mesh_boundary(box.mesh, faces_of_side(box, 4)))
+    , top(mesh_boundary(box.mesh, faces_of_side(box, 5)))
     , distributed(distribute_body(
         box, contact.points, {}, phases, InstructionSet::automatic, communicator))
     , body(*distributed, contact, top, {}, setup_of(n))

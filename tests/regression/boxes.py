@@ -48,9 +48,14 @@ def prepare(folder):
     mesh.write(folder("mesh.msh"))
 
 
-def in_order(file):
-    """Points by their places: Gmsh numbers them in its own way."""
-    return np.lexsort(np.round(file["mesh/points"][()] / 1e-7).T)
+def displacements(file):
+    """Of all snapshots [k][points][3], points by their places: Gmsh numbers them in its own way, those of boxes are in order."""
+    u = file["snapshots/displacement"][()]
+    if "mesh" in file:
+        return u[:, np.lexsort(np.round(file["mesh/points"][()] / 1e-7).T)]
+    assert "grid" in file and tuple(file["grid"].attrs["cells"]) == CELLS and file.attrs["format"] == b"mesoslip-dynamics", file.attrs["format"]
+    assert u.shape[1:] == (*(n + 1 for n in CELLS[::-1]), 3), u.shape
+    return u.reshape(len(u), -1, 3)
 
 
 def check_as_mesh(folder):
@@ -71,7 +76,7 @@ def check_as_mesh(folder):
             check_same_summary(summary, folder.summary("mesh"), 1e-8, (name, ranks), but=("inputs", "critical_time_step"))
             assert summary["energy_balance_residual"] < 1e-12, summary["energy_balance_residual"]
             with h5py.File(folder(run, "dynamics.h5")) as file, h5py.File(folder("mesh", "dynamics.h5")) as other:
-                u, v = (f["snapshots/displacement"][()][:, in_order(f)] for f in (file, other))
+                u, v = displacements(file), displacements(other)
                 assert u.shape == v.shape and np.abs(u - v).max() < 1e-9 * np.abs(v).max() > 0, (name, ranks)
         assert folder.summary(f"{name}1")["slip_fraction"] > 0.01
 
@@ -121,6 +126,25 @@ def check_localized(folder):
             assert np.abs(one[name][()] - two[name][()]).max() <= 1e-12 * np.abs(one[name][()]).max() > 0, name
 
 
+def check_other_analyses(folder):
+    """Modes and static contact on the box and on the mesh of its cells."""
+    modal = prm({"Analysis": "modal", "Modal/Number of modes": 3})
+    static = prm({"Analysis": "static contact", "Friction/Coefficient from": "constant", "Friction/Coefficient": 0.2})
+    drop = ("Time/", "Observation/", "Snapshots/", "Body/Acceleration", "Flat/Velocity", "Friction/")
+    common = {key: value for key, value in COMMON.items() if not key.startswith(drop)}
+    for name, sides, mesh_sides in (("modal", *SUPPORTS["platen"]), ("modal", *SUPPORTS["periodic"]), ("static", *SUPPORTS["platen"])):
+        settings = modal if name == "modal" else static + prm({**common, "Flat/Velocity": 1})
+        folder.write("box_other.prm", "set Dimension = 3\n" + prm({"Body/Material": "heterogeneous", "Body/RVE file": "rve/rve.h5"}) + sides + settings)
+        folder.write("mesh_other.prm", "set Dimension = 3\n" + prm({"Mesh/File": "mesh.msh", **MATERIALS}) + mesh_sides + settings)
+        for run in ("box", "mesh"):
+            folder.run(0, "contact_dynamics", f"{run}_other.prm", "--output", f"{run}_{name}")
+        check_same_summary(folder.summary(f"box_{name}"), folder.summary(f"mesh_{name}"), 1e-6, name, but=("inputs", "iterations", "state_changes", "solver_iterations", "residual", "friction_change",
+                                "phase_pressure_imbalance"))
+        with h5py.File(folder(f"box_{name}", "modal.h5" if name == "modal" else "dynamics.h5")) as file:
+            field = file["modes/free/shape" if name == "modal" else "snapshots/displacement"]
+            assert field.shape[1:] == (*(n + 1 for n in CELLS[::-1]), 3) and np.isfinite(field[()]).all(), field.shape
+
+
 def check_refused(folder):
     def refused(words, *settings, prm_file="platen.prm", ranks=1):
         said = folder.run(2, "contact_dynamics", prm_file, "--output", "none", *("--set=" + setting for setting in settings), ranks=ranks)
@@ -152,6 +176,7 @@ def main():
         check_one_layer(folder)
         check_resumed(folder)
         check_localized(folder)
+        check_other_analyses(folder)
         check_refused(folder)
     print("contact_dynamics on boxes of voxels: as on meshes and plane grids, on several ranks, continued, localized")
 

@@ -54,6 +54,9 @@ def check_same_summary(one, other, limit, what, but=()):
     if isinstance(one, dict) and isinstance(other, dict):
         for key in (set(one) | set(other)) - OWN - set(but):
             check_same_summary(one.get(key, "nothing"), other.get(key, "nothing"), limit, (what, key))
+    elif isinstance(one, list) and isinstance(other, list) and len(one) == len(other):
+        for pair in zip(one, other):
+            check_same_summary(*pair, limit, what)
     elif isinstance(one, float) and isinstance(other, (int, float)):
         assert abs(one - other) <= limit * abs(one), (what, one, other)
     else:

@@ -7,7 +7,7 @@ import numpy as np
 from data import Missing
 from figures import STRESSES, scaled
 from maps import STRESS_MAP
-from mesh_maps import area, cells_of, compared, middle_strain
+from mesh_maps import area, cells_of, compared, middle_strain, points_of
 from projections import Group, View, draw
 
 # Corners of the faces of each kind of cells in /mesh/topology, in turn.
@@ -25,7 +25,8 @@ def node_of_point(run, points):
         period = np.ptp(points, axis=0)
         key = lambda place: tuple(np.round(place / period.max(), 7) + 0.0)
         known = {key(place): number for number, place in enumerate(points[contact])}
-        for point in np.flatnonzero(nodes < 0):
+        at_upper_ends = (points[:, :2] > points[:, :2].max(axis=0) - 1e-7 * period.max()).any(axis=1)
+        for point in np.flatnonzero(at_upper_ends & (nodes < 0)):
             for shift in ([1, 0, 0], [0, 1, 0], [1, 1, 0]):
                 nodes[point] = max(nodes[point], known.get(key(points[point] - shift * period), -1))
     return nodes
@@ -96,8 +97,9 @@ def pressure(run):
     steady = np.flatnonzero(time >= run.steady_from())
     if not steady.size:
         raise Missing(f"{run.name} has no snapshot of its steady part")
-    strain = sum(middle_strain(points, at, 1e3 * run.get("/snapshots/displacement", int(row)))[view.numbers] for row in steady)
-    mean = -np.einsum("cj,cj->c", stiffness[ids[view.numbers], 2], strain) / len(steady)
+    moved = lambda row: 1e3 * run.get("/snapshots/displacement", int(row)).reshape(points.shape)
+    strain = sum(middle_strain(points, at, moved(row))[view.numbers] for row in steady)
+    mean = -np.einsum("cj,cj->c", stiffness[ids.ravel()[view.numbers], 2], strain) / len(steady)
     view.numbers = np.arange(len(view.numbers))
     factor, unit = scaled(mean, units=STRESSES)
     low, high = np.percentile(mean, (0.5, 99.5)) / factor
@@ -117,9 +119,9 @@ def nominal_pressure(run):
 
 def localized_pressure(run, dynamics):
     """Localized and direct −σ_zz in the cells at the contact, which a run on the same mesh tells; (figure, L2 difference)."""
-    points = run.need("/mesh/points")
-    same = lambda other: other is not None and other.shape == points.shape and np.allclose(other, points, atol=1e-9 * np.ptp(points))
-    source = next((other for other in dynamics if other.has_surface() and same(other.get("/mesh/points"))), None)
+    points = points_of(run)
+    same = lambda other: other.shape == points.shape and np.allclose(other, points, atol=1e-9 * np.ptp(points))
+    source = next((other for other in dynamics if other.has_surface() and same(points_of(other))), None)
     if source is None:
         raise Missing(f"no run of contact_dynamics on the mesh of {run.name} tells its contact surface")
     view = cells_view(source)

@@ -76,9 +76,13 @@ class Run:
         return position is not None and position.ndim == 2 and position.shape[1] == 3
 
     def is_solid(self):
-        """Whether its mesh is in 3D."""
-        point = self.get("/mesh/points", slice(0, 1))
-        return point is not None and point.shape[1] == 3
+        """Whether its mesh or grid is in 3D."""
+        point, grid = self.get("/mesh/points", slice(0, 1)), self.grid()
+        return point.shape[1] == 3 if point is not None else grid is not None and len(grid[0]) == 3
+
+    def is_mesh_like(self):
+        """Whether its cells are shown one by one, as those of a mesh: not those of a plane grid."""
+        return bool(self.members("/mesh")) or self.is_solid()
 
     def members(self, group):
         """Names in a group, empty if there is none."""

@@ -15,8 +15,38 @@ EDGES = {6: [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)],
          9: [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]}
 
 
+def points_of(run):
+    """Points [n][dim] (mm) of a mesh or the nodes of a grid, x fastest."""
+    if run.members("/mesh"):
+        return 1e3 * run.need("/mesh/points")
+    if run.grid() is None:
+        raise Missing(f"{run.name} has neither a mesh nor a grid")
+    n, h, origin = run.grid()
+    axes = [1e3 * (o + step * np.arange(int(cells) + 1)) for cells, step, o in zip(n, h, origin)]
+    return np.stack([place.ravel() for place in np.meshgrid(*axes[::-1], indexing="ij")[::-1]], axis=1)
+
+
+def shown_cells(run):
+    """Numbers of those cells of a grid in 3D that pictures show: in the middle of each axis and at the contact."""
+    n = run.grid()[0].astype(int)
+    numbers = np.arange(np.prod(n, dtype=int)).reshape(n[::-1])
+    layers = [np.take(numbers, n[axis] // 2, axis=2 - axis) for axis in range(3)] + [numbers[0]]
+    return np.unique(np.concatenate([layer.ravel() for layer in layers]))
+
+
+def bricks_of(run):
+    """The cells of a grid in 3D that pictures show, as cells_of() has them."""
+    numbers, n = shown_cells(run), run.grid()[0].astype(int)
+    columns, plane = n[0] + 1, (n[0] + 1) * (n[1] + 1)
+    first = numbers % n[0] + numbers // n[0] % n[1] * columns + numbers // (n[0] * n[1]) * plane
+    around = np.array([0, 1, columns + 1, columns])
+    return [(9, numbers, first[:, None] + np.concatenate([around, around + plane]))]
+
+
 def cells_of(run):
     """Points [n][dim] (mm), and the cells by kind: (kind, numbers of the cells, corners of each)."""
+    if not run.members("/mesh"):
+        return points_of(run), bricks_of(run)
     points, topology = run.need("/mesh/points", "/mesh/topology")
     stride = 1 + CORNERS[int(topology[0])]
     if len(topology) % stride == 0 and np.all(topology[::stride] == topology[0]):
@@ -93,10 +123,10 @@ def von_mises_of(stress, stiffness):
     return np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * (stress[:, 3:] ** 2).sum(axis=1))
 
 
-def stress_group(field, label="von Mises stress", title=""):
-    """One field of stresses (Pa), from zero on."""
-    factor, unit = scaled(field, units=STRESSES)
-    limits = (0, np.percentile(field, 99.5) / factor)
+def stress_group(field, label="von Mises stress", title="", shown=slice(None)):
+    """One field of stresses (Pa), from zero on; the colours are for those with the numbers `shown`."""
+    factor, unit = scaled(field[shown], units=STRESSES)
+    limits = (0, np.percentile(field[shown], 99.5) / factor)
     return Group(field / factor, STRESS_MAP, limits, title, f"{label} in {unit}")
 
 
@@ -112,7 +142,7 @@ def morphology(run):
 
 def phases_of_run(run):
     ids, names = run.need("/material/phase_id", "/material/name")
-    return phase_figure(run, ids, [""] * len(names))
+    return phase_figure(run, ids.ravel(), [""] * len(names))
 
 
 def phase_figure(run, ids, remarks):
@@ -165,9 +195,12 @@ def snapshot_von_mises(run):
     displacement = run.last("/snapshots/displacement")
     ids, stiffness = run.need("/material/phase_id", "/material/stiffness")
     points, cells = cells_of(run)
-    strain = middle_strain(points, cells, 1e3 * displacement)
-    by_cell = stiffness[ids]
-    return stress_figure(run, von_mises_of(np.einsum("cij,cj->ci", by_cell, strain), by_cell))
+    strain = middle_strain(points, cells, 1e3 * displacement.reshape(points.shape))
+    numbers = np.concatenate([of_kind for _, of_kind, _ in cells])
+    by_cell = stiffness[ids.ravel()[numbers]]
+    field = np.zeros(len(strain))
+    field[numbers] = von_mises_of(np.einsum("cij,cj->ci", by_cell, strain[numbers]), by_cell)
+    return draw(views(run), [stress_group(field, shown=numbers)])
 
 
 def compared(seen, localized, direct, label):

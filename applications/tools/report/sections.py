@@ -24,13 +24,14 @@ def plan(chain):
         result.append(("Beside the paper", [(key_numbers.beside_the_paper, run) for run in pins]))
     if chain.rve:
         result.append(("Stiffness", [(stiffness_table, run) for run in chain.rve]))
-    on_mesh = [run for run in chain.rve if run.members("/mesh") or run.summary.get("dim") == 3]  # voxels are shown like meshes
+    on_mesh = [run for run in chain.rve if run.is_mesh_like()]
     on_grid = [run for run in chain.rve if run not in on_mesh]
-    fields = [(morphology, chain)] if on_grid or any(run.heterogeneous and run.grid() for run in chain.runs) else []
+    on_plane = [run for run in chain.runs if run.heterogeneous and run.grid() and not run.is_mesh_like()]
+    fields = [(morphology, chain)] if on_grid or on_plane else []
     fields += [(rve_stress, run) for run in on_grid if run.members("/concentration")]
     fields += [(make, run) for run in on_mesh for make in (mesh_morphology, mesh_stress)[: 1 + bool(run.members("/concentration"))]]
     if not on_mesh:
-        fields += [(phases_of_run, run) for run in chain.dynamics if run.heterogeneous and run.members("/mesh")]
+        fields += [(phases_of_run, run) for run in chain.dynamics if run.heterogeneous and run.is_mesh_like()]
     fields += [(snapshot, run, chain) for run in chain.transient + chain.static if run.members("/snapshots")]
     if fields:
         result.append(("Morphology and von Mises stress", fields))
@@ -187,7 +188,7 @@ def sections_of(run):
 
 
 def snapshot(page, run, chain):
-    on_mesh = bool(run.members("/mesh"))
+    on_mesh = run.is_mesh_like()
     figure = mesh_maps.snapshot_von_mises(run) if on_mesh else maps.snapshot_von_mises(run, chain)
     time = run.last("/snapshots/time")
     when = f" at t = {quantity(float(time), 's')}" if time is not None else ""
@@ -309,7 +310,7 @@ def probe_errors(run, name):
 
 
 def mean_von_mises(page, run):
-    module = mesh_maps if run.members("/mesh") else maps
+    module = mesh_maps if run.is_mesh_like() else maps
     points = "".join(page.figure(module.point_von_mises(run, name),
                                  f"Von Mises stress averaged over time in the volume element at the point {escape(name)} of the body.")
                      for name in run.members("/points"))

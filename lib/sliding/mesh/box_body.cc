@@ -9,15 +9,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace mesoslip
 {
 namespace
 {
-/** Rank 0 holds the mesh of all cells and its own part of it. */
-constexpr double bytes_of_cell = 600.;
+/** What rank 0 holds, fields and files included: of a body that has a mesh of all its cells, and
+ * of one that has none (measured). */
+constexpr double bytes_of_meshed_cell = 600., bytes_of_cell = 450.;
 
 std::string grid_line(const UniformGrid<3> &grid)
 {
@@ -31,9 +34,9 @@ std::string grid_line(const UniformGrid<3> &grid)
 void describe_phases(MeshMorphology<3> &box, const std::vector<PhaseParameters> &phases)
 {
   std::vector<std::size_t> count(phases.size(), 0);
-  for (const auto &cell : box.mesh.cells)
-    ++count[cell.material_id];
-  const auto n = static_cast<double>(box.mesh.cells.size());
+  for (const std::uint8_t id : box.phase_id)
+    ++count[id];
+  const auto n = static_cast<double>(box.phase_id.size());
   for (std::size_t p = 0; p < phases.size(); ++p)
     {
       box.fractions.push_back(static_cast<double>(count[p]) / n);
@@ -46,56 +49,11 @@ void describe_phases(MeshMorphology<3> &box, const std::vector<PhaseParameters> 
     }
 }
 
-/** The groups as a mesh has them. */
-void add_sides(MeshMorphology<3> &box)
-{
-  box.mesh.boundaries = {"Left", "Right", "Front", "Back", "Contact", "Top"};
-  for (unsigned int side = 0; side < 6; ++side)
-    for (const BoundaryFace<3> &face : faces_of_side(*box.box, side))
-      {
-        auto &added = box.mesh.faces.emplace_back(4);
-        std::copy(face.points.begin(), face.points.end(), added.vertices.begin());
-        added.boundary_id = side;
-      }
-}
-} // namespace
-
-std::vector<BoundaryFace<3>> faces_of_side(const BrickBox &box, const unsigned int side)
-{
-  const auto &n           = box.grid.cells;
-  const unsigned int axis = side / 2, a = (axis + 1) % 3, b = (axis + 2) % 3;
-  std::vector<BoundaryFace<3>> faces;
-  for (unsigned int j = 0; j < n[std::max(a, b)]; ++j)
-    for (unsigned int i = 0; i < n[std::min(a, b)]; ++i)
-      {
-        std::array<unsigned int, 3> cell;
-        cell[axis]           = side % 2 == 0 ? 0 : n[axis] - 1;
-        cell[std::min(a, b)] = i;
-        cell[std::max(a, b)] = j;
-        BoundaryFace<3> face;
-        face.n_points = 4;
-        face.cell     = (cell[2] * n[1] + cell[1]) * n[0] + cell[0];
-        // In deal.II the first coordinate of a face is the lower of its axes but in y.
-        const unsigned int first  = axis == 1 ? 2 : std::min(a, b),
-                           second = axis == 1 ? 0 : std::max(a, b);
-        for (unsigned int v = 0; v < 4; ++v)
-          {
-            std::array<unsigned int, 3> node = cell;
-            node[axis] += side % 2;
-            node[first] += v & 1U;
-            node[second] += v >> 1U;
-            face.points[v] = (node[2] * (n[1] + 1) + node[1]) * (n[0] + 1) + node[0];
-          }
-        faces.push_back(face);
-      }
-  return faces;
-}
-
-std::vector<unsigned int> cells_near(const BrickBox &box,
-                                     const std::vector<ProbePoint> &points)
+/** Numbers of the cells within one of those that hold @p points, ascending. */
+std::vector<unsigned int> cells_around(const UniformGrid<3> &grid,
+                                       const std::vector<ProbePoint> &points)
 {
   std::set<unsigned int> cells;
-  const UniformGrid<3> &grid = box.grid;
   for (const ProbePoint &point : points)
     {
       std::array<long, 3> middle = {};
@@ -118,37 +76,146 @@ std::vector<unsigned int> cells_near(const BrickBox &box,
   return {cells.begin(), cells.end()};
 }
 
+/** Numbers of the cells at the sides, ascending. */
+std::vector<unsigned int> cells_at_sides(const std::array<unsigned int, 3> &n)
+{
+  std::vector<unsigned int> cells;
+  const auto is_end = [&](const unsigned int i, const unsigned int axis) {
+    return i == 0 || i + 1 == n[axis];
+  };
+  for (unsigned int k = 0; k < n[2]; ++k)
+    for (unsigned int j = 0; j < n[1]; ++j)
+      {
+        const bool all           = is_end(k, 2) || is_end(j, 1);
+        const unsigned int first = (k * n[1] + j) * n[0], last = n[0] - 1;
+        for (unsigned int i = 0; i <= last; i += all || last == 0 ? 1 : last)
+          cells.push_back(first + i);
+      }
+  return cells;
+}
+
+/** Makes the mesh of these cells, ascending. */
+void keep_cells(MeshMorphology<3> &body, std::vector<unsigned int> cells)
+{
+  const UniformGrid<3> &grid = body.box->grid;
+  auto &points               = body.point_in_box;
+  for (const unsigned int cell : cells)
+    for (const unsigned int corner : grid.corners(cell))
+      points.push_back(corner);
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  points.shrink_to_fit();
+  for (const unsigned int p : points)
+    body.mesh.points.push_back(body.point(p));
+  for (const unsigned int cell : cells)
+    {
+      const auto corners = grid.corners(cell);
+      auto &vertices     = body.mesh.cells.emplace_back(8).vertices;
+      for (unsigned int v = 0; v < 8; ++v)
+        vertices[v] = static_cast<unsigned int>(
+          std::lower_bound(points.begin(), points.end(), corners[v]) - points.begin());
+    }
+  body.cell_in_box = std::move(cells);
+}
+
+/** The mesh of all cells, with the groups as meshes have them. */
+void make_whole_mesh(MeshMorphology<3> &body)
+{
+  body.mesh = mesh_of_cells(body.box->grid);
+  for (unsigned int side = 0; side < 6; ++side)
+    for (const BoundaryFace<3> &face : faces_of_side(body, side))
+      {
+        auto &added = body.mesh.faces.emplace_back(4);
+        std::copy(face.points.begin(), face.points.end(), added.vertices.begin());
+        added.boundary_id = side;
+      }
+}
+} // namespace
+
+std::vector<BoundaryFace<3>> faces_of_side(const MeshMorphology<3> &body,
+                                           const unsigned int side)
+{
+  const auto &n           = body.box->grid.cells;
+  const unsigned int axis = side / 2, end = side % 2;
+  // In deal.II the first coordinate of a face is the lower of its axes but in y.
+  const unsigned int first = (axis + 1) % 3, second = (axis + 2) % 3,
+                     lower = axis == 1 ? first : std::min(first, second),
+                     upper = first + second - lower;
+  std::vector<BoundaryFace<3>> faces;
+  for (unsigned int k = 0; k < body.mesh.cells.size(); ++k)
+    {
+      const unsigned int number                = body.whole_cell(k);
+      const std::array<unsigned int, 3> place = {
+        {number % n[0], number / n[0] % n[1], number / n[0] / n[1]}};
+      if (place[axis] != (end == 0 ? 0 : n[axis] - 1))
+        continue;
+      BoundaryFace<3> &face = faces.emplace_back();
+      face.n_points         = 4;
+      face.cell             = k;
+      for (unsigned int v = 0; v < 4; ++v)
+        face.points[v] =
+          body.mesh.cells[k]
+            .vertices[(end << axis) | ((v & 1U) << lower) | ((v >> 1U) << upper)];
+    }
+  return faces;
+}
+
+std::vector<unsigned int> cells_near(const MeshMorphology<3> &body,
+                                     const std::vector<ProbePoint> &points)
+{
+  std::vector<unsigned int> cells = cells_around(body.box->grid, points);
+  const auto &kept                = body.cell_in_box;
+  if (kept.empty())
+    return cells;
+  std::vector<unsigned int> found;
+  for (const unsigned int cell : cells)
+    if (const auto at = std::lower_bound(kept.begin(), kept.end(), cell);
+        at != kept.end() && *at == cell)
+      found.push_back(static_cast<unsigned int>(at - kept.begin()));
+  return found;
+}
+
 MeshMorphology<3> make_box(const ContactParameters &parameters)
 {
   const std::string &path = parameters.body.rve_file;
+  const bool whole        = parameters.analysis != ContactAnalysis::transient;
   std::optional<RveFile<3>> rve;
   if (!path.empty())
     {
       require_readable_file("Body/RVE file: ", path, "run rve_homogenization first");
       rve.emplace(path);
     }
-  MeshMorphology<3> box;
+  MeshMorphology<3> body;
   const UniformGrid<3> grid = make_grid<3>(parameters.body, rve ? &*rve : nullptr);
-  double n_cells            = bytes_of_cell;
+  double bytes              = whole ? bytes_of_meshed_cell : bytes_of_cell;
   for (const unsigned int n : grid.cells)
-    n_cells *= n;
-  require_memory({n_cells, "reduce Body/Cells"});
-  box.file = path;
-  box.box  = {
-     grid, {{!parameters.mesh.periodic[0].empty(), !parameters.mesh.periodic[1].empty()}}};
-  box.mesh        = mesh_of_cells(grid);
-  box.description = {grid_line(grid)};
-  if (parameters.body.heterogeneous)
+    bytes *= n;
+  require_memory({bytes, "reduce Body/Cells"});
+  body.file = path;
+  body.box  = {
+    grid, {{!parameters.mesh.periodic[0].empty(), !parameters.mesh.periodic[1].empty()}}};
+  body.description = {grid_line(grid)};
+  body.phase_id    = parameters.body.heterogeneous
+                       ? refine(*rve, grid)
+                       : std::vector<std::uint8_t>(grid.n_cells());
+  if (whole)
+    make_whole_mesh(body);
+  else
     {
-      const std::vector<std::uint8_t> id = refine(*rve, grid);
-      for (std::size_t k = 0; k < id.size(); ++k)
-        box.mesh.cells[k].material_id = id[k];
+      const auto at_sides = cells_at_sides(grid.cells),
+                 near     = cells_around(grid, parameters.observation.probes);
+      std::vector<unsigned int> cells;
+      std::set_union(at_sides.begin(), at_sides.end(), near.begin(), near.end(),
+                     std::back_inserter(cells));
+      keep_cells(body, cells);
     }
+  for (unsigned int k = 0; k < body.mesh.cells.size(); ++k)
+    body.mesh.cells[k].material_id = body.phase_id[body.whole_cell(k)];
+  body.mesh.boundaries = {"Left", "Right", "Front", "Back", "Contact", "Top"};
   for (const PhaseParameters &phase : parameters.mesh.phases)
-    box.mesh.phases.push_back(phase.name);
-  box.phases = make_phases<3>(parameters.mesh.phases);
-  describe_phases(box, parameters.mesh.phases);
-  add_sides(box);
-  return box;
+    body.mesh.phases.push_back(phase.name);
+  body.phases = make_phases<3>(parameters.mesh.phases);
+  describe_phases(body, parameters.mesh.phases);
+  return body;
 }
 } // namespace mesoslip

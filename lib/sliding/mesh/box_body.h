@@ -7,18 +7,20 @@
 namespace mesoslip
 {
 /**
- * A grid in 3D as the mesh of its cells, with the groups Left, Right (lower and upper x),
- * Front, Back (y), Contact and Top (z), and phases as @p parameters have them after
- * with_phases(). On rank 0. @throws UserError naming the key or file, also when the machine
- * has not the memory
+ * A grid in 3D as a body with the groups Left, Right (lower and upper x), Front, Back (y),
+ * Contact and Top (z), and phases as @p parameters have them after with_phases(). Transient
+ * runs need no mesh but that of the cells at the sides and near the probes; that of other
+ * analyses is whole. On rank 0. @throws UserError naming the key or file, also when the
+ * machine has not the memory
  */
 MeshMorphology<3> make_box(const ContactParameters &parameters);
 
-/** The faces on the side of the box whose name is number @p side of the groups. */
-std::vector<BoundaryFace<3>> faces_of_side(const BrickBox &box, const unsigned int side);
+/** The faces of the mesh on the side of the box whose name is number @p side of the groups. */
+std::vector<BoundaryFace<3>> faces_of_side(const MeshMorphology<3> &body,
+                                           const unsigned int side);
 
-/** The cells that hold @p points or touch such cells. */
-std::vector<unsigned int> cells_near(const BrickBox &box,
+/** The cells of the mesh that hold @p points or touch such cells. */
+std::vector<unsigned int> cells_near(const MeshMorphology<3> &body,
                                      const std::vector<ProbePoint> &points);
 } // namespace mesoslip
 

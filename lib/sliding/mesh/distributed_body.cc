@@ -126,13 +126,16 @@ class BodyOfBricks : public DistributedBody<3>
 {
 public:
   BodyOfBricks(const BrickBox &box,
-               const Mesh<3> &mesh,
+               const std::vector<std::uint8_t> &phase_id,
                const std::vector<MeshPlace> &probes,
                const std::vector<ElasticPhase<3>> &phases,
                const InstructionSet isa,
                const MPI_Comm communicator)
-    : op(
-        divide(box, mesh, probes, static_cast<unsigned int>(phases.size()), communicator),
+    : op(divide_box(box,
+                    phase_id,
+                    static_cast<unsigned int>(phases.size()),
+                    communicator,
+                    cells_of(probes)),
         phases,
         communicator,
         isa)
@@ -165,19 +168,12 @@ public:
   }
 
 private:
-  static BrickSlab divide(const BrickBox &box,
-                          const Mesh<3> &mesh,
-                          const std::vector<MeshPlace> &probes,
-                          const unsigned int n_phases,
-                          const MPI_Comm communicator)
+  static std::vector<unsigned int> cells_of(const std::vector<MeshPlace> &probes)
   {
-    std::vector<std::uint8_t> phase_id;
-    for (const auto &cell : mesh.cells)
-      phase_id.push_back(static_cast<std::uint8_t>(cell.material_id));
     std::vector<unsigned int> cells;
     for (const MeshPlace &place : probes)
       cells.push_back(place.cell);
-    return divide_box(box, phase_id, n_phases, communicator, cells);
+    return cells;
   }
 
   const BrickOperator op;
@@ -206,8 +202,8 @@ distribute_body(const MeshMorphology<dim> &morphology,
       broadcast_object(communicator, is_box);
       broadcast_object(communicator, box);
       if (is_box)
-        return std::make_unique<BodyOfBricks>(box, morphology.mesh, probes, phases, isa,
-                                              communicator);
+        return std::make_unique<BodyOfBricks>(box, morphology.phase_id, probes, phases,
+                                              isa, communicator);
     }
   return std::make_unique<BodyOfMesh<dim>>(morphology.mesh, contact, phases, isa,
                                            communicator);

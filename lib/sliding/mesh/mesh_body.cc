@@ -43,8 +43,7 @@ std::vector<BoundaryFace<dim>> group_faces(const MeshMorphology<dim> &morphology
       "; name one there, or here");
   if constexpr (dim == 3)
     if (morphology.box)
-      return faces_of_side(*morphology.box,
-                           static_cast<unsigned int>(found - names.begin()));
+      return faces_of_side(morphology, static_cast<unsigned int>(found - names.begin()));
   auto group = faces_of_group(morphology.mesh, faces,
                               static_cast<unsigned int>(found - names.begin()));
   if (group.empty())
@@ -78,7 +77,7 @@ std::vector<MeshPlace> places_of(const MeshMorphology<dim> &morphology,
 {
   if constexpr (dim == 3)
     if (morphology.box)
-      return locate_probes(morphology.mesh, points, cells_near(*morphology.box, points));
+      return locate_probes(morphology.mesh, points, cells_near(morphology, points));
   return locate_probes(morphology.mesh, points);
 }
 
@@ -208,6 +207,25 @@ BodyScales scales_of(const MeshMorphology<dim> &morphology,
       : sum_of(lumped_mass(morphology.mesh.points, morphology.mesh.cells, phases));
   return scales;
 }
+
+/** From numbers in the mesh, which may be that of some cells, to those in the body. */
+template <int dim>
+void number_in_whole_body(MeshBodyDescription &body, const MeshMorphology<dim> &morphology)
+{
+  const auto renumber = [&](std::vector<unsigned int> &points) {
+    for (unsigned int &point : points)
+      point = morphology.whole_point(point);
+  };
+  renumber(body.contact.points);
+  renumber(body.top.points);
+  for (HeldComponent &h : body.held)
+    h.point = morphology.whole_point(h.point);
+  for (MeshPlace &place : body.probes)
+    {
+      place.cell = morphology.whole_cell(place.cell);
+      renumber(place.corners);
+    }
+}
 } // namespace
 
 void MeshBodyParameters::bind(Keys &keys)
@@ -325,8 +343,8 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
              .points)
         body.held.push_back({mesh.original(point), c});
   check_supports(body, dim - 1, parameters, given.top);
-  body.n_points = mesh.points.size();
-  body.n_cells  = mesh.cells.size();
+  body.n_points = morphology.n_points();
+  body.n_cells  = morphology.n_cells();
   Digest digest;
   if (!morphology.file.empty())
     digest.add_file(morphology.file);
@@ -337,6 +355,7 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
   body.scales                        = scales_of(morphology, sides, body.top);
   body.shortest_side = *std::min_element(sides.begin_raw(), sides.end_raw());
   body.probes        = places_of(morphology, given.observation.probes);
+  number_in_whole_body(body, morphology);
   return body;
 }
 

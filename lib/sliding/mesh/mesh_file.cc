@@ -9,7 +9,27 @@ namespace mesoslip
 namespace
 {
 const char phase_of_cells[] = "/material/phase_id";
+
+/** Grid or mesh, and the phases of the cells. */
+template <int dim>
+void write_cells(Hdf5File &file, const MeshMorphology<dim> &morphology)
+{
+  if constexpr (dim == 3)
+    if (morphology.box)
+      {
+        const UniformGrid<3> &grid = morphology.box->grid;
+        write_grid(file, grid);
+        return write_dataset(file, phase_of_cells,
+                             {grid.cells[2], grid.cells[1], grid.cells[0]},
+                             morphology.phase_id);
+      }
+  write_mesh(file, morphology.mesh);
+  std::vector<std::uint8_t> phase_id;
+  for (const auto &cell : morphology.mesh.cells)
+    phase_id.push_back(static_cast<std::uint8_t>(cell.material_id));
+  write_dataset(file, phase_of_cells, {phase_id.size()}, phase_id);
 }
+} // namespace
 
 template <int dim>
 Hdf5File create_mesh_file(const std::string &path,
@@ -18,14 +38,10 @@ Hdf5File create_mesh_file(const std::string &path,
                           const MeshBodyDescription &body)
 {
   Hdf5File file = Hdf5File::create(path);
-  file.write_header(format, 1, dim, body.digest);
-  write_mesh(file, morphology.mesh);
+  file.write_header(morphology.box ? format : format + "-mesh", 1, dim, body.digest);
   write_phases(file, "/material", morphology.phases, true);
   file.write_attribute("/material", "rve_digest", body.rve_digest);
-  std::vector<std::uint8_t> phase_id;
-  for (const auto &cell : morphology.mesh.cells)
-    phase_id.push_back(static_cast<std::uint8_t>(cell.material_id));
-  write_dataset(file, phase_of_cells, {phase_id.size()}, phase_id);
+  write_cells(file, morphology);
   return file;
 }
 
@@ -34,8 +50,30 @@ void show_mesh_phases(const std::string &path,
                       const std::string &file,
                       const MeshMorphology<dim> &morphology)
 {
-  write_xdmf(path, file, morphology.mesh,
-             {{"phase", phase_of_cells, XdmfField::Values::phases, {}}});
+  show_body(path, file, morphology,
+            {{"phase", phase_of_cells, XdmfField::Values::phases, {}}}, {});
+}
+
+template <int dim>
+Shape points_shape(const MeshMorphology<dim> &morphology)
+{
+  if (!morphology.box)
+    return {morphology.mesh.points.size()};
+  const auto &n = morphology.box->grid.cells;
+  return {std::size_t{n[2]} + 1, std::size_t{n[1]} + 1, std::size_t{n[0]} + 1};
+}
+
+template <int dim>
+void show_body(const std::string &path,
+               const std::string &file,
+               const MeshMorphology<dim> &morphology,
+               const std::vector<XdmfField> &fields,
+               const std::vector<double> &times)
+{
+  if constexpr (dim == 3)
+    if (morphology.box)
+      return write_xdmf(path, file, morphology.box->grid, fields, times);
+  write_xdmf(path, file, morphology.mesh, fields, times);
 }
 
 #define MESOSLIP_INSTANTIATE(dim)                                              \
@@ -43,7 +81,12 @@ void show_mesh_phases(const std::string &path,
                                      const MeshMorphology<dim> &,              \
                                      const MeshBodyDescription &);             \
   template void show_mesh_phases(const std::string &, const std::string &,     \
-                                 const MeshMorphology<dim> &);
+                                 const MeshMorphology<dim> &);                 \
+  template Shape points_shape(const MeshMorphology<dim> &);                    \
+  template void show_body(const std::string &, const std::string &,            \
+                          const MeshMorphology<dim> &,                         \
+                          const std::vector<XdmfField> &,                      \
+                          const std::vector<double> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)
 #undef MESOSLIP_INSTANTIATE

@@ -1,24 +1,36 @@
 #ifndef mesoslip_sliding_mesh_mesh_file_h
 #define mesoslip_sliding_mesh_mesh_file_h
 
+#include "exchange/xdmf.h"
 #include "io/hdf5_file.h"
 #include "sliding/mesh/mesh_body.h"
 
 #include <string>
+#include <vector>
 
 namespace mesoslip
 {
-/** Begins a file of contact_dynamics on a mesh: header of @p format, mesh and materials. */
+/** Begins a file of contact_dynamics on a box or a mesh: header, cells and materials. The name of its
+ * format is @p format, of a mesh with "-mesh" behind. */
 template <int dim>
 Hdf5File create_mesh_file(const std::string &path,
                           const std::string &format,
                           const MeshMorphology<dim> &morphology,
                           const MeshBodyDescription &body);
 
-/**
- * Writes @p path for ParaView with the phases of the cells in such a file, which is called
- * @p file: data of nodes and of cells cannot be shown in one.
- */
+/** Extents of a number for each point: of a box [nz + 1][ny + 1][nx + 1], else [points]. */
+template <int dim>
+Shape points_shape(const MeshMorphology<dim> &morphology);
+
+/** Writes @p path for ParaView with @p fields of such a file, which is called @p file. */
+template <int dim>
+void show_body(const std::string &path,
+               const std::string &file,
+               const MeshMorphology<dim> &morphology,
+               const std::vector<XdmfField> &fields,
+               const std::vector<double> &times);
+
+/** The same with the phases of the cells: data of nodes and of cells cannot be shown in one. */
 template <int dim>
 void show_mesh_phases(const std::string &path,
                       const std::string &file,

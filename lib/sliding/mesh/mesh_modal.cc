@@ -72,12 +72,14 @@ void MeshModal<dim>::run(RunContext &context)
   const auto scope = context.timer().scope("Output");
   this->summarize_body("modal", context);
   write_modes(cases, context);
-  Hdf5File file = create_mesh_file(context.file("modal.h5"), "mesoslip-modal-mesh",
+  Hdf5File file = create_mesh_file(context.file("modal.h5"), "mesoslip-modal",
                                    this->morphology, this->body);
-  const ShownShapes shown = write_shapes(file, cases, {this->body.n_points, dim});
+  Shape extents = points_shape(this->morphology);
+  extents.push_back(dim);
+  const ShownShapes shown = write_shapes(file, cases, extents);
   file.close();
-  write_xdmf(context.file("modal.xdmf"), "modal.h5", this->morphology.mesh, shown.fields,
-             shown.numbers);
+  show_body(context.file("modal.xdmf"), "modal.h5", this->morphology, shown.fields,
+            shown.numbers);
   show_mesh_phases(context.file("modal-phases.xdmf"), "modal.h5", this->morphology);
 }
 } // namespace

@@ -2,9 +2,10 @@
 
 #include "base/exchange.h"
 #include "exchange/datasets.h"
-#include "exchange/xdmf.h"
 #include "sliding/mesh/mesh_file.h"
 #include "sliding/transient/result_file.h"
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,21 +61,25 @@ void MeshOutput<dim>::begin(const Stepper &of_stepper, const std::uint64_t n_don
 {
   stepper   = &of_stepper;
   n_written = n_done;
+  // Planes of a box are written as wholes.
+  n_together = dealii::Utilities::MPI::broadcast(
+    context.communicator(),
+    context.root() ? body.n_points / points_shape(morphology)[0] : 0);
   on_root(context.communicator(), [&]() {
     const std::string path = context.file("dynamics.h5");
     if (n_done > 0)
       {
         file.emplace(Hdf5File::resume(path, "start again without --resume"));
         for (const std::string &name : file->list("/"))
-          if (name != "mesh" && name != "material" && name != "snapshots")
+          if (name != "mesh" && name != "grid" && name != "material" && name != "snapshots")
             file->remove("/" + name);
       }
     else
       {
-        file.emplace(create_mesh_file(path, "mesoslip-dynamics-mesh", morphology, body));
+        file.emplace(create_mesh_file(path, "mesoslip-dynamics", morphology, body));
       }
     if (has_snapshots())
-      file->reserve_rows(mesh_snapshots, {steps.size(), body.n_points, dim});
+      file->reserve_rows(mesh_snapshots, snapshots_shape(steps.size()));
     file->flush();
     if (has_snapshots())
       {
@@ -84,9 +89,18 @@ void MeshOutput<dim>::begin(const Stepper &of_stepper, const std::uint64_t n_don
   });
   if (has_snapshots())
     {
-      blocks.emplace(part, body.n_points, context.communicator());
+      blocks.emplace(part, body.n_points, context.communicator(), n_together);
       rows.emplace(context.file("dynamics.h5"), mesh_snapshots, context.communicator());
     }
+}
+
+template <int dim>
+Shape MeshOutput<dim>::snapshots_shape(const std::size_t n) const
+{
+  Shape shape = points_shape(morphology);
+  shape.insert(shape.begin(), n);
+  shape.push_back(dim);
+  return shape;
 }
 
 template <int dim>
@@ -102,7 +116,7 @@ void MeshOutput<dim>::before_step(const std::uint64_t)
   std::array<const double *, dim> u;
   for (unsigned int c = 0; c < dim; ++c)
     u[c] = stepper->u.row(c, 0);
-  rows->write(n_written, blocks->first(), blocks->gather(u));
+  rows->write(n_written, blocks->first() / n_together, blocks->gather(u));
   ++n_written;
 }
 
@@ -136,14 +150,13 @@ void MeshOutput<dim>::write(const TransientResult &result)
     times.push_back(static_cast<double>(steps[k]) * time.step.dt);
   if (has_snapshots())
     {
-      file->reserve_rows(mesh_snapshots, {n_written, body.n_points, dim});
+      file->reserve_rows(mesh_snapshots, snapshots_shape(n_written));
       write_dataset(*file, "/snapshots/time", {times.size()}, times, "s");
       file->write_unit(mesh_snapshots, "m");
     }
   if (!times.empty())
-    write_xdmf(context.file("dynamics.xdmf"), "dynamics.h5", morphology.mesh,
-               {{"displacement", mesh_snapshots, XdmfField::Values::nodes, {dim}}},
-               times);
+    show_body(context.file("dynamics.xdmf"), "dynamics.h5", morphology,
+              {{"displacement", mesh_snapshots, XdmfField::Values::nodes, {dim}}}, times);
   show_mesh_phases(context.file("dynamics-phases.xdmf"), "dynamics.h5", morphology);
   file->close();
   file.reset();
@@ -157,7 +170,7 @@ void MeshOutput<dim>::write_contact()
     area.push_back(-a);
   for (const unsigned int point : body.contact.points)
     for (unsigned int d = 0; d < dim; ++d)
-      position.push_back(morphology.mesh.points[point][d]);
+      position.push_back(morphology.point(point)[d]);
   write_dataset(*file, "/contact/point", {body.contact.points.size()},
                 body.contact.points);
   write_series(*file, "/contact",

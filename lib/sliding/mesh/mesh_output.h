@@ -57,6 +57,7 @@ public:
 
 private:
   void write_contact();
+  Shape snapshots_shape(const std::size_t n) const;
 
   RunContext &context;
   const MeshMorphology<dim> &morphology;
@@ -71,6 +72,7 @@ private:
   /** Between begin() and end(), if there are snapshots. */
   std::optional<ParallelRows> rows;
   std::optional<PointBlocks<dim>> blocks; ///< see rows
+  std::size_t n_together = 1;             ///< points in a row of the second axis of the file
 };
 } // namespace mesoslip
 

@@ -123,7 +123,7 @@ SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
       restricted(setup, contact, contact_nodes, top, top_nodes, body.communicator()),
       top_nodes.size())
   , contact_nodes(contact_nodes)
-  , u(static_cast<unsigned int>(body.part().points.size()), 1, dim)
+  , u(NodalField<double>::of_points(body.part().points.size(), dim))
   , w(u)
   , own_stepper(body.make_stepper(held, setup.step, u, w, top.points.at(0)))
   , stepper(*own_stepper)

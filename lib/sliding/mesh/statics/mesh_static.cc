@@ -218,12 +218,14 @@ void MeshStatic<dim>::write_step_table(const RunContext &context) const
 template <int dim>
 void MeshStatic<dim>::write_static_file(const RunContext &context) const
 {
-  Hdf5File file = create_mesh_file(context.file("dynamics.h5"), "mesoslip-dynamics-mesh",
+  Hdf5File file = create_mesh_file(context.file("dynamics.h5"), "mesoslip-dynamics",
                                    this->morphology, this->body);
   write_run_conditions(file, this->parameters.stated_conditions());
   const std::string u = "/snapshots/displacement", group = "/static_contact";
-  write_dataset(file, u, {1, this->body.n_points, dim},
-                interleaved(solution.displacement), "m");
+  Shape extents = points_shape(this->morphology);
+  extents.insert(extents.begin(), 1);
+  extents.push_back(dim);
+  write_dataset(file, u, extents, interleaved(solution.displacement), "m");
   write_dataset(file, "/snapshots/time", {1}, std::vector<double>{0.}, "s");
   std::array<std::vector<double>, dim> place;
   for (const unsigned int point : this->body.contact.points)
@@ -246,8 +248,8 @@ void MeshStatic<dim>::write_static_file(const RunContext &context) const
                        std::vector<std::string>{"separated", "stick", "slip", "held"});
   write_dataset(file, group + "/point", {state.size()}, this->body.contact.points);
   file.close();
-  write_xdmf(context.file("dynamics.xdmf"), "dynamics.h5", this->morphology.mesh,
-             {{"displacement", u, XdmfField::Values::nodes, {dim}}}, {0.});
+  show_body(context.file("dynamics.xdmf"), "dynamics.h5", this->morphology,
+            {{"displacement", u, XdmfField::Values::nodes, {dim}}}, {0.});
   show_mesh_phases(context.file("dynamics-phases.xdmf"), "dynamics.h5", this->morphology);
 }
 
