@@ -164,7 +164,8 @@ class ResultFile:
         return {name: self.group(f"probes/{name}") for name in self.hdf5.get("probes", {})}
 
     def snapshots(self, step=1):
-        """Yields time (s) and displacement (m) of every `step`th snapshot, read one at a time: [ny+1][nx+1][2], on a mesh [points][dim]."""
+        """Yields time (s) and displacement (m) of every `step`th snapshot, read one at a time: [ny+1][nx+1][2], in 3D
+        [nz+1][ny+1][nx+1][3], on a mesh [points][dim]."""
         if "snapshots/displacement" not in self.hdf5:
             raise KeyError(f"{self.path} has no snapshots; set 'Snapshots/Interval' in the run's .prm")
         data, times = self.hdf5["snapshots/displacement"], self.hdf5["snapshots/time"][...]
