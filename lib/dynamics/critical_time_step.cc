@@ -271,7 +271,7 @@ FrequencyEstimate largest_frequency(const BrickOperator &op,
                                     const unsigned int max_iterations)
 {
   const MeshPart<3> &part = op.slab().part;
-  auto field          = NodalField<double>::of_points(part.points.size(), 3), f = field;
+  auto field = NodalField<double>::of_points(part.points.size(), 3), f = field;
   const auto multiply = [&](std::vector<double> &Kx, const std::vector<double> &x) {
     for (std::size_t k = 0; k < x.size(); ++k)
       field.row(k % 3, 0)[k / 3] = x[k];

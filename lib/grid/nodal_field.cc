@@ -63,7 +63,7 @@ template <typename Other>
 void NodalField<Number>::convert_from(const NodalField<Other> &other)
 {
   const unsigned int n = columns + 2, end = whole_vectors<Number>(columns) + 1;
-  const int ghosts     = static_cast<int>(ghost_rows);
+  const int ghosts = static_cast<int>(ghost_rows);
   for (int j = -ghosts; j < static_cast<int>(rows) + ghosts; ++j)
     for (unsigned int c = 0; c < components; ++c)
       {

@@ -1,11 +1,9 @@
 #include "body/mesh/cell_values.h"
+#include "body/mesh/condensed_cells.h"
 #include "homogenization/mesh_volume.h"
 #include "mesh/point_blocks.h"
 
 #include <deal.II/base/mpi.templates.h>
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <cmath>
 
@@ -18,21 +16,14 @@ void MeshVolume<dim>::assemble()
 {
   using namespace dealii;
   const IndexSet &owned = mesh.dofs().locally_owned_dofs();
-  TrilinosWrappers::SparsityPattern pattern(owned, owned, constraints.get_local_lines(),
-                                            mesh.communicator());
-  DoFTools::make_sparsity_pattern(
-    mesh.dofs(), pattern, constraints, false,
-    dealii::Utilities::MPI::this_mpi_process(mesh.communicator()));
-  pattern.compress();
-  matrix.reinit(pattern);
+  CondensedCells cells(constraints);
+  cells.reinit(matrix, mesh);
   // Copies would count as vectors that entries were inserted into, not added to.
   loads = std::vector<Vector>(n_loads);
   for (Vector &load : loads)
     load.reinit(owned, mesh.communicator());
   gross_loads.fill(0.);
 
-  FullMatrix<double> cell_matrix;
-  dealii::Vector<double> cell_load;
   for_each_cell(mesh, [&](const auto &cell, const auto &values, const auto &indices) {
     const unsigned int n      = indices.size();
     const VoigtMatrix<dim> &C = phases[cell.material_id()].stiffness;
@@ -44,18 +35,11 @@ void MeshVolume<dim>::assemble()
         K.noalias() += values.JxW(q) * B.transpose() * C * B;
         f.noalias() -= values.JxW(q) * B.transpose() * C;
       }
-    cell_matrix.reinit(n, n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        cell_matrix(i, j) = K(i, j);
-    constraints.distribute_local_to_global(cell_matrix, indices, matrix);
+    cells.add(K, indices, matrix);
     for (unsigned int k = 0; k < n_loads && condition != BoundaryCondition::SUBC; ++k)
       {
-        cell_load.reinit(n);
-        for (unsigned int i = 0; i < n; ++i)
-          cell_load(i) = f(i, k);
-        gross_loads[k] += cell_load.norm_sqr();
-        constraints.distribute_local_to_global(cell_load, indices, loads[k]);
+        gross_loads[k] += f.col(k).squaredNorm();
+        cells.add(Eigen::VectorXd(f.col(k)), indices, loads[k]);
       }
   });
   matrix.compress(VectorOperation::add);

@@ -12,13 +12,13 @@ NumberedBlocks::NumberedBlocks(const std::vector<std::uint64_t> &numbers,
                                const std::size_t n_together)
   : n_owned(numbers.size())
 {
-  namespace mpi            = dealii::Utilities::MPI;
-  const std::size_t rank   = mpi::this_mpi_process(communicator),
-                    n_rank = mpi::n_mpi_processes(communicator);
+  namespace mpi              = dealii::Utilities::MPI;
+  const std::size_t rank     = mpi::this_mpi_process(communicator),
+                    n_rank   = mpi::n_mpi_processes(communicator);
   const std::size_t n_groups = n_all / n_together;
   begin                      = rank * n_groups / n_rank * n_together;
   end                        = (rank + 1) * n_groups / n_rank * n_together;
-  using Index              = dealii::types::global_dof_index;
+  using Index                = dealii::types::global_dof_index;
   const std::vector<Index> owned(numbers.begin(), numbers.end());
   std::vector<Index> block(end - begin);
   std::iota(block.begin(), block.end(), static_cast<Index>(begin));

@@ -1,10 +1,8 @@
 #include "body/mesh/mesh_discretization.h"
 
 #include "body/mesh/cell_values.h"
+#include "body/mesh/condensed_cells.h"
 
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
 
 #include <numeric>
@@ -51,35 +49,26 @@ void MeshDiscretization<dim>::assemble()
   using namespace dealii;
   const MPI_Comm communicator = distributed.communicator();
   const IndexSet &owned       = distributed.dofs().locally_owned_dofs();
-  TrilinosWrappers::SparsityPattern pattern(owned, owned, constraints.get_local_lines(),
-                                            communicator);
-  DoFTools::make_sparsity_pattern(distributed.dofs(), pattern, constraints, false,
-                                  Utilities::MPI::this_mpi_process(communicator));
-  pattern.compress();
-  matrix.reinit(pattern);
+  CondensedCells cells(constraints);
+  cells.reinit(matrix, distributed);
   mass.reinit(owned, communicator);
 
-  FullMatrix<double> cell_matrix;
-  dealii::Vector<double> cell_mass;
-  for_each_cell(distributed, [&](const auto &cell, const auto &values,
-                                 const auto &indices) {
-    const unsigned int n           = indices.size();
-    const ElasticPhase<dim> &phase = body.phases()[cell.material_id()];
-    Eigen::MatrixXd K              = Eigen::MatrixXd::Zero(n, n);
-    cell_matrix.reinit(n, n);
-    cell_mass.reinit(n);
-    for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const auto B = shape_strains(values, q);
-        K.noalias() += values.JxW(q) * B.transpose() * phase.stiffness * B;
-        for (unsigned int i = 0; i < n; ++i)
-          cell_mass(i) += phase.density * values.shape_value(i, q) * values.JxW(q);
-      }
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        cell_matrix(i, j) = K(i, j);
-    constraints.distribute_local_to_global(cell_matrix, cell_mass, indices, matrix, mass);
-  });
+  for_each_cell(
+    distributed, [&](const auto &cell, const auto &values, const auto &indices) {
+      const unsigned int n           = indices.size();
+      const ElasticPhase<dim> &phase = body.phases()[cell.material_id()];
+      Eigen::MatrixXd K              = Eigen::MatrixXd::Zero(n, n);
+      Eigen::VectorXd cell_mass      = Eigen::VectorXd::Zero(n);
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          const auto B = shape_strains(values, q);
+          K.noalias() += values.JxW(q) * B.transpose() * phase.stiffness * B;
+          for (unsigned int i = 0; i < n; ++i)
+            cell_mass(i) += phase.density * values.shape_value(i, q) * values.JxW(q);
+        }
+      cells.add(K, indices, matrix);
+      cells.add(cell_mass, indices, mass);
+    });
   matrix.compress(VectorOperation::add);
   mass.compress(VectorOperation::add);
 }

@@ -144,7 +144,7 @@ std::vector<BoundaryFace<3>> faces_of_side(const MeshMorphology<3> &body,
   std::vector<BoundaryFace<3>> faces;
   for (unsigned int k = 0; k < body.mesh.cells.size(); ++k)
     {
-      const unsigned int number                = body.whole_cell(k);
+      const unsigned int number               = body.whole_cell(k);
       const std::array<unsigned int, 3> place = {
         {number % n[0], number / n[0] % n[1], number / n[0] / n[1]}};
       if (place[axis] != (end == 0 ? 0 : n[axis] - 1))
@@ -193,7 +193,7 @@ MeshMorphology<3> make_box(const ContactParameters &parameters)
   require_memory({bytes, "reduce Body/Cells"});
   body.file = path;
   body.box  = {
-    grid, {{!parameters.mesh.periodic[0].empty(), !parameters.mesh.periodic[1].empty()}}};
+     grid, {{!parameters.mesh.periodic[0].empty(), !parameters.mesh.periodic[1].empty()}}};
   body.description = {grid_line(grid)};
   body.phase_id    = parameters.body.heterogeneous
                        ? refine(*rve, grid)

@@ -136,9 +136,9 @@ public:
                     static_cast<unsigned int>(phases.size()),
                     communicator,
                     cells_of(probes)),
-        phases,
-        communicator,
-        isa)
+         phases,
+         communicator,
+         isa)
   {
   }
 

@@ -210,7 +210,8 @@ BodyScales scales_of(const MeshMorphology<dim> &morphology,
 
 /** From numbers in the mesh, which may be that of some cells, to those in the body. */
 template <int dim>
-void number_in_whole_body(MeshBodyDescription &body, const MeshMorphology<dim> &morphology)
+void number_in_whole_body(MeshBodyDescription &body,
+                          const MeshMorphology<dim> &morphology)
 {
   const auto renumber = [&](std::vector<unsigned int> &points) {
     for (unsigned int &point : points)

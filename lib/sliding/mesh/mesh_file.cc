@@ -76,16 +76,15 @@ void show_body(const std::string &path,
   write_xdmf(path, file, morphology.mesh, fields, times);
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                              \
-  template Hdf5File create_mesh_file(const std::string &, const std::string &, \
-                                     const MeshMorphology<dim> &,              \
-                                     const MeshBodyDescription &);             \
-  template void show_mesh_phases(const std::string &, const std::string &,     \
-                                 const MeshMorphology<dim> &);                 \
-  template Shape points_shape(const MeshMorphology<dim> &);                    \
-  template void show_body(const std::string &, const std::string &,            \
-                          const MeshMorphology<dim> &,                         \
-                          const std::vector<XdmfField> &,                      \
+#define MESOSLIP_INSTANTIATE(dim)                                                      \
+  template Hdf5File create_mesh_file(const std::string &, const std::string &,         \
+                                     const MeshMorphology<dim> &,                      \
+                                     const MeshBodyDescription &);                     \
+  template void show_mesh_phases(const std::string &, const std::string &,             \
+                                 const MeshMorphology<dim> &);                         \
+  template Shape points_shape(const MeshMorphology<dim> &);                            \
+  template void show_body(const std::string &, const std::string &,                    \
+                          const MeshMorphology<dim> &, const std::vector<XdmfField> &, \
                           const std::vector<double> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

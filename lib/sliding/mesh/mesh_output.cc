@@ -71,7 +71,8 @@ void MeshOutput<dim>::begin(const Stepper &of_stepper, const std::uint64_t n_don
       {
         file.emplace(Hdf5File::resume(path, "start again without --resume"));
         for (const std::string &name : file->list("/"))
-          if (name != "mesh" && name != "grid" && name != "material" && name != "snapshots")
+          if (name != "mesh" && name != "grid" && name != "material" &&
+              name != "snapshots")
             file->remove("/" + name);
       }
     else

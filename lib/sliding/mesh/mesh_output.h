@@ -72,7 +72,7 @@ private:
   /** Between begin() and end(), if there are snapshots. */
   std::optional<ParallelRows> rows;
   std::optional<PointBlocks<dim>> blocks; ///< see rows
-  std::size_t n_together = 1;             ///< points in a row of the second axis of the file
+  std::size_t n_together = 1; ///< points in a row of the second axis of the file
 };
 } // namespace mesoslip
 

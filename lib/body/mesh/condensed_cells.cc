@@ -1,0 +1,80 @@
+#include "body/mesh/condensed_cells.h"
+
+#include <cmath>
+
+namespace mesoslip
+{
+/** That which a cell adds to in place of @p dof; invalid where it is held. */
+CondensedCells::Index CondensedCells::target(const Index dof) const
+{
+  if (!constraints.is_constrained(dof))
+    return dof;
+  const auto *entries = constraints.get_constraint_entries(dof);
+  return entries == nullptr || entries->empty() ? dealii::numbers::invalid_dof_index
+                                                : entries->front().first;
+}
+
+template <int dim>
+void CondensedCells::reinit(Matrix &matrix, const DistributedMesh<dim> &mesh) const
+{
+  const dealii::IndexSet &owned = mesh.dofs().locally_owned_dofs();
+  dealii::TrilinosWrappers::SparsityPattern pattern(
+    owned, owned, constraints.get_local_lines(), mesh.communicator());
+  std::vector<Index> indices, targets;
+  for (const auto &cell : mesh.dofs().active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        indices.resize(cell->get_fe().n_dofs_per_cell());
+        cell->get_dof_indices(indices);
+        targets.clear();
+        for (const Index dof : indices)
+          if (const Index place = target(dof);
+              place != dealii::numbers::invalid_dof_index)
+            targets.push_back(place);
+        for (const Index row : targets)
+          pattern.add_entries(row, targets.begin(), targets.end());
+        for (const Index dof : indices)
+          if (constraints.is_constrained(dof))
+            pattern.add(dof, dof);
+      }
+  pattern.compress();
+  matrix.reinit(pattern);
+}
+
+void CondensedCells::add(const Eigen::MatrixXd &cell,
+                         const std::vector<Index> &indices,
+                         Matrix &matrix)
+{
+  const auto n = static_cast<Eigen::Index>(indices.size());
+  for (Eigen::Index i = 0; i < n; ++i)
+    {
+      const Index dof = indices[static_cast<std::size_t>(i)], row = target(dof);
+      if (constraints.is_constrained(dof))
+        matrix.add(dof, dof, std::fabs(cell(i, i)));
+      if (row == dealii::numbers::invalid_dof_index)
+        continue;
+      columns.clear();
+      values.clear();
+      for (Eigen::Index j = 0; j < n; ++j)
+        if (const Index column = target(indices[static_cast<std::size_t>(j)]);
+            column != dealii::numbers::invalid_dof_index)
+          {
+            columns.push_back(column);
+            values.push_back(cell(i, j));
+          }
+      matrix.add(row, columns.size(), columns.data(), values.data(), false);
+    }
+}
+
+void CondensedCells::add(const Eigen::VectorXd &cell,
+                         const std::vector<Index> &indices,
+                         Vector &vector) const
+{
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (const Index row = target(indices[i]); row != dealii::numbers::invalid_dof_index)
+      vector.add({row}, std::vector<double>{cell(static_cast<Eigen::Index>(i))});
+}
+
+template void CondensedCells::reinit(Matrix &, const DistributedMesh<2> &) const;
+template void CondensedCells::reinit(Matrix &, const DistributedMesh<3> &) const;
+} // namespace mesoslip
