@@ -172,6 +172,20 @@ struct ContactSetup
   std::optional<unsigned int> n_owned;
 };
 
+/** What each node took of the load since the start; empty where nobody wants it. */
+struct NodeLoads
+{
+  std::vector<double> normal_force;    ///< sum over the steps (N, in 2D N/m)
+  std::vector<double> friction_energy; ///< dissipated (J, in 2D J/m)
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &normal_force &friction_energy;
+  }
+};
+
 /** Number of steps that each node stuck or slipped in, and in which contact began. */
 struct NodeCounts
 {
@@ -181,11 +195,13 @@ struct NodeCounts
   std::vector<float> slip;      ///< steps that slipped
   std::vector<float> landings;  ///< steps in which contact began
 
+  NodeLoads loads;              ///< to the end of the block, where they are wanted
+
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &first_step &n_steps &stick &slip &landings;
+    archive &first_step &n_steps &stick &slip &landings &loads;
   }
 };
 
@@ -265,6 +281,37 @@ public:
     return column(Column::lateral_force);
   }
 
+  /** 1 for nodes that touched the flat in the last step, else 0. */
+  const double *touching() const
+  {
+    return column(Column::touching);
+  }
+
+  /** 1 for nodes that touched without sliding in the last step, else 0. */
+  const double *sticking() const
+  {
+    return column(Column::sticking);
+  }
+
+  /** By what the nodes moved in the last step along x (@p component 0) or, in 3D, y (1)
+   * (m). */
+  const double *increment(const unsigned int component) const
+  {
+    return column(component == 0 ? Column::increment_x : Column::lateral_increment);
+  }
+
+  /** Length of a step (s). */
+  double time_step() const
+  {
+    return step.dt;
+  }
+
+  /** By what the flat moves along x and y in the step that begins at @p time (m). */
+  std::array<double, 2> flat_increment(const double time) const
+  {
+    return flat_increment_at(setup.flat_velocity(time));
+  }
+
   /** The node counts since the last call; steps are left at 0. */
   NodeCounts take_counts();
 
@@ -291,6 +338,12 @@ private:
                        const unsigned int first,
                        const unsigned int end);
   void advance_all(const SurfaceView<dim> &surface, const double flat_velocity);
+
+  std::array<double, 2> flat_increment_at(const double flat_velocity) const
+  {
+    const double moved = flat_velocity * step.dt;
+    return {{moved * setup.flat_direction[0], moved * setup.flat_direction[1]}};
+  }
 
   void initialize_increments(const SurfaceView<dim> &surface);
 

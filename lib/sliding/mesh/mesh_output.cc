@@ -56,17 +56,22 @@ MeshOutput<dim>::MeshOutput(RunContext &context,
 }
 
 template <int dim>
-void MeshOutput<dim>::begin(const Stepper &of_stepper, const std::uint64_t n_done)
+void MeshOutput<dim>::begin(const Stepper &of_stepper,
+                            const std::uint64_t n_done,
+                            ContactMapOutput<dim> *map)
 {
-  stepper   = &of_stepper;
-  n_written = n_done;
+  stepper                  = &of_stepper;
+  n_written                = n_done;
+  const std::uint64_t step = stepper->step_number();
+  const bool with_rows     = has_snapshots() || map != nullptr;
   on_root(context.communicator(), [&]() {
     const std::string path = context.file("dynamics.h5");
-    if (n_done > 0)
+    if (n_done > 0 || (map != nullptr && step > 0))
       {
         file.emplace(Hdf5File::resume(path, "start again without --resume"));
         for (const std::string &name : file->list("/"))
-          if (name != "mesh" && name != "material" && name != "snapshots")
+          if (name != "mesh" && name != "material" && name != "snapshots" &&
+              name != "contact_map")
             file->remove("/" + name);
       }
     else
@@ -75,8 +80,10 @@ void MeshOutput<dim>::begin(const Stepper &of_stepper, const std::uint64_t n_don
       }
     if (has_snapshots())
       file->reserve_rows(mesh_snapshots, {steps.size(), body.n_points, dim});
+    if (map != nullptr)
+      map->reserve(*file, time.n_steps);
     file->flush();
-    if (has_snapshots())
+    if (with_rows)
       {
         file->leave();
         file.reset();
@@ -87,6 +94,15 @@ void MeshOutput<dim>::begin(const Stepper &of_stepper, const std::uint64_t n_don
       blocks.emplace(part, body.n_points, context.communicator());
       rows.emplace(context.file("dynamics.h5"), mesh_snapshots, context.communicator());
     }
+  if (map == nullptr)
+    return;
+  for (const std::string &name : map->datasets())
+    map_rows[name] = std::make_unique<ParallelRows>(context.file("dynamics.h5"), name,
+                                                    context.communicator());
+  map->begin(step, [this](const std::string &name, const std::size_t first,
+                          const std::vector<double> &values) {
+    map_rows.at(name)->write_rows(first, values);
+  });
 }
 
 template <int dim>
@@ -111,6 +127,8 @@ void MeshOutput<dim>::sync()
 {
   if (rows)
     rows->sync();
+  else if (!map_rows.empty())
+    map_rows.begin()->second->sync();
   else
     on_root(context.communicator(), [&]() { file->sync(); });
 }
@@ -118,17 +136,21 @@ void MeshOutput<dim>::sync()
 template <int dim>
 void MeshOutput<dim>::end()
 {
-  if (!rows)
+  if (!rows && map_rows.empty())
     return;
   rows.reset();
+  map_rows.clear();
   on_root(context.communicator(), [&]() {
     file.emplace(Hdf5File::resume(context.file("dynamics.h5"), "start again"));
   });
 }
 
 template <int dim>
-void MeshOutput<dim>::write(const TransientResult &result)
+void MeshOutput<dim>::write(const TransientResult &result,
+                            const ContactMapOutput<dim> *map)
 {
+  if (map != nullptr)
+    map->complete(*file, result.steps_done, time.step.dt);
   write_result(*file, result, context);
   write_contact();
   std::vector<double> times;
