@@ -34,7 +34,8 @@ double ContactMapSetup::bytes_per_node(const unsigned int dim) const
 {
   double bytes = 0.;
   for (const MapField &field : fields(dim))
-    bytes += field.quantity == MapQuantity::state ? 1. : sizeof(double) * field.components;
+    bytes +=
+      field.quantity == MapQuantity::state ? 1. : sizeof(double) * field.components;
   return bytes;
 }
 
@@ -43,7 +44,7 @@ void ContactMapSampler<dim>::after(const SurfaceView<dim> &surface,
                                    ContactSurface<dim> &contact)
 {
   slip.after(surface.time);
-  const double dt = contact.time_step();
+  const double dt  = contact.time_step();
   const auto value = [&](const MapQuantity quantity, const unsigned int i,
                          const unsigned int component) {
     switch (quantity)

@@ -35,9 +35,9 @@ struct MapField
 /** Which steps and what of them. */
 struct ContactMapSetup
 {
-  std::uint64_t first    = 0; ///< step of the first sample
-  std::uint64_t end      = 0; ///< steps from there on have none
-  std::uint64_t interval = 0; ///< steps between two samples; 0: no map
+  std::uint64_t first    = 0;          ///< step of the first sample
+  std::uint64_t end      = 0;          ///< steps from there on have none
+  std::uint64_t interval = 0;          ///< steps between two samples; 0: no map
   std::vector<MapQuantity> quantities; ///< in the order of MapQuantity
 
   /** Whether step @p n has a sample. */

@@ -195,7 +195,7 @@ struct NodeCounts
   std::vector<float> slip;      ///< steps that slipped
   std::vector<float> landings;  ///< steps in which contact began
 
-  NodeLoads loads;              ///< to the end of the block, where they are wanted
+  NodeLoads loads; ///< to the end of the block, where they are wanted
 
   /** Of boost::serialization. */
   template <class Archive>

@@ -274,11 +274,12 @@ void ContactParameters::bind_contact_map(Keys &keys)
   keys.bind("From", map.from, Range::non_negative(), "Time of the first sample [s]");
   keys.bind_or_auto("To", map.to, Range::non_negative(),
                     "Time of the last sample; auto: the end of the run [s]");
-  keys.bind_list("Fields", map.fields, map_field_names(),
-                 "What is sampled: pressure and tangential traction on the tributary area "
-                 "(Pa), velocity of the flat relative to the node (m/s), state (0 "
-                 "separated, 1 stick, 2 slip), and the friction work since the start "
-                 "(J/m^2), which is summed up in every step");
+  keys.bind_list(
+    "Fields", map.fields, map_field_names(),
+    "What is sampled: pressure and tangential traction on the tributary area "
+    "(Pa), velocity of the flat relative to the node (m/s), state (0 "
+    "separated, 1 stick, 2 slip), and the friction work since the start "
+    "(J/m^2), which is summed up in every step");
   keys.only_if(keys.is_typed("Contact map/Interval"), {"From", "To", "Fields"},
                "Contact map/Interval is 0 and there is no map",
                "set Contact map/Interval");

@@ -300,7 +300,8 @@ void check_analysis(const Keys &keys)
              "Flat/Expression", "Top/Ramp", "Top/Ramp time", "Top/Expression",
              "Friction/Law", "Friction/Regularization time", "Friction/Length",
              "Friction/Reference velocity", "Observation/", "Snapshots/", "Contact map/",
-             "Checkpoints/", "Performance/Temporal blocking", "Performance/Instruction set"});
+             "Checkpoints/", "Performance/Temporal blocking",
+             "Performance/Instruction set"});
   only_with({"transient", "modal"}, {"Top/Platen mass", "Top/Hold from"});
   only_with({"transient", "static contact"},
             {"Body/Acceleration", "Flat/", "Top/Pressure", "Friction/"});

@@ -124,9 +124,9 @@ ContactMapSetup contact_map_setup(const ContactParameters &parameters, const dou
   const auto steps = [&](const double t) {
     return static_cast<std::uint64_t>(std::llround(std::min(t / dt, 1e18)));
   };
-  setup.interval = std::max<std::uint64_t>(1, steps(map.interval));
-  setup.first    = steps(map.from);
-  setup.end      = std::isnan(map.to) ? steps(1e18 * dt) : steps(map.to) + 1;
+  setup.interval   = std::max<std::uint64_t>(1, steps(map.interval));
+  setup.first      = steps(map.from);
+  setup.end        = std::isnan(map.to) ? steps(1e18 * dt) : steps(map.to) + 1;
   const auto names = map_field_names();
   for (std::size_t k = 0; k < names.size(); ++k)
     if (std::find(map.fields.begin(), map.fields.end(), names[k]) != map.fields.end())

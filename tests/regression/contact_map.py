@@ -166,7 +166,8 @@ def check_resume(folder):
 
 def check_refused(folder):
     def refuse(settings, *words):
-        folder.write("bad.prm", prm({**GRID, **SLIDING, **settings}))
+        settings = {**GRID, **SLIDING, **settings}
+        folder.write("bad.prm", prm({key: value for key, value in settings.items() if value is not None}))
         text = folder.run(2, "contact_dynamics", "bad.prm", "--output", "bad")
         for word in words:
             assert word in text, (word, text)
@@ -174,7 +175,7 @@ def check_refused(folder):
 
     refuse({"Contact map/From": 1}, "Contact map/From", "set it earlier")
     refuse({"Contact map/Fields": "speed"}, "Contact map/Fields", "slip velocity")
-    refuse({"Contact map/Interval": 0}, "Contact map/Interval is 0")
+    refuse({"Contact map/Interval": None, "Contact map/From": 1e-6}, "Contact map/Interval is 0")
     refuse({"Time/End time": 1e3, "Observation/History interval": 1000000000, "Observation/Energy interval": 0}, "Contact map/Interval",
            "samples of the map")
     text = folder.run(0, "contact_dynamics", "whole.prm", "--validate")

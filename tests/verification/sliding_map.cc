@@ -14,8 +14,10 @@ namespace
 constexpr Layer mapped_layer = {1., 0.25, 1.5e-6, 4.4e-9};
 
 /** Growth rate and circular frequency of one wave in @p rows [samples][n + 1]. */
-Complex
-wave_in(const std::vector<double> &rows, const unsigned int n, const double dt, const double from)
+Complex wave_in(const std::vector<double> &rows,
+                const unsigned int n,
+                const double dt,
+                const double from)
 {
   Amplitude amplitude;
   const std::size_t n_samples = rows.size() / n;

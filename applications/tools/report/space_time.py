@@ -14,7 +14,7 @@ from projections import Group, draw
 MOST_ROWS, MOST_COLUMNS = 900, 700  # of a picture; more than its pixels
 SIGNED_MAP = "RdBu_r"
 STATE_MAP, STATE_NORM = ListedColormap([SEPARATED, STICK, SLIP]), BoundaryNorm([-0.5, 0.5, 1.5, 2.5], 3)
-FIELDS = [("pressure", "pressure", STRESSES), ("traction", "traction", STRESSES),
+FIELDS = [("pressure", "pressure", STRESSES), ("traction", "shear traction", STRESSES),
           ("slip_velocity", "slip velocity", [(1e-6, "µm/s"), (1e-3, "mm/s"), (1.0, "m/s")]), ("state", "state", None),
           ("friction_work", "friction work", [(1e-3, "mJ/m²"), (1.0, "J/m²"), (1e3, "kJ/m²")])]
 
@@ -78,7 +78,7 @@ def field_on_line(run, name, nodes, rows):
 
 def limits_of(name, values, factor):
     low, high = np.percentile(values, (0.5, 99.5)) / factor
-    if name in ("traction", "slip_velocity"):
+    if name in ("traction", "slip_velocity") and low < 0:
         top = max(abs(low), abs(high)) or 1.0
         return -top, top
     return min(low, 0.0), max(high, 0.0) or 1.0

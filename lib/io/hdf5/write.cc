@@ -153,10 +153,10 @@ void Hdf5File::reserve_rows(const std::string &name,
   H5Pset_chunk(properties, static_cast<int>(chunk.size()), hdf5::dims(chunk).data());
   H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
   H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
-  Hdf5Handle dataset(H5Dcreate2(
-    file, name.c_str(),
-    stored == StoredNumber::byte ? H5T_NATIVE_UINT8 : H5T_NATIVE_DOUBLE, space, links,
-    properties, H5P_DEFAULT));
+  Hdf5Handle dataset(
+    H5Dcreate2(file, name.c_str(),
+               stored == StoredNumber::byte ? H5T_NATIVE_UINT8 : H5T_NATIVE_DOUBLE, space,
+               links, properties, H5P_DEFAULT));
   if (!dataset.valid() || !dataset.close())
     fail_writing(dataset_text(name) + " cannot be created");
 }

@@ -77,7 +77,7 @@ private:
 
   /** Between begin() and end(), if there are snapshots. */
   std::optional<ParallelRows> rows;
-  std::optional<PointBlocks<dim>> blocks; ///< see rows
+  std::optional<PointBlocks<dim>> blocks;                        ///< see rows
   std::map<std::string, std::unique_ptr<ParallelRows>> map_rows; ///< by dataset
 };
 } // namespace mesoslip

@@ -23,7 +23,7 @@ BodySize body_size(const MeshBodyDescription &body, const unsigned int dim)
   size.n_contact_nodes = body.contact.points.size();
   for (const double area : body.contact.area)
     size.area.push_back(-area);
-  size.reference       = body.reference;
+  size.reference = body.reference;
   return size;
 }
 

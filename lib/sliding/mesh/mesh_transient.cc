@@ -23,8 +23,8 @@ namespace
 void require_contact_area(const MeshBodyDescription &body)
 {
   const std::vector<double> &area = body.contact.area;
-  const auto found = std::find_if(area.begin(), area.end(),
-                                  [](const double a) { return !(a < 0.); });
+  const auto found =
+    std::find_if(area.begin(), area.end(), [](const double a) { return !(a < 0.); });
   if (found == area.end())
     return;
   const std::size_t node = found - area.begin();
@@ -75,9 +75,8 @@ public:
   {
     MeshAnalysis<dim>::describe(out);
     out << time.text() << "\nTimes: " << crossing_text(this->parameters, scales) << '\n'
-        << needs.text() << bytes_text(needs.disk.bytes)
-        << " on the disk, " << bytes_text(needs.memory.bytes)
-        << " of memory for histories\n";
+        << needs.text() << bytes_text(needs.disk.bytes) << " on the disk, "
+        << bytes_text(needs.memory.bytes) << " of memory for histories\n";
     for (const std::string &warning : warnings())
       out << "Warning: " << warning << '\n';
   }

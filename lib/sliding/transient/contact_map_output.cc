@@ -40,7 +40,8 @@ ContactMapOutput<dim>::ContactMapOutput(const ContactMapSetup &setup,
 }
 
 template <int dim>
-Shape ContactMapOutput<dim>::shape(const MapField &field, const std::uint64_t n_rows) const
+Shape ContactMapOutput<dim>::shape(const MapField &field,
+                                   const std::uint64_t n_rows) const
 {
   Shape shape = {n_rows, size.friction.size()};
   if (field.components > 1)
@@ -52,10 +53,9 @@ template <int dim>
 void ContactMapOutput<dim>::reserve(Hdf5File &file, const std::uint64_t n_steps) const
 {
   for (const MapField &field : setup.fields(dim))
-    file.reserve_rows(map_dataset(field), shape(field, setup.count(n_steps)),
-                      rows_together,
-                      field.quantity == MapQuantity::state ? StoredNumber::byte
-                                                           : StoredNumber::float64);
+    file.reserve_rows(
+      map_dataset(field), shape(field, setup.count(n_steps)), rows_together,
+      field.quantity == MapQuantity::state ? StoredNumber::byte : StoredNumber::float64);
 }
 
 template <int dim>
@@ -73,7 +73,7 @@ std::uint64_t ContactMapOutput<dim>::next_step(const std::uint64_t n) const
 {
   const std::uint64_t behind    = n > setup.first + 1 ? n - 1 - setup.first : 0,
                       n_samples = (behind + setup.interval - 1) / setup.interval + 1;
-  const std::uint64_t full = (n_samples + rows_together - 1) / rows_together,
+  const std::uint64_t full      = (n_samples + rows_together - 1) / rows_together,
                       last = setup.first + (full * rows_together - 1) * setup.interval;
   return last < setup.end ? last + 1 : std::numeric_limits<std::uint64_t>::max();
 }

@@ -31,9 +31,8 @@ public:
    * Takes rows of numbers for dataset @p name from row @p first on; @p values are on rank
    * 0, elsewhere empty. All ranks call it.
    */
-  using Sink = std::function<void(const std::string &name,
-                                  const std::size_t first,
-                                  const std::vector<double> &values)>;
+  using Sink = std::function<void(
+    const std::string &name, const std::size_t first, const std::vector<double> &values)>;
 
   /**
    * Of the samples of @p sampler, that of this rank, whose nodes are number @p places of

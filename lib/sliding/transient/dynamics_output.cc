@@ -46,8 +46,8 @@ void DynamicsOutput::begin(const Stepper &of_stepper,
 {
   if (!has_snapshots() && map == nullptr)
     return;
-  stepper     = &of_stepper;
-  n_snapshots = n_done;
+  stepper                  = &of_stepper;
+  n_snapshots              = n_done;
   const std::uint64_t step = stepper->step_number();
   on_root(context.communicator(), [&]() {
     const std::string path = context.file("dynamics.h5");

@@ -37,9 +37,8 @@ public:
    * file already, of the run that is continued, and for @p map (may be null). Collective.
    * @throws UserError if they are not
    */
-  void begin(const Stepper &of_stepper,
-             const std::uint64_t n_done,
-             ContactMapOutput<2> *map);
+  void
+  begin(const Stepper &of_stepper, const std::uint64_t n_done, ContactMapOutput<2> *map);
 
   std::uint64_t next_step(const std::uint64_t n) const override;
 

@@ -150,7 +150,8 @@ void write_blocks(Hdf5File &file, const TransientResult &run)
 }
 
 /** A value a node of @p of_distinct, of which with periodic sides the last is the first. */
-std::vector<double> of_all_nodes(const TransientResult &run, std::vector<double> of_distinct)
+std::vector<double> of_all_nodes(const TransientResult &run,
+                                 std::vector<double> of_distinct)
 {
   for (std::size_t i = of_distinct.size(); i < run.body.friction.size(); ++i)
     of_distinct.push_back(of_distinct[i - run.body.n_contact_nodes]);
@@ -165,12 +166,12 @@ void write_loads(Hdf5File &file, const TransientResult &run)
   const std::vector<double> &all_area = run.body.area;
   const std::vector<double> area(all_area.begin(),
                                  all_area.begin() + run.body.n_contact_nodes);
-  const NodeMeans steady = mean_loads(
-    run.blocks, first_block(run.blocks, dt, run.steady_from), last, area, dt);
+  const NodeMeans steady =
+    mean_loads(run.blocks, first_block(run.blocks, dt, run.steady_from), last, area, dt);
   std::vector<double> work = run.blocks[last].loads.friction_energy;
   for (std::size_t i = 0; i < area.size(); ++i)
     work[i] /= area[i];
-  work                             = of_all_nodes(run, work);
+  work                               = of_all_nodes(run, work);
   const std::vector<double> pressure = of_all_nodes(run, steady.pressure),
                             power    = of_all_nodes(run, steady.friction_power);
   write_series(file, "/contact",

@@ -100,14 +100,13 @@ RunNeeds run_needs(const ContactParameters &parameters,
   // With the samples for the statistics, which are not written.
   const double histories = history_bytes(parameters, n_steps);
   needs.n_map_samples    = number_of_map_samples(parameters, n_steps);
-  needs.map_bytes =
-    needs.n_map_samples * n_contact *
-    contact_map_setup(parameters, parameters.time.end_time / n_steps)
-      .bytes_per_node(parameters.mesh.mesh.dim);
+  needs.map_bytes        = needs.n_map_samples * n_contact *
+                    contact_map_setup(parameters, parameters.time.end_time / n_steps)
+                      .bytes_per_node(parameters.mesh.mesh.dim);
   const double sums = node_load_bytes(parameters, n_contact);
-  needs.memory           = {histories + sums +
-                              sizeof(double) * SteadyRecord::numbers(n_steps / statistics_interval),
-                            fewer_samples(parameters, scales, n_steps)};
+  needs.memory      = {histories + sums +
+                         sizeof(double) * SteadyRecord::numbers(n_steps / statistics_interval),
+                       fewer_samples(parameters, scales, n_steps)};
 
   // Displacement, increment and histories, in the old checkpoint and in the new.
   const double field = sizeof(double) * n_dofs, fields = needs.n_snapshots * field;

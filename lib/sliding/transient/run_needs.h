@@ -12,8 +12,8 @@ struct RunNeeds
   double n_snapshots   = 0.; ///< at most one a step
   double n_map_samples = 0.; ///< of the map of the contact
   double map_bytes     = 0.; ///< of the map of the contact on the disk
-  ResourceNeed memory;     ///< of the histories, which are kept until the end
-  ResourceNeed disk;       ///< of dynamics.h5 and the checkpoints when it is largest
+  ResourceNeed memory;       ///< of the histories, which are kept until the end
+  ResourceNeed disk;         ///< of dynamics.h5 and the checkpoints when it is largest
 
   /** "40 snapshots, map of the contact with 1000 samples (16 MB)". */
   std::string text() const;

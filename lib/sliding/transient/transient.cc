@@ -84,8 +84,7 @@ void TransientAnalysis::describe(std::ostream &out) const
     needs_of(static_cast<double>(time.n_steps), time.statistics_interval);
   out.precision(4);
   out << time.text() << "\nTimes: " << crossing_text(parameters, scales) << '\n'
-      << exact.text() << bytes_text(exact.disk.bytes)
-      << " on the disk, "
+      << exact.text() << bytes_text(exact.disk.bytes) << " on the disk, "
       << bytes_text(field_memory(parameters.analysis, body.grid).bytes +
                     exact.memory.bytes)
       << " of memory\n";

@@ -301,9 +301,8 @@ void TransientResult::add_remarks()
 {
   duration_warning = duration_remark(contact.duration);
   friction_warning = has_statistics ? friction_remark(*this) : steady_part_remark(*this);
-  for (const std::string &text :
-       {spectrum_remark(*this), history_remark(*this), map_remark(*this),
-        separation_remark(*this)})
+  for (const std::string &text : {spectrum_remark(*this), history_remark(*this),
+                                  map_remark(*this), separation_remark(*this)})
     if (!text.empty())
       warnings.push_back(text);
 }

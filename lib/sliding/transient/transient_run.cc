@@ -28,9 +28,9 @@ BodySize body_size(const ContactParameters &parameters, const BodyDescription &b
 {
   const UniformGrid<2> &grid = body.grid;
   BodySize size;
-  size.top_area        = grid.extent(0);
-  size.n_cells         = grid.n_cells();
-  size.friction        = body.node_friction;
+  size.top_area = grid.extent(0);
+  size.n_cells  = grid.n_cells();
+  size.friction = body.node_friction;
   for (unsigned int i = 0; i <= grid.cells[0]; ++i)
     size.area.push_back(tributary_width(grid, i, parameters.periodic));
   size.n_contact_nodes = grid.cells[0] + (parameters.periodic ? 0 : 1);
