@@ -6,6 +6,8 @@ grid, a mesh and voxels, on 1, 2 and 3 ranks, stopped and resumed, and killed.
 
 import os
 import signal
+import subprocess
+import sys
 import tempfile
 import time
 
@@ -13,7 +15,7 @@ import h5py
 import numpy as np
 
 from mesh_files import Box
-from scenes import Folder, prm
+from scenes import TOOLS, Folder, prm
 
 FIELDS = "pressure, traction, slip velocity, state, friction work"
 MAP = {"Contact map/Interval": 4e-8, "Contact map/Fields": FIELDS, "Observation/Contact means": "true"}
@@ -186,10 +188,45 @@ def check_refused(folder):
     assert "the map of the contact has samples every" in text, text
 
 
+def check_tools(folder):
+    """The report and the Python module on a plane run and one in 3D."""
+    sys.path.insert(0, os.path.join(TOOLS, "python"))
+    import mesoslip
+    for name, figures in (("grid", ("Map of the contact of", "Spectrogram of", "friction power and friction work")),
+                          ("solid", ("Map of the contact of", "Pressure on the contact surface", "Spectrogram of", "Pressure and friction work"))):
+        done = subprocess.run([sys.executable, "-B", os.path.join(TOOLS, "report", "make_report.py"), folder(name), "--output",
+                               folder("report.html")], text=True, capture_output=True)
+        page = folder.read("report.html").decode()
+        assert done.returncode == 0, done.stdout + done.stderr
+        for words in figures:
+            assert words in page, (name, words)
+        assert "of the map of the" in page and "has no more than its last periods" not in page, name
+        with mesoslip.open(folder(name)) as file:
+            found = file.contact_map
+            unit = "N/m" if name == "grid" else "N"
+            assert "pressure (Pa)" in repr(found) and "state (number)" in repr(found) and f"{len(found.time)} samples" in repr(found)
+            assert file.history["contact_normal_force"].unit == unit and found["pressure"].unit == "Pa"
+            same(found["pressure"] @ np.asarray(found.area), np.asarray(file.history["contact_normal_force"]), 1e-13, name)
+            assert np.array_equal(found.rows("traction", slice(2, 4)), found["traction"][2:4]) and "time" not in found
+    with mesoslip.open(folder("coarse")) as file:
+        assert set(file.contact_map) == {"friction_work", "pressure", "slip_velocity", "state", "traction"}
+
+
+def check_reduction():
+    """A long map is reduced for its picture without losing what is short."""
+    sys.path.insert(0, os.path.join(TOOLS, "report"))
+    import space_time
+    values = np.full((5000, 3), 1.0)
+    values[1234, 1], values[4321, 2] = 9.0, -7.0
+    shown = space_time.farthest(values, 1.0, 900, 0)
+    assert shown.shape == (900, 3) and shown[:, 1].max() == 9 and shown[:, 2].min() == -7 and (shown[:, 0] == 1).all()
+
+
 def main():
+    check_reduction()
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
-        for check in (check_uniform, check_bodies, check_window, check_resume, check_refused):
+        for check in (check_uniform, check_bodies, check_window, check_resume, check_refused, check_tools):
             check(folder)
             print(check.__name__, "passed", flush=True)
 

@@ -12,6 +12,7 @@ from maps import STRESS_MAP
 from projections import Group, draw
 
 MOST_ROWS, MOST_COLUMNS = 900, 700  # of a picture; more than its pixels
+SHOWN = (2.5, 97.5)  # percentiles at the ends of a scale; the leading edge of a surface may have 2 % of the nodes
 SIGNED_MAP = "RdBu_r"
 STATE_MAP, STATE_NORM = ListedColormap([SEPARATED, STICK, SLIP]), BoundaryNorm([-0.5, 0.5, 1.5, 2.5], 3)
 FIELDS = [("pressure", "pressure", STRESSES), ("traction", "shear traction", STRESSES),
@@ -77,7 +78,7 @@ def field_on_line(run, name, nodes, rows):
 
 
 def limits_of(name, values, factor):
-    low, high = np.percentile(values, (0.5, 99.5)) / factor
+    low, high = np.percentile(values, SHOWN) / factor
     if name in ("traction", "slip_velocity") and low < 0:
         top = max(abs(low), abs(high)) or 1.0
         return -top, top
@@ -113,10 +114,12 @@ def space_time(run, zoom=False):
             show(values, cmap=STATE_MAP, norm=STATE_NORM)
             axis.set_title(label, fontsize=11)
         else:
-            factor, unit = scaled(np.percentile(np.abs(values), 99.5), units=units)
+            factor, unit = scaled(np.percentile(np.abs(values), SHOWN[1]), units=units)
             low, high = limits_of(name, values, factor)
             image = show(values / factor, cmap=SIGNED_MAP if low == -high else STRESS_MAP, vmin=low, vmax=high)
-            bar = figure.colorbar(image, ax=axis, location="top", aspect=12, pad=0.02, extend="both")
+            over, under = values.max() > 1.000001 * high * factor, values.min() < low * factor
+            bar = figure.colorbar(image, ax=axis, location="top", aspect=12, pad=0.02,
+                                  extend="both" if over and under else "max" if over else "min" if under else "neither")
             bar.set_label(f"{label}\nin {unit}", fontsize=11)
             bar.ax.tick_params(labelsize=9)
             bar.ax.locator_params(nbins=3)
@@ -154,7 +157,7 @@ def surface_means(run):
     groups = []
     for name, label, units in [("pressure", "mean pressure", STRESSES), ("friction_work", "friction work", FIELDS[-1][2])]:
         values, area = run.need(f"/contact/{name}", "/contact/area")
-        factor, unit = scaled(np.percentile(values, 99.5), units=units)
+        factor, unit = scaled(np.percentile(values, SHOWN[1]), units=units)
         low, high = limits_of(name, values, factor)
         mean = np.average(values, weights=area) / factor
         groups.append(Group(values / factor, STRESS_MAP, (low, high), f"mean over the surface {mean:.4g} {unit}", f"{label} in {unit}"))
@@ -169,7 +172,7 @@ def surface_at_times(run):
     begin = min(np.searchsorted(time, zoom_window(run, time[-1])), len(time) - 4)
     rows = np.unique(np.linspace(max(begin, 0), len(time) - 1, 4).astype(int))
     fields = [run.get("/contact_map/pressure", int(row)) for row in rows]
-    factor, unit = scaled(np.percentile(fields, 99.5), units=STRESSES)
+    factor, unit = scaled(np.percentile(fields, SHOWN[1]), units=STRESSES)
     limits = limits_of("pressure", np.array(fields), factor)
     groups = [Group(values / factor, STRESS_MAP, limits, f"t = {1e3 * time[row]:.5g} ms", f"pressure in {unit}")
               for row, values in zip(rows, fields)]

@@ -25,7 +25,7 @@ def caption(run, reduced):
     kept = " Where the map has more samples than the picture, the one farthest from the median stands for its stretch, of the states the " \
            "rarest, so that no extreme is hidden." if reduced else ""
     return f"{shown_nodes(run)} over position and time. Traction acts on the body and the slip velocity is that of the flat relative to " \
-           f"the node, both along the motion of the flat. Colour scales end at the 0.5th and 99.5th percentiles.{kept}"
+           f"the node, both along the motion of the flat. Colour scales end at the 2.5th and 97.5th percentiles.{kept}"
 
 
 def whole_map(page, run):
@@ -42,7 +42,7 @@ def last_periods(page, run):
 def surface_at_times(page, run):
     figure, _ = space_time.surface_at_times(run)
     return page.figure(figure, f"Pressure on the contact surface of the {escape(run.label)} run at times of the last periods, each node with "
-                               "its part of the faces around it. The colour scale ends at the 0.5th and 99.5th percentiles.")
+                               "its part of the faces around it. The colour scale ends at the 2.5th and 97.5th percentiles.")
 
 
 def means(page, run):
@@ -50,7 +50,7 @@ def means(page, run):
     if run.has_surface():
         return page.figure(space_time.surface_means(run),
                            f"Pressure and friction work of every contact node of the {escape(run.label)} run: {nominal}. The colour "
-                           "scales end at the 0.5th and 99.5th percentiles.")
+                           "scales end at the 2.5th and 97.5th percentiles.")
     return page.figure(space_time.profile(run),
                        f"Pressure, friction power and friction work of every contact node of the {escape(run.label)} run: {nominal}. "
                        "Dashed: means over the contact.")
