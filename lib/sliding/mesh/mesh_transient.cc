@@ -28,7 +28,7 @@ void require_contact_area(const MeshBodyDescription &body)
   if (found == area.end())
     return;
   const std::size_t node = found - area.begin();
-  throw UserError("Mesh/Contact: node " + std::to_string(node) +
+  throw UserError("Mesh/Contact boundary: node " + std::to_string(node) +
                   " of the contact has no area seen along the normal of the flat, so no "
                   "pressure for Contact map and Observation/Contact means; leave faces "
                   "that look away from the flat out of the contact, or both keys");

@@ -1,11 +1,13 @@
 #include "sliding/transient/contact_map_output.h"
 
+#include "base/exchange.h"
 #include "exchange/datasets.h"
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace mesoslip
@@ -20,6 +22,21 @@ constexpr std::uint64_t numbers_together = 1U << 17;
 std::string map_dataset(const MapField &field)
 {
   return std::string(contact_map_group) + "/" + field.name;
+}
+
+/** Those of all ranks on rank 0, elsewhere empty; as they are in memory, not compressed. */
+std::vector<std::vector<double>> gather_numbers(const std::vector<double> &own,
+                                                const MPI_Comm communicator)
+{
+  const std::string bytes(reinterpret_cast<const char *>(own.data()),
+                          own.size() * sizeof(double));
+  std::vector<std::vector<double>> numbers;
+  for (const std::string &of_rank : gather(communicator, bytes))
+    {
+      numbers.emplace_back(of_rank.size() / sizeof(double));
+      std::memcpy(numbers.back().data(), of_rank.data(), of_rank.size());
+    }
+  return numbers;
 }
 } // namespace
 
@@ -88,7 +105,7 @@ void ContactMapOutput<dim>::drain(const std::uint64_t n)
     return;
   for (std::size_t f = 0; f < fields.size(); ++f)
     {
-      const auto of_ranks = dealii::Utilities::MPI::gather(communicator, samples[f]);
+      const auto of_ranks = gather_numbers(samples[f], communicator);
       write(map_dataset(fields[f]), n_written,
             of_ranks.empty() ? std::vector<double>()
                              : whole_rows(fields[f], of_ranks, n_rows));
