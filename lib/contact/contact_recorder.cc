@@ -5,6 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <type_traits>
 #include <utility>
 
 namespace mesoslip
@@ -48,24 +49,29 @@ void turn_along_flat(ContactHistory &samples, const std::array<double, 2> &direc
 std::vector<NodeCounts> gather_nodes(const std::vector<NodeCounts> &blocks,
                                      const std::vector<unsigned int> &places,
                                      const std::size_t n_nodes,
+                                     const bool with_loads,
                                      const MPI_Comm communicator)
 {
   std::vector<NodeCounts> whole;
   const auto all_places = dealii::Utilities::MPI::gather(communicator, places);
   for (const NodeCounts &block : blocks)
     {
-      whole.push_back({block.first_step, block.n_steps, {}, {}, {}});
+      whole.push_back({block.first_step, block.n_steps, {}, {}, {}, {}});
+      const auto gather_values = [&](const auto &values) {
+        using Values = std::decay_t<decltype(values)>;
+        const Values own(values.begin(), values.begin() + places.size());
+        const auto of_ranks = dealii::Utilities::MPI::gather(communicator, own);
+        Values all(n_nodes);
+        for (std::size_t rank = 0; rank < of_ranks.size(); ++rank)
+          for (std::size_t i = 0; i < of_ranks[rank].size(); ++i)
+            all[all_places[rank][i]] = of_ranks[rank][i];
+        return all;
+      };
       for (auto counts : {&NodeCounts::stick, &NodeCounts::slip, &NodeCounts::landings})
-        {
-          std::vector<float> own((block.*counts).begin(),
-                                 (block.*counts).begin() + places.size());
-          const auto of_ranks     = dealii::Utilities::MPI::gather(communicator, own);
-          std::vector<float> &all = whole.back().*counts;
-          all.resize(n_nodes);
-          for (std::size_t rank = 0; rank < of_ranks.size(); ++rank)
-            for (std::size_t i = 0; i < of_ranks[rank].size(); ++i)
-              all[all_places[rank][i]] = of_ranks[rank][i];
-        }
+        whole.back().*counts = gather_values(block.*counts);
+      if (with_loads)
+        for (auto sums : {&NodeLoads::normal_force, &NodeLoads::friction_energy})
+          whole.back().loads.*sums = gather_values(block.loads.*sums);
     }
   return whole;
 }
@@ -162,6 +168,8 @@ void NodeStatistics<dim>::finish(ContactSurface<dim> &contact)
   if (!complete_blocks.empty())
     block.first_step = complete_blocks.back().first_step + complete_blocks.back().n_steps;
   block.n_steps = std::exchange(n_steps, 0);
+  if (node_loads != nullptr)
+    block.loads = node_loads->loads();
   complete_blocks.push_back(std::move(block));
 }
 

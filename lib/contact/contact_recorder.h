@@ -1,7 +1,7 @@
 #ifndef mesoslip_contact_contact_recorder_h
 #define mesoslip_contact_contact_recorder_h
 
-#include "contact/contact_surface.h"
+#include "contact/node_loads.h"
 
 #include <boost/serialization/vector.hpp>
 
@@ -130,21 +130,26 @@ private:
 
 /**
  * Of counts of the nodes of each rank those of the whole contact of @p n_nodes on rank 0;
- * the first nodes of the counts are number @p places there. Collective.
+ * the first nodes of the counts are number @p places there. @p with_loads: as the blocks of
+ * all ranks have them. Collective.
  */
 std::vector<NodeCounts> gather_nodes(const std::vector<NodeCounts> &blocks,
                                      const std::vector<unsigned int> &places,
                                      const std::size_t n_nodes,
+                                     const bool with_loads,
                                      const MPI_Comm communicator);
 
-/** States of the nodes, counted in blocks of steps. */
+/** States of the nodes, counted in blocks of steps, and what @p node_loads counts to the end of
+ * each block. */
 template <int dim>
 class NodeStatistics : public ContactObserver<dim>
 {
 public:
-  /** @p steps_per_block 0: one block for the whole run. */
-  explicit NodeStatistics(const std::uint64_t steps_per_block)
-    : steps_per_block(steps_per_block)
+  /** @p steps_per_block 0: one block for the whole run; @p node_loads may be null. */
+  explicit NodeStatistics(const std::uint64_t steps_per_block,
+                          const NodeLoadObserver<dim> *node_loads = nullptr)
+    : node_loads(node_loads)
+    , steps_per_block(steps_per_block)
   {
   }
 
@@ -175,6 +180,7 @@ public:
   }
 
 private:
+  const NodeLoadObserver<dim> *const node_loads;
   std::uint64_t steps_per_block;
   std::uint64_t n_steps = 0; ///< counted in the running block
   std::vector<NodeCounts> complete_blocks;

@@ -63,9 +63,9 @@ void ContactSurface<dim>::advance_all(const SurfaceView<dim> &surface,
                                       const double flat_velocity)
 {
   const std::array<double, 2> &along = setup.flat_direction;
-  const double moved                 = flat_velocity * step.dt;
+  const std::array<double, 2> moved  = flat_increment_at(flat_velocity);
   const ContactStep constants        = {
-           step.dt, step.beta2, {moved * along[0], moved * along[1]}, {along[0], along[1]}};
+           step.dt, step.beta2, {moved[0], moved[1]}, {along[0], along[1]}};
   const unsigned int n_own  = setup.n_owned.value_or(n_nodes),
                      copies = whole_vectors<double>(n_own);
   advance_nodes(arrays(surface, 0, n_own), constants, last);

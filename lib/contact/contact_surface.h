@@ -2,6 +2,7 @@
 #define mesoslip_contact_contact_surface_h
 
 #include "contact/contact_kernel.h"
+#include "contact/node_counts.h"
 #include "dynamics/energy_audit.h"
 #include "dynamics/surface_condition.h"
 #include "grid/instruction_set.h"
@@ -172,23 +173,6 @@ struct ContactSetup
   std::optional<unsigned int> n_owned;
 };
 
-/** Number of steps that each node stuck or slipped in, and in which contact began. */
-struct NodeCounts
-{
-  std::uint64_t first_step = 0; ///< first step of the block, from 0
-  std::uint64_t n_steps    = 0; ///< in the block
-  std::vector<float> stick;     ///< steps that stuck
-  std::vector<float> slip;      ///< steps that slipped
-  std::vector<float> landings;  ///< steps in which contact began
-
-  /** Of boost::serialization. */
-  template <class Archive>
-  void serialize(Archive &archive, const unsigned int)
-  {
-    archive &first_step &n_steps &stick &slip &landings;
-  }
-};
-
 template <int dim>
 class ContactSurface;
 
@@ -265,6 +249,37 @@ public:
     return column(Column::lateral_force);
   }
 
+  /** 1 for nodes that touched the flat in the last step, else 0. */
+  const double *touching() const
+  {
+    return column(Column::touching);
+  }
+
+  /** 1 for nodes that touched without sliding in the last step, else 0. */
+  const double *sticking() const
+  {
+    return column(Column::sticking);
+  }
+
+  /** By what the nodes moved in the last step along x (@p component 0) or, in 3D, y (1)
+   * (m). */
+  const double *increment(const unsigned int component) const
+  {
+    return column(component == 0 ? Column::increment_x : Column::lateral_increment);
+  }
+
+  /** Length of a step (s). */
+  double time_step() const
+  {
+    return step.dt;
+  }
+
+  /** By what the flat moves along x and y in the step that begins at @p time (m). */
+  std::array<double, 2> flat_increment(const double time) const
+  {
+    return flat_increment_at(setup.flat_velocity(time));
+  }
+
   /** The node counts since the last call; steps are left at 0. */
   NodeCounts take_counts();
 
@@ -291,6 +306,12 @@ private:
                        const unsigned int first,
                        const unsigned int end);
   void advance_all(const SurfaceView<dim> &surface, const double flat_velocity);
+
+  std::array<double, 2> flat_increment_at(const double flat_velocity) const
+  {
+    const double moved = flat_velocity * step.dt;
+    return {{moved * setup.flat_direction[0], moved * setup.flat_direction[1]}};
+  }
 
   void initialize_increments(const SurfaceView<dim> &surface);
 

@@ -86,12 +86,13 @@ DynamicsFile DynamicsFile::resume(const std::string &path, const std::size_t n_s
 {
   const std::string remedy = "start again without --resume";
   DynamicsFile file(Hdf5File::resume(path, remedy));
-  if (file.shape(snapshots_name, remedy)[0] < n_snapshots)
+  if (n_snapshots > 0 && file.shape(snapshots_name, remedy)[0] < n_snapshots)
     throw UserError(path + " has fewer than the " + std::to_string(n_snapshots) +
                     " snapshots it had at the checkpoint; " + remedy);
   file.grid = read_grid<2>(file, dynamics_program);
   for (const std::string &name : file.list("/"))
-    if (name != "grid" && name != "material" && name != "snapshots")
+    if (name != "grid" && name != "material" && name != "snapshots" &&
+        name != "contact_map")
       file.remove("/" + name);
   return file;
 }

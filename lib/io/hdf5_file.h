@@ -22,6 +22,13 @@ enum class Signature
   broken   ///< they have changed
 };
 
+/** How a dataset that is filled row by row keeps its numbers. */
+enum class StoredNumber
+{
+  float64,
+  byte ///< whole numbers from 0 to 255
+};
+
 /** "[3][41][61][2]"; an any_extent prints as "[*]". */
 std::string to_text(const Shape &shape);
 
@@ -191,16 +198,17 @@ public:
   void write(const std::string &name, const Shape &shape, const std::vector<T> &data);
 
   /**
-   * Creates a dataset of numbers of type double to be filled with write_row(), or gives
-   * one that exists another number of rows; its first axis counts the rows. All its
+   * Creates a dataset of numbers to be filled with write_row(), or gives one that exists
+   * another number of rows; its first axis counts the rows. All its
    * space is reserved at once, so that writing a row changes nothing else in the file.
    * Short rows are kept together, @p n_together of them.
    */
   void reserve_rows(const std::string &name,
                     const Shape &shape,
-                    const std::size_t n_together = 1);
+                    const std::size_t n_together = 1,
+                    const StoredNumber stored    = StoredNumber::float64);
 
-  /** Writes row number @p row of a dataset made by reserve_rows(). */
+  /** Writes whole rows from number @p row on of a dataset made by reserve_rows(). */
   void write_row(const std::string &name,
                  const std::size_t row,
                  const std::vector<double> &values);

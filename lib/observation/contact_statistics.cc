@@ -13,17 +13,6 @@ namespace mesoslip
 {
 namespace
 {
-/** The earliest of the blocks that begin at @p from (s) or later, else the last one. */
-std::size_t
-first_block(const std::vector<NodeCounts> &blocks, const double dt, const double from)
-{
-  const auto inside = [&](const NodeCounts &block) {
-    return block.first_step * dt >= from - 1e-9 * block.n_steps * dt;
-  };
-  const auto found = std::find_if(blocks.begin(), blocks.end() - 1, inside);
-  return static_cast<std::size_t>(found - blocks.begin());
-}
-
 constexpr unsigned int most_batches = 20, batches_without_period = 10;
 
 /** The samples of the window, from first to the last one, and equal batches at its end. */
@@ -134,6 +123,41 @@ double least_squares_slope(const std::vector<double> &x,
 }
 
 } // namespace
+
+std::size_t
+first_block(const std::vector<NodeCounts> &blocks, const double dt, const double from)
+{
+  const auto inside = [&](const NodeCounts &block) {
+    return block.first_step * dt >= from - 1e-9 * block.n_steps * dt;
+  };
+  const auto found = std::find_if(blocks.begin(), blocks.end() - 1, inside);
+  return static_cast<std::size_t>(found - blocks.begin());
+}
+
+NodeMeans mean_loads(const std::vector<NodeCounts> &blocks,
+                     const std::size_t first,
+                     const std::size_t last,
+                     const std::vector<double> &area,
+                     const double dt)
+{
+  AssertIndexRange(last, blocks.size());
+  double n_steps = 0.;
+  for (std::size_t b = first; b <= last; ++b)
+    n_steps += static_cast<double>(blocks[b].n_steps);
+  const auto difference = [&](std::vector<double> NodeLoads::*sums, const std::size_t i) {
+    const double before = first == 0 ? 0. : (blocks[first - 1].loads.*sums)[i];
+    return (blocks[last].loads.*sums)[i] - before;
+  };
+  NodeMeans means;
+  for (std::size_t i = 0; i < area.size(); ++i)
+    {
+      means.pressure.push_back(difference(&NodeLoads::normal_force, i) /
+                               (n_steps * area[i]));
+      means.friction_power.push_back(difference(&NodeLoads::friction_energy, i) /
+                                     (n_steps * dt * area[i]));
+    }
+  return means;
+}
 
 ContactSummary summarize_contact(const std::vector<NodeCounts> &blocks,
                                  const std::size_t n,

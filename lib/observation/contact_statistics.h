@@ -70,6 +70,27 @@ ContactSummary summarize_contact(const std::vector<NodeCounts> &blocks,
                                  const double dt,
                                  const double from);
 
+/** Means of what each contact node takes of the load. */
+struct NodeMeans
+{
+  std::vector<double> pressure;       ///< Pa
+  std::vector<double> friction_power; ///< dissipated (W/m^2)
+};
+
+/**
+ * Means over the blocks number @p first to @p last, both included, which have loads (
+ * NodeCounts::loads); of as many nodes as there are tributary areas @p area (m^2, in 2D m).
+ */
+NodeMeans mean_loads(const std::vector<NodeCounts> &blocks,
+                     const std::size_t first,
+                     const std::size_t last,
+                     const std::vector<double> &area,
+                     const double dt);
+
+/** Number of the first block of those that summarize_contact() evaluates. */
+std::size_t
+first_block(const std::vector<NodeCounts> &blocks, const double dt, const double from);
+
 /**
  * Name of the instability type (paper, section 2.4; Linck et al. 2003) from the shares of
  * the reference node. A state that takes less than 1 % of the time does not count:

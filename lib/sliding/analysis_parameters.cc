@@ -230,6 +230,9 @@ void ContactParameters::bind_observation(Keys &keys)
       "Limit cycle windows", o.limit_cycle.windows, 2, 1000,
       "Number of equal windows, together the second half of the run, that have to "
       "agree [-]");
+    keys.bind("Contact means", o.contact_means,
+              "Mean pressure and friction work of every contact node, of every step and "
+              "over the blocks");
     keys.bind_names("Probes", probes, "probe",
                     "Names of points that are observed, each with a subsection of that "
                     "name");
@@ -253,6 +256,35 @@ void ContactParameters::bind_observation(Keys &keys)
   keys.only_if(keys.is_typed("Snapshots/Interval"), {"From", "To"},
                "Snapshots/Interval is 0 and there are no snapshots",
                "set Snapshots/Interval");
+}
+
+bool ContactParameters::wants_node_loads() const
+{
+  const bool mapped =
+    std::find(map.fields.begin(), map.fields.end(), "friction work") != map.fields.end();
+  return observation.contact_means || (map.interval > 0. && mapped);
+}
+
+void ContactParameters::bind_contact_map(Keys &keys)
+{
+  const auto section = keys.section("Contact map");
+  keys.bind("Interval", map.interval, Range::non_negative(),
+            "Time between samples of all contact nodes in dynamics.h5, rounded to whole "
+            "time steps; 0: none [s]");
+  keys.bind("From", map.from, Range::non_negative(), "Time of the first sample [s]");
+  keys.bind_or_auto("To", map.to, Range::non_negative(),
+                    "Time of the last sample; auto: the end of the run [s]");
+  keys.bind_list(
+    "Fields", map.fields, map_field_names(),
+    "What is sampled: pressure and tangential traction on the tributary area "
+    "(Pa), velocity of the flat relative to the node (m/s), state (0 "
+    "separated, 1 stick, 2 slip), and the friction work since the start "
+    "(J/m^2), which is summed up in every step");
+  keys.only_if(keys.is_typed("Contact map/Interval"), {"From", "To", "Fields"},
+               "Contact map/Interval is 0 and there is no map",
+               "set Contact map/Interval");
+  keys.require(!map.fields.empty(), "Fields",
+               "it is empty; name one at least, or set Interval = 0");
 }
 
 void ContactParameters::bind_analyses(Keys &keys)

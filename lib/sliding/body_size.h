@@ -51,6 +51,7 @@ struct BodySize
   double top_area       = 0.; ///< of the top, along the normal of the flat (m^2, in 2D m)
   std::uint64_t n_cells = 0;  ///< of the whole body
   std::vector<double> friction; ///< coefficient of each contact node
+  std::vector<double> area;     ///< tributary of each contact node (m^2, in 2D m)
   std::size_t n_contact_nodes =
     0;                     ///< with periodic sides the last one is the first again
   ReferenceNode reference; ///< M

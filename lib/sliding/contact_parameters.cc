@@ -299,8 +299,9 @@ void check_analysis(const Keys &keys)
             {"Body/Initial velocity", "Time/", "Flat/Ramp", "Flat/Ramp time",
              "Flat/Expression", "Top/Ramp", "Top/Ramp time", "Top/Expression",
              "Friction/Law", "Friction/Regularization time", "Friction/Length",
-             "Friction/Reference velocity", "Observation/", "Snapshots/", "Checkpoints/",
-             "Performance/Temporal blocking", "Performance/Instruction set"});
+             "Friction/Reference velocity", "Observation/", "Snapshots/", "Contact map/",
+             "Checkpoints/", "Performance/Temporal blocking",
+             "Performance/Instruction set"});
   only_with({"transient", "modal"}, {"Top/Platen mass", "Top/Hold from"});
   only_with({"transient", "static contact"},
             {"Body/Acceleration", "Flat/", "Top/Pressure", "Friction/"});
@@ -337,6 +338,7 @@ void ContactParameters::bind(Keys &keys)
   bind_sides(keys);
   bind_friction(keys, friction, contact.law);
   bind_observation(keys);
+  bind_contact_map(keys);
   bind_analyses(keys);
   keys.renamed("Performance/Static solver = assembled", "ml");
   check_analysis(keys);

@@ -80,6 +80,16 @@ struct ObservationParameters
   double snapshots_from     = 0.;        ///< s
   double snapshots_to       = automatic; ///< s
   double snapshots_interval = 0.;        ///< s; 0: none
+  bool contact_means        = false;     ///< mean loads of all contact nodes
+};
+
+/** Section Contact map. */
+struct ContactMapParameters
+{
+  double interval                 = 0.;        ///< s; 0: none
+  double from                     = 0.;        ///< s
+  double to                       = automatic; ///< s
+  std::vector<std::string> fields = {"pressure", "traction", "slip velocity", "state"};
 };
 
 /** Section Friction homogenization. */
@@ -131,6 +141,7 @@ struct ContactParameters : SlidingSetup
   TimeParameters time;                                   ///< section Time
   FrictionParameters friction;                           ///< section Friction
   ObservationParameters observation;               ///< sections Observation and Snapshots
+  ContactMapParameters map;                        ///< section Contact map
   CheckpointParameters checkpoints;                ///< section Checkpoints
   VibrationModesOptions modal;                     ///< section Modal, but for the bottom
   std::string modal_bottom = "both";               ///< free, held in y or z, both
@@ -146,6 +157,9 @@ struct ContactParameters : SlidingSetup
    */
   void bind(Keys &keys);
 
+  /** Whether the loads of the contact nodes are summed up in every step. */
+  bool wants_node_loads() const;
+
   /**
    * The conditions of a transient run or a static contact analysis; time step and steady
    * part are known only at the end of a run.
@@ -155,6 +169,7 @@ struct ContactParameters : SlidingSetup
 private:
   void bind_sides(Keys &keys);
   void bind_observation(Keys &keys);
+  void bind_contact_map(Keys &keys);
   void bind_analyses(Keys &keys);
 };
 } // namespace mesoslip

@@ -114,6 +114,26 @@ TimeStepChoice choose_time_step(const ContactParameters &parameters,
   return choice;
 }
 
+ContactMapSetup contact_map_setup(const ContactParameters &parameters, const double dt)
+{
+  const ContactMapParameters &map = parameters.map;
+  ContactMapSetup setup;
+  if (!(map.interval > 0.))
+    return setup;
+  // Without more steps than any run has, so that they are numbers.
+  const auto steps = [&](const double t) {
+    return static_cast<std::uint64_t>(std::llround(std::min(t / dt, 1e18)));
+  };
+  setup.interval   = std::max<std::uint64_t>(1, steps(map.interval));
+  setup.first      = steps(map.from);
+  setup.end        = std::isnan(map.to) ? steps(1e18 * dt) : steps(map.to) + 1;
+  const auto names = map_field_names();
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (std::find(map.fields.begin(), map.fields.end(), names[k]) != map.fields.end())
+      setup.quantities.push_back(static_cast<MapQuantity>(k));
+  return setup;
+}
+
 LoadRange load_range(const LoadHistory &load, const double end)
 {
   constexpr unsigned int n = 1000;

@@ -83,6 +83,9 @@ TimeStepChoice choose_time_step(const ContactParameters &parameters,
 TimeStepChoice choose_time_step(const ContactParameters &parameters,
                                 const double highest_frequency);
 
+/** Steps and quantities of the map of the contact that @p parameters ask for. */
+ContactMapSetup contact_map_setup(const ContactParameters &parameters, const double dt);
+
 /** Memory of the fields, to be checked before they are created. */
 ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid);
 

@@ -22,11 +22,17 @@ SlidingSurfaces<dim>::SlidingSurfaces(const SlidingSetup &setup,
   , contact(setup.contact, setup.step)
   , top(setup.top, setup.step, n_top_nodes, setup.ranks)
   , contact_recorder(setup.history_interval, setup.monitored_nodes, setup.step)
-  , node_statistics(setup.steps_per_block)
+  , node_loads(contact)
+  , node_statistics(setup.steps_per_block, setup.node_loads ? &node_loads : nullptr)
+  , contact_map(setup.contact_map, contact, node_loads)
   , top_recorder(setup.history_interval)
 {
+  if (setup.node_loads)
+    contact.observe(node_loads);
   contact.observe(node_statistics);
   contact.observe(contact_recorder);
+  if (setup.contact_map.interval > 0)
+    contact.observe(contact_map);
   top.observe(top_recorder);
 }
 
@@ -45,7 +51,7 @@ std::vector<NodeCounts> SlidingSurfaces<dim>::contact_states(const std::size_t n
   return setup.ranks == MPI_COMM_SELF
            ? node_statistics.blocks()
            : gather_nodes(node_statistics.blocks(), setup.contact_places, n_nodes,
-                          setup.ranks);
+                          setup.node_loads, setup.ranks);
 }
 
 template <int dim>

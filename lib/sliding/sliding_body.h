@@ -1,6 +1,7 @@
 #ifndef mesoslip_sliding_sliding_body_h
 #define mesoslip_sliding_sliding_body_h
 
+#include "contact/contact_map.h"
 #include "contact/contact_recorder.h"
 #include "dynamics/energy_audit.h"
 #include "dynamics/explicit_stepper.h"
@@ -40,6 +41,11 @@ struct SlidingSetup
   /** Steps in a block of the node statistics; 0: one block for the whole run. */
   std::uint64_t steps_per_block = 0;
 
+  /** Whether the load on each contact node is summed up in every step. */
+  bool node_loads = false;
+
+  ContactMapSetup contact_map; ///< what the map of the contact has of which steps
+
   /** The energy balance has a sample every so many steps; 0: none. */
   unsigned int energy_interval = 0;
 };
@@ -66,13 +72,17 @@ public:
   void serialize_surfaces(Archive &archive)
   {
     archive &contact &contact_recorder &node_statistics &top &top_recorder;
+    if (setup.node_loads)
+      archive &node_loads;
   }
 
   const SlidingSetup setup;              ///< completed: widths, periodicity
   ContactSurface<dim> contact;           ///< the bottom
   TopSurface<dim> top;                   ///< the top
   ContactRecorder<dim> contact_recorder; ///< histories of the contact
+  NodeLoadObserver<dim> node_loads;      ///< loads of the contact nodes, if wanted
   NodeStatistics<dim> node_statistics;   ///< states of the contact nodes
+  ContactMapSampler<dim> contact_map;    ///< samples of all of them
   TopRecorder top_recorder;              ///< histories of the top
 };
 

@@ -10,6 +10,7 @@ import key_numbers
 import maps
 import mesh_maps
 import paper
+import waves
 from data import Missing
 from page import difference, escape, number, quantity, table
 
@@ -66,9 +67,9 @@ def transient_sections(runs):
 def contact_parts(runs):
     solid = [run for run in runs if run.has_surface()]
     plane = [run for run in runs if run not in solid]
-    pressed = [run for run in solid if run.members("/snapshots")]
+    pressed = [run for run in solid if run.members("/snapshots") and run.get("/contact/pressure") is None]
     return ([(node_statistics, plane)] if plane else []) + [(contact_shares, run) for run in solid] + \
-        [(contact_pressure, run) for run in pressed] + [(contact_map, run) for run in runs]
+        [(contact_pressure, run) for run in pressed] + [(contact_map, run) for run in runs] + waves.parts(runs)
 
 
 def runs_table(page, chain):

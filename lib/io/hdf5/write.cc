@@ -131,7 +131,8 @@ void Hdf5File::write_attribute(const std::string &object,
 
 void Hdf5File::reserve_rows(const std::string &name,
                             const Shape &shape,
-                            const std::size_t n_together)
+                            const std::size_t n_together,
+                            const StoredNumber stored)
 {
   if (exists(name))
     {
@@ -152,8 +153,10 @@ void Hdf5File::reserve_rows(const std::string &name,
   H5Pset_chunk(properties, static_cast<int>(chunk.size()), hdf5::dims(chunk).data());
   H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
   H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
-  Hdf5Handle dataset(H5Dcreate2(file, name.c_str(), H5T_NATIVE_DOUBLE, space, links,
-                                properties, H5P_DEFAULT));
+  Hdf5Handle dataset(
+    H5Dcreate2(file, name.c_str(),
+               stored == StoredNumber::byte ? H5T_NATIVE_UINT8 : H5T_NATIVE_DOUBLE, space,
+               links, properties, H5P_DEFAULT));
   if (!dataset.valid() || !dataset.close())
     fail_writing(dataset_text(name) + " cannot be created");
 }
@@ -169,9 +172,11 @@ void Hdf5File::write_row(const std::string &name,
   H5Pset_chunk_cache(access, 0, 0, 0.);
   Hdf5Handle dataset(H5Dopen2(file, name.c_str(), access));
   Shape count = shape_of(dataset, dataset_text(name)), offset(count.size(), 0);
-  AssertThrow(row < count[0], dealii::ExcIndexRange(row, 0, count[0]));
-  count[0]  = 1;
-  offset[0] = row;
+  const std::size_t n_rows = count[0];
+  count[0]                 = 1;
+  count[0]                 = values.size() / hdf5::product(count);
+  offset[0]                = row;
+  AssertThrow(row + count[0] <= n_rows, dealii::ExcIndexRange(row, 0, n_rows));
   AssertThrow(values.size() == hdf5::product(count),
               dealii::ExcDimensionMismatch(values.size(), hdf5::product(count)));
   const Hdf5Handle memory = hdf5::make_space(count),

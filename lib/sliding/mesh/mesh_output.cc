@@ -57,22 +57,26 @@ MeshOutput<dim>::MeshOutput(RunContext &context,
 }
 
 template <int dim>
-void MeshOutput<dim>::begin(const Stepper &of_stepper, const std::uint64_t n_done)
+void MeshOutput<dim>::begin(const Stepper &of_stepper,
+                            const std::uint64_t n_done,
+                            ContactMapOutput<dim> *map)
 {
-  stepper   = &of_stepper;
-  n_written = n_done;
+  stepper                  = &of_stepper;
+  n_written                = n_done;
+  const std::uint64_t step = stepper->step_number();
+  const bool with_rows     = has_snapshots() || map != nullptr;
   // Planes of a box are written as wholes.
   n_together = dealii::Utilities::MPI::broadcast(
     context.communicator(),
     context.root() ? body.n_points / points_shape(morphology)[0] : 0);
   on_root(context.communicator(), [&]() {
     const std::string path = context.file("dynamics.h5");
-    if (n_done > 0)
+    if (n_done > 0 || (map != nullptr && step > 0))
       {
         file.emplace(Hdf5File::resume(path, "start again without --resume"));
         for (const std::string &name : file->list("/"))
           if (name != "mesh" && name != "grid" && name != "material" &&
-              name != "snapshots")
+              name != "snapshots" && name != "contact_map")
             file->remove("/" + name);
       }
     else
@@ -81,8 +85,10 @@ void MeshOutput<dim>::begin(const Stepper &of_stepper, const std::uint64_t n_don
       }
     if (has_snapshots())
       file->reserve_rows(mesh_snapshots, snapshots_shape(steps.size()));
+    if (map != nullptr)
+      map->reserve(*file, time.n_steps);
     file->flush();
-    if (has_snapshots())
+    if (with_rows)
       {
         file->leave();
         file.reset();
@@ -93,6 +99,15 @@ void MeshOutput<dim>::begin(const Stepper &of_stepper, const std::uint64_t n_don
       blocks.emplace(part, body.n_points, context.communicator(), n_together);
       rows.emplace(context.file("dynamics.h5"), mesh_snapshots, context.communicator());
     }
+  if (map == nullptr)
+    return;
+  for (const std::string &name : map->datasets())
+    map_rows[name] = std::make_unique<ParallelRows>(context.file("dynamics.h5"), name,
+                                                    context.communicator());
+  map->begin(step, [this](const std::string &name, const std::size_t first,
+                          const std::vector<double> &values) {
+    map_rows.at(name)->write_rows(first, values);
+  });
 }
 
 template <int dim>
@@ -126,6 +141,8 @@ void MeshOutput<dim>::sync()
 {
   if (rows)
     rows->sync();
+  else if (!map_rows.empty())
+    map_rows.begin()->second->sync();
   else
     on_root(context.communicator(), [&]() { file->sync(); });
 }
@@ -133,17 +150,21 @@ void MeshOutput<dim>::sync()
 template <int dim>
 void MeshOutput<dim>::end()
 {
-  if (!rows)
+  if (!rows && map_rows.empty())
     return;
   rows.reset();
+  map_rows.clear();
   on_root(context.communicator(), [&]() {
     file.emplace(Hdf5File::resume(context.file("dynamics.h5"), "start again"));
   });
 }
 
 template <int dim>
-void MeshOutput<dim>::write(const TransientResult &result)
+void MeshOutput<dim>::write(const TransientResult &result,
+                            const ContactMapOutput<dim> *map)
 {
+  if (map != nullptr)
+    map->complete(*file, result.steps_done, time.step.dt);
   write_result(*file, result, context);
   write_contact();
   std::vector<double> times;

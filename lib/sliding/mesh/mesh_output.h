@@ -5,9 +5,13 @@
 #include "mesh/point_blocks.h"
 #include "program/run_context.h"
 #include "sliding/mesh/mesh_body.h"
+#include "sliding/transient/contact_map_output.h"
 #include "sliding/transient/transient_result.h"
 
+#include <map>
+#include <memory>
 #include <optional>
+#include <string>
 
 namespace mesoslip
 {
@@ -40,8 +44,11 @@ public:
     return n_written;
   }
 
-  /** Creates the file, or goes on with that which has @p n_done snapshots. */
-  void begin(const Stepper &of_stepper, const std::uint64_t n_done);
+  /** Creates the file, or goes on with that which has @p n_done snapshots; with place for
+   * @p map, which may be null. */
+  void begin(const Stepper &of_stepper,
+             const std::uint64_t n_done,
+             ContactMapOutput<dim> *map);
 
   std::uint64_t next_step(const std::uint64_t n) const override;
   void before_step(const std::uint64_t n) override;
@@ -53,7 +60,7 @@ public:
   void end();
 
   /** On rank 0, after end(): everything else, once. */
-  void write(const TransientResult &result);
+  void write(const TransientResult &result, const ContactMapOutput<dim> *map);
 
 private:
   void write_contact();
@@ -73,6 +80,7 @@ private:
   std::optional<ParallelRows> rows;
   std::optional<PointBlocks<dim>> blocks; ///< see rows
   std::size_t n_together = 1; ///< points in a row of the second axis of the file
+  std::map<std::string, std::unique_ptr<ParallelRows>> map_rows; ///< by dataset
 };
 } // namespace mesoslip
 

@@ -21,7 +21,9 @@ BodySize body_size(const MeshBodyDescription &body, const unsigned int dim)
   size.n_cells         = body.n_cells;
   size.friction        = body.friction;
   size.n_contact_nodes = body.contact.points.size();
-  size.reference       = body.reference;
+  for (const double area : body.contact.area)
+    size.area.push_back(-area);
+  size.reference = body.reference;
   return size;
 }
 
@@ -37,6 +39,8 @@ SlidingSetup setup_of(const ContactParameters &parameters,
     std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
   setup.monitored_nodes = monitored_nodes(
     body.reference.number, static_cast<unsigned int>(body.contact.points.size()) - 1);
+  setup.node_loads  = parameters.wants_node_loads();
+  setup.contact_map = contact_map_setup(parameters, time.step.dt);
   return setup;
 }
 
@@ -99,6 +103,10 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
   , statistics(parameters, size, time, body, checkpoint, context)
 {
   set_initial_velocity();
+  if (body.setup.contact_map.interval > 0)
+    map = std::make_unique<ContactMapOutput<dim>>(
+      body.setup.contact_map, body.contact_map, body.setup.contact_places, size,
+      context.communicator());
 }
 
 template <int dim>
@@ -165,6 +173,8 @@ CheckpointPosition MeshRun<dim>::position() const
 template <int dim>
 void MeshRun<dim>::save()
 {
+  if (map)
+    map->drain(body.stepper.step_number());
   output.sync();
   checkpoint.write(position(), save_state(*this));
 }
@@ -185,11 +195,16 @@ TransientResult MeshRun<dim>::run()
     observers.push_back(body.energy.get());
   if (!description.probes.empty())
     observers.push_back(&probes);
-  output.begin(body.stepper, checkpoint.position().snapshots);
+  output.begin(body.stepper, checkpoint.position().snapshots, map.get());
   if (output.has_snapshots())
     {
       observers.push_back(&output);
       monitor.guard(output);
+    }
+  if (map)
+    {
+      observers.push_back(map.get());
+      monitor.guard(*map);
     }
   context.progress().start("Sliding", time.n_steps, description.n_cells,
                            body.stepper.step_number());
@@ -214,6 +229,8 @@ TransientResult MeshRun<dim>::collect()
 {
   TransientResult all{parameters, size, time};
   statistics.collect(all);
+  if (map)
+    map->drain(body.stepper.step_number());
   strains.look(body.stepper.step_number());
   all.largest_strain = strains.largest_strain();
   all.steps_done     = body.stepper.step_number();

@@ -35,6 +35,12 @@ public:
    * checkpoint. @throws NumericalFailure */
   TransientResult run();
 
+  /** The map of the contact; null without one. */
+  const ContactMapOutput<dim> *contact_map() const
+  {
+    return map.get();
+  }
+
   /** Where the run stands. */
   CheckpointPosition position() const;
 
@@ -66,6 +72,7 @@ private:
   DeformationWatch strains;
   MeshProbes<dim> probes;
   RunStatistics<dim> statistics;
+  std::unique_ptr<ContactMapOutput<dim>> map;
   bool warned         = false; ///< of large strains
   bool interrupted    = false;
   bool at_limit_cycle = false;

@@ -12,12 +12,28 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <ostream>
 
 namespace mesoslip
 {
 namespace
 {
+/** That forces on the nodes are pressures. @throws UserError */
+void require_contact_area(const MeshBodyDescription &body)
+{
+  const std::vector<double> &area = body.contact.area;
+  const auto found =
+    std::find_if(area.begin(), area.end(), [](const double a) { return !(a < 0.); });
+  if (found == area.end())
+    return;
+  const std::size_t node = found - area.begin();
+  throw UserError("Mesh/Contact boundary: node " + std::to_string(node) +
+                  " of the contact has no area seen along the normal of the flat, so no "
+                  "pressure for Contact map and Observation/Contact means; leave faces "
+                  "that look away from the flat out of the contact, or both keys");
+}
+
 template <int dim>
 class MeshTransient : public MeshAnalysis<dim>
 {
@@ -43,7 +59,10 @@ public:
     time                     = time_step();
     const auto n             = static_cast<double>(time.n_steps);
     needs = run_needs(this->parameters, scales, n, time.statistics_interval,
-                      static_cast<double>(dim * this->body.n_points));
+                      static_cast<double>(dim * this->body.n_points),
+                      static_cast<double>(this->body.contact.points.size()));
+    if (this->parameters.map.interval > 0. || this->parameters.wants_node_loads())
+      require_contact_area(this->body);
     require_memory(needs.memory);
   }
 
@@ -56,9 +75,8 @@ public:
   {
     MeshAnalysis<dim>::describe(out);
     out << time.text() << "\nTimes: " << crossing_text(this->parameters, scales) << '\n'
-        << needs.n_snapshots << " snapshots, " << bytes_text(needs.disk.bytes)
-        << " on the disk, " << bytes_text(needs.memory.bytes)
-        << " of memory for histories\n";
+        << needs.text() << bytes_text(needs.disk.bytes) << " on the disk, "
+        << bytes_text(needs.memory.bytes) << " of memory for histories\n";
     for (const std::string &warning : warnings())
       out << "Warning: " << warning << '\n';
   }
@@ -134,7 +152,7 @@ void MeshTransient<dim>::run(RunContext &context)
   output.end();
   on_root(context.communicator(), [&]() {
     result.evaluate();
-    output.write(result);
+    output.write(result, run.contact_map());
     this->summarize_body("transient", context);
     result.write_summary(context);
   });

@@ -19,8 +19,9 @@ DynamicsOutput::DynamicsOutput(RunContext &context,
                                const TimeStepChoice &time)
   : context(context)
   , body(body)
-  , dt(time.step.dt)
+  , time(time)
 {
+  const double dt                = time.step.dt;
   const ObservationParameters &o = parameters.observation;
   if (!(o.snapshots_interval > 0.))
     return;
@@ -39,18 +40,31 @@ DynamicsOutput::DynamicsOutput(RunContext &context,
     }
 }
 
-void DynamicsOutput::begin_snapshots(const Stepper &of_stepper,
-                                     const std::uint64_t n_done)
+void DynamicsOutput::begin(const Stepper &of_stepper,
+                           const std::uint64_t n_done,
+                           ContactMapOutput<2> *map)
 {
-  stepper     = &of_stepper;
-  n_snapshots = n_done;
+  if (!has_snapshots() && map == nullptr)
+    return;
+  stepper                  = &of_stepper;
+  n_snapshots              = n_done;
+  const std::uint64_t step = stepper->step_number();
   on_root(context.communicator(), [&]() {
     const std::string path = context.file("dynamics.h5");
-    file.emplace(n_done == 0 ? DynamicsFile::create(path, body)
-                             : DynamicsFile::resume(path, n_done));
-    file->reserve_snapshots(steps.size());
+    file.emplace(n_done == 0 && (map == nullptr || step == 0)
+                   ? DynamicsFile::create(path, body)
+                   : DynamicsFile::resume(path, n_done));
+    if (has_snapshots())
+      file->reserve_snapshots(steps.size());
+    if (map != nullptr)
+      map->reserve(*file, time.n_steps);
     file->flush();
   });
+  if (map != nullptr)
+    map->begin(step, [this](const std::string &name, const std::size_t first,
+                            const std::vector<double> &rows) {
+      on_root(context.communicator(), [&]() { file->write_row(name, first, rows); });
+    });
 }
 
 std::uint64_t DynamicsOutput::next_step(const std::uint64_t n) const
@@ -76,23 +90,25 @@ std::uint64_t DynamicsOutput::save_snapshots()
   return n_snapshots;
 }
 
-void DynamicsOutput::write(const TransientResult &run)
+void DynamicsOutput::write(const TransientResult &run, const ContactMapOutput<2> *map)
 {
-  if (file)
+  if (!file)
+    file.emplace(DynamicsFile::create(context.file("dynamics.h5"), body));
+  if (has_snapshots())
     {
       std::vector<double> times;
       for (std::size_t k = 0; k < n_snapshots; ++k)
-        times.push_back(steps[k] * dt);
+        times.push_back(steps[k] * time.step.dt);
       file->reserve_snapshots(n_snapshots);
       file->complete_snapshots(times);
     }
-  else
-    file.emplace(DynamicsFile::create(context.file("dynamics.h5"), body));
+  if (map != nullptr)
+    map->complete(*file, run.steps_done, time.step.dt);
   write_result(*file, run, context);
   std::vector<double> x;
   for (unsigned int i = 0; i <= body.grid.cells[0]; ++i)
     x.push_back(i * body.grid.spacing[0]);
-  write_series(*file, "/contact", {{"x", "m", &x}});
+  write_series(*file, "/contact", {{"x", "m", &x}, {"area", "m", &run.body.area}});
   file->close();
   file.reset();
 }

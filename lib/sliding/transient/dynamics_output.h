@@ -3,6 +3,7 @@
 
 #include "dynamics/stepper.h"
 #include "exchange/dynamics_file.h"
+#include "sliding/transient/contact_map_output.h"
 #include "sliding/transient/transient_result.h"
 
 #include <cstdint>
@@ -33,10 +34,11 @@ public:
 
   /**
    * Makes place for the snapshots of @p of_stepper, of which the first @p n_done are in the
-   * file already, of the run that is continued. Collective. @throws UserError if they are
-   * not
+   * file already, of the run that is continued, and for @p map (may be null). Collective.
+   * @throws UserError if they are not
    */
-  void begin_snapshots(const Stepper &of_stepper, const std::uint64_t n_done);
+  void
+  begin(const Stepper &of_stepper, const std::uint64_t n_done, ContactMapOutput<2> *map);
 
   std::uint64_t next_step(const std::uint64_t n) const override;
 
@@ -46,13 +48,14 @@ public:
   /** Waits until the snapshots are on the disk; returns their number. On rank 0. */
   std::uint64_t save_snapshots();
 
-  /** Writes dynamics.h5 and its companions, replacing older ones. On rank 0. */
-  void write(const TransientResult &run);
+  /** Writes dynamics.h5 and its companions, replacing older ones; @p map may be null. On
+   * rank 0. */
+  void write(const TransientResult &run, const ContactMapOutput<2> *map);
 
 private:
   RunContext &context;
   const BodyDescription &body;
-  const double dt;
+  const TimeStepChoice &time;
   std::optional<DynamicsFile> file;
   std::vector<std::uint64_t> steps;  ///< of all snapshots, those to come as well
   const Stepper *stepper  = nullptr; ///< whose snapshots they are

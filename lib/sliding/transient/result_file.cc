@@ -149,6 +149,49 @@ void write_blocks(Hdf5File &file, const TransientResult &run)
   write_dataset(file, "/contact/blocks/separated", shape, separated);
 }
 
+/** A value a node of @p of_distinct, of which with periodic sides the last is the first. */
+std::vector<double> of_all_nodes(const TransientResult &run,
+                                 std::vector<double> of_distinct)
+{
+  for (std::size_t i = of_distinct.size(); i < run.body.friction.size(); ++i)
+    of_distinct.push_back(of_distinct[i - run.body.n_contact_nodes]);
+  return of_distinct;
+}
+
+/** Mean loads in the steady part and in the blocks, and the friction work of the run. */
+void write_loads(Hdf5File &file, const TransientResult &run)
+{
+  const double dt                     = run.time.step.dt;
+  const std::size_t last              = run.blocks.size() - 1;
+  const std::vector<double> &all_area = run.body.area;
+  const std::vector<double> area(all_area.begin(),
+                                 all_area.begin() + run.body.n_contact_nodes);
+  const NodeMeans steady =
+    mean_loads(run.blocks, first_block(run.blocks, dt, run.steady_from), last, area, dt);
+  std::vector<double> work = run.blocks[last].loads.friction_energy;
+  for (std::size_t i = 0; i < area.size(); ++i)
+    work[i] /= area[i];
+  work                               = of_all_nodes(run, work);
+  const std::vector<double> pressure = of_all_nodes(run, steady.pressure),
+                            power    = of_all_nodes(run, steady.friction_power);
+  write_series(file, "/contact",
+               {{"pressure", "Pa", &pressure},
+                {"friction_power", "W/m^2", &power},
+                {"friction_work", "J/m^2", &work}});
+  std::vector<double> pressures, powers;
+  for (std::size_t b = 0; b <= last; ++b)
+    {
+      const NodeMeans means = mean_loads(run.blocks, b, b, area, dt);
+      for (const double p : of_all_nodes(run, means.pressure))
+        pressures.push_back(p);
+      for (const double p : of_all_nodes(run, means.friction_power))
+        powers.push_back(p);
+    }
+  const Shape shape = {run.blocks.size(), run.body.friction.size()};
+  write_dataset(file, "/contact/blocks/pressure", shape, pressures, "Pa");
+  write_dataset(file, "/contact/blocks/friction_power", shape, powers, "W/m^2");
+}
+
 void write_motion(Hdf5File &file, const TransientResult &run)
 {
   const Spectrum &spectrum = run.spectrum;
@@ -184,6 +227,8 @@ void write_result(Hdf5File &file, const TransientResult &run, const RunContext &
     write_reference_node(file, run);
   write_states(file, run);
   write_blocks(file, run);
+  if (run.parameters.wants_node_loads() && !run.blocks.empty())
+    write_loads(file, run);
   write_motion(file, run);
 }
 } // namespace mesoslip

@@ -26,6 +26,28 @@ double number_of_snapshots(const ContactParameters &parameters, const double n_s
                   n_steps);
 }
 
+double number_of_map_samples(const ContactParameters &parameters, const double n_steps)
+{
+  const ContactMapParameters &map = parameters.map;
+  if (!(map.interval > 0.))
+    return 0.;
+  const double end  = parameters.time.end_time,
+               last = std::isnan(map.to) ? end : std::min(map.to, end);
+  if (!(map.from <= last && map.from < end))
+    throw UserError("Contact map/From: " + to_text(map.from) +
+                    " s is after the last sample, at " + to_text(last) +
+                    " s, so there would be none; set it earlier, or Interval = 0");
+  return std::min(std::floor((last - map.from) / map.interval) + 1., n_steps);
+}
+
+/** Bytes of the loads of the contact nodes at the ends of blocks. */
+double node_load_bytes(const ContactParameters &parameters, const double n_contact)
+{
+  return parameters.wants_node_loads()
+           ? 2. * sizeof(double) * n_contact * (parameters.observation.blocks + 2.)
+           : 0.;
+}
+
 /** Bytes of all that is recorded every few steps. */
 double history_bytes(const ContactParameters &parameters, const double n_steps)
 {
@@ -58,25 +80,46 @@ std::string fewer_samples(const ContactParameters &parameters,
 }
 } // namespace
 
+std::string RunNeeds::text() const
+{
+  return to_text(n_snapshots) + " snapshots, " +
+         (n_map_samples > 0. ? "a map of the contact with " + to_text(n_map_samples) +
+                                 " samples (" + bytes_text(map_bytes) + "), "
+                             : "");
+}
+
 RunNeeds run_needs(const ContactParameters &parameters,
                    const BodyScales &scales,
                    const double n_steps,
                    const unsigned int statistics_interval,
-                   const double n_dofs)
+                   const double n_dofs,
+                   const double n_contact)
 {
   RunNeeds needs;
   needs.n_snapshots = number_of_snapshots(parameters, n_steps);
   // With the samples for the statistics, which are not written.
   const double histories = history_bytes(parameters, n_steps);
-  needs.memory           = {histories +
-                              sizeof(double) * SteadyRecord::numbers(n_steps / statistics_interval),
-                            fewer_samples(parameters, scales, n_steps)};
+  needs.n_map_samples    = number_of_map_samples(parameters, n_steps);
+  needs.map_bytes        = needs.n_map_samples * n_contact *
+                    contact_map_setup(parameters, parameters.time.end_time / n_steps)
+                      .bytes_per_node(parameters.mesh.mesh.dim);
+  const double sums = node_load_bytes(parameters, n_contact);
+  needs.memory      = {histories + sums +
+                         sizeof(double) * SteadyRecord::numbers(n_steps / statistics_interval),
+                       fewer_samples(parameters, scales, n_steps)};
 
   // Displacement, increment and histories, in the old checkpoint and in the new.
   const double field = sizeof(double) * n_dofs, fields = needs.n_snapshots * field;
-  needs.disk = {fields + histories + 2. * (2. * field + needs.memory.bytes),
+  needs.disk = {fields + needs.map_bytes + histories + sums +
+                  2. * (2. * field + needs.memory.bytes),
                 needs.memory.remedy};
-  if (fields > histories)
+  if (needs.map_bytes > std::max(fields, histories))
+    needs.disk.remedy =
+      to_text(needs.n_map_samples) +
+      " samples of the map of the contact take most of it: increase Contact "
+      "map/Interval, now " +
+      to_text(parameters.map.interval) + " s, set From and To, or name fewer Fields";
+  else if (fields > histories)
     needs.disk.remedy = to_text(needs.n_snapshots) +
                         " snapshots take most of it: increase Snapshots/Interval, now " +
                         to_text(parameters.observation.snapshots_interval) +

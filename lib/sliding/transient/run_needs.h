@@ -9,21 +9,27 @@ namespace mesoslip
 /** What a transient run keeps in memory besides its fields, and writes. */
 struct RunNeeds
 {
-  double n_snapshots = 0.; ///< at most one a step
-  ResourceNeed memory;     ///< of the histories, which are kept until the end
-  ResourceNeed disk;       ///< of dynamics.h5 and the checkpoints when it is largest
+  double n_snapshots   = 0.; ///< at most one a step
+  double n_map_samples = 0.; ///< of the map of the contact
+  double map_bytes     = 0.; ///< of the map of the contact on the disk
+  ResourceNeed memory;       ///< of the histories, which are kept until the end
+  ResourceNeed disk;         ///< of dynamics.h5 and the checkpoints when it is largest
+
+  /** "40 snapshots, map of the contact with 1000 samples (16 MB)". */
+  std::string text() const;
 };
 
 /**
  * Of a run of @p n_steps on a grid or a mesh, whose displacement has @p n_dofs numbers,
- * with a sample for statistics every @p statistics_interval steps.
- * @throws UserError when snapshots begin after the end
+ * with a sample for statistics every @p statistics_interval steps, and @p n_contact nodes of the
+ * contact. @throws UserError when snapshots or map begin after the end
  */
 RunNeeds run_needs(const ContactParameters &parameters,
                    const BodyScales &scales,
                    const double n_steps,
                    const unsigned int statistics_interval,
-                   const double n_dofs);
+                   const double n_dofs,
+                   const double n_contact);
 } // namespace mesoslip
 
 #endif

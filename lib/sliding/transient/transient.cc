@@ -66,7 +66,8 @@ RunNeeds TransientAnalysis::needs_of(const double n_steps,
                                      const unsigned int interval) const
 {
   return run_needs(parameters, scales, n_steps, interval,
-                   2. * (body.grid.cells[0] + 1.) * (body.grid.cells[1] + 1.));
+                   2. * (body.grid.cells[0] + 1.) * (body.grid.cells[1] + 1.),
+                   body.grid.cells[0] + 1.);
 }
 
 std::vector<std::string> TransientAnalysis::warnings() const
@@ -83,8 +84,7 @@ void TransientAnalysis::describe(std::ostream &out) const
     needs_of(static_cast<double>(time.n_steps), time.statistics_interval);
   out.precision(4);
   out << time.text() << "\nTimes: " << crossing_text(parameters, scales) << '\n'
-      << exact.n_snapshots << " snapshots, " << bytes_text(exact.disk.bytes)
-      << " on the disk, "
+      << exact.text() << bytes_text(exact.disk.bytes) << " on the disk, "
       << bytes_text(field_memory(parameters.analysis, body.grid).bytes +
                     exact.memory.bytes)
       << " of memory\n";
@@ -132,7 +132,7 @@ void TransientAnalysis::run(RunContext &context)
       const auto scope = context.timer().scope("Evaluation and output");
       on_root(context.communicator(), [&]() {
         result.evaluate();
-        output.write(result);
+        output.write(result, run.contact_map());
         summarize_body("transient", context);
         result.write_summary(context);
       });

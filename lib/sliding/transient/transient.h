@@ -5,6 +5,7 @@
 #include "sliding/body_analysis.h"
 #include "sliding/run_plan.h"
 #include "sliding/sliding_body.h"
+#include "sliding/transient/contact_map_output.h"
 #include "sliding/transient/dynamics_output.h"
 #include "sliding/transient/run_needs.h"
 #include "sliding/transient/run_statistics.h"
@@ -56,6 +57,12 @@ public:
   /** Where the run stands. */
   CheckpointPosition position() const;
 
+  /** The map of the contact; null without one. */
+  const ContactMapOutput<2> *contact_map() const
+  {
+    return map.get();
+  }
+
 private:
   /** Zero where the body is held. */
   void set_initial_velocity();
@@ -88,6 +95,7 @@ private:
   std::chrono::steady_clock::time_point counted; ///< loop_seconds reach up to here
 
   std::unique_ptr<ProbeRecorder> probes;
+  std::unique_ptr<ContactMapOutput<2>> map;
 };
 
 class Keys;

@@ -167,6 +167,24 @@ std::string history_remark(const TransientResult &run)
                     std::max(1., std::floor(0.5 * steps)));
 }
 
+/** A map of the contact that shows slower waves than there are. */
+std::string map_remark(const TransientResult &run)
+{
+  const ContactMapSetup map = contact_map_setup(run.parameters, run.time.step.dt);
+  if (map.interval == 0 || !run.frequencies)
+    return "";
+  const double spacing   = static_cast<double>(map.interval) * run.time.step.dt,
+               frequency = run.frequencies->main_frequency;
+  if (spacing <= 0.5 / frequency)
+    return "";
+  return brief_text(4, "the map of the contact has samples every ", spacing,
+                    " s, more than half a period of the main frequency, ",
+                    1e-3 * frequency,
+                    " kHz: waves in it are slower than, or against, what there is; set "
+                    "Contact map/Interval to at most ",
+                    0.1 / frequency, " s, a tenth of a period");
+}
+
 std::string separation_remark(const TransientResult &run)
 {
   if (run.contact.node_shares.empty() || run.contact.shares.separation < 1.)
@@ -283,8 +301,8 @@ void TransientResult::add_remarks()
 {
   duration_warning = duration_remark(contact.duration);
   friction_warning = has_statistics ? friction_remark(*this) : steady_part_remark(*this);
-  for (const std::string &text :
-       {spectrum_remark(*this), history_remark(*this), separation_remark(*this)})
+  for (const std::string &text : {spectrum_remark(*this), history_remark(*this),
+                                  map_remark(*this), separation_remark(*this)})
     if (!text.empty())
       warnings.push_back(text);
 }

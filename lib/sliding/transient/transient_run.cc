@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace mesoslip
 {
@@ -27,9 +28,11 @@ BodySize body_size(const ContactParameters &parameters, const BodyDescription &b
 {
   const UniformGrid<2> &grid = body.grid;
   BodySize size;
-  size.top_area        = grid.extent(0);
-  size.n_cells         = grid.n_cells();
-  size.friction        = body.node_friction;
+  size.top_area = grid.extent(0);
+  size.n_cells  = grid.n_cells();
+  size.friction = body.node_friction;
+  for (unsigned int i = 0; i <= grid.cells[0]; ++i)
+    size.area.push_back(tributary_width(grid, i, parameters.periodic));
   size.n_contact_nodes = grid.cells[0] + (parameters.periodic ? 0 : 1);
 
   ReferenceNode &node = size.reference;
@@ -53,6 +56,8 @@ SlidingSetup sliding_setup(const ContactParameters &parameters,
   setup.steps_per_block =
     std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
   setup.monitored_nodes = monitored_nodes(size.reference.number, body.grid.cells[0]);
+  setup.node_loads      = parameters.wants_node_loads();
+  setup.contact_map     = contact_map_setup(parameters, time.step.dt);
   return setup;
 }
 } // namespace
@@ -93,6 +98,12 @@ TransientRun::TransientRun(const ContactParameters &parameters,
   if (!observation.probes.empty())
     probes = std::make_unique<GridProbes>(observation.probes, material, body.stepper,
                                           body.contact, observation.probe_interval);
+  if (body.setup.contact_map.interval == 0)
+    return;
+  std::vector<unsigned int> nodes(context.root() ? size.n_contact_nodes : 0);
+  std::iota(nodes.begin(), nodes.end(), 0U);
+  map = std::make_unique<ContactMapOutput<2>>(body.setup.contact_map, body.contact_map,
+                                              nodes, size, context.communicator());
 }
 
 void TransientRun::set_initial_velocity()
@@ -163,6 +174,8 @@ void TransientRun::count_time()
 void TransientRun::save()
 {
   count_time();
+  if (map)
+    map->drain(body.stepper.step_number());
   CheckpointPosition position = this->position();
   on_root(context.communicator(),
           [&]() { position.snapshots = output.save_snapshots(); });
@@ -189,11 +202,16 @@ TransientResult TransientRun::run()
     observe_with(*body.energy, "Energies");
   if (probes)
     observe_with(*probes, "Probes");
+  output.begin(body.stepper, checkpoint.position().snapshots, map.get());
   if (output.has_snapshots())
     {
-      output.begin_snapshots(body.stepper, checkpoint.position().snapshots);
       observe_with(output, "Snapshots");
       monitor.guard(output);
+    }
+  if (map)
+    {
+      observe_with(*map, "Map of the contact");
+      monitor.guard(*map);
     }
 
   context.progress().start("Sliding", time.n_steps, description.grid.n_cells(),
@@ -218,6 +236,8 @@ TransientResult TransientRun::collect()
 {
   TransientResult all{parameters, size, time};
   statistics.collect(all);
+  if (map)
+    map->drain(body.stepper.step_number());
   strains.look(body.stepper.step_number());
   all.largest_strain = strains.largest_strain();
   // Before it was resumed, as each run has its own warnings.

@@ -163,6 +163,13 @@ class ResultFile:
         """Probes of a run or a localization: {name: {dataset: Array}}."""
         return {name: self.group(f"probes/{name}") for name in self.hdf5.get("probes", {})}
 
+    @property
+    def contact_map(self):
+        """The ContactMap of a transient run. Raises KeyError for one without."""
+        if "contact_map/time" not in self.hdf5:
+            raise KeyError(f"{self.path} has no map of the contact; set 'Contact map/Interval' in the run's .prm")
+        return ContactMap(self)
+
     def snapshots(self, step=1):
         """Yields time (s) and displacement (m) of every `step`th snapshot, read one at a time: [ny+1][nx+1][2], in 3D
         [nz+1][ny+1][nx+1][3], on a mesh [points][dim]."""
@@ -181,6 +188,47 @@ class ResultFile:
         if version != VERSION:
             raise FormatError(f"{self.path} has format_version {version}, but this module reads {VERSION}")
         return found
+
+
+class ContactMap:
+    """What all contact nodes did over time: a mapping from names of fields to arrays [samples][nodes], of vectors in 3D with a last
+    axis for x and y. A field is read when it is asked for; `rows()` reads some samples of a long map."""
+
+    def __init__(self, file):
+        self._file = file
+
+    def __iter__(self):
+        return (name for name in self._file.hdf5["contact_map"] if name != "time")
+
+    def __contains__(self, name):
+        return name != "time" and name in self._file.hdf5["contact_map"]
+
+    def __getitem__(self, name):
+        return self._file[f"contact_map/{name}"]
+
+    def rows(self, name, rows):
+        """Some samples of a field, `rows` being a slice of their numbers."""
+        full = f"contact_map/{name}"
+        return Array(self._file._item(full, "dataset", h5py.Dataset)[rows], self._file.unit(full), full)
+
+    @property
+    def time(self):
+        """Times of the samples [samples]."""
+        return self["time"]
+
+    @property
+    def area(self):
+        """Tributary area of each contact node [nodes]; with periodic sides of a grid the last node is the first one again."""
+        return self._file["contact/area"]
+
+    @property
+    def position(self):
+        """Of each contact node: x [nodes] on a grid, coordinates [nodes][dim] on a mesh."""
+        return self._file["contact/position" if "contact/position" in self._file else "contact/x"]
+
+    def __repr__(self):
+        fields = ", ".join(f"{name} ({self._file.unit(f'contact_map/{name}') or 'number'})" for name in self)
+        return f"<ContactMap of {len(self.time)} samples of {self.area.shape[0]} nodes: {fields}>"
 
 
 def _find(path):

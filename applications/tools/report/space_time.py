@@ -1,0 +1,203 @@
+"""Pictures of the map of the contact over time (/contact_map), of its means by node, and the spectrogram of the reference node."""
+
+import numpy as np
+from matplotlib import mlab
+from matplotlib.colors import BoundaryNorm, ListedColormap
+
+import contact_surface
+from data import Missing
+from figures import (GREY, SEPARATED, SLIP, STATES, STICK, STRESSES, WIDTH, above_all, contact_positions, panels, plt, scaled,
+                     zoom_window)
+from maps import STRESS_MAP
+from projections import Group, draw
+
+MOST_ROWS, MOST_COLUMNS = 900, 700  # of a picture; more than its pixels
+SHOWN = (2.5, 97.5)  # percentiles at the ends of a scale; the leading edge of a surface may have 2 % of the nodes
+SIGNED_MAP = "RdBu_r"
+STATE_MAP, STATE_NORM = ListedColormap([SEPARATED, STICK, SLIP]), BoundaryNorm([-0.5, 0.5, 1.5, 2.5], 3)
+FIELDS = [("pressure", "pressure", STRESSES), ("traction", "shear traction", STRESSES),
+          ("slip_velocity", "slip velocity", [(1e-6, "µm/s"), (1e-3, "mm/s"), (1.0, "m/s")]), ("state", "state", None),
+          ("friction_work", "friction work", [(1e-3, "mJ/m²"), (1.0, "J/m²"), (1e3, "kJ/m²")])]
+
+
+def direction_of_flat(run):
+    """Unit vector along x and y in which the flat moves."""
+    parts = [run.attribute("/run", f"flat_direction_{axis}") for axis in "xy"]
+    return np.array([1.0, 0.0]) if None in [part if part is None else 1 for part in parts] else np.array(parts, dtype=float).ravel()
+
+
+def line_of_nodes(run):
+    """Numbers of the contact nodes along the motion of the flat, of a surface those in the middle, and their places (m)."""
+    position = run.get("/contact/position")
+    if position is None or position.shape[1] == 2:
+        along = contact_positions(run)
+        if along is None:
+            raise Missing(f"the file of {run.name} does not say where its contact nodes are")
+        order = np.argsort(along, kind="stable")
+        return order, along[order]
+    direction = direction_of_flat(run)
+    along, across = position[:, :2] @ direction, position[:, :2] @ np.array([-direction[1], direction[0]])
+    distance = np.abs(across - 0.5 * (across.min() + across.max()))
+    nearest = across[distance.argmin()]
+    picked = np.abs(across - nearest) < 1e-6 * np.ptp(position[:, :2])
+    if picked.sum() ** 2 < 0.25 * len(position):  # of a mesh without rows of nodes
+        spacing = np.sqrt(np.ptp(along) * np.ptp(across) / len(position))
+        picked = distance <= 0.75 * spacing
+    numbers = np.flatnonzero(picked)
+    numbers = numbers[np.argsort(along[numbers], kind="stable")]
+    return numbers, along[numbers]
+
+
+def farthest(values, centre, n, axis):
+    """At most `n` entries along an axis: of each stretch the value farthest from `centre`."""
+    length = values.shape[axis]
+    if length <= n:
+        return values
+    starts = np.unique(np.linspace(0, length, n, endpoint=False).astype(int))
+    low, high = np.minimum.reduceat(values, starts, axis), np.maximum.reduceat(values, starts, axis)
+    return np.where(centre - low > high - centre, low, high)
+
+
+def field_on_line(run, name, nodes, rows):
+    """Values [samples][nodes], of a vector along the motion of the flat, reduced for the picture; and whether they were."""
+    data = run.file[f"/contact_map/{name}"]
+    direction = direction_of_flat(run)
+    block = max(1, int(4e6 / np.prod(data.shape[1:])))
+    parts = []
+    for start in range(rows.start, rows.stop, block):
+        part = np.asarray(data[start:min(start + block, rows.stop)], dtype=float)[:, nodes]
+        parts.append(part @ direction if part.ndim == 3 else part)
+    values = np.concatenate(parts)
+    if name == "state":  # the rarest state of a stretch is shown
+        counts = [(values == state).sum() for state in range(3)]
+        rank = np.argsort(np.argsort(counts, kind="stable"), kind="stable")
+        rarity = farthest(rank[values.astype(int)], 9, MOST_ROWS, 0)  # far from 9: the smallest, that of the rarest
+        return np.argsort(rank)[farthest(rarity, 9, MOST_COLUMNS, 1)], values.shape
+    centre = np.median(values)
+    return farthest(farthest(values, centre, MOST_ROWS, 0), centre, MOST_COLUMNS, 1), values.shape
+
+
+def limits_of(name, values, factor):
+    low, high = np.percentile(values, SHOWN) / factor
+    if name in ("traction", "slip_velocity") and low < 0:
+        top = max(abs(low), abs(high)) or 1.0
+        return -top, top
+    return min(low, 0.0), max(high, 0.0) or 1.0
+
+
+def samples(run):
+    time = run.need("/contact_map/time")
+    names = [entry for entry in FIELDS if entry[0] in run.members("/contact_map")]
+    if len(time) < 3 or not names:
+        raise Missing(f"the map of the contact of {run.name} has fewer than three samples")
+    return time, names
+
+
+def space_time(run, zoom=False):
+    """All fields side by side, x to the right and time upwards; (figure, whether samples were left out)."""
+    time, names = samples(run)
+    begin = np.searchsorted(time, zoom_window(run, time[-1])) if zoom else 0
+    rows = range(int(begin), len(time))
+    if zoom and (len(rows) < 12 or begin == 0):
+        raise Missing(f"the map of the contact of {run.name} has no more than its last periods")
+    nodes, place = line_of_nodes(run)
+    figure, axes = plt.subplots(1, len(names), figsize=(WIDTH + 0.9 * max(0, len(names) - 2), 5.6), sharex=True, sharey=True,
+                                squeeze=False)
+    half = 0.5 * (time[1] - time[0])
+    extent = [1e3 * place[0], 1e3 * place[-1], 1e3 * (time[rows.start] - half), 1e3 * (time[-1] + half)]
+    reduced = False
+    for axis, (name, label, units) in zip(axes[0], names):
+        values, shape = field_on_line(run, name, nodes, rows)
+        reduced = reduced or values.shape != shape
+        show = lambda shown, **options: axis.imshow(shown, origin="lower", aspect="auto", extent=extent, interpolation="nearest", **options)
+        if name == "state":
+            show(values, cmap=STATE_MAP, norm=STATE_NORM)
+            axis.set_title(label, fontsize=11)
+        else:
+            factor, unit = scaled(np.percentile(np.abs(values), SHOWN[1]), units=units)
+            low, high = limits_of(name, values, factor)
+            image = show(values / factor, cmap=SIGNED_MAP if low == -high else STRESS_MAP, vmin=low, vmax=high)
+            over, under = values.max() > 1.000001 * high * factor, values.min() < low * factor
+            bar = figure.colorbar(image, ax=axis, location="top", aspect=12, pad=0.02,
+                                  extend="both" if over and under else "max" if over else "min" if under else "neither")
+            bar.set_label(f"{label}\nin {unit}", fontsize=11)
+            bar.ax.tick_params(labelsize=9)
+            bar.ax.locator_params(nbins=3)
+        axis.grid(False)
+        axis.locator_params(axis="x", nbins=4)
+    axes[0][0].set_ylabel("time in ms")
+    figure.supxlabel("position along the contact in mm", fontsize=11.5)
+    if any(name == "state" for name, *_ in names):
+        above_all(figure, STATES)
+    return figure, reduced
+
+
+def profile(run):
+    """Mean pressure, friction power of the steady part and friction work of the run along the contact of a plane body."""
+    x, pressure, power, work = run.need(*[f"/contact/{name}" for name in ("area", "pressure", "friction_power", "friction_work")])
+    nodes, place = line_of_nodes(run)
+    figure, axes = panels(3, 6.0, sharex=True)
+    for axis, values, label, units in [(axes[0], pressure, "mean pressure", STRESSES),
+                                       (axes[1], power, "friction power", [(1.0, "W/m²"), (1e3, "kW/m²"), (1e6, "MW/m²")]),
+                                       (axes[2], work, "friction work", FIELDS[-1][2])]:
+        factor, unit = scaled(values, units=units)
+        mean = np.average(values, weights=x)
+        axis.plot(1e3 * place, values[nodes] / factor, color=SLIP, lw=1.4)
+        axis.axhline(mean / factor, color=GREY, lw=1.0, ls="--")
+        axis.set_ylabel(f"{label}\nin {unit}")
+        axis.margins(x=0)
+        axis.set_ylim(*sorted((0, 1.08 * max(values.max(), mean) / factor)))
+    axes[-1].set_xlabel("position along the contact in mm")
+    figure.align_ylabels()
+    return figure
+
+
+def surface_means(run):
+    """Mean pressure of the steady part and friction work of the run on the contact surface of a body in 3D."""
+    groups = []
+    for name, label, units in [("pressure", "mean pressure", STRESSES), ("friction_work", "friction work", FIELDS[-1][2])]:
+        values, area = run.need(f"/contact/{name}", "/contact/area")
+        factor, unit = scaled(np.percentile(values, SHOWN[1]), units=units)
+        low, high = limits_of(name, values, factor)
+        mean = np.average(values, weights=area) / factor
+        groups.append(Group(values / factor, STRESS_MAP, (low, high), f"mean over the surface {mean:.4g} {unit}", f"{label} in {unit}"))
+    return draw([contact_surface.nodes_view(run)], groups)
+
+
+def surface_at_times(run):
+    """Pressure on the contact surface of a body in 3D at four times of the last periods; (figure, times)."""
+    time, _ = samples(run)
+    if "pressure" not in run.members("/contact_map"):
+        raise Missing(f"the map of the contact of {run.name} has no pressure")
+    begin = min(np.searchsorted(time, zoom_window(run, time[-1])), len(time) - 4)
+    rows = np.unique(np.linspace(max(begin, 0), len(time) - 1, 4).astype(int))
+    fields = [run.get("/contact_map/pressure", int(row)) for row in rows]
+    factor, unit = scaled(np.percentile(fields, SHOWN[1]), units=STRESSES)
+    limits = limits_of("pressure", np.array(fields), factor)
+    groups = [Group(values / factor, STRESS_MAP, limits, f"t = {1e3 * time[row]:.5g} ms", f"pressure in {unit}")
+              for row, values in zip(rows, fields)]
+    return draw([contact_surface.nodes_view(run)], groups), time[rows]
+
+
+def spectrogram(run):
+    """Power of the tangential velocity of the reference node over time and frequency; (figure, length of a window in s)."""
+    time, velocity = run.need("/reference/time", "/reference/velocity")
+    if velocity.ndim != 2 or len(time) != len(velocity) or len(time) < 128:
+        raise Missing(f"/reference of {run.name} has fewer than 128 samples")
+    interval = (time[-1] - time[0]) / (len(time) - 1)
+    main = run.number("main_frequency")
+    # Some periods in a window tell frequencies apart, and a twelfth of the run tells times apart.
+    wanted = 8 / (main * interval) if main else len(time) / 16
+    n = int(np.clip(wanted, 32, len(time) // 12 if len(time) > 400 else len(time) // 4))
+    power, frequency, middle = mlab.specgram(velocity[:, 0], NFFT=n, Fs=1 / interval, noverlap=n - max(1, min(n // 8, len(time) // 800 + 1)),
+                                             detrend="linear", pad_to=4 * n)
+    top = min(13 * main if main else frequency[-1], frequency[-1])
+    shown = (frequency <= top) & (frequency > 0)
+    level = 10 * np.log10(np.maximum(power[shown], 1e-12 * power[shown].max()) / power[shown].max())
+    figure, (axis,) = panels(1, 3.8)
+    image = axis.pcolormesh(1e3 * (time[0] + middle), 1e-3 * frequency[shown], level, cmap=STRESS_MAP, vmin=-60, vmax=0, shading="nearest",
+                            rasterized=True)
+    axis.grid(False)
+    axis.set(xlabel="time in ms", ylabel="frequency in kHz")
+    figure.colorbar(image, ax=axis, label="power in dB of the largest", extend="min")
+    return figure, n * interval

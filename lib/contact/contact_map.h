@@ -1,0 +1,108 @@
+#ifndef mesoslip_contact_contact_map_h
+#define mesoslip_contact_contact_map_h
+
+#include "contact/node_loads.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** What a map of the contact has of each node. */
+enum class MapQuantity : unsigned int
+{
+  pressure,
+  traction,
+  slip_velocity,
+  state,
+  friction_work
+};
+
+/** What a user calls them, in their order. */
+std::vector<std::string> map_field_names();
+
+/** A field of the map as it stands in the file. */
+struct MapField
+{
+  MapQuantity quantity;    ///< what it is
+  std::string name;        ///< of the dataset
+  std::string unit;        ///< after division by the area where over_area
+  unsigned int components; ///< 2 for vectors in 3D
+  bool over_area;          ///< whether samples are divided by the tributary area
+};
+
+/** Which steps and what of them. */
+struct ContactMapSetup
+{
+  std::uint64_t first    = 0;          ///< step of the first sample
+  std::uint64_t end      = 0;          ///< steps from there on have none
+  std::uint64_t interval = 0;          ///< steps between two samples; 0: no map
+  std::vector<MapQuantity> quantities; ///< in the order of MapQuantity
+
+  /** Whether step @p n has a sample. */
+  bool has(const std::uint64_t n) const
+  {
+    return interval > 0 && n >= first && n < end && (n - first) % interval == 0;
+  }
+
+  /** Number of samples in the steps before @p n. */
+  std::uint64_t count(const std::uint64_t n) const
+  {
+    const std::uint64_t last = n < end ? n : end;
+    return interval == 0 || last <= first ? 0 : (last - first - 1) / interval + 1;
+  }
+
+  /** Whether it has @p quantity. */
+  bool has(const MapQuantity quantity) const;
+
+  /** The fields of a contact in @p dim dimensions. */
+  std::vector<MapField> fields(const unsigned int dim) const;
+
+  /** Bytes in the file of a sample of a node. */
+  double bytes_per_node(const unsigned int dim) const;
+};
+
+/**
+ * Samples of all nodes of this rank: forces of the step (N, in 2D N/m) and energies (J, in
+ * 2D J/m) that are not divided by the areas yet, the centred slip velocity of NodeSlip
+ * (m/s), and states: 0 separated, 1 stick, 2 slip.
+ */
+template <int dim>
+class ContactMapSampler : public ContactObserver<dim>
+{
+public:
+  /** Of @p contact; @p loads are wanted for the friction work. Both must outlive it. */
+  ContactMapSampler(const ContactMapSetup &setup,
+                    const ContactSurface<dim> &contact,
+                    const NodeLoadObserver<dim> &loads)
+    : setup(setup)
+    , slip(contact)
+    , loads(loads)
+    , samples(setup.quantities.size())
+  {
+  }
+
+  bool wants(const std::uint64_t step) const override
+  {
+    return setup.has(step);
+  }
+  void before(const SurfaceView<dim> &) override
+  {
+    slip.before();
+  }
+  void after(const SurfaceView<dim> &surface, ContactSurface<dim> &contact) override;
+
+  /** Takes out the samples since the last call: for each field [samples][nodes], or
+   * [samples][nodes][components]. */
+  std::vector<std::vector<double>> take();
+
+private:
+  const ContactMapSetup setup;
+  NodeSlip<dim> slip;
+  const NodeLoadObserver<dim> &loads;
+  std::vector<std::vector<double>> samples;
+};
+} // namespace mesoslip
+
+#endif
