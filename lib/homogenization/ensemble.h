@@ -24,7 +24,7 @@ struct RveParameters
     StaticSolverKind::multigrid; ///< which solver solves the load cases
   double tolerance = 1e-8;       ///< relative residual of a solve
 
-  /** mean (of KUBC and SUBC), KUBC, SUBC or PBC: what /stiffness/effective is. */
+  /** mean (of KUBC and SUBC), KUBC, SUBC, PBC or MUBC: what /stiffness/effective is. */
   std::string effective = "mean";
 
   /** Whether the effective stiffness keeps the entries that couple shear to anything else,

@@ -18,7 +18,7 @@ namespace mesoslip
 {
 /**
  * A volume element on a mesh: a box, divided among the ranks by METIS, with the load
- * cases of KUBC, SUBC and PBC solved by conjugate gradients with ML. All ranks hold a
+ * cases of KUBC, SUBC, PBC and MUBC solved by conjugate gradients with ML. All ranks hold a
  * part of the mesh and of the fields.
  */
 template <int dim>
@@ -32,7 +32,7 @@ public:
              const MPI_Comm communicator);
 
   /**
-   * Solves the load cases of @p wanted: unit strains (KUBC, PBC; engineering shear) or stresses of
+   * Solves the load cases of @p wanted: unit strains (KUBC, PBC, MUBC; engineering shear) or stresses of
    * 1 Pa (SUBC). Collective. @throws NotConverged, which names condition and load case
    * @throws UserError if opposite sides have points that are not opposite (PBC)
    * @p case_done, if any, is called after each load case.
@@ -59,7 +59,7 @@ private:
   using Vector                          = MlPreconditioner::Vector;
   static constexpr unsigned int n_loads = dim * (dim + 1) / 2;
 
-  void set_constraints();
+  void set_constraints(const unsigned int k);
   void assemble();
   void add_tractions();
   std::vector<Vector> rigid_motions() const;

@@ -254,7 +254,7 @@ void log_stiffness(RunContext &context)
     "Stiffness (GPa)", 3,
     [](std::ostream &line, const StiffnessEntry &place) { line << place.name; }));
   const bool several = summary.contains("ensemble");
-  for (const char *name : {"KUBC", "SUBC", "PBC"})
+  for (const char *name : {"KUBC", "SUBC", "PBC", "MUBC"})
     if (several && summary["ensemble"].contains(name))
       {
         const json &entry = summary["ensemble"][name];
@@ -262,7 +262,7 @@ void log_stiffness(RunContext &context)
         context.log(stiffness_text<dim>(std::string(name) + " deviation",
                                         entry["standard_deviation"]));
       }
-    else if (!several && !summary["stiffness"][name].is_null())
+    else if (!several && !summary["stiffness"].value(name, json()).is_null())
       {
         context.log(stiffness_text<dim>(name, summary["stiffness"][name]));
         context.log(stiffness_text<dim>(std::string(name) + " from mean",
@@ -290,7 +290,8 @@ void write_rve_summary(const RveParameters &parameters,
   for (std::size_t p = 0; p < results.first.phases.size(); ++p)
     out["phases"].push_back(
       {{"name", results.first.phases[p].name}, {"volume_fraction", first.fractions[p]}});
-  out["stiffness"] = {{"KUBC", nullptr}, {"SUBC", nullptr}, {"PBC", nullptr}};
+  out["stiffness"] = {
+    {"KUBC", nullptr}, {"SUBC", nullptr}, {"PBC", nullptr}, {"MUBC", nullptr}};
   for (const HomogenizedResponse<dim> &response : first.responses)
     {
       const std::string name            = to_string(response.condition);
