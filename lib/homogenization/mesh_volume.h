@@ -4,6 +4,7 @@
 #include "body/mesh/distributed_mesh.h"
 #include "body/mesh/ml_preconditioner.h"
 #include "elasticity/uniform_material.h"
+#include "homogenization/loads/local_cells.h"
 #include "homogenization/response.h"
 
 #include <deal.II/lac/affine_constraints.h>
@@ -53,6 +54,17 @@ public:
    * block of cells, see NumberedBlocks. Collective.
    */
   CellTensors concentration() const;
+
+  /** Calls action(number in the mesh, cell) with each cell of this rank under the condition
+   * that was solved last. Not collective. */
+  void for_each_cell(
+    const std::function<void(const std::uint64_t, const LocalCell<dim> &)> &action) const;
+
+  /** The ranks that have the parts of the mesh. */
+  MPI_Comm communicator() const
+  {
+    return mesh.communicator();
+  }
 
 private:
   using Index                           = typename DistributedMesh<dim>::Index;

@@ -1,6 +1,7 @@
 #include "homogenization/rve_program.h"
 
 #include "exchange/rve_file.h"
+#include "homogenization/loads/load_output.h"
 #include "io/json.h"
 #include "io/table.h"
 #include "material/bounds.h"
@@ -313,8 +314,11 @@ void write_rve_summary(const RveParameters &parameters,
   if (!parameters.reference.empty())
     out["reference_stiffness"] =
       matrix_json<dim>(stiffness_from_coefficients<dim>(parameters.reference));
+  if (!parameters.loads.loads.empty())
+    out["loads"] = loads_json<dim>(parameters, results);
   log_stiffness<dim>(context);
   log_identities(first, context);
+  log_loads<dim>(context);
 }
 
 template void write_rve_results<2>(RveResults<2> &, RunContext &);

@@ -92,6 +92,7 @@ void RveParameters::bind(Keys &keys)
               "Probability with which the interval that is given for the mean stiffness "
               "of all morphologies contains it (Student's t) [-]");
   }
+  loads.bind(keys, mesh.dim);
   refuse_keys_of_grids(keys, *this);
   if (!mesh.files.empty())
     n_members = mesh.files.size();
@@ -117,6 +118,16 @@ void RveParameters::check() const
                                        boundary_condition(effective)) == conditions.end())
     throw UserError("Homogenization/Effective is " + effective +
                     ", which is not among the Boundary conditions");
+  loads.check(conditions, microstructure.phases.size());
+  for (const PhaseParameters &phase : microstructure.phases)
+    if (mesh.dim == 2 && phase.type == PhaseParameters::Type::stiffness &&
+        !(loads.von_mises_limit.empty() && loads.principal_limit.empty()))
+      throw UserError(
+        "Loads/Von Mises limit and Principal stress limit need sigma_zz, of "
+        "which Phases/" +
+        phase.name +
+        "/Type = stiffness says nothing in 2D; give the moduli as isotropic "
+        "or orthotropic, or remove the limits");
   try
     {
       if (!reference.empty() && mesh.dim == 2)
