@@ -20,8 +20,10 @@ void MeshVolume<dim>::assemble()
   const IndexSet &owned = mesh.dofs().locally_owned_dofs();
   TrilinosWrappers::SparsityPattern pattern(owned, owned, constraints.get_local_lines(),
                                             mesh.communicator());
+  // MUBC hold some components of a point and leave others free: ML wants all of them in the
+  // columns of other ranks.
   DoFTools::make_sparsity_pattern(
-    mesh.dofs(), pattern, constraints, false,
+    mesh.dofs(), pattern, constraints, condition == BoundaryCondition::MUBC,
     dealii::Utilities::MPI::this_mpi_process(mesh.communicator()));
   pattern.compress();
   matrix.reinit(pattern);
