@@ -32,7 +32,7 @@ CASES = [
     ("rve_homogenization", LOADED, ["Loads/Names=pull, pull"], ["Loads/Names", "two loads named 'pull'"]),
     ("rve_homogenization", LOADED, ["Loads/Boundary conditions=PBC"], ["Loads/Boundary conditions", "PBC", "Homogenization/Boundary conditions"]),
     ("rve_homogenization", LOADED, ["Loads/Von Mises limit=1e6, 2e6, 3e6"], ["Loads/Von Mises limit", "3 numbers for 2 phases"]),
-    ("rve_homogenization", LOADED, ["Loads/Von Mises limit=1e6", "Phases/matrix/Type=stiffness", "Phases/matrix/Stiffness=3e10, 1e10, 3e10, 1e10"],
+    ("rve_homogenization", LOADED.replace("set Young modulus = 30e9", "", 1), ["Loads/Von Mises limit=1e6", "Phases/matrix/Type=stiffness", "Phases/matrix/Stiffness=3e10, 1e10, 3e10, 1e10"],
      ["Von Mises limit", "sigma_zz", "Phases/matrix/Type"]),
     ("rve_homogenization", RVE, ["Loads/Von Mises limit=1e6"], ["Loads/Von Mises limit", "no loads", "Loads/Names"]),
     ("rve_homogenization", IMAGE, ["Microstructure/File=no.png"], ["no.png"]),
