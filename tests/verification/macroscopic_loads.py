@@ -4,11 +4,12 @@ A laminate of two phases under uniaxial stress: strains, stresses, sigma_zz and 
 form (PBC, MUBC; voxels in 3D by PBC). A random map of three phases under mixed loads: strains and stresses of all cells are those of one
 direct solve with the macroscopic strains (SUBC: stresses) as further unknowns. Means of the fields are what was prescribed, the modulus of
 a uniaxial stress is the engineering constant, statistics, histograms and shares are those of the fields, and 1, 2 and 3 ranks agree, on
-grids, meshes and voxels.
+grids, meshes and voxels. Ensembles have the means and deviations of their members; the report and the Python module read the files.
 """
 
 import csv
 import os
+import subprocess
 import sys
 import tempfile
 
@@ -20,7 +21,10 @@ from independent_finite_elements import HX, HY, I, J, NODES, NX, NY
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
 from mesh_files import Box  # noqa: E402
-from scenes import Folder, prm  # noqa: E402
+from scenes import TOOLS, Folder, prm, rve  # noqa: E402
+
+sys.path.append(os.path.join(TOOLS, "python"))
+import mesoslip  # noqa: E402
 
 E, NU = np.array([30e9, 240e9]), np.array([0.3, 0.2])
 LAME, SHEAR = E * NU / (1 + NU) / (1 - 2 * NU), E / 2 / (1 + NU)
@@ -296,6 +300,48 @@ def check_constants(folder):
             close(load["stress"][c] / load["strain"][c], summary["engineering_constants"][names[c]], 1e-12, f"{kind} {names[c]}")
 
 
+def check_ensemble(folder):
+    """Four morphologies on 1, 2 and 3 ranks: means and deviations of those computed one by one; what is up to date is kept."""
+    loads = {"Loads/Names": "pull", "Loads/pull/Stress xx": 1e8, "Loads/pull/Strain yy": 0}
+    text = rve("20, 10", "0.002, 0.001", 2e-4, 4e-4, **loads)
+    single = []
+    for seed in range(1, 5):
+        single.append(run(folder, f"seed{seed}", text + prm({"Microstructure/Random fibres/Seed": seed}))["loads"])
+    for ranks in (1, 2, 3):
+        found = run(folder, "ensemble", text + prm({"Microstructure/Random fibres/Seed": 1, "Ensemble/Members": 4}), ranks)["loads"]
+        table = list(csv.DictReader(folder.read(f"ensemble{ranks}", "loads_ensemble.csv").decode().splitlines()))
+        for k, load in enumerate(found):
+            same_numbers(load["phases"], single[0][k]["phases"], "first of the ensemble", ranks)
+            for of in ("strain", "stress"):
+                for component in ("xx", "yy", "xy"):
+                    values = [one[k][of][component] for one in single]
+                    for key, expected in (("mean", np.mean(values)), ("standard_deviation", np.std(values, ddof=1))):
+                        assert abs(load["ensemble"][of][key][component] - expected) <= 1e-12 * np.abs(values).max(), (ranks, of, component, key)
+            for part, quantity, of, key in (("fibre", "von_mises", "maximum", "maximum"), ("all", "stress_xx", "mean", "mean")):
+                values = [one[k]["phases"][part][quantity][key] for one in single]
+                row, = (r for r in table if (r["condition"], r["phase"], r["quantity"], r["of"]) == (load["condition"], part, quantity, of))
+                assert np.isclose(float(row["mean"]), np.mean(values), rtol=1e-12) and np.isclose(
+                    float(row["standard_deviation"]), np.std(values, ddof=1), rtol=1e-9, atol=1e-6), (ranks, row)
+    again = lambda: folder.run(0, "rve_homogenization", "seed1.prm", "--output", "seed11")  # noqa: E731
+    text = again()
+    assert "up to date" in text and "Load pull, KUBC" in text and folder.summary("seed11")["loads"] == single[0], text
+    os.remove(folder("seed11", "loads.h5"))
+    assert "up to date" not in again() and os.path.exists(folder("seed11", "loads.h5"))
+
+
+def check_readers(folder):
+    """The report draws the loads of all kinds of volumes, and the Python module reads them."""
+    for name in ("layers1", "random1", "grid1", "plane1", "tetrahedra1", "voxels1"):
+        done = subprocess.run([sys.executable, "-B", os.path.join(TOOLS, "report", "make_report.py"), folder(name), "--output", folder("report.html")],
+                              text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=True)
+        page = folder.read("report.html").decode()
+        assert "Macroscopic loads" in page and "Left out" not in page and page.count("How stresses of the cells") == len(
+            folder.summary(name)["loads"]), (name, done.stdout)
+    with mesoslip.open(folder("grid1", "loads.h5")) as file:
+        assert file.loads["pull"] == ["KUBC", "MUBC", "PBC", "SUBC"] and file.unit("loads/pull/PBC/stress") == "Pa"
+        assert np.array_equal(file.group("loads/pull/PBC")["von_mises"].ravel(), fields(folder, "grid1", "pull", "PBC")[0]["von_mises"].ravel())
+
+
 def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
@@ -303,6 +349,8 @@ def main():
         check_direct(folder)
         check_ranks(folder)
         check_constants(folder)
+        check_ensemble(folder)
+        check_readers(folder)
 
 
 if __name__ == "__main__":

@@ -145,9 +145,16 @@ std::string state_line(const std::string &what, const json &state, const double 
   std::ostringstream line;
   line << "  " << std::left << std::setw(34) << what << std::right
        << std::setprecision(4);
+  double largest = 0.;
   for (const char *component : voigt_names<dim>)
-    line << "  " << component << " " << std::setw(10)
-         << state[component].get<double>() / unit;
+    largest = std::max(largest, std::fabs(state[component].get<double>()));
+  for (const char *component : voigt_names<dim>)
+    {
+      const double value = state[component].get<double>();
+      // What is round-off beside the others is 0.
+      line << "  " << component << " " << std::setw(10)
+           << (std::fabs(value) > 1e-12 * largest ? value / unit : 0.);
+    }
   return line.str();
 }
 
