@@ -28,7 +28,7 @@ json prescribed_json(const PrescribedLoad &load)
   json given = {{"strain", json::object()}, {"stress", json::object()}};
   for (std::size_t k = 0; k < load.strain.size(); ++k)
     {
-      const char *const name = voigt_names<dim>[k];
+      const std::string name = voigt_names<dim>[k];
       if (!std::isnan(load.strain[k]))
         given["strain"][name] = load.strain[k];
       if (!std::isnan(load.stress[k]))
@@ -97,7 +97,7 @@ json ensemble_of(const RveResults<dim> &results, const std::size_t k)
               const LoadResult<dim> &result = results.members[m].loads[k];
               return of_strain ? result.strain[c] : result.stress[c];
             });
-          const char *const name = voigt_names<dim>[static_cast<std::size_t>(c)];
+          const std::string name = voigt_names<dim>[static_cast<std::size_t>(c)];
           entry["mean"][name]    = mean;
           entry["standard_deviation"][name] = deviation;
         }

@@ -11,7 +11,7 @@ namespace
 {
 /** The stress as a tensor of three axes. */
 template <int dim>
-Eigen::Matrix3d tensor(const VoigtVector<dim> &stress, const double zz)
+Eigen::Matrix3d tensor_of(const VoigtVector<dim> &stress, const double zz)
 {
   Eigen::Matrix3d full = Eigen::Matrix3d::Zero();
   for (unsigned int c = 0; c < dim; ++c)
@@ -67,7 +67,7 @@ void LocalFields<dim>::evaluate(const unsigned int phase,
   double zz = 0.;
   if (dim == 2)
     *next++ = zz = phases[phase].transverse->dot(strain);
-  const Eigen::Matrix3d sigma    = tensor<dim>(stress, zz);
+  const Eigen::Matrix3d sigma    = tensor_of<dim>(stress, zz);
   const double hydrostatic       = sigma.trace() / 3.;
   const Eigen::Matrix3d deviator = sigma - hydrostatic * Eigen::Matrix3d::Identity();
   *next++                        = std::sqrt(1.5) * deviator.norm();
