@@ -141,10 +141,10 @@ template <int dim>
 void set_residuals(LoadResult<dim> &result, const double work)
 {
   VoigtVector<dim> strain, stress;
-  for (int k = 0; k < n_voigt<dim>; ++k)
+  for (unsigned int k = 0; k < n_voigt<dim>; ++k)
     {
-      strain[k] = result.whole(static_cast<std::size_t>(k)).mean;
-      stress[k] = result.whole(static_cast<std::size_t>(k + n_voigt<dim>)).mean;
+      strain[k] = result.whole(k).mean;
+      stress[k] = result.whole(k + n_voigt<dim>).mean;
     }
   const auto distance = [](const VoigtVector<dim> &a, const VoigtVector<dim> &b) {
     return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();

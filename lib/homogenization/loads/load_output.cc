@@ -201,7 +201,7 @@ std::vector<std::string> load_warnings(const RveParameters &parameters,
   if (parameters.loads.loads.empty())
     return sentences;
   if (!fields_of<dim>(parameters).has_invariants())
-    sentences.push_back(
+    sentences.emplace_back(
       "Loads: a phase has Type = stiffness, which says nothing of sigma_zz in plane "
       "strain; von Mises, hydrostatic and principal stresses are left out: give its "
       "moduli as isotropic or orthotropic to have them");
