@@ -82,6 +82,28 @@ std::string dropped_entries(const VoigtMatrix<dim> &D)
                                 (dim == 2 ? "x and y" : "x, y and z") + " are its axes";
 }
 
+/** What MUBC leave out where the axes are not those of orthotropy. */
+template <int dim>
+std::string mixed_coupling(const std::vector<EnsembleMember<dim>> &members)
+{
+  double largest = 0.;
+  for (const EnsembleMember<dim> &member : members)
+    for (const HomogenizedResponse<dim> &response : member.responses)
+      largest = std::max(largest, response.coupling);
+  if (largest <= largest_dropped)
+    return {};
+  std::ostringstream text;
+  text.precision(3);
+  text
+    << "MUBC: shear is coupled to other components by mean stresses of up to "
+    << 100. * largest
+    << " % of the root of the diagonal entries, which its stiffness lacks: MUBC are for "
+       "volumes with the axes of orthotropy along "
+    << (dim == 2 ? "x and y" : "x, y and z")
+    << "; set Homogenization/Boundary conditions to PBC, or turn the morphology";
+  return text.str();
+}
+
 template <int dim>
 std::string conditions_apart(const VoigtMatrix<dim> &kubc, const VoigtMatrix<dim> &subc)
 {
@@ -246,6 +268,8 @@ std::vector<std::string> result_warnings(const std::vector<EnsembleMember<dim>> 
           sentences.push_back(sentence +
                               (members.size() > 1 ? " (" + member.origin + ")" : ""));
       }
+  if (const std::string sentence = mixed_coupling(members); !sentence.empty())
+    sentences.push_back(sentence);
   const VoigtMatrix<dim> kubc = mean_stiffness(members, {BoundaryCondition::KUBC}),
                          subc = mean_stiffness(members, {BoundaryCondition::SUBC});
   if (!parameters.effective_full)

@@ -1,6 +1,8 @@
 #ifndef mesoslip_homogenization_ensemble_h
 #define mesoslip_homogenization_ensemble_h
 
+#include "homogenization/loads/load_evaluation.h"
+#include "homogenization/loads/load_parameters.h"
 #include "homogenization/response.h"
 #include "material/voigt.h"
 #include "morphology/mesh_morphology.h"
@@ -24,7 +26,7 @@ struct RveParameters
     StaticSolverKind::multigrid; ///< which solver solves the load cases
   double tolerance = 1e-8;       ///< relative residual of a solve
 
-  /** mean (of KUBC and SUBC), KUBC, SUBC or PBC: what /stiffness/effective is. */
+  /** mean (of KUBC and SUBC), KUBC, SUBC, PBC or MUBC: what /stiffness/effective is. */
   std::string effective = "mean";
 
   /** Whether the effective stiffness keeps the entries that couple shear to anything else,
@@ -41,6 +43,8 @@ struct RveParameters
   /** Stiffness that the results are compared with (Pa), see
    * stiffness_from_coefficients(); empty: none. */
   std::vector<double> reference;
+
+  LoadParameters loads; ///< section Loads
 
   /** Binds the keys of all sections. @throws UserError naming the key. */
   void bind(Keys &keys);
@@ -60,11 +64,14 @@ struct EnsembleMember
   /** In the order of the conditions. */
   std::vector<HomogenizedResponse<dim>> responses;
 
+  /** For each condition whose cases are superposed, in their order, each load. */
+  std::vector<LoadResult<dim>> loads;
+
   /** Saves or restores all members, for boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<4>(archive, *this);
+    serialize_members<5>(archive, *this);
   }
 };
 

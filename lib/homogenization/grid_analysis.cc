@@ -1,6 +1,8 @@
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "grid/uniform_grid.h"
+#include "homogenization/loads/load_output.h"
+#include "homogenization/loads/volume_cells.h"
 #include "homogenization/volume_analysis.h"
 #include "material/plausibility.h"
 #include "program/run_context.h"
@@ -15,6 +17,7 @@ EnsembleMember<2> compute_member(const RveParameters &parameters,
                                  const Microstructure &microstructure,
                                  const MPI_Comm communicator,
                                  const bool keep_concentration,
+                                 const std::string &loads_file,
                                  const LoadCaseProgress &progress,
                                  Timer &timer)
 {
@@ -34,6 +37,13 @@ EnsembleMember<2> compute_member(const RveParameters &parameters,
       if (rank == 0 || body->is_distributed())
         member.responses.push_back(
           homogenize(*body, solution, rank == 0 && keep_concentration));
+      if (rank == 0 && !parameters.loads.loads.empty() &&
+          parameters.loads.uses(solution.condition))
+        for (LoadResult<2> &result : evaluate_loads(
+               parameters.loads, member.responses.back(),
+               loaded_phases<2>(parameters.microstructure.phases),
+               GridCells(*body, solution, microstructure.map.grid), loads_file))
+          member.loads.push_back(std::move(result));
       solution.displacement = {};
     }
   return member;
@@ -75,10 +85,15 @@ RveResults<2> compute_members(const RveParameters &parameters, RunContext &conte
       for (const std::string &warning : microstructure.warnings)
         if (n == 1) // those of several are told apart when all are known
           context.warn(warning);
-      const auto scope   = context.timer().scope("Load cases");
+      const auto scope           = context.timer().scope("Load cases");
+      const UniformGrid<2> &grid = microstructure.map.grid;
+      const std::string loads_file =
+        m == 0 && context.root() ? reserve_loads<2>(parameters, context.file("loads.h5"),
+                                                    {grid.cells[1], grid.cells[0]})
+                                 : std::string();
       results.members[m] = compute_member(
         own, microstructure, n > 1 ? MPI_COMM_SELF : context.communicator(),
-        parameters.write_concentration && m == 0,
+        parameters.write_concentration && m == 0, loads_file,
         [&](const unsigned int done, const unsigned int) {
           context.progress().update(m * n_cases + done);
         },

@@ -1,6 +1,7 @@
 #include "homogenization/load_cases.h"
 
 #include "base/exchange.h"
+#include "material/stiffness.h"
 
 #include <Eigen/Dense>
 
@@ -21,14 +22,17 @@ VoigtMatrix<2> voigt_mean(const ElasticBody<2> &body)
   return mean;
 }
 
-/** Both components of all nodes on the sides. */
-DofMask held_boundary(const ElasticBody<2> &body)
+/** The components of the nodes on the sides that load case @p k prescribes. */
+DofMask held_boundary(const ElasticBody<2> &body,
+                      const BoundaryCondition condition,
+                      const unsigned int k)
 {
   DofMask mask(body.n_columns(), body.n_rows());
   for (unsigned int side = 0; side < 4; ++side)
     for (const NodeIndex &node : body.surface(side).nodes)
       for (unsigned int c = 0; c < 2; ++c)
-        mask.constrain(c, node);
+        if (is_prescribed<2>(condition, k, side / 2, c))
+          mask.constrain(c, node);
   return mask;
 }
 
@@ -75,6 +79,9 @@ public:
   {
     const std::vector<double> n = phase_volumes(body);
     homogeneous = std::count_if(n.begin(), n.end(), [](double v) { return v > 0.; }) == 1;
+    for (std::size_t p = 0; p < n.size(); ++p)
+      orthotropic =
+        orthotropic && (!(n[p] > 0.) || is_orthotropic<2>(body.phases()[p].stiffness));
   }
 
   /** @throws NotConverged, which names condition and load case. */
@@ -102,17 +109,17 @@ private:
       {
         // Exact in a homogeneous body, a fair guess in others.
         const VoigtMatrix<2> compliance = voigt_mean(body).inverse();
-        set_up(condition);
+        set_up(condition, k);
         u = affine_displacement(body, VoigtVector<2>(compliance.col(k)));
         return solver->solve(u, uniform_traction(body, k), tolerance);
       }
     u = affine_displacement(body, VoigtVector<2>(VoigtVector<2>::Unit(k)));
-    if (homogeneous)
+    if (homogeneous && (condition != BoundaryCondition::MUBC || orthotropic))
       return SolverReport();
 
     // The unknown is the fluctuation: its forces, those of the heterogeneity alone, are
     // what the tolerance refers to.
-    set_up(condition);
+    set_up(condition, k);
     NodalField<double> force = body.zero_field(), fluctuation = body.zero_field();
     body.vmult(force, u);
     if (condition == BoundaryCondition::PBC)
@@ -127,9 +134,9 @@ private:
     return report;
   }
 
-  void set_up(const BoundaryCondition condition)
+  void set_up(const BoundaryCondition condition, const unsigned int k)
   {
-    if (solver && condition == current)
+    if (solver && condition == current && !begins_group<2>(condition, k))
       return;
     const bool other_body =
       condition == BoundaryCondition::PBC || current == BoundaryCondition::PBC;
@@ -142,14 +149,13 @@ private:
           periodic_body = body.make_periodic();
         solver = (periodic_body ? *periodic_body : body).make_solver();
       }
-    solver->set_constrained(condition == BoundaryCondition::KUBC
-                              ? held_boundary(body)
-                              : DofMask(body.n_columns(), body.n_rows()));
+    solver->set_constrained(held_boundary(body, condition, k));
   }
 
   const ElasticBody<2> &body;
   const double tolerance;
-  bool homogeneous          = false;
+  bool homogeneous          = false; ///< one phase alone
+  bool orthotropic          = true;  ///< all phases along x and y
   BoundaryCondition current = BoundaryCondition::KUBC;
   std::unique_ptr<ElasticBody<2>> periodic_body;
   std::unique_ptr<StaticSolver> solver;
@@ -169,7 +175,7 @@ void bring_field_to_root(NodalField<double> &u, const int owner, const MPI_Comm 
         MPI_Recv(u.row(c, j), n_columns, MPI_DOUBLE, owner, 0, comm, MPI_STATUS_IGNORE);
 }
 
-const std::array<std::string, 3> condition_names = {{"KUBC", "SUBC", "PBC"}};
+const std::array<std::string, 4> condition_names = {{"KUBC", "SUBC", "PBC", "MUBC"}};
 } // namespace
 
 std::string to_string(const BoundaryCondition condition)
@@ -181,8 +187,8 @@ BoundaryCondition boundary_condition(const std::string &name)
 {
   const auto found = std::find(condition_names.begin(), condition_names.end(), name);
   if (found == condition_names.end())
-    throw std::invalid_argument("'" + name +
-                                "' is no boundary condition; use KUBC, SUBC or PBC");
+    throw std::invalid_argument(
+      "'" + name + "' is no boundary condition; use KUBC, SUBC, PBC or MUBC");
   return static_cast<BoundaryCondition>(found - condition_names.begin());
 }
 

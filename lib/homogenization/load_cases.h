@@ -19,16 +19,44 @@ enum class BoundaryCondition
 {
   KUBC, ///< u = E.x on the boundary
   SUBC, ///< sigma.n = S.n on the boundary
-  PBC   ///< u = E.x + periodic
+  PBC,  ///< u = E.x + periodic
+
+  /** Mixed uniform conditions on a box, for axes of orthotropy along x, y (and z). Normal
+   * strains: u.n = (E.x).n on all sides, without tangential traction. A shear of two axes:
+   * tangential displacements of E.x on the sides across these axes, without normal traction,
+   * and u.n = 0 without tangential traction on the others. */
+  MUBC
 };
 
-/** "KUBC", "SUBC" or "PBC", as in the .prm. */
+/** "KUBC", "SUBC", "PBC" or "MUBC", as in the .prm. */
 std::string to_string(const BoundaryCondition condition);
 
 /** @throws std::invalid_argument */
 BoundaryCondition boundary_condition(const std::string &name);
 
-/** The three solutions for unit macroscopic strains (KUBC, PBC) or stresses (SUBC). */
+/** Whether load case @p k (Voigt) of KUBC or MUBC prescribes the displacement along axis @p c
+ * on the sides across axis @p across. */
+template <int dim>
+bool is_prescribed(const BoundaryCondition condition,
+                   const unsigned int k,
+                   const unsigned int across,
+                   const unsigned int c)
+{
+  if (condition != BoundaryCondition::MUBC)
+    return condition == BoundaryCondition::KUBC;
+  // In a shear of the axes a and b the sides across a and b are planes of antisymmetry.
+  const bool antisymmetric = k >= dim && (dim == 2 || across + 3 != k);
+  return (c == across) != antisymmetric;
+}
+
+/** Whether load case @p k has other prescribed displacements than the case before. */
+template <int dim>
+bool begins_group(const BoundaryCondition condition, const unsigned int k)
+{
+  return k == 0 || (condition == BoundaryCondition::MUBC && k >= dim);
+}
+
+/** The three solutions for unit macroscopic strains (KUBC, PBC, MUBC) or stresses (SUBC). */
 struct LoadCaseSolutions
 {
   BoundaryCondition condition = BoundaryCondition::KUBC; ///< on the boundary

@@ -1,6 +1,8 @@
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "exchange/rve_file.h"
+#include "homogenization/loads/load_output.h"
+#include "homogenization/loads/volume_cells.h"
 #include "homogenization/mesh_volume.h"
 #include "homogenization/volume_analysis.h"
 #include "io/parallel_rows.h"
@@ -83,6 +85,12 @@ protected:
                                      results.first.reserved);
         });
       }
+    constexpr std::size_t cells_together = 1024;
+    on_root(context.communicator(), [&]() {
+      loads_file = reserve_loads<dim>(parameters, context.file("loads.h5"), {sizes[1]},
+                                      cells_together);
+    });
+    broadcast(context.communicator(), loads_file);
     for (unsigned int m = 0; m < parameters.n_members; ++m)
       results.members.push_back(compute_member(m, context));
     context.progress().finish();
@@ -164,6 +172,12 @@ private:
                           phases));
         if (parameters.write_concentration && m == 0)
           write_concentration(volume.concentration(), condition, context);
+        if (!parameters.loads.loads.empty() && parameters.loads.uses(condition))
+          for (LoadResult<dim> &result : evaluate_loads<dim>(
+                 parameters.loads, member.responses.back(),
+                 loaded_phases<dim>(parameters.microstructure.phases),
+                 MeshCells<dim>(volume), m == 0 ? loads_file : std::string()))
+            member.loads.push_back(std::move(result));
       }
     return member;
   }
@@ -179,6 +193,7 @@ private:
   }
 
   std::vector<MeshMorphology<dim>> volumes; ///< on rank 0
+  std::string loads_file;                   ///< where fields of loads go; empty: nowhere
   std::vector<std::uint64_t> sizes = {0,
                                       0}; ///< points and cells of the first, everywhere
 };

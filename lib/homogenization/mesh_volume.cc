@@ -104,7 +104,7 @@ MeshVolume<dim>::MeshVolume(const Mesh<dim> &given,
 }
 
 template <int dim>
-void MeshVolume<dim>::set_constraints()
+void MeshVolume<dim>::set_constraints(const unsigned int k)
 {
   constraints.clear();
   constraints.reinit(mesh.relevant());
@@ -120,8 +120,10 @@ void MeshVolume<dim>::set_constraints()
   else if (condition == BoundaryCondition::SUBC)
     fixed = supports;
   else
-    for (const Side &side : sides)
-      fixed.insert(fixed.end(), side.dofs.begin(), side.dofs.end());
+    for (unsigned int side = 0; side < sides.size(); ++side)
+      for (std::size_t n = 0; n < sides[side].dofs.size(); ++n)
+        if (is_prescribed<dim>(condition, k, side / 2, n % dim))
+          fixed.push_back(sides[side].dofs[n]);
   for (const Index dof : fixed)
     if (constraints.get_local_lines().is_element(dof))
       constraints.add_line(dof);
@@ -220,14 +222,17 @@ VolumeSums<dim> MeshVolume<dim>::solve(const BoundaryCondition wanted,
 {
   condition = wanted;
   solutions.clear();
-  set_constraints();
-  assemble();
-  if (condition == BoundaryCondition::SUBC)
-    add_tractions();
-  preconditioner.initialize(matrix, dim, rigid_motions());
   std::array<SolverReport, n_loads> reports;
   for (unsigned int k = 0; k < n_loads; ++k)
     {
+      if (begins_group<dim>(condition, k))
+        {
+          set_constraints(k);
+          assemble();
+          if (condition == BoundaryCondition::SUBC)
+            add_tractions();
+          preconditioner.initialize(matrix, dim, rigid_motions());
+        }
       reports[k] = solve_case(k, tolerance);
       if (case_done)
         case_done();

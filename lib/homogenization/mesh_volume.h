@@ -4,6 +4,7 @@
 #include "body/mesh/distributed_mesh.h"
 #include "body/mesh/ml_preconditioner.h"
 #include "elasticity/uniform_material.h"
+#include "homogenization/loads/local_cells.h"
 #include "homogenization/response.h"
 
 #include <deal.II/lac/affine_constraints.h>
@@ -18,7 +19,7 @@ namespace mesoslip
 {
 /**
  * A volume element on a mesh: a box, divided among the ranks by METIS, with the load
- * cases of KUBC, SUBC and PBC solved by conjugate gradients with ML. All ranks hold a
+ * cases of KUBC, SUBC, PBC and MUBC solved by conjugate gradients with ML. All ranks hold a
  * part of the mesh and of the fields.
  */
 template <int dim>
@@ -32,7 +33,7 @@ public:
              const MPI_Comm communicator);
 
   /**
-   * Solves the load cases of @p wanted: unit strains (KUBC, PBC; engineering shear) or stresses of
+   * Solves the load cases of @p wanted: unit strains (KUBC, PBC, MUBC; engineering shear) or stresses of
    * 1 Pa (SUBC). Collective. @throws NotConverged, which names condition and load case
    * @throws UserError if opposite sides have points that are not opposite (PBC)
    * @p case_done, if any, is called after each load case.
@@ -54,12 +55,23 @@ public:
    */
   CellTensors concentration() const;
 
+  /** Calls action(number in the mesh, cell) with each cell of this rank under the condition
+   * that was solved last. Not collective. */
+  void for_each_cell(
+    const std::function<void(const std::uint64_t, const LocalCell<dim> &)> &action) const;
+
+  /** The ranks that have the parts of the mesh. */
+  MPI_Comm communicator() const
+  {
+    return mesh.communicator();
+  }
+
 private:
   using Index                           = typename DistributedMesh<dim>::Index;
   using Vector                          = MlPreconditioner::Vector;
   static constexpr unsigned int n_loads = dim * (dim + 1) / 2;
 
-  void set_constraints();
+  void set_constraints(const unsigned int k);
   void assemble();
   void add_tractions();
   std::vector<Vector> rigid_motions() const;

@@ -17,31 +17,34 @@ void MeshVolume<dim>::assemble()
   using namespace dealii;
   const IndexSet &owned = mesh.dofs().locally_owned_dofs();
   CondensedCells cells(constraints);
-  cells.reinit(matrix, mesh);
+  // MUBC hold some components of a point and leave others free: ML wants all of them in the
+  // columns of other ranks.
+  cells.reinit(matrix, mesh, condition == BoundaryCondition::MUBC);
   // Copies would count as vectors that entries were inserted into, not added to.
   loads = std::vector<Vector>(n_loads);
   for (Vector &load : loads)
     load.reinit(owned, mesh.communicator());
   gross_loads.fill(0.);
 
-  for_each_cell(mesh, [&](const auto &cell, const auto &values, const auto &indices) {
-    const unsigned int n      = indices.size();
-    const VoigtMatrix<dim> &C = phases[cell.material_id()].stiffness;
-    Eigen::MatrixXd K         = Eigen::MatrixXd::Zero(n, n),
-                    f         = Eigen::MatrixXd::Zero(n, n_loads);
-    for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const auto B = shape_strains(values, q);
-        K.noalias() += values.JxW(q) * B.transpose() * C * B;
-        f.noalias() -= values.JxW(q) * B.transpose() * C;
-      }
-    cells.add(K, indices, matrix);
-    for (unsigned int k = 0; k < n_loads && condition != BoundaryCondition::SUBC; ++k)
-      {
-        gross_loads[k] += f.col(k).squaredNorm();
-        cells.add(Eigen::VectorXd(f.col(k)), indices, loads[k]);
-      }
-  });
+  mesoslip::for_each_cell(
+    mesh, [&](const auto &cell, const auto &values, const auto &indices) {
+      const unsigned int n      = indices.size();
+      const VoigtMatrix<dim> &C = phases[cell.material_id()].stiffness;
+      Eigen::MatrixXd K         = Eigen::MatrixXd::Zero(n, n),
+                      f         = Eigen::MatrixXd::Zero(n, n_loads);
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          const auto B = shape_strains(values, q);
+          K.noalias() += values.JxW(q) * B.transpose() * C * B;
+          f.noalias() -= values.JxW(q) * B.transpose() * C;
+        }
+      cells.add(K, indices, matrix);
+      for (unsigned int k = 0; k < n_loads && condition != BoundaryCondition::SUBC; ++k)
+        {
+          gross_loads[k] += f.col(k).squaredNorm();
+          cells.add(Eigen::VectorXd(f.col(k)), indices, loads[k]);
+        }
+    });
   matrix.compress(VectorOperation::add);
   for (unsigned int k = 0; k < n_loads; ++k)
     loads[k].compress(VectorOperation::add);
@@ -57,15 +60,16 @@ void MeshVolume<dim>::for_each_point(const Action &action) const
   if (condition != BoundaryCondition::SUBC)
     applied.setIdentity();
   Eigen::MatrixXd u;
-  for_each_cell(mesh, [&](const auto &cell, const auto &values, const auto &indices) {
-    u.resize(indices.size(), n_loads);
-    for (unsigned int i = 0; i < indices.size(); ++i)
-      for (unsigned int k = 0; k < n_loads; ++k)
-        u(i, k) = solutions[k](indices[i]);
-    for (const unsigned int q : values.quadrature_point_indices())
-      action(cell, VoigtMatrix<dim>(applied + shape_strains(values, q) * u),
-             values.JxW(q));
-  });
+  mesoslip::for_each_cell(
+    mesh, [&](const auto &cell, const auto &values, const auto &indices) {
+      u.resize(indices.size(), n_loads);
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        for (unsigned int k = 0; k < n_loads; ++k)
+          u(i, k) = solutions[k](indices[i]);
+      for (const unsigned int q : values.quadrature_point_indices())
+        action(cell, VoigtMatrix<dim>(applied + shape_strains(values, q) * u),
+               values.JxW(q));
+    });
 }
 
 template <int dim>
@@ -96,39 +100,48 @@ VolumeSums<dim> MeshVolume<dim>::integrate() const
   return sums;
 }
 
+template <int dim>
+void MeshVolume<dim>::for_each_cell(
+  const std::function<void(const std::uint64_t, const LocalCell<dim> &)> &action) const
+{
+  LocalCell<dim> mean;
+  std::uint64_t number = 0;
+  const auto finish    = [&]() {
+    if (!(mean.volume > 0.))
+      return;
+    mean.strain /= mean.volume;
+    action(number, mean);
+    mean = LocalCell<dim>();
+  };
+  for_each_point([&](const auto &cell, const VoigtMatrix<dim> &strain, const double JxW) {
+    const std::uint64_t now = cell.id().get_coarse_cell_id();
+    if (now != number)
+      finish();
+    number            = now;
+    mean.phase        = cell.material_id();
+    const auto centre = cell.center();
+    for (unsigned int d = 0; d < dim; ++d)
+      mean.centre[d] = centre[d];
+    mean.strain += JxW * strain;
+    mean.volume += JxW;
+  });
+  finish();
+}
+
 /** Of the cells of this rank, in their order: numbers in the mesh, and tensors. */
 template <int dim>
 std::pair<std::vector<std::uint64_t>, std::vector<double>>
 MeshVolume<dim>::own_concentration() const
 {
-  constexpr std::size_t n_entries = n_voigt<dim> * n_voigt<dim>;
   std::pair<std::vector<std::uint64_t>, std::vector<double>> part;
-  VoigtMatrix<dim> mean = VoigtMatrix<dim>::Zero();
-  double volume         = 0.;
-  unsigned int material = 0;
-  const auto finish     = [&]() {
-    mean /= volume;
-    if (condition == BoundaryCondition::SUBC)
-      mean = phases[material].stiffness * mean;
-    part.second.insert(part.second.end(), mean.data(), mean.data() + n_entries);
-    mean.setZero();
-    volume = 0.;
-  };
-  for_each_point([&](const auto &cell, const VoigtMatrix<dim> &strain, const double JxW) {
-    const std::uint64_t number = cell.id().get_coarse_cell_id();
-    if (part.first.empty() || part.first.back() != number)
-      {
-        if (!part.first.empty())
-          finish();
-        part.first.push_back(number);
-        material = cell.material_id();
-      }
-    mean += JxW * strain;
-    volume += JxW;
+  for_each_cell([&](const std::uint64_t number, const LocalCell<dim> &cell) {
+    part.first.push_back(number);
+    const VoigtMatrix<dim> tensor =
+      condition == BoundaryCondition::SUBC
+        ? VoigtMatrix<dim>(phases[cell.phase].stiffness * cell.strain)
+        : cell.strain;
+    part.second.insert(part.second.end(), tensor.data(), tensor.data() + tensor.size());
   });
-  if (!part.first.empty())
-    finish();
-
   return part;
 }
 
@@ -158,6 +171,10 @@ template void MeshVolume<2>::assemble();
 template void MeshVolume<3>::assemble();
 template VolumeSums<2> MeshVolume<2>::integrate() const;
 template VolumeSums<3> MeshVolume<3>::integrate() const;
+template void MeshVolume<2>::for_each_cell(
+  const std::function<void(const std::uint64_t, const LocalCell<2> &)> &) const;
+template void MeshVolume<3>::for_each_cell(
+  const std::function<void(const std::uint64_t, const LocalCell<3> &)> &) const;
 template MeshVolume<2>::CellTensors MeshVolume<2>::concentration() const;
 template MeshVolume<3>::CellTensors MeshVolume<3>::concentration() const;
 } // namespace mesoslip

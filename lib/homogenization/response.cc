@@ -1,5 +1,8 @@
 #include "homogenization/response.h"
 
+#include "material/engineering_constants.h"
+#include "material/stiffness.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -86,8 +89,13 @@ std::optional<double> two_phase_residual(const VolumeSums<dim> &sums,
       present.push_back(p);
   if (present.size() != 2)
     return {};
-  const bool stresses = response.condition == BoundaryCondition::SUBC;
-  const auto tensor   = [stresses](const Tensor &C) {
+  const bool stresses = response.condition == BoundaryCondition::SUBC,
+             mixed    = response.condition == BoundaryCondition::MUBC;
+  // Of MUBC the orthotropic part of the means alone is known beforehand.
+  if (mixed && !(is_orthotropic<dim>(phases[present[0]].stiffness) &&
+                 is_orthotropic<dim>(phases[present[1]].stiffness)))
+    return {};
+  const auto tensor = [stresses](const Tensor &C) {
     return stresses ? Tensor(C.inverse()) : C;
   };
   const Tensor C_m = tensor(phases[present[0]].stiffness),
@@ -98,7 +106,9 @@ std::optional<double> two_phase_residual(const VolumeSums<dim> &sums,
     return {};
   const double f        = sums.phases[present[1]].volume / sums.volume;
   const Tensor expected = inverse * (D - C_m) / f;
-  return (response.phase_means[present[1]] - expected).norm() / expected.norm();
+  const Tensor &mean    = response.phase_means[present[1]];
+  const Tensor found    = mixed ? orthotropic_part<dim>(mean) : mean;
+  return (found - expected).norm() / expected.norm();
 }
 
 template <int dim>
@@ -161,9 +171,20 @@ HomogenizedResponse<dim> homogenize(const VolumeSums<dim> &sums,
       response.phase_means.push_back(phase.volume > 0 ? Tensor(mean / phase.volume)
                                                       : Tensor(Tensor::Zero()));
     }
+  response.energy = sums.energy;
+  Tensor energy   = sums.energy;
+  if (sums.condition == BoundaryCondition::MUBC)
+    {
+      // The energies of cases with different constraints say nothing of a stiffness.
+      energy = orthotropic_part<dim>(energy);
+      strain = orthotropic_part<dim>(strain);
+      response.coupling =
+        scaled_difference<dim>(energy + (stress - orthotropic_part<dim>(stress)), energy);
+      stress = orthotropic_part<dim>(stress);
+    }
   response.mean_residual =
     ((stresses ? stress : strain) - Tensor(Tensor::Identity())).norm();
-  set_stiffness<dim>(response, stresses ? strain : stress, sums.energy);
+  set_stiffness<dim>(response, stresses ? strain : stress, energy);
   response.two_phase_residual = two_phase_residual(sums, phases, response);
   return response;
 }

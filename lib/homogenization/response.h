@@ -44,7 +44,8 @@ struct HomogenizedResponse
    * Effective stiffness (Pa) from the energy that the boundary condition makes extremal:
    * of second order in the error of the displacements. KUBC, PBC: the elastic energy,
    * mean of L^T C L with the hourglass part. SUBC: inverse of the compliance from the
-   * complementary energy, twice the work of the tractions less the elastic energy.
+   * complementary energy, twice the work of the tractions less the elastic energy. MUBC:
+   * as KUBC, without the entries that couple a shear to anything else, see coupling.
    */
   VoigtMatrix<dim> stiffness = VoigtMatrix<dim>::Zero();
 
@@ -59,8 +60,16 @@ struct HomogenizedResponse
    * symmetrization. */
   double symmetry_residual = 0.;
 
-  /** Norm of (mean of L) - I (KUBC, PBC) or (mean of B) - I (SUBC). */
+  /** Norm of (mean of L) - I (KUBC, PBC; MUBC: of its orthotropic part) or (mean of B) - I
+   * (SUBC). */
   double mean_residual = 0.;
+
+  /** MUBC: largest entry of the mean stresses that couples a shear to anything else, in the
+   * scale of scaled_difference(): zero when x, y (and z) are axes of orthotropy. */
+  double coupling = 0.;
+
+  /** VolumeSums::energy. */
+  VoigtMatrix<dim> energy = VoigtMatrix<dim>::Zero();
 
   /**
    * With two phases their mean tensors follow from the stiffness alone: (C_i - C_m)^-1
@@ -71,7 +80,7 @@ struct HomogenizedResponse
 
   /**
    * Cell means of the concentration tensor, Voigt components of the row local, of the
-   * column macroscopic: strain L (KUBC, PBC) or stress B (SUBC). On a plane grid
+   * column macroscopic: strain L (KUBC, PBC, MUBC) or stress B (SUBC). On a plane grid
    * [ny][nx][3][3], on a mesh [n][3][3] or [n][6][6]. Empty if not asked for.
    */
   std::vector<double> concentration;
@@ -86,7 +95,7 @@ struct HomogenizedResponse
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<10>(archive, *this);
+    serialize_members<12>(archive, *this);
   }
 };
 

@@ -1,6 +1,7 @@
 #include "homogenization/rve_program.h"
 
 #include "exchange/rve_file.h"
+#include "homogenization/loads/load_output.h"
 #include "io/json.h"
 #include "io/table.h"
 #include "material/bounds.h"
@@ -254,7 +255,7 @@ void log_stiffness(RunContext &context)
     "Stiffness (GPa)", 3,
     [](std::ostream &line, const StiffnessEntry &place) { line << place.name; }));
   const bool several = summary.contains("ensemble");
-  for (const char *name : {"KUBC", "SUBC", "PBC"})
+  for (const char *name : {"KUBC", "SUBC", "PBC", "MUBC"})
     if (several && summary["ensemble"].contains(name))
       {
         const json &entry = summary["ensemble"][name];
@@ -262,7 +263,7 @@ void log_stiffness(RunContext &context)
         context.log(stiffness_text<dim>(std::string(name) + " deviation",
                                         entry["standard_deviation"]));
       }
-    else if (!several && !summary["stiffness"][name].is_null())
+    else if (!several && !summary["stiffness"].value(name, json()).is_null())
       {
         context.log(stiffness_text<dim>(name, summary["stiffness"][name]));
         context.log(stiffness_text<dim>(std::string(name) + " from mean",
@@ -290,7 +291,8 @@ void write_rve_summary(const RveParameters &parameters,
   for (std::size_t p = 0; p < results.first.phases.size(); ++p)
     out["phases"].push_back(
       {{"name", results.first.phases[p].name}, {"volume_fraction", first.fractions[p]}});
-  out["stiffness"] = {{"KUBC", nullptr}, {"SUBC", nullptr}, {"PBC", nullptr}};
+  out["stiffness"] = {
+    {"KUBC", nullptr}, {"SUBC", nullptr}, {"PBC", nullptr}, {"MUBC", nullptr}};
   for (const HomogenizedResponse<dim> &response : first.responses)
     {
       const std::string name            = to_string(response.condition);
@@ -312,8 +314,11 @@ void write_rve_summary(const RveParameters &parameters,
   if (!parameters.reference.empty())
     out["reference_stiffness"] =
       matrix_json<dim>(stiffness_from_coefficients<dim>(parameters.reference));
+  if (!parameters.loads.loads.empty())
+    out["loads"] = loads_json<dim>(parameters, results);
   log_stiffness<dim>(context);
   log_identities(first, context);
+  log_loads<dim>(context);
 }
 
 template void write_rve_results<2>(RveResults<2> &, RunContext &);

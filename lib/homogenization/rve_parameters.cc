@@ -38,11 +38,15 @@ void RveParameters::bind(Keys &keys)
   {
     const auto section             = keys.section("Homogenization");
     std::vector<std::string> names = {"KUBC", "SUBC"};
-    keys.bind_list("Boundary conditions", names, {"KUBC", "SUBC", "PBC"},
-                   "Boundary conditions of the load cases, one or more of: KUBC, "
-                   "displacements of a uniform strain; SUBC, tractions of a uniform "
-                   "stress; PBC, periodic fluctuations about a uniform strain. KUBC is "
-                   "an upper and SUBC a lower bound of large volumes [-]");
+    keys.bind_list(
+      "Boundary conditions", names, {"KUBC", "SUBC", "PBC", "MUBC"},
+      "Boundary conditions of the load cases, one or more of: KUBC, "
+      "displacements of a uniform strain; SUBC, tractions of a uniform "
+      "stress; PBC, periodic fluctuations about a uniform strain; MUBC, mixed "
+      "uniform conditions on grids in 2D and meshes, normal displacements "
+      "or, in shear, tangential ones, of a uniform strain without other "
+      "tractions, for axes of orthotropy along those of space. KUBC is "
+      "an upper and SUBC a lower bound of large volumes [-]");
     keys.bind("Solver", solver, {"multigrid", "jacobi", "ml"},
               "Preconditioner of conjugate gradients: multigrid, geometric multigrid on "
               "the grid, the fastest; jacobi, the diagonal, which takes less memory and "
@@ -52,7 +56,7 @@ void RveParameters::bind(Keys &keys)
     keys.bind("Tolerance", tolerance, Range::open(0., 1.),
               "Norm of the residual over that of the load at which conjugate gradients "
               "stop. Lower it if the run warns that few digits hold [-]");
-    keys.bind("Effective", effective, {"mean", "KUBC", "SUBC", "PBC"},
+    keys.bind("Effective", effective, {"mean", "KUBC", "SUBC", "PBC", "MUBC"},
               "Effective stiffness of the composite, which contact_dynamics reads: the "
               "mean of KUBC and SUBC, or the one of a single boundary condition [-]");
     keys.bind("Effective symmetry", effective_full, {"orthotropic", "full"},
@@ -88,6 +92,7 @@ void RveParameters::bind(Keys &keys)
               "Probability with which the interval that is given for the mean stiffness "
               "of all morphologies contains it (Student's t) [-]");
   }
+  loads.bind(keys, mesh.dim);
   refuse_keys_of_grids(keys, *this);
   if (!mesh.files.empty())
     n_members = mesh.files.size();
@@ -100,12 +105,29 @@ void RveParameters::check() const
 {
   if (conditions.empty())
     throw UserError(
-      "Homogenization/Boundary conditions is empty; name KUBC, SUBC, PBC or "
+      "Homogenization/Boundary conditions is empty; name KUBC, SUBC, PBC, MUBC or "
       "several of them");
+  if (mesh.files.empty() && mesh.dim == 3 &&
+      std::find(conditions.begin(), conditions.end(), BoundaryCondition::MUBC) !=
+        conditions.end())
+    throw UserError(
+      "Homogenization/Boundary conditions: the solver of voxels in 3D has no "
+      "MUBC; take PBC, which give the same of a volume that is symmetric "
+      "about its middle planes, or a mesh");
   if (effective != "mean" && std::find(conditions.begin(), conditions.end(),
                                        boundary_condition(effective)) == conditions.end())
     throw UserError("Homogenization/Effective is " + effective +
                     ", which is not among the Boundary conditions");
+  loads.check(conditions, microstructure.phases.size());
+  for (const PhaseParameters &phase : microstructure.phases)
+    if (mesh.dim == 2 && phase.type == PhaseParameters::Type::stiffness &&
+        !(loads.von_mises_limit.empty() && loads.principal_limit.empty()))
+      throw UserError(
+        "Loads/Von Mises limit and Principal stress limit need sigma_zz, of "
+        "which Phases/" +
+        phase.name +
+        "/Type = stiffness says nothing in 2D; give the moduli as isotropic "
+        "or orthotropic, or remove the limits");
   try
     {
       if (!reference.empty() && mesh.dim == 2)

@@ -4,7 +4,9 @@
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "base/version.h"
+#include "exchange/loads_file.h"
 #include "exchange/rve_file.h"
+#include "homogenization/loads/load_output.h"
 #include "homogenization/volume_analysis.h"
 #include "io/hdf5_file.h"
 #include "material/engineering_constants.h"
@@ -42,14 +44,16 @@ std::string inputs_digest(const Keys &keys, const RveParameters &parameters)
 }
 
 // As this program has written it, with this digest.
-bool is_up_to_date(const std::string &path, const std::string &digest)
+bool is_up_to_date(const std::string &path,
+                   const std::string &format,
+                   const std::string &digest)
 {
   if (!std::filesystem::exists(path))
     return false;
   try
     {
       const Hdf5File file = Hdf5File::open(path);
-      return file.check_header("mesoslip-rve", 1) == digest &&
+      return file.check_header(format, 1) == digest &&
              file.change_note("rve_homogenization").empty();
     }
   catch (const UserError &)
@@ -68,27 +72,33 @@ ResourceNeed VolumeAnalysis<dim>::need() const
                            ? 8. * n_voigt<dim> * n_voigt<dim> *
                                static_cast<double>(parameters.conditions.size())
                            : 0.;
-  return {n_cells() * (1. + tensors),
+  return {n_cells() * (1. + tensors) + bytes_of_loads<dim>(parameters, n_cells()),
           "set Homogenization/Write concentration = false, or take fewer cells"};
 }
 
 template <int dim>
 void VolumeAnalysis<dim>::run(RunContext &context)
 {
-  bool reuse =
-    context.root() && parameters.reuse && is_up_to_date(context.file("rve.h5"), digest);
+  bool reuse = context.root() && parameters.reuse &&
+               is_up_to_date(context.file("rve.h5"), rve_format, digest) &&
+               (parameters.loads.loads.empty() ||
+                is_up_to_date(context.file("loads.h5"), loads_format, digest));
   broadcast_object(context.communicator(), reuse);
   if (reuse)
     {
       context.log("rve.h5 is up to date: nothing that determines it has changed");
       if (context.root() && restore_rve_summary(context))
-        log_stiffness<dim>(context);
+        {
+          log_stiffness<dim>(context);
+          log_loads<dim>(context);
+        }
       return;
     }
 
   context.remove_results({"rve.h5", "rve.xdmf", "stiffness.csv",
                           "engineering_constants.csv", "phase_means.csv", "ensemble.csv",
-                          "rectangles.csv"});
+                          "rectangles.csv", "loads.h5", "loads.xdmf", "loads.csv",
+                          "loads_ensemble.csv"});
   for (const std::string &slip : slips())
     context.warn(slip);
   RveResults<dim> results;
@@ -104,6 +114,8 @@ void VolumeAnalysis<dim>::run(RunContext &context)
     return;
   for (const std::string &warning : result_warnings<dim>(results.members, parameters))
     context.warn(warning);
+  for (const std::string &warning : load_warnings<dim>(parameters, results.members))
+    context.warn(warning);
   const auto scope = context.timer().scope("Output");
   results.effective =
     mean_stiffness<dim>(results.members, effective_conditions(parameters));
@@ -111,6 +123,7 @@ void VolumeAnalysis<dim>::run(RunContext &context)
     results.effective = orthotropic_part<dim>(results.effective);
   results.first.digest = digest;
   write_rve_tables<dim>(parameters, results, context);
+  write_loads<dim>(parameters, results, context);
   write_rve_summary<dim>(parameters, results, context);
   write_rve_results<dim>(results, context);
 }

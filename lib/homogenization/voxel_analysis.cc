@@ -2,6 +2,8 @@
 #include "base/exchange.h"
 #include "elasticity/brick/brick_matrices.h"
 #include "exchange/rve_file.h"
+#include "homogenization/loads/load_output.h"
+#include "homogenization/loads/volume_cells.h"
 #include "homogenization/volume_analysis.h"
 #include "homogenization/voxel_volume.h"
 #include "io/parallel_rows.h"
@@ -104,6 +106,12 @@ protected:
                                 results.first.reserved);
         });
       }
+    const std::array<unsigned int, 3> n = parameters.microstructure.box.cells;
+    on_root(context.communicator(), [&]() {
+      loads_file =
+        reserve_loads<3>(parameters, context.file("loads.h5"), {n[2], n[1], n[0]});
+    });
+    broadcast(context.communicator(), loads_file);
     results.first.grid   = volume.map.grid;
     results.first.phases = volume.phases;
     for (unsigned int m = 0; m < parameters.n_members; ++m)
@@ -164,6 +172,12 @@ private:
                         phases));
         if (parameters.write_concentration && m == 0)
           write_concentration(solver, condition, context);
+        if (!parameters.loads.loads.empty() && parameters.loads.uses(condition))
+          for (LoadResult<3> &result : evaluate_loads(
+                 parameters.loads, member.responses.back(), loaded_phases<3>(p.phases),
+                 VoxelCells(solver, p.box, context.communicator()),
+                 m == 0 ? loads_file : std::string()))
+            member.loads.push_back(std::move(result));
       }
     return member;
   }
@@ -183,6 +197,7 @@ private:
   }
 
   VoxelMorphology volume; ///< on rank 0
+  std::string loads_file; ///< where fields of loads go; empty: nowhere
 };
 } // namespace
 

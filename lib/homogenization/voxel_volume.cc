@@ -90,11 +90,11 @@ VolumeSums<3> VoxelVolume::integrate()
   sums.condition = condition;
   sums.phases.resize(phases.size());
   for (unsigned int k = 0; k < solver->grid().n_cell_planes(); ++k)
-    for_each_cell(*solver, k,
-                  [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
-                    sums.phases[phase].strain += strain;
-                    sums.phases[phase].volume += 1.;
-                  });
+    mesoslip::for_each_cell(*solver, k,
+                            [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
+                              sums.phases[phase].strain += strain;
+                              sums.phases[phase].volume += 1.;
+                            });
   std::vector<double> all;
   for (const PhaseSums<3> &phase : sums.phases)
     {
@@ -130,17 +130,25 @@ std::array<unsigned int, 2> VoxelVolume::planes() const
   return {{grid.below() + grid.first_cell_plane() - grid.first(), grid.n_cell_planes()}};
 }
 
+void VoxelVolume::for_each_cell(
+  const unsigned int k,
+  const std::function<void(const unsigned int, const VoigtMatrix<3> &)> &action) const
+{
+  mesoslip::for_each_cell(*solver, k, action);
+}
+
 std::vector<double> VoxelVolume::concentration(const unsigned int k) const
 {
   const voxel::VoxelGrid &grid = solver->grid();
   std::vector<double> tensors;
   tensors.reserve(std::size_t{36} * grid.cells[1] * grid.cells[0]);
-  for_each_cell(*solver, k, [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
-    const VoigtMatrix<3> tensor = condition == BoundaryCondition::SUBC
-                                    ? VoigtMatrix<3>(phases[phase].stiffness * strain)
-                                    : strain;
-    tensors.insert(tensors.end(), tensor.data(), tensor.data() + 36);
-  });
+  mesoslip::for_each_cell(
+    *solver, k, [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
+      const VoigtMatrix<3> tensor = condition == BoundaryCondition::SUBC
+                                      ? VoigtMatrix<3>(phases[phase].stiffness * strain)
+                                      : strain;
+      tensors.insert(tensors.end(), tensor.data(), tensor.data() + 36);
+    });
   return tensors;
 }
 } // namespace mesoslip

@@ -43,6 +43,12 @@ public:
    */
   std::vector<double> concentration(const unsigned int k) const;
 
+  /** Calls action(phase, strain) with the mean strains of each cell of plane @p k of those,
+   * a column for each load case (SUBC: for 1 Pa), x fastest. Not collective. */
+  void for_each_cell(
+    const unsigned int k,
+    const std::function<void(const unsigned int, const VoigtMatrix<3> &)> &action) const;
+
 private:
   VolumeSums<3> integrate();
 

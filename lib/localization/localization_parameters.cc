@@ -36,7 +36,7 @@ void bind_localization(Keys &keys, LocalizationParameters &p)
   std::vector<std::string> fields      = names;
   std::string variant                  = "local strain";
   keys.bind(
-    "Concentration", p.concentration, {"KUBC", "PBC"},
+    "Concentration", p.concentration, {"KUBC", "PBC", "MUBC"},
     "Boundary conditions of the homogenization whose strain concentration tensors L "
     "are used: local strain = L : macroscopic strain");
   keys.bind("Variant", variant, {"local strain", "mean strain", "both"},

@@ -43,7 +43,7 @@ void bind_body(Keys &keys, ContactParameters &p)
     "Path of the rve.h5 of rve_homogenization from which the body takes its "
     "materials, and its size and cells where these are empty; empty: the "
     "material is that of Stiffness and Density");
-  keys.bind("Stiffness from", body.stiffness_name, {"effective", "KUBC", "SUBC", "PBC"},
+  keys.bind("Stiffness from", body.stiffness_name, {"effective", "KUBC", "SUBC", "PBC", "MUBC"},
             "Boundary conditions of the homogenization whose stiffness in the RVE file a "
             "homogeneous body takes");
   keys.bind_list(

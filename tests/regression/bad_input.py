@@ -7,6 +7,7 @@ from scenes import PHASES, SMALL_GRID, SMALL_RVE as RVE, Folder, prm, sets
 
 IMAGE = PHASES + SMALL_GRID + prm({"Microstructure/Type": "image"})
 HOMOGENEOUS = PHASES + SMALL_GRID + prm({"Microstructure/Type": "homogeneous"})
+LOADED = RVE + prm({"Loads/Names": "pull", "Loads/pull/Stress xx": 1e8})
 MODAL = "set Analysis = modal\n"
 LOCAL = prm({"Input/RVE file": "rve.h5"})
 BODY = prm({"Body/Cells": "20, 10", "Body/Size": "0.002, 0.001"})
@@ -23,6 +24,17 @@ CASES = [
     ("rve_homogenization", RVE, ["Microstructure/Random fibres/Fibre width=1e-6"], ["Fibre width"]),
     ("rve_homogenization", RVE, ["Homogenization/Boundary conditions=KUBD"], ["Boundary conditions", "KUBC"]),
     ("rve_homogenization", RVE, ["Homogenization/Effective=PBC"], ["Effective", "PBC"]),
+    ("rve_homogenization", LOADED, ["Loads/pull/Strain xx=1e-3"], ["Loads/pull/Strain xx", "Stress xx", "both", "remove one"]),
+    ("rve_homogenization", LOADED, ["Loads/pull/Stress xx=nan"], ["Loads/pull/Stress xx", "nan"]),
+    ("rve_homogenization", LOADED, ["Loads/pull/Stress xx=0"], ["Loads/pull", "not 0", "Stress xx"]),
+    ("rve_homogenization", LOADED, ["Loads/pull/Stress zz=1e6"], ["Loads/pull/Stress zz", "plane strain", "remove it"]),
+    ("rve_homogenization", LOADED, ["Loads/pull/Stres yy=1e6"], ["Stres yy", "Stress yy"]),
+    ("rve_homogenization", LOADED, ["Loads/Names=pull, pull"], ["Loads/Names", "two loads named 'pull'"]),
+    ("rve_homogenization", LOADED, ["Loads/Boundary conditions=PBC"], ["Loads/Boundary conditions", "PBC", "Homogenization/Boundary conditions"]),
+    ("rve_homogenization", LOADED, ["Loads/Von Mises limit=1e6, 2e6, 3e6"], ["Loads/Von Mises limit", "3 numbers for 2 phases"]),
+    ("rve_homogenization", LOADED.replace("set Young modulus = 30e9", "", 1), ["Loads/Von Mises limit=1e6", "Phases/matrix/Type=stiffness", "Phases/matrix/Stiffness=3e10, 1e10, 3e10, 1e10"],
+     ["Von Mises limit", "sigma_zz", "Phases/matrix/Type"]),
+    ("rve_homogenization", RVE, ["Loads/Von Mises limit=1e6"], ["Loads/Von Mises limit", "no loads", "Loads/Names"]),
     ("rve_homogenization", IMAGE, ["Microstructure/File=no.png"], ["no.png"]),
     ("contact_dynamics", CONTACT, ["Body/RVE file=no.h5"], ["RVE file", "no.h5", "rve_homogenization"]),
     ("contact_dynamics", CONTACT, ["Body/Material=heterogeneous"], ["RVE file"]),

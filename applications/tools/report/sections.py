@@ -7,6 +7,7 @@ import contact_surface
 import energies
 import figures
 import key_numbers
+import loads
 import maps
 import mesh_maps
 import paper
@@ -36,6 +37,9 @@ def plan(chain):
     fields += [(snapshot, run, chain) for run in chain.transient + chain.static if run.members("/snapshots")]
     if fields:
         result.append(("Morphology and von Mises stress", fields))
+    loaded = [run for run in chain.rve if loads.loads_of(run)]
+    if loaded:
+        result.append(("Macroscopic loads", loads.parts(loaded)))
     if chain.transient:
         result += transient_sections(chain.transient)
     for heading, make, runs in [("Modes of vibration", analyses.modes, chain.modal),
@@ -104,7 +108,7 @@ def stiffness_matrices(run):
     ensemble = run.summary.get("ensemble")
     ensemble = ensemble if isinstance(ensemble, dict) else {}
     matrices = {}
-    for name in ("KUBC", "PBC", "SUBC", "effective"):
+    for name in ("KUBC", "MUBC", "PBC", "SUBC", "effective"):
         mean = ensemble[name].get("mean") if isinstance(ensemble.get(name), dict) else None
         value = mean if mean is not None else run.get(f"/stiffness/{name}")
         if value is None:

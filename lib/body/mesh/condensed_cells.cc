@@ -15,7 +15,9 @@ CondensedCells::Index CondensedCells::target(const Index dof) const
 }
 
 template <int dim>
-void CondensedCells::reinit(Matrix &matrix, const DistributedMesh<dim> &mesh) const
+void CondensedCells::reinit(Matrix &matrix,
+                            const DistributedMesh<dim> &mesh,
+                            const bool with_held) const
 {
   const dealii::IndexSet &owned = mesh.dofs().locally_owned_dofs();
   dealii::TrilinosWrappers::SparsityPattern pattern(
@@ -31,6 +33,8 @@ void CondensedCells::reinit(Matrix &matrix, const DistributedMesh<dim> &mesh) co
           if (const Index place = target(dof);
               place != dealii::numbers::invalid_dof_index)
             targets.push_back(place);
+          else if (with_held)
+            targets.push_back(dof);
         for (const Index row : targets)
           pattern.add_entries(row, targets.begin(), targets.end());
         for (const Index dof : indices)
@@ -75,6 +79,8 @@ void CondensedCells::add(const Eigen::VectorXd &cell,
       vector.add({row}, std::vector<double>{cell(static_cast<Eigen::Index>(i))});
 }
 
-template void CondensedCells::reinit(Matrix &, const DistributedMesh<2> &) const;
-template void CondensedCells::reinit(Matrix &, const DistributedMesh<3> &) const;
+template void
+CondensedCells::reinit(Matrix &, const DistributedMesh<2> &, const bool) const;
+template void
+CondensedCells::reinit(Matrix &, const DistributedMesh<3> &, const bool) const;
 } // namespace mesoslip

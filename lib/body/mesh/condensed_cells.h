@@ -32,9 +32,12 @@ public:
   {
   }
 
-  /** Gives @p matrix the entries that all cells of @p mesh add to, zero. Collective. */
+  /** Gives @p matrix the entries that all cells of @p mesh add to, zero; @p with_held: also those
+   * of what is held. Collective. */
   template <int dim>
-  void reinit(Matrix &matrix, const DistributedMesh<dim> &mesh) const;
+  void reinit(Matrix &matrix,
+              const DistributedMesh<dim> &mesh,
+              const bool with_held = false) const;
 
   /** Adds @p cell of the degrees of freedom @p indices. */
   void

@@ -11,7 +11,7 @@ import numpy as np
 from .array import Array
 
 NAMES = ("dynamics.h5", "localization.h5", "rve.h5", "modal.h5")
-FORMATS = ("mesoslip-rve", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal", "mesoslip-dynamics-mesh", "mesoslip-modal-mesh")
+FORMATS = ("mesoslip-rve", "mesoslip-loads", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal", "mesoslip-dynamics-mesh", "mesoslip-modal-mesh")
 VERSION = 1
 
 
@@ -169,6 +169,11 @@ class ResultFile:
         if "contact_map/time" not in self.hdf5:
             raise KeyError(f"{self.path} has no map of the contact; set 'Contact map/Interval' in the run's .prm")
         return ContactMap(self)
+
+    @property
+    def loads(self):
+        """Macroscopic loads of loads.h5: {name: [boundary conditions]}; the fields are in group(f"loads/{name}/{condition}")."""
+        return {name: list(conditions) for name, conditions in self.hdf5.get("loads", {}).items()}
 
     def snapshots(self, step=1):
         """Yields time (s) and displacement (m) of every `step`th snapshot, read one at a time: [ny+1][nx+1][2], in 3D

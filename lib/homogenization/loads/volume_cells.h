@@ -1,0 +1,99 @@
+#ifndef mesoslip_homogenization_loads_volume_cells_h
+#define mesoslip_homogenization_loads_volume_cells_h
+
+#include "body/elastic_body.h"
+#include "grid/uniform_grid.h"
+#include "homogenization/load_cases.h"
+#include "homogenization/loads/local_cells.h"
+#include "homogenization/mesh_volume.h"
+#include "homogenization/voxel_volume.h"
+
+namespace mesoslip
+{
+/** The cells of a plane grid; all of them on the rank that has the solutions. */
+class GridCells : public LocalCells<2>
+{
+public:
+  /** The solutions of @p body, the cells of which are those of @p grid. */
+  GridCells(const ElasticBody<2> &body,
+            const LoadCaseSolutions &solutions,
+            const UniformGrid<2> &grid);
+
+  MPI_Comm communicator() const override
+  {
+    return MPI_COMM_SELF;
+  }
+  void for_each(const Action &action) const override;
+  void write(const std::string &path,
+             const std::vector<CellDataset> &datasets,
+             const std::size_t n,
+             const Values &values) const override;
+
+private:
+  const ElasticBody<2> &body;
+  const LoadCaseSolutions &solutions;
+  const UniformGrid<2> grid;
+};
+
+/** The cells of a mesh that is divided among the ranks. */
+template <int dim>
+class MeshCells : public LocalCells<dim>
+{
+public:
+  using typename LocalCells<dim>::Action;
+  using typename LocalCells<dim>::Values;
+
+  /** Those of the condition that @p the_volume has solved last. */
+  explicit MeshCells(const MeshVolume<dim> &the_volume)
+    : volume(the_volume)
+  {
+  }
+
+  MPI_Comm communicator() const override
+  {
+    return volume.communicator();
+  }
+  void for_each(const Action &action) const override;
+  void write(const std::string &path,
+             const std::vector<CellDataset> &datasets,
+             const std::size_t n,
+             const Values &values) const override;
+
+private:
+  const MeshVolume<dim> &volume;
+};
+
+/** The cells of voxels, of which the ranks have planes. */
+class VoxelCells : public LocalCells<3>
+{
+public:
+  /** Those of the condition that @p the_volume has solved last; they lie on @p the_grid. */
+  VoxelCells(const VoxelVolume &the_volume,
+             const UniformGrid<3> &the_grid,
+             const MPI_Comm ranks)
+    : volume(the_volume)
+    , grid(the_grid)
+    , ranks(ranks)
+  {
+  }
+
+  MPI_Comm communicator() const override
+  {
+    return ranks;
+  }
+  void for_each(const Action &action) const override;
+  void write(const std::string &path,
+             const std::vector<CellDataset> &datasets,
+             const std::size_t n,
+             const Values &values) const override;
+
+private:
+  void for_plane(const unsigned int k, const Action &action) const;
+
+  const VoxelVolume &volume;
+  const UniformGrid<3> grid;
+  const MPI_Comm ranks;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,101 @@
+"""Mixed uniform boundary conditions (MUBC) on grids and meshes.
+
+Laminates along every axis have the exact stiffness, on grids, quadrilaterals, triangles, bricks and tetrahedra. A volume that is symmetric
+about its middle planes has that of PBC. Of any volume, the blocks of normal strains and the shear moduli are not above those of KUBC, and
+not below the inverse of the blocks of the compliance of SUBC; where nothing couples them these are the quadratic forms SUBC <= MUBC <=
+KUBC. One, two and three ranks agree. Axes that are not those of orthotropy are warned of, voxels in 3D are refused.
+"""
+
+import os
+import sys
+import tempfile
+
+import numpy as np
+
+from macroscopic_loads import PHASES, close, laminate, run, stiffness
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
+from mesh_files import Box  # noqa: E402
+from scenes import Folder, prm  # noqa: E402
+
+SEED = 20261
+CONDITIONS = {"Homogenization/Boundary conditions": "KUBC, SUBC, PBC, MUBC"}
+
+
+def exact(dim, across, share):
+    """Stiffness of a laminate: stresses of unit strains."""
+    D, v = stiffness(dim), 3 * dim - 3
+    columns = []
+    for k in range(v):
+        strains = laminate(dim, across, share, {j: float(j == k) for j in range(v)}, {})
+        columns.append((1 - share) * D[0] @ strains[0] + share * D[1] @ strains[1])
+    return np.array(columns).T
+
+
+def mesh(folder, name, dim, n, group_of, kind="cube", ranks=1):
+    """Summary of a box of unit cells, whose group is 0 or 1 at a place."""
+    Box([float(m) for m in n], n, lambda x: ("soft", "stiff")[group_of(np.floor(x).astype(int))], kind).write(folder(name + ".msh"))
+    return run(folder, name, f"set Dimension = {dim}\n" + prm({**PHASES, **CONDITIONS, "Mesh/File": name + ".msh", "Mesh/Scale": 1e-3}), ranks)
+
+
+def check_laminates(folder):
+    for dim, kind in ((2, "cube"), (2, "simplex"), (3, "cube"), (3, "simplex")):
+        for across in range(dim):
+            n = [5 if d == across else 3 for d in range(dim)]
+            name = f"laminate{dim}{kind}{across}"
+            found = mesh(folder, name, dim, n, lambda x: int(x[across] in (1, 4)), kind)
+            close(found["stiffness"]["MUBC"], exact(dim, across, 0.4), 1e-9, f"MUBC of layers across {'xyz'[across]}, {dim}D, {kind}")
+
+
+def check_symmetric(folder):
+    """A quarter (an eighth) of random cells, mirrored."""
+    for dim, ranks in ((2, (1,)), (3, (1, 2, 3))):
+        part = np.random.default_rng(SEED).choice(2, size=(3,) * dim, p=[0.6, 0.4])
+        for axis in range(dim):
+            part = np.concatenate([part, np.flip(part, axis)], axis)
+        for n in ranks:
+            found = mesh(folder, f"symmetric{dim}", dim, part.shape, lambda x: part[tuple(x)], ranks=n)["stiffness"]
+            close(found["MUBC"], found["PBC"], 1e-9, f"MUBC of a symmetric volume in {dim}D on {n} ranks: PBC")
+        for upper, lower in (("KUBC", "MUBC"), ("MUBC", "SUBC")):
+            values = np.linalg.eigvalsh(np.subtract(found[upper], found[lower])) / found["KUBC"][0][0]
+            print(f"{dim}D {upper} - {lower}: smallest and largest eigenvalue {values[0]:.1e} {values[-1]:.1e}")
+            assert values[0] > -1e-9 and values[-1] > 1e-3
+
+
+def check_bounds(folder):
+    """Random cells: nothing is symmetric."""
+    for dim, kind in ((2, "cube"), (3, "cube"), (3, "simplex")):
+        cells = np.random.default_rng(SEED).choice(2, size=(5, 4, 3)[:dim], p=[0.7, 0.3])
+        summary = mesh(folder, f"random{dim}{kind}", dim, cells.shape, lambda x: cells[tuple(x)], kind)
+        found = {name: np.array(summary["stiffness"][name]) for name in ("KUBC", "SUBC", "MUBC")}
+        compliance, v = np.linalg.inv(found["SUBC"]), 3 * dim - 3
+        for block in [slice(0, dim), *(slice(k, k + 1) for k in range(dim, v))]:
+            mixed = found["MUBC"][block, block]
+            above = np.linalg.eigvalsh(found["KUBC"][block, block] - mixed)[0] / mixed[0, 0]
+            below = np.linalg.eigvalsh(mixed - np.linalg.inv(compliance[block, block]))[0] / mixed[0, 0]
+            print(f"{dim}D {kind} {block}: KUBC - MUBC {above:.1e}, MUBC - SUBC {below:.1e}")
+            assert above > -1e-10 and below > -1e-10
+        couplings = found["MUBC"] - np.where(np.eye(v) > 0, found["MUBC"], 0)
+        couplings[:dim, :dim] = 0
+        assert not couplings.any() and any("MUBC: shear is coupled" in text for text in summary["warnings"]), summary["warnings"]
+        assert summary["hill_mandel_residual"]["MUBC"] < 1e-9 and summary["two_phase_residual"]["MUBC"] < 1e-8, summary
+
+
+def check_refused(folder):
+    np.save(folder("solid.npy"), np.zeros((3, 3, 3), np.uint8))
+    folder.write("voxels.prm", "set Dimension = 3\n" + prm({
+        **PHASES, **CONDITIONS, "Grid/Cells": "3, 3, 3", "Grid/Spacing": "1e-3, 1e-3, 1e-3", "Microstructure/Type": "voxels",
+        "Microstructure/File": "solid.npy"}))
+    text = folder.run(2, "rve_homogenization", "voxels.prm", "--output", "none")
+    assert "voxels in 3D has no MUBC" in text and not os.path.exists(folder("none")), text
+
+
+def main():
+    print("seed", SEED)
+    with tempfile.TemporaryDirectory() as path:
+        for check in (check_laminates, check_symmetric, check_bounds, check_refused):
+            check(Folder(path))
+
+
+if __name__ == "__main__":
+    main()
