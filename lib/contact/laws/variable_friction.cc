@@ -53,18 +53,22 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
   last.touches   = at(Arrays::touching) != 0.;
   last.sticks    = at(Arrays::sticking) != 0.;
 
-  double moving[dim - 1], slip[dim - 1], give[dim - 1]; // V_(n-1/2), S, K
-  double rate = 0., distance = 0.;
+  constexpr Arrays::Column increments[] = {Arrays::increment_x,
+                                           Arrays::lateral_increment};
+  double slip[dim - 1], rate[dim - 1]; // slips and V_n, both without this step's friction
+  double moved = 0., distance = 0.;
   for (unsigned int k = 0; k + 1 < dim; ++k)
     {
-      const double w = surface.w[k][i], minv = surface.inverse_mass[k][i];
-      moving[k] = flat.before[k] - w;
-      slip[k]   = flat.now[k] - w + c / dt * surface.force[k][i] * minv;
-      give[k]   = c / dt * minv;
-      rate      = std::hypot(rate, moving[k]);
-      distance  = std::hypot(distance, slip[k]);
+      const double w         = surface.w[k][i],
+                   braking   = surface.force[k][i] * surface.inverse_mass[k][i],
+                   remembers = decay * at(forces[k]) + (lag - decay) * at(targets[k]);
+      slip[k] = (flat.now[k] - w) * dt + c * braking;
+      rate[k] = (1. - step.beta2) * flat.before[k] + step.beta2 * flat.now[k] - w +
+                step.beta2 * dt * (braking - surface.inverse_mass[k][i] * remembers);
+      moved    = std::hypot(moved, flat.before[k] * dt - at(increments[k]));
+      distance = std::hypot(distance, slip[k]);
     }
-  last.slip_rate = last.sticks ? 0. : rate;
+  last.slip_rate = last.sticks ? 0. : moved / dt;
 
   Node node;
   const double minv = surface.inverse_mass[dim - 1][i],
@@ -74,10 +78,9 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
   node.normal = gap < 0. && minv > 0. ? -gap / (c * minv) : 0.;
   for (unsigned int k = 0; k + 1 < dim && distance > 0.; ++k)
     {
-      const double e          = slip[k] / distance,
-                   remembers  = decay * at(forces[k]) + (lag - decay) * at(targets[k]);
-      node.free_rate += 0.5 * e * (moving[k] + slip[k] - give[k] * remembers);
-      node.softness += 0.5 * e * e * give[k] * (1. - lag);
+      const double e = slip[k] / distance;
+      node.free_rate += e * rate[k];
+      node.softness += e * e * step.beta2 * dt * surface.inverse_mass[k][i] * (1. - lag);
     }
   return node;
 }
@@ -86,7 +89,7 @@ template <int dim>
 void VariableFriction<dim>::note_weakening(const double soft, const double share)
 {
   const double by_rate = soft * law.slip_law->steepest_fall(),
-               by_slip = share > 0. ? 2. * soft / share * step.dt *
+               by_slip = share > 0. ? soft / (share * step.beta2) * step.dt *
                                         law.slip_law->steepest_fall_in_slip()
                                     : 0.;
   weakening = std::max({weakening, by_rate, by_slip});

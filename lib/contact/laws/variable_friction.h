@@ -25,12 +25,12 @@ struct FlatMotion
  * coefficient of a SlipLaw at the slip rate of the same instant, and the memory of the normal
  * stress. Sets the coefficient that the contact kernel multiplies the normal force with.
  *
- * With lumped masses each node has an equation of its own. The force f_n accelerates it from
- * V_(n-1/2) to V_(n+1/2) = S - K f_n, K = (1/2 + beta2) dt / m; the force is
- * f_n = (1 - p) mu(V_n) N + h, h being what the regularization remembers. With
- * V_n = (V_(n-1/2) + V_(n+1/2)) / 2, of order two in dt,
+ * With lumped masses each node has an equation of its own. In a step the force f_n takes a
+ * node from the slip rate V_- to V_+ = S - (dt/m) f_n, S being V_+ without friction, and
+ * f_n = (1 - p) mu(V_n) N + h, where h is what the regularization remembers. V_n =
+ * (1 - b) V_- + b V_+ with b = beta2 is the rate at t_n, of order two in dt for b = 1/2:
  *
- *     V_n + K (1 - p) N mu(V_n) / 2 = (V_(n-1/2) + S - K h) / 2
+ *     V_n + b (dt/m) (1 - p) N mu(V_n) = (1 - b) V_- + b (S - (dt/m) h)
  */
 template <int dim>
 class VariableFriction
@@ -64,8 +64,8 @@ public:
 
   /**
    * By how much friction has weakened within a step so far, relative to what the mass of a
-   * node resists, at most: K (1 - p) N |d mu/d V| / 2 or K dt N |d mu/d D|. From 1 on the slip
-   * rate of a node is not unique, or slip grows faster than the steps follow.
+   * node resists, at most: b (dt/m) (1 - p) N |d mu/d V| or (dt^2/m) N |d mu/d D|. From 1 on the
+   * slip rate of a node is not unique, or slip grows faster than the steps follow.
    */
   double largest_weakening() const
   {
