@@ -31,7 +31,8 @@ public:
                               "Friction homogenization/"}) +
         "Performance/Instruction set = " +
         to_string(resolve(this->parameters.sweep.isa)) + "\nContent of Mesh/File = " +
-        this->body.digest + "\nProgram version = " + version + "\n")
+        this->body.digest + "\nCoefficient law = " +
+        this->parameters.friction.slip_law.text() + "\nProgram version = " + version + "\n")
     , distributed(distribute_body(this->morphology,
                                   this->body.contact.points,
                                   this->body.probes,
