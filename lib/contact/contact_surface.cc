@@ -35,9 +35,8 @@ ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParamet
   std::fill_n(column(Column::decay), n_padded, relaxation.decay);
   std::fill_n(column(Column::lag), n_padded, relaxation.lag);
   if (setup.law.is_variable())
-    variable =
-      std::make_unique<VariableFriction<dim>>(setup.law, setup.friction_coefficient,
-                                              setup.area, setup.position, step);
+    variable = std::make_unique<VariableFriction<dim>>(
+      setup.law, setup.friction_coefficient, setup.area, setup.position, step);
 }
 
 template <int dim>
@@ -96,7 +95,7 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
       const double before = setup.flat_velocity(std::max(0., surface.time - step.dt));
       const auto along    = [&](const double velocity) {
         return std::array<double, 2>{
-             {velocity * setup.flat_direction[0], velocity * setup.flat_direction[1]}};
+          {velocity * setup.flat_direction[0], velocity * setup.flat_direction[1]}};
       };
       variable->update(surface, {along(before), along(flat_velocity)},
                        arrays(surface, 0, n_nodes));

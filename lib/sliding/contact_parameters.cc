@@ -264,14 +264,27 @@ void check_analysis(const Keys &keys)
                              const std::vector<std::string> &paths) {
     keys.only_with("Analysis", analyses, paths);
   };
-  only_with({"transient"},
-            {"Body/Initial velocity", "Time/", "Flat/Ramp", "Flat/Ramp time",
-             "Flat/Expression", "Top/Ramp", "Top/Ramp time", "Top/Expression",
-             "Friction/Law", "Friction/Regularization time", "Friction/Length",
-             "Friction/Reference velocity", "Friction/Normal stress",
-             "Friction/Normal stress time", "Friction/Normal stress length",
-             "Friction/Normal stress velocity", "Observation/", "Snapshots/", "Checkpoints/",
-             "Performance/Temporal blocking", "Performance/Instruction set"});
+  only_with({"transient"}, {"Body/Initial velocity",
+                            "Time/",
+                            "Flat/Ramp",
+                            "Flat/Ramp time",
+                            "Flat/Expression",
+                            "Top/Ramp",
+                            "Top/Ramp time",
+                            "Top/Expression",
+                            "Friction/Law",
+                            "Friction/Regularization time",
+                            "Friction/Length",
+                            "Friction/Reference velocity",
+                            "Friction/Normal stress",
+                            "Friction/Normal stress time",
+                            "Friction/Normal stress length",
+                            "Friction/Normal stress velocity",
+                            "Observation/",
+                            "Snapshots/",
+                            "Checkpoints/",
+                            "Performance/Temporal blocking",
+                            "Performance/Instruction set"});
   only_with({"transient", "modal"}, {"Top/Platen mass", "Top/Hold from"});
   only_with({"transient", "static contact"},
             {"Body/Acceleration", "Flat/", "Top/Pressure", "Friction/"});
@@ -312,7 +325,8 @@ void ContactParameters::bind(Keys &keys)
   keys.renamed("Performance/Static solver = assembled", "ml");
   check_analysis(keys);
   check_mesh(keys, *this);
-  if (analysis == ContactAnalysis::transient || analysis == ContactAnalysis::static_contact)
+  if (analysis == ContactAnalysis::transient ||
+      analysis == ContactAnalysis::static_contact)
     make_slip_law(keys);
 }
 

@@ -258,14 +258,15 @@ private:
       return "";
     const double fall     = pressures.largest_size() * law.slip_law->steepest_fall(),
                  radiated = scales.density * scales.wave_speed;
-    return fall < radiated ? ""
-                           : "friction falls by up to " + quantity_text(fall, "Pa s/m") +
-                               " with the slip rate under " + pressure.name("largest") +
-                               ", more than the " + quantity_text(radiated, "Pa s/m") +
-                               " that waves into the body resist (density times wave "
-                               "speed): slip jumps at once, whatever grid and step; use a "
-                               "larger Friction/Critical velocity, a regularization "
-                               "(Friction/Law), or a lower pressure";
+    return fall < radiated
+             ? ""
+             : "friction falls by up to " + quantity_text(fall, "Pa s/m") +
+                 " with the slip rate under " + pressure.name("largest") +
+                 ", more than the " + quantity_text(radiated, "Pa s/m") +
+                 " that waves into the body resist (density times wave "
+                 "speed): slip jumps at once, whatever grid and step; use a "
+                 "larger Friction/Critical velocity, a regularization "
+                 "(Friction/Law), or a lower pressure";
   }
 
   bool slides_undamped() const

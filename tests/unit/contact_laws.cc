@@ -19,7 +19,8 @@ namespace
 {
 constexpr double law_mass = 0.03, gravity = 9.81;
 
-SlipPoint at_rate(const double slip_rate, const double state = 0., const double pressure = 0.)
+SlipPoint
+at_rate(const double slip_rate, const double state = 0., const double pressure = 0.)
 {
   SlipPoint at;
   at.slip_rate = slip_rate;
@@ -29,7 +30,8 @@ SlipPoint at_rate(const double slip_rate, const double state = 0., const double 
 }
 
 template <class Law>
-ContactSetup setup_with(const Law &law, const double reference, const double flat_velocity)
+ContactSetup
+setup_with(const Law &law, const double reference, const double flat_velocity)
 {
   ContactSetup setup  = contact_setup(1, reference, flat_velocity, 0.);
   setup.law.slip_law  = std::make_shared<Law>(law);
@@ -80,7 +82,8 @@ void expect_order_two(const std::function<double(double)> &error, const double d
       ASSERT_TRUE(std::isfinite(found));
       if (last != 0.)
         {
-          EXPECT_NEAR(std::log2(last / found), 2., 0.15) << "errors " << last << " " << found;
+          EXPECT_NEAR(std::log2(last / found), 2., 0.15)
+            << "errors " << last << " " << found;
         }
       last = found;
     }
@@ -108,10 +111,12 @@ TEST(SlipLaw, Formulas)
   const RateAndState::Constants c = rate_and_state_constants(true);
   const RateAndState state(c);
   EXPECT_NEAR(state.coefficient(at_rate(0.2, 0.05)),
-              0.6 + 0.02 * std::log(0.2 / 1e-3) + 0.03 * std::log(1e-3 * 0.05 / 2e-3), 1e-13);
+              0.6 + 0.02 * std::log(0.2 / 1e-3) + 0.03 * std::log(1e-3 * 0.05 / 2e-3),
+              1e-13);
   EXPECT_EQ(state.coefficient(at_rate(0., 0.05)), 0.);
-  EXPECT_EQ(RateAndState({0.6, 1e-4, 0., 2e-3, 1e-3, 0.5, true}).coefficient(at_rate(0., 1.)),
-            0.); // exp(6000) is beyond all numbers
+  EXPECT_EQ(
+    RateAndState({0.6, 1e-4, 0., 2e-3, 1e-3, 0.5, true}).coefficient(at_rate(0., 1.)),
+    0.);                                   // exp(6000) is beyond all numbers
   const double tiny = 1e-20, theta = 0.05; // asinh(x) = x
   EXPECT_NEAR(state.coefficient(at_rate(tiny, theta)) /
                 (0.02 * tiny / 2e-3 *
@@ -126,8 +131,8 @@ TEST(SlipLaw, SlopesAndTheirBounds)
   const FrictionTable table({{0., 1., 3.}, {0.}, {0.6, 0.5, 0.1}});
   const FrictionExpression expression("0.3 + 0.2*exp(-V^2)", 2, {});
   for (const double V : {1e-3, 0.1, 0.5, 0.9, 2., 2.7})
-    for (const SlipLaw *law :
-         std::initializer_list<const SlipLaw *>{&curve, &plain, &state, &table, &expression})
+    for (const SlipLaw *law : std::initializer_list<const SlipLaw *>{
+           &curve, &plain, &state, &table, &expression})
       EXPECT_NEAR(law->slope(at_rate(V, 0.3)), difference(*law, at_rate(V, 0.3)),
                   2e-5 * std::fabs(law->slope(at_rate(V, 0.3))) + 1e-7);
   for (const Stribeck *law : {&curve, &plain})
@@ -162,7 +167,8 @@ TEST(SlipLaw, ExpressionsInAllVariables)
   at.position  = {{0.01, 0.02}};
   EXPECT_NEAR(FrictionExpression("0.1*V + 10*D + p/1e8 + t + x", 2, {}).coefficient(at),
               0.2 + 0.01 + 0.05 + 0.25 + 0.01, 1e-15);
-  EXPECT_NEAR(FrictionExpression("if(y > 0.01, 0.3, 0.2)", 3, {}).coefficient(at), 0.3, 0.);
+  EXPECT_NEAR(FrictionExpression("if(y > 0.01, 0.3, 0.2)", 3, {}).coefficient(at), 0.3,
+              0.);
   EXPECT_FALSE(FrictionExpression("0.3/(1 + V)", 2, {}).looks_around());
   EXPECT_FALSE(FrictionExpression("0.3/(1 + V)", 2, {}).state());
   EXPECT_TRUE(FrictionExpression("0.3/(1 + D)", 2, {}).state());
@@ -211,12 +217,11 @@ TEST(SlipLaw, SlipWeakeningTurnsKineticEnergyIntoWork)
             block.advance();
           const auto &h  = block.history();
           const double D = h.nodes[0].ux.back(), x = D / c.critical_slip;
-          const double weakened =
-            exponential ? 1. - std::exp(-x) : x - 0.5 * x * x;
+          const double weakened = exponential ? 1. - std::exp(-x) : x - 0.5 * x * x;
           const double square =
-            v0 * v0 - 2. * gravity *
-                        (c.kinetic * D +
-                         (c.at_rest - c.kinetic) * c.critical_slip * weakened);
+            v0 * v0 -
+            2. * gravity *
+              (c.kinetic * D + (c.at_rest - c.kinetic) * c.critical_slip * weakened);
           EXPECT_NEAR(block.contact.law_state()[0], D, 1e-12);
           return std::fabs(std::sqrt(square) - h.nodes[0].vx.back());
         },
@@ -250,9 +255,9 @@ TEST(SlipLaw, RateAndStateAfterAStepOfVelocity)
       for (int n = 1; n < 2000; ++n)
         {
           point.advance();
-          const double slip  = V2 * n * dt, decay = std::exp(-slip / c.length);
-          const double state = aging ? std::log1p((V2 / V1 - 1.) * decay)
-                                     : std::log(V2 / V1) * decay;
+          const double slip = V2 * n * dt, decay = std::exp(-slip / c.length);
+          const double state =
+            aging ? std::log1p((V2 / V1 - 1.) * decay) : std::log(V2 / V1) * decay;
           ASSERT_NEAR(point.friction() / point.pressing(),
                       before + c.a * std::log(V2 / V1) - c.b * std::log(V2 / V1) +
                         c.b * state,
@@ -273,12 +278,13 @@ TEST(SlipLaw, RateAndStateIsOfOrderTwo)
       using State      = std::array<double, 2>;
       const auto rates = [&](const State &y) {
         const double x = y[0] * y[1] / c.length;
-        return State{{-gravity * c.a *
-                        std::asinh(y[0] / (2. * c.velocity) *
-                                   std::exp((c.reference +
-                                             c.b * std::log(c.velocity * y[1] / c.length)) /
-                                            c.a)),
-                      aging ? 1. - x : -x * std::log(x)}};
+        return State{
+          {-gravity * c.a *
+             std::asinh(
+               y[0] / (2. * c.velocity) *
+               std::exp((c.reference + c.b * std::log(c.velocity * y[1] / c.length)) /
+                        c.a)),
+           aging ? 1. - x : -x * std::log(x)}};
       };
       State y{{v0, theta0}};
       const int steps = 400000;
@@ -296,7 +302,7 @@ TEST(SlipLaw, RateAndStateIsOfOrderTwo)
         [&](const double dt) {
           Points block = thrown(setup_with(law, c.reference, 0.), dt, v0,
                                 gravity * law.coefficient(at_rate(v0, theta0)));
-          const int n = static_cast<int>(std::lround(end / dt));
+          const int n  = static_cast<int>(std::lround(end / dt));
           for (int k = 0; k <= n; ++k)
             block.advance();
           return std::fabs(block.history().nodes[0].vx.back() - y[0]);
@@ -315,7 +321,8 @@ TEST(SlipLaw, ForceAndSlipRateBelongTogether)
     {
       block.advance();
       const double V = block.history().nodes[0].vx.back() - 0.5;
-      ASSERT_NEAR(block.friction(), -law.coefficient(at_rate(V)) * block.pressing(), 1e-12);
+      ASSERT_NEAR(block.friction(), -law.coefficient(at_rate(V)) * block.pressing(),
+                  1e-12);
     }
   // Twice the coefficient of the law, as of a node in another phase.
   ContactSetup setup         = setup_with(law, 0.6, 0.5);
@@ -324,7 +331,8 @@ TEST(SlipLaw, ForceAndSlipRateBelongTogether)
   other.advance();
   other.advance();
   const double V = other.history().nodes[0].vx.back() - 0.5;
-  EXPECT_NEAR(other.friction(), -2. * law.coefficient(at_rate(V)) * other.pressing(), 1e-12);
+  EXPECT_NEAR(other.friction(), -2. * law.coefficient(at_rate(V)) * other.pressing(),
+              1e-12);
 }
 
 // A block on a spring of which the other end moves: sticks up to mu_s, slips by twice the
@@ -362,9 +370,15 @@ TEST(SlipLaw, SlipIsForgottenAsHealingSays)
       EXPECT_NEAR(healing.next_slip(1., slips), 1.2, 1e-15);
       const double fading = std::exp(-2.);
       EXPECT_NEAR(healing.next_slip(1., sticks),
-                  kind == Kind::sticking ? 0. : kind == Kind::time ? fading : 1., 1e-15);
+                  kind == Kind::sticking ? 0.
+                  : kind == Kind::time   ? fading
+                                         : 1.,
+                  1e-15);
       EXPECT_NEAR(healing.next_slip(1., flies),
-                  kind == Kind::none ? 1. : kind == Kind::time ? fading : 0., 1e-15);
+                  kind == Kind::none   ? 1.
+                  : kind == Kind::time ? fading
+                                       : 0.,
+                  1e-15);
     }
 }
 

@@ -83,7 +83,8 @@ double FrictionExpression::largest(const double fastest) const
 bool FrictionExpression::looks_around() const
 {
   return expression->has(pressure) || expression->has(moment) ||
-         expression->has(place_x) || (values.size() > place_y && expression->has(place_y));
+         expression->has(place_x) ||
+         (values.size() > place_y && expression->has(place_y));
 }
 
 bool FrictionExpression::has_slip() const

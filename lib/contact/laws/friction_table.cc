@@ -41,9 +41,8 @@ double FrictionTable::on_row(const std::size_t i, const SlipPoint &at) const
 {
   const TablePlace place(points.pressure, at.pressure);
   const double *const row = points.coefficient.data() + i * points.pressure.size();
-  return place.share > 0.
-           ? row[place.i] + place.share * (row[place.i + 1] - row[place.i])
-           : row[place.i];
+  return place.share > 0. ? row[place.i] + place.share * (row[place.i + 1] - row[place.i])
+                          : row[place.i];
 }
 
 double FrictionTable::coefficient(const SlipPoint &at) const
@@ -72,9 +71,9 @@ double FrictionTable::steepest_fall() const
   const std::size_t m = points.pressure.size();
   for (std::size_t i = 0; i + 1 < points.slip_rate.size(); ++i)
     for (std::size_t j = 0; j < m; ++j)
-      fall = std::max(fall, (points.coefficient[i * m + j] -
-                             points.coefficient[(i + 1) * m + j]) /
-                              (points.slip_rate[i + 1] - points.slip_rate[i]));
+      fall = std::max(
+        fall, (points.coefficient[i * m + j] - points.coefficient[(i + 1) * m + j]) /
+                (points.slip_rate[i + 1] - points.slip_rate[i]));
   return fall;
 }
 } // namespace mesoslip

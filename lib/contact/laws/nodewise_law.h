@@ -14,8 +14,10 @@ namespace mesoslip
  * has all but the slip rate, which begins with its value.
  */
 template <class Law>
-double
-solve_slip_rate(const Law &law, SlipPoint at, const double free_rate, const double softness)
+double solve_slip_rate(const Law &law,
+                       SlipPoint at,
+                       const double free_rate,
+                       const double softness)
 {
   constexpr double accuracy = 1e-13;
   constexpr int most_steps  = 200;
@@ -31,10 +33,10 @@ solve_slip_rate(const Law &law, SlipPoint at, const double free_rate, const doub
     rate = upper;
   for (int n = 0; n < most_steps; ++n)
     {
-      const double error = excess(rate);
+      const double error           = excess(rate);
       (error > 0. ? upper : lower) = rate;
-      const double next = rate - error / (1. + softness * law.slope(at));
-      const double last = rate;
+      const double next            = rate - error / (1. + softness * law.slope(at));
+      const double last            = rate;
       // Rates may lie decades apart.
       if (next > lower && next < upper)
         rate = next;

@@ -63,7 +63,7 @@ public:
     if (!step.touches)
       return c.initial_state;
     const double x = step.slip_rate * step.dt / c.length; // slip over L
-    if (c.aging) // dt (1 - exp(-x)) / x comes in
+    if (c.aging)                                          // dt (1 - exp(-x)) / x comes in
       return state * std::exp(-x) + step.dt * (x > 0. ? -std::expm1(-x) / x : 1.);
     if (!(x > 0.))
       return state;

@@ -21,8 +21,8 @@ struct SlipPoint
 /** What a law remembers of each node. */
 struct StateVariable
 {
-  std::string name;   ///< "slip"
-  std::string unit;   ///< "m"
+  std::string name;    ///< "slip"
+  std::string unit;    ///< "m"
   double initial = 0.; ///< before the first contact
 };
 
@@ -41,15 +41,15 @@ struct SlipStep
  */
 struct SlipNodes
 {
-  std::size_t n                         = 0;       ///< number of nodes
-  const SlipStep *before                = nullptr; ///< the step that ends now
-  const double *free_rate               = nullptr; ///< m/s
-  const double *softness                = nullptr; ///< m/s; negative: does not touch
-  const double *pressure                = nullptr; ///< Pa, or null
-  std::array<const double *, 2> position = {};     ///< m, or null
-  double time                           = 0.;      ///< s
-  double *state                         = nullptr; ///< in the law's unit, or null; updated
-  double *coefficient                   = nullptr; ///< result where a node touches
+  std::size_t n                          = 0;       ///< number of nodes
+  const SlipStep *before                 = nullptr; ///< the step that ends now
+  const double *free_rate                = nullptr; ///< m/s
+  const double *softness                 = nullptr; ///< m/s; negative: does not touch
+  const double *pressure                 = nullptr; ///< Pa, or null
+  std::array<const double *, 2> position = {};      ///< m, or null
+  double time                            = 0.;      ///< s
+  double *state       = nullptr; ///< in the law's unit, or null; updated
+  double *coefficient = nullptr; ///< result where a node touches
 };
 
 /**

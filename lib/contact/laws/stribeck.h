@@ -42,7 +42,9 @@ public:
   double slope(const SlipPoint &at) const override
   {
     const double x = at.slip_rate / c.critical_velocity, y = power(at.slip_rate),
-                 of_power = c.exponent == 1. ? 1. : x > 0. ? c.exponent * y / x : 0.;
+                 of_power = c.exponent == 1. ? 1.
+                            : x > 0.         ? c.exponent * y / x
+                                             : 0.;
     return (c.kinetic - c.at_rest) * std::exp(-y) * of_power / c.critical_velocity +
            c.viscous;
   }

@@ -62,7 +62,7 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
       const double w         = surface.w[k][i],
                    braking   = surface.force[k][i] * surface.inverse_mass[k][i],
                    remembers = decay * at(forces[k]) + (lag - decay) * at(targets[k]);
-      slip[k] = (flat.now[k] - w) * dt + c * braking;
+      slip[k]                = (flat.now[k] - w) * dt + c * braking;
       rate[k] = (1. - step.beta2) * flat.before[k] + step.beta2 * flat.now[k] - w +
                 step.beta2 * dt * (braking - surface.inverse_mass[k][i] * remembers);
       moved    = std::hypot(moved, flat.before[k] * dt - at(increments[k]));
@@ -73,8 +73,7 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
   Node node;
   const double minv = surface.inverse_mass[dim - 1][i],
                gap  = at(Arrays::gap) + surface.u[dim - 1][i] +
-                     dt * surface.w[dim - 1][i] +
-                     c * (-surface.force[dim - 1][i] * minv);
+                     dt * surface.w[dim - 1][i] + c * (-surface.force[dim - 1][i] * minv);
   node.normal = gap < 0. && minv > 0. ? -gap / (c * minv) : 0.;
   for (unsigned int k = 0; k + 1 < dim && distance > 0.; ++k)
     {
@@ -92,7 +91,7 @@ void VariableFriction<dim>::note_weakening(const double soft, const double share
                by_slip = share > 0. ? soft / (share * step.beta2) * step.dt *
                                         law.slip_law->steepest_fall_in_slip()
                                     : 0.;
-  weakening = std::max({weakening, by_rate, by_slip});
+  weakening            = std::max({weakening, by_rate, by_slip});
 }
 
 template <int dim>
@@ -100,9 +99,9 @@ void VariableFriction<dim>::update(const SurfaceView<dim> &surface,
                                    const FlatMotion &flat,
                                    const ContactArrays &contact)
 {
-  using Arrays          = ContactArrays;
-  const std::size_t n   = factor.size();
-  double *const result  = contact.column[Arrays::friction_coefficient];
+  using Arrays                      = ContactArrays;
+  const std::size_t n               = factor.size();
+  double *const result              = contact.column[Arrays::friction_coefficient];
   const double *const before_normal = contact.column[Arrays::normal_force];
   for (std::size_t i = 0; i < n; ++i)
     {
@@ -112,7 +111,7 @@ void VariableFriction<dim>::update(const SurfaceView<dim> &surface,
       if (!remembered.empty())
         {
           const Relaxation r = law.normal_stress.step(step.dt, before[i].slip_rate);
-          pressing           = node.normal + r.decay * (remembered[i] - before_normal[i]) -
+          pressing = node.normal + r.decay * (remembered[i] - before_normal[i]) -
                      r.lag * (node.normal - before_normal[i]);
           remembered[i] = node.normal > 0. ? std::max(0., pressing) : 0.;
           pressing      = remembered[i];

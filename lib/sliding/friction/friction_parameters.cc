@@ -13,10 +13,11 @@ namespace
 void bind_normal_stress(Keys &keys, std::string &kind, NormalStressMemory &memory)
 {
   double time = 1e-6, length = 1e-6, reference_velocity = 1e-3;
-  keys.bind("Normal stress", kind, {"instant", "constant time", "slip rate"},
-            "What the limit of friction follows: the normal stress sigma at once, mu sigma; "
-            "or mu sigma* with d sigma*/dt = -(sigma* - sigma)/t_pc (Prakash and Clifton), "
-            "t_pc being constant or L/(|V_rel| + V_ref)");
+  keys.bind(
+    "Normal stress", kind, {"instant", "constant time", "slip rate"},
+    "What the limit of friction follows: the normal stress sigma at once, mu sigma; "
+    "or mu sigma* with d sigma*/dt = -(sigma* - sigma)/t_pc (Prakash and Clifton), "
+    "t_pc being constant or L/(|V_rel| + V_ref)");
   keys.bind("Normal stress time", time, Range::positive(),
             "t_pc of Normal stress = constant time [s]");
   keys.bind("Normal stress length", length, Range::positive(),
@@ -70,7 +71,8 @@ void FrictionParameters::bind(Keys &keys, FrictionLaw &law)
                "Coefficient law is a table or an expression, which say it all",
                "choose another law");
   keys.require(!slip_law.is_given() || !slip_law.has_reference() || coefficient > 0.,
-               "Coefficient", "it is 0, but Coefficient law refers to it; give it above 0");
+               "Coefficient",
+               "it is 0, but Coefficient law refers to it; give it above 0");
   if (law_name == "coulomb")
     law.time = 0.;
   if (law_name == "slip rate")
@@ -97,19 +99,23 @@ void FrictionParameters::make_slip_law(const Keys &keys, const Use &use, Frictio
       require(std::isfinite(coefficient),
               "which at rest and Top/Pressure has a negative coefficient or none");
       at.slip_rate = use.speed;
-      require(std::isfinite(made->coefficient(at)),
-              "which at the speed of the flat and Top/Pressure has a negative coefficient "
-              "or none");
-      law.slip_law  = made;
-      law.reference = coefficient_by_phase && !slip_law.has_reference() ? 1. : coefficient;
+      require(
+        std::isfinite(made->coefficient(at)),
+        "which at the speed of the flat and Top/Pressure has a negative coefficient "
+        "or none");
+      law.slip_law = made;
+      law.reference =
+        coefficient_by_phase && !slip_law.has_reference() ? 1. : coefficient;
       return;
     }
-  require(!coefficient_by_phase,
-          "which statics have for one coefficient of all nodes only; set Coefficient from "
-          "= constant");
-  require(!made->looks_around(),
-          "which depends on pressure, time or place; statics know a coefficient at a slip "
-          "rate only, use a transient run");
+  require(
+    !coefficient_by_phase,
+    "which statics have for one coefficient of all nodes only; set Coefficient from "
+    "= constant");
+  require(
+    !made->looks_around(),
+    "which depends on pressure, time or place; statics know a coefficient at a slip "
+    "rate only, use a transient run");
   require(slip_law.kind != SlipLawParameters::Kind::rate_and_state || use.speed > 0.,
           "which has no coefficient at rest; set Flat/Velocity, whose steady friction is "
           "then taken");
@@ -126,9 +132,9 @@ std::string FrictionParameters::memory_text(const NormalStressMemory &memory)
 {
   if (!memory.is_given())
     return "";
-  return memory.length > 0. ? "slip rate, L = " + to_text(memory.length) +
-                                " m, V_ref = " + to_text(memory.reference_velocity) +
-                                " m/s"
-                            : "constant time, t_pc = " + to_text(memory.time) + " s";
+  return memory.length > 0.
+           ? "slip rate, L = " + to_text(memory.length) +
+               " m, V_ref = " + to_text(memory.reference_velocity) + " m/s"
+           : "constant time, t_pc = " + to_text(memory.time) + " s";
 }
 } // namespace mesoslip

@@ -20,8 +20,8 @@ struct FrictionParameters
   bool coefficient_by_phase = false;           ///< those of the phases in rve.h5
   double coefficient        = 0.25;            ///< of all nodes, unless by phase; at rest
   std::string node_rule =
-    "stiffness"; ///< stiffness, mean, largest or smallest; see make_body()
-  SlipLawParameters slip_law;           ///< how the coefficient varies
+    "stiffness";              ///< stiffness, mean, largest or smallest; see make_body()
+  SlipLawParameters slip_law; ///< how the coefficient varies
   std::string normal_stress = "instant"; ///< or constant time, slip rate
 
   /** Whether all nodes have a coefficient of which Friction/Coefficient is the constant. */
@@ -36,10 +36,10 @@ struct FrictionParameters
   /** Where and how a law of the coefficient is used. */
   struct Use
   {
-    unsigned int dim    = 2;    ///< of the body
-    double pressure     = 0.;   ///< of the top (Pa)
-    double speed        = 0.;   ///< of the flat (m/s), at least 0
-    bool in_time        = true; ///< in a transient run; else in statics
+    unsigned int dim    = 2;     ///< of the body
+    double pressure     = 0.;    ///< of the top (Pa)
+    double speed        = 0.;    ///< of the flat (m/s), at least 0
+    bool in_time        = true;  ///< in a transient run; else in statics
     bool flat_displaced = false; ///< in statics, in increments
   };
 

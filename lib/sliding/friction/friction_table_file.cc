@@ -27,26 +27,27 @@ std::size_t place_in(const std::vector<double> &axis, const double value)
 
 FrictionTable::Points read_friction_table(const std::string &path)
 {
-  const CsvTable table = CsvTable::read(path);
-  const std::vector<double> rate  = table.numbers("slip rate [m/s]"),
-                            value = table.numbers("coefficient [-]");
-  const bool by_pressure            = table.has_column("pressure [Pa]");
+  const CsvTable table               = CsvTable::read(path);
+  const std::vector<double> rate     = table.numbers("slip rate [m/s]"),
+                            value    = table.numbers("coefficient [-]");
+  const bool by_pressure             = table.has_column("pressure [Pa]");
   const std::vector<double> pressing = by_pressure
                                          ? table.numbers("pressure [Pa]")
                                          : std::vector<double>(table.n_rows(), 0.);
   if (table.n_rows() == 0)
-    throw UserError(path + " has no row; give at least one slip rate with its coefficient");
+    throw UserError(path +
+                    " has no row; give at least one slip rate with its coefficient");
   FrictionTable::Points points;
-  points.slip_rate = ascending(rate);
-  points.pressure  = ascending(pressing);
+  points.slip_rate    = ascending(rate);
+  points.pressure     = ascending(pressing);
   const std::size_t m = points.pressure.size();
   points.coefficient.assign(points.slip_rate.size() * m,
                             std::numeric_limits<double>::quiet_NaN());
   for (std::size_t row = 0; row < table.n_rows(); ++row)
     {
-      for (const auto &[name, number] : {std::pair("slip rate", rate[row]),
-                                         std::pair("coefficient", value[row]),
-                                         std::pair("pressure", pressing[row])})
+      for (const auto &[name, number] :
+           {std::pair("slip rate", rate[row]), std::pair("coefficient", value[row]),
+            std::pair("pressure", pressing[row])})
         if (number < 0.)
           table.fail(row, std::string("the ") + name + " is " + to_text(number) +
                             "; it must not be negative");

@@ -65,15 +65,20 @@ std::string healing_text(const Healing &healing)
 
 void SlipLawParameters::bind(Keys &keys)
 {
+  keys.bind("Coefficient law", kind, law_names,
+            "Friction coefficient mu, V being the slip rate and D the accumulated slip "
+            "of a node: "
+            "constant; mu_k + (mu_s - mu_k) exp(-V/V_c) (static and kinetic); mu_k + "
+            "(mu_s - mu_k) "
+            "exp(-(V/V_c)^n) + c V (Stribeck); mu_k + (mu_s - mu_k) (1 - D/D_c) down to "
+            "mu_k (linear "
+            "slip weakening); mu_k + (mu_s - mu_k) exp(-D/D_c) (exponential slip "
+            "weakening); rate "
+            "and state; a table; or an expression. Coefficient is mu_s, and f_0 of rate "
+            "and state");
   keys.bind(
-    "Coefficient law", kind, law_names,
-    "Friction coefficient mu, V being the slip rate and D the accumulated slip of a node: "
-    "constant; mu_k + (mu_s - mu_k) exp(-V/V_c) (static and kinetic); mu_k + (mu_s - mu_k) "
-    "exp(-(V/V_c)^n) + c V (Stribeck); mu_k + (mu_s - mu_k) (1 - D/D_c) down to mu_k (linear "
-    "slip weakening); mu_k + (mu_s - mu_k) exp(-D/D_c) (exponential slip weakening); rate "
-    "and state; a table; or an expression. Coefficient is mu_s, and f_0 of rate and state");
-  keys.bind("Kinetic coefficient", stribeck.kinetic, Range::non_negative(),
-            "mu_k, of fast sliding or after much slip; above Coefficient friction rises [-]");
+    "Kinetic coefficient", stribeck.kinetic, Range::non_negative(),
+    "mu_k, of fast sliding or after much slip; above Coefficient friction rises [-]");
   keys.bind("Critical velocity", stribeck.critical_velocity, Range::positive(),
             "V_c, the slip rate within which mu goes from mu_s to mu_k [m/s]");
   keys.bind("Stribeck exponent", stribeck.exponent, Range::closed(1., 10.),
@@ -91,13 +96,15 @@ void SlipLawParameters::bind(Keys &keys)
   bind_rate_and_state(keys, state);
   keys.bind_input(
     "Table", table_file,
-    "CSV file with the columns 'slip rate [m/s]', 'coefficient [-]' and, if it depends on "
+    "CSV file with the columns 'slip rate [m/s]', 'coefficient [-]' and, if it depends "
+    "on "
     "the pressure, 'pressure [Pa]': a row for each pair. Bilinear in between, constant "
     "beyond the table");
-  keys.bind("Coefficient expression", expression,
-            "mu as an expression in the slip rate V [m/s], the accumulated slip D [m], the "
-            "pressure p [Pa], the time t [s] and the place x and, in 3D, y [m], such as "
-            "0.2 + 0.1*exp(-V/0.5)");
+  keys.bind(
+    "Coefficient expression", expression,
+    "mu as an expression in the slip rate V [m/s], the accumulated slip D [m], the "
+    "pressure p [Pa], the time t [s] and the place x and, in 3D, y [m], such as "
+    "0.2 + 0.1*exp(-V/0.5)");
   keys.only_with("Coefficient law",
                  {"static and kinetic", "Stribeck", "linear slip weakening",
                   "exponential slip weakening"},
@@ -106,11 +113,12 @@ void SlipLawParameters::bind(Keys &keys)
                  {"Critical velocity"});
   keys.only_with("Coefficient law", {"Stribeck"},
                  {"Stribeck exponent", "Viscous coefficient"});
-  keys.only_with("Coefficient law", {"linear slip weakening", "exponential slip weakening"},
+  keys.only_with("Coefficient law",
+                 {"linear slip weakening", "exponential slip weakening"},
                  {"Critical slip"});
-  keys.only_with(
-    "Coefficient law",
-    {"linear slip weakening", "exponential slip weakening", "expression"}, {"Healing"});
+  keys.only_with("Coefficient law",
+                 {"linear slip weakening", "exponential slip weakening", "expression"},
+                 {"Healing"});
   keys.only_with("Healing", {"time"}, {"Healing time"});
   keys.only_with("Coefficient law", {"rate and state"}, {"Rate and state/"});
   keys.only_with("Coefficient law", {"table"}, {"Table"});
@@ -119,13 +127,12 @@ void SlipLawParameters::bind(Keys &keys)
                "it is empty; name the CSV file of Coefficient law = table");
 }
 
-std::shared_ptr<const SlipLaw> SlipLawParameters::make(const Keys &keys,
-                                                       const double reference,
-                                                       const unsigned int dim)
+std::shared_ptr<const SlipLaw>
+SlipLawParameters::make(const Keys &keys, const double reference, const unsigned int dim)
 {
   stribeck.at_rest = weakening.at_rest = state.reference = reference;
-  weakening.kinetic = stribeck.kinetic;
-  weakening.healing = healing;
+  weakening.kinetic                                      = stribeck.kinetic;
+  weakening.healing                                      = healing;
   switch (kind)
     {
     case Kind::constant:

@@ -69,7 +69,7 @@ struct SlipLawParameters
   Stribeck::Constants stribeck       = {0., 0.2, 0.1, 2., 0.};
   SlipWeakening::Constants weakening = {0., 0.2, 1e-5, false, {}};
   RateAndState::Constants state;
-  Healing healing      = {Healing::Kind::separation, 1e-3};
+  Healing healing = {Healing::Kind::separation, 1e-3};
   std::string table_file;
   std::string expression = "0.3";
 

@@ -128,7 +128,7 @@ void RunStatistics<dim>::collect(TransientResult &all)
   all.top     = surfaces.top_recorder.history();
   sum_over_ranks(all.history, surfaces.setup.ranks);
   sum_over_ranks(all.top, surfaces.setup.ranks);
-  all.top    = of_top(all.top);
+  all.top = of_top(all.top);
   if (const auto *friction = surfaces.contact.variable_friction())
     all.largest_weakening =
       dealii::Utilities::MPI::max(friction->largest_weakening(), context.communicator());

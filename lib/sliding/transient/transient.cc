@@ -32,18 +32,17 @@ std::string run_identity(const Keys &keys,
                                "Observation/Steady from", "Checkpoints/", "Performance/",
                                "Modal/", "Static contact/", "Friction homogenization/"}) +
          "Performance/Instruction set = " + to_string(resolve(isa)) +
-         "\nContent of Body/RVE file = " + rve_digest + "\nCoefficient law = " + coefficient_law +
-         "\nProgram version = " + version + "\n";
+         "\nContent of Body/RVE file = " + rve_digest +
+         "\nCoefficient law = " + coefficient_law + "\nProgram version = " + version +
+         "\n";
 }
 } // namespace
 
 TransientAnalysis::TransientAnalysis(const ContactParameters &p, const Keys &keys)
   : BodyAnalysis(p)
   , scales(material)
-  , identity(run_identity(keys,
-                          parameters.sweep.isa,
-                          body.rve_digest,
-                          parameters.friction.slip_law.text()))
+  , identity(run_identity(
+      keys, parameters.sweep.isa, body.rve_digest, parameters.friction.slip_law.text()))
 {
   const unsigned int n_rows  = body.grid.cells[1] + 1,
                      n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),

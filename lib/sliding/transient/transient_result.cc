@@ -139,12 +139,13 @@ std::string weakening_remark(const TransientResult &run)
 {
   return !(run.largest_weakening >= 1.)
            ? ""
-           : brief_text(3, "friction fell up to ", run.largest_weakening,
-                        " times as fast with slip rate or slip as the mass of a contact "
-                        "node can resist within a time step: where it did, slip began with a "
-                        "jump that depends on grid and step; a larger critical velocity or "
-                        "slip of Friction/Coefficient law, a finer grid with its shorter "
-                        "step, or a lower pressure avoid that");
+           : brief_text(
+               3, "friction fell up to ", run.largest_weakening,
+               " times as fast with slip rate or slip as the mass of a contact "
+               "node can resist within a time step: where it did, slip began with a "
+               "jump that depends on grid and step; a larger critical velocity or "
+               "slip of Friction/Coefficient law, a finer grid with its shorter "
+               "step, or a lower pressure avoid that");
 }
 
 /** Frequencies that the samples of the statistics cannot tell. */
@@ -306,9 +307,8 @@ void TransientResult::add_remarks()
 {
   duration_warning = duration_remark(contact.duration);
   friction_warning = has_statistics ? friction_remark(*this) : steady_part_remark(*this);
-  for (const std::string &text :
-       {spectrum_remark(*this), history_remark(*this), separation_remark(*this),
-        weakening_remark(*this)})
+  for (const std::string &text : {spectrum_remark(*this), history_remark(*this),
+                                  separation_remark(*this), weakening_remark(*this)})
     if (!text.empty())
       warnings.push_back(text);
 }
