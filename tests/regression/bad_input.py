@@ -153,7 +153,7 @@ UNUSED = [
     ("contact_dynamics", CONTACT, ["Friction/Coefficient law=Stribeck", "Friction/Healing=none"], ["Friction/Healing", "slip weakening"]),
     ("contact_dynamics", CONTACT, ["Friction/Coefficient law=table"], ["Friction/Table", "it is empty"]),
     ("contact_dynamics", CONTACT, ["Friction/Coefficient law=expression", "Friction/Coefficient=0.3"], ["Friction/Coefficient has", "say it all"]),
-    ("contact_dynamics", CONTACT, ["Friction/Normal stress time=1e-6"], ["Normal stress time", "Normal stress = constant time"]),
+    ("contact_dynamics", CONTACT, ["Friction/Normal stress time=2e-6"], ["Normal stress time", "Normal stress = constant time"]),
     ("contact_dynamics", CONTACT, ["Friction/Node rule=mean"], ["Node rule", "Coefficient from = phases"]),
     ("contact_dynamics", CONTACT, ["Observation/Probe interval=3"], ["Probe interval", "there are no probes"]),
     ("contact_dynamics", CONTACT, ["Snapshots/From=1e-7"], ["Snapshots/From", "set Snapshots/Interval"]),

@@ -9,9 +9,10 @@ namespace mesoslip
 {
 /**
  * The slip rate V from 0 to @p free_rate with V + softness mu(V) = free_rate, by Newton's
- * method within an interval that always holds a solution; 0 where @p softness mu(0) alone
- * stops the node. It is the only one as long as softness |d mu/d V| < 1 where mu falls. @p at
- * has all but the slip rate, which begins with its value.
+ * method within an interval that always holds a solution. 0 where softness mu(0) alone stops
+ * the node. There is only one as long as softness |d mu/d V| < 1 where mu falls; of several a
+ * node that slides takes one with which it goes on. @p at has all but the slip rate, which
+ * begins with its value.
  */
 template <class Law>
 double solve_slip_rate(const Law &law,
@@ -19,32 +20,42 @@ double solve_slip_rate(const Law &law,
                        const double free_rate,
                        const double softness)
 {
-  constexpr double accuracy = 1e-13;
-  constexpr int most_steps  = 200;
-  const auto excess         = [&](const double rate) {
+  constexpr double close   = 1e-7; // what Newton's method squares in the next step
+  constexpr int most_steps = 200;
+  const auto excess        = [&](const double rate) {
     at.slip_rate = rate;
     return rate + softness * law.coefficient(at) - free_rate;
   };
-  double rate = at.slip_rate;
-  if (!(free_rate > 0.) || excess(0.) >= 0.)
+  double rate = at.slip_rate, lower = 0., upper = free_rate;
+  if (!(free_rate > 0.))
     return 0.;
-  double lower = 0., upper = free_rate;
-  if (!(rate > lower && rate <= upper))
+  bool knows_rest = false;
+  if (!(rate > 0.))
+    {
+      if (excess(0.) >= 0.)
+        return 0.;
+      knows_rest = true;
+    }
+  if (!(rate > 0. && rate <= upper))
     rate = upper;
   for (int n = 0; n < most_steps; ++n)
     {
       const double error           = excess(rate);
       (error > 0. ? upper : lower) = rate;
       const double next            = rate - error / (1. + softness * law.slope(at));
-      const double last            = rate;
-      // Rates may lie decades apart.
-      if (next > lower && next < upper)
+      const bool arrives           = std::fabs(next - rate) <= close * rate;
+      if (arrives || (next > lower && next < upper))
         rate = next;
-      else if (std::fabs(next - rate) <= accuracy * rate)
-        break;
-      else
+      else if (lower == 0. && !knows_rest)
+        {
+          if (excess(0.) >= 0.)
+            return 0.;
+          knows_rest = true;
+          rate       = 1e-3 * upper;
+        }
+      else // rates may lie decades apart
         rate = lower > 0. ? std::sqrt(lower * upper) : 1e-3 * upper;
-      if (!(std::fabs(rate - last) > accuracy * rate))
+      if (arrives)
         break;
     }
   return rate;
@@ -55,6 +66,9 @@ template <class Law>
 class NodewiseLaw : public SlipLaw
 {
 public:
+  /** Whether mu is a function of the slip rate; a law says so that it is not. */
+  static constexpr bool depends_on_rate = true;
+
   /** See SlipLaw; law functions are not called through pointers. */
   void update(const SlipNodes &nodes) const final
   {
@@ -75,7 +89,8 @@ public:
         for (unsigned int d = 0; d < 2; ++d)
           if (nodes.position[d] != nullptr)
             at.position[d] = nodes.position[d][i];
-        at.slip_rate = solve_slip_rate(law, at, nodes.free_rate[i], nodes.softness[i]);
+        if constexpr (Law::depends_on_rate)
+          at.slip_rate = solve_slip_rate(law, at, nodes.free_rate[i], nodes.softness[i]);
         nodes.coefficient[i] = law.coefficient(at);
       }
   }

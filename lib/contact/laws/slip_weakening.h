@@ -29,6 +29,9 @@ public:
     Healing healing;              ///< when D is forgotten
   };
 
+  /** Of the slip alone. */
+  static constexpr bool depends_on_rate = false;
+
   /** With these. */
   explicit SlipWeakening(const Constants &constants)
     : c(constants)
