@@ -1,6 +1,7 @@
 // Tables of friction, and laws in the parameters.
 
 #include "base/errors.h"
+#include "io_testing.h"
 #include "parameters/keys.h"
 #include "sliding/friction/friction_parameters.h"
 
@@ -15,7 +16,8 @@ namespace
 {
 FrictionTable::Points table_of(const std::string &rows)
 {
-  const std::string path = "friction_table.csv";
+  const mesoslip_tests::TemporaryFolder folder;
+  const std::string path = folder / "friction_table.csv";
   std::ofstream(path) << rows;
   return read_friction_table(path);
 }

@@ -61,14 +61,12 @@ double solve_slip_rate(const Law &law,
   return rate;
 }
 
-/** A law whose functions are compiled into the loop over the nodes. */
-template <class Law>
+/** A law whose functions are compiled into the loop over the nodes; nothing is solved where mu
+ * is no function of the slip rate. */
+template <class Law, bool depends_on_rate = true>
 class NodewiseLaw : public SlipLaw
 {
 public:
-  /** Whether mu is a function of the slip rate; a law says so that it is not. */
-  static constexpr bool depends_on_rate = true;
-
   /** See SlipLaw; law functions are not called through pointers. */
   void update(const SlipNodes &nodes) const final
   {
@@ -89,7 +87,7 @@ public:
         for (unsigned int d = 0; d < 2; ++d)
           if (nodes.position[d] != nullptr)
             at.position[d] = nodes.position[d][i];
-        if constexpr (Law::depends_on_rate)
+        if constexpr (depends_on_rate)
           at.slip_rate = solve_slip_rate(law, at, nodes.free_rate[i], nodes.softness[i]);
         nodes.coefficient[i] = law.coefficient(at);
       }

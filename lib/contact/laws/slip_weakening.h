@@ -16,7 +16,7 @@ namespace mesoslip
  *     mu = mu_k + (mu_s - mu_k) max(0, 1 - D / D_c)    linear (Ida 1972, Andrews 1976)
  *     mu = mu_k + (mu_s - mu_k) exp(-D / D_c)          exponential
  */
-class SlipWeakening final : public NodewiseLaw<SlipWeakening>
+class SlipWeakening final : public NodewiseLaw<SlipWeakening, false>
 {
 public:
   /** The constants. */
@@ -28,9 +28,6 @@ public:
     bool exponential     = false; ///< else linear
     Healing healing;              ///< when D is forgotten
   };
-
-  /** Of the slip alone. */
-  static constexpr bool depends_on_rate = false;
 
   /** With these. */
   explicit SlipWeakening(const Constants &constants)
