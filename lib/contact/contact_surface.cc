@@ -34,6 +34,9 @@ ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParamet
   const Relaxation relaxation(step.dt, setup.law.time);
   std::fill_n(column(Column::decay), n_padded, relaxation.decay);
   std::fill_n(column(Column::lag), n_padded, relaxation.lag);
+  if (setup.law.is_variable())
+    variable = std::make_unique<VariableFriction<dim>>(
+      setup.law, setup.friction_coefficient, setup.area, setup.position, step);
 }
 
 template <int dim>
@@ -87,6 +90,16 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
        dim == 3 ? surface.w[1] : nullptr, flat_velocity * setup.flat_direction[1]},
       step.dt,
       {column(Column::friction_coefficient), column(Column::decay), column(Column::lag)});
+  if (variable)
+    {
+      const double before = setup.flat_velocity(std::max(0., surface.time - step.dt));
+      const auto along    = [&](const double velocity) {
+        return std::array<double, 2>{
+          {velocity * setup.flat_direction[0], velocity * setup.flat_direction[1]}};
+      };
+      variable->update(surface, {along(before), along(flat_velocity)},
+                       arrays(surface, 0, n_nodes));
+    }
 
   for (ContactObserver<dim> *observer : observers)
     if (observer->wants(surface.step))

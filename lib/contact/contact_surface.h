@@ -2,6 +2,8 @@
 #define mesoslip_contact_contact_surface_h
 
 #include "contact/contact_kernel.h"
+#include "contact/friction_law.h"
+#include "contact/laws/variable_friction.h"
 #include "contact/node_counts.h"
 #include "dynamics/energy_audit.h"
 #include "dynamics/surface_condition.h"
@@ -19,118 +21,6 @@
 
 namespace mesoslip
 {
-/** The motion of the contact nodes just before a step. */
-struct SlidingNodes
-{
-  unsigned int n         = 0;       ///< number of nodes
-  const double *velocity = nullptr; ///< along x (m/s), n values
-  double flat_velocity   = 0.;      ///< along x (m/s)
-
-  const double *lateral_velocity = nullptr; ///< in 3D: along y (m/s), n values
-  double lateral_flat_velocity   = 0.;      ///< in 3D: along y (m/s)
-};
-
-/**
- * One step of d f / dt = -(f - target) / delta, solved exactly for a target that changes
- * linearly in time during the step:
- *
- *     f_new = target_new + decay (f - target) - lag (target_new - target)
- */
-struct Relaxation
-{
-  /** A step of length @p dt (s) with the time @p delta (s); 0: f follows its target. */
-  Relaxation(const double dt, const double delta)
-  {
-    if (!(delta > 0.))
-      return;
-    // From 1 - exp(-x), which keeps its digits for small x.
-    const double x = dt / delta, relaxed = -std::expm1(-x);
-    decay = 1. - relaxed;
-    lag   = x > 0. ? relaxed / x : 1.;
-  }
-
-  double decay = 0.; ///< exp(-dt / delta)
-  double lag   = 0.; ///< (1 - decay) delta / dt
-};
-
-/** What a NodeLaw may change: one value a node. */
-struct NodeFriction
-{
-  double *coefficient; ///< Coulomb's
-  double *decay;       ///< of Relaxation
-  double *lag;         ///< of Relaxation
-
-  /** Regularizes node @p i like this during the next step. */
-  void set(const unsigned int i, const Relaxation &relaxation) const
-  {
-    decay[i] = relaxation.decay;
-    lag[i]   = relaxation.lag;
-  }
-};
-
-/**
- * A friction law whose numbers change with the motion of each node. It keeps no state of
- * its own: the memory of the contact is the tangential traction and its target, so that a
- * run can be continued from a checkpoint.
- */
-class NodeLaw
-{
-public:
-  virtual ~NodeLaw() = default;
-
-  /**
-   * Called before each step of length @p dt (s): sets Coulomb's coefficient and the
-   * regularization of each node. What it leaves alone keeps its value.
-   */
-  virtual void
-  update(const SlidingNodes &nodes, double dt, const NodeFriction &friction) const = 0;
-};
-
-/** delta = L / (|V_rel| + V_ref): the traction relaxes over a slip length. */
-class SlipRateRegularization : public NodeLaw
-{
-public:
-  /** @param length L (m); @param reference_velocity V_ref (m/s), so that delta stays
-   * finite at rest. */
-  SlipRateRegularization(const double length, const double reference_velocity)
-    : length(length)
-    , reference_velocity(reference_velocity)
-  {
-  }
-
-  void update(const SlidingNodes &nodes,
-              const double dt,
-              const NodeFriction &friction) const override
-  {
-    for (unsigned int i = 0; i < nodes.n; ++i)
-      {
-        const double along     = std::fabs(nodes.flat_velocity - nodes.velocity[i]),
-                     slip_rate = nodes.lateral_velocity == nullptr
-                                   ? along
-                                   : std::hypot(along, nodes.lateral_flat_velocity -
-                                                         nodes.lateral_velocity[i]);
-        friction.set(i, Relaxation(dt, length / (slip_rate + reference_velocity)));
-      }
-  }
-
-private:
-  const double length, reference_velocity;
-};
-
-/**
- * Coulomb friction with the tangential traction relaxing to its limit,
- * d sigma_t / dt = -(sigma_t - sign mu |sigma_n|) / delta (eq. 7).
- */
-struct FrictionLaw
-{
-  /** delta (s); 0: plain Coulomb. */
-  double time = 1.5e-6;
-
-  /** Changes mu or delta with the motion; null: both are constant, which costs nothing.
-   */
-  std::shared_ptr<const NodeLaw> node_law;
-};
-
 /** The step of the contact nodes compiled for an instruction set; all give the same bits.
  *  Throws std::runtime_error if the processor lacks it. */
 template <int dim>
@@ -167,6 +57,12 @@ struct ContactSetup
 
   /** The last node duplicates the first. */
   bool periodic = false;
+
+  /** Tributary length (m, in 3D m^2) of each node, for laws with a pressure. */
+  std::vector<double> area;
+
+  /** x and, in 3D, y (m) of each node, for laws with a place. */
+  std::array<std::vector<double>, 2> position;
 
   /** The first nodes, which this rank owns; those from the next whole vector on are copies
    * (SharedNodes). Not given: all. */
@@ -280,6 +176,19 @@ public:
     return flat_increment_at(setup.flat_velocity(time));
   }
 
+  /** What makes the coefficients of friction vary; null when they are constant. */
+  const VariableFriction<dim> *variable_friction() const
+  {
+    return variable.get();
+  }
+
+  /** The state of the friction law, one value a node; null if it has none.
+   * FrictionLaw::slip_law has its name and unit. */
+  const double *law_state() const
+  {
+    return variable ? variable->state() : nullptr;
+  }
+
   /** The node counts since the last call; steps are left at 0. */
   NodeCounts take_counts();
 
@@ -289,6 +198,8 @@ public:
   {
     archive &values &started;
     serialize_members<3>(archive, total);
+    if (variable)
+      archive &*variable;
   }
 
 private:
@@ -323,6 +234,7 @@ private:
   const unsigned int n_distinct;
 
   NodalField<double> values; ///< one row, a component for each Column
+  std::unique_ptr<VariableFriction<dim>> variable;
   bool started = false;
   BoundaryWork total;
   ContactSums last;

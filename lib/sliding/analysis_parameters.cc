@@ -1,3 +1,4 @@
+#include "base/text.h"
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
 
@@ -163,8 +164,17 @@ void add_friction(RunConditions &conditions, const ContactParameters &parameters
   conditions["coefficient_from"] = friction.coefficient_by_phase ? "phases" : "constant";
   if (friction.coefficient_by_phase)
     conditions["node_rule"] = friction.node_rule;
-  else
+  else if (friction.has_constant_coefficient() || !parameters.contact.law.slip_law)
     conditions["friction_coefficient"] = friction.coefficient;
+  if (parameters.contact.law.slip_law)
+    conditions["coefficient_law"] =
+      friction.slip_law.text() +
+      (friction.coefficient_by_phase && friction.slip_law.has_reference()
+         ? ", reference = " + to_text(friction.coefficient)
+         : "");
+  if (parameters.contact.law.normal_stress.is_given())
+    conditions["normal_stress"] =
+      FrictionParameters::memory_text(parameters.contact.law.normal_stress);
   conditions["friction_law"] = friction.law_name;
   if (friction.law_name == "slip rate")
     {

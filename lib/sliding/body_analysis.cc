@@ -105,7 +105,7 @@ std::vector<std::string> BodyAnalysis::body_warnings() const
   std::vector<PlausibleRange> ranges = {
     plausible_length(size + " along x", body.grid.extent(0)),
     plausible_length(size + " along y", body.grid.extent(1))};
-  if (!friction.coefficient_by_phase)
+  if (friction.has_constant_coefficient())
     ranges.push_back(plausible_friction("Friction/Coefficient", friction.coefficient));
   for (const Phase<2> &phase : body.phases)
     {

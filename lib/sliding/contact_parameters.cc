@@ -43,7 +43,8 @@ void bind_body(Keys &keys, ContactParameters &p)
     "Path of the rve.h5 of rve_homogenization from which the body takes its "
     "materials, and its size and cells where these are empty; empty: the "
     "material is that of Stiffness and Density");
-  keys.bind("Stiffness from", body.stiffness_name, {"effective", "KUBC", "SUBC", "PBC", "MUBC"},
+  keys.bind("Stiffness from", body.stiffness_name,
+            {"effective", "KUBC", "SUBC", "PBC", "MUBC"},
             "Boundary conditions of the homogenization whose stiffness in the RVE file a "
             "homogeneous body takes");
   keys.bind_list(
@@ -227,38 +228,7 @@ void bind_loads(Keys &keys, ContactParameters &p)
 void bind_friction(Keys &keys, FrictionParameters &friction, FrictionLaw &law)
 {
   const auto section = keys.section("Friction");
-  keys.bind(
-    "Law", friction.law_name, {"coulomb", "constant time", "slip rate"},
-    "Coulomb's law; the friction relaxing to it in a constant time delta (eq. 7); "
-    "or in the time delta = L / (|V_rel| + V_ref), V_rel being the velocity of the "
-    "node relative to the flat");
-  keys.bind(
-    "Coefficient from", friction.coefficient_by_phase, {"constant", "phases"},
-    "One friction coefficient for all nodes, or those of the phases in the RVE file "
-    "(section 4 of the paper)");
-  keys.bind("Coefficient", friction.coefficient, Range::non_negative(),
-            "Coulomb's friction coefficient mu of all nodes [-]");
-  keys.bind("Regularization time", law.time, Range::non_negative(),
-            "Relaxation time delta of eq. (7), which damps the waves of the grid that "
-            "plain Coulomb friction excites; 0 is plain Coulomb [s]");
-  keys.bind("Length", friction.slip_length, Range::positive(),
-            "Slip length L of Law = slip rate [m]");
-  keys.bind("Reference velocity", friction.reference_velocity, Range::positive(),
-            "Velocity V_ref of Law = slip rate, which keeps delta finite at rest [m/s]");
-  keys.bind(
-    "Node rule", friction.node_rule, {"stiffness", "mean", "largest", "smallest"},
-    "Friction coefficient of a node between cells of two phases: their mean weighted "
-    "with the stiffness D22, in proportion to which they share the pressure, the "
-    "plain mean, or one of the two");
-  keys.only_with("Law", {"constant time"}, {"Regularization time"});
-  keys.only_with("Law", {"slip rate"}, {"Length", "Reference velocity"});
-  keys.only_with("Coefficient from", {"constant"}, {"Coefficient"});
-  keys.only_with("Coefficient from", {"phases"}, {"Node rule"});
-  if (friction.law_name == "coulomb")
-    law.time = 0.;
-  if (friction.law_name == "slip rate")
-    law.node_law = std::make_shared<SlipRateRegularization>(friction.slip_length,
-                                                            friction.reference_velocity);
+  friction.bind(keys, law);
 }
 
 /** On a mesh many keys have no effect, and the others none without. */
@@ -295,13 +265,28 @@ void check_analysis(const Keys &keys)
                              const std::vector<std::string> &paths) {
     keys.only_with("Analysis", analyses, paths);
   };
-  only_with({"transient"},
-            {"Body/Initial velocity", "Time/", "Flat/Ramp", "Flat/Ramp time",
-             "Flat/Expression", "Top/Ramp", "Top/Ramp time", "Top/Expression",
-             "Friction/Law", "Friction/Regularization time", "Friction/Length",
-             "Friction/Reference velocity", "Observation/", "Snapshots/", "Contact map/",
-             "Checkpoints/", "Performance/Temporal blocking",
-             "Performance/Instruction set"});
+  only_with({"transient"}, {"Body/Initial velocity",
+                            "Time/",
+                            "Flat/Ramp",
+                            "Flat/Ramp time",
+                            "Flat/Expression",
+                            "Top/Ramp",
+                            "Top/Ramp time",
+                            "Top/Expression",
+                            "Friction/Law",
+                            "Friction/Regularization time",
+                            "Friction/Length",
+                            "Friction/Reference velocity",
+                            "Friction/Normal stress",
+                            "Friction/Normal stress time",
+                            "Friction/Normal stress length",
+                            "Friction/Normal stress velocity",
+                            "Observation/",
+                            "Snapshots/",
+                            "Contact map/",
+                            "Checkpoints/",
+                            "Performance/Temporal blocking",
+                            "Performance/Instruction set"});
   only_with({"transient", "modal"}, {"Top/Platen mass", "Top/Hold from"});
   only_with({"transient", "static contact"},
             {"Body/Acceleration", "Flat/", "Top/Pressure", "Friction/"});
@@ -343,5 +328,19 @@ void ContactParameters::bind(Keys &keys)
   keys.renamed("Performance/Static solver = assembled", "ml");
   check_analysis(keys);
   check_mesh(keys, *this);
+  if (analysis == ContactAnalysis::transient ||
+      analysis == ContactAnalysis::static_contact)
+    make_slip_law(keys);
+}
+
+void ContactParameters::make_slip_law(const Keys &keys)
+{
+  FrictionParameters::Use use;
+  use.dim            = mesh.mesh.dim;
+  use.pressure       = std::fabs(top.pressure.amplitude());
+  use.speed          = std::fabs(contact.flat_velocity.amplitude());
+  use.in_time        = analysis == ContactAnalysis::transient;
+  use.flat_displaced = static_load.moves_flat();
+  friction.make_slip_law(keys, use, contact.law);
 }
 } // namespace mesoslip

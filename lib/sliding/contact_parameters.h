@@ -6,6 +6,7 @@
 #include "exchange/run_description.h"
 #include "observation/probe_recorder.h"
 #include "observation/steady_state.h"
+#include "sliding/friction/friction_parameters.h"
 #include "sliding/mesh/mesh_body.h"
 #include "sliding/sliding_body.h"
 #include "statics/static_solver.h"
@@ -53,18 +54,6 @@ struct TimeParameters
   double end_time      = 5e-4; ///< s
   double safety        = 0.95; ///< fraction of the critical time step
   bool check_time_step = true; ///< refuse steps above the critical one
-};
-
-/** Section Friction, besides the ContactSetup. */
-struct FrictionParameters
-{
-  std::string law_name      = "constant time"; ///< coulomb, constant time or slip rate
-  double slip_length        = 3e-6;            ///< L of the slip-rate law (m)
-  double reference_velocity = 1e-3;            ///< V_ref of the slip-rate law (m/s)
-  bool coefficient_by_phase = false;           ///< those of the phases in rve.h5
-  double coefficient        = 0.25;            ///< of all nodes, unless by phase
-  std::string node_rule =
-    "stiffness"; ///< stiffness, mean, largest or smallest; see make_body()
 };
 
 /** Sections Observation and Snapshots, besides the intervals of the SlidingSetup. */
@@ -168,6 +157,7 @@ struct ContactParameters : SlidingSetup
 
 private:
   void bind_sides(Keys &keys);
+  void make_slip_law(const Keys &keys);
   void bind_observation(Keys &keys);
   void bind_contact_map(Keys &keys);
   void bind_analyses(Keys &keys);

@@ -91,6 +91,8 @@ public:
           damping_warning(parameters, scales, "the critical time step");
         !damping.empty())
       sentences.push_back(damping);
+    if (const std::string weakening = weakening_text(); !weakening.empty())
+      sentences.push_back(weakening);
     if (slides_undamped())
       sentences.emplace_back(
         "the run has neither regularization (Friction/Law = coulomb or Regularization "
@@ -208,10 +210,24 @@ private:
                      useless)
         : within_run("Friction/Regularization time", parameters.contact.law.time, longest,
                      useless),
+      plausible_friction("the largest friction coefficient, of Friction/Coefficient law "
+                         "at the speed of the flat,",
+                         largest_coefficient_of_law()),
+      within_run("Friction/Normal stress time", parameters.contact.law.normal_stress.time,
+                 longest, useless),
       at_most("Flat/Gap", parameters.contact.gap, "m", furthest,
               "but pressure, initial velocity and acceleration move the body by " +
                 quantity_text(furthest, "m") +
                 " at most before Time/End time: it never touches the flat; is it in m?")};
+  }
+
+  /** NaN without a law. */
+  double largest_coefficient_of_law() const
+  {
+    const FrictionLaw &law = parameters.contact.law;
+    return law.slip_law && parameters.friction.has_constant_coefficient()
+             ? law.slip_law->largest(flat_speed)
+             : automatic;
   }
 
   Ranges observation() const
@@ -233,10 +249,31 @@ private:
                     "long after the end of " + run_text + "; is it in s?")};
   }
 
+  /** Where friction falls with the slip rate faster than waves carry away what that sets
+   * free, all wave lengths grow, the shortest the fastest. */
+  std::string weakening_text() const
+  {
+    const FrictionLaw &law = parameters.contact.law;
+    if (!law.slip_law || law.time > 0. || law.node_law || flat_speed == 0.)
+      return "";
+    const double fall     = pressures.largest_size() * law.slip_law->steepest_fall(),
+                 radiated = scales.density * scales.wave_speed;
+    return fall < radiated
+             ? ""
+             : "friction falls by up to " + quantity_text(fall, "Pa s/m") +
+                 " with the slip rate under " + pressure.name("largest") +
+                 ", more than the " + quantity_text(radiated, "Pa s/m") +
+                 " that waves into the body resist (density times wave "
+                 "speed): slip jumps at once, whatever grid and step; use a "
+                 "larger Friction/Critical velocity, a regularization "
+                 "(Friction/Law), or a lower pressure";
+  }
+
   bool slides_undamped() const
   {
     const FrictionParameters &friction = parameters.friction;
     return parameters.contact.law.time == 0. && !parameters.contact.law.node_law &&
+           !parameters.contact.law.normal_stress.is_given() &&
            parameters.step.beta == 0. && parameters.step.beta2 == 0.5 &&
            (friction.coefficient_by_phase || friction.coefficient > 0.) &&
            flat_speed > 0.;

@@ -11,6 +11,12 @@ SlidingSetup completed(SlidingSetup setup, const UniformMaterial &material)
   setup.contact.periodic = setup.top.periodic = setup.periodic;
   setup.top.cell_width                        = material.grid().spacing[0];
   AssertDimension(setup.contact.friction_coefficient.size(), material.n_columns());
+  if (setup.contact.law.slip_law && setup.contact.law.slip_law->looks_around())
+    for (unsigned int i = 0; i < material.n_columns(); ++i)
+      {
+        setup.contact.area.push_back(tributary_width(material.grid(), i, setup.periodic));
+        setup.contact.position[0].push_back(i * material.grid().spacing[0]);
+      }
   return setup;
 }
 } // namespace

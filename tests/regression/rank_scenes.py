@@ -96,6 +96,9 @@ RUNS = [
                                      "Flat/Ramp time": 1e-6}),
     contact("heterogeneous-pressure", **HETEROGENEOUS, **{"Top/Kind": "pressure", "Top/Lateral held": True, "Sides/Left": "u_x",
                                                          "Friction/Law": "slip rate", "Friction/Node rule": "mean"}),
+    contact("friction-laws", **HETEROGENEOUS, **{
+        "Friction/Coefficient law": "rate and state", "Friction/Coefficient": 0.3, "Friction/Rate and state/Length": 1e-8,
+        "Friction/Normal stress": "slip rate"}),
     contact("periodic-held", **{"Sides/Periodic": True, "Top/Kind": "held", "Body/Acceleration": [0, -1e7], "Time/Beta2": 0.6,
                                 "Flat/Gap": 1e-9, "Body/Cells": [40, 24], "Performance/Temporal blocking": 3}),
     contact("long-homogeneous", NONE, **LONG),

@@ -30,7 +30,8 @@ RVE = rve("60, 24", "0.006, 0.0024", 2e-4, 6e-4, **{"Microstructure/Random fibre
 # Everything that has a state: histories, energy, probes, snapshots, blocks, a platen that is held.
 CONTACT = prm({
     "Body/RVE file": "rve/rve.h5", "Time/End time": 1.0003e-3, "Time/Time step": 5e-9, "Top/Hold from": 6e-4, "Top/Platen mass": 0.02,
-    "Friction/Law": "slip rate", "Observation/Energy interval": 30, "Observation/Probes": "contact, bulk",
+    "Friction/Law": "slip rate", "Friction/Coefficient law": "exponential slip weakening", "Friction/Coefficient": 0.4,
+    "Friction/Normal stress": "constant time", "Observation/Energy interval": 30, "Observation/Probes": "contact, bulk",
     "Observation/contact/Position": "0.00305, 0.00005", "Observation/bulk/Position": "0.00305, 0.00125", "Snapshots/Interval": 6.6e-6,
     "Checkpoints/Interval": 1e-5})
 

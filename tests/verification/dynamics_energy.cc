@@ -1,3 +1,6 @@
+#include "contact/laws/rate_and_state.h"
+#include "contact/laws/slip_weakening.h"
+#include "contact/laws/stribeck.h"
 #include "sliding_body.h"
 
 #include "../measured.h"
@@ -145,6 +148,31 @@ TEST(Energy, ClosesWithEverythingElse)
   expect_closed(setup, "periodic, pressure");
   setup.top.kind = TopSetup::Kind::platen;
   expect_closed(setup, "periodic, platen");
+}
+
+TEST(Energy, ClosesUnderEveryLawOfTheCoefficient)
+{
+  BodySetup setup               = thrown_body();
+  FrictionLaw &law              = setup.contact.law;
+  law.reference                 = setup.friction;
+  const auto expect_closed_with = [&](const auto &of_coefficient, const char *name) {
+    law.slip_law =
+      std::make_shared<std::decay_t<decltype(of_coefficient)>>(of_coefficient);
+    for (const double time : {0., 1e-6})
+      for (const NormalStressMemory &memory :
+           {NormalStressMemory(), NormalStressMemory{0., 2e-6, 0.1}})
+        {
+          law.time          = time;
+          law.normal_stress = memory;
+          expect_closed(setup, name);
+        }
+  };
+  const double mu = setup.friction;
+  expect_closed_with(Stribeck({mu, 0.2, 0.5, 1.5, 0.02}), "Stribeck");
+  expect_closed_with(SlipWeakening({mu, 0.2, 1e-6, false, {Healing::Kind::sticking, 0.}}),
+                     "slip weakening");
+  expect_closed_with(RateAndState({mu, 0.01, 0.02, 1e-6, 1e-3, 1e-3, true}),
+                     "rate and state");
 }
 
 TEST(Energy, FreeVibrationLosesNothing)

@@ -1,5 +1,6 @@
 // A flat that moves along any direction in the plane. Runs on any number of ranks.
 
+#include "contact/laws/slip_weakening.h"
 #include "mesh_sliding.h"
 
 #include <gtest/gtest.h>
@@ -139,6 +140,13 @@ TEST(FlatAskew, TurnsTheSolution)
             {
               c.setup.top.kind         = TopSetup::Kind::platen;
               c.setup.contact.law.time = 0.;
+            }
+          else
+            {
+              c.setup.contact.law.reference     = c.friction;
+              c.setup.contact.law.normal_stress = {0., 1e-6, 0.1};
+              c.setup.contact.law.slip_law      = std::make_shared<SlipWeakening>(
+                SlipWeakening::Constants{c.friction, 0.1, 2e-6, true, Healing()});
             }
           const auto straight = moved(c, 0.), askew = moved(turned_case(angle, c), angle);
           expect_turned(*straight, *askew, angle, platen);

@@ -1,5 +1,6 @@
 // What a checkpoint holds: bodies that are saved, forgotten and restored go on bit by bit
 // as if nothing had happened.
+#include "contact/laws/rate_and_state.h"
 #include "sliding_body.h"
 
 #include "base/exchange.h"
@@ -112,12 +113,23 @@ BodySetup with_pressure()
   setup.choose_time_step(0.9);
   return setup;
 }
+
+/** The same with rate-and-state friction and a memory of the normal stress. */
+BodySetup with_states()
+{
+  BodySetup setup                 = with_pressure();
+  setup.contact.law.normal_stress = {1e-7, 0., 0.};
+  setup.contact.law.reference     = setup.friction;
+  setup.contact.law.slip_law      = std::make_shared<RateAndState>(
+    RateAndState::Constants{setup.friction, 0.01, 0.02, 1e-6, 1e-3, 1e-3, true});
+  return setup;
+}
 } // namespace
 
 TEST(Restart, ContinuesBitByBit)
 {
   constexpr std::uint64_t end = 400;
-  for (const BodySetup &setup : {with_platen(), with_pressure()})
+  for (const BodySetup &setup : {with_platen(), with_pressure(), with_states()})
     {
       ObservedBody whole(setup);
       whole.run_to(end);

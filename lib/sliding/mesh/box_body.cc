@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "exchange/mesh_datasets.h"
 #include "exchange/rve_file.h"
+#include "material/plausibility.h"
 #include "program/output_folder.h"
 #include "sliding/body_grid.h"
 

@@ -25,7 +25,7 @@ std::vector<std::string> implausible_body(const std::vector<Phase<dim>> &phases,
                                           const double stiffness)
 {
   std::vector<PlausibleRange> ranges = plausible_phases<dim>(phases);
-  if (!parameters.friction.coefficient_by_phase)
+  if (parameters.friction.has_constant_coefficient())
     ranges.push_back(
       plausible_friction("Friction/Coefficient", parameters.friction.coefficient));
   if (parameters.analysis == ContactAnalysis::static_contact)

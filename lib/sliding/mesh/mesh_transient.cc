@@ -46,8 +46,10 @@ public:
                               "Checkpoints/", "Performance/", "Modal/", "Static contact/",
                               "Friction homogenization/"}) +
         "Performance/Instruction set = " +
-        to_string(resolve(this->parameters.sweep.isa)) + "\nContent of Mesh/File = " +
-        this->body.digest + "\nProgram version = " + version + "\n")
+        to_string(resolve(this->parameters.sweep.isa)) +
+        "\nContent of Mesh/File = " + this->body.digest +
+        "\nCoefficient law = " + this->parameters.friction.slip_law.text() +
+        "\nProgram version = " + version + "\n")
     , distributed(distribute_body(this->morphology,
                                   this->body.contact.points,
                                   this->body.probes,

@@ -24,6 +24,13 @@ SlidingSetup restricted(SlidingSetup setup,
   setup.contact.height.resize(contact.points.size(), 0.);
   setup.contact.height =
     contact_nodes.of(setup.contact.height, std::numeric_limits<double>::infinity());
+  if (setup.contact.law.slip_law && setup.contact.law.slip_law->looks_around())
+    {
+      setup.contact.area = contact_nodes.of(contact.area, 0.);
+      for (unsigned int d = 0; d < 2; ++d)
+        if (!contact.position[d].empty())
+          setup.contact.position[d] = contact_nodes.of(contact.position[d], 0.);
+    }
   setup.contact.n_owned = contact_nodes.n_owned();
   setup.contact_places  = contact_nodes.owned_places();
   for (unsigned int &node : setup.monitored_nodes)
@@ -62,6 +69,8 @@ MeshBoundary mesh_boundary(const Mesh<dim> &mesh,
     {
       boundary.area.push_back(area.at(point));
       boundary.height.push_back(mesh.points[point][dim - 1]);
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        boundary.position[d].push_back(mesh.points[point][d]);
       lowest = std::min(lowest, boundary.height.back());
     }
   for (double &h : boundary.height)

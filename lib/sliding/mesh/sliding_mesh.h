@@ -5,6 +5,7 @@
 #include "sliding/mesh/distributed_body.h"
 #include "sliding/sliding_body.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,11 +24,13 @@ struct MeshBoundary
 
   std::vector<double> height; ///< above the lowest of the points (m)
 
+  std::array<std::vector<double>, 2> position; ///< x and, in 3D, y (m)
+
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<3>(archive, *this);
+    serialize_members<4>(archive, *this);
   }
 };
 

@@ -128,7 +128,10 @@ void RunStatistics<dim>::collect(TransientResult &all)
   all.top     = surfaces.top_recorder.history();
   sum_over_ranks(all.history, surfaces.setup.ranks);
   sum_over_ranks(all.top, surfaces.setup.ranks);
-  all.top    = of_top(all.top);
+  all.top = of_top(all.top);
+  if (const auto *friction = surfaces.contact.variable_friction())
+    all.largest_weakening =
+      dealii::Utilities::MPI::max(friction->largest_weakening(), context.communicator());
   all.series = record.series();
   // Where the top takes no tangential forces, they are those of the contact.
   const std::vector<double> at_the_top = of_top(record.top_friction());

@@ -22,15 +22,18 @@ constexpr double largest_step_number = 1e18;
 
 // Whatever decides a bit of the state or of what was written so far: a run that is
 // resumed has to agree in it.
-std::string
-run_identity(const Keys &keys, const InstructionSet isa, const std::string &rve_digest)
+std::string run_identity(const Keys &keys,
+                         const InstructionSet isa,
+                         const std::string &rve_digest,
+                         const std::string &coefficient_law)
 {
   return canonical_parameters(keys,
                               {"Output folder", "Time/End time",
                                "Observation/Steady from", "Checkpoints/", "Performance/",
                                "Modal/", "Static contact/", "Friction homogenization/"}) +
          "Performance/Instruction set = " + to_string(resolve(isa)) +
-         "\nContent of Body/RVE file = " + rve_digest + "\nProgram version = " + version +
+         "\nContent of Body/RVE file = " + rve_digest +
+         "\nCoefficient law = " + coefficient_law + "\nProgram version = " + version +
          "\n";
 }
 } // namespace
@@ -38,7 +41,8 @@ run_identity(const Keys &keys, const InstructionSet isa, const std::string &rve_
 TransientAnalysis::TransientAnalysis(const ContactParameters &p, const Keys &keys)
   : BodyAnalysis(p)
   , scales(material)
-  , identity(run_identity(keys, parameters.sweep.isa, body.rve_digest))
+  , identity(run_identity(
+      keys, parameters.sweep.isa, body.rve_digest, parameters.friction.slip_law.text()))
 {
   const unsigned int n_rows  = body.grid.cells[1] + 1,
                      n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),

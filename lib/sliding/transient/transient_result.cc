@@ -102,6 +102,17 @@ std::string steady_part_remark(const TransientResult &run)
                         "Observation/Steady from earlier");
 }
 
+/** Of all nodes; of a law that varies up to twice the speed of the flat. */
+double largest_coefficient(const TransientResult &run)
+{
+  const std::vector<double> &of_nodes = run.body.friction;
+  const double largest   = *std::max_element(of_nodes.begin(), of_nodes.end());
+  const FrictionLaw &law = run.parameters.contact.law;
+  const double speed     = std::fabs(run.parameters.contact.flat_velocity.amplitude());
+  return law.slip_law ? largest / law.reference * law.slip_law->largest(2. * speed)
+                      : largest;
+}
+
 std::string friction_remark(const TransientResult &run)
 {
   if (!run.mu_inter)
@@ -113,8 +124,7 @@ std::string friction_remark(const TransientResult &run)
                           run.load_power, run.body.unit(" W"),
                           ", so that there is no load along the way of the flat to "
                           "relate the frictional power to");
-  const std::vector<double> &of_nodes = run.body.friction;
-  const double largest = *std::max_element(of_nodes.begin(), of_nodes.end());
+  const double largest = largest_coefficient(run);
   if (std::fabs(run.mu_inter->value) <= (1. + tolerated_excess) * largest)
     return "";
   return brief_text(
@@ -122,6 +132,20 @@ std::string friction_remark(const TransientResult &run)
     largest,
     ": the contact moves faster than the flat, whose velocity alone mu_inter takes into "
     "account; it is not a friction coefficient of this motion");
+}
+
+/** Friction that falls faster than the steps follow. */
+std::string weakening_remark(const TransientResult &run)
+{
+  return !(run.largest_weakening >= 1.)
+           ? ""
+           : brief_text(
+               3, "friction fell up to ", run.largest_weakening,
+               " times as fast with slip rate or slip as the mass of a contact "
+               "node can resist within a time step: where it did, slip began with a "
+               "jump that depends on grid and step; a larger critical velocity or "
+               "slip of Friction/Coefficient law, a finer grid with its shorter "
+               "step, or a lower pressure avoid that");
 }
 
 /** Frequencies that the samples of the statistics cannot tell. */
@@ -301,8 +325,9 @@ void TransientResult::add_remarks()
 {
   duration_warning = duration_remark(contact.duration);
   friction_warning = has_statistics ? friction_remark(*this) : steady_part_remark(*this);
-  for (const std::string &text : {spectrum_remark(*this), history_remark(*this),
-                                  map_remark(*this), separation_remark(*this)})
+  for (const std::string &text :
+       {spectrum_remark(*this), history_remark(*this), map_remark(*this),
+        separation_remark(*this), weakening_remark(*this)})
     if (!text.empty())
       warnings.push_back(text);
 }

@@ -45,6 +45,7 @@ struct TransientResult
   bool limit_cycle_reached         = false; ///< by the criterion
   double steady_from               = 0.;    ///< s
   double largest_strain            = 0.;    ///< norm of the mean strain of a cell
+  double largest_weakening         = 0.;    ///< see VariableFriction
   /** @} */
 
   /**
