@@ -259,6 +259,7 @@ void ContactParameters::bind_analyses(Keys &keys)
 {
   bind_statics(keys, *this);
   bind_homogenization(keys, homogenization);
+  complex_modes.bind(keys);
   bind_control(keys, *this);
 }
 
