@@ -26,10 +26,11 @@ struct SearchRange
     return -std::min(decay, high);
   }
 
-  /** Largest growth rate of circular frequencies from @p low to @p high (1/s). */
+  /** Largest growth rate (1/s) of circular frequencies from @p low to @p high, and a little
+   * more, so that neutral modes are in the range. */
   double right(const double low, const double high) const
   {
-    return std::min(region.width(low, high), share * high);
+    return std::min(region.width(low, high) + 1e-3 * top, share * high);
   }
 };
 

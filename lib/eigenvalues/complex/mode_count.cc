@@ -81,7 +81,9 @@ private:
     const Complex s = a.s + golden * (b.s - a.s);
     const Point middle{s, phase(s)};
     const double first = turn(a, middle), second = turn(middle, b);
-    if (std::max(std::fabs(first), std::fabs(second)) < largest)
+    const double bend = first - golden * (first + second);
+    if (std::max(std::fabs(first), std::fabs(second)) < largest &&
+        std::fabs(bend) < 0.5 * largest)
       return first + second;
     return split(a, middle) + split(middle, b);
   }
@@ -119,7 +121,7 @@ int count_missing(const SlidingPencil &pencil,
   Turns turns(pencil, factors, found, options, report);
   turns.straighten(right, 0.01 * top);
   const std::vector<std::pair<Complex, unsigned int>> corners = {
-    {0., 1}, {right, 2}, {{right, top}, 8}, {{-decay, top}, 2}, {{-decay, decay}, 8},
+    {0., 1}, {right, 2}, {{right, top}, 16}, {{-decay, top}, 4}, {{-decay, decay}, 16},
     {0., 1}};
   double turned = 0.;
   for (std::size_t k = 1; k < corners.size(); ++k)

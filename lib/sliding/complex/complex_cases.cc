@@ -15,20 +15,36 @@ namespace mesoslip
 {
 namespace
 {
-/** A part of each shape that tells it from others: some thousand unknowns, with the root of
- * their mass. */
-std::vector<std::complex<float>> sample(const SlidingPencil &pencil,
+/** A part of a shape that tells it from others, whatever nodes are free: some thousand of the
+ * body's displacements, with the root of their mass, of length one. */
+template <int dim>
+std::vector<std::complex<float>> sample(const ElasticBody<dim> &body,
+                                        const FreeDofs<dim> &dofs,
+                                        const std::vector<double> &mass,
                                         const ComplexVector &shape)
 {
-  constexpr Eigen::Index most = 4000;
+  constexpr std::size_t most = 2000; // nodes
+  typename FreeDofs<dim>::Vector real(dofs.size()), imaginary(dofs.size());
+  for (std::size_t k = 0; k < dofs.size(); ++k)
+    {
+      real[k]      = shape[static_cast<Eigen::Index>(k)].real();
+      imaginary[k] = shape[static_cast<Eigen::Index>(k)].imag();
+    }
+  NodalField<double> re = body.zero_field(), im = body.zero_field();
+  dofs.scatter(re, real);
+  dofs.scatter(im, imaginary);
   std::vector<std::complex<float>> result;
   double size = 0.;
-  for (Eigen::Index k = 0; k < pencil.size(); k += 1 + pencil.size() / most)
-    {
-      const std::complex<double> x = std::sqrt(pencil.mass[k]) * shape[k];
-      size += std::norm(x);
-      result.emplace_back(x);
-    }
+  for (std::size_t k = 0; k < mass.size(); k += 1 + mass.size() / most)
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        const NodeIndex node{static_cast<unsigned int>(k % body.n_columns()),
+                             static_cast<unsigned int>(k / body.n_columns())};
+        const std::complex<double> x =
+          std::sqrt(mass[k]) * std::complex<double>(re(c, node), im(c, node));
+        size += std::norm(x);
+        result.emplace_back(x);
+      }
   for (std::complex<float> &x : result)
     x /= static_cast<float>(std::sqrt(size));
   return result;
@@ -36,8 +52,7 @@ std::vector<std::complex<float>> sample(const SlidingPencil &pencil,
 
 ComplexCase numbers_of(const SlidingPencil &pencil,
                        const SlidingState &state,
-                       const ComplexModes &found,
-                       const bool with_samples)
+                       const ComplexModes &found)
 {
   ComplexCase result;
   result.delta               = pencil.law.delta;
@@ -46,23 +61,24 @@ ComplexCase numbers_of(const SlidingPencil &pencil,
   result.n_missing           = found.n_missing;
   result.nothing_grows_above = found.nothing_grows_above / (2. * M_PI);
   for (const ComplexMode &mode : found.modes)
-    {
-      result.modes.push_back({mode.frequency(), mode.s.real(), mode.residual,
-                              mode.growth_by_friction.sum(), mode.growth_by_damping});
-      if (with_samples)
-        result.samples.push_back(sample(pencil, mode.shape));
-    }
+    result.modes.push_back({mode.frequency(), mode.s.real(), mode.residual,
+                            mode.growth_by_friction.sum(), mode.growth_by_damping});
   return result;
 }
 
 /** What one rank throws ends all of them. Collective. */
-void agree(const std::exception_ptr &problem, const MPI_Comm communicator)
+void agree(const std::exception_ptr &problem,
+           const bool interrupted,
+           const MPI_Comm communicator)
 {
-  const int failed =
-    dealii::Utilities::MPI::max(problem != nullptr ? 1 : 0, communicator);
+  const int own   = problem == nullptr ? 0 : (interrupted ? 2 : 1);
+  const int worst = dealii::Utilities::MPI::max(own, communicator);
   if (problem != nullptr)
     std::rethrow_exception(problem);
-  if (failed != 0)
+  if (worst == 2)
+    throw Interrupted("stopped on request in the search for complex modes; there is no "
+                      "result yet");
+  if (worst == 1)
     throw NumericalFailure("another process could not compute its complex modes");
 }
 } // namespace
@@ -86,14 +102,6 @@ ResourceNeed complex_modes_memory(const double n_dofs, const unsigned int dim)
 }
 
 template <int dim>
-FreeDofs<dim> vibrating_dofs(const ElasticBody<dim> &body,
-                             const ContactParameters &parameters,
-                             const SlidingState &state)
-{
-  return FreeDofs<dim>(body, state.held, modal_options(parameters).platen_mass);
-}
-
-template <int dim>
 ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
                                         const ContactParameters &parameters,
                                         const double highest_frequency,
@@ -110,7 +118,7 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
   options.tolerance            = keys.tolerance;
   options.count                = keys.count;
   options.before_factorization = [&context](const std::string &) {
-    if (context.stop_requested())
+    if (context.stop_requested_here())
       throw Interrupted("stopped on request in the search for complex modes; there is no "
                         "result yet");
   };
@@ -118,31 +126,44 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
   ComplexCases<dim> result;
   result.highest_frequency  = highest_frequency;
   const std::size_t n_cases = 1 + keys.values.size();
-  std::vector<ComplexCase> cases(n_cases);
-  std::exception_ptr problem;
+  const auto n_ranks        = static_cast<std::size_t>(context.n_ranks());
+  std::vector<ContactParameters> parameters_of;
+  std::vector<SlidingState> states;
+  std::vector<FreeDofs<dim>> free; // masses are collective
   for (std::size_t k = 0; k < n_cases; ++k)
     {
-      const ContactParameters of_case =
-        k == 0 ? parameters : with_swept(parameters, keys.values[k - 1]);
-      const SlidingState state = at_rest(of_case);
-      if (k == 0)
-        result.state = state;
-      if (static_cast<int>(k % static_cast<std::size_t>(context.n_ranks())) !=
-            context.rank() ||
-          problem != nullptr)
-        continue;
+      parameters_of.push_back(k == 0 ? parameters
+                                     : with_swept(parameters, keys.values[k - 1]));
+      states.push_back(at_rest(parameters_of.back()));
+      free.emplace_back(body, states.back().held, modal_options(parameters).platen_mass);
+    }
+  result.state = states[0];
+  result.dofs.push_back(free[0]);
+  const std::vector<double> mass = body.lumped_mass();
+  std::vector<ComplexCase> cases(n_cases);
+  std::exception_ptr problem;
+  bool interrupted = false;
+  for (auto k = static_cast<std::size_t>(context.rank());
+       k < n_cases && problem == nullptr; k += n_ranks)
+    {
+      const ContactParameters &of_case = parameters_of[k];
+      const SlidingState &state        = states[k];
       try
         {
-          const SlidingPencil pencil =
-            make_sliding_pencil<dim>(body, all, vibrating_dofs(body, of_case, state),
-                                     state.contact, sliding_law(of_case));
+          const FreeDofs<dim> &dofs  = free[k];
+          const SlidingPencil pencil = make_sliding_pencil<dim>(
+            body, all, dofs, state.contact, sliding_law(of_case));
           ComplexModes found =
             find_complex_modes(pencil, friction_radius(pencil), options);
-          cases[k] = numbers_of(pencil, state, found, keys.sweep != ModeSweep::none);
-          if (k > 0)
-            cases[k].value = keys.values[k - 1];
-          else
-            result.modes = std::move(found);
+          cases[k] = numbers_of(pencil, state, found);
+          if (k == 0)
+            {
+              result.modes = std::move(found);
+              continue;
+            }
+          cases[k].value = keys.values[k - 1];
+          for (const ComplexMode &mode : found.modes)
+            cases[k].samples.push_back(sample<dim>(body, dofs, mass, mode.shape));
         }
       catch (const NotConverged &e)
         {
@@ -151,28 +172,32 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
             "; change Complex modes/Highest frequency or Tolerance, and check that sides "
             "and top hold the body against friction"));
         }
+      catch (const Interrupted &)
+        {
+          problem     = std::current_exception();
+          interrupted = true;
+        }
       catch (...)
         {
           problem = std::current_exception();
         }
     }
-  agree(problem, communicator);
+  agree(problem, interrupted, communicator);
   for (std::size_t k = 0; k < n_cases; ++k)
-    bring_object_to_root(
-      communicator, cases[k],
-      static_cast<int>(k % static_cast<std::size_t>(context.n_ranks())));
+    bring_object_to_root(communicator, cases[k], static_cast<int>(k % n_ranks));
   result.base = cases[0];
   result.sweep.assign(cases.begin() + 1, cases.end());
   return result;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                               \
-  template FreeDofs<dim> vibrating_dofs(                                        \
-    const ElasticBody<dim> &, const ContactParameters &, const SlidingState &); \
-  template ComplexCases<dim> compute_complex_modes(                             \
-    const ElasticBody<dim> &, const ContactParameters &, const double,          \
-    const StateAtRest &, RunContext &);
-MESOSLIP_INSTANTIATE(2)
-MESOSLIP_INSTANTIATE(3)
-#undef MESOSLIP_INSTANTIATE
+template ComplexCases<2> compute_complex_modes(const ElasticBody<2> &,
+                                               const ContactParameters &,
+                                               const double,
+                                               const StateAtRest &,
+                                               RunContext &);
+template ComplexCases<3> compute_complex_modes(const ElasticBody<3> &,
+                                               const ContactParameters &,
+                                               const double,
+                                               const StateAtRest &,
+                                               RunContext &);
 } // namespace mesoslip

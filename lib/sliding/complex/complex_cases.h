@@ -54,12 +54,13 @@ struct ComplexCase
 template <int dim>
 struct ComplexCases
 {
-  SlidingState state;             ///< of the first case
-  ComplexModes modes;             ///< of the first case, on rank 0
-  ComplexCase base;               ///< its numbers, on rank 0
-  std::vector<ComplexCase> sweep; ///< on rank 0
-  double fastest_counted   = 0.;  ///< ComplexModes::fastest_counted (1/s)
-  double highest_frequency = 0.;  ///< up to which modes were looked for (Hz)
+  SlidingState state;              ///< of the first case
+  ComplexModes modes;              ///< of the first case, on rank 0
+  std::vector<FreeDofs<dim>> dofs; ///< of the first case: one
+  ComplexCase base;                ///< its numbers, on rank 0
+  std::vector<ComplexCase> sweep;  ///< on rank 0
+  double fastest_counted   = 0.;   ///< ComplexModes::fastest_counted (1/s)
+  double highest_frequency = 0.;   ///< up to which modes were looked for (Hz)
 };
 
 /** Static states for parameters that a sweep may have changed. Collective. */
@@ -85,11 +86,6 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
                                         const StateAtRest &at_rest,
                                         RunContext &context);
 
-/** The free degrees of freedom of vibrations about @p state. */
-template <int dim>
-FreeDofs<dim> vibrating_dofs(const ElasticBody<dim> &body,
-                             const ContactParameters &parameters,
-                             const SlidingState &state);
 } // namespace mesoslip
 
 #endif

@@ -233,7 +233,7 @@ ShownComplexShapes write_complex_shapes(Hdf5File &file,
   for (const NodeIndex &node : cases.state.contact.nodes)
     for (unsigned int c = 0; c < dim; ++c)
       place[c].push_back(body.point(node)[c]);
-  const FreeDofs<dim> dofs  = vibrating_dofs(body, parameters, cases.state);
+  const FreeDofs<dim> &dofs = cases.dofs.front();
   const std::size_t n_nodes = place[0].size(),
                     n       = std::min<std::size_t>(cases.modes.modes.size(),
                                               parameters.complex_modes.n_shapes);
