@@ -8,6 +8,7 @@
 #include <mpi.h>
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -27,6 +28,22 @@ struct SurfaceNodes
   /** Integral of the outward normal times the shape function of each node: its tributary
    * length (2D, m) or area (3D, m^2) in the direction of the normal. */
   std::vector<std::array<double, dim>> normal_area;
+};
+
+/** A part of an entry of K; parts at the same place add up. Degree of freedom dim k + c is
+ * component c of the node k = row of the field * n_columns() + column. */
+struct MatrixEntry
+{
+  std::uint64_t row    = 0;  ///< degree of freedom of the force
+  std::uint64_t column = 0;  ///< of the displacement
+  double value         = 0.; ///< N/m, in 2D N/m^2
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &row &column &value;
+  }
 };
 
 /**
@@ -156,6 +173,12 @@ public:
 
   /** Ku = K u without constraints (N, in 2D N/m). */
   virtual void vmult(NodalField<double> &Ku, const NodalField<double> &u) const = 0;
+
+  /**
+   * K as a matrix: of this rank's cells or rows, all together without repetition.
+   * Duplicate nodes are apart from their originals or empty. Not collective.
+   */
+  virtual std::vector<MatrixEntry> stiffness_entries() const = 0;
 
   /** A solver for K u = f, without constraints at first. The body must outlive it. */
   virtual std::unique_ptr<StaticSolver> make_solver() const = 0;

@@ -111,6 +111,8 @@ public:
     stiffness.vmult(Ku, u);
   }
 
+  std::vector<MatrixEntry> stiffness_entries() const override;
+
   std::unique_ptr<StaticSolver> make_solver() const override
   {
     return std::make_unique<GridSolver>(material, solver);

@@ -301,6 +301,7 @@ void ContactParameters::bind_analyses(Keys &keys)
 {
   bind_statics(keys, *this);
   bind_homogenization(keys, homogenization);
+  complex_modes.bind(keys);
   bind_control(keys, *this);
 }
 
@@ -342,5 +343,16 @@ RunConditions ContactParameters::stated_conditions() const
   if (!mesh.is_plane_grid())
     add_mesh(conditions, *this, transient);
   return conditions;
+}
+
+void ContactParameters::make_slip_law(const Keys &keys)
+{
+  FrictionParameters::Use use;
+  use.dim            = mesh.mesh.dim;
+  use.pressure       = std::fabs(top.pressure.amplitude());
+  use.speed          = std::fabs(contact.flat_velocity.amplitude());
+  use.in_time        = analysis == ContactAnalysis::transient;
+  use.flat_displaced = static_load.moves_flat();
+  friction.make_slip_law(keys, use, contact.law);
 }
 } // namespace mesoslip

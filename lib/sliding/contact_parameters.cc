@@ -234,7 +234,7 @@ void bind_friction(Keys &keys, FrictionParameters &friction, FrictionLaw &law)
 /** On a mesh many keys have no effect, and the others none without. */
 void check_mesh(const Keys &keys, const ContactParameters &p)
 {
-  keys.only_with("Analysis", {"transient", "modal", "static contact"},
+  keys.only_with("Analysis", {"transient", "modal", "static contact", "complex modes"},
                  {"Dimension", "Mesh/"});
   keys.only_if(!p.mesh.is_given(),
                {"Body/Material", "Body/Stiffness", "Body/Density", "Body/Size",
@@ -266,17 +266,17 @@ void check_analysis(const Keys &keys)
     keys.only_with("Analysis", analyses, paths);
   };
   only_with({"transient"}, {"Body/Initial velocity",
-                            "Time/",
+                            "Time/End time",
+                            "Time/Time step",
+                            "Time/Safety factor",
+                            "Time/Beta2",
+                            "Time/Check time step",
                             "Flat/Ramp",
                             "Flat/Ramp time",
                             "Flat/Expression",
                             "Top/Ramp",
                             "Top/Ramp time",
                             "Top/Expression",
-                            "Friction/Law",
-                            "Friction/Regularization time",
-                            "Friction/Length",
-                            "Friction/Reference velocity",
                             "Friction/Normal stress",
                             "Friction/Normal stress time",
                             "Friction/Normal stress length",
@@ -287,15 +287,21 @@ void check_analysis(const Keys &keys)
                             "Checkpoints/",
                             "Performance/Temporal blocking",
                             "Performance/Instruction set"});
-  only_with({"transient", "modal"}, {"Top/Platen mass", "Top/Hold from"});
-  only_with({"transient", "static contact"},
+  only_with({"transient", "complex modes"},
+            {"Time/Rayleigh beta", "Friction/Law", "Friction/Regularization time",
+             "Friction/Length", "Friction/Reference velocity"});
+  only_with({"transient", "static contact"}, {"Friction/Coefficient law"});
+  only_with({"transient", "modal", "complex modes"},
+            {"Top/Platen mass", "Top/Hold from"});
+  only_with({"transient", "static contact", "complex modes"},
             {"Body/Acceleration", "Flat/", "Top/Pressure", "Friction/"});
-  only_with({"transient", "modal", "static contact"},
+  only_with({"transient", "modal", "static contact", "complex modes"},
             {"Body/Material", "Body/Stiffness from", "Body/Stiffness", "Body/Density",
              "Body/Size", "Body/Cells", "Top/", "Sides/"});
   only_with({"modal", "static contact"}, {"Performance/Static solver"});
   only_with({"modal"}, {"Modal/"});
-  only_with({"static contact"}, {"Static contact/"});
+  only_with({"static contact", "complex modes"}, {"Static contact/"});
+  only_with({"complex modes"}, {"Complex modes/"});
   only_with({"friction homogenization"}, {"Friction homogenization/"});
 }
 } // namespace
@@ -313,9 +319,9 @@ void ContactParameters::bind(Keys &keys)
 {
   keys.bind(
     "Analysis", analysis,
-    {"transient", "modal", "static contact", "friction homogenization"},
-    "What is computed: sliding in time, vibration modes, equilibrium on the flat, "
-    "or friction of an equivalent homogeneous body from the results of others");
+    {"transient", "modal", "static contact", "friction homogenization", "complex modes"},
+    "What is computed: sliding in time, vibration modes, equilibrium on the flat, an "
+    "equivalent friction law, or the vibrations of steady sliding that grow");
   mesh.bind(keys);
   bind_body(keys, *this);
   bind_time(keys, *this);
@@ -331,16 +337,5 @@ void ContactParameters::bind(Keys &keys)
   if (analysis == ContactAnalysis::transient ||
       analysis == ContactAnalysis::static_contact)
     make_slip_law(keys);
-}
-
-void ContactParameters::make_slip_law(const Keys &keys)
-{
-  FrictionParameters::Use use;
-  use.dim            = mesh.mesh.dim;
-  use.pressure       = std::fabs(top.pressure.amplitude());
-  use.speed          = std::fabs(contact.flat_velocity.amplitude());
-  use.in_time        = analysis == ContactAnalysis::transient;
-  use.flat_displaced = static_load.moves_flat();
-  friction.make_slip_law(keys, use, contact.law);
 }
 } // namespace mesoslip

@@ -6,6 +6,7 @@
 #include "exchange/run_description.h"
 #include "observation/probe_recorder.h"
 #include "observation/steady_state.h"
+#include "sliding/complex/complex_parameters.h"
 #include "sliding/friction/friction_parameters.h"
 #include "sliding/mesh/mesh_body.h"
 #include "sliding/sliding_body.h"
@@ -30,7 +31,8 @@ enum class ContactAnalysis
   transient,
   modal,
   static_contact,
-  friction_homogenization
+  friction_homogenization,
+  complex_modes
 };
 
 /** Section Body: geometry and material. */
@@ -136,6 +138,7 @@ struct ContactParameters : SlidingSetup
   std::string modal_bottom = "both";               ///< free, held in y or z, both
   StaticContactOptions static_contact;             ///< section Static contact
   StaticLoadParameters static_load;                ///< section Static contact
+  ComplexModesParameters complex_modes;            ///< section Complex modes
   FrictionHomogenizationParameters homogenization; ///< section Friction homogenization
   StaticSolverKind static_solver =
     StaticSolverKind::multigrid; ///< for static contact and modes

@@ -3,6 +3,7 @@
 #include "sliding/analyses/friction_homogenization.h"
 #include "sliding/analyses/modal.h"
 #include "sliding/analyses/static_contact.h"
+#include "sliding/complex/grid_complex.h"
 #include "sliding/mesh/mesh_modal.h"
 #include "sliding/mesh/mesh_transient.h"
 #include "sliding/mesh/statics/mesh_static.h"
@@ -26,6 +27,10 @@ std::unique_ptr<Analysis> build(Keys &keys)
       if (!parameters.mesh.is_plane_grid())
         return make_mesh_static(parameters);
       return std::make_unique<StaticContactAnalysis>(parameters);
+    case ContactAnalysis::complex_modes:
+      if (!parameters.mesh.is_plane_grid())
+        return make_mesh_complex(parameters);
+      return std::make_unique<ComplexModesAnalysis>(parameters);
     case ContactAnalysis::friction_homogenization:
       return std::make_unique<FrictionHomogenizationAnalysis>(parameters);
     default:

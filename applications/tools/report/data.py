@@ -12,7 +12,7 @@ HDF5_NAMES = {
     "contact_dynamics": "dynamics.h5",
     "stress_localization": "localization.h5",
 }
-HDF5_OF_ANALYSIS = {"modal": "modal.h5", "friction homogenization": None}
+HDF5_OF_ANALYSIS = {"modal": "modal.h5", "complex modes": "complex_modes.h5", "friction homogenization": None}
 
 
 class Missing(Exception):
@@ -173,6 +173,7 @@ class Chain:
         self.localization = pick("stress_localization")
         self.transient = [run for run in self.dynamics if run.members("/history")]
         self.modal = [run for run in self.dynamics if run.members("/modes") or run.summary.get("frequencies")]
+        self.complex = [run for run in self.dynamics if isinstance(run.summary.get("complex_modes"), list)]
         self.static = [run for run in self.dynamics
                        if run.members("/static_contact") or run.summary.get("phase_contact_pressures")]
         self.friction_law = [run for run in self.dynamics if run.summary.get("estimates")]

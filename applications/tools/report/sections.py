@@ -3,6 +3,7 @@
 import numpy as np
 
 import analyses
+import complex_modes
 import contact_surface
 import energies
 import figures
@@ -43,6 +44,7 @@ def plan(chain):
     if chain.transient:
         result += transient_sections(chain.transient)
     for heading, make, runs in [("Modes of vibration", analyses.modes, chain.modal),
+                                ("Modes of steady sliding", complex_modes.complex_modes, chain.complex),
                                 ("Static contact", analyses.static_contact, chain.static),
                                 ("Homogenized friction law", analyses.friction_law, chain.friction_law)]:
         if runs:

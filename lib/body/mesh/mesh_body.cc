@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
@@ -288,6 +289,28 @@ void MeshBody<dim>::vmult(NodalField<double> &Ku, const NodalField<double> &u) c
   auto y       = x;
   discretization->stiffness().vmult(y, x);
   discretization->to_field(Ku, y);
+}
+
+template <int dim>
+std::vector<MatrixEntry> MeshBody<dim>::stiffness_entries() const
+{
+  // The matrix has ones of its own in the rows of duplicates.
+  std::vector<bool> duplicate(mesh.points.size(), false);
+  for (const auto &pair : this->duplicates)
+    duplicate[static_cast<std::size_t>(pair[0].j) * this->n_columns() + pair[0].i] = true;
+  constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
+  std::vector<std::uint64_t> number(discretization->n_dofs(), none);
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+    for (unsigned int c = 0; c < dim && !duplicate[p]; ++c)
+      number[discretization->dof(c, node(p))] = dim * p + c;
+  const auto &matrix = discretization->stiffness();
+  std::vector<MatrixEntry> entries;
+  for (const auto row : matrix.locally_owned_range_indices())
+    if (number[row] != none)
+      for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
+        if (number[entry->column()] != none)
+          entries.push_back({number[row], number[entry->column()], entry->value()});
+  return entries;
 }
 
 template <int dim>

@@ -68,6 +68,7 @@ public:
                 const std::size_t group,
                 Cells &cells) const override;
   void vmult(NodalField<double> &Ku, const NodalField<double> &u) const override;
+  std::vector<MatrixEntry> stiffness_entries() const override;
   std::unique_ptr<StaticSolver> make_solver() const override;
   std::unique_ptr<ElasticBody<dim>> make_periodic() const override;
 

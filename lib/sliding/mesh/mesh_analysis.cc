@@ -10,6 +10,7 @@
 #include "sliding/run_plan.h"
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <ostream>
@@ -149,6 +150,25 @@ DofMask MeshAnalysis<dim>::held_by_mesh(const TopSetup &top) const
       for (const unsigned int point : body.top.points)
         held.constrain(c, {point, 0});
   return held;
+}
+
+template <int dim>
+void MeshAnalysis<dim>::order_contact(const ElasticBody<dim> &elastic)
+{
+  const MeshBoundary contact         = this->body.contact;
+  const std::vector<double> friction = this->body.friction;
+  std::map<unsigned int, std::size_t> place;
+  for (std::size_t k = 0; k < contact.points.size(); ++k)
+    place[contact.points[k]] = k;
+  const auto &nodes = elastic.surface(ElasticBody<dim>::bottom).nodes;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    {
+      const std::size_t old        = place.at(nodes[k].i);
+      this->body.contact.points[k] = contact.points[old];
+      this->body.contact.area[k]   = contact.area[old];
+      this->body.contact.height[k] = contact.height[old];
+      this->body.friction[k]       = friction[old];
+    }
 }
 
 template class MeshAnalysis<2>;

@@ -38,6 +38,9 @@ protected:
   /** What groups of faces and top hold, of a platen the normal component as well. */
   DofMask held_by_mesh(const TopSetup &top) const;
 
+  /** Puts the contact nodes of the description into the order of @p elastic. */
+  void order_contact(const ElasticBody<dim> &elastic);
+
   const ContactParameters parameters;    ///< all of them, checked
   MeshMorphology<dim> morphology;        ///< on rank 0
   MeshBodyDescription body;              ///< the same on all ranks

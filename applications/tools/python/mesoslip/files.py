@@ -10,8 +10,9 @@ import numpy as np
 
 from .array import Array
 
-NAMES = ("dynamics.h5", "localization.h5", "rve.h5", "modal.h5")
-FORMATS = ("mesoslip-rve", "mesoslip-loads", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal", "mesoslip-dynamics-mesh", "mesoslip-modal-mesh")
+NAMES = ("dynamics.h5", "localization.h5", "rve.h5", "modal.h5", "complex_modes.h5")
+FORMATS = ("mesoslip-rve", "mesoslip-loads", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal", "mesoslip-dynamics-mesh",
+           "mesoslip-modal-mesh", "mesoslip-complex-modes", "mesoslip-complex-modes-mesh")
 VERSION = 1
 
 

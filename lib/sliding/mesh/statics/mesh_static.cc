@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -36,17 +35,12 @@ public:
   explicit MeshStatic(const ContactParameters &given)
     : MeshAnalysis<dim>(given)
   {
-    check();
+    check_mesh_static<dim>(this->parameters, this->body.friction);
   }
 
   void run(RunContext &context) override;
 
 private:
-  void check() const;
-
-  /** Puts the contact nodes of the description into the order of @p elastic. */
-  void order_contact(const ElasticBody<dim> &elastic);
-
   std::optional<double> sliding_friction() const;
   void evaluate();
   void write_contact_table(const RunContext &context) const;
@@ -66,46 +60,6 @@ private:
   std::array<std::vector<double>, dim - 1> shear; ///< likewise, on the body (Pa)
 };
 
-template <int dim>
-void MeshStatic<dim>::check() const
-{
-  const ContactParameters &p = this->parameters;
-  const bool platen          = p.top.kind == TopSetup::Kind::platen;
-  if (p.top.kind == TopSetup::Kind::held)
-    throw UserError("Top/Kind is held, so nothing presses the body on the flat; use "
-                    "platen or pressure for a static contact analysis");
-  if (platen && p.step.is_heavy())
-    throw UserError("Body/Acceleration is not zero, which a static contact analysis "
-                    "under a platen does not take; use Top/Kind = pressure");
-  if (!(p.top.pressure.amplitude() > 0.))
-    throw UserError("Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
-                    " Pa; a static contact analysis needs a positive one");
-  if (p.contact.gap != 0.)
-    throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
-                    " m; a static contact analysis starts from a body that touches the "
-                    "flat, set it to 0");
-  const auto &mu                     = this->body.friction;
-  const bool rubs                    = *std::max_element(mu.begin(), mu.end()) > 0.;
-  const double speed                 = p.contact.flat_velocity.amplitude();
-  const std::vector<double> &of_flat = p.static_load.of_flat;
-  for (unsigned int c = 0; c + 1 < dim; ++c)
-    {
-      const std::string along = std::string("Mesh/Held in ") + "xy"[c];
-      if (platen || p.top.lateral_held || !p.mesh.held[c].empty())
-        continue;
-      if (rubs && speed * p.contact.flat_direction[c] != 0.)
-        throw UserError(
-          "Nothing holds the body against the friction of the sliding flat: set "
-          "Top/Lateral held, hold a group in " +
-          along + ", Friction/Coefficient = 0 or Flat/Velocity = 0");
-      if (c < of_flat.size() && of_flat[c] != 0.)
-        throw UserError(
-          "Static contact/Flat displacement: nothing holds the body against the "
-          "flat; set Top/Lateral held or hold a group in " +
-          along);
-    }
-}
-
 /** Friction along the motion of the flat over the normal force; nothing where it rests. */
 template <int dim>
 std::optional<double> MeshStatic<dim>::sliding_friction() const
@@ -117,25 +71,6 @@ std::optional<double> MeshStatic<dim>::sliding_friction() const
   for (unsigned int c = 0; c + 1 < dim; ++c)
     along += flat.flat_direction[c] * total_tangential_force(solution, c, dim - 1);
   return std::fabs(along) / total_normal_force(solution);
-}
-
-template <int dim>
-void MeshStatic<dim>::order_contact(const ElasticBody<dim> &elastic)
-{
-  const MeshBoundary contact         = this->body.contact;
-  const std::vector<double> friction = this->body.friction;
-  std::map<unsigned int, std::size_t> place;
-  for (std::size_t k = 0; k < contact.points.size(); ++k)
-    place[contact.points[k]] = k;
-  const auto &nodes = elastic.surface(ElasticBody<dim>::bottom).nodes;
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    {
-      const std::size_t old        = place.at(nodes[k].i);
-      this->body.contact.points[k] = contact.points[old];
-      this->body.contact.area[k]   = contact.area[old];
-      this->body.contact.height[k] = contact.height[old];
-      this->body.friction[k]       = friction[old];
-    }
 }
 
 template <int dim>
@@ -282,7 +217,7 @@ void MeshStatic<dim>::run(RunContext &context)
   StaticContactOptions options = this->parameters.static_contact;
   options.before_iteration     = stop_or_report(context, "iteration");
   const auto elastic           = this->make_elastic_body();
-  order_contact(*elastic);
+  this->order_contact(*elastic);
   {
     const auto scope = context.timer().scope("Equilibrium");
     with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "material/plausibility.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -21,6 +22,44 @@ double total_tangential_force(const StaticContactSolution &solution,
   for (std::size_t k = c; k < solution.tangential_force.size(); k += n_tangents)
     sum += solution.tangential_force[k];
   return sum;
+}
+
+template <int dim>
+void check_mesh_static(const ContactParameters &p, const std::vector<double> &mu)
+{
+  const bool platen = p.top.kind == TopSetup::Kind::platen;
+  if (p.top.kind == TopSetup::Kind::held)
+    throw UserError("Top/Kind is held, so nothing presses the body on the flat; use "
+                    "platen or pressure for a static contact analysis");
+  if (platen && p.step.is_heavy())
+    throw UserError("Body/Acceleration is not zero, which a static contact analysis "
+                    "under a platen does not take; use Top/Kind = pressure");
+  if (!(p.top.pressure.amplitude() > 0.))
+    throw UserError("Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
+                    " Pa; a static contact analysis needs a positive one");
+  if (p.contact.gap != 0.)
+    throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
+                    " m; a static contact analysis starts from a body that touches the "
+                    "flat, set it to 0");
+  const bool rubs                    = *std::max_element(mu.begin(), mu.end()) > 0.;
+  const double speed                 = p.contact.flat_velocity.amplitude();
+  const std::vector<double> &of_flat = p.static_load.of_flat;
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    {
+      const std::string along = std::string("Mesh/Held in ") + "xy"[c];
+      if (platen || p.top.lateral_held || !p.mesh.held[c].empty())
+        continue;
+      if (rubs && speed * p.contact.flat_direction[c] != 0.)
+        throw UserError(
+          "Nothing holds the body against the friction of the sliding flat: set "
+          "Top/Lateral held, hold a group in " +
+          along + ", Friction/Coefficient = 0 or Flat/Velocity = 0");
+      if (c < of_flat.size() && of_flat[c] != 0.)
+        throw UserError(
+          "Static contact/Flat displacement: nothing holds the body against the "
+          "flat; set Top/Lateral held or hold a group in " +
+          along);
+    }
 }
 
 template <int dim>
@@ -178,6 +217,10 @@ void MeshStaticLoad<dim>::record(const double share, const double share_of_flat)
   done.push_back(step);
 }
 
+template void check_mesh_static<2>(const ContactParameters &,
+                                   const std::vector<double> &);
+template void check_mesh_static<3>(const ContactParameters &,
+                                   const std::vector<double> &);
 template class MeshStaticLoad<2>;
 template class MeshStaticLoad<3>;
 } // namespace mesoslip

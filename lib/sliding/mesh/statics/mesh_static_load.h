@@ -29,6 +29,11 @@ double total_tangential_force(const StaticContactSolution &solution,
                               const unsigned int c,
                               const unsigned int n_tangents);
 
+/** @throws UserError if supports and loads allow no equilibrium; @p mu are the coefficients of the
+ * contact nodes. */
+template <int dim>
+void check_mesh_static(const ContactParameters &p, const std::vector<double> &mu);
+
 /** A body on a mesh under a load that grows in increments. */
 template <int dim>
 class MeshStaticLoad

@@ -1,0 +1,67 @@
+"""Section on the modes of steady sliding: which grow, where, and over what is swept."""
+
+import csv
+import os
+
+import numpy as np
+
+from data import Missing
+from figures import BLUE, GREY, ORANGE, panels
+from page import escape, number, quantity, table
+
+LABELS = {"friction_coefficient [-]": "friction coefficient", "regularization_time [s]": "regularization time in s",
+          "velocity [m/s]": "velocity in m/s"}
+
+
+def complex_modes(page, run):
+    """Table of the modes, growth along the frequency, and curves of a sweep."""
+    modes = run.summary.get("complex_modes")
+    if not isinstance(modes, list):
+        raise Missing(f"the summary of {run.name} holds no complex modes")
+    highest, missing = run.number("highest_frequency"), run.summary.get("missing_modes")
+    known = {0: "The argument principle counts no others.", None: "They were not counted."}.get(
+        missing, f"The argument principle counts {missing} more that the search did not find.")
+    html = f"<h3>{escape(run.name)}</h3>" + (f'<p class="lead">{len(modes)} modes up to {quantity(highest, "Hz")}. {known}</p>'
+                                              if highest is not None else "")
+    rows = [[str(k + 1), quantity(mode["frequency"], "Hz"), number(mode["growth_rate"]), number(mode.get("growth_by_friction")),
+             number(mode.get("growth_by_damping"))] for k, mode in enumerate(modes[:30])]
+    html += table(["mode", "frequency", "growth rate in 1/s", "by friction", "by damping"], rows)
+    if modes:
+        html += page.figure(spectrum(modes), f"Modes of steady sliding of {escape(run.name)}: growth rate over frequency.")
+    if isinstance(run.summary.get("sweep"), list):
+        html += page.figure(sweep(run), f"Frequency and growth rate of the modes of {escape(run.name)} over what is swept; curves join "
+                            "modes of like shapes.")
+    return html
+
+
+def spectrum(modes):
+    figure, (axes,) = panels(1, 3.0)
+    frequency, growth = (np.array([mode[key] for mode in modes]) for key in ("frequency", "growth_rate"))
+    for picked, c in ((growth > 0, ORANGE), (growth <= 0, BLUE)):
+        axes.vlines(1e-3 * frequency[picked], 0, growth[picked], color=c, lw=1.5)
+        axes.plot(1e-3 * frequency[picked], growth[picked], "o", color=c, ms=4)
+    axes.axhline(0, color=GREY, lw=0.8)
+    axes.set(xlabel="frequency in kHz", ylabel="growth rate in 1/s", xlim=(0, None))
+    return figure
+
+
+def sweep(run):
+    try:
+        with open(os.path.join(run.folder, "complex_modes_sweep.csv"), encoding="ascii") as file:
+            columns, *rows = list(csv.reader(file))
+        rows = [[float(cell) for cell in row] for row in rows]
+    except (OSError, ValueError) as error:
+        raise Missing(f"the sweep of {run.name} is unreadable ({error})") from error
+    if not rows:
+        raise Missing(f"the sweep of {run.name} holds no modes")
+    value, curve, frequency, growth = np.array(rows)[:, :4].T
+    figure, axes = panels(2, 6.0)
+    for k in np.unique(curve):
+        of_curve = curve == k
+        style = {"lw": 1.5, "color": None} if growth[of_curve].max() > 0 else {"lw": 0.8, "color": GREY}
+        line, = axes[0].plot(value[of_curve], 1e-3 * frequency[of_curve], ".-", ms=3, **style)
+        axes[1].plot(value[of_curve], growth[of_curve], ".-", ms=3, lw=style["lw"], color=line.get_color())
+    axes[1].axhline(0, color=GREY, lw=0.8)
+    for axis, label in zip(axes, ("frequency in kHz", "growth rate in 1/s")):
+        axis.set(xlabel=LABELS.get(columns[0], columns[0]), ylabel=label)
+    return figure

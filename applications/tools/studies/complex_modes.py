@@ -1,0 +1,107 @@
+"""Modes of steady sliding of the paper's pin that grow: on three grids, and over the friction coefficient. Writes a page.
+
+    complex_modes.py <folder with the programs> <folder for runs> <folder of the page>
+
+Runs that are there are not repeated."""
+
+import csv
+import json
+import os
+import subprocess
+import sys
+
+from pages import plt, save_picture, table
+
+TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
+EXAMPLE = os.path.join(TOP, "prm", "examples", "complex_modes.prm")
+GRIDS = {"0.8": "70, 20", "0.4": "140, 40", "0.2": "280, 80"}  # mm: cells
+COEFFICIENTS = [round(0.02 * k, 2) for k in range(16)]
+SWEEP = {"Body/Cells": GRIDS["0.8"], "Complex modes/Fastest decay": 6000, "Complex modes/Sweep": "friction coefficient",
+         "Complex modes/Sweep values": ", ".join(map(str, COEFFICIENTS))}
+
+
+def run(programs, folder, name, settings):
+    """The folder of a finished run."""
+    output = os.path.join(folder, name)
+    if not os.path.exists(os.path.join(output, "summary.json")):
+        subprocess.run([os.path.join(programs, "contact_dynamics"), EXAMPLE, "--output", output, "--quiet",
+                        *(f"--set={key}={value}" for key, value in settings.items())], check=True)
+    return output
+
+
+def summary(folder):
+    with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def rows_of(grids):
+    """A row a mode, the fastest growing of the finest grid first; modes of other grids within 1 %, each once."""
+    finest, *coarser = [list(entry["complex_modes"]) for entry in reversed(grids)]
+    rows = []
+    for mode in finest:
+        row = [(mode["frequency"], mode["growth_rate"])]
+        for others in coarser:
+            others.sort(key=lambda other: abs(other["frequency"] / mode["frequency"] - 1))
+            near = bool(others) and abs(others[0]["frequency"] / mode["frequency"] - 1) < 0.01
+            row.append((lambda other: (other["frequency"], other["growth_rate"]))(others.pop(0)) if near else None)
+        rows.append(row[::-1])
+    return rows
+
+
+def curves(folder):
+    """{curve: [(coefficient, kHz, 1/s)]}"""
+    result = {}
+    with open(os.path.join(folder, "complex_modes_sweep.csv"), encoding="ascii") as file:
+        for row in csv.DictReader(file):
+            result.setdefault(int(float(row["curve [-]"])), []).append(
+                (float(row["friction_coefficient [-]"]), 1e-3 * float(row["frequency [Hz]"]), float(row["growth_rate [1/s]"])))
+    return result
+
+
+def picture(found, folder):
+    figure, axes = plt.subplots(1, 2, figsize=(9, 4), constrained_layout=True)
+    for points in found.values():
+        mu, frequency, growth = zip(*points)
+        grows = max(growth) > 0
+        style = {"color": None if grows else "0.75", "lw": 1.6 if grows else 0.8, "marker": "." if len(mu) > 1 else "_", "ms": 3}
+        line, = axes[0].plot(mu, frequency, **style)
+        axes[1].plot(mu, [1e-3 * g for g in growth], **{**style, "color": line.get_color()},
+                     label=f"{frequency[-1]:.1f} kHz" if grows else None)
+    axes[0].set(xlabel="friction coefficient", ylabel="frequency in kHz")
+    axes[1].set(xlabel="friction coefficient", ylabel="growth rate in 1/ms")
+    axes[1].axhline(0, color="k", lw=0.6)
+    axes[1].legend(fontsize=8, frameon=False)
+    return save_picture(figure, folder, "sweep.png", 32, dpi=110)
+
+
+def page(programs, runs, folder):
+    grids = [summary(run(programs, runs, f"h{h}", {"Body/Cells": cells})) for h, cells in GRIDS.items()]
+    swept = run(programs, runs, "sweep", SWEEP)
+    found = curves(swept)
+    name = picture(found, folder)
+    rows = [[cell for pair in row for cell in ((f"{1e-3 * pair[0]:.3f}", f"{pair[1]:.0f}") if pair else ("-", "-"))] for row in rows_of(grids)]
+    headings = [f"{what}, {h} mm" for h in GRIDS for what in ("kHz", "1/s")]
+    separated = ", ".join(f"{entry['separated_nodes']} on {h} mm" for h, entry in zip(GRIDS, grids))
+    missing = sum(entry["missing_modes"] for entry in grids) + sum(case["missing_modes"] for case in summary(swept)["sweep"])
+    text = [
+        "# Modes of steady sliding that grow", "",
+        "Analysis `complex modes` of `contact_dynamics` for the paper's pin: eq. (10), mu = 0.25, delta = 1500 ns, beta = 4.4 ns, a",
+        "platen, up to 200 kHz ([theory](../theory.md), section 11). Written by `applications/tools/studies/complex_modes.py`.", "",
+        "## On three grids", "",
+        table(headings, rows), "",
+        f"The argument principle counts {missing or 'no'} modes that the search did not find, in all of these runs. Contact nodes that are",
+        f"separated in the static state and therefore free: {separated}. Where their number changes from grid to grid, so does the body",
+        "that vibrates, and growth rates need not converge smoothly.", "",
+        "## Over the friction coefficient", "",
+        f"![Frequency and growth rate of modes over the friction coefficient]({name})", "",
+        "Cells of 0.8 mm; modes that decay by at most 6000 1/s. Coloured: modes that grow somewhere, named by their last frequency; grey:",
+        "all others. Curves end where a mode decays faster, or where its shape has changed by more than half from one coefficient to the",
+        "next, where it meets another mode.", ""]
+    with open(os.path.join(folder, "README.md"), "w", encoding="utf-8") as file:
+        file.write("\n".join(text))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    page(*sys.argv[1:])

@@ -1,0 +1,133 @@
+#include "eigenvalues/complex/disc_search.h"
+
+#include "eigenvalues/complex/arnoldi.h"
+#include "material/plausibility.h"
+#include "statics/static_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+using Complex = SlidingPencil::Complex;
+
+constexpr int fewest = 4;  // eigenvalues of a shift
+constexpr int most   = 48; // beyond, vectors cost more than factors
+
+/** Relative distance of what two shifts found of one eigenvalue. */
+constexpr double same = 1e-7;
+} // namespace
+
+DiscSearch::DiscSearch(const SlidingPencil &pencil,
+                       ComplexFactorization &factors,
+                       const ComplexModesOptions &options,
+                       ComplexModes &report)
+  : pencil(pencil)
+  , factors(factors)
+  , options(options)
+  , report(report)
+{
+}
+
+std::optional<DiscSearch::Disc>
+DiscSearch::nearest(const Complex centre, const int count, const unsigned int seed)
+{
+  if (options.before_factorization)
+    options.before_factorization(brief_text(4, "shift ", report.n_shifts + 1, ", near ",
+                                            1e-3 * centre.imag() / (2. * M_PI), " kHz"));
+  factors.factorize(pencil(centre));
+  ++report.n_factorizations;
+  ++report.n_shifts;
+  report.factor_bytes = std::max(report.factor_bytes, factors.bytes());
+  const ShiftedInverse inverse(pencil, factors, centre, std::abs(centre));
+  ArnoldiOptions arnoldi_options;
+  arnoldi_options.count           = count;
+  arnoldi_options.tolerance       = 0.01 * options.tolerance;
+  arnoldi_options.most_iterations = 30;
+  arnoldi_options.seed            = seed;
+  const auto pairs                = arnoldi(
+                   pencil.state_size(),
+                   [&](ComplexVector &dst, const ComplexVector &src) {
+      inverse.vmult(dst, src);
+      ++report.n_solves;
+    },
+                   arnoldi_options);
+  if (!pairs || pairs->values.size() < count)
+    return std::nullopt;
+  for (Eigen::Index k = 0; k < pairs->values.size(); ++k)
+    keep(centre + 1. / pairs->values[k], pairs->vectors.col(k).head(pencil.size()));
+  return Disc{centre, 1. / std::abs(pairs->values[pairs->values.size() - 1])};
+}
+
+void DiscSearch::keep(const Complex s, ComplexVector u)
+{
+  // Real ones are no vibrations, and of a pair one is enough.
+  if (!(s.imag() > 1e-9 * std::abs(s)))
+    return;
+  const auto product = [this](const ComplexVector &a, const ComplexVector &b) {
+    return a.dot(pencil.mass.cwiseProduct(b));
+  };
+  u /= std::sqrt(product(u, u).real());
+  ComplexVector rest = u;
+  std::vector<ComplexVector> basis;
+  for (const FoundMode &other : modes)
+    if (std::abs(other.s - s) < same * std::abs(s))
+      {
+        ComplexVector direction = other.u;
+        for (const ComplexVector &b : basis)
+          direction -= product(b, direction) * b;
+        direction /= std::sqrt(product(direction, direction).real());
+        rest -= product(direction, rest) * direction;
+        basis.push_back(direction);
+      }
+  if (product(rest, rest).real() > 1e-4)
+    modes.push_back({s, std::move(u)});
+}
+
+void DiscSearch::cover(const SearchRange &range, const unsigned int seed)
+{
+  const int largest = static_cast<int>(
+    std::min<Eigen::Index>(most, std::max<Eigen::Index>(1, pencil.state_size() / 4)));
+  // Friction forces that only relax have many eigenvalues near -1 / delta.
+  const double relaxing = pencil.law.delta > 0. ? 1. / pencil.law.delta : 0.;
+  const auto is_free    = [&](const Complex centre, const double radius) {
+    return relaxing == 0. || radius < 0.6 * std::abs(centre + relaxing);
+  };
+  int count   = std::min(6, largest);
+  double edge = 0., reach = 0.1 * range.top;
+  while (edge < range.top)
+    {
+      const double middle = edge + 0.85 * reach, high = middle + reach;
+      const double left = range.left(high), right = range.right(edge, high);
+      const double half = 0.5 * (right - left);
+      const auto disc   = nearest(Complex(0.5 * (left + right), middle), count, seed);
+      if (!disc)
+        {
+          if (count <= fewest)
+            throw NotConverged(brief_text(4,
+                                          "the Arnoldi iteration did not converge near ",
+                                          1e-3 * middle / (2. * M_PI), " kHz"));
+          count = std::max(fewest, count / 2);
+          continue;
+        }
+      const double covered = std::min(
+        reach, std::sqrt(std::max(0., disc->radius * disc->radius - half * half)));
+      if (middle - covered > edge)
+        {
+          if (!(reach > 1e-6 * range.top))
+            throw NotConverged(
+              brief_text(4, "too many modes near ", 1e-3 * middle / (2. * M_PI), " kHz"));
+          if (covered < 0.5 * reach && is_free(disc->centre, disc->radius))
+            count = std::min(largest, 2 * count);
+          reach = std::max(0.9 * covered, 0.5 * reach);
+          continue;
+        }
+      edge  = middle + covered;
+      reach = 1.4 * covered;
+      if (is_free(disc->centre, 1.5 * disc->radius))
+        count = std::min(largest, 3 * count / 2);
+    }
+}
+} // namespace mesoslip

@@ -1,0 +1,84 @@
+#ifndef mesoslip_eigenvalues_complex_disc_search_h
+#define mesoslip_eigenvalues_complex_disc_search_h
+
+#include "eigenvalues/complex/complex_modes.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** The eigenvalues s = a + i w (1/s) that are wanted: up to the frequency top, and from
+ * left(w), which is negative, to right of all that can grow. */
+struct SearchRange
+{
+  const GrowthRegion &region; ///< where growth can be
+  double top   = 0.;          ///< 1/s
+  double decay = 0.;          ///< of the fastest decaying ones (1/s), positive
+  double share = 1.;          ///< of the frequency, in which growth is looked for
+
+  /** Least growth rate of circular frequencies up to @p high: modes decay no faster than
+   * they vibrate. */
+  double left(const double high) const
+  {
+    return -std::min(decay, high);
+  }
+
+  /** Largest growth rate (1/s) of circular frequencies from @p low to @p high, and a little
+   * more, so that neutral modes are in the range. */
+  double right(const double low, const double high) const
+  {
+    return std::min(region.width(low, high) + 1e-3 * top, share * high);
+  }
+};
+
+/** An eigenvalue and its vector. */
+struct FoundMode
+{
+  SlidingPencil::Complex s; ///< 1/s
+  ComplexVector u;          ///< u^H M u is one
+};
+
+/** Searches a range disc by disc, and remembers all eigenvalues of the upper half plane. */
+class DiscSearch
+{
+public:
+  /** All arguments have to outlive this object; shifts are counted in @p report. */
+  DiscSearch(const SlidingPencil &pencil,
+             ComplexFactorization &factors,
+             const ComplexModesOptions &options,
+             ComplexModes &report);
+
+  /** Covers @p range, starting Arnoldi iterations from random vectors of this @p seed.
+   * @throws NotConverged */
+  void cover(const SearchRange &range, const unsigned int seed);
+
+  /** Eigenvalues found so far, of multiple ones with independent vectors. */
+  const std::vector<FoundMode> &found() const
+  {
+    return modes;
+  }
+
+private:
+  /** All eigenvalues nearer to centre than radius are known. */
+  struct Disc
+  {
+    SlidingPencil::Complex centre; ///< the shift (1/s)
+    double radius = 0.;            ///< 1/s
+  };
+
+  std::optional<Disc>
+  nearest(const SlidingPencil::Complex centre, const int count, const unsigned int seed);
+  void keep(const SlidingPencil::Complex s, ComplexVector u);
+
+  const SlidingPencil &pencil;
+  ComplexFactorization &factors;
+  const ComplexModesOptions &options;
+  ComplexModes &report;
+  std::vector<FoundMode> modes;
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,203 @@
+#include "sliding/complex/complex_cases.h"
+
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "material/plausibility.h"
+#include "sliding/analyses/modal_cases.h"
+#include "sliding/body_analysis.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <exception>
+
+namespace mesoslip
+{
+namespace
+{
+/** A part of a shape that tells it from others, whatever nodes are free: some thousand of the
+ * body's displacements, with the root of their mass, of length one. */
+template <int dim>
+std::vector<std::complex<float>> sample(const ElasticBody<dim> &body,
+                                        const FreeDofs<dim> &dofs,
+                                        const std::vector<double> &mass,
+                                        const ComplexVector &shape)
+{
+  constexpr std::size_t most = 2000; // nodes
+  typename FreeDofs<dim>::Vector real(dofs.size()), imaginary(dofs.size());
+  for (std::size_t k = 0; k < dofs.size(); ++k)
+    {
+      real[k]      = shape[static_cast<Eigen::Index>(k)].real();
+      imaginary[k] = shape[static_cast<Eigen::Index>(k)].imag();
+    }
+  NodalField<double> re = body.zero_field(), im = body.zero_field();
+  dofs.scatter(re, real);
+  dofs.scatter(im, imaginary);
+  std::vector<std::complex<float>> result;
+  double size = 0.;
+  for (std::size_t k = 0; k < mass.size(); k += 1 + mass.size() / most)
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        const NodeIndex node{static_cast<unsigned int>(k % body.n_columns()),
+                             static_cast<unsigned int>(k / body.n_columns())};
+        const std::complex<double> x =
+          std::sqrt(mass[k]) * std::complex<double>(re(c, node), im(c, node));
+        size += std::norm(x);
+        result.emplace_back(x);
+      }
+  for (std::complex<float> &x : result)
+    x /= static_cast<float>(std::sqrt(size));
+  return result;
+}
+
+ComplexCase numbers_of(const SlidingPencil &pencil,
+                       const SlidingState &state,
+                       const ComplexModes &found)
+{
+  ComplexCase result;
+  result.delta               = pencil.law.delta;
+  result.n_sliding           = state.contact.nodes.size();
+  result.n_separated         = state.n_separated;
+  result.n_missing           = found.n_missing;
+  result.nothing_grows_above = found.nothing_grows_above / (2. * M_PI);
+  for (const ComplexMode &mode : found.modes)
+    result.modes.push_back({mode.frequency(), mode.s.real(), mode.residual,
+                            mode.growth_by_friction.sum(), mode.growth_by_damping});
+  return result;
+}
+
+/** What one rank throws ends all of them. Collective. */
+void agree(const std::exception_ptr &problem,
+           const bool interrupted,
+           const MPI_Comm communicator)
+{
+  const int own   = problem == nullptr ? 0 : (interrupted ? 2 : 1);
+  const int worst = dealii::Utilities::MPI::max(own, communicator);
+  if (problem != nullptr)
+    std::rethrow_exception(problem);
+  if (worst == 2)
+    throw Interrupted("stopped on request in the search for complex modes; there is no "
+                      "result yet");
+  if (worst == 1)
+    throw NumericalFailure("another process could not compute its complex modes");
+}
+} // namespace
+
+double highest_frequency_of(const ContactParameters &parameters,
+                            const double wave_speed,
+                            const double height)
+{
+  const double given = parameters.complex_modes.highest_frequency;
+  return std::isnan(given) ? wave_speed / height : given;
+}
+
+ResourceNeed complex_modes_memory(const double n_dofs, const unsigned int dim)
+{
+  // Complex factors as measured with METIS' ordering, matrices, and Arnoldi vectors.
+  const double factors =
+    dim == 2 ? 42. * n_dofs * std::log2(n_dofs) : 26. * std::pow(n_dofs, 4. / 3.);
+  const double vectors = 110. * 2.1 * n_dofs;
+  return {16. * (factors + vectors) + 600. * n_dofs,
+          "reduce Body/Cells, or take a coarser mesh"};
+}
+
+template <int dim>
+ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
+                                        const ContactParameters &parameters,
+                                        const double highest_frequency,
+                                        const StateAtRest &at_rest,
+                                        RunContext &context)
+{
+  const MPI_Comm communicator        = context.communicator();
+  const ComplexModesParameters &keys = parameters.complex_modes;
+  const RealMatrix all               = whole_stiffness(body, communicator);
+
+  ComplexModesOptions options;
+  options.highest_frequency    = highest_frequency;
+  options.least_growth         = keys.least_growth;
+  options.tolerance            = keys.tolerance;
+  options.count                = keys.count;
+  options.before_factorization = [&context](const std::string &) {
+    if (context.stop_requested_here())
+      throw Interrupted("stopped on request in the search for complex modes; there is no "
+                        "result yet");
+  };
+
+  ComplexCases<dim> result;
+  result.highest_frequency  = highest_frequency;
+  const std::size_t n_cases = 1 + keys.values.size();
+  const auto n_ranks        = static_cast<std::size_t>(context.n_ranks());
+  std::vector<ContactParameters> parameters_of;
+  std::vector<SlidingState> states;
+  std::vector<FreeDofs<dim>> free; // masses are collective
+  for (std::size_t k = 0; k < n_cases; ++k)
+    {
+      parameters_of.push_back(k == 0 ? parameters
+                                     : with_swept(parameters, keys.values[k - 1]));
+      states.push_back(at_rest(parameters_of.back()));
+      free.emplace_back(body, states.back().held, modal_options(parameters).platen_mass);
+    }
+  result.state = states[0];
+  result.dofs.push_back(free[0]);
+  const std::vector<double> mass = body.lumped_mass();
+  std::vector<ComplexCase> cases(n_cases);
+  std::exception_ptr problem;
+  bool interrupted = false;
+  for (auto k = static_cast<std::size_t>(context.rank());
+       k < n_cases && problem == nullptr; k += n_ranks)
+    {
+      const ContactParameters &of_case = parameters_of[k];
+      const SlidingState &state        = states[k];
+      try
+        {
+          const FreeDofs<dim> &dofs  = free[k];
+          const SlidingPencil pencil = make_sliding_pencil<dim>(
+            body, all, dofs, state.contact, sliding_law(of_case));
+          ComplexModes found =
+            find_complex_modes(pencil, friction_radius(pencil), options);
+          cases[k] = numbers_of(pencil, state, found);
+          if (k == 0)
+            {
+              result.modes = std::move(found);
+              continue;
+            }
+          cases[k].value = keys.values[k - 1];
+          for (const ComplexMode &mode : found.modes)
+            cases[k].samples.push_back(sample<dim>(body, dofs, mass, mode.shape));
+        }
+      catch (const NotConverged &e)
+        {
+          problem = std::make_exception_ptr(NumericalFailure(
+            std::string(e.what()) +
+            "; change Complex modes/Highest frequency or Tolerance, and check that sides "
+            "and top hold the body against friction"));
+        }
+      catch (const Interrupted &)
+        {
+          problem     = std::current_exception();
+          interrupted = true;
+        }
+      catch (...)
+        {
+          problem = std::current_exception();
+        }
+    }
+  agree(problem, interrupted, communicator);
+  for (std::size_t k = 0; k < n_cases; ++k)
+    bring_object_to_root(communicator, cases[k], static_cast<int>(k % n_ranks));
+  result.base = cases[0];
+  result.sweep.assign(cases.begin() + 1, cases.end());
+  return result;
+}
+
+template ComplexCases<2> compute_complex_modes(const ElasticBody<2> &,
+                                               const ContactParameters &,
+                                               const double,
+                                               const StateAtRest &,
+                                               RunContext &);
+template ComplexCases<3> compute_complex_modes(const ElasticBody<3> &,
+                                               const ContactParameters &,
+                                               const double,
+                                               const StateAtRest &,
+                                               RunContext &);
+} // namespace mesoslip

@@ -1,0 +1,292 @@
+#include "sliding/complex/complex_output.h"
+
+#include "exchange/datasets.h"
+#include "exchange/dynamics_file.h"
+#include "io/table.h"
+#include "material/plausibility.h"
+#include "sliding/complex/mode_branches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <nlohmann/json.hpp>
+
+namespace mesoslip
+{
+namespace
+{
+nlohmann::json finite_or_null(const double value)
+{
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+
+nlohmann::json modes_json(const ComplexCase &of_case)
+{
+  nlohmann::json modes = nlohmann::json::array();
+  for (const ModeNumbers &mode : of_case.modes)
+    modes.push_back({{"frequency", mode.frequency},
+                     {"growth_rate", mode.growth_rate},
+                     {"growth_by_friction", mode.growth_by_friction},
+                     {"growth_by_damping", mode.growth_by_damping},
+                     {"residual", mode.residual}});
+  return modes;
+}
+
+std::string range_text(const ComplexModesParameters &keys, const double highest)
+{
+  return (keys.least_growth == 0.
+            ? std::string("growing modes")
+            : brief_text(4, "modes that decay by at most ", -keys.least_growth, " 1/s")) +
+         brief_text(6, " up to ", 1e-3 * highest, " kHz");
+}
+
+void warn_of_missing(const ComplexCase &of_case,
+                     const std::string &place,
+                     RunContext &context)
+{
+  if (of_case.n_missing != 0)
+    context.warn(
+      "The argument principle counts " + std::to_string(of_case.n_missing) +
+      " eigenvalues more than the search found" + place +
+      ": the list of modes is not complete; tighten Complex modes/Tolerance or "
+      "reduce Highest frequency");
+}
+
+void write_modes_table(const ComplexCase &base, const std::string &path)
+{
+  TableWriter table(path, {"mode [-]", "frequency [Hz]", "growth_rate [1/s]",
+                           "growth_by_friction [1/s]", "growth_by_damping [1/s]",
+                           "residual [-]"});
+  double number = 0.;
+  for (const ModeNumbers &mode : base.modes)
+    table.add_row(std::vector<double>{++number, mode.frequency, mode.growth_rate,
+                                      mode.growth_by_friction, mode.growth_by_damping,
+                                      mode.residual});
+  table.flush();
+}
+
+std::string swept_column(const ModeSweep sweep)
+{
+  return sweep == ModeSweep::coefficient           ? "friction_coefficient [-]"
+         : sweep == ModeSweep::regularization_time ? "regularization_time [s]"
+                                                   : "velocity [m/s]";
+}
+
+void write_sweep_table(const std::vector<ComplexCase> &sweep,
+                       const ModeSweep what,
+                       const std::string &path)
+{
+  TableWriter table(path, {swept_column(what), "curve [-]", "frequency [Hz]",
+                           "growth_rate [1/s]", "residual [-]", "sliding_nodes [-]",
+                           "separated_nodes [-]", "missing_modes [-]"});
+  const auto branches = mode_branches(sweep);
+  for (std::size_t k = 0; k < sweep.size(); ++k)
+    for (std::size_t m = 0; m < sweep[k].modes.size(); ++m)
+      {
+        const ModeNumbers &mode = sweep[k].modes[m];
+        table.add_row(std::vector<double>{
+          sweep[k].value, static_cast<double>(branches[k][m]), mode.frequency,
+          mode.growth_rate, mode.residual, static_cast<double>(sweep[k].n_sliding),
+          static_cast<double>(sweep[k].n_separated),
+          static_cast<double>(sweep[k].n_missing)});
+      }
+  table.flush();
+}
+
+/** Real and imaginary part of a shape: the largest displacement vector has length one, and the
+ * phase is that with the most in the real part. */
+template <int dim>
+std::array<NodalField<double>, 2>
+parts_of(const ComplexMode &mode, const FreeDofs<dim> &dofs, const ElasticBody<dim> &body)
+{
+  const std::complex<double> square = mode.shape.cwiseProduct(mode.shape).sum();
+  const ComplexVector turned =
+    mode.shape * std::exp(std::complex<double>(0., -0.5 * std::arg(square)));
+  std::array<NodalField<double>, 2> parts = {{body.zero_field(), body.zero_field()}};
+  typename FreeDofs<dim>::Vector values(dofs.size());
+  for (unsigned int part = 0; part < 2; ++part)
+    {
+      for (std::size_t k = 0; k < dofs.size(); ++k)
+        {
+          const std::complex<double> x = turned[static_cast<Eigen::Index>(k)];
+          values[k]                    = part == 0 ? x.real() : x.imag();
+        }
+      dofs.scatter(parts[part], values);
+    }
+  double largest = 0.;
+  for (unsigned int j = 0; j < body.n_rows(); ++j)
+    for (unsigned int i = 0; i < body.n_columns(); ++i)
+      {
+        double length = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          for (const NodalField<double> &part : parts)
+            length += part.row(c, j)[i] * part.row(c, j)[i];
+        largest = std::max(largest, length);
+      }
+  for (NodalField<double> &part : parts)
+    for (std::size_t k = 0; k < part.size(); ++k)
+      part.begin()[k] /= std::sqrt(largest);
+  return parts;
+}
+} // namespace
+
+std::vector<std::string> complex_modes_files()
+{
+  return {"complex_modes.csv", "complex_modes_sweep.csv", "complex_modes.h5",
+          "complex_modes.xdmf", "complex_modes-phases.xdmf"};
+}
+
+template <int dim>
+void log_complex_modes(const ComplexCases<dim> &cases,
+                       const ContactParameters &parameters,
+                       RunContext &context)
+{
+  const ComplexCase &base   = cases.base;
+  const ComplexModes &found = cases.modes;
+  const bool counted        = parameters.complex_modes.count;
+  context.log(std::to_string(base.n_sliding) + " contact nodes slide" +
+              (base.n_separated > 0 ? ", " + std::to_string(base.n_separated) +
+                                        " are separated in the static state and free"
+                                    : "") +
+              brief_text(4, "; delta = ", 1e9 * base.delta, " ns"));
+  if (parameters.friction.law_name == "slip rate")
+    context.log("The slip-rate law is linearized: delta = L / (|V| + V_ref) of steady "
+                "sliding, whose changes act on a friction force that is at its target");
+  context.log(std::to_string(base.modes.size()) + " " +
+              range_text(parameters.complex_modes, cases.highest_frequency) + ", from " +
+              std::to_string(found.n_shifts) + " shifts" +
+              (counted && base.n_missing == 0
+                 ? brief_text(4,
+                              "; the argument principle counts none else with growth "
+                              "rates up to ",
+                              found.fastest_counted, " 1/s")
+               : counted ? std::string()
+                         : "; not counted (Count modes = false)"));
+  if (std::isfinite(base.nothing_grows_above))
+    context.log(brief_text(5, "No mode above ", 1e-3 * base.nothing_grows_above,
+                           " kHz can grow on these cells"));
+  else
+    context.log("Above the highest frequency modes may grow as well");
+  for (std::size_t k = 0; k < std::min<std::size_t>(base.modes.size(), 30); ++k)
+    context.log(brief_text(6, "  mode ", k + 1, "  ", 1e-3 * base.modes[k].frequency,
+                           " kHz  growth ", base.modes[k].growth_rate, " 1/s"));
+  warn_of_missing(base, "", context);
+  for (const ComplexCase &of_case : cases.sweep)
+    {
+      warn_of_missing(of_case, brief_text(6, " at ", of_case.value), context);
+      context.log(brief_text(6, "  ", swept_column(parameters.complex_modes.sweep), " = ",
+                             of_case.value, ": ", of_case.modes.size(), " modes",
+                             of_case.modes.empty()
+                               ? std::string()
+                               : brief_text(6, ", fastest ", of_case.modes[0].growth_rate,
+                                            " 1/s at ", 1e-3 * of_case.modes[0].frequency,
+                                            " kHz")));
+    }
+}
+
+template <int dim>
+void write_complex_tables(const ComplexCases<dim> &cases,
+                          const ContactParameters &parameters,
+                          RunContext &context)
+{
+  const ComplexModesParameters &keys = parameters.complex_modes;
+  write_modes_table(cases.base, context.file("complex_modes.csv"));
+  nlohmann::json &json  = context.summary();
+  json["complex_modes"] = modes_json(cases.base);
+  json["missing_modes"] =
+    keys.count ? nlohmann::json(cases.base.n_missing) : nlohmann::json();
+  json["highest_frequency"] = cases.highest_frequency;
+  json["least_growth_rate"] = keys.least_growth;
+  json["largest_growth_rate_counted"] =
+    keys.count ? nlohmann::json(cases.modes.fastest_counted) : nlohmann::json();
+  json["nothing_grows_above"] = finite_or_null(cases.base.nothing_grows_above);
+  json["regularization_time"] = cases.base.delta;
+  json["flat_velocity"]       = parameters.contact.flat_velocity.amplitude();
+  json["rayleigh_beta"]       = parameters.step.beta;
+  json["sliding_nodes"]       = cases.base.n_sliding;
+  json["separated_nodes"]     = cases.base.n_separated;
+  json["shifts"]              = cases.modes.n_shifts;
+  json["factorizations"]      = cases.modes.n_factorizations;
+  json["solves"]              = cases.modes.n_solves;
+  json["bytes_of_factors"]    = cases.modes.factor_bytes;
+  if (keys.sweep == ModeSweep::none)
+    return;
+  write_sweep_table(cases.sweep, keys.sweep, context.file("complex_modes_sweep.csv"));
+  for (const ComplexCase &of_case : cases.sweep)
+    json["sweep"].push_back({{"value", of_case.value},
+                             {"separated_nodes", of_case.n_separated},
+                             {"missing_modes", of_case.n_missing},
+                             {"complex_modes", modes_json(of_case)}});
+}
+
+template <int dim>
+ShownComplexShapes write_complex_shapes(Hdf5File &file,
+                                        const ComplexCases<dim> &cases,
+                                        const ElasticBody<dim> &body,
+                                        const ContactParameters &parameters,
+                                        const Shape &extents)
+{
+  const std::string group = "/complex_modes";
+  std::vector<double> frequency, growth, shares;
+  std::array<std::vector<double>, 2> shapes;
+  std::array<std::vector<double>, dim> place;
+  for (const NodeIndex &node : cases.state.contact.nodes)
+    for (unsigned int c = 0; c < dim; ++c)
+      place[c].push_back(body.point(node)[c]);
+  const FreeDofs<dim> &dofs = cases.dofs.front();
+  const std::size_t n_nodes = place[0].size(),
+                    n       = std::min<std::size_t>(cases.modes.modes.size(),
+                                              parameters.complex_modes.n_shapes);
+  ShownComplexShapes shown;
+  for (std::size_t k = 0; k < n; ++k)
+    {
+      const ComplexMode &mode = cases.modes.modes[k];
+      shown.numbers.push_back(static_cast<double>(k) + 1.);
+      frequency.push_back(mode.frequency());
+      growth.push_back(mode.s.real());
+      for (std::size_t i = 0; i < n_nodes; ++i)
+        shares.push_back(i < static_cast<std::size_t>(mode.growth_by_friction.size())
+                           ? mode.growth_by_friction[static_cast<Eigen::Index>(i)]
+                           : 0.);
+      const auto parts = parts_of(mode, dofs, body);
+      for (unsigned int part = 0; part < 2; ++part)
+        {
+          const std::vector<double> values = interleaved(parts[part]);
+          shapes[part].insert(shapes[part].end(), values.begin(), values.end());
+        }
+    }
+  std::vector<Series> series = {{"frequency", "Hz", &frequency},
+                                {"growth_rate", "1/s", &growth}};
+  write_series(file, group, series);
+  std::vector<Series> contact = {
+    {"friction_coefficient", "-", &cases.state.contact.friction}};
+  for (unsigned int c = 0; c < dim; ++c)
+    contact.push_back({std::string(1, "xyz"[c]), "m", &place[c]});
+  write_series(file, group + "/contact", contact);
+  if (n == 0)
+    return shown;
+  write_dataset(file, group + "/contact/growth_by_friction", {n, n_nodes}, shares, "1/s");
+  Shape all = {n};
+  all.insert(all.end(), extents.begin(), extents.end());
+  const char *const names[] = {"shape_real", "shape_imaginary"};
+  for (unsigned int part = 0; part < 2; ++part)
+    {
+      const std::string dataset = group + "/" + names[part];
+      write_dataset(file, dataset, all, shapes[part]);
+      shown.fields.push_back({names[part], dataset, XdmfField::Values::nodes, {dim}});
+    }
+  return shown;
+}
+
+#define MESOSLIP_INSTANTIATE(dim)                                                       \
+  template void log_complex_modes(const ComplexCases<dim> &, const ContactParameters &, \
+                                  RunContext &);                                        \
+  template void write_complex_tables(const ComplexCases<dim> &,                         \
+                                     const ContactParameters &, RunContext &);          \
+  template ShownComplexShapes write_complex_shapes(                                     \
+    Hdf5File &, const ComplexCases<dim> &, const ElasticBody<dim> &,                    \
+    const ContactParameters &, const Shape &);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
+} // namespace mesoslip

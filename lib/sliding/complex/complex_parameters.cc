@@ -1,0 +1,105 @@
+#include "sliding/complex/complex_parameters.h"
+
+#include "base/errors.h"
+#include "parameters/keys.h"
+#include "sliding/contact_parameters.h"
+
+#include <cmath>
+
+namespace mesoslip
+{
+void ComplexModesParameters::bind(Keys &keys)
+{
+  const auto section = keys.section("Complex modes");
+  keys.bind_or_auto(
+    "Highest frequency", highest_frequency, Range::positive(),
+    "All modes up to this frequency are found; auto: that of a longitudinal "
+    "wave as long as the body is high [Hz]");
+  double decay = -least_growth;
+  keys.bind(
+    "Fastest decay", decay, Range::non_negative(),
+    "Modes that decay at this rate at most are listed, too, if they vibrate faster "
+    "than they decay; 0: only modes that grow [1/s]");
+  least_growth = -decay;
+  keys.bind("Tolerance", tolerance, Range::open(0., 1e-3),
+            "Relative accuracy of the eigenvalues in the Arnoldi iteration [-]");
+  keys.bind(
+    "Count modes", count,
+    "Count the eigenvalues by the argument principle and so check that no mode is "
+    "missing; false is faster");
+  keys.bind("Number of shapes", n_shapes, 0, 10000,
+            "Number of modes, from the fastest growing on, whose shapes are written [-]");
+  keys.bind(
+    "Sweep", sweep, {"none", "friction coefficient", "regularization time", "velocity"},
+    "Parameter that takes the Sweep values one after the other, besides the value "
+    "that it has elsewhere");
+  keys.bind_list(
+    "Sweep values", values, Range::any(),
+    "Values of what Sweep names, in its unit: Friction/Coefficient [-], "
+    "Friction/Regularization time [s] or Flat/Velocity [m/s]; curves of modes "
+    "are followed in this order",
+    0, 10000);
+  keys.require(sweep == ModeSweep::none || !values.empty(), "Sweep values",
+               "it is empty; list the values that Sweep is to take");
+  keys.only_if(sweep != ModeSweep::none, {"Sweep values"}, "Complex modes/Sweep is none",
+               "name a parameter there");
+  for (const double value : values)
+    keys.require(sweep == ModeSweep::velocity ? value != 0. : value >= 0., "Sweep values",
+                 "one of them is " + to_text(value) +
+                   (sweep == ModeSweep::velocity ? "; without velocity nothing slides"
+                                                 : "; they must not be negative"));
+}
+
+ContactParameters with_swept(ContactParameters p, const double value)
+{
+  switch (p.complex_modes.sweep)
+    {
+    case ModeSweep::coefficient:
+      p.friction.coefficient = value;
+      break;
+    case ModeSweep::regularization_time:
+      p.contact.law.time = value;
+      break;
+    case ModeSweep::velocity:
+      p.contact.flat_velocity = LoadHistory(value);
+      break;
+    default:
+      break;
+    }
+  return p;
+}
+
+SlidingLaw sliding_law(const ContactParameters &p)
+{
+  const FrictionParameters &friction = p.friction;
+  SlidingLaw law;
+  law.beta = p.step.beta;
+  if (friction.law_name == "slip rate")
+    law.delta = friction.slip_length / (std::fabs(p.contact.flat_velocity.amplitude()) +
+                                        friction.reference_velocity);
+  else
+    law.delta = p.contact.law.time;
+  return law;
+}
+
+void check_complex_modes(const ContactParameters &p)
+{
+  const std::string &law = p.friction.law_name;
+  const ModeSweep sweep  = p.complex_modes.sweep;
+  if (law != "coulomb" && law != "constant time" && law != "slip rate")
+    throw UserError("Friction/Law is " + law +
+                    ", about which complex modes are not linearized; use coulomb, "
+                    "constant time or slip rate");
+  if (p.contact.flat_velocity.amplitude() == 0.)
+    throw UserError(
+      "Flat/Velocity is 0; complex modes are those of steady sliding, set it "
+      "to the velocity of the flat");
+  if (sweep == ModeSweep::coefficient && p.friction.coefficient_by_phase)
+    throw UserError(
+      "Complex modes/Sweep is friction coefficient, but the coefficients are "
+      "those of the phases; set Friction/Coefficient from = constant");
+  if (sweep == ModeSweep::regularization_time && law != "constant time")
+    throw UserError("Complex modes/Sweep is regularization time, but Friction/Law is " +
+                    law + "; set it to constant time");
+}
+} // namespace mesoslip

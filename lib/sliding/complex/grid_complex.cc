@@ -1,0 +1,75 @@
+#include "sliding/complex/grid_complex.h"
+
+#include "base/errors.h"
+#include "body/grid_body.h"
+#include "exchange/dynamics_file.h"
+#include "sliding/analyses/modal_cases.h"
+#include "sliding/analyses/static_contact.h"
+#include "sliding/complex/complex_output.h"
+#include "sliding/run_plan.h"
+
+#include <optional>
+
+namespace mesoslip
+{
+ComplexModesAnalysis::ComplexModesAnalysis(const ContactParameters &given)
+  : BodyAnalysis(given)
+{
+  check_complex_modes(parameters);
+  require_memory(complex_modes_memory(2. * static_cast<double>(body.grid.n_nodes()), 2));
+  if (top_at_start(parameters).kind == TopSetup::Kind::held)
+    return; // nothing presses it, see sliding_state()
+  try
+    {
+      check_static_contact(parameters, body);
+    }
+  catch (const UserError &e)
+    {
+      throw UserError("The static state of sliding, which complex modes need: " +
+                      std::string(e.what()));
+    }
+}
+
+void ComplexModesAnalysis::run(RunContext &context)
+{
+  log_body(context);
+  context.remove_results(complex_modes_files());
+  const TopSetup top = top_at_start(parameters);
+  const GridBody<2> elastic(material, StaticSolverKind::multigrid);
+  const BodyScales scales(material);
+  StaticContactOptions options = parameters.static_contact;
+  options.before_iteration     = stop_or_report(context, "iteration");
+  const auto at_rest           = [&](const ContactParameters &of_case) {
+    BodyDescription described = body;
+    if (!of_case.friction.coefficient_by_phase)
+      described.node_friction.assign(described.node_friction.size(),
+                                               of_case.friction.coefficient);
+    std::optional<StaticContactResult> found;
+    if (top.kind != TopSetup::Kind::held)
+      with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
+        found = compute_static_contact(of_case, described, material, options,
+                                                 context.communicator());
+      });
+    return sliding_state<2>(elastic, of_case,
+                            held_by_supports(material, of_case.sides, top),
+                            described.node_friction, found ? &found->solution : nullptr);
+  };
+  const auto scope = context.timer().scope("Complex modes");
+  const auto cases = compute_complex_modes<2>(
+    elastic, parameters,
+    highest_frequency_of(parameters, scales.wave_speed, elastic.extent(1)), at_rest,
+    context);
+  if (!context.root())
+    return;
+  log_complex_modes(cases, parameters, context);
+  summarize_body("complex modes", context);
+  write_complex_tables(cases, parameters, context);
+  DynamicsFile file = DynamicsFile::create(context.file("complex_modes.h5"), body,
+                                           "mesoslip-complex-modes");
+  const ShownComplexShapes shown =
+    write_complex_shapes(file, cases, elastic, parameters,
+                         {body.grid.cells[1] + 1u, body.grid.cells[0] + 1u, 2});
+  file.show(shown.fields, shown.numbers);
+  file.close();
+}
+} // namespace mesoslip

@@ -1,0 +1,118 @@
+#include "base/errors.h"
+#include "sliding/analyses/modal_cases.h"
+#include "sliding/body_analysis.h"
+#include "sliding/complex/complex_output.h"
+#include "sliding/complex/grid_complex.h"
+#include "sliding/mesh/mesh_analysis.h"
+#include "sliding/mesh/mesh_file.h"
+#include "sliding/mesh/statics/mesh_static_load.h"
+
+#include <optional>
+
+namespace mesoslip
+{
+namespace
+{
+template <int dim>
+class MeshComplex : public MeshAnalysis<dim>
+{
+public:
+  explicit MeshComplex(const ContactParameters &given)
+    : MeshAnalysis<dim>(given)
+  {
+    check_complex_modes(this->parameters);
+    require_memory(
+      complex_modes_memory(dim * static_cast<double>(this->body.n_points), dim));
+    try
+      {
+        if (is_pressed())
+          check_mesh_static<dim>(this->parameters, this->body.friction);
+        else if (dim == 3)
+          throw UserError("the top is held, and nothing presses the body on the flat; in "
+                          "3D the drag across the motion of the flat depends on the "
+                          "pressure, set Top/Kind = platen or pressure");
+      }
+    catch (const UserError &e)
+      {
+        throw UserError("The static state of sliding, which complex modes need: " +
+                        std::string(e.what()));
+      }
+  }
+
+  void run(RunContext &context) override;
+
+private:
+  bool is_pressed() const
+  {
+    return top_at_start(this->parameters).kind != TopSetup::Kind::held;
+  }
+
+  SlidingState at_rest(const ContactParameters &of_case,
+                       ElasticBody<dim> &elastic,
+                       RunContext &context);
+};
+
+template <int dim>
+SlidingState MeshComplex<dim>::at_rest(const ContactParameters &of_case,
+                                       ElasticBody<dim> &elastic,
+                                       RunContext &context)
+{
+  MeshBodyDescription described = this->body;
+  if (!of_case.friction.coefficient_by_phase)
+    described.friction.assign(described.friction.size(), of_case.friction.coefficient);
+  const DofMask held = this->held_by_mesh(top_at_start(of_case));
+  std::optional<StaticContactSolution> solution;
+  StaticContactOptions options = of_case.static_contact;
+  options.before_iteration     = stop_or_report(context, "iteration");
+  if (is_pressed())
+    with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
+      MeshStaticLoad<dim> load(of_case, described, elastic, held,
+                               this->phases[0].stiffness(dim - 1, dim - 1));
+      solution = load.follow(options);
+    });
+  return sliding_state<dim>(elastic, of_case, held, described.friction,
+                            solution ? &*solution : nullptr);
+}
+
+template <int dim>
+void MeshComplex<dim>::run(RunContext &context)
+{
+  this->log_body(context);
+  context.remove_results(complex_modes_files());
+  const auto elastic = this->make_elastic_body();
+  this->order_contact(*elastic);
+  const auto scope = context.timer().scope("Complex modes");
+  const auto cases = compute_complex_modes<dim>(
+    *elastic, this->parameters,
+    highest_frequency_of(this->parameters, this->body.scales.wave_speed,
+                         elastic->extent(dim - 1)),
+    [&](const ContactParameters &of_case) { return at_rest(of_case, *elastic, context); },
+    context);
+  if (!context.root())
+    return;
+  log_complex_modes(cases, this->parameters, context);
+  this->summarize_body("complex modes", context);
+  write_complex_tables(cases, this->parameters, context);
+  Hdf5File file =
+    create_mesh_file(context.file("complex_modes.h5"), "mesoslip-complex-modes",
+                     this->morphology, this->body);
+  Shape extents = points_shape(this->morphology);
+  extents.push_back(dim);
+  const ShownComplexShapes shown =
+    write_complex_shapes(file, cases, *elastic, this->parameters, extents);
+  file.close();
+  if (!shown.fields.empty())
+    show_body(context.file("complex_modes.xdmf"), "complex_modes.h5", this->morphology,
+              shown.fields, shown.numbers);
+  show_mesh_phases(context.file("complex_modes-phases.xdmf"), "complex_modes.h5",
+                   this->morphology);
+}
+} // namespace
+
+std::unique_ptr<Analysis> make_mesh_complex(const ContactParameters &parameters)
+{
+  if (parameters.mesh.mesh.dim == 2)
+    return std::make_unique<MeshComplex<2>>(parameters);
+  return std::make_unique<MeshComplex<3>>(parameters);
+}
+} // namespace mesoslip

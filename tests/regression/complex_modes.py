@@ -1,0 +1,170 @@
+"""Analysis complex modes of contact_dynamics: a heterogeneous pin against scipy on 1, 2 and 3 ranks; without friction the modes of
+vibration; the same cells as a mesh and as a slice in 3D; a sweep; what is refused."""
+
+import csv
+import math
+import os
+import sys
+import tempfile
+
+import h5py
+import numpy as np
+
+from mesh_files import Box
+from scenes import PHASES, TOOLS, Folder, prm
+
+sys.path.append(os.path.join(TOOLS, "studies", "prediction"))
+from sliding_modes import SlidingPin  # noqa: E402
+from sliding_search import nearest  # noqa: E402
+
+STIFFNESS, DENSITY, SIZE, BETA = (36.54e9, 9.1e9, 47.26e9, 13.785e9), 1770, (0.012, 0.004), 4.4e-9
+COMMON = {"Analysis": "complex modes", "Top/Kind": "platen", "Top/Pressure": 5e6, "Flat/Velocity": 2, "Friction/Regularization time": 2e-7,
+          "Friction/Coefficient": 0.25, "Complex modes/Highest frequency": 1.2e6, "Complex modes/Fastest decay": 20000}
+BODY = {"Body/Stiffness": ", ".join(map(str, STIFFNESS)), "Body/Density": DENSITY, "Body/Size": "0.012, 0.004", "Body/Cells": "24, 8"}
+
+
+def eigenvalues(modes):
+    return np.array([complex(mode["growth_rate"], 2 * math.pi * mode["frequency"]) for mode in modes])
+
+
+def found(folder, run):
+    summary = folder.summary(run)
+    assert summary["missing_modes"] == 0 and not summary["separated_nodes"], summary
+    values = eigenvalues(summary["complex_modes"])
+    assert len(values) and list(values.real) == sorted(values.real, reverse=True), values
+    assert max(mode["residual"] for mode in summary["complex_modes"]) < 1e-9
+    for mode, s in zip(summary["complex_modes"], values):
+        assert abs(mode["growth_by_friction"] + mode["growth_by_damping"] - s.real) < 1e-8 * abs(s), mode
+    return values
+
+
+def expect_same(values, expected, tolerance, what):
+    """Both hold the same numbers."""
+    assert len(values) == len(expected), (what, values, expected)
+    for s in expected:
+        distance = abs(values - s).min() / abs(s)
+        assert distance < tolerance, (what, s, distance)
+
+
+def all_of(pin, keep, shifts):
+    """Eigenvalues near the shifts that are to be kept, each once."""
+    result = []
+    for shift in shifts:
+        for s in nearest(pin, shift, 12)[0]:
+            if keep(s) and not any(abs(s - other) < 1e-7 * abs(s) for other in result):
+                result.append(s)
+    return np.array(result)
+
+
+def wanted(s):
+    return s.real >= -20000 and 0 < s.imag <= 2 * math.pi * 1.2e6 and s.imag > -s.real
+
+
+def check_heterogeneous(folder):
+    """All eigenvalues of a pin of two phases as scipy has them from 60 shifts, on any number of ranks."""
+    folder.write("rve.prm", PHASES + prm({"Grid/Cells": "24, 8", "Grid/Size": "0.012, 0.004", "Microstructure/Random fibres/Fibre width":
+                                          1e-3, "Microstructure/Random fibres/Minimum height": 1e-3, "Microstructure/Random fibres/Maximum height": 1.5e-3}))
+    folder.run(0, "rve_homogenization", "rve.prm", "--output", "rve")
+    folder.write("pin.prm", prm({**COMMON, "Body/RVE file": "rve/rve.h5", "Body/Material": "heterogeneous"}))
+    folder.run(0, "contact_dynamics", "pin.prm", "--output", "pin1")
+    with h5py.File(folder("pin1", "complex_modes.h5")) as file:
+        ids, phases = file["material/phase_id"][()], file["material/stiffness"][()]
+        frequency, real = file["complex_modes/frequency"][()], file["complex_modes/shape_real"][()]
+        imaginary = file["complex_modes/shape_imaginary"][()]
+        shares = file["complex_modes/contact/growth_by_friction"][()]
+    stiffness = [np.array([[d[0], d[1], d[2]], [d[1], d[3], d[4]], [d[2], d[4], d[5]]]) if np.ndim(d) == 1 else d for d in phases]
+    pin = SlidingPin.build(ids.reshape(8, 24), stiffness, DENSITY, SIZE, 0.25, 2e-7, BETA)
+    shifts = [complex(0, 2 * math.pi * 1e3 * f) for f in np.linspace(20, 1210, 60)]
+    expected, values = all_of(pin, wanted, shifts), found(folder, "pin1")
+    expect_same(values, expected, 1e-8, "scipy")
+    assert sum(values.real > 0) >= 2, values
+    size = np.sqrt((real**2 + imaginary**2).sum(axis=-1)).max(axis=(1, 2))
+    assert np.abs(size - 1).max() < 1e-12 and np.abs(real[:, 0, :, 1]).max() == 0, size
+    assert np.abs(frequency - values.imag[:len(frequency)] / (2 * math.pi)).max() < 1e-6
+    for share, mode in zip(shares, folder.summary("pin1")["complex_modes"]):
+        assert abs(share.sum() - mode["growth_by_friction"]) < 1e-8 * mode["frequency"]
+    for ranks in (2, 3):
+        folder.run(0, "contact_dynamics", "pin.prm", "--output", f"pin{ranks}", ranks=ranks)
+        expect_same(found(folder, f"pin{ranks}"), values, 1e-9, ranks)
+
+
+def check_meshes(folder):
+    """The same cells as a mesh, and as a slice in 3D that is held across: its modes are among those of the slice."""
+    folder.write("grid.prm", prm({**COMMON, **BODY}))
+    folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid")
+    values = found(folder, "grid")
+    box = Box([12, 4], [24, 8], lambda x: "body")
+    box.name_side("Contact", 1, False).name_side("Top", 1, True).write(folder("mesh.msh"))
+    folder.write("mesh.prm", prm({**COMMON, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "body", "Phases/body/Type":
+                                  "stiffness", "Phases/body/Stiffness": BODY["Body/Stiffness"], "Phases/body/Density": DENSITY}))
+    for ranks in (1, 2, 3):
+        folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh", ranks=ranks)
+        expect_same(found(folder, "mesh"), values, 1e-8, ("mesh", ranks))
+    d11, d12, d22, d33 = STIFFNESS
+    solid = [d11, 8e9, d12, 40e9, 9e9, d22, 12e9, d33, 11e9]
+    folder.write("slice.prm", "set Dimension = 3\n" + prm({
+        **COMMON, **BODY, "Body/Stiffness": ", ".join(map(str, solid)), "Body/Size": "0.012, 0.0005, 0.004", "Body/Cells": "24, 1, 8",
+        "Sides/Front": "u_y", "Sides/Back": "u_y"}))
+    folder.run(0, "contact_dynamics", "slice.prm", "--output", "slice", ranks=2)
+    in_space = found(folder, "slice")
+    for s in values:
+        assert abs(in_space - s).min() < 1e-8 * abs(s), ("slice", s, in_space)
+
+
+def check_sweep(folder):
+    """Without friction s^2 + beta w^2 s + w^2 = 0 with the frequencies w of analysis modal; curves are followed; a law of the slip rate is
+    its delta."""
+    swept = {**COMMON, **BODY, "Complex modes/Sweep": "friction coefficient", "Complex modes/Sweep values": "0, 0.05, 0.1, 0.15, 0.2, 0.25"}
+    folder.write("sweep.prm", prm(swept))
+    folder.write("modal.prm", prm({**BODY, "Analysis": "modal", "Top/Kind": "platen", "Modal/Number of modes": 12, "Modal/Bottom": "held in y",
+                                   "Modal/Tolerance": 1e-12}))
+    folder.run(0, "contact_dynamics", "modal.prm", "--output", "modal")
+    for ranks in (1, 3):
+        folder.run(0, "contact_dynamics", "sweep.prm", "--output", f"sweep{ranks}", ranks=ranks)
+    for one, other in zip(folder.summary("sweep1")["sweep"], folder.summary("sweep3")["sweep"]):
+        expect_same(eigenvalues(one["complex_modes"]), eigenvalues(other["complex_modes"]), 1e-9, "ranks")
+    sweep = folder.summary("sweep1")["sweep"]
+    omega = 2 * math.pi * np.array(folder.summary("modal")["frequencies"]["held"])
+    exact = -BETA * omega**2 / 2 + 1j * omega * np.sqrt(1 - (BETA * omega / 2) ** 2)
+    expected = [s for s in exact if s.real >= -20000 and s.imag < 2 * math.pi * 1.2e6]
+    assert len(expected) >= 4, exact
+    for s in expected:
+        assert abs(eigenvalues(sweep[0]["complex_modes"]) - s).min() < 1e-7 * abs(s), s
+    expect_same(eigenvalues(sweep[-1]["complex_modes"]), found(folder, "sweep1"), 1e-10, "last of the sweep")
+    with open(folder("sweep1", "complex_modes_sweep.csv"), encoding="ascii") as file:
+        rows = list(csv.DictReader(file))
+    curves = {}
+    for row in rows:
+        curves.setdefault(row["curve [-]"], []).append((float(row["friction_coefficient [-]"]), float(row["frequency [Hz]"])))
+    whole = [curve for curve in curves.values() if len(curve) == 6]
+    assert len(whole) >= 4, curves
+    for curve in whole:
+        assert [mu for mu, _ in curve] == [0, 0.05, 0.1, 0.15, 0.2, 0.25]
+        assert np.abs(np.diff([f for _, f in curve])).max() < 40e3, curve
+    folder.write("rate.prm", prm({**{k: v for k, v in COMMON.items() if k != "Friction/Regularization time"}, **BODY, "Friction/Law": "slip rate",
+                                  "Friction/Length": 4e-7 + 2e-10, "Friction/Reference velocity": 1e-3}))
+    folder.run(0, "contact_dynamics", "rate.prm", "--output", "rate")
+    expect_same(found(folder, "rate"), found(folder, "sweep1"), 1e-9, "slip rate")
+
+
+def check_refused(folder):
+    for settings, words in (({"Flat/Velocity": 0}, ["Flat/Velocity is 0"]),
+                            ({"Top/Pressure": -1}, ["Top/Pressure", "static"]),
+                            ({"Complex modes/Sweep": "velocity"}, ["Sweep values", "empty"]),
+                            ({"Complex modes/Sweep values": "1"}, ["Sweep is none"]),
+                            ({"Complex modes/Sweep": "regularization time", "Complex modes/Sweep values": "1e-6", "Friction/Law": "coulomb",
+                              "Friction/Regularization time": None}, ["Friction/Law is coulomb"]),
+                            ({"Time/End time": 1e-3}, ["Time/End time"]),
+                            ({"Body/Cells": "200000, 100000"}, ["GB", "Body/Cells"])):
+        text = {key: value for key, value in {**COMMON, **BODY, **settings}.items() if value is not None}
+        folder.write("bad.prm", prm(text))
+        said = folder.run(2, "contact_dynamics", "bad.prm", "--output", "bad")
+        assert all(word in said for word in words), (settings, said)
+
+
+with tempfile.TemporaryDirectory() as path:
+    scene = Folder(path)
+    check_refused(scene)
+    check_heterogeneous(scene)
+    check_meshes(scene)
+    check_sweep(scene)
