@@ -7,6 +7,7 @@ Runs that are there are not repeated."""
 import csv
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -98,7 +99,8 @@ def page(programs, runs, folder):
         "all others. Curves end where a mode decays faster, or where its shape has changed by more than half from one coefficient to the",
         "next, where it meets another mode.", ""]
     with open(os.path.join(folder, "README.md"), "w", encoding="utf-8") as file:
-        file.write(wrapped("\n".join(text)).rstrip() + "\n")
+        paragraphs = re.sub(r"(?<=[^\n|])\n(?=[^\n|#!])", " ", "\n".join(text))
+        file.write(wrapped(paragraphs).rstrip() + "\n")
 
 
 if __name__ == "__main__":
