@@ -344,15 +344,4 @@ RunConditions ContactParameters::stated_conditions() const
     add_mesh(conditions, *this, transient);
   return conditions;
 }
-
-void ContactParameters::make_slip_law(const Keys &keys)
-{
-  FrictionParameters::Use use;
-  use.dim            = mesh.mesh.dim;
-  use.pressure       = std::fabs(top.pressure.amplitude());
-  use.speed          = std::fabs(contact.flat_velocity.amplitude());
-  use.in_time        = analysis == ContactAnalysis::transient;
-  use.flat_displaced = static_load.moves_flat();
-  friction.make_slip_law(keys, use, contact.law);
-}
 } // namespace mesoslip

@@ -7,10 +7,11 @@ Runs that are there are not repeated."""
 import csv
 import json
 import os
+import re
 import subprocess
 import sys
 
-from pages import plt, save_picture, table
+from pages import plt, save_picture, table, wrapped
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
 EXAMPLE = os.path.join(TOP, "prm", "examples", "complex_modes.prm")
@@ -98,7 +99,8 @@ def page(programs, runs, folder):
         "all others. Curves end where a mode decays faster, or where its shape has changed by more than half from one coefficient to the",
         "next, where it meets another mode.", ""]
     with open(os.path.join(folder, "README.md"), "w", encoding="utf-8") as file:
-        file.write("\n".join(text))
+        paragraphs = re.sub(r"(?<=[^\n|])\n(?=[^\n|#!])", " ", "\n".join(text))
+        file.write(wrapped(paragraphs).rstrip() + "\n")
 
 
 if __name__ == "__main__":

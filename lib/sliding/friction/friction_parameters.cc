@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/text.h"
 #include "parameters/keys.h"
+#include "sliding/contact_parameters.h"
 
 #include <cmath>
 
@@ -136,5 +137,16 @@ std::string FrictionParameters::memory_text(const NormalStressMemory &memory)
            ? "slip rate, L = " + to_text(memory.length) +
                " m, V_ref = " + to_text(memory.reference_velocity) + " m/s"
            : "constant time, t_pc = " + to_text(memory.time) + " s";
+}
+
+void ContactParameters::make_slip_law(const Keys &keys)
+{
+  FrictionParameters::Use use;
+  use.dim            = mesh.mesh.dim;
+  use.pressure       = std::fabs(top.pressure.amplitude());
+  use.speed          = std::fabs(contact.flat_velocity.amplitude());
+  use.in_time        = analysis == ContactAnalysis::transient;
+  use.flat_displaced = static_load.moves_flat();
+  friction.make_slip_law(keys, use, contact.law);
 }
 } // namespace mesoslip
