@@ -57,14 +57,14 @@ FrictionRun read_run(const RunSummary &summary,
     throw UserError(file.path() +
                     " does not tell its loads and its friction law, as an earlier "
                     "version wrote it; run contact_dynamics again");
-  run.conditions           = *file.conditions;
+  run.conditions = *file.conditions;
   if (const auto law = run.conditions.find("coefficient_law");
       law != run.conditions.end())
-    throw UserError(summary.key + ": " + run.folder +
-                    " was made with Friction/Coefficient law = '" +
-                    std::get<std::string>(law->second) +
-                    "', but eqs (13) and (17) are about constant coefficients; name a run "
-                    "with Coefficient law = constant");
+    throw UserError(
+      summary.key + ": " + run.folder + " was made with Friction/Coefficient law = '" +
+      std::get<std::string>(law->second) +
+      "', but eqs (13) and (17) are about constant coefficients; name a run "
+      "with Coefficient law = constant");
   run.friction_coefficient = number_of(run.conditions, "friction_coefficient");
   run.regularization_time = if_positive(number_of(run.conditions, "regularization_time"));
   if (!file.change_note().empty())

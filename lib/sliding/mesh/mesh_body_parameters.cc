@@ -1,0 +1,60 @@
+#include "base/files.h"
+#include "parameters/keys.h"
+#include "sliding/mesh/mesh_body.h"
+
+namespace mesoslip
+{
+void MeshBodyParameters::bind(Keys &keys)
+{
+  mesh.has_grids_in_3d = true;
+  mesh.bind(keys);
+  {
+    const auto section = keys.section("Mesh");
+    keys.bind(
+      "Contact boundary", contact_boundary,
+      "Physical group of the curves (2D) or surfaces (3D) that lie on the flat or "
+      "above it: the gap of a node is Flat/Gap and its height above the lowest "
+      "one [-]");
+    keys.bind("Top boundary", top_boundary,
+              "Physical group of the curves or surfaces that section Top loads [-]");
+    for (unsigned int c = 0; c < 3; ++c)
+      keys.bind_list(
+        std::string("Held in ") + "xyz" [c], held[c], {},
+        std::string("Physical groups whose displacement along ") + "xyz"[c] +
+          " is zero; empty: none [-]");
+    for (unsigned int c = 0; c < 2; ++c)
+      {
+        const std::string key = std::string("Periodic in ") + "xy"[c];
+        keys.bind_list(
+          key, periodic[c], {},
+          "Two physical groups, the second of which is the first one shifted along " +
+            std::string(1, "xy"[c]) +
+            ": opposite points move together; empty: not periodic [-]");
+        keys.require(periodic[c].empty() || periodic[c].size() == 2, key,
+                     "it names " + std::to_string(periodic[c].size()) +
+                       " groups; name two, that at the lower and that at the upper end");
+      }
+    keys.only_if(is_given(),
+                 {"Contact boundary", "Top boundary", "Held in x", "Held in y",
+                  "Held in z", "Periodic in x", "Periodic in y"},
+                 "there is no mesh", "set Mesh/File");
+    keys.only_if(mesh.dim == 3, {"Held in z", "Periodic in y"}, "Dimension is 2",
+                 "set Dimension = 3");
+    keys.require(mesh.files.size() < 2, "File",
+                 "it names " + std::to_string(mesh.files.size()) +
+                   " meshes; name one, which is the body");
+  }
+  // With an RVE file the whole body has its effective stiffness.
+  mesh.one_phase = keys.has_text("Body/RVE file");
+  if (keys.has_text("Mesh/File") && !mesh.one_phase)
+    bind_phases(keys, phases);
+}
+
+void MeshBodyParameters::check() const
+{
+  for (const std::string &file : mesh.files)
+    require_readable_file("Mesh/File: ", file, "it has to name a mesh of Gmsh");
+  for (const PhaseParameters &phase : phases)
+    mesh.dim == 2 ? phase.check<2>() : phase.check<3>();
+}
+} // namespace mesoslip
