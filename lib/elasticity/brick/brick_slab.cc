@@ -86,9 +86,9 @@ public:
   {
     const unsigned int last = slab.n_planes - 1, begin = slab.first_plane > 0 ? 1 : 0;
     const bool repeats = slab.box.periodic[1] && slab.first_plane + last == grid.cells[1];
-    const unsigned int end = repeats ? last : last + 1;
-    const std::size_t n_points =
-      slab.n_planes * (std::size_t{slab.n_nodes[0]} * slab.n_nodes[1] + n_copies);
+    const unsigned int end      = repeats ? last : last + 1;
+    const std::size_t n_columns = slab.n_nodes[0],
+                      n_points = (n_columns * slab.n_nodes[1] + n_copies) * slab.n_planes;
     part.points.reserve(n_points);
     part.point_in_mesh.reserve(n_points);
     part.original_in_mesh.reserve(n_points);

@@ -173,9 +173,8 @@ void Hdf5File::write_row(const std::string &name,
   Hdf5Handle dataset(H5Dopen2(file, name.c_str(), access));
   Shape count = shape_of(dataset, dataset_text(name)), offset(count.size(), 0);
   const std::size_t n_rows = count[0];
-  count[0]                 = 1;
-  count[0]                 = values.size() / hdf5::product(count);
-  offset[0]                = row;
+  count[0]  = values.size() / hdf5::product({count.begin() + 1, count.end()});
+  offset[0] = row;
   AssertThrow(row + count[0] <= n_rows, dealii::ExcIndexRange(row, 0, n_rows));
   AssertThrow(values.size() == hdf5::product(count),
               dealii::ExcDimensionMismatch(values.size(), hdf5::product(count)));

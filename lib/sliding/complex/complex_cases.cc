@@ -30,7 +30,8 @@ std::vector<std::complex<float>> sample(const ElasticBody<dim> &body,
       real[k]      = shape[static_cast<Eigen::Index>(k)].real();
       imaginary[k] = shape[static_cast<Eigen::Index>(k)].imag();
     }
-  NodalField<double> re = body.zero_field(), im = body.zero_field();
+  NodalField<double> re = body.zero_field();
+  NodalField<double> im = re;
   dofs.scatter(re, real);
   dofs.scatter(im, imaginary);
   std::vector<std::complex<float>> result;

@@ -52,18 +52,17 @@ std::vector<std::size_t> partners(const ComplexCase &before, const ComplexCase &
 std::vector<std::vector<unsigned int>>
 mode_branches(const std::vector<ComplexCase> &cases)
 {
-  std::vector<std::vector<unsigned int>> branches;
+  std::vector<std::vector<unsigned int>> branches(cases.size());
   unsigned int n_branches = 0;
   for (std::size_t k = 0; k < cases.size(); ++k)
     {
-      std::vector<unsigned int> &of_case = branches.emplace_back();
       const std::vector<std::size_t> partner =
         k == 0 ? std::vector<std::size_t>(cases[0].modes.size(), 0)
                : partners(cases[k - 1], cases[k]);
       for (const std::size_t before : partner)
-        of_case.push_back(k > 0 && before < branches[k - 1].size()
-                            ? branches[k - 1][before]
-                            : ++n_branches);
+        branches[k].push_back(k > 0 && before < branches[k - 1].size()
+                                ? branches[k - 1][before]
+                                : ++n_branches);
     }
   return branches;
 }
