@@ -13,7 +13,7 @@ Eigen::Matrix<double, 8, 8> cell_stiffness(const VoigtMatrix<2> &D,
 {
   Eigen::Matrix<double, 3, 8> B = Eigen::Matrix<double, 3, 8>::Zero();
   Eigen::Matrix<double, 2, 8> G = Eigen::Matrix<double, 2, 8>::Zero();
-  for (int k = 0; k < 4; ++k)
+  for (Eigen::Index k = 0; k < 4; ++k)
     {
       const double dx = (k % 2 == 0 ? -0.5 : 0.5) / h[0],
                    dy = (k < 2 ? -0.5 : 0.5) / h[1], alternating = k % 3 == 0 ? 1. : -1.;

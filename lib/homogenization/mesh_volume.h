@@ -4,7 +4,7 @@
 #include "body/mesh/distributed_mesh.h"
 #include "body/mesh/ml_preconditioner.h"
 #include "elasticity/uniform_material.h"
-#include "homogenization/loads/local_cells.h"
+#include "homogenization/loads/volume_element_cells.h"
 #include "homogenization/response.h"
 
 #include <deal.II/lac/affine_constraints.h>

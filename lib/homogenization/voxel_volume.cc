@@ -24,9 +24,9 @@ voxel::Sides sides_of(const BoundaryCondition condition)
 /** Calls action(phase, strain) with the strains of the load cases, one a column, of each
  *  cell of plane @p k of this rank, x fastest. */
 template <typename Action>
-void for_each_cell(const voxel::Solver &solver,
-                   const unsigned int k,
-                   const Action &action)
+void for_each_voxel(const voxel::Solver &solver,
+                    const unsigned int k,
+                    const Action &action)
 {
   const voxel::VoxelGrid &grid = solver.grid();
   voxel::Solver::RowOfCells row;
@@ -90,11 +90,11 @@ VolumeSums<3> VoxelVolume::integrate()
   sums.condition = condition;
   sums.phases.resize(phases.size());
   for (unsigned int k = 0; k < solver->grid().n_cell_planes(); ++k)
-    mesoslip::for_each_cell(*solver, k,
-                            [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
-                              sums.phases[phase].strain += strain;
-                              sums.phases[phase].volume += 1.;
-                            });
+    for_each_voxel(*solver, k,
+                   [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
+                     sums.phases[phase].strain += strain;
+                     sums.phases[phase].volume += 1.;
+                   });
   std::vector<double> all;
   for (const PhaseSums<3> &phase : sums.phases)
     {
@@ -134,7 +134,7 @@ void VoxelVolume::for_each_cell(
   const unsigned int k,
   const std::function<void(const unsigned int, const VoigtMatrix<3> &)> &action) const
 {
-  mesoslip::for_each_cell(*solver, k, action);
+  for_each_voxel(*solver, k, action);
 }
 
 std::vector<double> VoxelVolume::concentration(const unsigned int k) const
@@ -142,13 +142,12 @@ std::vector<double> VoxelVolume::concentration(const unsigned int k) const
   const voxel::VoxelGrid &grid = solver->grid();
   std::vector<double> tensors;
   tensors.reserve(std::size_t{36} * grid.cells[1] * grid.cells[0]);
-  mesoslip::for_each_cell(
-    *solver, k, [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
-      const VoigtMatrix<3> tensor = condition == BoundaryCondition::SUBC
-                                      ? VoigtMatrix<3>(phases[phase].stiffness * strain)
-                                      : strain;
-      tensors.insert(tensors.end(), tensor.data(), tensor.data() + 36);
-    });
+  for_each_voxel(*solver, k, [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
+    const VoigtMatrix<3> tensor = condition == BoundaryCondition::SUBC
+                                    ? VoigtMatrix<3>(phases[phase].stiffness * strain)
+                                    : strain;
+    tensors.insert(tensors.end(), tensor.data(), tensor.data() + 36);
+  });
   return tensors;
 }
 } // namespace mesoslip

@@ -45,9 +45,11 @@ struct MeshMorphology
 
   std::vector<std::uint8_t> phase_id; ///< of a box: of all its cells
 
-  /** Numbers in the box of the points and cells of the mesh, ascending, where the mesh has only
-   * some; empty: it has all. */
-  std::vector<unsigned int> point_in_box, cell_in_box;
+  /** Numbers in the box of the points of the mesh, ascending, where the mesh has only some;
+   * empty: it has all. */
+  std::vector<unsigned int> point_in_box;
+
+  std::vector<unsigned int> cell_in_box; ///< the same of its cells
 
   /** Number in the whole body of point @p i of the mesh. */
   unsigned int whole_point(const unsigned int i) const

@@ -77,9 +77,11 @@ struct ObservationParameters
 /** Section Contact map. */
 struct ContactMapParameters
 {
-  double interval                 = 0.;        ///< s; 0: none
-  double from                     = 0.;        ///< s
-  double to                       = automatic; ///< s
+  double interval = 0.;        ///< s; 0: none
+  double from     = 0.;        ///< s
+  double to       = automatic; ///< s
+
+  /** Those that are written. */
   std::vector<std::string> fields = {"pressure", "traction", "slip velocity", "state"};
 };
 

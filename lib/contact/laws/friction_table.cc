@@ -30,11 +30,11 @@ struct TablePlace
 };
 } // namespace
 
-FrictionTable::FrictionTable(Points given)
-  : points(std::move(given))
+FrictionTable::FrictionTable(Points points)
+  : points(std::move(points))
 {
-  AssertDimension(points.coefficient.size(),
-                  points.slip_rate.size() * points.pressure.size());
+  AssertDimension(this->points.coefficient.size(),
+                  this->points.slip_rate.size() * this->points.pressure.size());
 }
 
 double FrictionTable::on_row(const std::size_t i, const SlipPoint &at) const

@@ -17,7 +17,8 @@ namespace mesoslip
  * begins. */
 struct FlatMotion
 {
-  std::array<double, 2> before, now;
+  std::array<double, 2> before; ///< in the step that ends (m/s)
+  std::array<double, 2> now;    ///< in the one that begins (m/s)
 };
 
 /**

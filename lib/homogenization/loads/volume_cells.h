@@ -4,14 +4,14 @@
 #include "body/elastic_body.h"
 #include "grid/uniform_grid.h"
 #include "homogenization/load_cases.h"
-#include "homogenization/loads/local_cells.h"
+#include "homogenization/loads/volume_element_cells.h"
 #include "homogenization/mesh_volume.h"
 #include "homogenization/voxel_volume.h"
 
 namespace mesoslip
 {
 /** The cells of a plane grid; all of them on the rank that has the solutions. */
-class GridCells : public LocalCells<2>
+class GridCells : public VolumeElementCells<2>
 {
 public:
   /** The solutions of @p body, the cells of which are those of @p grid. */
@@ -37,11 +37,11 @@ private:
 
 /** The cells of a mesh that is divided among the ranks. */
 template <int dim>
-class MeshCells : public LocalCells<dim>
+class MeshCells : public VolumeElementCells<dim>
 {
 public:
-  using typename LocalCells<dim>::Action;
-  using typename LocalCells<dim>::Values;
+  using typename VolumeElementCells<dim>::Action;
+  using typename VolumeElementCells<dim>::Values;
 
   /** Those of the condition that @p the_volume has solved last. */
   explicit MeshCells(const MeshVolume<dim> &the_volume)
@@ -64,7 +64,7 @@ private:
 };
 
 /** The cells of voxels, of which the ranks have planes. */
-class VoxelCells : public LocalCells<3>
+class VoxelCells : public VolumeElementCells<3>
 {
 public:
   /** Those of the condition that @p the_volume has solved last; they lie on @p the_grid. */

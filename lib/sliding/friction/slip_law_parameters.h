@@ -65,13 +65,15 @@ struct SlipLawParameters
 
   Kind kind = Kind::constant; ///< which of those below counts
 
-  // By default like dry steel, whose friction halves within some cm/s.
-  Stribeck::Constants stribeck       = {0., 0.2, 0.1, 2., 0.};
-  SlipWeakening::Constants weakening = {0., 0.2, 1e-5, false, {}};
-  RateAndState::Constants state;
-  Healing healing = {Healing::Kind::separation, 1e-3};
-  std::string table_file;
-  std::string expression = "0.3";
+  /** Also of static and kinetic. By default like dry steel, whose friction halves within some
+   * cm/s. */
+  Stribeck::Constants stribeck = {0., 0.2, 0.1, 2., 0.};
+
+  SlipWeakening::Constants weakening = {0., 0.2, 1e-5, false, {}}; ///< of both kinds
+  RateAndState::Constants state;                                   ///< of both kinds
+  Healing healing = {Healing::Kind::separation, 1e-3};             ///< of slip weakening
+  std::string table_file;         ///< of a table, see read_friction_table()
+  std::string expression = "0.3"; ///< mu, see FrictionExpression
 
 private:
   std::string table_digest; ///< of its numbers

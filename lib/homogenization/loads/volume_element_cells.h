@@ -1,5 +1,5 @@
-#ifndef mesoslip_homogenization_loads_local_cells_h
-#define mesoslip_homogenization_loads_local_cells_h
+#ifndef mesoslip_homogenization_loads_volume_element_cells_h
+#define mesoslip_homogenization_loads_volume_element_cells_h
 
 #include "material/voigt.h"
 
@@ -49,13 +49,13 @@ inline std::vector<double> values_of(const CellDataset &dataset,
  * meshes and voxels differ in how they hold and order them.
  */
 template <int dim>
-class LocalCells
+class VolumeElementCells
 {
 public:
   using Action = std::function<void(const LocalCell<dim> &)>; ///< with a cell
   using Values = std::function<void(const LocalCell<dim> &, double *out)>; ///< of a cell
 
-  virtual ~LocalCells() = default;
+  virtual ~VolumeElementCells() = default;
 
   /** Ranks that each have a part of the cells. */
   virtual MPI_Comm communicator() const = 0;
