@@ -8,7 +8,7 @@ namespace mesoslip
 namespace
 {
 /** Values that differ by less are alike but for the solver's error. */
-constexpr double negligible = 1e-6;
+constexpr double rounding_of_solver = 1e-6;
 
 /** Keeps the more extreme of two values, @p sign telling which that is, and its place. */
 void keep_extreme(double &value,
@@ -18,7 +18,7 @@ void keep_extreme(double &value,
                   const double sign)
 {
   const double ahead = sign * (other - value),
-               alike = negligible * std::max(std::fabs(other), std::fabs(value));
+               alike = rounding_of_solver * std::max(std::fabs(other), std::fabs(value));
   if (ahead > alike || (ahead >= -alike && other_place < place))
     place = other_place;
   if (ahead > 0.)
@@ -60,7 +60,7 @@ Bins::Bins(const Moments &moments, const unsigned int n)
   , lower(moments.minimum)
   , upper(moments.maximum)
 {
-  const double alike = negligible * std::max(std::fabs(lower), std::fabs(upper));
+  const double alike = rounding_of_solver * std::max(std::fabs(lower), std::fabs(upper));
   if (upper - lower > alike)
     return;
   const double middle = 0.5 * (lower + upper), half = alike > 0. ? alike : 1.;
