@@ -118,7 +118,7 @@ void RveParameters::check() const
                                        boundary_condition(effective)) == conditions.end())
     throw UserError("Homogenization/Effective is " + effective +
                     ", which is not among the Boundary conditions");
-  loads.check(conditions, microstructure.phases.size());
+  loads.check(conditions, microstructure.phases);
   for (const PhaseParameters &phase : microstructure.phases)
     if (mesh.dim == 2 && phase.type == PhaseParameters::Type::stiffness &&
         !(loads.von_mises_limit.empty() && loads.principal_limit.empty()))

@@ -250,6 +250,14 @@ std::string large_strain_warning(const Deformation &found,
          likely_cause(parameters, scales);
 }
 
+std::string undefined_friction(const ContactParameters &parameters, const double energy)
+{
+  return std::isnan(energy) &&
+             parameters.friction.slip_law.kind == SlipLawParameters::Kind::expression
+           ? "Friction/Coefficient expression where it is negative or no number; or "
+           : "";
+}
+
 std::string inverted_cell_text(const Deformation &found, const PlaceText &place)
 {
   return found.jacobian.value > 0.
@@ -266,11 +274,12 @@ void report_runaway(const Runaway &found,
   require_finite(parameters.contact.flat_velocity, "Flat/Expression", time.step.dt, n);
   require_finite(parameters.top.pressure, "Top/Expression", time.step.dt, n);
   throw NumericalFailure(
-    brief_text(3, "the run blew up: its energy is ",
-               std::isnan(found.energy) ? "not a number,"
-                                        : brief_text(3, found.energy, " J/m"),
-               " where at most ", found.put_in, " J/m were put in; likely cause: ",
-               likely_instability(found.energy, time), "; found"),
+    brief_text(
+      3, "the run blew up: its energy is ",
+      std::isnan(found.energy) ? "not a number," : brief_text(3, found.energy, " J/m"),
+      " where at most ", found.put_in,
+      " J/m were put in; likely cause: ", undefined_friction(parameters, found.energy),
+      likely_instability(found.energy, time), "; found"),
     n, n * time.step.dt,
     brief_text(3, "node (", found.column, ", ", found.row, ") with u_",
                "xy"[found.component], " = ", found.displacement, " m and a velocity of ",

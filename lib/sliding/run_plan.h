@@ -137,6 +137,10 @@ std::string inverted_cell_text(const Deformation &found, const PlaceText &place)
 /** The load that alone strains the body most, in words. */
 std::string likely_cause(const ContactParameters &parameters, const BodyScales &body);
 
+/** Words for a law of friction that may be why a run has an energy that is no number; empty where there is
+ * none. */
+std::string undefined_friction(const ContactParameters &parameters, const double energy);
+
 /**
  * Ends a run that has gone wrong before step @p n.
  * @throws NumericalFailure with energy, likely cause, step, time and node.

@@ -172,7 +172,7 @@ def refusals(scene):
 
     resume = options + ["--resume"]
     refused = [
-        (["Friction/Coefficient is 0.4 instead of 0.25", "start again without --resume"], ["Friction/Coefficient=0.4"]),
+        (["Friction/Coefficient is 0.3 instead of 0.4", "start again without --resume"], ["Friction/Coefficient=0.3"]),
         (["Body/Material is heterogeneous instead of homogeneous"], ["Body/Material=heterogeneous"]),
         (["Observation/Blocks is 7 instead of 200", "Observation/bulk/Position is 0, 0 instead of"],
          ["Observation/bulk/Position=0, 0", "Observation/Blocks=7"]),

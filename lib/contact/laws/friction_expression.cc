@@ -70,6 +70,8 @@ double FrictionExpression::next_state(const double state, const SlipStep &step) 
 
 double FrictionExpression::largest(const double fastest) const
 {
+  if (looks_around() || has_slip())
+    return std::numeric_limits<double>::infinity();
   double most = 0.;
   for (int k = 0; k <= 100; ++k)
     {

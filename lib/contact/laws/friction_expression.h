@@ -32,8 +32,13 @@ public:
   std::optional<StateVariable> state() const override;
   double next_state(const double state, const SlipStep &step) const override;
 
-  /** Not known: what it is at slip rates up to @p fastest at the start, without pressure. */
+  /** The largest of 101 slip rates up to @p fastest; infinite where anything else takes part. */
   double largest(const double fastest) const override;
+
+  bool knows_falls() const override
+  {
+    return false;
+  }
 
   bool looks_around() const override;
 

@@ -86,7 +86,7 @@ public:
     return 0.;
   }
 
-  /** An upper bound of mu for slip rates up to @p fastest (m/s). */
+  /** An upper bound of mu for slip rates up to @p fastest (m/s); infinite: not known. */
   virtual double largest(const double fastest) const = 0;
 
   /** An upper bound of -d mu / d V (s/m); 0: mu never falls with the slip rate. */
@@ -99,6 +99,12 @@ public:
   virtual double steepest_fall_in_slip() const
   {
     return 0.;
+  }
+
+  /** Whether steepest_fall() and steepest_fall_in_slip() are such bounds. */
+  virtual bool knows_falls() const
+  {
+    return true;
   }
 
   /** Whether pressure, or place and time, take part. */

@@ -77,7 +77,7 @@ private:
                    "an eigenvalue lies on the border of the range that is "
                    "counted, near ",
                    a.s.real(), " 1/s and ", a.s.imag() / (2. * M_PI),
-                   " Hz; change Least growth rate or Highest frequency"));
+                   " Hz; it moves with Fastest decay and Highest frequency"));
     const Complex s = a.s + golden * (b.s - a.s);
     const Point middle{s, phase(s)};
     const double first = turn(a, middle), second = turn(middle, b);
@@ -123,9 +123,22 @@ int count_missing(const SlidingPencil &pencil,
   const std::vector<std::pair<Complex, unsigned int>> corners = {
     {0., 1}, {right, 2}, {{right, top}, 16}, {{-decay, top}, 4}, {{-decay, decay}, 16},
     {0., 1}};
-  double turned = 0.;
-  for (std::size_t k = 1; k < corners.size(); ++k)
-    turned += turns.between(corners[k - 1].first, corners[k].first, corners[k].second);
-  return static_cast<int>(std::lround(turned / (2. * M_PI)));
+  const auto count = [&](const unsigned int refinement) {
+    double turned = 0.;
+    for (std::size_t k = 1; k < corners.size(); ++k)
+      turned += turns.between(corners[k - 1].first, corners[k].first,
+                              refinement * corners[k].second);
+    return static_cast<int>(std::lround(turned / (2. * M_PI)));
+  };
+  // A step that turns by about whole turns is taken for none; finer ones are none.
+  int missing = count(1);
+  for (unsigned int refinement = 3; missing != 0 && refinement <= 27; refinement *= 3)
+    {
+      const int again = count(refinement);
+      if (again == missing)
+        break;
+      missing = again;
+    }
+  return missing;
 }
 } // namespace mesoslip

@@ -1,6 +1,7 @@
 #include "homogenization/loads/load_parameters.h"
 
 #include "base/errors.h"
+#include "homogenization/loads/load_members.h"
 #include "material/voigt.h"
 #include "parameters/keys.h"
 
@@ -121,8 +122,14 @@ void LoadParameters::bind(Keys &keys, const unsigned int dim)
 }
 
 void LoadParameters::check(const std::vector<BoundaryCondition> &solved,
-                           const std::size_t n_phases) const
+                           const std::vector<PhaseParameters> &phases) const
 {
+  const std::size_t n_phases = phases.size();
+  for (const PhaseParameters &phase : phases)
+    if (!loads.empty() && phase.name == whole_volume)
+      throw UserError(
+        "Phases/Names: a phase is called '" + phase.name +
+        "', as results of loads call the whole volume; give it another name");
   for (const BoundaryCondition condition : conditions)
     if (std::find(solved.begin(), solved.end(), condition) == solved.end())
       throw UserError(

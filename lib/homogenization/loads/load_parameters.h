@@ -2,6 +2,7 @@
 #define mesoslip_homogenization_loads_load_parameters_h
 
 #include "homogenization/load_cases.h"
+#include "morphology/microstructure_parameters.h"
 
 #include <string>
 #include <vector>
@@ -49,9 +50,9 @@ struct LoadParameters
   void bind(Keys &keys, const unsigned int dim);
 
   /** @throws UserError naming the key unless this suits the conditions that are @p solved
-   * and @p n_phases phases */
+   * and the phases */
   void check(const std::vector<BoundaryCondition> &solved,
-             const std::size_t n_phases) const;
+             const std::vector<PhaseParameters> &phases) const;
 
   /** Whether the unit cases of @p condition are superposed. */
   bool uses(const BoundaryCondition condition) const;

@@ -124,6 +124,7 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
                         "result yet");
   };
 
+  constexpr std::size_t fewest_unknowns = 40; // what the iterations take for granted
   ComplexCases<dim> result;
   result.highest_frequency  = highest_frequency;
   const std::size_t n_cases = 1 + keys.values.size();
@@ -137,6 +138,11 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
                                      : with_swept(parameters, keys.values[k - 1]));
       states.push_back(at_rest(parameters_of.back()));
       free.emplace_back(body, states.back().held, modal_options(parameters).platen_mass);
+      if (free.back().size() < fewest_unknowns)
+        throw UserError("Analysis: complex modes are sought among " +
+                        std::to_string(fewest_unknowns) +
+                        " free degrees of freedom or more, and the body has " +
+                        std::to_string(free.back().size()) + "; take more cells");
     }
   result.state = states[0];
   result.dofs.push_back(free[0]);

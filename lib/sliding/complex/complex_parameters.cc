@@ -15,7 +15,7 @@ void ComplexModesParameters::bind(Keys &keys)
     "Highest frequency", highest_frequency, Range::positive(),
     "All modes up to this frequency are found; auto: that of a longitudinal "
     "wave as long as the body is high [Hz]");
-  double decay = -least_growth;
+  double decay = 0. - least_growth;
   keys.bind(
     "Fastest decay", decay, Range::non_negative(),
     "Modes that decay at this rate at most are listed, too, if they vibrate faster "

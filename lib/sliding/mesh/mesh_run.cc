@@ -87,7 +87,9 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
           brief_text(
             3, "the run blew up: its energy is ", found.energy, " J",
             dim == 2 ? "/m" : "", " where at most ", found.put_in,
-            " were put in; reduce Time/Safety factor, and check that Mesh/Scale, "
+            " were put in; likely cause: ",
+            undefined_friction(this->parameters, found.energy),
+            "too large a step, reduce Time/Safety factor, and check that Mesh/Scale, "
             "loads and materials are in SI units; found"),
           static_cast<long long>(n), static_cast<double>(n) * this->time.step.dt, "");
       })

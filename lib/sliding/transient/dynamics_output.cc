@@ -108,7 +108,12 @@ void DynamicsOutput::write(const TransientResult &run, const ContactMapOutput<2>
   std::vector<double> x;
   for (unsigned int i = 0; i <= body.grid.cells[0]; ++i)
     x.push_back(i * body.grid.spacing[0]);
-  write_series(*file, "/contact", {{"x", "m", &x}, {"area", "m", &run.body.area}});
+  // Of a node that is written twice each has half.
+  std::vector<double> area = run.body.area;
+  if (run.parameters.periodic)
+    for (double *end : {&area.front(), &area.back()})
+      *end *= 0.5;
+  write_series(*file, "/contact", {{"x", "m", &x}, {"area", "m", &area}});
   file->close();
   file.reset();
 }
