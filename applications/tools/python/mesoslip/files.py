@@ -224,7 +224,8 @@ class ContactMap:
 
     @property
     def area(self):
-        """Tributary area of each contact node [nodes]; with periodic sides of a grid the last node is the first one again."""
+        """Tributary area of each contact node [nodes]; with periodic sides of a grid the last node is the first one
+        again, and each has half."""
         return self._file["contact/area"]
 
     @property
