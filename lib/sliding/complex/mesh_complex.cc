@@ -96,10 +96,8 @@ void MeshComplex<dim>::run(RunContext &context)
   Hdf5File file =
     create_mesh_file(context.file("complex_modes.h5"), "mesoslip-complex-modes",
                      this->morphology, this->body);
-  Shape extents = points_shape(this->morphology);
-  extents.push_back(dim);
-  const ShownComplexShapes shown =
-    write_complex_shapes(file, cases, *elastic, this->parameters, extents);
+  const ShownComplexShapes shown = write_complex_shapes(
+    file, cases, *elastic, this->parameters, vectors_shape(this->morphology));
   file.close();
   if (!shown.fields.empty())
     show_body(context.file("complex_modes.xdmf"), "complex_modes.h5", this->morphology,

@@ -188,10 +188,8 @@ MeshMorphology<3> make_box(const ContactParameters &parameters)
     }
   MeshMorphology<3> body;
   const UniformGrid<3> grid = make_grid<3>(parameters.body, rve ? &*rve : nullptr);
-  double bytes              = whole ? bytes_of_meshed_cell : bytes_of_cell;
-  for (const unsigned int n : grid.cells)
-    bytes *= n;
-  require_memory({bytes, "reduce Body/Cells"});
+  const double bytes        = whole ? bytes_of_meshed_cell : bytes_of_cell;
+  require_memory({bytes * static_cast<double>(grid.n_cells()), "reduce Body/Cells"});
   body.file = path;
   body.box  = {
      grid, {{!parameters.mesh.periodic[0].empty(), !parameters.mesh.periodic[1].empty()}}};

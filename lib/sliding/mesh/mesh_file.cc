@@ -55,12 +55,12 @@ void show_mesh_phases(const std::string &path,
 }
 
 template <int dim>
-Shape points_shape(const MeshMorphology<dim> &morphology)
+Shape vectors_shape(const MeshMorphology<dim> &morphology)
 {
   if (!morphology.box)
-    return {morphology.mesh.points.size()};
+    return {morphology.mesh.points.size(), dim};
   const auto &n = morphology.box->grid.cells;
-  return {std::size_t{n[2]} + 1, std::size_t{n[1]} + 1, std::size_t{n[0]} + 1};
+  return {std::size_t{n[2]} + 1, std::size_t{n[1]} + 1, std::size_t{n[0]} + 1, dim};
 }
 
 template <int dim>
@@ -82,7 +82,7 @@ void show_body(const std::string &path,
                                      const MeshBodyDescription &);                     \
   template void show_mesh_phases(const std::string &, const std::string &,             \
                                  const MeshMorphology<dim> &);                         \
-  template Shape points_shape(const MeshMorphology<dim> &);                            \
+  template Shape vectors_shape(const MeshMorphology<dim> &);                           \
   template void show_body(const std::string &, const std::string &,                    \
                           const MeshMorphology<dim> &, const std::vector<XdmfField> &, \
                           const std::vector<double> &);

@@ -18,9 +18,9 @@ Hdf5File create_mesh_file(const std::string &path,
                           const MeshMorphology<dim> &morphology,
                           const MeshBodyDescription &body);
 
-/** Extents of a number for each point: of a box [nz + 1][ny + 1][nx + 1], else [points]. */
+/** Extents of a vector for each point: of a box [nz + 1][ny + 1][nx + 1][3], else [points][dim]. */
 template <int dim>
-Shape points_shape(const MeshMorphology<dim> &morphology);
+Shape vectors_shape(const MeshMorphology<dim> &morphology);
 
 /** Writes @p path for ParaView with @p fields of such a file, which is called @p file. */
 template <int dim>

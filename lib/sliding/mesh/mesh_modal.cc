@@ -72,11 +72,9 @@ void MeshModal<dim>::run(RunContext &context)
   const auto scope = context.timer().scope("Output");
   this->summarize_body("modal", context);
   write_modes(cases, context);
-  Hdf5File file = create_mesh_file(context.file("modal.h5"), "mesoslip-modal",
-                                   this->morphology, this->body);
-  Shape extents = points_shape(this->morphology);
-  extents.push_back(dim);
-  const ShownShapes shown = write_shapes(file, cases, extents);
+  Hdf5File file           = create_mesh_file(context.file("modal.h5"), "mesoslip-modal",
+                                             this->morphology, this->body);
+  const ShownShapes shown = write_shapes(file, cases, vectors_shape(this->morphology));
   file.close();
   show_body(context.file("modal.xdmf"), "modal.h5", this->morphology, shown.fields,
             shown.numbers);

@@ -68,7 +68,7 @@ void MeshOutput<dim>::begin(const Stepper &of_stepper,
   // Planes of a box are written as wholes.
   n_together = dealii::Utilities::MPI::broadcast(
     context.communicator(),
-    context.root() ? body.n_points / points_shape(morphology)[0] : 0);
+    context.root() ? body.n_points / vectors_shape(morphology)[0] : 0);
   on_root(context.communicator(), [&]() {
     const std::string path = context.file("dynamics.h5");
     if (n_done > 0 || (map != nullptr && step > 0))
@@ -113,9 +113,8 @@ void MeshOutput<dim>::begin(const Stepper &of_stepper,
 template <int dim>
 Shape MeshOutput<dim>::snapshots_shape(const std::size_t n) const
 {
-  Shape shape = points_shape(morphology);
+  Shape shape = vectors_shape(morphology);
   shape.insert(shape.begin(), n);
-  shape.push_back(dim);
   return shape;
 }
 

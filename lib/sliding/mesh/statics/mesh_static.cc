@@ -157,9 +157,8 @@ void MeshStatic<dim>::write_static_file(const RunContext &context) const
                                    this->morphology, this->body);
   write_run_conditions(file, this->parameters.stated_conditions());
   const std::string u = "/snapshots/displacement", group = "/static_contact";
-  Shape extents = points_shape(this->morphology);
+  Shape extents = vectors_shape(this->morphology);
   extents.insert(extents.begin(), 1);
-  extents.push_back(dim);
   write_dataset(file, u, extents, interleaved(solution.displacement), "m");
   write_dataset(file, "/snapshots/time", {1}, std::vector<double>{0.}, "s");
   std::array<std::vector<double>, dim> place;
