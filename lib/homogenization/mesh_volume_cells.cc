@@ -154,17 +154,7 @@ typename MeshVolume<dim>::CellTensors MeshVolume<dim>::concentration() const
     numbers,
     dealii::Utilities::MPI::sum<std::uint64_t>(numbers.size(), mesh.communicator()),
     mesh.communicator());
-  CellTensors result = {blocks.first(), std::vector<double>(blocks.size() * n_entries)};
-  std::vector<double> entry(numbers.size()), in_block;
-  for (std::size_t e = 0; e < n_entries; ++e)
-    {
-      for (std::size_t k = 0; k < numbers.size(); ++k)
-        entry[k] = own[k * n_entries + e];
-      blocks.gather(entry.data(), in_block);
-      for (std::size_t k = 0; k < in_block.size(); ++k)
-        result.values[k * n_entries + e] = in_block[k];
-    }
-  return result;
+  return {blocks.first(), blocks.gather(own, n_entries, 0, n_entries)};
 }
 
 template void MeshVolume<2>::assemble();

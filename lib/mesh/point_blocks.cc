@@ -33,6 +33,23 @@ void NumberedBlocks::gather(const double *owned, std::vector<double> &block) con
     dealii::ArrayView<double>(block.data(), block.size()));
 }
 
+std::vector<double> NumberedBlocks::gather(const std::vector<double> &owned,
+                                           const std::size_t n,
+                                           const std::size_t first,
+                                           const std::size_t count) const
+{
+  std::vector<double> block(size() * count), one(n_owned), in_block;
+  for (std::size_t c = 0; c < count; ++c)
+    {
+      for (std::size_t k = 0; k < one.size(); ++k)
+        one[k] = owned[k * n + first + c];
+      gather(one.data(), in_block);
+      for (std::size_t k = 0; k < in_block.size(); ++k)
+        block[k * count + c] = in_block[k];
+    }
+  return block;
+}
+
 template <int dim>
 PointBlocks<dim>::PointBlocks(const MeshPart<dim> &part,
                               const std::size_t n_points,

@@ -40,6 +40,13 @@ public:
   /** One value of each in the block from those of what this rank @p owned. Collective. */
   void gather(const double *owned, std::vector<double> &block) const;
 
+  /** Numbers [size()][count] of each in the block, from those that this rank @p owned
+   * [n_owned][n]: @p count of them from number @p first on. Collective. */
+  std::vector<double> gather(const std::vector<double> &owned,
+                             const std::size_t n,
+                             const std::size_t first,
+                             const std::size_t count) const;
+
 private:
   const std::size_t n_owned;
   std::size_t begin = 0, end = 0;

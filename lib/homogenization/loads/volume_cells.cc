@@ -100,20 +100,10 @@ void MeshCells<dim>::write(const std::string &path,
   const NumberedBlocks blocks(
     numbers, dealii::Utilities::MPI::sum<std::uint64_t>(numbers.size(), communicator()),
     communicator());
-  std::vector<double> one(numbers.size()), in_block;
   for (const CellDataset &dataset : datasets)
-    {
-      std::vector<double> block(blocks.size() * dataset.components);
-      for (std::size_t c = 0; c < dataset.components; ++c)
-        {
-          for (std::size_t k = 0; k < numbers.size(); ++k)
-            one[k] = own[n * k + dataset.first + c];
-          blocks.gather(one.data(), in_block);
-          for (std::size_t k = 0; k < in_block.size(); ++k)
-            block[k * dataset.components + c] = in_block[k];
-        }
-      ParallelRows(path, dataset.name, communicator()).write_rows(blocks.first(), block);
-    }
+    ParallelRows(path, dataset.name, communicator())
+      .write_rows(blocks.first(),
+                  blocks.gather(own, n, dataset.first, dataset.components));
 }
 
 void VoxelCells::for_plane(const unsigned int k, const Action &action) const
