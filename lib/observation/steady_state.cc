@@ -250,21 +250,22 @@ std::string LimitCycleDetector::description() const
 {
   const std::size_t n_nodes =
     record.size() > 0 ? record.n_columns() - first_displacement : 0;
-  return brief_text(
-           6, "limit cycle: motion of ", n_nodes,
-           " contact nodes, frictional power, apparent friction, contact shares and "
-           "energies of ",
-           criterion.windows, " equal parts (of at least ", criterion.periods,
-           " periods) of the second half of the run agree within ",
-           100. * criterion.tolerance, " %; ") +
-         (reached()
-            ? brief_text(4, sliding ? "steady sliding" : "reached",
-                         " at t = ", time_reached, " s, steady from ", start,
-                         " s, period ", vibration_period, " s")
-            : brief_text(4, "not reached by t = ", last_time, " s",
-                         difference >= 0. ? brief_text(4, " (", quantity, " differs by ",
-                                                       100. * difference, " %)")
-                                          : ""));
+  const std::string verdict =
+    reached() ? brief_text(4, sliding ? "Steady sliding" : "Limit cycle", " from ", start,
+                           " s on, found at t = ", time_reached, " s, period ",
+                           vibration_period, " s")
+              : brief_text(4, "No limit cycle by t = ", last_time, " s");
+  const std::string largest_difference =
+    reached() || !(difference >= 0.)
+      ? ""
+      : brief_text(4, ": ", quantity, " differs by ", 100. * difference, " %");
+  return verdict + largest_difference +
+         brief_text(6, " (the criterion: motion of ", n_nodes,
+                    " contact nodes, frictional power, apparent friction, contact shares "
+                    "and energies of ",
+                    criterion.windows, " equal parts, of at least ", criterion.periods,
+                    " periods each, of the second half of the run agree within ",
+                    100. * criterion.tolerance, " %)");
 }
 
 LimitCycleWatch::LimitCycleWatch(const LimitCycleCriterion &criterion,

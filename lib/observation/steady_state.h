@@ -95,7 +95,7 @@ public:
     return vibration_period;
   }
 
-  /** The criterion and its present outcome, in one sentence, for logs and reports. */
+  /** The present outcome, then the criterion, in one sentence, for logs and reports. */
   std::string description() const;
 
   /** Criteria are not stored: a detector is restored into one made with the same ones. */

@@ -130,9 +130,10 @@ void TransientResult::write_summary(RunContext &context) const
   context.log("Largest strain " + quantity_text(100. * largest_strain, "%"));
   if (parameters.energy_interval > 0)
     context.log(energy_balance(*this));
-  for (const std::string &text : {duration_warning, friction_warning})
-    if (!text.empty())
-      context.warn(text);
+  if (!duration_warning.empty()) // friction homogenization, which takes T_G, warns
+    context.log(duration_warning);
+  if (!friction_warning.empty())
+    context.warn(friction_warning);
   for (const std::string &text : warnings)
     context.warn(text);
 }
