@@ -11,11 +11,8 @@ import h5py
 import numpy as np
 
 from mesh_files import Box
-from scenes import PHASES, TOOLS, Folder, prm
-
-sys.path.append(os.path.join(TOOLS, "studies", "prediction"))
-from sliding_modes import SlidingPin  # noqa: E402
-from sliding_search import nearest  # noqa: E402
+from scenes import PHASES, Folder, prm
+from sliding_pin import SlidingPin, nearest
 
 STIFFNESS, DENSITY, SIZE, BETA = (36.54e9, 9.1e9, 47.26e9, 13.785e9), 1770, (0.012, 0.004), 4.4e-9
 COMMON = {"Analysis": "complex modes", "Top/Kind": "platen", "Top/Pressure": 5e6, "Flat/Velocity": 2, "Friction/Regularization time": 2e-7,

@@ -7,15 +7,15 @@ import tempfile
 import numpy as np
 
 from scenes import TOOLS, TOP, Folder, sets
+from sliding_pin import SlidingPin, friction_factors
 
-sys.path.insert(0, os.path.join(TOOLS, "studies", "prediction"))
+sys.path[:0] = [os.path.join(TOOLS, "studies"), os.path.join(TOOLS, "studies", "prediction")]
 
 import growth  # noqa: E402
 import measures  # noqa: E402
 import mixture  # noqa: E402
-import sliding_search  # noqa: E402
 from dispersion import Layer, isotropic_layer  # noqa: E402
-from sliding_modes import SlidingPin  # noqa: E402
+from study import Result  # noqa: E402
 
 HEIGHT = 0.016
 PAPER = (36.54e9, 9.1e9, 47.26e9, 13.785e9)  # eq. (10)
@@ -57,8 +57,8 @@ def pin_converges_to_layer():
 
 
 def every_eigenvalue(pin):
-    """Of the linear problem of sliding_search.py, by dense matrices."""
-    rows, reactions = (part if isinstance(part, np.ndarray) else part.toarray() for part in sliding_search.friction_factors(pin))
+    """Of the linear problem of sliding_pin.py, by dense matrices."""
+    rows, reactions = (part if isinstance(part, np.ndarray) else part.toarray() for part in friction_factors(pin))
     n, m, per_mass = pin.mass.shape[0], len(rows), 1 / pin.mass.diagonal()[:, None]
     omega, force = 1e6, 1e10  # scale velocities and forces
     unit = np.zeros((n, m))
@@ -70,45 +70,39 @@ def every_eigenvalue(pin):
         [reactions / (force * pin.delta), pin.beta * omega / (force * pin.delta) * reactions, -np.eye(m) / pin.delta]]))
 
 
+def modes_of_the_study(folder, cells, delta):
+    """The modes of the pin of eq. (10) as the study has them."""
+    Folder(TOP).run(0, "contact_dynamics", "prm/prediction/contact_dynamics-modes.prm", "--output", folder, "--quiet", *sets(
+        {"Body/Stiffness": ", ".join(map(repr, PAPER)), "Body/Cells": cells, "Friction/Regularization time": delta}))
+    return growth.Modes.of(Result(folder, 0, 0., 0., ""))
+
+
 def search_is_complete():
-    """A small pin: every eigenvalue that grows, by the search, by dense matrices and by the argument principle."""
-    pin = growth.homogeneous_pin(np.array(PAPER), 1.5e-6, (28, 8))
-    high = 2 * np.pi * 300e3
-    found = sliding_search.search(pin, high)
-    dense = every_eigenvalue(pin)
+    """A small pin: every eigenvalue that grows, by the program and by dense matrices; shapes are those of unlike modes."""
+    d = np.array([[PAPER[0], PAPER[1], 0], [PAPER[1], PAPER[2], 0], [0, 0, PAPER[3]]])
+    dense = every_eigenvalue(SlidingPin.build(np.zeros((8, 28), int), [d], 1770., growth.SIZE, 0.25, 1.5e-6, 4.4e-9))
     growing = dense[(dense.real > 0) & (dense.imag > 0)]
     growing = growing[np.argsort(-growing.real)]
-    assert np.all(growing.imag < found.bound) and np.all(growing.imag < high), growing
-    assert found.growing == len(growing), (found.eigenvalues, growing)
-    for s, exact in zip(found.eigenvalues, growing):
-        close(f"growing mode at {exact.imag / 2e3 / np.pi:.2f} kHz", s, exact, 1e-8)
-    inside = [s for s in dense if s.imag > abs(s.real) and any(disc.holds(s, 1e-3) for disc in found.discs)]
-    lost = [s for s in inside if abs(found.eigenvalues - s).min() > 1e-6 * abs(s)]
-    print(f"{len(inside)} eigenvalues in {len(found.discs)} discs, lost {lost}, largest residual {found.residuals.max():.1e}")
-    assert not lost and len(inside) > 20 and found.residuals.max() < 1e-10
-    for left_out, known in ((0, found.eigenvalues), (1, np.delete(found.eigenvalues, 1))):
-        assert sliding_search.missed(pin, np.concatenate([known, known.conj()]), high) == left_out, left_out
-
-
-def fastest_mode_of_the_pin():
-    """The pin of eq. (10) on cells of 0.4 mm: the modes that another eigenvalue solver found, the fastest first. Shifts every
-    4.5 kHz with one eigenvalue each miss it."""
-    found = sliding_search.search(growth.homogeneous_pin(np.array(PAPER), 1.5e-6), 2 * np.pi * 200e3)
-    expected = ((5331.5, 123.588), (5117., 181.36), (4813., 164.95), (3055., 149.36), (1410., 124.593), (193.3, 41.6474))
-    assert found.growing == len(expected), found.eigenvalues
-    for s, (rate, frequency) in zip(found.eigenvalues, expected):
-        close(f"growth at {frequency} kHz", s.real, rate, 3e-4)
-        close("its frequency", s.imag / 2e3 / np.pi, frequency, 1e-4)
+    with tempfile.TemporaryDirectory() as folder:
+        found = modes_of_the_study(folder, "28, 8", 1.5e-6)
+    assert np.all(growing.imag < 2 * np.pi * min(found.bound, found.searched)) and not found.missing, growing
+    assert len(found.growing) == len(growing), (found.eigenvalues, growing)
+    for one, exact in zip(found.growing, growing):
+        close(f"growing mode at {exact.imag / 2e3 / np.pi:.2f} kHz", one, exact, 1e-8)
+    alike = abs(found.shapes.conj() @ found.shapes.T)
+    assert np.allclose(alike.diagonal(), 1), alike
+    assert alike[~np.eye(len(alike), dtype=bool)].max() < 0.9, "two modes have one shape"
 
 
 def growth_of_a_run():
     """contact_dynamics after a slow ramp, all nodes sliding: growth and frequency of the fastest mode and of that near 41.6 kHz."""
-    delta, cells, begin, end = 2.5e-6, (28, 8), 1.1e-3, 3e-3
+    delta, begin, end = 2.5e-6, 1.1e-3, 3e-3
     settings = {**growth.RAMPED, "Body/Cells": "28, 8", "Friction/Regularization time": delta, "Time/End time": end}
     with tempfile.TemporaryDirectory() as folder:
         Folder(TOP).run(0, "contact_dynamics", "prm/prediction/contact_dynamics-homogeneous.prm", "--output", folder, "--quiet", *sets(settings))
         seen = measures.sliding_rates(folder, begin, end)
-    modes = sliding_search.search(growth.homogeneous_pin(np.array(PAPER), delta, cells), 2 * np.pi * 200e3).eigenvalues
+    with tempfile.TemporaryDirectory() as folder:
+        modes = modes_of_the_study(folder, "28, 8", delta).eigenvalues
     for s in (modes[0], modes[np.argmin(abs(modes.imag - 2 * np.pi * 41.6e3))]):
         line = seen[np.argmin(abs(seen - s))]
         close(f"growth of the run at {s.imag / 2e3 / np.pi:.2f} kHz", line.real, s.real, 1e-4)
@@ -146,5 +140,4 @@ if __name__ == "__main__":
     mixtures()
     spectrum()
     search_is_complete()
-    fastest_mode_of_the_pin()
     growth_of_a_run()

@@ -3,13 +3,18 @@
     [ s^2 / (1 + beta s) M + K - mu / (1 + s delta) N ] u = 0
 
 N moves the normal reaction of each contact node to its tangential row; contact nodes have u_y = 0, the top u_x = 0 and one
-common u_y (platen). Bilinear cells and the lumped mass of the programs (doc/theory.md, section 1)."""
+common u_y (platen). Bilinear cells and the lumped mass of the programs (doc/theory.md, section 1). With v = s u and q, the
+lagged normal force of the contact nodes, the eigenproblem is linear:
+
+    s u = v,    s M v = -K (u + beta v) + mu E q,    s delta q = R (u + beta v) - q,    N = E R."""
 
 import dataclasses
 
 import numpy as np
 import scipy.sparse as sparse
 import scipy.sparse.linalg as linalg
+
+REFERENCE = 2 * np.pi * 100e3  # 1/s; scales v, so that u and v weigh alike
 
 
 def cell_matrix(d, hx, hy):
@@ -100,3 +105,34 @@ def _kept_unknowns(n, contact, top, platen):
         rows = np.concatenate([rows, 2 * top + 1])
         cols = np.concatenate([cols, np.full(len(top), len(kept))])
     return sparse.coo_matrix((np.ones(len(rows)), (rows, cols)), shape=(n, len(kept) + int(platen))).tocsr()
+
+
+def friction_factors(pin):
+    """The contact rows, and R [contact rows][unknowns] with N = E R; E has a one in each contact row."""
+    by_rows = pin.friction.tocsr()
+    rows = np.flatnonzero(np.diff(by_rows.indptr))
+    return rows, by_rows[rows]
+
+
+def nearest(pin, shift, count):
+    """The `count` eigenvalues nearest to `shift`, in the order of their distance, and their shapes."""
+    rows, reactions = friction_factors(pin)
+    n, mass = pin.mass.shape[0], pin.mass.diagonal()
+    lag, damped = 1 + shift * pin.delta, 1 + shift * pin.beta
+    scale = np.repeat([1., REFERENCE, pin.stiffness.diagonal().mean()], [n, n, len(rows)])
+    solve = linalg.splu(pin.operator(shift)).solve
+
+    def shifted_inverse(x):
+        u, v, q = np.split(scale * x.ravel(), [n, 2 * n])
+        right = -mass * (v + shift * u) - pin.beta * (pin.stiffness @ u)
+        right[rows] += pin.mu / lag * (pin.beta * (reactions @ u) - pin.delta * q)
+        new_u = solve(right) / damped
+        new_v = u + shift * new_u
+        return np.concatenate([new_u, new_v, (reactions @ (new_u + pin.beta * new_v) - pin.delta * q) / lag]) / scale
+
+    size = len(scale)
+    inverse = linalg.LinearOperator((size, size), shifted_inverse, dtype=complex)
+    start = np.random.default_rng(1).standard_normal(size) + 0j
+    inverted, shapes = linalg.eigs(inverse, count, which="LM", ncv=min(2 * count + 10, size - 1), v0=start, tol=1e-12)
+    order = np.argsort(-abs(inverted))
+    return shift + 1 / inverted[order], shapes[:n, order]

@@ -2,6 +2,7 @@
 
 _DYNAMICS, _SLIDING, _STATICS = "verification_dynamics: ", "verification_sliding: ", "verification_statics: "
 _HOMOGENIZATION, _CONTACT, _ELASTICITY = "verification_homogenization: ", "unit_contact: ", "unit_elasticity: "
+_MESH, _COMPLEX = "verification_mesh_", "verification_complex_modes: "
 
 # (problem, what has to come out, tests)
 PROBLEMS = [
@@ -62,6 +63,36 @@ PROBLEMS = [
      "direct solution to 1e-5, or a warning says how many digits hold; the energy is of second order in the error of the solver",
      [_HOMOGENIZATION + "RandomStatics." + name for name in ("EqualADirectSolution", "AdverseVolumesEqualADirectSolution",
                                                              "StiffInclusionHoldsItsDigits", "EnergiesAreOfSecondOrder")]),
+    ("Complex modes", "growth rate and frequency of the sliding layer from the exact dispersion relation, order 2 in h; growth is the power of friction less that of damping",
+     [_COMPLEX + "ComplexModes." + name for name in ("OfTheLayerWithCoulombFriction", "OfTheRegularizedAndDampedLayer",
+                                                     "GrowthIsThePowerOfFrictionLessDamping")]),
+    ("Friction laws", "every formula and its slopes; velocity weakening and rate and state of order 2 in dt; a step of velocity; slip weakening turns kinetic energy into "
+     "work; a block on a spring sticks and slips; Prakash and Clifton's normal stress after a step",
+     [_CONTACT + "SlipLaw." + name for name in ("Formulas", "SlopesAndTheirBounds", "VelocityWeakeningIsOfOrderTwo", "SlipWeakeningTurnsKineticEnergyIntoWork",
+                                                "RateAndStateAfterAStepOfVelocity", "RateAndStateIsOfOrderTwo", "SpringAndBlockStickAndSlip")]
+     + [_CONTACT + "NormalStressMemory.RelaxesAfterAStepOfTheNormalForce"]),
+    ("Maps of the contact", "a wave travels through the map as the dispersion relation says; a map changes no step",
+     [_SLIDING + "ContactMap." + name for name in ("WavesTravelAsTheDispersionRelationSays", "TakesPartInNoStep")]),
+    ("Meshes: waves of the sliding layer", "growth on distorted quadrilaterals and triangles of order 2; in 3D waves across the motion and oblique to it, at 30, 45 and 60 degrees",
+     [_MESH + "waves: MeshGrowth." + name for name in ("OnQuadrilaterals", "OnTriangles")]
+     + [_MESH + "waves: MeshWaves." + name for name in ("AcrossTheMotionOfTheFlat", "AcrossTheMotionOfTheFlatWhereTheBodyIsHeldAlongIt",
+                                                        "AtAnAngleToTheMotionOfTheFlat", "AtAnAngleUnderFrictionThatLags")]),
+    ("Meshes: sliding", "energies close; equal to the grid of the same cells and to the plane body that is extruded; a block thrown askew runs straight and stops after "
+     "v^2/(2 mu g); a flat that moves askew turns the solution; the gap follows the shape",
+     [_MESH + "sliding: MeshSliding." + name for name in ("EnergiesClose", "EqualsTheGrid", "ExtrudedBodyEqualsThePlaneOne",
+                                                          "BlockThrownAskewStopsAfterItsDistance", "TheGapFollowsTheShape")]
+     + [_MESH + "sliding: FlatAskew." + name for name in ("TurnsTheSolution", "BlockIsTakenAlong")]),
+    ("Meshes: statics and modes", "patch test; six rigid motions; a prism as a chain; layers between periodic sides: waves of order 2, uniform under pressure",
+     [_MESH + "statics: MeshStatics." + name for name in ("PatchTest", "SixRigidMotions", "ModesOfAPrismAreThoseOfAChain")]
+     + [_MESH + "statics: PeriodicLayer." + name for name in ("ModesConvergeToThoseOfWaves", "PressedOnASlidingFlatIsUniform")]),
+    ("Meshes: homogenization", "patch test and laminate exact on every kind of cell; a grid handed in as a mesh; an extruded volume is plane strain",
+     [_MESH + "volume: MeshVolume." + name for name in ("PatchTestAndLaminateAreExact", "GridAsMesh", "ExtrudedIsPlaneStrain")]),
+    ("Voxels", "operator and solutions are those of the assembled matrix; homogeneous boxes exact; iterations bounded; the explicit step equals that of the mesh of the "
+     "same cells; the bound of the time step of a cube is exact",
+     ["unit_voxel_solver: VoxelSolver." + name for name in ("OperatorIsTheAssembledMatrix", "SolutionsAreThoseOfTheAssembledMatrix", "HomogeneousBoxesAreExact",
+                                                            "IterationsAreBounded")]
+     + ["unit_brick: Brick." + name for name in ("ProductEqualsThatOfTheMesh", "StepsEqualThoseOfTheMesh", "LargestFrequencyIsThatOfTheMesh",
+                                                 "BoundOfACubeIsExact")]),
 ]
 
 # Expected order of each series of errors.
@@ -112,6 +143,12 @@ CPU time; `regression/ranks` does the same with smaller bodies.
 * Stiffness and modes of random phase maps, under every kind of condition and top, against a dense finite element code
   written apart in Python, to 1e-8: `verification/independent_finite_elements`.
 * Largest strains against those of a column that is compressed alone and of a free body in equilibrium: `verification/large_strains`.
+* Meshes of round bodies: the hexagonal cell of code_aster's HPLV106 (`verification/hexagonal_cell`), one round or spherical inclusion
+  (`verification/mesh_inclusions`), Hertz in 2D and 3D (`verification/hertz`), Spence's indenter with friction (`verification/spence`).
+* Boxes of voxels against a finite element code in scipy (`verification/voxels`), every kind of voxel file against NumPy (`verification/voxel_files`), ensembles
+  and turned phases (`verification/voxel_random`).
+* Macroscopic loads and mixed uniform conditions against dense NumPy: `verification/macroscopic_loads`, `verification/mixed_conditions`.
+* Complex modes of heterogeneous pins against scipy, and their growth in runs: `regression/complex_modes`, `regression/prediction`.
 
 ## Not covered
 

@@ -20,8 +20,9 @@ from figures import RUN_COLOURS, plt  # noqa: E402  (figures chooses the backend
 from pages import number, table, write_csv, write_page  # noqa: E402
 from study import Study, parse_arguments  # noqa: E402
 
-EXECUTABLES = ("unit_contact", "unit_elasticity", "unit_localization", "verification_dynamics", "verification_homogenization",
-               "verification_sliding", "verification_statics")
+EXECUTABLES = ("unit_brick", "unit_contact", "unit_elasticity", "unit_localization", "unit_voxel_solver", "verification_complex_modes",
+               "verification_dynamics", "verification_homogenization", "verification_mesh_sliding", "verification_mesh_statics",
+               "verification_mesh_volume", "verification_mesh_waves", "verification_sliding", "verification_statics")
 
 
 class Measured:

@@ -126,20 +126,9 @@ void MeshTransient<dim>::run(RunContext &context)
   TransientCheckpoint checkpoint(context, this->parameters.checkpoints,
                                  identity + "Time step in s = " + to_text(time.step.dt) +
                                    "\n");
-  const auto found = context.resume() ? checkpoint.find(time.n_steps)
-                                      : TransientCheckpoint::Found::nothing;
+  const auto found = checkpoint.begin(time.n_steps);
   if (found == TransientCheckpoint::Found::complete)
-    return context.log("The run in " + context.output_folder() +
-                       " is complete: there is nothing to resume");
-  if (context.resume())
-    context.begin();
-  const bool resumed = found == TransientCheckpoint::Found::state;
-  if (!resumed)
-    {
-      checkpoint.discard();
-      context.remove_results({"dynamics.h5", "dynamics.xdmf", "dynamics-phases.xdmf",
-                              "history.csv", "energy.csv"});
-    }
+    return;
   context.log(time.text());
   for (const std::string &warning : warnings())
     context.warn(warning);
@@ -148,7 +137,7 @@ void MeshTransient<dim>::run(RunContext &context)
                          distributed->part());
   MeshRun<dim> run(this->parameters, this->body, scales, time, *distributed, this->phases,
                    checkpoint, output, context);
-  if (resumed)
+  if (found == TransientCheckpoint::Found::state)
     run.restore();
   TransientResult result = run.run();
   output.end();

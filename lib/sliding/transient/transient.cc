@@ -107,27 +107,16 @@ void TransientAnalysis::run(RunContext &context)
   TransientCheckpoint checkpoint(context, parameters.checkpoints,
                                  identity + "Time step in s = " + to_text(time.step.dt) +
                                    "\n");
-  const auto found = context.resume() ? checkpoint.find(time.n_steps)
-                                      : TransientCheckpoint::Found::nothing;
+  const auto found = checkpoint.begin(time.n_steps);
   if (found == TransientCheckpoint::Found::complete)
-    return context.log("The run in " + context.output_folder() +
-                       " is complete: there is nothing to resume");
-  if (context.resume())
-    context.begin();
-  const bool resumed = found == TransientCheckpoint::Found::state;
-  if (!resumed)
-    {
-      checkpoint.discard();
-      context.remove_results({"dynamics.h5", "dynamics.xdmf", "dynamics-phases.xdmf",
-                              "history.csv", "energy.csv"});
-    }
+    return;
   context.log(time.text());
   for (const std::string &warning : warnings())
     context.warn(warning);
 
   DynamicsOutput output(context, parameters, body, time);
   TransientRun run(parameters, body, time, material, checkpoint, output, context);
-  if (resumed)
+  if (found == TransientCheckpoint::Found::state)
     run.restore();
   TransientResult result = run.run();
 

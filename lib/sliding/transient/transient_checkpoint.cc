@@ -103,6 +103,23 @@ void TransientCheckpoint::discard()
   });
 }
 
+TransientCheckpoint::Found TransientCheckpoint::begin(const std::uint64_t n_steps)
+{
+  const Found found = context.resume() ? find(n_steps) : Found::nothing;
+  if (found == Found::complete)
+    context.log("The run in " + context.output_folder() +
+                " is complete: there is nothing to resume");
+  else if (context.resume())
+    context.begin();
+  if (found == Found::nothing)
+    {
+      discard();
+      context.remove_results({"dynamics.h5", "dynamics.xdmf", "dynamics-phases.xdmf",
+                              "history.csv", "energy.csv"});
+    }
+  return found;
+}
+
 bool TransientCheckpoint::due() const
 {
   return parameters.interval > 0. && std::chrono::steady_clock::now() - last >=

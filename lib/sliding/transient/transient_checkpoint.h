@@ -45,7 +45,7 @@ public:
                       const CheckpointParameters &p,
                       const std::string &what);
 
-  /** What a resumed run finds. */
+  /** What a run finds. */
   enum class Found
   {
     nothing,
@@ -54,10 +54,13 @@ public:
   };
 
   /**
-   * Looks for a checkpoint to continue up to step @p n_steps.
-   * @throws UserError: it is damaged, of another run, or there is no way on from it
+   * Before a run up to step @p n_steps. With --resume it looks for a checkpoint to continue,
+   * and says so if the run is complete. A run that begins at its start removes what an earlier
+   * one left in its folder: the checkpoint, with a warning if one could have gone on from it,
+   * and the results.
+   * @throws UserError: the checkpoint is damaged, of another run, or there is no way on from it
    */
-  Found find(const std::uint64_t n_steps);
+  Found begin(const std::uint64_t n_steps);
 
   /** With Found::state: restores this rank's part of @p run. */
   template <class Run>
@@ -72,10 +75,6 @@ public:
   {
     return record.position;
   }
-
-  /** Before a run begins anew: removes a checkpoint, with a warning if one could have
-   * gone on from it. */
-  void discard();
 
   /** Whether the interval since the last one is over; by the clock of the calling rank.
    */
@@ -103,6 +102,8 @@ private:
   };
 
   Found look(const std::uint64_t n_steps);
+  Found find(const std::uint64_t n_steps);
+  void discard();
   void write_record(const Record &now) const;
 
   RunContext &context;

@@ -1,30 +1,23 @@
-"""Growth of steady sliding: all modes that grow, of homogeneous pins over delta and of each morphology at its delta."""
+"""Growth of steady sliding: all modes that grow, of homogeneous pins over delta and of each morphology at its delta, by the
+analysis of complex modes of contact_dynamics."""
 
-import concurrent.futures
+import csv
 import dataclasses
-import hashlib
 import os
-import time
 
+import h5py
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 import delta_rules
-import sliding_search
 from measures import sliding_rates
-from mixture import coarsen, read_cells
-from sliding_modes import SlidingPin
+from mixture import write_coarse
 
 CELLS, FINER = (140, 40), ((280, 80), (560, 160))
 SIZE = (0.056, 0.016)
-LIMIT = 2 * np.pi * 350e3  # 1/s; searched at every delta
-COUNTED = 2 * np.pi * 300e3  # 1/s; here the modes are counted as well
-KEPT = -1e4  # 1/s; shapes of modes that decay faster are not stored
 DELTAS = (0.5e-6, 0.75e-6, 1e-6, 1.25e-6, 1.5e-6, 1.75e-6, 2e-6, 2.5e-6, 3e-6)
-START = 1.5e-6  # the morphologies' delta; the branches are followed from here
+START = 1.5e-6  # the morphologies' delta; the branches are named by their frequency here
 AT = DELTAS.index(START)
-ALIKE = 0.9  # overlap of the shapes of one branch at neighbouring deltas, at least
-MU, BETA, DENSITY = 0.25, 4.4e-9, 1770.
 # A run of the homogeneous pin that keeps sliding: its growth is that of the eigenvalues from WINDOW on, until nodes leave the flat.
 RAMPED = {"Flat/Velocity": 50, "Top/Ramp": "smooth", "Top/Ramp time": 1e-3, "Time/Time step": 4e-9, "Observation/History interval": 500,
           "Observation/Energy interval": 0}
@@ -32,18 +25,42 @@ WINDOW = (1.05e-3, 1.6e-3)  # s
 
 
 @dataclasses.dataclass
-class Found:
-    """What a search left: modes that decay slower than KEPT, the fastest growing first."""
+class Modes:
+    """What a run of complex modes left: eigenvalues (1/s), the fastest growing first, and their shapes [modes][values], of
+    which |first . conj(second)| is 1 for equal ones. `searched` and `bound` (Hz): all modes up to the first are known, none
+    above the second can grow. `missing`: modes that the argument principle counts beside these."""
     eigenvalues: np.ndarray
     shapes: np.ndarray
-    residual: float  # the largest of all modes found
+    residual: float
     searched: float
     bound: float
-    cpu_seconds: float
+    missing: int
+    separated: int
+
+    @classmethod
+    def of(cls, result):
+        summary, modes = result.summary, result.summary["complex_modes"]
+        with h5py.File(os.path.join(result.folder, "complex_modes.h5"), "r") as file:
+            shapes = file["complex_modes/shape_real"][()] + 1j * file["complex_modes/shape_imaginary"][()]
+        shapes *= np.sqrt(_mass_of_nodes(*shapes.shape[1:3]))[..., None]
+        shapes = shapes.reshape(len(shapes), -1)
+        return cls(np.array([_eigenvalue(mode) for mode in modes]), shapes / np.linalg.norm(shapes, axis=1)[:, None],
+                   max(mode["residual"] for mode in modes), summary["highest_frequency"], summary["nothing_grows_above"],
+                   summary["missing_modes"], summary["separated_nodes"])
 
     @property
     def growing(self):
         return self.eigenvalues[self.eigenvalues.real > 0]
+
+
+def _eigenvalue(mode):
+    return complex(mode["growth_rate"], 2 * np.pi * mode["frequency"])
+
+
+def _mass_of_nodes(rows, columns):
+    """Up to a factor: a quarter of each cell at a node."""
+    cells_at = [np.r_[1, np.full(n - 2, 2), 1] for n in (rows, columns)]
+    return np.outer(*cells_at).astype(float)
 
 
 @dataclasses.dataclass
@@ -52,7 +69,8 @@ class Growth:
     [deltas][branches], those that grow at one of the deltas, by frequency. `fastest`: largest growth of `mean` at each delta.
     `morphologies` {seed: the mode nearest in shape to each branch of `mean` that grows at START}, `overlaps` of these shapes,
     `leading` {seed: all growing modes}. `refined` {cells: the branches of `paper` that grow at START}, `seen` these in a run.
-    `missed`: growing modes of `paper` at START up to COUNTED that the count has and the search has not."""
+    `separated` {cells or seed: contact nodes that are separated in the static state}. `missing`, `residual`, `searched` and
+    `bound`: as in Modes, the worst of all."""
     paper: np.ndarray
     mean: np.ndarray
     fastest: np.ndarray
@@ -61,161 +79,78 @@ class Growth:
     leading: dict
     refined: dict
     seen: np.ndarray
-    missed: int
+    separated: dict
+    missing: int
     residual: float
     searched: float
     bound: float
 
 
-def homogeneous_pin(stiffness, delta, cells=CELLS):
-    """stiffness: D11, D12, D22, D33 (Pa)."""
-    d = matrices(np.array([stiffness]))
-    return SlidingPin.build(np.zeros(cells[::-1], int), d, DENSITY, SIZE, MU, delta, BETA)
+def branches_of(result):
+    """[deltas][branches] of a sweep: the curves that grow at some delta, by frequency at START. RuntimeError when one of them
+    does not reach over all deltas."""
+    curves = {}
+    with open(os.path.join(result.folder, "complex_modes_sweep.csv"), encoding="ascii") as file:
+        for row in csv.DictReader(file):
+            s = complex(float(row["growth_rate [1/s]"]), 2 * np.pi * float(row["frequency [Hz]"]))
+            curves.setdefault(row["curve [-]"], {})[float(row["regularization_time [s]"])] = s
+    growing = [curve for curve in curves.values() if max(s.real for s in curve.values()) > 0]
+    for curve in growing:
+        if sorted(curve) != sorted(DELTAS):
+            raise RuntimeError(f"a mode that grows is not followed over all delta: {curve}")
+    return np.array([[curve[delta] for delta in DELTAS] for curve in sorted(growing, key=lambda curve: curve[START].imag)]).T
 
 
-def heterogeneous_pin(rve, delta, cells=CELLS):
-    """The morphology in the file `rve`, on coarser cells."""
-    field, density, size = read_cells(rve)
-    while field.shape[1] > cells[0]:
-        field = coarsen(field)
-    return SlidingPin.build(np.arange(field[..., 0].size).reshape(field.shape[:2]), matrices(field.reshape(-1, 4)), density,
-                            size, MU, delta, BETA)
-
-
-def matrices(stiffness):
-    d = np.zeros((len(stiffness), 3, 3))
-    d[:, 0, 0], d[:, 0, 1], d[:, 1, 1], d[:, 2, 2] = stiffness.T
-    d[:, 1, 0] = d[:, 0, 1]
-    return d
-
-
-def digest(pin, *others):
-    """Of all that determines a result."""
-    return _digest((pin.mass, pin.stiffness, pin.friction), pin.mu, pin.delta, pin.beta, *others)
-
-
-def _digest(sparse_matrices, *others):
-    result = hashlib.sha256(repr(others).encode())
-    for matrix in sparse_matrices:
-        for part in (matrix.data, matrix.indices, matrix.indptr):
-            result.update(part.tobytes())
-    return result.hexdigest()[:16]
-
-
-def stored(folder, name, compute):
-    """The arrays {name: array} that `compute` returns, or those it returned before."""
-    path = os.path.join(folder, name + ".npz")
-    if not os.path.exists(path):
-        found = compute()
-        os.makedirs(folder, exist_ok=True)
-        part = f"{path}.{os.getpid()}.npz"  # another process may compute the same
-        np.savez(part, **found)
-        os.replace(part, path)
-    with np.load(path) as file:
-        return dict(file)
-
-
-def radius_of(folder, pin):
-    name = "radius-" + _digest((pin.stiffness, pin.friction))
-    return float(stored(folder, name, lambda: {"radius": sliding_search.numerical_radius(pin)})["radius"])
-
-
-def solved(folder, pin, limit=LIMIT):
-    """The modes of the pin with frequencies up to `limit`, from `folder` where they are there."""
-    def compute():
-        begin = time.process_time()
-        modes = sliding_search.search(pin, limit, radius_of(folder, pin))
-        kept = modes.eigenvalues.real > KEPT
-        return {"eigenvalues": modes.eigenvalues[kept], "shapes": modes.shapes[:, kept].astype(np.complex64),
-                "residual": modes.residuals.max(), "searched": modes.searched, "bound": modes.bound,
-                "cpu_seconds": time.process_time() - begin}
-    return Found(**{name: value if value.ndim else float(value)
-                    for name, value in stored(folder, "modes-" + digest(pin, limit, KEPT), compute).items()})
-
-
-def counted(folder, stiffness):
-    """How many growing modes up to COUNTED the search misses, by the argument principle."""
-    pin = homogeneous_pin(stiffness, START)
-    def compute():
-        modes = sliding_search.search(pin, LIMIT).eigenvalues
-        return {"missed": sliding_search.missed(pin, np.concatenate([modes, modes.conj()]), COUNTED)}
-    return int(stored(folder, "count-" + digest(pin, COUNTED), compute)["missed"])
-
-
-def finer(folder, stiffness, cells, eigenvalue):
-    """The eigenvalue of the homogeneous pin on `cells` nearest to that on CELLS, at START."""
-    pin = homogeneous_pin(stiffness, START, cells)
-    name = "finer-" + digest(pin, complex(eigenvalue))
-    return complex(stored(folder, name, lambda: {"eigenvalue": pin.eigenvalue(complex(eigenvalue))[0]})["eigenvalue"])
-
-
-def overlap(first, second, mass):
-    """|u^H M v| of the shapes in the columns of the two; 1 for equal ones."""
-    return abs(first.conj().T @ (mass[:, None] * second))
-
-
-def follow(searches, mass):
-    """[deltas][branches] of `searches`, one a delta: the modes at START, each to its like at the next delta. Those that grow
-    at some delta, by frequency at START; RuntimeError when one that grows belongs to none."""
-    start = searches[AT]
-    chains = {k: {AT: k} for k in range(len(start.eigenvalues))}  # {mode at START: {delta: mode there}}
-    for steps in (range(AT + 1, len(searches)), range(AT - 1, -1, -1)):
-        for here in steps:
-            before = here - 1 if here > AT else here + 1
-            alike = overlap(searches[before].shapes, searches[here].shapes, mass)
-            for chain in chains.values():
-                if before in chain and alike[chain[before]].max() > ALIKE:
-                    chain[here] = int(np.argmax(alike[chain[before]]))
-    lines = [[searches[i].eigenvalues[chain[i]] if i in chain else complex(np.nan, np.nan) for i in range(len(searches))]
-             for chain in chains.values()]
-    branches = np.array(sorted((line for line in lines if np.nanmax(np.real(line)) > 0), key=lambda line: line[AT].imag)).T
-    for delta, found, line in zip(DELTAS, searches, branches):
-        if sorted(line[line.real > 0], key=abs) != sorted(found.growing, key=abs) or np.isnan(line).any():
-            raise RuntimeError(f"branches are not clear at delta = {delta:g} s: {line} for {found.growing}")
-    return branches
-
-
-def counterparts(found, branches, mean, mass):
+def counterparts(found, branches, mean):
     """The modes of `found` that are most like the modes `branches` (1/s) of `mean`, each taken once, and the overlaps."""
-    columns = [int(np.argmin(abs(mean.eigenvalues - s))) for s in branches]
-    alike = overlap(mean.shapes[:, columns], found.shapes, mass)
+    rows = [_nearest(mean.eigenvalues, s) for s in branches]
+    alike = abs(mean.shapes[rows].conj() @ found.shapes.T)
     rows, modes = linear_sum_assignment(-alike**2)
     return found.eigenvalues[modes], alike[rows, modes]
 
 
-def add_run(study, prm):
-    study.add("ramped", "contact_dynamics", prm, {"Body/Cells": list(CELLS), "Friction/Regularization time": START, **RAMPED,
-                                                  "Time/End time": WINDOW[1]})
+def _nearest(eigenvalues, s):
+    return int(np.argmin(abs(eigenvalues - s)))
 
 
-def compute(folder, jobs, paper, mean, rves, run):
-    """Growth of pins with the stiffnesses `paper` and `mean` (D11, D12, D22, D33 in Pa) and the morphologies `rves`
-    {seed: file}; `run` is the folder of add_run's. What is in `folder` already is taken from there."""
-    with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
-        bodies = {name: [homogeneous_pin(stiffness, delta) for delta in DELTAS] for name, stiffness in (("paper", paper), ("mean", mean))}
-        mass = bodies["paper"][0].mass.diagonal()
-        whole = pool.submit(solved, folder, bodies["paper"][AT], np.inf)
-        searches = {name: [pool.submit(solved, folder, pin) for pin in pins] for name, pins in bodies.items()}
-        pins = {seed: pool.submit(solved, folder, heterogeneous_pin(rve, START)) for seed, rve in rves.items()}
-        missed = pool.submit(counted, folder, paper)
-        searches = {name: [task.result() for task in tasks] for name, tasks in searches.items()}
-        branches = {name: follow(found, mass) for name, found in searches.items()}
-        growing = [s for s in branches["paper"][AT] if s.real > 0]
-        refined = {cells: [pool.submit(finer, folder, paper, cells, s) for s in growing] for cells in FINER}
-        refined = {cells: np.array([task.result() for task in tasks]) for cells, tasks in refined.items()}
-        pins = {seed: task.result() for seed, task in pins.items()}
-    if len(whole.result().growing) != len(growing):
-        raise RuntimeError(f"modes above {LIMIT / (2 * np.pi):g} Hz grow: {whole.result().growing}")
-    start = branches["mean"][AT]
-    rates = sliding_rates(run, *WINDOW)
-    seen = np.array([rates[np.argmin(abs(rates - s))] for s in growing])
-    matched = {seed: counterparts(found, start[start.real > 0], searches["mean"][AT], mass) for seed, found in pins.items()}
-    every = [whole.result(), *searches["paper"], *searches["mean"], *pins.values()]
-    return Growth(branches["paper"], branches["mean"][:, start.real > 0],
-                  np.array([found.eigenvalues[0].real for found in searches["mean"]]),
+def add_runs(study, modes_prm, run_prm, paper, mean, rves):
+    """Pins with the stiffnesses `paper` and `mean` (D11, D12, D22, D33 in Pa), the morphologies `rves` {seed: file} on CELLS,
+    and a run of the first that keeps sliding."""
+    def stiff(stiffness, cells=CELLS):
+        return {"Body/Stiffness": [float(f"{d:.6g}") for d in stiffness], "Body/Cells": list(cells)}
+    sweep = {"Complex modes/Sweep": "regularization time", "Complex modes/Sweep values": list(DELTAS)}
+    for name, stiffness in (("paper", paper), ("mean", mean)):
+        study.add(name, "contact_dynamics", modes_prm, {**stiff(stiffness), **sweep})
+    for cells in FINER:
+        study.add(f"paper-{cells[0]}", "contact_dynamics", modes_prm, {
+            **stiff(paper, cells), "Complex modes/Highest frequency": 200e3, "Complex modes/Fastest decay": 0})
+    for seed, rve in rves.items():
+        study.add(f"rve-{seed}", "rve_homogenization", write_coarse(rve, study.path(f"map-{seed}"), 2))
+        study.add(f"morphology-{seed}", "contact_dynamics", modes_prm,
+                  {"Body/RVE file": f"{{rve-{seed}}}/rve.h5", "Body/Material": "heterogeneous"})
+    study.add("ramped", "contact_dynamics", run_prm, {"Body/Cells": list(CELLS), "Friction/Regularization time": START, **RAMPED,
+                                                      "Time/End time": WINDOW[1]})
+
+
+def collect(results):
+    """Growth of the runs of add_runs()."""
+    paper, mean = branches_of(results["paper"]), branches_of(results["mean"])
+    growing = paper[AT][paper[AT].real > 0]
+    whole = {"paper": Modes.of(results["paper"]), "mean": Modes.of(results["mean"])}
+    finer = {cells: Modes.of(results[f"paper-{cells[0]}"]) for cells in FINER}
+    pins = {int(name.split("-")[1]): Modes.of(result) for name, result in results.items() if name.startswith("morphology-")}
+    rates = sliding_rates(results["ramped"].folder, *WINDOW)
+    matched = {seed: counterparts(found, mean[AT][mean[AT].real > 0], whole["mean"]) for seed, found in pins.items()}
+    swept = [case for name in ("paper", "mean") for case in results[name].summary["sweep"]]
+    every = [*whole.values(), *finer.values(), *pins.values()]
+    return Growth(paper, mean[:, mean[AT].real > 0], np.max(mean.real, axis=1),
                   {seed: values for seed, (values, _) in matched.items()}, {seed: overlaps for seed, (_, overlaps) in matched.items()},
-                  {seed: found.growing for seed, found in pins.items()}, refined, seen, missed.result(),
-                  max(found.residual for found in every), min(found.searched for found in every), whole.result().bound)
+                  {seed: found.growing for seed, found in pins.items()},
+                  {cells: np.array([found.growing[_nearest(found.growing, s)] for s in growing]) for cells, found in finer.items()},
+                  np.array([rates[_nearest(rates, s)] for s in growing]),
+                  {CELLS: whole["paper"].separated, **{key: found.separated for key, found in (*finer.items(), *pins.items())}},
+                  sum(found.missing for found in every) + sum(case["missing_modes"] for case in swept),
+                  max(found.residual for found in every), whole["paper"].searched, whole["paper"].bound)
 
 
 def matching_delta(growth, mode, eigenvalue):

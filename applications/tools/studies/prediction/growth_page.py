@@ -42,8 +42,7 @@ def regimes_section(found, runs):
     fastest, slow = max(start, key=lambda s: s.real), min(start, key=lambda s: abs(kilohertz(s) - 41.6))
     rows = [[f"{kilohertz(s):.2f}"] + [f"{line[k].real:.0f}" for line in found.paper] for k, s in enumerate(start)]
     return ["## Growth of steady sliding",
-            f"Eigenvalues of the pin of eq. (10) that slides steadily, on cells of {cell_size(growth.CELLS)} (`sliding_modes.py`; converges at second order to the exact dispersion "
-            "relation of the layer). They depend neither on P nor on V. All modes that grow at one of these δ, each followed over δ by the overlap of its shape; growth in 1/s:",
+            f"Eigenvalues of the pin of eq. (10) that slides steadily, on cells of {cell_size(growth.CELLS)}. They depend neither on P nor on V. All modes that grow at one of these δ, each followed over δ by the overlap of its shape; growth in 1/s:",
             table(["kHz at 1500 ns"] + [f"δ = {d * 1e9:g} ns" for d in growth.DELTAS], rows),
             "![growth](regimes/growth.png)",
             f"At 1500 ns the fastest mode, at {kilohertz(fastest):.2f} kHz, grows by {fastest.real:.0f} 1/s. That near 41.6 kHz, the paper's main frequency, grows by {slow.real:.0f} 1/s: a time "
@@ -53,14 +52,18 @@ def regimes_section(found, runs):
 
 
 def _search(found):
-    grow = int(np.sum(found.paper[AT].real > 0))
-    return ["How these modes were searched (`sliding_search.py`): with the velocities and the lagged normal forces of the contact nodes as further unknowns the eigenproblem is linear, and "
-            "shift-invert Arnoldi gives the eigenvalues nearest to a shift, which are all in a disc around it. The discs overlap and cover the region in which a mode can grow at all; what one finds "
-            "within another has to be found there as well. The region follows from the numerical range of friction in the elastic energy: at 1500 ns no mode above "
-            f"{found.bound / (2e3 * np.pi):.0f} kHz can grow. It is searched up to there at 1500 ns, and up to {found.searched / (2e3 * np.pi):.0f} kHz at each δ. "
-            f"An independent count, by the turns of the determinant around the region up to {growth.COUNTED / (2e3 * np.pi):.0f} kHz (argument principle), has {grow + found.missed} growing "
-            f"modes; the search has {grow}. On cells of 2 mm it agrees with all eigenvalues of the dense matrix (`tests/regression/prediction.py`), where growth and frequency are also "
-            f"those of a run of `contact_dynamics`. Residuals are below {found.residual:.0e} of the terms of the equation."]
+    return ["All these are modes of steady sliding by `Analysis = complex modes` of `contact_dynamics`, which finds every mode that grows up to a frequency "
+            f"([theory](../theory.md#11-complex-modes-libeigenvaluescomplex)); here up to {found.searched / 1e3:.0f} kHz. The argument principle counts "
+            f"{found.missing or 'no'} others in any of the runs. No mode above {found.bound / 1e3:.0f} kHz can grow at 1500 ns on these cells, by the numerical range of friction in the "
+            f"elastic energy; between the two frequencies nothing was searched. Residuals are below {found.residual:.0e} of the terms of the equation. "
+            "Growth and frequency are also those of a run (next table, and `tests/regression/prediction.py`). Contact nodes that are separated in the static state are free; "
+            f"there are {_separated(found)}."]
+
+
+def _separated(found):
+    grids = ", ".join(f"{found.separated[cells]} on cells of {cell_size(cells)}" for cells in (growth.CELLS, *growth.FINER))
+    pins = [found.separated[seed] for seed in found.morphologies]
+    return f"{grids}, and {min(pins)} to {max(pins)} in the morphologies"
 
 
 def _other_bodies(found):

@@ -68,9 +68,9 @@ def run_growth(arguments):
     results = study.run()
     mean, _ = seeds.mean_stiffness(results)
     files = {seed: os.path.join(results[f"rve-{seed}"].folder, "rve.h5") for seed in seeds.SEEDS}
-    ramped = study_of(arguments, "growth")
-    growth.add_run(ramped, prm("contact_dynamics-homogeneous"))
-    return growth.compute(ramped.folder, arguments.jobs, open_choices.PAPER_STIFFNESS, mean, files, ramped.run()["ramped"].folder)
+    eigenvalues = study_of(arguments, "growth")
+    growth.add_runs(eigenvalues, prm("contact_dynamics-modes"), prm("contact_dynamics-homogeneous"), open_choices.PAPER_STIFFNESS, mean, files)
+    return growth.collect(eigenvalues.run())
 
 
 def write_pages(arguments):
