@@ -81,6 +81,7 @@ Solver::Solver(const PhaseMap<3> &map,
                const Sides sides,
                const MPI_Comm communicator)
   : stiffness(the_stiffness)
+  , strains(the_stiffness.size(), VoigtMatrix<3>::Zero())
 {
   on_root(communicator, [&]() { n_cells = count_cells(map, stiffness.size()); });
   std::array<double, 6> box = {};

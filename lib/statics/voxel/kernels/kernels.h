@@ -82,15 +82,8 @@ struct Kernels
   /** x.y */
   double (*dot)(std::size_t n, const float *x, const float *y);
 
-  /** x.z and y.z */
-  void (*two_dots)(
-    std::size_t n, const float *x, const float *y, const float *z, double results[2]);
-
   /** x.y */
   double (*mixed_dot)(std::size_t n, const float *x, const double *y);
-
-  /** x.y */
-  double (*double_dot)(std::size_t n, const double *x, const double *y);
 
   /** u += a p, r -= a q; r.r */
   double (*step)(

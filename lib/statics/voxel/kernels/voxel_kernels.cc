@@ -33,9 +33,7 @@ const Kernels &kernels()
     combine,
     first_step,
     dot,
-    two_dots,
     mixed_dot,
-    double_dot,
     step};
   return table;
 }
