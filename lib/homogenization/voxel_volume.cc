@@ -87,7 +87,7 @@ VolumeSums<3> VoxelVolume::solve(const BoundaryCondition wanted,
 VolumeSums<3> VoxelVolume::integrate()
 {
   VolumeSums<3> sums;
-  sums.condition = condition;
+  sums.condition      = condition;
   VoigtMatrix<3> mean = VoigtMatrix<3>::Zero();
   for (const auto &strains : solver->phase_strains())
     {

@@ -23,8 +23,10 @@ public:
   explicit PackedField(const VoxelField<double> &field);
 
   /** The numbers of VoxelField::row() from the first ghost to the last, n_in_row() of them. */
-  void
-  read_row(const unsigned int c, const unsigned int j, const unsigned int k, double *out) const;
+  void read_row(const unsigned int c,
+                const unsigned int j,
+                const unsigned int k,
+                double *out) const;
 
   /** Nodes along x and two ghosts. */
   std::size_t n_in_row() const

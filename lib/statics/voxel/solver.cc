@@ -53,7 +53,8 @@ double Solver::outer(const unsigned int k,
     a.stress[k] = volume / 4.;
   else
     a.strain[k] = 4.;
-  return sum_over_ranks(voxels, kernels().outer[n_coefficients == n_general](a));
+  const Cells cells = cells_of(voxels, n_coefficients);
+  return sum_over_ranks(voxels, sweep_of<double>(kernels().outer, source, cells)(a));
 }
 
 void Solver::residual(const unsigned int k,
@@ -109,9 +110,9 @@ Solver::solve(const unsigned int k, const double tolerance, const unsigned int l
       if (!(pq > 0.) || !(rz > 0.))
         fail("broke down", NotConverged::Reason::broke_down);
       const double alpha = rz / pq;
-      norm  = std::sqrt(sum_over_ranks(
-         voxels, kernels().step(r.size(), static_cast<float>(alpha), p.data(), q.data(),
-                                u.data(), r.data())));
+      norm               = std::sqrt(
+                      sum_over_ranks(voxels, kernels().step(r.size(), static_cast<float>(alpha),
+                                                            p.data(), q.data(), u.data(), r.data())));
       ++report.iterations;
       if (norm <= std::max(tolerance * reference, trusted_drop * trusted))
         {

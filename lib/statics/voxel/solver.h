@@ -116,6 +116,7 @@ private:
   VoxelGrid voxels;
   std::vector<double> n_cells;                            ///< of each phase
   unsigned int n_coefficients   = 0;                      ///< n_isotropic or n_general
+  Source source                 = Source::phases;         ///< few or many
   unsigned int n_solved         = 0;                      ///< cases 0 to n_solved - 1
   double modulus                = 0.;                     ///< unit of stress (Pa)
   double length                 = 1.;                     ///< unit of length (m)

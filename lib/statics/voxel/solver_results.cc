@@ -69,7 +69,10 @@ const std::uint8_t *Solver::phases_of_row(const unsigned int line,
 void Solver::keep(const unsigned int k)
 {
   sum_strains(k);
-  kept[k] = PackedField(); // not two at once
+  // In the place of what the next solve makes anew.
+  p       = VoxelField<float>();
+  z       = VoxelField<float>();
+  kept[k] = PackedField();
   kept[k] = PackedField(u);
   for (unsigned int l = 0; l <= k; ++l)
     if (!kept[l].empty())

@@ -18,19 +18,22 @@ combine(const std::size_t n, const float a, const float *x, const float b, float
     store(y + i, a * load(x + i) + b * load(y + i));
 }
 
-static void first_step(const std::size_t n,
+static void first_step(const std::size_t n_rows,
+                       const std::size_t stride,
+                       const unsigned int n_diagonals,
                        const float a,
                        const float *inverse,
                        const float *b,
-                       float *x,
-                       float *d)
+                       float *x)
 {
-  for (std::size_t i = 0; i < n; i += Simd<float>::length)
-    {
-      const vfloat change = a * load(inverse + i) * load(b + i);
-      store(x + i, change);
-      store(d + i, change);
-    }
+  for (std::size_t row = 0; row < n_rows; ++row)
+    for (std::size_t c = 0; c < 3; ++c)
+      {
+        const std::size_t first = (3 * row + c) * stride;
+        const float *diagonal   = inverse + (n_diagonals == 3 ? first : row * stride);
+        for (std::size_t i = 0; i < stride; i += Simd<float>::length)
+          store(x + first + i, a * load(diagonal + i) * load(b + first + i));
+      }
 }
 
 /** Single precision within so many numbers, double beyond. */
