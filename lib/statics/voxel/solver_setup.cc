@@ -10,8 +10,9 @@ namespace
 {
 /** Phases and what lies outside of the body, whose number comes after theirs, at most. */
 constexpr std::size_t most_phases = 256;
-/** Ratio of stiffness beyond which smoothing pays. */
-constexpr double strong_ratio = 30.;
+/** Ratio of stiffness from which on more is smoothed. That saves iterations, but time only
+ *  for nearly incompressible phases and where few steps hardly converge. */
+constexpr double strong_ratio = 400.;
 
 /** Largest over smallest entry of the diagonals among the phases that occur: grows with the
  *  contrast and where a phase is nearly incompressible. */
