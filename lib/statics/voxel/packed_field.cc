@@ -1,5 +1,6 @@
 #include "statics/voxel/packed_field.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -26,12 +27,15 @@ PackedField::PackedField(const VoxelField<double> &field)
           action(field.row(c, j, k), first);
   };
   double largest = 0.;
+  bool is_finite = true;
   for_row([&](const double *row, const std::size_t) {
     for (std::size_t i = 0; i < n_row; ++i)
-      // Also where it is not a number.
-      largest = std::abs(row[i]) <= largest ? largest : std::abs(row[i]);
+      {
+        largest   = std::max(largest, std::abs(row[i]));
+        is_finite = is_finite && std::isfinite(row[i]);
+      }
   });
-  if (!std::isfinite(largest))
+  if (!is_finite)
     throw std::invalid_argument("A field that is not finite cannot be packed.");
   unit = largest / largest_multiple;
   if (unit < std::numeric_limits<double>::min())
