@@ -21,9 +21,9 @@ namespace
 {
 /** Bytes of a node, divided among the ranks: phases, multigrid, vectors, load cases; as
  *  measured. */
-constexpr double bytes_per_voxel = 340.;
+constexpr double bytes_per_voxel = 210.;
 /** More where a phase is not isotropic. */
-constexpr double anisotropic_bytes = 90.;
+constexpr double anisotropic_bytes = 30.;
 
 /** What all ranks together need (bytes). */
 double bytes_of_solver(const MicrostructureParameters &microstructure)

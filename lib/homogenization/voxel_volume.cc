@@ -87,31 +87,15 @@ VolumeSums<3> VoxelVolume::solve(const BoundaryCondition wanted,
 VolumeSums<3> VoxelVolume::integrate()
 {
   VolumeSums<3> sums;
-  sums.condition = condition;
-  sums.phases.resize(phases.size());
-  for (unsigned int k = 0; k < solver->grid().n_cell_planes(); ++k)
-    for_each_voxel(*solver, k,
-                   [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
-                     sums.phases[phase].strain += strain;
-                     sums.phases[phase].volume += 1.;
-                   });
-  std::vector<double> all;
-  for (const PhaseSums<3> &phase : sums.phases)
-    {
-      all.insert(all.end(), phase.strain.data(), phase.strain.data() + 36);
-      all.push_back(phase.volume);
-    }
-  // An undivided body is whole on every rank.
-  if (solver->grid().is_divided())
-    sum_over_ranks(all, communicator);
+  sums.condition      = condition;
   VoigtMatrix<3> mean = VoigtMatrix<3>::Zero();
-  for (std::size_t p = 0; p < phases.size(); ++p)
+  for (const auto &strains : solver->phase_strains())
     {
-      PhaseSums<3> &phase = sums.phases[p];
-      phase.strain        = Eigen::Map<const VoigtMatrix<3>>(&all[37 * p]);
-      phase.volume        = all[37 * p + 36];
-      sums.volume += phase.volume;
-      mean += phase.strain;
+      sums.phases.emplace_back();
+      sums.phases.back().strain = strains.sum;
+      sums.phases.back().volume = strains.n_cells;
+      sums.volume += strains.n_cells;
+      mean += strains.sum;
     }
   mean /= sums.volume;
   // Of stresses the solver gives the complementary energy, twice the work of the tractions

@@ -318,6 +318,38 @@ TEST(VoxelSolver, SolutionsAreThoseOfTheAssembledMatrix)
     }
 }
 
+/** Against the numbers themselves: half a multiple of 2^-47 of the largest, ghosts too. */
+TEST(VoxelSolver, PackedFieldsKeepTheirNumbers)
+{
+  voxel::VoxelGrid grid;
+  grid.cells   = {{19, 3, 4}};
+  grid.spacing = {{1., 1., 1.}};
+  grid.sides   = Sides::periodic;
+  voxel::VoxelField<double> field(grid);
+  const voxel::PackedField zero(field);
+  for_each_unknown(grid, [&](unsigned int c, unsigned int i, unsigned int j,
+                             unsigned int k, long index) {
+    field.row(c, j, k)[i] = 3. * std::sin(0.3 + 1.7 * static_cast<double>(index));
+  });
+  field.set_ghosts();
+  const voxel::PackedField packed(field);
+  std::vector<double> row(packed.n_in_row());
+  ASSERT_EQ(row.size(), 21U);
+  for (unsigned int k = 0; k <= 5; ++k)
+    for (unsigned int j = 0; j <= 4; ++j)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          packed.read_row(c, j, k, row.data());
+          for (unsigned int i = 0; i < 21; ++i)
+            ASSERT_NEAR(row[i], field.row(c, j, k)[i], 3. * std::ldexp(0.51, -47));
+          zero.read_row(c, j, k, row.data());
+          for (const double number : row)
+            ASSERT_EQ(number, 0.);
+        }
+  field.row(1, 2, 3)[4] = std::nan("");
+  EXPECT_THROW(voxel::PackedField{field}, std::invalid_argument);
+}
+
 TEST(VoxelSolver, HomogeneousBoxesAreExact)
 {
   PhaseMap<3> map = random_map({{5, 4, 8}}, 1);

@@ -19,6 +19,8 @@ constexpr unsigned int n_coarse_power_iterations = 60;
 constexpr double coarse_cells                    = 3e5;
 /** What a power iteration of so few steps falls short of. */
 constexpr double safety = 1.12;
+/** Edges that differ by no more are equal. */
+constexpr double equal_edges = 1e-14;
 } // namespace
 
 const Kernels &kernels()
@@ -29,10 +31,20 @@ const Kernels &kernels()
   return chosen;
 }
 
+Cells cells_of(const VoxelGrid &grid, const unsigned int n_coefficients)
+{
+  if (n_coefficients == n_general)
+    return Cells::general;
+  for (const unsigned int axis : {0U, 2U})
+    if (std::abs(grid.ratio(axis) - 1.) > equal_edges)
+      return Cells::isotropic;
+  return Cells::cubes;
+}
+
 Level::Level(const VoxelGrid &the_grid, CellStiffness &&the_stiffness)
   : grid(the_grid)
   , stiffness(std::move(the_stiffness))
-  , inverse(grid)
+  , cells(cells_of(grid, stiffness.n_coefficients))
 {
   set_inverse_diagonal();
   estimate_largest_eigenvalue();
@@ -43,16 +55,39 @@ SweepArguments<float> Level::arguments(VoxelField<float> &x)
   SweepArguments<float> a = sweep_arguments(grid, work);
   a.x                     = x.data();
   a.stiffness             = stiffness.numbers.data();
+  a.phase                 = phase;
+  a.table                 = table.data();
   a.inverse               = inverse.data();
+  a.n_diagonals           = n_diagonals();
   return a;
+}
+
+void Level::take_phases(const std::uint8_t *phases,
+                        const Source kind_of_phases,
+                        LineVector<float> &&the_table)
+{
+  phase             = phases;
+  source            = kind_of_phases;
+  table             = std::move(the_table);
+  stiffness.numbers = LineVector<float>();
+}
+
+/** x = factor D^-1 b */
+void Level::first_step(const float factor,
+                       const VoxelField<float> &b,
+                       VoxelField<float> &x)
+{
+  const std::size_t n_rows =
+    (std::size_t{grid.n_nodes(1)} + 2) * (std::size_t{grid.n_nodes(2)} + 2);
+  kernels().first_step(n_rows, grid.stride(), n_diagonals(), factor, inverse.data(),
+                       b.data(), x.data());
 }
 
 double Level::product(VoxelField<float> &x, VoxelField<float> &out)
 {
   SweepArguments<float> a = arguments(x);
   a.out                   = out.data();
-  return sum_over_ranks(grid,
-                        kernels().product[stiffness.n_coefficients == n_general](a));
+  return sum_over_ranks(grid, sweep_of<float>(kernels().product, source, cells)(a));
 }
 
 void Level::residual(VoxelField<float> &x,
@@ -62,7 +97,7 @@ void Level::residual(VoxelField<float> &x,
   SweepArguments<float> a = arguments(x);
   a.b                     = b.data();
   a.out                   = out.data();
-  kernels().residual[stiffness.n_coefficients == n_general](a);
+  sweep_of<float>(kernels().residual, source, cells)(a);
 }
 
 void Level::smooth(const Smoothing &smoothing,
@@ -91,15 +126,17 @@ void Level::smooth(const Smoothing &smoothing,
           a.step            = static_cast<float>(2. * next / radius);
           rho               = next;
         }
+      // Of a solution that began with zero the first change is all.
+      a.x_is_d  = step == 1 && from_zero;
+      a.is_last = step + 1 == smoothing.degree;
       if (step == 0 && from_zero)
         {
-          kernels().first_step(x.size(), a.step, inverse.data(), b.data(), x.data(),
-                               d.data());
+          first_step(a.step, b, x);
           x.set_ghosts();
         }
       else
         {
-          kernels().chebyshev[stiffness.n_coefficients == n_general](a);
+          sweep_of<float>(kernels().chebyshev, source, cells)(a);
           x.set_ghost_rows();
         }
     }
@@ -111,22 +148,25 @@ void Level::set_inverse_diagonal()
   const unsigned int n                    = stiffness.n_coefficients;
   const std::vector<BrickMatrix> matrices = brick_matrices(grid.spacing, n);
   const unsigned int nx = grid.n_nodes(0), ny = grid.n_nodes(1), nz = grid.n_nodes(2);
+  inverse.resize((std::size_t{ny} + 2) * (std::size_t{nz} + 2) * n_diagonals() *
+                 grid.stride());
   for (unsigned int k = 1; k <= nz; ++k)
     for (unsigned int j = 1; j <= ny; ++j)
-      for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int c = 0; c < n_diagonals(); ++c)
         {
-          float *out = inverse.row(c, j, k);
+          float *out = &inverse[(((std::size_t{ny} + 2) * k + j) * n_diagonals() + c) *
+                                grid.stride()];
           for (unsigned int corner = 0; corner < 8; ++corner)
             for (unsigned int m = 0; m < n; ++m)
               {
                 // The node is this corner of the cell that begins one before, or at it.
                 const unsigned int back = corner & 1U;
-                const float *cells =
+                const float *row =
                   stiffness.row(grid, m, j - (corner >> 1 & 1U), k - (corner >> 2));
                 const auto weight =
                   static_cast<float>(matrices[m](3 * corner + c, 3 * corner + c));
                 for (unsigned int i = 1; i <= nx; ++i)
-                  out[i] += weight * cells[i - back];
+                  out[i] += weight * row[i - back];
               }
           for (unsigned int i = 1; i <= nx; ++i)
             out[i] = 1.F / out[i];
@@ -135,7 +175,7 @@ void Level::set_inverse_diagonal()
 
 void Level::estimate_largest_eigenvalue()
 {
-  VoxelField<float> x(grid), d(grid), q(grid);
+  VoxelField<float> x(grid), q(grid);
   for (unsigned int k = 1; k <= grid.n_nodes(2); ++k)
     {
       // The same for any number of ranks.
@@ -158,8 +198,7 @@ void Level::estimate_largest_eigenvalue()
     {
       x.set_ghosts();
       product(x, q);
-      kernels().first_step(x.size(), static_cast<float>(1. / norm), inverse.data(),
-                           q.data(), x.data(), d.data());
+      first_step(static_cast<float>(1. / norm), q, x);
       norm    = norm_of_x();
       largest = safety * norm;
     }

@@ -41,6 +41,12 @@ public:
   /** Estimates the largest eigenvalue of D^-1 K. */
   Level(const VoxelGrid &grid, CellStiffness &&stiffness);
 
+  /** From now on the stiffness is that of the phases of the cells, as in kernels.h; what is
+   *  stored is given back. @p table: [n_in_table][256]. */
+  void take_phases(const std::uint8_t *phases,
+                   const Source kind_of_phases,
+                   LineVector<float> &&table);
+
   /** out = K x, ghosts of x set; returns x.K x over all ranks. Collective. */
   double product(VoxelField<float> &x, VoxelField<float> &out);
 
@@ -59,13 +65,35 @@ public:
 
 private:
   SweepArguments<float> arguments(VoxelField<float> &x);
+  unsigned int n_diagonals() const
+  {
+    return cells == Cells::cubes ? 1 : 3;
+  }
+  void first_step(const float factor, const VoxelField<float> &b, VoxelField<float> &x);
   void set_inverse_diagonal();
   void estimate_largest_eigenvalue();
 
-  VoxelField<float> inverse;
+  /** Equal for the three components of cubes: [z][y][n_diagonals][stride]. */
+  LineVector<float> inverse;
   LineVector<float> work;
+  LineVector<float> table;
+  const std::uint8_t *phase = nullptr;
+  Cells cells;
+  Source source  = Source::stored;
   double largest = 0.;
 };
+
+/** What the cells of a grid are, with so many coefficients. */
+Cells cells_of(const VoxelGrid &grid, const unsigned int n_coefficients);
+
+/** The sweep for these cells. */
+template <typename Number>
+auto sweep_of(const Kernels::Sweeps<Number> &sweeps,
+              const Source source,
+              const Cells cells)
+{
+  return sweeps[static_cast<unsigned int>(source)][static_cast<unsigned int>(cells)];
+}
 
 /** Arguments of a sweep that follow from the grid. @p work gets its size. */
 template <typename Number>

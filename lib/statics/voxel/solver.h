@@ -5,6 +5,7 @@
 #include "material/voigt.h"
 #include "statics/static_solver.h"
 #include "statics/voxel/multigrid.h"
+#include "statics/voxel/packed_field.h"
 #include "statics/voxel/voxel_field.h"
 
 #include <array>
@@ -57,7 +58,20 @@ public:
    * Effective stiffness (Pa) from the energies, which is of second order in the error of
    * the solutions. Only after solve_all().
    */
-  VoigtMatrix<3> effective_stiffness();
+  VoigtMatrix<3> effective_stiffness() const;
+
+  /** What the cells of a phase have together. */
+  struct PhaseStrains
+  {
+    double n_cells; ///< of all ranks
+
+    /** Sum over these cells of RowOfCells::strain, a column for each load case that was
+     *  solved. */
+    VoigtMatrix<3> sum;
+  };
+
+  /** Of each phase, in the order of the stiffnesses. Not collective. */
+  std::vector<PhaseStrains> phase_strains() const;
 
   /** Strains of a row of cells along x. */
   struct RowOfCells
@@ -92,11 +106,17 @@ private:
                VoxelField<float> &out,
                double *exact = nullptr);
   double gross_load(const unsigned int k) const;
+  void keep(const unsigned int k);
+  double dot_with_kept(const unsigned int k);
+  void sum_strains(const unsigned int k);
+  const std::uint8_t *phases_of_row(const unsigned int line,
+                                    const unsigned int plane) const;
 
   const std::vector<VoigtMatrix<3>> stiffness;
   VoxelGrid voxels;
   std::vector<double> n_cells;                            ///< of each phase
   unsigned int n_coefficients   = 0;                      ///< n_isotropic or n_general
+  Source source                 = Source::phases;         ///< few or many
   unsigned int n_solved         = 0;                      ///< cases 0 to n_solved - 1
   double modulus                = 0.;                     ///< unit of stress (Pa)
   double length                 = 1.;                     ///< unit of length (m)
@@ -104,8 +124,10 @@ private:
   LineVector<std::uint8_t> phases;
   LineVector<double> table, work;
   std::unique_ptr<Multigrid> multigrid;
-  std::array<VoxelField<double>, 6> u;
-  VoxelField<float> r, p, q, z;
+  VoxelField<double> u;            ///< of the case that is being solved
+  std::array<PackedField, 6> kept; ///< those that were
+  VoxelField<float> r, p, z;
+  std::vector<VoigtMatrix<3>> strains; ///< of the fluctuations, summed for each phase
   VoigtMatrix<3> corrections = VoigtMatrix<3>::Zero(); ///< u_k . residual of l, k <= l
 };
 } // namespace mesoslip::voxel

@@ -8,10 +8,11 @@ namespace mesoslip::voxel
 {
 namespace
 {
-/** The phase of what lies outside of the body. */
-constexpr unsigned int outside = 255;
-/** Ratio of stiffness beyond which smoothing pays. */
-constexpr double strong_ratio = 30.;
+/** Phases and what lies outside of the body, whose number comes after theirs, at most. */
+constexpr std::size_t most_phases = 256;
+/** Ratio of stiffness from which on more is smoothed. That saves iterations, but time only
+ *  for nearly incompressible phases and where few steps hardly converge. */
+constexpr double strong_ratio = 400.;
 
 /** Largest over smallest entry of the diagonals among the phases that occur: grows with the
  *  contrast and where a phase is nearly incompressible. */
@@ -37,15 +38,16 @@ std::vector<double> count_cells(const PhaseMap<3> &map, const std::size_t n_phas
   std::vector<double> n(n_phases, 0.);
   for (const std::uint8_t id : map.id)
     {
-      if (id >= n_phases || id >= outside)
+      if (id >= n_phases || n_phases >= most_phases)
         throw std::invalid_argument("A cell has a phase without a stiffness.");
       n[id] += 1.;
     }
   return n;
 }
 
-/** Phases of the cells of a rank's fields, [z][y][stride]. */
-std::string padded_phases(const PhaseMap<3> &map, const VoxelGrid &grid)
+/** Phases of the cells of a rank's fields, [z][y][stride]; @p outside: of no cell. */
+std::string
+padded_phases(const PhaseMap<3> &map, const VoxelGrid &grid, const std::size_t outside)
 {
   const std::size_t stride = grid.stride();
   std::string phases(grid.n_cell_rows() * stride, static_cast<char>(outside));
@@ -81,6 +83,7 @@ Solver::Solver(const PhaseMap<3> &map,
                const Sides sides,
                const MPI_Comm communicator)
   : stiffness(the_stiffness)
+  , strains(the_stiffness.size(), VoigtMatrix<3>::Zero())
 {
   on_root(communicator, [&]() { n_cells = count_cells(map, stiffness.size()); });
   std::array<double, 6> box = {};
@@ -102,7 +105,7 @@ Solver::Solver(const PhaseMap<3> &map,
   const auto of_rank = [&](const unsigned int rank) {
     VoxelGrid grid = voxels;
     grid.rank      = grid.is_divided() ? rank : 0;
-    return padded_phases(map, grid);
+    return padded_phases(map, grid, stiffness.size());
   };
   const std::string others = scatter(communicator, of_rank);
   const std::string own =
@@ -128,15 +131,20 @@ void Solver::set_table()
         if (!is_isotropic(stiffness[phase]))
           n_coefficients = n_general;
       }
-  table.assign(std::size_t{256} * (n_coefficients + 1), 0.);
+  source =
+    stiffness.size() + 1 <= kernels().few_phases ? Source::few_phases : Source::phases;
+  const unsigned int n = n_in_table(cells_of(voxels, n_coefficients));
+  table.assign(std::size_t{256} * (n + 1), 0.);
   for (std::size_t phase = 0; phase < stiffness.size(); ++phase)
     if (n_cells[phase] > 0.)
       {
         mean_stiffness += n_cells[phase] / sum * stiffness[phase] / modulus;
-        const std::vector<double> c = coefficients_of(stiffness[phase], n_coefficients);
-        for (unsigned int m = 0; m < n_coefficients; ++m)
+        std::vector<double> c = coefficients_of(stiffness[phase], n_coefficients);
+        if (n == n_cubes)
+          c.insert(c.end(), {c[0] / 3., (c[0] + 4. * c[1]) / 9.});
+        for (unsigned int m = 0; m < n; ++m)
           table[std::size_t{m} * 256 + phase] = c[m] / modulus * voxels.factor();
-        table[std::size_t{n_coefficients} * 256 + phase] = 1.;
+        table[std::size_t{n} * 256 + phase] = 1.;
       }
 }
 
@@ -152,5 +160,6 @@ void Solver::build_multigrid(const double ratio)
         cells.numbers[(row * n_coefficients + m) * stride + i] =
           static_cast<float>(table[m * 256 + phases[row * stride + i]]);
   multigrid = std::make_unique<Multigrid>(voxels, std::move(cells), options_for(ratio));
+  multigrid->finest().take_phases(phases.data(), source, {table.begin(), table.end()});
 }
 } // namespace mesoslip::voxel

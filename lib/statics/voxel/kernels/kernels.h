@@ -18,6 +18,36 @@
  */
 namespace mesoslip::voxel
 {
+/** What all cells of a grid are. */
+enum class Cells : unsigned int
+{
+  isotropic, ///< n_isotropic coefficients
+  cubes,     ///< isotropic, and their edges are equal
+  general    ///< n_general coefficients
+};
+constexpr unsigned int n_cells_kinds = 3; ///< see Cells
+
+/** Coefficients of a cell that are stored. */
+constexpr unsigned int n_stored(const Cells cells)
+{
+  return cells == Cells::general ? n_general : n_isotropic;
+}
+
+/** Coefficients of a phase in tables. */
+constexpr unsigned int n_in_table(const Cells cells)
+{
+  return cells == Cells::cubes ? n_cubes : n_stored(cells);
+}
+
+/** Where a sweep has the stiffness of the cells from. */
+enum class Source : unsigned int
+{
+  stored,     ///< coefficients of each cell
+  few_phases, ///< a table by the phase of the cell, of at most Kernels::few_phases
+  phases      ///< the same of up to 256
+};
+constexpr unsigned int n_sources = 3; ///< see Source
+
 /** Arrays of one row (of nodes or cells) that the sweep needs for itself: [...][stride] */
 constexpr unsigned int n_work_rows = 27;
 
@@ -39,34 +69,53 @@ struct SweepArguments
   bool periodic;           ///< in x
   Number ratio[2];         ///< h_y / h_x, h_y / h_z
   Number *x;               ///< ghosts set; changed by chebyshev
-  const Number *stiffness; ///< [n[2] + 1][n[1] + 1][coefficients][stride], not for outer
-  const float *b;          ///< right-hand side
-  const float *inverse;    ///< D^-1
-  float *d;                ///< last change of x
-  float *out;              ///< result, zero in ghosts along x
-  double *exact;           ///< the same of outer in double precision, or null
-  float keep;              ///< see chebyshev
-  float step;              ///< see chebyshev
-  Number *work;            ///< n_work_rows rows, and a plane of [n[1] + 1][6][stride]
+  const Number *stiffness; ///< [n[2] + 1][n[1] + 1][n_stored][stride], if stored
+  /** If not stored, the phases of cells [n[2] + 1][n[1] + 1][stride]. */
+  const std::uint8_t *phase;
+  /** What a phase has of each coefficient and, for outer, last whether it is one:
+   * [n_in_table + 1][256]. */
+  const Number *table;
+  const float *b;           ///< right-hand side
+  const float *inverse;     ///< D^-1: [n[2] + 2][n[1] + 2][n_diagonals][stride]
+  unsigned int n_diagonals; ///< 3, or 1 if components have the same
+  float *d;                 ///< last change of x
+  float *out;               ///< result, zero in ghosts along x
+  double *exact;            ///< the same of outer in double precision, or null
+  float keep;               ///< see chebyshev
+  float step;               ///< see chebyshev
+  bool x_is_d;              ///< of chebyshev: x is its own last change, d is not read
+  bool is_last;             ///< of chebyshev: d is not wanted
+  Number *work;             ///< n_work_rows rows, and a plane of [n[1] + 1][6][stride]
   /** @name Of outer alone
    * @{
    */
-  const std::uint8_t *phase; ///< of cells [n[2] + 1][n[1] + 1][stride]
-  /** What a phase has of each coefficient and, last, whether it is one:
-   * [coefficients + 1][256]. */
-  const Number *table;
   Number strain[6]; ///< Voigt, times 4 h_y, that is added
   Number stress[6]; ///< times volume over 4 h_y, that is added
   /** @} */
 };
 
-/** All kernels of one instruction set. Arrays in [2] are for isotropic and any cells. */
+/** All kernels of one instruction set. */
 struct Kernels
 {
-  double (*product[2])(const SweepArguments<float> &);   ///< see Sweep
-  double (*residual[2])(const SweepArguments<float> &);  ///< see Sweep
-  double (*chebyshev[2])(const SweepArguments<float> &); ///< see Sweep
-  double (*outer[2])(const SweepArguments<double> &);    ///< see Sweep
+  /** A sweep for each Source and Cells. */
+  template <typename Number>
+  using Sweeps = double (*[n_sources][n_cells_kinds])(const SweepArguments<Number> &);
+
+  Sweeps<float> product;   ///< see Sweep
+  Sweeps<float> residual;  ///< see Sweep
+  Sweeps<float> chebyshev; ///< see Sweep
+  Sweeps<double> outer;    ///< see Sweep; null for those that are stored
+  unsigned int few_phases; ///< numbers of them for which there is Source::few_phases
+
+  /** x = a D^-1 b, the first Chebyshev step from zero, for @p n_rows rows of three components;
+   * D^-1 as in SweepArguments. */
+  void (*first_step)(std::size_t n_rows,
+                     std::size_t stride,
+                     unsigned int n_diagonals,
+                     float a,
+                     const float *inverse,
+                     const float *b,
+                     float *x);
 
   /**
    * @name Vectors of n numbers, n in whole cache lines
@@ -75,22 +124,11 @@ struct Kernels
   /** y = a x + b y */
   void (*combine)(std::size_t n, float a, const float *x, float b, float *y);
 
-  /** x = d = a D^-1 b: the first Chebyshev step from zero */
-  void (*first_step)(
-    std::size_t n, float a, const float *inverse, const float *b, float *x, float *d);
-
   /** x.y */
   double (*dot)(std::size_t n, const float *x, const float *y);
 
-  /** x.z and y.z */
-  void (*two_dots)(
-    std::size_t n, const float *x, const float *y, const float *z, double results[2]);
-
   /** x.y */
   double (*mixed_dot)(std::size_t n, const float *x, const double *y);
-
-  /** x.y */
-  double (*double_dot)(std::size_t n, const double *x, const double *y);
 
   /** u += a p, r -= a q; r.r */
   double (*step)(

@@ -22,12 +22,13 @@ prefetch_nodes(const Number *row, const std::size_t stride, const std::size_t i)
 }
 
 /** Coefficients of the cells of a row in memory. */
-template <typename Number, unsigned int n>
+template <typename Number, Cells cells>
 struct Stored
 {
-  using Vector                                 = typename Simd<Number>::Vector;
-  static constexpr unsigned int n_coefficients = n;
-  static constexpr bool adds_stress            = false;
+  using Vector                      = typename Simd<Number>::Vector;
+  static constexpr bool cubes       = cells == Cells::cubes;
+  static constexpr bool adds_stress = false;
+  static constexpr unsigned int n   = n_stored(cells);
 
   Stored(const SweepArguments<Number> &a, const std::size_t row)
     : first(a.stiffness + row * n * a.stride)
@@ -35,10 +36,18 @@ struct Stored
     , next(next_nodes(a, row))
   {
   }
-  inline __attribute__((always_inline)) Stiffness<Number, n> at(const std::size_t i) const
+  inline __attribute__((always_inline)) Stiffness<Number, n_in_table(cells)>
+  at(const std::size_t i) const
   {
-    return Stiffness<Number, n>::of([&](const unsigned int m) __attribute__((
-      always_inline)) { return load(first + m * stride + i); });
+    if constexpr (cubes)
+      {
+        const Vector lambda = load(first + i), mu = load(first + stride + i);
+        return {lambda, mu, Number(1. / 3.) * lambda,
+                Number(1. / 9.) * (lambda + 4 * mu)};
+      }
+    else
+      return Stiffness<Number, n>::of([&](const unsigned int m) __attribute__((
+        always_inline)) { return load(first + m * stride + i); });
   }
   Vector inside(const std::size_t) const
   {
@@ -55,13 +64,39 @@ struct Stored
   const Number *next;
 };
 
-/** The same from a table by the phase of the cell; strain and stress are added. */
-template <typename Number, unsigned int n>
+/** So many numbers of a table are in registers. */
+constexpr unsigned int few_phases = MESOSLIP_VECTOR_BYTES / sizeof(float);
+
+/** table[index] of few_phases numbers. */
+template <typename Number, typename Index>
+MESOSLIP_INLINE typename Simd<Number>::Vector look_up(const Number *table,
+                                                      const Index index)
+{
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Number) == sizeof(float))
+    return lookup(load(table), index);
+  else
+    return lookup(load(table), load(table + Simd<Number>::length), index);
+#elif defined(__AVX2__)
+  if constexpr (sizeof(Number) == sizeof(float))
+    return (vfloat)_mm256_permutevar8x32_ps((__m256)load(table), (__m256i)index);
+  else
+    return gather(table, index);
+#else
+  return gather(table, index);
+#endif
+}
+
+/** The same from a table by the phase of the cell; in double precision strain and stress are
+ *  added. */
+template <typename Number, Cells cells, bool few>
 struct OfPhases
 {
-  using Vector                                 = typename Simd<Number>::Vector;
-  static constexpr unsigned int n_coefficients = n;
-  static constexpr bool adds_stress            = true;
+  using Vector                      = typename Simd<Number>::Vector;
+  using Index                       = typename Simd<Number>::Index;
+  static constexpr bool cubes       = cells == Cells::cubes;
+  static constexpr bool adds_stress = sizeof(Number) == sizeof(double);
+  static constexpr unsigned int n   = n_in_table(cells);
 
   OfPhases(const SweepArguments<Number> &a, const std::size_t row)
     : first(a.phase + row * a.stride)
@@ -70,15 +105,23 @@ struct OfPhases
     , next(next_nodes(a, row))
   {
   }
+  inline __attribute__((always_inline)) Vector of(const unsigned int m,
+                                                  const Index index) const
+  {
+    if constexpr (few)
+      return look_up(table + std::size_t(m) * 256, index);
+    else
+      return gather(table + std::size_t(m) * 256, index);
+  }
   inline __attribute__((always_inline)) Stiffness<Number, n> at(const std::size_t i) const
   {
-    const auto index = load_bytes(first + i, typename Simd<Number>::Index{});
-    return Stiffness<Number, n>::of([&](const unsigned int m) __attribute__((
-      always_inline)) { return gather(table + m * 256, index); });
+    const Index index = load_bytes(first + i, Index{});
+    return Stiffness<Number, n>::of([&](
+      const unsigned int m) __attribute__((always_inline)) { return of(m, index); });
   }
   inline __attribute__((always_inline)) Vector inside(const std::size_t i) const
   {
-    return gather(table + n * 256, load_bytes(first + i, typename Simd<Number>::Index{}));
+    return of(n, load_bytes(first + i, Index{}));
   }
 
   inline __attribute__((always_inline)) void prefetch(const std::size_t i) const
@@ -106,8 +149,7 @@ finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *__res
 {
   using Vector            = typename Simd<Number>::Vector;
   const std::size_t first = 3 * row * a.stride, n = 3 * a.stride;
-  const float *__restrict b = at_row(a.b, first), *__restrict inverse =
-                                                    at_row(a.inverse, first);
+  const float *__restrict b = at_row(a.b, first);
   float *__restrict d = at_row(a.d, first), *__restrict out = at_row(a.out, first);
   double *__restrict exact = at_row(a.exact, first);
   Number *__restrict x     = a.x + first;
@@ -119,7 +161,7 @@ finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *__res
       for (std::size_t i = a.n[0] + 1; i < a.stride; ++i)
         f[c * a.stride + i] = 0;
     }
-  for (std::size_t i = 0; i < n; i += Simd<Number>::length)
+  for (std::size_t i = 0; kind != Sweep::chebyshev && i < n; i += Simd<Number>::length)
     if constexpr (kind == Sweep::product)
       {
         sum += load(f + i) * load(x + i);
@@ -130,17 +172,7 @@ finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *__res
         __builtin_prefetch(b + i + n);
         store(out + i, load(b + i) - load(f + i));
       }
-    else if constexpr (kind == Sweep::chebyshev)
-      {
-        __builtin_prefetch(b + i + n);
-        __builtin_prefetch(inverse + i + n);
-        __builtin_prefetch(d + i + n);
-        const Vector change =
-          keep * load(d + i) + step * load(inverse + i) * (load(b + i) - load(f + i));
-        store(d + i, change);
-        store(x + i, load(x + i) + change);
-      }
-    else
+    else if constexpr (kind == Sweep::outer)
       {
         sum += load(f + i) * load(f + i);
         for (unsigned int l = 0; l < Simd<Number>::length; ++l)
@@ -148,6 +180,25 @@ finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *__res
         if (exact)
           store(exact + i, -load(f + i));
       }
+  if constexpr (kind == Sweep::chebyshev)
+    {
+      const std::size_t all = a.n_diagonals * a.stride;
+      const float *inverse  = a.inverse + row * all;
+      for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t i = c * a.stride, j = a.n_diagonals == 3 ? i : 0;
+             i < (c + 1) * a.stride; i += Simd<Number>::length, j += Simd<Number>::length)
+          {
+            __builtin_prefetch(b + i + n);
+            __builtin_prefetch(inverse + j + all);
+            __builtin_prefetch(d + i + n);
+            const Vector last = a.x_is_d ? load(x + i) : load(d + i);
+            const Vector change =
+              keep * last + step * load(inverse + j) * (load(b + i) - load(f + i));
+            if (!a.is_last)
+              store(d + i, change);
+            store(x + i, load(x + i) + change);
+          }
+    }
   for (int c = 0; kind == Sweep::chebyshev && a.periodic && c < 3; ++c)
     {
       x[c * a.stride]              = x[c * a.stride + a.n[0]];
@@ -164,18 +215,18 @@ template <typename Number, typename Material, Sweep kind>
 double sweep(const SweepArguments<Number> &a)
 {
   const std::size_t s = a.stride, line = 3 * s, plane = (a.n[1] + 2) * line;
-  Layer<Number> layer = {};
-  layer.combined      = a.work;
-  layer.forces        = a.work + 12 * s;
-  layer.complete      = a.work + 24 * s;
-  layer.plane         = a.work + n_work_rows * s;
-  layer.stride        = s;
-  layer.n_vectors     = a.n[0] / Simd<Number>::length + 1;
-  layer.x             = a.ratio[0];
-  layer.z             = a.ratio[1];
-  layer.weight[0]     = 1 / (3 * layer.x * layer.x);
-  layer.weight[1]     = Number(1) / 3;
-  layer.weight[2]     = 1 / (3 * layer.z * layer.z);
+  Layer<Number, Material::cubes> layer = {};
+  layer.combined                       = a.work;
+  layer.forces                         = a.work + 12 * s;
+  layer.complete                       = a.work + 24 * s;
+  layer.plane                          = a.work + n_work_rows * s;
+  layer.stride                         = s;
+  layer.n_vectors                      = a.n[0] / Simd<Number>::length + 1;
+  layer.x                              = a.ratio[0];
+  layer.z                              = a.ratio[1];
+  layer.weight[0]                      = 1 / (3 * layer.x * layer.x);
+  layer.weight[1]                      = Number(1) / 3;
+  layer.weight[2]                      = 1 / (3 * layer.z * layer.z);
   for (int m = 0; m < 6; ++m)
     {
       layer.strain[m] = a.strain[m];

@@ -18,19 +18,22 @@ combine(const std::size_t n, const float a, const float *x, const float b, float
     store(y + i, a * load(x + i) + b * load(y + i));
 }
 
-static void first_step(const std::size_t n,
+static void first_step(const std::size_t n_rows,
+                       const std::size_t stride,
+                       const unsigned int n_diagonals,
                        const float a,
                        const float *inverse,
                        const float *b,
-                       float *x,
-                       float *d)
+                       float *x)
 {
-  for (std::size_t i = 0; i < n; i += Simd<float>::length)
-    {
-      const vfloat change = a * load(inverse + i) * load(b + i);
-      store(x + i, change);
-      store(d + i, change);
-    }
+  for (std::size_t row = 0; row < n_rows; ++row)
+    for (std::size_t c = 0; c < 3; ++c)
+      {
+        const std::size_t first = (3 * row + c) * stride;
+        const float *diagonal   = inverse + (n_diagonals == 3 ? first : row * stride);
+        for (std::size_t i = 0; i < stride; i += Simd<float>::length)
+          store(x + first + i, a * load(diagonal + i) * load(b + first + i));
+      }
 }
 
 /** Single precision within so many numbers, double beyond. */
@@ -58,26 +61,6 @@ static double dot(const std::size_t n, const float *x, const float *y)
          __attribute__((always_inline)) { return load(x + i) * load(y + i); });
 }
 
-static void two_dots(
-  const std::size_t n, const float *x, const float *y, const float *z, double results[2])
-{
-  results[1] = 0.;
-  double sum = 0.;
-  for (std::size_t begin = 0; begin < n; begin += piece)
-    {
-      const std::size_t end = begin + piece < n ? begin + piece : n;
-      vfloat first = {}, second = {};
-      for (std::size_t i = begin; i < end; i += Simd<float>::length)
-        {
-          first += load(x + i) * load(z + i);
-          second += load(y + i) * load(z + i);
-        }
-      sum += sum_of<float>(first);
-      results[1] += sum_of<float>(second);
-    }
-  results[0] = sum;
-}
-
 /** One vector in double precision, from single precision. */
 MESOSLIP_INLINE vdouble widened(const float *p)
 {
@@ -91,14 +74,6 @@ static double mixed_dot(const std::size_t n, const float *x, const double *y)
   vdouble sum = {};
   for (std::size_t i = 0; i < n; i += Simd<double>::length)
     sum += widened(x + i) * load(y + i);
-  return sum_of<double>(sum);
-}
-
-static double double_dot(const std::size_t n, const double *x, const double *y)
-{
-  vdouble sum = {};
-  for (std::size_t i = 0; i < n; i += Simd<double>::length)
-    sum += load(x + i) * load(y + i);
   return sum_of<double>(sum);
 }
 

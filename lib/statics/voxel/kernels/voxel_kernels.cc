@@ -19,24 +19,35 @@ namespace mesoslip::voxel::MESOSLIP_VARIANT
 //
 #include "statics/voxel/kernels/vectors_impl.h"
 
+#define MESOSLIP_KINDS(Material, Number, kind, ...)                             \
+  {                                                                             \
+    sweep<Number, Material<Number, Cells::isotropic __VA_ARGS__>, Sweep::kind>, \
+      sweep<Number, Material<Number, Cells::cubes __VA_ARGS__>, Sweep::kind>,   \
+      sweep<Number, Material<Number, Cells::general __VA_ARGS__>, Sweep::kind>  \
+  }
+#define MESOSLIP_SOURCES(kind)                       \
+  {                                                  \
+    MESOSLIP_KINDS(Stored, float, kind, ),           \
+      MESOSLIP_KINDS(OfPhases, float, kind, , true), \
+      MESOSLIP_KINDS(OfPhases, float, kind, , false) \
+  }
+
 const Kernels &kernels()
 {
-  static const Kernels table = {
-    {sweep<float, Stored<float, n_isotropic>, Sweep::product>,
-     sweep<float, Stored<float, n_general>, Sweep::product>},
-    {sweep<float, Stored<float, n_isotropic>, Sweep::residual>,
-     sweep<float, Stored<float, n_general>, Sweep::residual>},
-    {sweep<float, Stored<float, n_isotropic>, Sweep::chebyshev>,
-     sweep<float, Stored<float, n_general>, Sweep::chebyshev>},
-    {sweep<double, OfPhases<double, n_isotropic>, Sweep::outer>,
-     sweep<double, OfPhases<double, n_general>, Sweep::outer>},
-    combine,
-    first_step,
-    dot,
-    two_dots,
-    mixed_dot,
-    double_dot,
-    step};
+  static const Kernels table = {MESOSLIP_SOURCES(product),
+                                MESOSLIP_SOURCES(residual),
+                                MESOSLIP_SOURCES(chebyshev),
+                                {{nullptr, nullptr, nullptr},
+                                 MESOSLIP_KINDS(OfPhases, double, outer, , true),
+                                 MESOSLIP_KINDS(OfPhases, double, outer, , false)},
+                                few_phases,
+                                first_step,
+                                combine,
+                                dot,
+                                mixed_dot,
+                                step};
   return table;
 }
+#undef MESOSLIP_SOURCES
+#undef MESOSLIP_KINDS
 } // namespace mesoslip::voxel::MESOSLIP_VARIANT

@@ -1,0 +1,186 @@
+#include "statics/voxel/solver.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace mesoslip::voxel
+{
+namespace
+{
+/** Mean strains of a row of cells, [Voigt component]. */
+using RowOfStrains = std::array<std::vector<double>, 6>;
+
+/** Adds the mean strains of a row of cells from component @p c along four rows of nodes,
+ *  numbered by y and 2 z; @p unit is 1 / (4 h). */
+void add_strains(const double *const at[4],
+                 const double unit[3],
+                 const double factor,
+                 const unsigned int c,
+                 std::array<std::vector<double>, 6> &strain)
+{
+  double *out[3];
+  for (unsigned int d = 0; d < 3; ++d)
+    out[d] = strain[voigt_index<3>(c, d)].data();
+  const double x = factor * unit[0], y = factor * unit[1], z = factor * unit[2];
+  const std::size_t n = strain[0].size();
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const double n0 = at[0][i] + at[0][i + 1], n1 = at[1][i] + at[1][i + 1],
+                   n2 = at[2][i] + at[2][i + 1], n3 = at[3][i] + at[3][i + 1];
+      out[0][i] += x * (at[0][i + 1] - at[0][i] + at[1][i + 1] - at[1][i] + at[2][i + 1] -
+                        at[2][i] + at[3][i + 1] - at[3][i]);
+      out[1][i] += y * (n1 - n0 + n3 - n2);
+      out[2][i] += z * (n2 - n0 + n3 - n1);
+    }
+}
+
+/** Adds those of the row @p line of plane @p plane of cells (numbers in a field), with
+ *  row(corner, component, j, k) from the first ghost on for the four rows of nodes. */
+template <typename Row>
+void add_strains(const VoxelGrid &grid,
+                 const unsigned int line,
+                 const unsigned int plane,
+                 const Row &row,
+                 const double factor,
+                 RowOfStrains &strain)
+{
+  const double unit[3] = {0.25 / grid.spacing[0], 0.25 / grid.spacing[1],
+                          0.25 / grid.spacing[2]};
+  for (unsigned int c = 0; c < 3; ++c)
+    {
+      const double *at[4];
+      for (unsigned int corner = 0; corner < 4; ++corner)
+        at[corner] =
+          row(corner, c, line + (corner & 1U), plane + (corner >> 1)) + grid.first();
+      add_strains(at, unit, factor, c, strain);
+    }
+}
+} // namespace
+
+const std::uint8_t *Solver::phases_of_row(const unsigned int line,
+                                          const unsigned int plane) const
+{
+  return &phases[((std::size_t{voxels.n_nodes(1)} + 1) * plane + line) * voxels.stride() +
+                 voxels.first()];
+}
+
+/** What is wanted later of the displacements u of load case @p k and their residual. */
+void Solver::keep(const unsigned int k)
+{
+  sum_strains(k);
+  // In the place of what the next solve makes anew.
+  p       = VoxelField<float>();
+  z       = VoxelField<float>();
+  kept[k] = PackedField();
+  kept[k] = PackedField(u);
+  for (unsigned int l = 0; l <= k; ++l)
+    if (!kept[l].empty())
+      corrections(l, k) = dot_with_kept(l);
+}
+
+/** r.u of load case @p k, over the ranks. */
+double Solver::dot_with_kept(const unsigned int k)
+{
+  LineVector<double> row(voxels.stride());
+  double sum = 0.;
+  for (unsigned int z = 1; z <= voxels.n_nodes(2); ++z)
+    for (unsigned int y = 1; y <= voxels.n_nodes(1); ++y)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          // The ghosts of the residual are zero.
+          kept[k].read_row(c, y, z, row.data());
+          sum += kernels().mixed_dot(row.size(), r.row(c, y, z), row.data());
+        }
+  return sum_over_ranks(voxels, sum);
+}
+
+/** The column of @p k of the strains of each phase, from the displacements u. */
+void Solver::sum_strains(const unsigned int k)
+{
+  std::vector<double> sums(6 * strains.size());
+  RowOfStrains strain;
+  for (unsigned int plane = 0; plane < voxels.n_cell_planes(); ++plane)
+    for (unsigned int j = 0; j < voxels.cells[1]; ++j)
+      {
+        const unsigned int line = j + voxels.first(),
+                           at   = plane + voxels.first_cell_plane();
+        for (std::vector<double> &component : strain)
+          component.assign(voxels.cells[0], 0.);
+        add_strains(
+          voxels, line, at,
+          [this](unsigned int, unsigned int c, unsigned int y, unsigned int z) {
+            return u.row(c, y, z);
+          },
+          1., strain);
+        const std::uint8_t *phase = phases_of_row(line, at);
+        for (unsigned int m = 0; m < 6; ++m)
+          for (unsigned int i = 0; i < voxels.cells[0]; ++i)
+            sums[6 * std::size_t{phase[i]} + m] += strain[m][i];
+      }
+  sum_over_ranks(voxels, sums.data(), static_cast<unsigned int>(sums.size()));
+  for (std::size_t p = 0; p < strains.size(); ++p)
+    strains[p].col(k) = Eigen::Map<const VoigtVector<3>>(&sums[6 * p]);
+}
+
+std::vector<Solver::PhaseStrains> Solver::phase_strains() const
+{
+  std::vector<PhaseStrains> result;
+  for (std::size_t p = 0; p < strains.size(); ++p)
+    {
+      result.push_back({n_cells[p], strains[p]});
+      if (voxels.sides == Sides::free)
+        result[p].sum /= modulus;
+      else
+        result[p].sum += n_cells[p] * VoigtMatrix<3>::Identity();
+    }
+  return result;
+}
+
+VoigtMatrix<3> Solver::effective_stiffness() const
+{
+  AssertThrow(n_solved == 6, dealii::ExcMessage("All load cases have to be solved."));
+  if (!multigrid)
+    return mean_stiffness * modulus;
+  // Loads are stresses that are constant in each cell: their work is that of mean strains.
+  const double cells          = 1. * voxels.cells[0] * voxels.cells[1] * voxels.cells[2];
+  const double volume         = voxels.spacing[0] * voxels.spacing[1] * voxels.spacing[2];
+  VoigtMatrix<3> work_of_load = VoigtMatrix<3>::Zero();
+  for (std::size_t p = 0; p < strains.size(); ++p)
+    if (voxels.sides == Sides::free)
+      work_of_load += strains[p] / cells;
+    else
+      work_of_load -= stiffness[p] / modulus * strains[p] / cells;
+  for (unsigned int k = 0; k < 6; ++k)
+    for (unsigned int l = k; l < 6; ++l)
+      work_of_load(k, l) = work_of_load(l, k) =
+        work_of_load(k, l) + corrections(k, l) / (volume * cells);
+  if (voxels.sides == Sides::free)
+    return work_of_load.inverse() * modulus;
+  return (mean_stiffness - work_of_load) * modulus;
+}
+
+void Solver::evaluate(const unsigned int j, const unsigned int k, RowOfCells &row) const
+{
+  const unsigned int plane = k + voxels.first_cell_plane(), line = j + voxels.first();
+  row.phase       = phases_of_row(line, plane);
+  const bool free = voxels.sides == Sides::free;
+  std::array<std::vector<double>, 4> nodes;
+  for (unsigned int load = 0; load < 6; ++load)
+    {
+      for (unsigned int m = 0; m < 6; ++m)
+        row.strain[load][m].assign(voxels.cells[0], !free && m == load ? 1. : 0.);
+      if (kept[load].empty())
+        continue;
+      for (std::vector<double> &corner : nodes)
+        corner.resize(kept[load].n_in_row());
+      add_strains(
+        voxels, line, plane,
+        [&](unsigned int corner, unsigned int c, unsigned int y, unsigned int z) {
+          kept[load].read_row(c, y, z, nodes[corner].data());
+          return nodes[corner].data();
+        },
+        free ? 1. / modulus : 1., row.strain[load]);
+    }
+}
+} // namespace mesoslip::voxel
