@@ -33,7 +33,7 @@ _mesoslip() {
       compopt -o nospace +o filenames 2>/dev/null
       return
       ;;
-    --output | -o) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
+    --output | -o | --draft) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
   esac
   case $current in
     -*)
