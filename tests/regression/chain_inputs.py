@@ -34,6 +34,8 @@ if not asked:
     signal.signal(signal.SIGINT, interrupted)
     signal.signal(signal.SIGTERM, interrupted)
 say("ask" if asked else "run")
+if "crash" in text:
+    os.abort()
 if "typo" in text:
     print("program: there is no key in " + prm, file=sys.stderr, flush=True)
     os._exit(2)
@@ -181,6 +183,8 @@ def checked_before(chain):
     done = chain.run("--validate")
     assert done.returncode == 2 and done.stdout.count("there is no key") == 2, done.stdout
     assert not os.path.exists(chain.target), "a check leaves nothing"
+    chain.write("in/20-contact_dynamics.prm", "set Title = crash\n")
+    chain.refused("20-contact_dynamics: the check was ended by signal 6")
     for text, words in (("20-contact_dynamics/dynamic.h5", "reads 20-contact_dynamics/dynamic.h5, but 20-contact_dynamics makes dynamics.h5"),
                         ("20-contact_dynamics/dynamics.h5\nset Other = gone/rve.h5", "there is no file gone/rve.h5, and no step before"),
                         ("40-contact_dynamics/dynamics.h5", "runs later")):

@@ -164,7 +164,7 @@ def same(one, other, tolerance):
 
 
 def check_boxes():
-    """Measures of skewed quadrilaterals and hexahedra: a parallelepiped, and a trapezium by hand."""
+    """Measures of skewed quadrilaterals and hexahedra: by hand of a trapezium and the frustum of a pyramid, and a parallelepiped."""
     class Body:
         points = np.array([[0, 0], [4, 0], [3, 2], [1, 2]], dtype=float)
         cells, numbers = {"quadrilateral": np.array([[0, 1, 2, 3]])}, {"quadrilateral": np.array([0])}
@@ -173,6 +173,9 @@ def check_boxes():
     Body.points = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]) @ axes
     Body.cells, Body.numbers = {"hexahedron": np.arange(8)[None]}, {"hexahedron": np.array([0])}
     same(derived.measures_of(Body)[0], np.linalg.det(axes), 1e-13)
+    base = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    Body.points = np.array([(*(c * (1 - z / 2)), 3 * z) for z in (0, 1) for c in base])
+    same(derived.measures_of(Body)[0], 3 / 3 * (4 + 1 + 2), 1e-13)
 
 
 def check_labels(loads):

@@ -8,9 +8,11 @@ been computed. A step that reads what no draft can tell has its keys and values 
 import os
 import re
 import shutil
+import signal
 import subprocess
 
 from chain.inputs import ChainError, output_named, settings, values
+from chain.runner import STOPPING
 from chain.speed import measure
 from chain.step import Step
 
@@ -134,10 +136,13 @@ class Plan:
         return Estimate(said, LIBRARIES if step.program.endswith("contact_dynamics") else 0.0), lines
 
     def _ask(self, step, *words):
-        """What the program says. Raises ChainError with its sentence, KeyboardInterrupt when that ended the question."""
+        """What the program says. Raises ChainError with its sentence or the signal that ended it, KeyboardInterrupt when that was one to
+        stop."""
         done = subprocess.run([step.program, step.prm, *words], env=self.environment, capture_output=True, text=True, check=False)
-        if done.returncode < 0:
+        if -done.returncode in STOPPING:
             raise KeyboardInterrupt
+        if done.returncode < 0:
+            raise ChainError(f"{step.name}: the check was ended by signal {-done.returncode} ({signal.strsignal(-done.returncode)})")
         if done.returncode:
             said = done.stderr.strip().splitlines() or [f"{step.program}: exit status {done.returncode}"]
             sentence = said[-1].partition(": ")[2].replace(self.folder + os.sep, "")
