@@ -1,11 +1,13 @@
-# Shared by run.sh and test.sh: installs what is missing, configures, builds.
+# Shared by run.sh, test.sh and cmake/install.sh: installs what is missing, configures, builds.
 # Sourced with the repository as current folder.
 
-# Debian packages; the programs need all but the last line, the tests also that.
-mesoslip_packages=(
+# Debian packages of the programs and their scripts, and those that only the tests need.
+program_packages=(
   build-essential cmake ninja-build libdeal.ii-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev libpng-dev libtiff-dev libxxhash-dev libgmsh-dev
-  python3 python3-numpy python3-scipy python3-h5py python3-matplotlib
+  python3 python3-numpy python3-scipy python3-h5py python3-matplotlib)
+test_packages=(
   libgtest-dev python3-pil python3-pip doxygen cppcheck g++-aarch64-linux-gnu qemu-user)
+mesoslip_packages=("${program_packages[@]}" "${test_packages[@]}")
 
 # Debian's python has numpy, h5py and matplotlib; another one in PATH may not.
 python=/usr/bin/python3

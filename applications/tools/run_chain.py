@@ -31,7 +31,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 def write_report(steps, target, words="Report"):
     script = os.path.join(HERE, "report", "make_report.py")
     page = os.path.join(target, "report.html")
-    folders = [s.output for s in steps if os.path.exists(os.path.join(s.output, "summary.json"))]
+    folders = [s.output for s in steps if s.up_to_date()]
     if not folders or not os.path.exists(script):
         return 0
     status = subprocess.call([sys.executable, script, "--output", page, *folders])
@@ -112,7 +112,10 @@ def run():
     report = None if arguments.no_report else functools.partial(write_report, steps, target)
     preview = report and functools.partial(report, "Report so far")
     status = Runner(steps, arguments.jobs, arguments.ranks, arguments.resume, preview).run()
-    return status or (report() if report else 0)
+    if report and status != INTERRUPTED:  # of a chain that failed: what it has done until then
+        said = preview() if status else report()
+        return status or said
+    return status
 
 
 def main():
