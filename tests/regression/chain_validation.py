@@ -99,6 +99,11 @@ def check_told(folder):
     assert again.count("up to date") == 3 and re.search(r"40-stress_localization: valid; \d+ MB of memory, about \d+ s", again), again
     assert run_chain(source, folder("out"), "--no-report").returncode == 0
     assert run_chain(source, folder("out"), "--validate").stdout.count("up to date") == 4
+    os.remove(folder("out", RUNS[0], "rve.h5"))  # it is made again; those after it are as good as before
+    again = run_chain(source, folder("out"), "--validate").stdout
+    assert again.count("up to date") == 3 and again.startswith(RUNS[0] + ": valid; "), again
+    again = run_chain(source, folder("out"), "--no-report").stdout
+    assert again.count("up to date") == 3 and RUNS[0] + ": done" in again, again
 
 
 def main():

@@ -81,10 +81,7 @@ class Plan:
         for step in self.steps:
             self._check_order(step)
         self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-        self.to_run = []
-        for step in self.steps:
-            if any(need in self.to_run for need in step.needs) or not step.up_to_date():
-                self.to_run.append(step)
+        self.to_run = [step for step in self.steps if not step.up_to_date()]
         self.drafted = set()
 
     def _check_order(self, step):
