@@ -1,11 +1,13 @@
-# Shared by run.sh and test.sh: installs what is missing, configures, builds.
+# Shared by run.sh, test.sh and cmake/install.sh: installs what is missing, configures, builds.
 # Sourced with the repository as current folder.
 
-# Debian packages; the programs need all but the last line, the tests also that.
-mesoslip_packages=(
+# Debian packages of the programs and their scripts, and those that only the tests need.
+program_packages=(
   build-essential cmake ninja-build libdeal.ii-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev libpng-dev libtiff-dev libxxhash-dev libgmsh-dev
-  python3 python3-numpy python3-scipy python3-h5py python3-matplotlib
+  python3 python3-numpy python3-scipy python3-h5py python3-matplotlib)
+test_packages=(
   libgtest-dev python3-pil python3-pip doxygen cppcheck g++-aarch64-linux-gnu qemu-user)
+mesoslip_packages=("${program_packages[@]}" "${test_packages[@]}")
 
 # Debian's python has numpy, h5py and matplotlib; another one in PATH may not.
 python=/usr/bin/python3
@@ -47,20 +49,48 @@ install_packages() {
   rm -f "${TMPDIR:-/tmp}/mesoslip-apt.$$.log"
 }
 
+# configured_for <folder>: the sources that a build folder is of; those of another place are built in vain.
+configured_for() { [ ! -f "$1/CMakeCache.txt" ] || sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$1/CMakeCache.txt"; }
+
+# require_own_build <folder>: says what to remove when the folder was moved or copied here with its sources.
+require_own_build() {
+  local sources
+  sources=$(configured_for "$1")
+  [ -z "$sources" ] || [ "$sources" -ef . ] ||
+    fail "$PWD/$1 was made for the sources in $sources, as this folder was moved or copied: remove it (rm -rf '$PWD/$1') and start again"
+}
+
 # configure <folder>: once, with cmake_options; prints only what goes wrong. Files of a topic are compiled together, as
 # deal.II's headers take longer than ours: a first build takes half the time.
 configure() {
   local folder=$1 log="$1/configure.log"
+  require_own_build "$folder"
   [ ! -f "$folder/build.ninja" ] || return 0
   mkdir -p "$folder"
   say "Configuring in $folder"
   cmake -S . -B "$folder" -G Ninja -DCMAKE_UNITY_BUILD=ON "${cmake_options[@]}" >"$log" 2>&1 || { tail -n 30 "$log" >&2; fail "cmake failed, see $log"; }
 }
 
-# build <folder> <target>... : configures once, then builds; prints only what goes wrong.
+# is_built <folder> <target>... : whether programs of these names are there, up to date or not.
+is_built() {
+  local target
+  for target in "${@:2}"; do
+    [ -n "$(find "$1" -name "$target" -type f -perm -u+x -print -quit 2>/dev/null)" ] || return 1
+  done
+}
+
+# build <folder> <target>... : configures once, then builds; prints only what goes wrong. In a checkout that may not be written the
+# programs that are there are used.
 build() {
   local folder=$1 log="$1/build.log"
   shift
+  require_own_build "$folder"
+  if [ -d "$folder" ] && [ ! -w "$folder" ]; then
+    is_built "$folder" "$@" || fail "$PWD/$folder cannot be written to, and it does not hold what has to be built: $*"
+    say "$PWD/$folder cannot be written to: the programs in it are used as they are"
+    return 0
+  fi
+  [ -w . ] || [ -d "$folder" ] || fail "$PWD cannot be written to, and nothing is built in it: make a copy that is yours"
   configure "$folder"
   say "Building (the first time takes some minutes)"
   if [ -t 1 ]; then

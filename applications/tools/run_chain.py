@@ -2,11 +2,11 @@
 """Run a chain of .prm files, each program reading what those before it left.
 
 A folder holds files such as 10-rve_homogenization.prm and 20-contact_dynamics-homogeneous.prm: the name contains
-the program, the order is that of the names. All files beside them, and those in folders below that they name, are
-copied to the results folder; the output of NAME.prm goes to NAME/ beside it, so that a later file reads
-NAME/rve.h5. What is up to date (.prm, the files it names, program, and the runs before it) is skipped; runs that do
-not need one another go side by side. At the end stands report.html, and one of what is there already as soon as a
-core is idle.
+the program, the order is that of the names. They and the files that they name, beside them or below, are copied to
+the results folder; the output of NAME.prm goes to NAME/ beside it, so that a later file reads NAME/rve.h5. The
+whole chain is checked before anything runs. What is up to date (.prm, the files it names, program, and the runs
+before it) is skipped; runs that do not need one another go side by side. At the end stands report.html, and one of
+what is there already as soon as a core is idle.
 """
 
 import argparse
@@ -16,10 +16,12 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 
 sys.dont_write_bytecode = True  # leave no __pycache__ in a source tree
 
-from chain.inputs import ChainError, copy_inputs  # noqa: E402
+from chain.inputs import ChainError, check_target, copy_inputs, list_inputs  # noqa: E402
+from chain.plan import Plan  # noqa: E402
 from chain.runner import INTERRUPTED, Runner  # noqa: E402
 from chain.step import PROGRAMS, Step  # noqa: E402
 
@@ -29,7 +31,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 def write_report(steps, target, words="Report"):
     script = os.path.join(HERE, "report", "make_report.py")
     page = os.path.join(target, "report.html")
-    folders = [s.output for s in steps if os.path.exists(os.path.join(s.output, "summary.json"))]
+    folders = [s.output for s in steps if s.up_to_date()]
     if not folders or not os.path.exists(script):
         return 0
     status = subprocess.call([sys.executable, script, "--output", page, *folders])
@@ -43,7 +45,10 @@ def parse_arguments():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", nargs="?", help="folder with .prm files, or the name of one in prm/; "
                         "without it the paper's pin, prm/pin")
-    parser.add_argument("--output", metavar="DIR", help="results folder (default: results, or results/<folder>)")
+    parser.add_argument("--output", metavar="DIR", help="results folder (default: results, or results/<folder>, beside run.sh; of an "
+                        "installed script in the current folder)")
+    parser.add_argument("--validate", action="store_true", help="check the whole chain and say what it takes: memory, disk, and the time, "
+                        "for which each run is begun for some seconds; nothing is left")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs side by side (default: all cores)")
     parser.add_argument("--ranks", type=int, help="MPI ranks of each run (default: one, but all cores for a long contact run "
                         "that comes last)")
@@ -70,12 +75,14 @@ def find_programs():
 
 def find_folder(arguments):
     top = os.path.dirname(os.path.dirname(HERE))
+    checkout = os.path.isfile(os.path.join(top, "run.sh"))
+    results = os.path.join(top if checkout else arguments.origin, "results")
     if arguments.folder is None:
-        return os.path.join(top, "prm", "pin"), os.path.join(top, "results")
+        return os.path.join(top, "prm", "pin"), results
     for start in (arguments.origin, top, os.path.join(top, "prm")):
         folder = os.path.normpath(os.path.join(start, arguments.folder))
         if os.path.isdir(folder):
-            return folder, os.path.join(top, "results", os.path.basename(folder))
+            return folder, os.path.join(results, os.path.basename(folder))
     raise ChainError(f"there is no folder '{arguments.folder}', neither here nor in prm/")
 
 
@@ -91,16 +98,24 @@ def run():
     source, target = find_folder(arguments)
     if arguments.output:
         target = os.path.normpath(os.path.join(arguments.origin, arguments.output))
-    names = copy_inputs(source, target)
-    if not names:
-        raise ChainError(f"no .prm file in {source}")
+    names, files = list_inputs(source)
+    check_target(source, target, files)
+    with tempfile.TemporaryDirectory(prefix="mesoslip-") as folder:
+        plan = Plan(source, target, names, files, arguments.programs, folder)
+        if arguments.validate:
+            return 2 if plan.tell(arguments.jobs) else 0
+        plan.check_all(arguments.resume)
+    copy_inputs(source, target, files)
     steps = []
     for name in names:
         steps.append(Step(name, target, arguments.programs, steps))
     report = None if arguments.no_report else functools.partial(write_report, steps, target)
     preview = report and functools.partial(report, "Report so far")
     status = Runner(steps, arguments.jobs, arguments.ranks, arguments.resume, preview).run()
-    return status or (report() if report else 0)
+    if report and status != INTERRUPTED:  # of a chain that failed: what it has done until then
+        said = preview() if status else report()
+        return status or said
+    return status
 
 
 def main():

@@ -200,6 +200,16 @@ std::vector<std::uint8_t> RveFile<dim>::phase_id() const
 }
 
 template <int dim>
+std::string RveFile<dim>::change_note() const
+{
+  if (digest == rve_draft)
+    return path() +
+           " is a draft for --validate: its stiffness is Hill's mean of the phases "
+           "(the mean of Voigt's and Reuss' bounds), it was not computed";
+  return file.change_note(rve_program);
+}
+
+template <int dim>
 double RveFile<dim>::mean_density() const
 {
   if (is_mesh())

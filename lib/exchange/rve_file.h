@@ -17,6 +17,9 @@ namespace mesoslip
 inline constexpr char rve_format[]      = "mesoslip-rve";
 inline constexpr int newest_rve_version = 1; ///< as written now
 
+/** Digest of a draft (--draft), in which a guess stands for the stiffness. */
+inline constexpr char rve_draft[] = "draft";
+
 /** What rve_homogenization leaves in rve.h5. */
 template <int dim>
 struct RveContent
@@ -95,11 +98,9 @@ public:
     return file.path();
   }
 
-  /** A sentence if rve_homogenization did not write it as it is; else empty. */
-  std::string change_note() const
-  {
-    return file.change_note("rve_homogenization");
-  }
+  /** A sentence if rve_homogenization did not write it as it is, or wrote it as a draft; else
+   * empty. */
+  std::string change_note() const;
 
   /** Whether the volume is a mesh. */
   bool is_mesh() const

@@ -180,6 +180,16 @@ protected:
     return static_cast<double>(parameters.microstructure.grid.n_cells());
   }
 
+  RveContent<2> morphology() const override
+  {
+    const Microstructure microstructure = make_microstructure(parameters.microstructure);
+    RveResults<2> results;
+    set_first(results, microstructure);
+    results.first.fractions =
+      area_fractions(microstructure.map, microstructure.phases.size());
+    return results.first;
+  }
+
   std::vector<std::string> slips() const override
   {
     return slips_of(parameters.microstructure);

@@ -99,13 +99,21 @@ protected:
     if (parameters.n_members > 1)
       for (const std::string &warning : morphology_warnings<dim>(results.members))
         context.warn(warning);
-    RveContent<dim> &first = results.first;
-    first.mesh             = &volumes[0].mesh;
-    first.phases           = volumes[0].phases;
-    for (const auto &cell : first.mesh->cells)
-      first.phase_id.push_back(cell.material_id);
-    results.n_nodes = sizes[0];
+    results.first.mesh     = &volumes[0].mesh;
+    results.first.phases   = volumes[0].phases;
+    results.first.phase_id = phase_id();
+    results.n_nodes        = sizes[0];
     return results;
+  }
+
+  RveContent<dim> morphology() const override
+  {
+    RveContent<dim> content;
+    content.mesh      = &volumes[0].mesh;
+    content.phases    = volumes[0].phases;
+    content.fractions = volumes[0].fractions;
+    content.phase_id  = phase_id();
+    return content;
   }
 
   std::string advice(const NotConverged::Reason reason) const override
@@ -122,6 +130,15 @@ private:
   std::uint64_t n_cases() const
   {
     return n_voigt<dim> * parameters.conditions.size();
+  }
+
+  /** Phase of each cell of the first mesh; on rank 0. */
+  std::vector<std::uint8_t> phase_id() const
+  {
+    std::vector<std::uint8_t> id;
+    for (const auto &cell : volumes[0].mesh.cells)
+      id.push_back(static_cast<std::uint8_t>(cell.material_id));
+    return id;
   }
 
   // Whatever may be wrong with a later mesh is found before the first is computed.

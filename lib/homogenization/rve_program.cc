@@ -9,6 +9,7 @@
 #include "homogenization/loads/load_output.h"
 #include "homogenization/volume_analysis.h"
 #include "io/hdf5_file.h"
+#include "material/bounds.h"
 #include "material/engineering_constants.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
@@ -74,6 +75,29 @@ ResourceNeed VolumeAnalysis<dim>::need() const
                            : 0.;
   return {n_cells() * (1. + tensors) + bytes_of_loads<dim>(parameters, n_cells()),
           "set Homogenization/Write concentration = false, or take fewer cells"};
+}
+
+/** rve.h5 without concentration tensors; the stiffness is Hill's mean, between the bounds. */
+template <int dim>
+void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
+{
+  on_root(MPI_COMM_WORLD, [&]() {
+    const std::string path = folder + "/rve.h5";
+    if (std::filesystem::exists(path))
+      throw UserError("--draft: there is a file " + path +
+                      " already; name a folder without one");
+    RveContent<dim> content = morphology();
+    content.digest          = rve_draft;
+    const VoigtMatrix<dim> hill =
+      0.5 * (voigt_bound<dim>(content.phases, content.fractions) +
+             reuss_bound<dim>(content.phases, content.fractions));
+    content.stiffness["effective"] = hill;
+    for (const BoundaryCondition condition : parameters.conditions)
+      content.stiffness[to_string(condition)] = hill;
+    std::error_code ignored; // writing tells what is wrong
+    std::filesystem::create_directories(folder, ignored);
+    write_rve_file(path, content);
+  });
 }
 
 template <int dim>

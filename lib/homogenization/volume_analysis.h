@@ -17,6 +17,7 @@ class VolumeAnalysis : public Analysis
 public:
   ResourceNeed need() const override;
   void run(RunContext &context) override;
+  void write_draft(const std::string &folder) const override;
 
 protected:
   /** @p digest identifies parameters and input files. */
@@ -28,6 +29,10 @@ protected:
 
   /** Number of cells of the first member. */
   virtual double n_cells() const = 0;
+
+  /** Grid or mesh of the first member, its phases, where they are and their fractions; on
+   * rank 0. */
+  virtual RveContent<dim> morphology() const = 0;
 
   /** Sentences on what looks like another unit. */
   virtual std::vector<std::string> slips() const = 0;

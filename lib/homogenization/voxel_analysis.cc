@@ -74,6 +74,16 @@ protected:
     return static_cast<double>(parameters.microstructure.box.n_cells());
   }
 
+  RveContent<3> morphology() const override
+  {
+    RveContent<3> content;
+    content.grid      = volume.map.grid;
+    content.phases    = volume.phases;
+    content.phase_id  = volume.map.id;
+    content.fractions = volume.fractions;
+    return content;
+  }
+
   std::vector<std::string> slips() const override
   {
     const auto phases = make_phases<3>(parameters.microstructure.phases);

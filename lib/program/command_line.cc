@@ -26,6 +26,9 @@ po::options_description visible_options(CommandLine &line)
     ("validate", po::bool_switch(&line.validate),
                  "read and check the parameters, estimate memory and steps; run and create "
                  "nothing")
+    ("draft",    po::value(&line.draft)->value_name("DIR"),
+                 "with --validate: write to the folder DIR what the --validate of later runs "
+                 "has to read, an rve.h5 with a guess of the stiffness")
     ("set",      po::value(&line.assignments)->value_name("'Section/Key=value'"),
                  "override a parameter of the file; may be repeated")
     ("output,o", po::value(&line.output)->value_name("DIR"),
@@ -61,6 +64,8 @@ CommandLine CommandLine::parse(int argc, char **argv)
       po::notify(found);
       if (found.count("output") && line.output.empty())
         throw UserError("--output needs the name of a folder");
+      if (found.count("draft") && (line.draft.empty() || !line.validate))
+        throw UserError("--draft needs the name of a folder, and --validate");
     }
   catch (const po::error &error)
     {

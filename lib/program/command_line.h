@@ -18,6 +18,7 @@ struct CommandLine
   bool profile          = false; ///< --profile: print the timings
   std::string output;            ///< folder after --output; empty: that of the .prm
   std::string prm_file;          ///< path as typed
+  std::string draft;             ///< folder after --draft; empty: no draft
   std::vector<std::string> assignments; ///< 'Section/Key=value' after each --set
 
   /** @throws UserError for unknown options, several files, or none where one is needed.

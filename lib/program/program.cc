@@ -206,6 +206,11 @@ void validate(const Analysis &analysis,
 {
   std::ostringstream report;
   analysis.describe(report);
+  if (!line.draft.empty())
+    {
+      analysis.write_draft(line.draft);
+      report << bytes_text(analysis.need().bytes) << " on the disk\n";
+    }
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0 || line.quiet)
     return;
   std::cout << line.prm_file << ": the parameters are valid; the results would go to "

@@ -37,6 +37,16 @@ public:
   }
 
   /**
+   * Writes to the folder @p folder what runs that read the results of this one have to
+   * find for their own --validate: files like the results, with a guess in the place of
+   * what is to be computed. Called on every rank. @throws UserError
+   */
+  virtual void write_draft(const std::string &folder) const
+  {
+    (void)folder;
+  }
+
+  /**
    * Whether it writes checkpoints, so that run() has to heed RunContext::resume(). Others
    * start from the beginning with --resume as well.
    */

@@ -1,6 +1,7 @@
 """What makes a chain run again, what it refuses, and how it stops, with programs that only say when they are started."""
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -14,8 +15,8 @@ from scenes import TOOLS, Folder
 PROGRAM = """#!/usr/bin/python3
 import os, signal, sys, time
 prm = next(word for word in sys.argv if word.endswith(".prm"))
-name, folder, text = os.path.basename(prm), os.path.dirname(prm), open(prm).read()
-asked, first = "--validate" in sys.argv, None
+name, folder, text = os.path.basename(prm), os.path.dirname(sys.argv[0]), open(prm).read()
+asked, first = "--validate" in sys.argv or "--print-parameters" in sys.argv, None
 
 def say(what):
     with open(os.path.join(folder, "started.txt"), "a") as file:
@@ -33,6 +34,11 @@ if not asked:
     signal.signal(signal.SIGINT, interrupted)
     signal.signal(signal.SIGTERM, interrupted)
 say("ask" if asked else "run")
+if "crash" in text:
+    os.abort()
+if "typo" in text:
+    print("program: there is no key in " + prm, file=sys.stderr, flush=True)
+    os._exit(2)
 while "slow" in text and not asked or "ask" in text and asked:
     time.sleep(0.05)
 if not asked:
@@ -67,7 +73,16 @@ class Chain(Folder):
         return [line.split(":")[0] for line in done.stdout.splitlines() if ": done in" in line]
 
     def started(self):
-        return self.read("out", "started.txt").decode().splitlines() if os.path.exists(self("out", "started.txt")) else []
+        """What the programs have said, in the order of time."""
+        return self.read("programs", "started.txt").decode().splitlines() if os.path.exists(self("programs", "started.txt")) else []
+
+    def refused(self, words, *options):
+        """One sentence with these words, exit status 2, and no run was started."""
+        before = [line for line in self.started() if line.startswith("run")]
+        done = self.run(*options)
+        assert done.returncode == 2 and len(done.stdout.splitlines()) == 1 and words in done.stdout, f"{words}: {done.returncode}, {done.stdout}"
+        assert [line for line in self.started() if line.startswith("run")] == before, "a run was started"
+        return done.stdout
 
 
 def named_files(chain):
@@ -112,7 +127,7 @@ def results_that_are_gone(chain):
 def refusals(chain):
     chain.write("in/10-rve_homogenization.prm", "set File = ../outside.png\n")
     cases = [("what lies outside", "../outside.png", {"outside.png": ""}, ())]
-    cases += [("a file as output", "a-file cannot be written", {"a-file": ""}, ("--output", os.path.join(chain.path, "a-file")))]
+    cases += [("a file as output", "a-file", {"a-file": ""}, ("--output", os.path.join(chain.path, "a-file")))]
     cases += [("no place for output", "/proc/mesoslip cannot be written", {"in/10-rve_homogenization.prm": ""}, ("--output", "/proc/mesoslip"))]
     cases += [("no programs", "--programs", {}, ("--programs", chain.path))]
     cases += [("no jobs", "--jobs", {}, ("--jobs", "0"))]
@@ -123,6 +138,72 @@ def refusals(chain):
             chain.write("in/10-rve_homogenization.prm", "")
         done = chain.run(*options)
         assert done.returncode == 2 and len(done.stdout.splitlines()) == 1 and words in done.stdout, f"{what}: {done.returncode}, {done.stdout}"
+
+
+def only_named_files(chain):
+    """What no .prm names is not copied; all of a folder of pictures or of a pattern is."""
+    chain.write("in/10-rve_homogenization.prm", "set File = slices\nset Output folder = old\n")
+    chain.write("in/11-rve_homogenization.prm", "set File = more/s*.tif\n")
+    for name in ("slices/1.tif", "slices/2.tif", "more/s1.tif", "more/s2.tif", "more/other.tif", "big.bin", "old/rve.h5"):
+        chain.write("in/" + name, "x")
+    assert len(chain.ran()) == 2
+    copied = {os.path.relpath(os.path.join(folder, name), chain.target) for folder, _, names in os.walk(chain.target) for name in names}
+    assert {"slices/1.tif", "slices/2.tif", "more/s1.tif", "more/s2.tif"} <= copied
+    assert not {"more/other.tif", "big.bin", "old/rve.h5"} & copied, copied
+    chain.write("in/slices/2.tif", "y")
+    assert chain.ran() == ["10-rve_homogenization"]
+
+
+def equal_names(chain):
+    """The results of another folder, and what somebody has changed among the results, are not overwritten."""
+    chain.write("in/10-rve_homogenization.prm", "set Title = a\n")
+    chain.write("other/10-rve_homogenization.prm", "set Title = b\n")
+    assert len(chain.ran()) == 1
+    first, chain.source = chain.source, chain("other")
+    assert "holds the results of" in chain.refused(os.path.realpath(first))
+    assert chain.read("out", "10-rve_homogenization.prm") == b"set Title = a\n"
+    chain.source = chain("moved")  # not refused: the folder itself, under another name
+    os.rename(first, chain.source)
+    chain.write("moved/10-rve_homogenization.prm", "set Title = c\n")
+    assert len(chain.ran()) == 1 and chain.read("out", "10-rve_homogenization.prm") == b"set Title = c\n"
+    chain.write("out/10-rve_homogenization.prm", "set Title = mine\n")
+    chain.refused("is not as it was copied from")
+    assert chain.read("out", "10-rve_homogenization.prm") == b"set Title = mine\n"
+    chain.write("moved/10-rve_homogenization.prm", "set Title = mine\n")
+    assert len(chain.ran()) == 1, "what was taken over into the source is no difference"
+
+
+def checked_before(chain):
+    """What is wrong in the last file stops the chain before the first has run, and --validate tells all that is wrong."""
+    chain.write("in/10-rve_homogenization.prm", "")
+    chain.write("in/20-contact_dynamics.prm", "set RVE file = 10-rve_homogenization/rve.h5\n")
+    chain.write("in/30-contact_dynamics-x.prm", "set Run = 20-contact_dynamics/dynamics.h5\nset Title = typo\n")
+    assert "30-contact_dynamics-x: there is no key in 30-contact_dynamics-x.prm" in chain.refused("run.sh: ")
+    chain.write("in/20-contact_dynamics.prm", "set RVE file = 10-rve_homogenization/rve.h5\nset Title = typo\n")
+    done = chain.run("--validate")
+    assert done.returncode == 2 and done.stdout.count("there is no key") == 2, done.stdout
+    assert not os.path.exists(chain.target), "a check leaves nothing"
+    chain.write("in/20-contact_dynamics.prm", "set Title = crash\n")
+    chain.refused("20-contact_dynamics: the check was ended by signal 6")
+    for text, words in (("20-contact_dynamics/dynamic.h5", "reads 20-contact_dynamics/dynamic.h5, but 20-contact_dynamics makes dynamics.h5"),
+                        ("20-contact_dynamics/dynamics.h5\nset Other = gone/rve.h5", "there is no file gone/rve.h5, and no step before"),
+                        ("40-contact_dynamics/dynamics.h5", "runs later")):
+        chain.write("in/20-contact_dynamics.prm", "")
+        chain.write("in/40-contact_dynamics.prm", "")
+        chain.write("in/30-contact_dynamics-x.prm", f"set Run = {text}\n")
+        chain.refused(words)
+
+
+def installed_scripts(chain):
+    """Away from a checkout the results go to the current folder, wherever the scripts are."""
+    tools = chain("prefix", "share", "mesoslip", "applications", "tools")
+    shutil.copytree(os.path.join(TOOLS, "chain"), os.path.join(tools, "chain"))
+    shutil.copy(os.path.join(TOOLS, "run_chain.py"), tools)
+    chain.write("in/10-rve_homogenization.prm", "")
+    os.makedirs(chain("here"))
+    subprocess.run([sys.executable, os.path.join(tools, "run_chain.py"), chain.source, "--programs", chain.programs], cwd=chain("here"),
+                   check=True, stdout=subprocess.PIPE)
+    assert os.path.exists(chain("here", "results", "in", "10-rve_homogenization", "rve.h5"))
 
 
 def interrupt(chain, at_lines, *options):
@@ -148,12 +229,12 @@ def stopped_while_asking(chain):
 def stopped_twice(chain):
     """The first Ctrl-C waits for a run that saves its state, the second does not."""
     chain.write("in/10-rve_homogenization.prm", "set Title = slow\n")
-    interrupt(chain, [1, 2])
-    assert chain.started() == ["run 10-rve_homogenization.prm", "interrupt 10-rve_homogenization.prm"], chain.started()
+    interrupt(chain, [2, 3])
+    assert chain.started() == [what + " 10-rve_homogenization.prm" for what in ("ask", "run", "interrupt")], chain.started()
 
 
 def main():
-    for part in (named_files, results_that_are_gone, refusals, stopped_while_asking, stopped_twice):
+    for part in (named_files, results_that_are_gone, only_named_files, equal_names, checked_before, installed_scripts, refusals, stopped_while_asking, stopped_twice):
         with tempfile.TemporaryDirectory() as folder:
             part(Chain(folder))
         print(f"{part.__name__}: ok")

@@ -20,6 +20,11 @@ CASES = [
     (["--val"], ["--validate"]),
     (["--set", "Flat/V"], ["'Flat/Velocity="]),
     (["--set", "'Time/End"], ["Time/End time="]),
+    (["--set", "'Top/Kind="], ["Top/Kind=pressure", "Top/Kind=platen", "Top/Kind=held"]),
+    (["--set", "'Analysis=s"], ["Analysis=static contact"]),
+    (["--set", "'Top/Lateral held="], ["Top/Lateral held=true", "Top/Lateral held=false"]),
+    (["--set", "'Top/Pressure="], [""]),
+    (["--set", "Top/Ki"], ["'Top/Kind="]),
     (["a pin.prm", "--set", "Observation/spot/P"], ["'Observation/spot/Position="]),
     (["--set", "Observation/spot/P"], [""]),
     (["one.prm", "--set", "Flat/V"], ["'Flat/Velocity="]),  # a file with mistakes: the keys without it

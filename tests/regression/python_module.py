@@ -2,8 +2,8 @@
 """The Python module on the files of a short chain: values, shapes, units, errors, and its example."""
 
 import os
+import pickle
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -116,23 +116,53 @@ def check_example(run_folder, folder):
 
 
 def check_installed(rve, folder):
-    """pip install, without network: the module opens the same numbers, and has the version of the programs."""
-    # pip builds beside the sources; Debian's h5py does not tell pip that it is there.
-    source = shutil.copytree(os.path.join(TOOLS, "python"), os.path.join(folder, "source"))
+    """pip install without network, as doc/python.md says: it leaves the sources as they are, the module opens the same numbers, and has the
+    version of the programs."""
+    source = os.path.join(TOOLS, "python")
+    before = tree(source)
     python = os.path.join(folder, "venv", "bin", "python")
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", "--system-site-packages", os.path.join(folder, "venv")], check=True)
-    subprocess.run([sys.executable, "-m", "pip", "--quiet", "--python", python, "install", "--no-deps", "--no-index",
-                    "--no-build-isolation", source], check=True)
+    pip = [sys.executable, "-B", "-m", "pip", "--quiet", "--python", python, "install", "--no-deps", "--no-index"]
     code = ("import importlib.metadata, sys, mesoslip\nwith mesoslip.open(sys.argv[1]) as rve:\n"
-            "    print(mesoslip.__file__, importlib.metadata.version('mesoslip'), float(rve['stiffness/effective'][0, 0]))")
+            "    print(mesoslip.__file__, importlib.metadata.version('mesoslip'), mesoslip.__version__, float(rve['stiffness/effective'][0, 0]))")
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-    done = subprocess.run([python, "-c", code, rve], cwd=folder, env=environment, text=True, stdout=subprocess.PIPE, check=True)
-    path, version, stiffness = done.stdout.split()
-    assert path.startswith(os.path.join(folder, "venv")), path
-    with open(os.path.join(TOP, "CMakeLists.txt"), encoding="utf-8") as file:
-        assert version == re.search(r"project\(mesoslip VERSION (\S+)", file.read())[1], version
+    environment["PYTHONDONTWRITEBYTECODE"] = "1"
+    for options, place in (([], os.path.join(folder, "venv")), (["--editable"], source)):
+        subprocess.run([*pip, *options, source], check=True, env=environment)
+        assert tree(source) == before, "pip has left something among the sources"
+        done = subprocess.run([python, "-c", code, rve], cwd=folder, env=environment, text=True, stdout=subprocess.PIPE, check=True)
+        path, version, own_version, stiffness = done.stdout.split()
+        assert path.startswith(place), path
+        with open(os.path.join(TOP, "CMakeLists.txt"), encoding="utf-8") as file:
+            assert version == own_version == re.search(r"project\(mesoslip VERSION (\S+)", file.read())[1], version
+        with mesoslip.open(rve) as file:
+            assert float(stiffness) == file["stiffness/effective"][0, 0]
+
+
+def tree(folder):
+    """Names of all files below a folder but what Python keeps of its own."""
+    return sorted(os.path.join(where, name) for where, _, names in os.walk(folder) for name in names if not name.endswith(".pyc"))
+
+
+def check_units_and_texts(rve, dynamics):
+    """Units by hand, and what is shown of arrays and files."""
+    from mesoslip.units import factor_to
+    for unit, other, factor in (("Pa", "N/mm^2", 1e-6), ("Pa", "MPa", 1e-6), ("N/m", "kN/m", 1e-3), ("W/m^2", "mW/mm^2", 1e-3),
+                                ("kg/m^3", "g/cm^3", 1e-3), ("J/m^3", "MPa", 1e-6), ("s", "µs", 1e6), ("Pa s", "GPa ns", 1.0), ("", "%", 100.0),
+                                ("Hz", "1/ms", 1e-3), ("N/m", "J/m^2", 1.0), ("m", "mm", 1e3), ("m^2", "mm^2", 1e6)):
+        assert abs(factor_to(unit, other) / factor - 1) < 1e-12, (unit, other, factor_to(unit, other))
+    for unit, other in (("Pa", "N"), ("m", "s"), ("", "m"), ("Pa", "bar"), ("Pa", "N/mm^3")):
+        expect(ValueError, other, lambda unit=unit, other=other: factor_to(unit, other))
+    array = mesoslip.Array([1.0, 2.0], "Pa", "x")
+    assert repr(array) == "Array([1., 2.], unit='Pa')" and str(array) == "[1. 2.] Pa", (repr(array), str(array))
+    copy = pickle.loads(pickle.dumps(array))
+    assert copy.unit == "Pa" and copy.name == "x" and np.array_equal(copy, array)
     with mesoslip.open(rve) as file:
-        assert float(stiffness) == file["stiffness/effective"][0, 0]
+        said = repr(file)
+        assert "stiffness/effective  [3, 3] Pa" in said and "phase/id  [40, 80]\n" in said and said.startswith("<mesoslip-rve "), said
+    assert "closed" in repr(file)
+    with mesoslip.open(dynamics) as file:
+        assert "history/contact_normal_force" in repr(file)
 
 
 def main():
@@ -146,6 +176,7 @@ def main():
         check_rve(rve)
         check_dynamics(dynamics)
         check_localization(localization, rve)
+        check_units_and_texts(rve, dynamics)
         check_installed(rve, folder)
         check_mesh(folder)
         check_example(dynamics, sys.argv[2] if len(sys.argv) > 2 else folder)

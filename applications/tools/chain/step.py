@@ -6,7 +6,7 @@ import os
 import re
 import subprocess
 
-from chain.inputs import ChainError, input_files, output_named, values
+from chain.inputs import ChainError, digest_of, input_files, is_unchanged, output_named, state_of, values
 
 PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
 STAMP, RANKS = ".up_to_date", ".ranks"
@@ -15,26 +15,11 @@ LONG_RUN = 3e9  # cells times steps, some seconds: worth the start of several ra
 ROWS_A_RANK = 40
 
 
-def digest_of(path):
-    """SHA-256 of a file, as text."""
-    digest = hashlib.sha256()
-    with open(path, "rb") as file:
-        while piece := file.read(1 << 20):
-            digest.update(piece)
-    return digest.hexdigest()
-
-
 def results_in(folder):
     """What the last run wrote for those after it: {name: [bytes, time in ns, SHA-256]}."""
     names = [n for n in sorted(os.listdir(folder)) if n == "summary.json" or n.endswith(RESULTS)]
     paths = {name: os.path.join(folder, name) for name in names}
-    return {name: [os.path.getsize(path), os.stat(path).st_mtime_ns, digest_of(path)] for name, path in paths.items()}
-
-
-def is_unchanged(path, size, time, digest):
-    """Copies may have another time: then the content decides."""
-    found = os.stat(path)
-    return found.st_size == size and (found.st_mtime_ns == time or digest_of(path) == digest)
+    return {name: state_of(path) for name, path in paths.items()}
 
 
 class Step:

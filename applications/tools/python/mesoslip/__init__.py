@@ -1,4 +1,4 @@
-"""Opens the result files of mesoslip as numpy arrays with units.
+"""Runs mesoslip's programs and opens their results as numpy arrays with units.
 
     import mesoslip
     with mesoslip.open("results/30-contact_dynamics-heterogeneous") as run:
@@ -9,10 +9,21 @@
             ...
         run.summary["main_frequency"]            # summary.json beside the file
 
-What the files hold is described in doc/file_formats.md. SI units; rows from the bottom, the last axis along x.
+    with mesoslip.run("pin.prm", {"Top/Pressure": 4e5}) as run: ...
+    with mesoslip.run_chain("prm/examples/image") as chain:
+        chain["localization"].von_mises("mean_stress", volume=chain["rve"]).to("MPa")
+
+doc/python.md describes it all, doc/file_formats.md what the files hold. SI units; rows from the bottom, the last axis along x.
 """
 
 from .array import Array
-from .files import FormatError, Grid, Mesh, ResultFile, open  # noqa: A004  (mesoslip.open, as h5py.File)
+from .derived import principal, von_mises
+from .files import FormatError, Grid, Mesh, ResultFile
+from .folders import Chain, RunFolder
+from .folders import open_folder as open  # noqa: A004  (mesoslip.open, as h5py.File)
+from .programs import RunError, find_program, run, run_chain
 
-__all__ = ["Array", "FormatError", "Grid", "Mesh", "ResultFile", "open"]
+__version__ = "0.1.0"
+
+__all__ = ["Array", "Chain", "FormatError", "Grid", "Mesh", "ResultFile", "RunError", "RunFolder", "find_program", "open", "principal", "run",
+           "run_chain", "von_mises"]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-PREFIXES = {"G": 1e9, "M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3, "µ": 1e-6, "u": 1e-6, "n": 1e-9}
+from .units import factor_to
 
 
 class Array(np.ndarray):
@@ -25,11 +25,21 @@ class Array(np.ndarray):
             options["out"] = tuple(np.asarray(o) if isinstance(o, Array) else o for o in options["out"])
         return getattr(ufunc, method)(*plain, **options)
 
-    def to(self, unit):
-        """Plain values in another multiple of the unit, as to("MPa") or to("µm").
+    def __reduce__(self):
+        return Array, (np.asarray(self), self.unit, self.name)
 
-        Raises ValueError unless `unit` is a prefix before this array's own."""
-        for prefix, factor in PREFIXES.items():
-            if unit == prefix + self.unit:
-                return np.asarray(self) / factor
-        raise ValueError(f"{self.name or 'the array'} is in {self.unit or 'no unit'}, which is not a multiple of {unit}")
+    def __repr__(self):
+        return f"{np.array_repr(np.asarray(self)).replace('array(', 'Array(', 1)[:-1]}, unit={self.unit!r})"
+
+    def __str__(self):
+        return f"{np.asarray(self)} {self.unit}".rstrip()
+
+    def to(self, unit):
+        """Plain values in another unit of the same quantity, as to("MPa"), to("N/mm^2") or to("%").
+
+        Raises ValueError unless `unit` is one."""
+        try:
+            factor = factor_to(self.unit, unit)
+        except ValueError as error:
+            raise ValueError(f"{self.name or 'the array'} is in {self.unit or 'no unit'}, which is not a multiple of {unit}: {error}") from None
+        return np.asarray(self) * factor

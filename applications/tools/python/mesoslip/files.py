@@ -9,6 +9,8 @@ import h5py
 import numpy as np
 
 from .array import Array
+from .derived import Derived
+from .labelled import to_xarray
 
 NAMES = ("dynamics.h5", "localization.h5", "rve.h5", "modal.h5", "complex_modes.h5")
 FORMATS = ("mesoslip-rve", "mesoslip-loads", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal", "mesoslip-dynamics-mesh",
@@ -60,15 +62,9 @@ def read_mesh(points, topology):
     return Mesh(points, {kind: np.array(c) for kind, c in cells.items()}, {kind: np.array(n) for kind, n in numbers.items()})
 
 
-def open(path):
-    """Opens a result file, or the one in the folder of a run; close it, or use `with`.
-
-    Raises FileNotFoundError, or FormatError naming what is wrong."""
-    return ResultFile(_find(os.fspath(path)))
-
-
-class ResultFile:
-    """A mapping from the names of datasets to arrays, with shortcuts to what is used most."""
+class ResultFile(Derived):
+    """A mapping from the names of datasets to arrays, with shortcuts to what is used most, and quantities that follow from them
+    (derived.py)."""
 
     def __init__(self, path):
         self.path = path
@@ -90,6 +86,13 @@ class ResultFile:
 
     def __exit__(self, *exception):
         self.close()
+
+    def __repr__(self):
+        """Format, path and all datasets with shape and unit."""
+        if not self.hdf5:
+            return f"<{self.format} {self.path}, closed>"
+        lines = [f"  {name}  {list(self.hdf5[name].shape)} {self.unit(name)}".rstrip() for name in self]
+        return "\n".join([f"<{self.format} {self.path}", *lines]) + ">"
 
     def __contains__(self, name):
         return name in self.hdf5
@@ -176,6 +179,10 @@ class ResultFile:
         """Macroscopic loads of loads.h5: {name: [boundary conditions]}; the fields are in group(f"loads/{name}/{condition}")."""
         return {name: list(conditions) for name, conditions in self.hdf5.get("loads", {}).items()}
 
+    def to_xarray(self, name):
+        """A dataset as xarray.DataArray, a group as xarray.Dataset, with named axes, coordinates and units (labelled.py)."""
+        return to_xarray(self, name)
+
     def snapshots(self, step=1):
         """Yields time (s) and displacement (m) of every `step`th snapshot, read one at a time: [ny+1][nx+1][2], in 3D
         [nz+1][ny+1][nx+1][3], on a mesh [points][dim]."""
@@ -236,14 +243,3 @@ class ContactMap:
     def __repr__(self):
         fields = ", ".join(f"{name} ({self._file.unit(f'contact_map/{name}') or 'number'})" for name in self)
         return f"<ContactMap of {len(self.time)} samples of {self.area.shape[0]} nodes: {fields}>"
-
-
-def _find(path):
-    if not os.path.isdir(path):
-        if not os.path.exists(path):
-            raise FileNotFoundError(f"there is no file or folder {path}")
-        return path
-    for name in NAMES:
-        if os.path.exists(os.path.join(path, name)):
-            return os.path.join(path, name)
-    raise FileNotFoundError(f"the folder {path} holds none of {', '.join(NAMES)}")

@@ -1,0 +1,119 @@
+"""A chain is checked before it runs, by the programs themselves: what only the last file has wrong, what an earlier one decides, and
+what it says of time, memory and disk."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy as np
+
+from scenes import ENVIRONMENT, PROGRAMS, TOOLS, TOP, Folder, prm
+
+IMAGE = os.path.join(TOP, "prm", "examples", "image")
+RUNS = ("10-rve_homogenization", "20-contact_dynamics-homogeneous", "30-contact_dynamics-heterogeneous")
+WRONG = [  # file, text in it, what it is replaced by, words of the only sentence
+    ("40-stress_localization.prm", "Edge distance", "Edge distanc", "run.sh: 40-stress_localization.prm:11: there is no key"),
+    ("40-stress_localization.prm", "homogeneous/dynamics.h5", "homogeneous/rve.h5", "but 20-contact_dynamics-homogeneous makes dynamics.h5"),
+    # The volume is 8 x 4 mm: that is in file 10 alone.
+    ("30-contact_dynamics-heterogeneous.prm", "0.00405, 0.00205", "0.00405, 0.02", "Observation/bulk"),
+    ("20-contact_dynamics-homogeneous.prm", "10-rve_homogenization/", "11-rve_homogenization/", "there is no file 11-rve_homogenization/rve.h5"),
+]
+
+
+def run_chain(source, target, *options):
+    return subprocess.run([sys.executable, "-B", os.path.join(TOOLS, "run_chain.py"), source, "--programs", PROGRAMS, "--output", target,
+                           *options], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=ENVIRONMENT)
+
+
+def check_wrong(folder):
+    """One sentence, and nothing has run."""
+    for name, old, new, words in WRONG:
+        source = shutil.copytree(IMAGE, folder("wrong"), dirs_exist_ok=True)
+        text = folder.read("wrong", name).decode()
+        assert old in text, (name, old)
+        folder.write("wrong/" + name, text.replace(old, new))
+        done = run_chain(source, folder("out"))
+        assert done.returncode == 2 and done.stdout.count("\n") == 1 and words in done.stdout, (words, done.returncode, done.stdout)
+        assert "mesoslip-" not in done.stdout, f"the folder of the check is named: {done.stdout}"
+        assert not os.path.exists(folder("out")), "something was written"
+
+
+def check_draft(folder):
+    """The draft has the grid and phases of the result, a stiffness between the bounds of Voigt and Reuss, and says what it is."""
+    volume = os.path.join(IMAGE, "10-rve_homogenization.prm")
+    folder.run(0, "rve_homogenization", volume, "--validate", "--draft", "draft")
+    folder.run(0, "rve_homogenization", volume, "--quiet", "--output", "rve")
+    assert not os.path.exists(folder("output")), "--validate has run"
+    with h5py.File(folder("draft", "rve.h5")) as draft, h5py.File(folder("rve", "rve.h5")) as made:
+        for name in ("phase/id", "phase/stiffness", "phase/density"):
+            assert np.array_equal(draft[name], made[name]), name
+        fractions = np.bincount(made["phase/id"][...].ravel()) / made["phase/id"].size
+        c = made["phase/stiffness"][...]
+        voigt = np.einsum("p,pij->ij", fractions, c)
+        reuss = np.linalg.inv(np.einsum("p,pij->ij", fractions, np.linalg.inv(c)))
+        assert np.allclose(draft["stiffness/effective"], 0.5 * (voigt + reuss), rtol=1e-12)
+    kept = folder.read("rve", "rve.h5")
+    assert "there is a file rve/rve.h5 already" in folder.run(2, "rve_homogenization", volume, "--validate", "--draft", "rve")
+    assert folder.read("rve", "rve.h5") == kept
+    folder.run(2, "rve_homogenization", volume, "--draft", "elsewhere")
+    body = os.path.join(IMAGE, "20-contact_dynamics-homogeneous.prm")
+    said = folder.run(0, "contact_dynamics", body, "--set=Body/RVE file=draft/rve.h5", "--set=Time/End time=1e-6", "--set=Snapshots/From=0",
+                      "--output", "con")
+    assert "is a draft for --validate" in said, said
+    folder.run(0, "rve_homogenization", volume, "--quiet", "--output", "draft")
+    with h5py.File(folder("draft", "rve.h5")) as made:
+        assert "concentration/KUBC" in made, "the draft was taken for the result"
+
+
+def check_told(folder):
+    """--validate leaves nothing; disk and steps are those of the runs, up to the guess of the stiffness. A step that fails as it runs
+    leaves a report of those before it."""
+    source, last = shutil.copytree(IMAGE, folder("case")), "case/40-stress_localization.prm"
+    done = run_chain(source, folder("out"), "--validate")
+    assert done.returncode == 0 and not os.path.exists(folder("out")), done.stdout
+    lines = done.stdout.splitlines()
+    for name in RUNS:
+        assert any(re.match(rf"{name}: valid; \d+ MB of memory, [\d.]+ [kM]B on the disk, about \d+ s on one core$", line) for line in lines), lines
+    assert "40-stress_localization: keys and values are valid" in lines, lines
+    assert re.match(r"In sum: about \d+ s on one core \(1 of 4 not known\)", lines[-1]), lines
+    text = folder.read(last).decode()
+    folder.write(last, text + prm({"Window/From": 1}))
+    done = run_chain(source, folder("out"), "--jobs", "1")
+    assert done.returncode == 2 and "Window/From" in done.stdout and "Report so far: " in done.stdout, done.stdout
+    assert os.path.getsize(folder("out", "report.html")) > 1e5 and done.stdout.count(": done in") == 3
+    told = {line.split(":")[0]: line for line in lines}
+    for name in RUNS:
+        number, unit = re.search(r"([\d.]+) ([kM])B on the disk", told[name]).groups()
+        said = float(number) * {"k": 1e3, "M": 1e6}[unit]
+        found = sum(os.path.getsize(folder("out", name, file)) for file in os.listdir(folder("out", name)))
+        assert 0.5 * found < said < 2 * found, (name, said, found)
+    # With the results there the last file is checked as a whole, before it runs.
+    done = run_chain(source, folder("out"))
+    assert done.returncode == 2 and done.stdout.count("\n") == 1 and "Window/From" in done.stdout, done.stdout
+    folder.write(last, text)
+    again = run_chain(source, folder("out"), "--validate").stdout
+    assert again.count("up to date") == 3 and re.search(r"40-stress_localization: valid; \d+ MB of memory, about \d+ s", again), again
+    assert run_chain(source, folder("out"), "--no-report").returncode == 0
+    assert run_chain(source, folder("out"), "--validate").stdout.count("up to date") == 4
+    os.remove(folder("out", RUNS[0], "rve.h5"))  # it is made again; those after it are as good as before
+    again = run_chain(source, folder("out"), "--validate").stdout
+    assert again.count("up to date") == 3 and again.startswith(RUNS[0] + ": valid; "), again
+    again = run_chain(source, folder("out"), "--no-report").stdout
+    assert again.count("up to date") == 3 and RUNS[0] + ": done" in again, again
+
+
+def main():
+    with tempfile.TemporaryDirectory() as path:
+        for check in (check_wrong, check_draft, check_told):
+            folder = Folder(os.path.join(path, check.__name__))
+            os.makedirs(folder.path)
+            check(folder)
+            print(f"{check.__name__}: ok")
+
+
+if __name__ == "__main__":
+    main()
