@@ -290,7 +290,8 @@ void check_analysis(const Keys &keys)
   only_with({"transient", "complex modes"},
             {"Time/Rayleigh beta", "Friction/Law", "Friction/Regularization time",
              "Friction/Length", "Friction/Reference velocity"});
-  only_with({"transient", "static contact"}, {"Friction/Coefficient law"});
+  only_with({"transient", "static contact", "complex modes"},
+            {"Friction/Coefficient law"});
   only_with({"transient", "modal", "complex modes"},
             {"Top/Platen mass", "Top/Hold from"});
   only_with({"transient", "static contact", "complex modes"},
@@ -335,7 +336,8 @@ void ContactParameters::bind(Keys &keys)
   check_analysis(keys);
   check_mesh(keys, *this);
   if (analysis == ContactAnalysis::transient ||
-      analysis == ContactAnalysis::static_contact)
+      analysis == ContactAnalysis::static_contact ||
+      analysis == ContactAnalysis::complex_modes)
     make_slip_law(keys);
 }
 } // namespace mesoslip

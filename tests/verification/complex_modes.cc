@@ -23,7 +23,10 @@ UniformMaterial layer_material(const Layer &layer, const unsigned int n)
 }
 
 /** Top u_x = 0 and free in y, as layer_setup() has it; the contact on the flat. */
-SlidingPencil layer_pencil(const ElasticBody<2> &body, const Layer &layer)
+SlidingPencil layer_pencil(const ElasticBody<2> &body,
+                           const Layer &layer,
+                           const FrictionSlopes &slopes = {},
+                           const double state_time      = 0.)
 {
   DofMask held(body.n_columns(), body.n_rows());
   held.constrain_row(0, body.n_rows() - 1);
@@ -34,10 +37,12 @@ SlidingPencil layer_pencil(const ElasticBody<2> &body, const Layer &layer)
       {
         contact.nodes.push_back(node);
         contact.friction.push_back(layer.mu);
+        contact.normal_force.push_back(10. * P * body.extent(0) / (body.n_columns() - 1));
+        contact.slopes.push_back(slopes);
       }
   const FreeDofs<2> dofs(body, held, std::nullopt);
   return make_sliding_pencil<2>(body, whole_stiffness(body, MPI_COMM_WORLD), dofs,
-                                contact, {layer.delta, layer.beta});
+                                contact, {layer.delta, layer.beta, state_time});
 }
 
 ComplexModes modes_of(const SlidingPencil &pencil, const double highest_frequency)
@@ -96,5 +101,47 @@ TEST(ComplexModes, GrowthIsThePowerOfFrictionLessDamping)
       EXPECT_LT(mode.growth_by_damping, 0.);
       EXPECT_NEAR(mode.growth_by_friction.sum() + mode.growth_by_damping, mode.s.real(),
                   1e-6 * std::abs(mode.s));
+    }
+}
+
+// Drag that takes energy leaves the bound alone; one that feeds it widens it, and modes keep to it.
+TEST(ComplexModes, KeepToTheBoundWhereFrictionFeeds)
+{
+  const Layer layer{1., 0.02, 1.5e-7, 4.4e-9};
+  const UniformMaterial material = layer_material(layer, 10);
+  const GridBody<2> body(material);
+  const FeedingDrag taking = feeding_drag(layer_pencil(body, layer, {0., 0.02, 0.}));
+  EXPECT_EQ(taking.at_once, 0.);
+  EXPECT_EQ(taking.late, 0.);
+  struct Slopes
+  {
+    FrictionSlopes slopes;
+    double state_time;
+  };
+  for (const Slopes &given :
+       {Slopes{{0., -0.02, 0.}, 0.}, Slopes{{0., 0.01, -0.04}, 2e-6}})
+    {
+      const SlidingPencil pencil =
+        layer_pencil(body, layer, given.slopes, given.state_time);
+      const FeedingDrag drag = feeding_drag(pencil);
+      const double of_node   = 10. * P / (0.5 * resin().density * H / 10);
+      EXPECT_NEAR(drag.at_once, std::fabs(given.slopes.rate) * of_node, 1e-9 * of_node);
+      EXPECT_NEAR(drag.late, std::fabs(given.slopes.state) * of_node, 1e-9 * of_node);
+      const double radius = friction_radius(pencil);
+      const GrowthRegion region(pencil.law, radius, drag), of_coulomb(pencil.law, radius);
+      const ComplexModes found = modes_of(pencil, 90e3);
+      ASSERT_GT(found.modes.size(), 0U);
+      EXPECT_EQ(found.n_missing, 0);
+      EXPECT_LT(of_coulomb.highest_frequency(), region.highest_frequency());
+      bool is_beyond = false;
+      for (const ComplexMode &mode : found.modes)
+        {
+          const double w = mode.s.imag();
+          EXPECT_LT(mode.s.real(), region.width(w, w));
+          is_beyond = is_beyond || mode.s.real() > of_coulomb.width(w, w);
+          EXPECT_NEAR(mode.growth_by_friction.sum() + mode.growth_by_damping,
+                      mode.s.real(), 1e-6 * std::abs(mode.s));
+        }
+      EXPECT_TRUE(is_beyond); // of the bound for Coulomb's friction
     }
 }

@@ -1,4 +1,5 @@
-"""Modes of steady sliding of the paper's pin that grow: on three grids, and over the friction coefficient. Writes a page.
+"""Modes of steady sliding of the paper's pin that grow: on three grids, over the friction coefficient, and in transient
+runs. Writes a page.
 
     complex_modes.py <folder with the programs> <folder for runs> <folder of the page>
 
@@ -11,6 +12,7 @@ import re
 import subprocess
 import sys
 
+from mode_participation import picture as picture_of_runs
 from pages import plt, save_picture, table, wrapped
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
@@ -80,6 +82,9 @@ def page(programs, runs, folder):
     swept = run(programs, runs, "sweep", SWEEP)
     found = curves(swept)
     name = picture(found, folder)
+    # Enough modes that decay for what the start leaves.
+    decaying = run(programs, runs, "decaying", {"Body/Cells": GRIDS["0.8"], "Complex modes/Fastest decay": 3000})
+    picked, facts = picture_of_runs(programs, runs, decaying, GRIDS["0.8"], folder)
     rows = [[cell for pair in row for cell in ((f"{1e-3 * pair[0]:.3f}", f"{pair[1]:.0f}") if pair else ("-", "-"))] for row in rows_of(grids)]
     headings = [f"{what}, {h} mm" for h in GRIDS for what in ("kHz", "1/s")]
     separated = ", ".join(f"{entry['separated_nodes']} on {h} mm" for h, entry in zip(GRIDS, grids))
@@ -98,9 +103,28 @@ def page(programs, runs, folder):
         "Cells of 0.8 mm; modes that decay by at most 6000 1/s. Coloured: modes that grow somewhere, named by their last frequency; grey:",
         "all others. Curves end where a mode decays faster, or where its shape has changed by more than half from one coefficient to the",
         "next, where it meets another mode.", ""]
+    text += participation_text(picked, facts)
     with open(os.path.join(folder, "README.md"), "w", encoding="utf-8") as file:
         paragraphs = re.sub(r"(?<=[^\n|])\n(?=[^\n|#!])", " ", "\n".join(text))
         file.write(wrapped(paragraphs).rstrip() + "\n")
+
+
+def participation_text(name, facts):
+    change, growth, *_ = facts["smooth"]
+    ends = {start: " and ".join(f"{1e6 * size:.1f} µm at {1e-3 * f:.1f} kHz" for f, size in largest)
+            for start, (_, _, largest, _) in facts.items()}
+    shares = {start: f"{100 * share:.0f} %" for start, (*_, share) in facts.items()}
+    return [
+        "## Which of them a run picks", "",
+        f"![Amplitudes of modes in the snapshots of two runs]({name})", "",
+        "Cells of 0.8 mm, two transient runs with snapshots every microsecond. In windows of 0.1 ms the modes that grow (coloured) and those",
+        "that decay by at most 3000 1/s (grey) are fitted to the snapshots by least squares (`mesoslip.participation`); below is the share",
+        "of the square of the motion that they account for. Dotted: nodes first stick or leave the flat after the smooth start.", "",
+        f"After a smooth start all nodes slide until {1e3 * change:.2f} ms. Until then each mode grows or decays at its own rate, from what the",
+        f"start leaves of it: the fastest one at {growth:.0f} 1/s. What takes over is what grows fastest, not what begins with the largest",
+        f"amplitude. Then nodes leave the flat, modes are coupled and are no longer those of the body; over the last millisecond {ends['smooth']}",
+        f"are fitted, which account for {shares['smooth']} together with all others. A pressure that acts at once throws the pin off the flat",
+        f"at the beginning, mostly in the mode of 41.7 kHz, and ends with {ends['at-once']} ({shares['at-once']}).", ""]
 
 
 if __name__ == "__main__":

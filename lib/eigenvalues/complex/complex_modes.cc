@@ -70,27 +70,29 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
                                 const double radius,
                                 const ComplexModesOptions &options)
 {
-  const GrowthRegion region(pencil.law, radius);
+  const GrowthRegion region(pencil.law, radius, feeding_drag(pencil));
   ComplexModes result;
   result.radius              = radius;
   result.nothing_grows_above = region.highest_frequency();
 
-  const double top    = 2. * M_PI * options.highest_frequency;
+  const double bottom = 2. * M_PI * options.lowest_frequency,
+               top    = 2. * M_PI * options.highest_frequency;
   const double wanted = -options.least_growth, most = wanted + 1e-3 * top;
   ComplexFactorization factors(pencil(Complex(1., top)));
   DiscSearch search(pencil, factors, options, result);
   constexpr double counted = 0.3;
   unsigned int seed        = 0;
-  result.fastest_counted   = SearchRange{region, top, most, counted}.right(0., top);
+  result.fastest_counted =
+    SearchRange{region, bottom, top, most, counted}.right(bottom, top);
   for (const double share : {0.1, 0.2, counted})
     {
-      search.cover({region, top, most, share}, ++seed);
+      search.cover({region, bottom, top, most, share}, ++seed);
       if (!options.count)
         break;
-      result.n_missing =
-        count_missing(pencil, factors,
-                      {region, top, quiet_decay(wanted, most, search.found()), counted},
-                      search.found(), options, result);
+      result.n_missing = count_missing(
+        pencil, factors,
+        {region, bottom, top, quiet_decay(wanted, most, search.found()), counted},
+        search.found(), options, result);
       if (result.n_missing == 0)
         break;
     }
@@ -99,7 +101,7 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
   const double neutral = options.least_growth < 0. ? 0. : 100. * options.tolerance;
   for (const FoundMode &mode : search.found())
     if (mode.s.real() >= options.least_growth + neutral * std::abs(mode.s) &&
-        mode.s.imag() <= top && mode.s.imag() > -mode.s.real())
+        mode.s.imag() >= bottom && mode.s.imag() <= top && mode.s.imag() > -mode.s.real())
       result.modes.push_back(finish(pencil, mode));
   std::sort(
     result.modes.begin(), result.modes.end(),

@@ -12,6 +12,7 @@ namespace mesoslip
 /** What is wanted of the complex modes, and how they are computed. */
 struct ComplexModesOptions
 {
+  double lowest_frequency  = 0.;    ///< Hz
   double highest_frequency = 200e3; ///< Hz
   double least_growth      = 0.;    ///< growth rate (1/s), not above 0
   double tolerance         = 1e-10; ///< relative, of the eigenvalues
@@ -70,10 +71,10 @@ struct ComplexModes
 
 /**
  * All modes with a growth rate of at least ComplexModesOptions::least_growth and a
- * frequency from 0 to the highest: shift-and-invert Arnoldi iterations at shifts one above
+ * frequency from the lowest to the highest: shift-and-invert Arnoldi iterations at shifts one above
  * the other, each of which knows all eigenvalues in a disc. The discs cover growth rates up
  * to a tenth of the circular frequency, or as far as GrowthRegion allows any. Then the
- * argument principle counts all eigenvalues up to the highest frequency with growth rates
+ * argument principle counts all eigenvalues between these frequencies with growth rates
  * up to 0.3 of the highest circular frequency. While some are missing, faster growth and other random vectors
  * are tried, twice at most. Of modes that decay only those that vibrate faster than they
  * decay are looked for.

@@ -1,6 +1,7 @@
 #include "eigenvalues/complex/disc_search.h"
 
 #include "eigenvalues/complex/arnoldi.h"
+#include "eigenvalues/complex/shifted_inverse.h"
 #include "material/plausibility.h"
 #include "statics/static_solver.h"
 
@@ -18,6 +19,23 @@ constexpr int most   = 48; // beyond, vectors cost more than factors
 
 /** Relative distance of what two shifts found of one eigenvalue. */
 constexpr double same = 1e-7;
+/** Eigenvalues by the hundred that only relax: -1/delta and -1/tau of the friction forces and
+ * states, and in 3D those of nodes that drag across the motion holds. */
+std::vector<double> relaxing_rates(const SlidingPencil &pencil)
+{
+  std::vector<double> rates;
+  for (const double time : {pencil.law.delta, pencil.law.state_time})
+    if (time > 0.)
+      rates.push_back(1. / time);
+  double stiffest = 0.;
+  for (Eigen::Index k = 0; k < pencil.resistance.outerSize(); ++k)
+    if (pencil.resistance.coeff(k, k) > 0.)
+      stiffest =
+        std::max(stiffest, pencil.stiffness.coeff(k, k) / pencil.resistance.coeff(k, k));
+  if (stiffest > 0.)
+    rates.push_back(stiffest);
+  return rates;
+}
 } // namespace
 
 DiscSearch::DiscSearch(const SlidingPencil &pencil,
@@ -28,11 +46,23 @@ DiscSearch::DiscSearch(const SlidingPencil &pencil,
   , factors(factors)
   , options(options)
   , report(report)
+  , relaxing(relaxing_rates(pencil))
 {
 }
 
-std::optional<DiscSearch::Disc>
-DiscSearch::nearest(const Complex centre, const int count, const unsigned int seed)
+std::vector<double> DiscSearch::left_out(const double bottom) const
+{
+  std::vector<double> slow;
+  for (const double rate : relaxing)
+    if (rate < bottom)
+      slow.push_back(rate);
+  return slow;
+}
+
+std::optional<DiscSearch::Disc> DiscSearch::nearest(const Complex centre,
+                                                    const int count,
+                                                    const unsigned int seed,
+                                                    const double edge)
 {
   if (options.before_factorization)
     options.before_factorization(brief_text(4, "shift ", report.n_shifts + 1, ", near ",
@@ -42,6 +72,11 @@ DiscSearch::nearest(const Complex centre, const int count, const unsigned int se
   ++report.n_shifts;
   report.factor_bytes = std::max(report.factor_bytes, factors.bytes());
   const ShiftedInverse inverse(pencil, factors, centre, std::abs(centre));
+  const auto solve = [&](ComplexVector &dst, const ComplexVector &src) {
+    inverse.vmult(dst, src);
+    ++report.n_solves;
+  };
+  const std::vector<double> slow = left_out(2. * M_PI * options.lowest_frequency);
   ArnoldiOptions arnoldi_options;
   arnoldi_options.count           = count;
   arnoldi_options.tolerance       = 0.01 * options.tolerance;
@@ -50,15 +85,33 @@ DiscSearch::nearest(const Complex centre, const int count, const unsigned int se
   const auto pairs                = arnoldi(
                    pencil.state_size(),
                    [&](ComplexVector &dst, const ComplexVector &src) {
-      inverse.vmult(dst, src);
-      ++report.n_solves;
+      solve(dst, src);
+      for (const double rate : slow)
+        {
+          const ComplexVector once = dst;
+          solve(dst, once);
+          dst -= once / (-rate - centre);
+        }
     },
                    arnoldi_options);
   if (!pairs || pairs->values.size() < count)
     return std::nullopt;
+  ComplexVector image;
   for (Eigen::Index k = 0; k < pairs->values.size(); ++k)
-    keep(centre + 1. / pairs->values[k], pairs->vectors.col(k).head(pencil.size()));
-  return Disc{centre, 1. / std::abs(pairs->values[pairs->values.size() - 1])};
+    {
+      const ComplexVector x = pairs->vectors.col(k);
+      Complex value         = pairs->values[k];
+      if (!slow.empty())
+        {
+          solve(image, x);
+          value = x.dot(image);
+        }
+      keep(centre + 1. / value, x.head(pencil.size()));
+    }
+  double farthest = 1. / std::abs(pairs->values[pairs->values.size() - 1]);
+  for (const double rate : slow)
+    farthest *= edge / std::abs(centre + rate);
+  return Disc{centre, std::pow(farthest, 1. / (1. + static_cast<double>(slow.size())))};
 }
 
 void DiscSearch::keep(const Complex s, ComplexVector u)
@@ -90,19 +143,21 @@ void DiscSearch::cover(const SearchRange &range, const unsigned int seed)
 {
   const int largest = static_cast<int>(
     std::min<Eigen::Index>(most, std::max<Eigen::Index>(1, pencil.state_size() / 4)));
-  // Friction forces that only relax have many eigenvalues near -1 / delta.
-  const double relaxing = pencil.law.delta > 0. ? 1. / pencil.law.delta : 0.;
-  const auto is_free    = [&](const Complex centre, const double radius) {
-    return relaxing == 0. || radius < 0.6 * std::abs(centre + relaxing);
+  const std::size_t n_left_out = left_out(range.bottom).size();
+  const auto is_free           = [&](const Complex centre, const double radius) {
+    return n_left_out > 0 ||
+           std::all_of(relaxing.begin(), relaxing.end(), [&](const double rate) {
+             return radius < 0.6 * std::abs(centre + rate);
+           });
   };
   int count   = std::min(6, largest);
-  double edge = 0., reach = 0.1 * range.top;
+  double edge = range.bottom, reach = 0.1 * (range.top - range.bottom);
   while (edge < range.top)
     {
       const double middle = edge + 0.85 * reach, high = middle + reach;
       const double left = range.left(high), right = range.right(edge, high);
       const double half = 0.5 * (right - left);
-      const auto disc   = nearest(Complex(0.5 * (left + right), middle), count, seed);
+      const auto disc = nearest(Complex(0.5 * (left + right), middle), count, seed, edge);
       if (!disc)
         {
           if (count <= fewest)

@@ -10,14 +10,15 @@
 
 namespace mesoslip
 {
-/** The eigenvalues s = a + i w (1/s) that are wanted: up to the frequency top, and from
- * left(w), which is negative, to right of all that can grow. */
+/** The eigenvalues s = a + i w (1/s) that are wanted: from the frequency bottom up to top, and
+ * from left(w), which is negative, to right of all that can grow. */
 struct SearchRange
 {
   const GrowthRegion &region; ///< where growth can be
-  double top   = 0.;          ///< 1/s
-  double decay = 0.;          ///< of the fastest decaying ones (1/s), positive
-  double share = 1.;          ///< of the frequency, in which growth is looked for
+  double bottom = 0.;         ///< 1/s
+  double top    = 0.;         ///< 1/s
+  double decay  = 0.;         ///< of the fastest decaying ones (1/s), positive
+  double share  = 1.;         ///< of the frequency, in which growth is looked for
 
   /** Least growth rate of circular frequencies up to @p high: modes decay no faster than
    * they vibrate. */
@@ -69,14 +70,27 @@ private:
     double radius = 0.;            ///< 1/s
   };
 
-  std::optional<Disc>
-  nearest(const SlidingPencil::Complex centre, const int count, const unsigned int seed);
+  /** Those of relaxing that lie below the circular frequency @p bottom. */
+  std::vector<double> left_out(const double bottom) const;
+
+  /**
+   * Of the disc whatever has a circular frequency of @p edge at least. Eigenvalues near -r, r
+   * being one of left_out(), are many and alike, which Arnoldi iterations do not get through.
+   * So the operator T, with the eigenvalues 1 / (s - centre), is multiplied by T - 1 / (-r -
+   * centre), which makes the product |s + r| / |s - centre|^2 / |centre + r| in size: next to
+   * nothing for these, and at least that with |s + r| >= edge for what is wanted.
+   */
+  std::optional<Disc> nearest(const SlidingPencil::Complex centre,
+                              const int count,
+                              const unsigned int seed,
+                              const double edge);
   void keep(const SlidingPencil::Complex s, ComplexVector u);
 
   const SlidingPencil &pencil;
   ComplexFactorization &factors;
   const ComplexModesOptions &options;
   ComplexModes &report;
+  const std::vector<double> relaxing; ///< 1/s; eigenvalues near their negative are many
   std::vector<FoundMode> modes;
 };
 } // namespace mesoslip

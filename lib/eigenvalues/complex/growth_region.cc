@@ -45,17 +45,62 @@ double friction_radius(const SlidingPencil &pencil)
   return 1.0001 * largest / std::cos(0.5 * step); // corners of the polygon
 }
 
-GrowthRegion::GrowthRegion(const SlidingLaw &law, const double radius)
+namespace
+{
+/** Bound of u^H C u over u^H M u of the symmetric @p matrix with M as diagonal. */
+double largest_rate(const RealMatrix &matrix, const Eigen::VectorXd &mass)
+{
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(mass.size());
+  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
+    for (RealMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+      sums[entry.row()] += std::fabs(entry.value());
+  return sums.cwiseQuotient(mass).maxCoeff();
+}
+
+/** Whether x^T C x < 0 for some x; C has blocks of one or two degrees of freedom. */
+bool feeds(const RealMatrix &matrix)
+{
+  for (Eigen::Index row = 0; row < matrix.outerSize(); ++row)
+    {
+      double others = 0., product = 1.;
+      const double own = matrix.coeff(row, row);
+      for (RealMatrix::InnerIterator entry(matrix, row); entry; ++entry)
+        if (entry.row() != row)
+          {
+            others += entry.value() * entry.value();
+            product = matrix.coeff(entry.row(), entry.row());
+          }
+      if (own < 0. || own * product < others * (1. - 1e-12))
+        return true;
+    }
+  return false;
+}
+} // namespace
+
+FeedingDrag feeding_drag(const SlidingPencil &pencil)
+{
+  if (pencil.rows.empty() ||
+      (pencil.late_resistance.nonZeros() == 0 && !feeds(pencil.resistance)))
+    return {};
+  return {largest_rate(pencil.resistance, pencil.mass),
+          largest_rate(pencil.late_resistance, pencil.mass)};
+}
+
+GrowthRegion::GrowthRegion(const SlidingLaw &law,
+                           const double radius,
+                           const FeedingDrag &drag)
   : law(law)
   , radius(radius)
+  , drag(drag)
   , highest(std::numeric_limits<double>::infinity())
 {
-  if (radius == 0.)
+  const bool nothing_feeds = radius == 0. && drag.at_once == 0. && drag.late == 0.;
+  if (nothing_feeds)
     highest = 0.;
   double low = 0., high = 1.;
   for (; excess(high) > 0. && high < 1e15; high *= 2.)
     low = high;
-  if (radius == 0. || !(high < 1e15))
+  if (nothing_feeds || !(high < 1e15))
     return;
   for (unsigned int n = 0; n < 100; ++n)
     {
@@ -67,7 +112,12 @@ GrowthRegion::GrowthRegion(const SlidingLaw &law, const double radius)
 
 double GrowthRegion::angle(const double omega) const
 {
-  return std::asin(std::min(1., radius / std::hypot(1., omega * law.delta)));
+  const auto turn  = [](const double sine) { return sine < 1. ? std::asin(sine) : M_PI; };
+  const double lag = std::hypot(1., omega * law.delta),
+               feeding =
+                 drag.at_once + drag.late / std::hypot(1., omega * law.state_time);
+  return std::min(M_PI, turn(radius / lag) +
+                          (feeding > 0. ? turn(feeding / (omega * lag)) : 0.));
 }
 
 double GrowthRegion::excess(const double omega) const

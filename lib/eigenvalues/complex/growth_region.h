@@ -13,22 +13,38 @@ namespace mesoslip
  */
 double friction_radius(const SlidingPencil &pencil);
 
+/** What drag that feeds energy adds to growth at most. */
+struct FeedingDrag
+{
+  double at_once = 0.; ///< largest eigenvalue of |C_0| in the metric of M (1/s)
+  double late    = 0.; ///< of |C_1|, which lags behind by tau (1/s)
+};
+
+/** Zeros if the drag of @p pencil only takes energy: C_0 >= 0, C_1 = 0. */
+FeedingDrag feeding_drag(const SlidingPencil &pencil);
+
 /**
- * Where an eigenvalue s = a + i w with a, w >= 0 can be. u^H [...] u = 0 says that inertia
- * and stiffness, of which friction turns the latter by asin(r / |1 + s delta|) at most, sum
- * up to zero, so that where r < |1 + i w delta|
+ * Where an eigenvalue s = a + i w with a, w >= 0 can be. u^H [...] u = 0 says that inertia,
+ * stiffness and drag sum up to zero. Friction turns the stiffness by asin(r / |1 + s delta|)
+ * at most, r = friction_radius(). A drag that only takes energy points to the same side of
+ * inertia and stiffness as these together and cannot help them to cancel. One that feeds energy, as
+ * where mu falls with the slip rate, is taken as a part of inertia: its size over that of
+ * inertia is u^H C u / (|s| |1 + s delta| u^H M u), so it turns inertia by asin of
+ * g / (w |1 + i w delta|) at most, with g = c_0 + c_1 / |1 + i w tau| of feeding_drag(). So, as
+ * long as both sines are below one,
  *
- *     2 atan(a / w) + atan(beta w / (1 + beta a)) <= asin(r / |1 + i w delta|)
+ *     2 atan(a / w) + atan(beta w / (1 + beta a))
+ *       <= asin(r / |1 + i w delta|) + asin(g / (w |1 + i w delta|))
  *
- * with r = friction_radius(). The drag across the motion of the flat only takes energy and
- * leaves this bound. The left side grows with a, and for a = 0 with w; the right side
- * falls.
+ * The left side grows with a, and for a = 0 with w; the right side falls. c_0 and c_1 grow
+ * in proportion to the inverse of the size of the cells: half of c_0 is the growth of a node
+ * by itself.
  */
 class GrowthRegion
 {
 public:
-  /** @p radius is friction_radius(). */
-  GrowthRegion(const SlidingLaw &law, const double radius);
+  /** @p radius is friction_radius(), @p drag feeding_drag(). */
+  GrowthRegion(const SlidingLaw &law, const double radius, const FeedingDrag &drag = {});
 
   /** Above this circular frequency (1/s) nothing grows; infinite where this does not say,
    * as without delta and beta. */
@@ -47,6 +63,7 @@ private:
 
   const SlidingLaw law;
   const double radius;
+  const FeedingDrag drag;
   double highest;
 };
 } // namespace mesoslip

@@ -77,7 +77,7 @@ private:
                    "an eigenvalue lies on the border of the range that is "
                    "counted, near ",
                    a.s.real(), " 1/s and ", a.s.imag() / (2. * M_PI),
-                   " Hz; it moves with Fastest decay and Highest frequency"));
+                   " Hz; it moves with Fastest decay, Lowest and Highest frequency"));
     const Complex s = a.s + golden * (b.s - a.s);
     const Point middle{s, phase(s)};
     const double first = turn(a, middle), second = turn(middle, b);
@@ -116,18 +116,24 @@ int count_missing(const SlidingPencil &pencil,
                   const ComplexModesOptions &options,
                   ComplexModes &report)
 {
-  const double decay = std::min(range.decay, range.top), top = range.top,
-               right = range.right(0., top);
+  const double low = range.bottom, top = range.top, decay = std::min(range.decay, top),
+               right = range.right(low, top);
   Turns turns(pencil, factors, found, options, report);
   turns.straighten(right, 0.01 * top);
   const std::vector<std::pair<Complex, unsigned int>> corners = {
-    {0., 1}, {right, 2}, {{right, top}, 16}, {{-decay, top}, 4}, {{-decay, decay}, 16},
-    {0., 1}};
+    {{0., low}, 1},
+    {{right, low}, 2},
+    {{right, top}, 16},
+    {{-decay, top}, 4},
+    {{-decay, std::max(decay, low)}, 16},
+    {{-std::min(decay, low), low}, 1},
+    {{0., low}, 1}};
   const auto count = [&](const unsigned int refinement) {
     double turned = 0.;
     for (std::size_t k = 1; k < corners.size(); ++k)
-      turned += turns.between(corners[k - 1].first, corners[k].first,
-                              refinement * corners[k].second);
+      if (corners[k].first != corners[k - 1].first)
+        turned += turns.between(corners[k - 1].first, corners[k].first,
+                                refinement * corners[k].second);
     return static_cast<int>(std::lround(turned / (2. * M_PI)));
   };
   // A step that turns by about whole turns is taken for none; finer ones are none.

@@ -51,6 +51,25 @@ row_of(const ElasticBody<dim> &body, const NodeIndex &node, const unsigned int c
     dim * (static_cast<std::size_t>(node.j) * body.n_columns() + node.i) + c);
 }
 
+/** A friction force of a contact node. */
+struct ContactForce
+{
+  std::size_t node;       ///< among the contact nodes
+  unsigned int component; ///< along the flat
+};
+
+/** The row of targets of a force: @p reactions holds the normal ones of the nodes. */
+void add_target(const ContactForce &force,
+                const double coupling,
+                const RealMatrix &reactions,
+                const std::int64_t q,
+                std::vector<Triplet> &target)
+{
+  for (RealMatrix::InnerIterator entry(reactions, static_cast<Eigen::Index>(force.node));
+       entry; ++entry)
+    target.emplace_back(q, entry.row(), coupling * entry.value());
+}
+
 /** The friction forces, their targets and the drag. */
 template <int dim>
 void add_contact(const ElasticBody<dim> &body,
@@ -62,7 +81,7 @@ void add_contact(const ElasticBody<dim> &body,
   const double speed = std::hypot(contact.velocity[0], contact.velocity[1]);
   const std::array<double, 2> direction = {
     {contact.velocity[0] / speed, contact.velocity[1] / speed}};
-  std::vector<Triplet> target, drag;
+  std::vector<Triplet> target, drag, late_drag;
   for (std::size_t k = 0; k < contact.nodes.size(); ++k)
     for (unsigned int c = 0; c + 1 < dim; ++c)
       {
@@ -72,31 +91,44 @@ void add_contact(const ElasticBody<dim> &body,
         const auto q = static_cast<std::int64_t>(pencil.rows.size());
         pencil.rows.push_back(row);
         pencil.contact_nodes.push_back(k);
-        for (RealMatrix::InnerIterator entry(reactions, static_cast<Eigen::Index>(k));
-             entry; ++entry)
-          target.emplace_back(q, entry.row(),
-                              contact.friction[k] * direction[c] * entry.value());
+        const FrictionSlopes slopes =
+          contact.slopes.empty() ? FrictionSlopes() : contact.slopes[k];
+        add_target({k, c}, (contact.friction[k] + slopes.pressure) * direction[c],
+                   reactions, q, target);
+        if (contact.normal_force.empty())
+          continue;
+        const double force = contact.normal_force[k];
         for (unsigned int d = 0; d + 1 < dim; ++d)
           {
-            const double across       = (c == d ? 1. : 0.) - direction[c] * direction[d];
+            const double along        = direction[c] * direction[d],
+                         across       = (c == d ? 1. : 0.) - along;
             const std::int64_t column = number[row_of(body, contact.nodes[k], d)];
-            if (dim == 3 && column >= 0)
-              drag.emplace_back(q, column,
-                                contact.friction[k] * contact.normal_force[k] / speed *
-                                  across);
+            if (column < 0)
+              continue;
+            drag.emplace_back(q, column,
+                              force *
+                                (slopes.rate * along +
+                                 (dim == 3 ? contact.friction[k] / speed * across : 0.)));
+            late_drag.emplace_back(q, column, force * slopes.state * along);
           }
       }
   const auto n_forces = static_cast<Eigen::Index>(pencil.rows.size());
-  pencil.targets.resize(n_forces, pencil.size());
-  pencil.targets.setFromTriplets(target.begin(), target.end());
-  pencil.drag.resize(n_forces, pencil.size());
-  pencil.drag.setFromTriplets(drag.begin(), drag.end());
-  const RealMatrix E = distribution(pencil.rows, pencil.size());
-  pencil.friction    = E * pencil.targets;
-  pencil.resistance  = E * pencil.drag;
+  const auto gather   = [&](RealMatrix &matrix, const std::vector<Triplet> &entries) {
+    matrix.resize(n_forces, pencil.size());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    matrix.prune(0., 0.);
+  };
+  gather(pencil.targets, target);
+  gather(pencil.drag, drag);
+  gather(pencil.late_drag, late_drag);
+  const RealMatrix E     = distribution(pencil.rows, pencil.size());
+  pencil.friction        = E * pencil.targets;
+  pencil.resistance      = E * pencil.drag;
+  pencil.late_resistance = E * pencil.late_drag;
 }
 
-/** What @p matrix does with a complex vector. */
+} // namespace
+
 ComplexVector product(const RealMatrix &matrix, const ComplexVector &x)
 {
   ComplexVector result(matrix.rows());
@@ -105,7 +137,6 @@ ComplexVector product(const RealMatrix &matrix, const ComplexVector &x)
   result.imag() = matrix * imaginary;
   return result;
 }
-} // namespace
 
 ComplexMatrix SlidingPencil::operator()(const Complex s) const
 {
@@ -115,12 +146,15 @@ ComplexMatrix SlidingPencil::operator()(const Complex s) const
   for (Eigen::Index k = 0; k < size(); ++k)
     inertia.insert(k, k) = s * s / damped * mass[k];
   return inertia + stiffness.cast<Complex>() + friction.cast<Complex>() * (-1. / lag) +
-         resistance.cast<Complex>() * (s / (damped * lag));
+         resistance.cast<Complex>() * (s / (damped * lag)) +
+         late_resistance.cast<Complex>() *
+           (s / (damped * lag * (1. + law.state_time * s)));
 }
 
 ComplexVector SlidingPencil::friction_force(const Complex s, const ComplexVector &u) const
 {
-  return ((1. + law.beta * s) * product(targets, u) - s * product(drag, u)) /
+  return ((1. + law.beta * s) * product(targets, u) - s * product(drag, u) -
+          s / (1. + law.state_time * s) * product(late_drag, u)) /
          (1. + law.delta * s);
 }
 
@@ -199,49 +233,6 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
   of_nodes.setFromTriplets(reactions.begin(), reactions.end());
   add_contact(body, of_nodes, number, contact, pencil);
   return pencil;
-}
-
-ShiftedInverse::ShiftedInverse(const SlidingPencil &pencil,
-                               const ComplexFactorization &factors,
-                               const Complex shift,
-                               const double frequency)
-  : pencil(pencil)
-  , factors(factors)
-  , shift(shift)
-  , of_v(frequency)
-  , of_q(pencil.stiffness.diagonal().mean())
-{
-}
-
-void ShiftedInverse::vmult(ComplexVector &dst, const ComplexVector &src) const
-{
-  const Eigen::Index n = pencil.size(), n_forces = pencil.targets.rows();
-  const double beta = pencil.law.beta, delta = pencil.law.delta;
-  const Complex damped = 1. + beta * shift, lag = 1. + delta * shift;
-  const ComplexVector u = src.head(n), v = of_v * src.segment(n, n);
-  ComplexVector old_force = ComplexVector::Zero(n_forces);
-  if (delta > 0.)
-    old_force = delta * of_q * src.tail(n_forces);
-
-  ComplexVector right = -pencil.mass.cwiseProduct(v + shift * u);
-  if (beta > 0.)
-    right -= beta * product(pencil.stiffness, u);
-  const ComplexVector force =
-    (beta * product(pencil.targets, u) - product(pencil.drag, u) - old_force) / lag;
-  for (std::size_t k = 0; k < pencil.rows.size(); ++k)
-    right[pencil.rows[k]] += force[static_cast<Eigen::Index>(k)];
-
-  ComplexVector new_u;
-  factors.solve(new_u, right);
-  new_u /= damped;
-  const ComplexVector new_v = u + shift * new_u;
-  dst.resize(src.size());
-  dst.head(n)       = new_u;
-  dst.segment(n, n) = new_v / of_v;
-  if (delta > 0.)
-    dst.tail(n_forces) = (product(pencil.targets, new_u + beta * new_v) -
-                          product(pencil.drag, new_v) - old_force) /
-                         (lag * of_q);
 }
 
 template RealMatrix whole_stiffness(const ElasticBody<2> &, const MPI_Comm);

@@ -10,12 +10,21 @@
 
 namespace mesoslip
 {
+/** How the coefficient of a node changes about steady sliding. */
+struct FrictionSlopes
+{
+  double pressure = 0.; ///< p dmu/dp (-)
+  double rate     = 0.; ///< dmu/dV of the slip rate at once (s/m)
+  double state    = 0.; ///< likewise by the state of the law, which lags behind (s/m)
+};
+
 /** The nodes that slide on the flat in the static state. */
 struct SlidingNodesAtRest
 {
-  std::vector<NodeIndex> nodes;     ///< pressed, without duplicates
-  std::vector<double> friction;     ///< Coulomb's coefficient of each of them
-  std::vector<double> normal_force; ///< N (2D: N/m) of each of them; used in 3D only
+  std::vector<NodeIndex> nodes;       ///< pressed, without duplicates
+  std::vector<double> friction;       ///< Coulomb's coefficient of each of them
+  std::vector<double> normal_force;   ///< N (2D: N/m) of each; for slopes and in 3D
+  std::vector<FrictionSlopes> slopes; ///< of each; empty: constant coefficients
 
   /** Of the flat along x and, in 3D, y (m/s). */
   std::array<double, 2> velocity = {{1., 0.}};
@@ -24,23 +33,27 @@ struct SlidingNodesAtRest
 /** What steady sliding has besides its body. */
 struct SlidingLaw
 {
-  double delta = 0.; ///< time in which friction follows its target (s); 0: at once
-  double beta  = 0.; ///< of the stiffness-proportional damping (s)
+  double delta      = 0.; ///< time in which friction follows its target (s); 0: at once
+  double beta       = 0.; ///< of the stiffness-proportional damping (s)
+  double state_time = 0.; ///< in which the state follows the slip rate (s); 0: no state
 };
 
 /**
  * Small vibrations u exp(s t) about steady sliding, in the free degrees of freedom:
  *
- *     [ s^2/(1 + beta s) M + K - N/(1 + s delta) + s/((1 + beta s)(1 + s delta)) C ] u = 0
+ *     [ s^2/(1 + beta s) M + K - N/(1 + s delta) + s/((1 + beta s)(1 + s delta)) C(s) ] u = 0
+ *     C(s) = C_0 + C_1/(1 + s tau)
  *
- * N moves mu times the normal reaction of each contact node to its rows along the motion of the
- * flat. C, in 3D only, is the drag across this motion: friction turns against the velocity
- * of the node, by mu times its static normal force over the speed of the flat.
- * Linear in s with v = s u and the friction forces q:
+ * N moves mu + p dmu/dp times the normal reaction of each contact node to its rows along the
+ * motion of the flat. C is the drag of each node, whose static normal force is f: along the
+ * motion f dmu/dV, of which a law with a state has a part C_1 that follows within tau; across
+ * it, in 3D only, mu f over the speed of the flat, as friction turns against the velocity of
+ * the node. Linear in s with v = s u, the friction forces q, and their parts z by the state:
  *
- *     s u = v,    s M v = -K (u + beta v) + E q,    s delta q = G (u + beta v) - D v - q
+ *     s u = v,                     s M v = -K (u + beta v) + E q,
+ *     s tau z = -D_1 v - z,        s delta q = G (u + beta v) - D_0 v + z - q
  *
- * with N = E G and C = E D. Without delta there is no q.
+ * with N = E G and C_i = E D_i. Without delta there is no q, without tau no z.
  */
 class SlidingPencil
 {
@@ -56,7 +69,8 @@ public:
   /** Number of unknowns of the form that is linear in s. */
   Eigen::Index state_size() const
   {
-    return 2 * size() + (law.delta > 0. ? targets.rows() : 0);
+    const int memories = (law.delta > 0. ? 1 : 0) + (law.state_time > 0. ? 1 : 0);
+    return 2 * size() + memories * targets.rows();
   }
 
   /** The matrix in brackets. */
@@ -71,13 +85,18 @@ public:
   Eigen::VectorXd mass;                   ///< M, lumped (kg, 2D: kg/m)
   RealMatrix stiffness;                   ///< K
   RealMatrix targets;                     ///< G, a row for each friction force
-  RealMatrix drag;                        ///< D, likewise
+  RealMatrix drag;                        ///< D_0, likewise
+  RealMatrix late_drag;                   ///< D_1, likewise
   RealMatrix friction;                    ///< N
-  RealMatrix resistance;                  ///< C
+  RealMatrix resistance;                  ///< C_0
+  RealMatrix late_resistance;             ///< C_1
   std::vector<Eigen::Index> rows;         ///< degrees of freedom that E gives the forces
   std::vector<std::size_t> contact_nodes; ///< those of the forces
   SlidingLaw law;                         ///< delta and beta
 };
+
+/** What @p matrix does with a complex vector. */
+ComplexVector product(const RealMatrix &matrix, const ComplexVector &x);
 
 /**
  * The entries of K of the whole body on every rank, numbered as MatrixEntry says.
@@ -97,27 +116,6 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
                                   const SlidingNodesAtRest &contact,
                                   const SlidingLaw &law);
 
-/** Applies (A - sigma B)^-1 B of the linear form A x = s B x, scaled; see nearest(). */
-class ShiftedInverse
-{
-public:
-  /** @p factors of pencil(@p shift) have to outlive this object, like @p pencil. @p
-   * frequency (1/s) scales v. */
-  ShiftedInverse(const SlidingPencil &pencil,
-                 const ComplexFactorization &factors,
-                 const SlidingPencil::Complex shift,
-                 const double frequency);
-
-  /** dst = the operator applied to src, of length SlidingPencil::state_size(). */
-  void vmult(ComplexVector &dst, const ComplexVector &src) const;
-
-private:
-  const SlidingPencil &pencil;
-  const ComplexFactorization &factors;
-  const SlidingPencil::Complex shift;
-  const double of_v; ///< v = of_v times its scaled unknowns
-  const double of_q; ///< q likewise
-};
 } // namespace mesoslip
 
 #endif

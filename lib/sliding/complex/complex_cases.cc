@@ -111,9 +111,13 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
 {
   const MPI_Comm communicator        = context.communicator();
   const ComplexModesParameters &keys = parameters.complex_modes;
-  const RealMatrix all               = whole_stiffness(body, communicator);
+  if (!(keys.lowest_frequency < highest_frequency))
+    throw UserError("Complex modes/Lowest frequency is not below the highest, " +
+                    to_text(highest_frequency) + " Hz; reduce it");
+  const RealMatrix all = whole_stiffness(body, communicator);
 
   ComplexModesOptions options;
+  options.lowest_frequency     = keys.lowest_frequency;
   options.highest_frequency    = highest_frequency;
   options.least_growth         = keys.least_growth;
   options.tolerance            = keys.tolerance;
@@ -157,9 +161,11 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
       const SlidingState &state        = states[k];
       try
         {
-          const FreeDofs<dim> &dofs  = free[k];
-          const SlidingPencil pencil = make_sliding_pencil<dim>(
-            body, all, dofs, state.contact, sliding_law(of_case));
+          const FreeDofs<dim> &dofs = free[k];
+          SlidingLaw law            = sliding_law(of_case);
+          law.state_time            = state.state_time;
+          const SlidingPencil pencil =
+            make_sliding_pencil<dim>(body, all, dofs, state.contact, law);
           ComplexModes found =
             find_complex_modes(pencil, friction_radius(pencil), options);
           cases[k] = numbers_of(pencil, state, found);
@@ -176,8 +182,10 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
         {
           problem = std::make_exception_ptr(NumericalFailure(
             std::string(e.what()) +
-            "; change Complex modes/Highest frequency or Tolerance, and check that sides "
-            "and top hold the body against friction"));
+            "; set Complex modes/Lowest frequency if friction relaxes slowly, change "
+            "Highest "
+            "frequency or Tolerance, and check that sides and top hold the body against "
+            "friction"));
         }
       catch (const Interrupted &)
         {

@@ -32,26 +32,6 @@ nlohmann::json modes_json(const ComplexCase &of_case)
   return modes;
 }
 
-std::string range_text(const ComplexModesParameters &keys, const double highest)
-{
-  return (keys.least_growth == 0.
-            ? std::string("growing modes")
-            : brief_text(4, "modes that decay by at most ", -keys.least_growth, " 1/s")) +
-         brief_text(6, " up to ", 1e-3 * highest, " kHz");
-}
-
-void warn_of_missing(const ComplexCase &of_case,
-                     const std::string &place,
-                     RunContext &context)
-{
-  if (of_case.n_missing != 0)
-    context.warn(
-      "The argument principle counts " + std::to_string(of_case.n_missing) +
-      " eigenvalues more than the search found" + place +
-      ": the list of modes is not complete; tighten Complex modes/Tolerance or "
-      "reduce Highest frequency");
-}
-
 void write_modes_table(const ComplexCase &base, const std::string &path)
 {
   TableWriter table(path, {"mode [-]", "frequency [Hz]", "growth_rate [1/s]",
@@ -63,13 +43,6 @@ void write_modes_table(const ComplexCase &base, const std::string &path)
                                       mode.growth_by_friction, mode.growth_by_damping,
                                       mode.residual});
   table.flush();
-}
-
-std::string swept_column(const ModeSweep sweep)
-{
-  return sweep == ModeSweep::coefficient           ? "friction_coefficient [-]"
-         : sweep == ModeSweep::regularization_time ? "regularization_time [s]"
-                                                   : "velocity [m/s]";
 }
 
 void write_sweep_table(const std::vector<ComplexCase> &sweep,
@@ -130,58 +103,17 @@ parts_of(const ComplexMode &mode, const FreeDofs<dim> &dofs, const ElasticBody<d
 }
 } // namespace
 
+std::string swept_column(const ModeSweep sweep)
+{
+  return sweep == ModeSweep::coefficient           ? "friction_coefficient [-]"
+         : sweep == ModeSweep::regularization_time ? "regularization_time [s]"
+                                                   : "velocity [m/s]";
+}
+
 std::vector<std::string> complex_modes_files()
 {
   return {"complex_modes.csv", "complex_modes_sweep.csv", "complex_modes.h5",
           "complex_modes.xdmf", "complex_modes-phases.xdmf"};
-}
-
-template <int dim>
-void log_complex_modes(const ComplexCases<dim> &cases,
-                       const ContactParameters &parameters,
-                       RunContext &context)
-{
-  const ComplexCase &base   = cases.base;
-  const ComplexModes &found = cases.modes;
-  const bool counted        = parameters.complex_modes.count;
-  context.log(std::to_string(base.n_sliding) + " contact nodes slide" +
-              (base.n_separated > 0 ? ", " + std::to_string(base.n_separated) +
-                                        " are separated in the static state and free"
-                                    : "") +
-              brief_text(4, "; delta = ", 1e9 * base.delta, " ns"));
-  if (parameters.friction.law_name == "slip rate")
-    context.log("The slip-rate law is linearized: delta = L / (|V| + V_ref) of steady "
-                "sliding, whose changes act on a friction force that is at its target");
-  context.log(std::to_string(base.modes.size()) + " " +
-              range_text(parameters.complex_modes, cases.highest_frequency) + ", from " +
-              std::to_string(found.n_shifts) + " shifts" +
-              (counted && base.n_missing == 0
-                 ? brief_text(4,
-                              "; the argument principle counts none else with growth "
-                              "rates up to ",
-                              found.fastest_counted, " 1/s")
-               : counted ? std::string()
-                         : "; not counted (Count modes = false)"));
-  if (std::isfinite(base.nothing_grows_above))
-    context.log(brief_text(5, "No mode above ", 1e-3 * base.nothing_grows_above,
-                           " kHz can grow on these cells"));
-  else
-    context.log("Above the highest frequency modes may grow as well");
-  for (std::size_t k = 0; k < std::min<std::size_t>(base.modes.size(), 30); ++k)
-    context.log(brief_text(6, "  mode ", k + 1, "  ", 1e-3 * base.modes[k].frequency,
-                           " kHz  growth ", base.modes[k].growth_rate, " 1/s"));
-  warn_of_missing(base, "", context);
-  for (const ComplexCase &of_case : cases.sweep)
-    {
-      warn_of_missing(of_case, brief_text(6, " at ", of_case.value), context);
-      context.log(brief_text(6, "  ", swept_column(parameters.complex_modes.sweep), " = ",
-                             of_case.value, ": ", of_case.modes.size(), " modes",
-                             of_case.modes.empty()
-                               ? std::string()
-                               : brief_text(6, ", fastest ", of_case.modes[0].growth_rate,
-                                            " 1/s at ", 1e-3 * of_case.modes[0].frequency,
-                                            " kHz")));
-    }
 }
 
 template <int dim>
@@ -195,6 +127,7 @@ void write_complex_tables(const ComplexCases<dim> &cases,
   json["complex_modes"] = modes_json(cases.base);
   json["missing_modes"] =
     keys.count ? nlohmann::json(cases.base.n_missing) : nlohmann::json();
+  json["lowest_frequency"]  = keys.lowest_frequency;
   json["highest_frequency"] = cases.highest_frequency;
   json["least_growth_rate"] = keys.least_growth;
   json["largest_growth_rate_counted"] =
@@ -262,6 +195,17 @@ ShownComplexShapes write_complex_shapes(Hdf5File &file,
     {"friction_coefficient", "-", &cases.state.contact.friction}};
   for (unsigned int c = 0; c < dim; ++c)
     contact.push_back({std::string(1, "xyz"[c]), "m", &place[c]});
+  std::vector<double> at_once, by_state;
+  for (const FrictionSlopes &slopes : cases.state.contact.slopes)
+    {
+      at_once.push_back(slopes.rate);
+      by_state.push_back(slopes.state);
+    }
+  if (!at_once.empty())
+    {
+      contact.push_back({"coefficient_slope", "s/m", &at_once});
+      contact.push_back({"coefficient_slope_by_state", "s/m", &by_state});
+    }
   write_series(file, group + "/contact", contact);
   if (n == 0)
     return shown;
@@ -278,13 +222,11 @@ ShownComplexShapes write_complex_shapes(Hdf5File &file,
   return shown;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                       \
-  template void log_complex_modes(const ComplexCases<dim> &, const ContactParameters &, \
-                                  RunContext &);                                        \
-  template void write_complex_tables(const ComplexCases<dim> &,                         \
-                                     const ContactParameters &, RunContext &);          \
-  template ShownComplexShapes write_complex_shapes(                                     \
-    Hdf5File &, const ComplexCases<dim> &, const ElasticBody<dim> &,                    \
+#define MESOSLIP_INSTANTIATE(dim)                                              \
+  template void write_complex_tables(const ComplexCases<dim> &,                \
+                                     const ContactParameters &, RunContext &); \
+  template ShownComplexShapes write_complex_shapes(                            \
+    Hdf5File &, const ComplexCases<dim> &, const ElasticBody<dim> &,           \
     const ContactParameters &, const Shape &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -13,6 +13,9 @@ namespace mesoslip
 /** Files that the analysis writes. */
 std::vector<std::string> complex_modes_files();
 
+/** Name of what is swept, with its unit, as a column has it. */
+std::string swept_column(const ModeSweep sweep);
+
 /** Lines and warnings on modes, completeness and the static state. */
 template <int dim>
 void log_complex_modes(const ComplexCases<dim> &cases,

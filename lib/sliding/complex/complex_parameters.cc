@@ -2,6 +2,8 @@
 
 #include "base/errors.h"
 #include "parameters/keys.h"
+#include "sliding/analyses/modal_cases.h"
+#include "sliding/complex/steady_friction.h"
 #include "sliding/contact_parameters.h"
 
 #include <cmath>
@@ -15,6 +17,13 @@ void ComplexModesParameters::bind(Keys &keys)
     "Highest frequency", highest_frequency, Range::positive(),
     "All modes up to this frequency are found; auto: that of a longitudinal "
     "wave as long as the body is high [Hz]");
+  keys.bind("Lowest frequency", lowest_frequency, Range::non_negative(),
+            "Modes below this frequency are neither looked for nor counted. Above 0 it "
+            "keeps the search away from what only relaxes, which does not converge else "
+            "if friction relaxes slowly, about from 0.3 ms on [Hz]");
+  keys.require(!(lowest_frequency >= highest_frequency), "Lowest frequency",
+               to_text(lowest_frequency) + " Hz is not below Highest frequency, " +
+                 to_text(highest_frequency) + " Hz");
   double decay = 0. - least_growth;
   keys.bind(
     "Fastest decay", decay, Range::non_negative(),
@@ -98,6 +107,22 @@ void check_complex_modes(const ContactParameters &p)
     throw UserError(
       "Complex modes/Sweep is friction coefficient, but the coefficients are "
       "those of the phases; set Friction/Coefficient from = constant");
+  if (p.contact.law.slip_law)
+    {
+      SlipPoint at;
+      at.slip_rate = std::fabs(p.contact.flat_velocity.amplitude());
+      at.pressure  = std::fabs(p.top.pressure.amplitude());
+      steady_friction(*p.contact.law.slip_law, at);
+      if (sweep == ModeSweep::coefficient)
+        throw UserError("Complex modes/Sweep is friction coefficient, but there is a "
+                        "Friction/Coefficient law; sweep the velocity, or set the law to "
+                        "constant");
+      if (top_at_start(p).kind == TopSetup::Kind::held)
+        throw UserError(
+          "Friction/Coefficient law is not constant, but the top is held and "
+          "nothing presses the body on the flat, which slopes of the "
+          "coefficient are multiplied with; set Top/Kind = platen or pressure");
+    }
   if (sweep == ModeSweep::regularization_time && law != "constant time")
     throw UserError("Complex modes/Sweep is regularization time, but Friction/Law is " +
                     law + "; set it to constant time");

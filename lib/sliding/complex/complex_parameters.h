@@ -23,6 +23,8 @@ enum class ModeSweep
 /** Section Complex modes. */
 struct ComplexModesParameters
 {
+  double lowest_frequency = 0.; ///< Hz
+
   /** Hz; NaN: that of a longitudinal wave as long as the body is high. */
   double highest_frequency = std::numeric_limits<double>::quiet_NaN();
 

@@ -8,7 +8,7 @@
 #include "sliding/complex/complex_output.h"
 #include "sliding/run_plan.h"
 
-#include <optional>
+#include <vector>
 
 namespace mesoslip
 {
@@ -44,15 +44,20 @@ void ComplexModesAnalysis::run(RunContext &context)
     if (!of_case.friction.coefficient_by_phase)
       described.node_friction.assign(described.node_friction.size(),
                                                of_case.friction.coefficient);
-    std::optional<StaticContactResult> found;
+    StaticContact solve;
     if (top.kind != TopSetup::Kind::held)
-      with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
-        found = compute_static_contact(of_case, described, material, options,
-                                                 context.communicator());
-      });
+      solve = [&](const std::vector<double> &friction) {
+        described.node_friction = friction;
+        StaticContactResult found;
+        with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
+          found = compute_static_contact(of_case, described, material, options,
+                                                   context.communicator());
+        });
+        return found.solution;
+      };
     return sliding_state<2>(elastic, of_case,
                             held_by_supports(material, of_case.sides, top),
-                            described.node_friction, found ? &found->solution : nullptr);
+                            std::vector<double>(described.node_friction), solve);
   };
   const auto scope = context.timer().scope("Complex modes");
   const auto cases = compute_complex_modes<2>(

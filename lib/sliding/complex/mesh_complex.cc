@@ -7,7 +7,7 @@
 #include "sliding/mesh/mesh_file.h"
 #include "sliding/mesh/statics/mesh_static_load.h"
 
-#include <optional>
+#include <vector>
 
 namespace mesoslip
 {
@@ -60,18 +60,23 @@ SlidingState MeshComplex<dim>::at_rest(const ContactParameters &of_case,
   MeshBodyDescription described = this->body;
   if (!of_case.friction.coefficient_by_phase)
     described.friction.assign(described.friction.size(), of_case.friction.coefficient);
-  const DofMask held = this->held_by_mesh(top_at_start(of_case));
-  std::optional<StaticContactSolution> solution;
+  const DofMask held           = this->held_by_mesh(top_at_start(of_case));
   StaticContactOptions options = of_case.static_contact;
   options.before_iteration     = stop_or_report(context, "iteration");
+  StaticContact solve;
   if (is_pressed())
-    with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
-      MeshStaticLoad<dim> load(of_case, described, elastic, held,
-                               this->phases[0].stiffness(dim - 1, dim - 1));
-      solution = load.follow(options);
-    });
-  return sliding_state<dim>(elastic, of_case, held, described.friction,
-                            solution ? &*solution : nullptr);
+    solve = [&](const std::vector<double> &friction) {
+      described.friction = friction;
+      StaticContactSolution found;
+      with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
+        MeshStaticLoad<dim> load(of_case, described, elastic, held,
+                                 this->phases[0].stiffness(dim - 1, dim - 1));
+        found = load.follow(options);
+      });
+      return found;
+    };
+  return sliding_state<dim>(elastic, of_case, held,
+                            std::vector<double>(described.friction), solve);
 }
 
 template <int dim>

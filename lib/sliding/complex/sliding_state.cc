@@ -1,15 +1,96 @@
 #include "sliding/complex/sliding_state.h"
 
 #include "base/errors.h"
+#include "sliding/complex/steady_friction.h"
+#include "statics/static_solver.h"
+
+#include <cmath>
+#include <optional>
 
 namespace mesoslip
 {
+namespace
+{
+/** Friction of each node of a surface as the law has it under a static contact. */
+template <int dim>
+std::vector<SteadyFriction> friction_of(const SurfaceNodes<dim> &bottom,
+                                        const ElasticBody<dim> &body,
+                                        const ContactParameters &parameters,
+                                        const std::vector<double> &coefficients,
+                                        const StaticContactSolution *solution)
+{
+  const FrictionLaw &law = parameters.contact.law;
+  std::vector<SteadyFriction> result(coefficients.size());
+  for (std::size_t k = 0; k < result.size(); ++k)
+    {
+      if (!law.slip_law)
+        {
+          result[k].coefficient = coefficients[k];
+          continue;
+        }
+      double area = std::fabs(bottom.normal_area[k][dim - 1]);
+      if (bottom.closed && (k == 0 || k + 1 == bottom.nodes.size()))
+        area = std::fabs(bottom.normal_area.front()[dim - 1]) +
+               std::fabs(bottom.normal_area.back()[dim - 1]);
+      SlipPoint at;
+      at.slip_rate = std::fabs(parameters.contact.flat_velocity.amplitude());
+      at.pressure  = solution == nullptr ? parameters.top.pressure.amplitude()
+                     : area > 0.         ? solution->normal_force[k] / area
+                                         : 0.;
+      for (unsigned int c = 0; c + 1 < dim; ++c)
+        at.position[c] = body.point(bottom.nodes[k])[c];
+      SteadyFriction &node = result[k];
+      node                 = steady_friction(*law.slip_law, at);
+      const double factor  = coefficients[k] / law.reference;
+      node.coefficient *= factor;
+      node.slopes = {factor * node.slopes.pressure, factor * node.slopes.rate,
+                     factor * node.slopes.state};
+    }
+  return result;
+}
+
+/** The static contact whose pressures give the coefficients that it has. */
+template <int dim>
+StaticContactSolution settle(const SurfaceNodes<dim> &bottom,
+                             const ElasticBody<dim> &body,
+                             const ContactParameters &parameters,
+                             const std::vector<double> &coefficients,
+                             const StaticContact &solve)
+{
+  constexpr unsigned int most = 50;
+  const FrictionLaw &law      = parameters.contact.law;
+  std::optional<StaticContactSolution> solution;
+  std::vector<double> before;
+  for (unsigned int n = 0; n < most; ++n)
+    {
+      std::vector<double> mu;
+      double change = 0.;
+      for (const SteadyFriction &node : friction_of<dim>(
+             bottom, body, parameters, coefficients, solution ? &*solution : nullptr))
+        {
+          if (solution)
+            change = std::max(change, std::fabs(node.coefficient - before[mu.size()]));
+          mu.push_back(node.coefficient);
+        }
+      if (solution && change < 1e-9)
+        return *solution;
+      solution = solve(mu);
+      if (!law.slip_law || !law.slip_law->looks_around())
+        return *solution;
+      before = mu;
+    }
+  throw NotConverged(
+    "coefficients of friction that depend on the pressure and the pressures "
+    "in the static state did not settle");
+}
+} // namespace
+
 template <int dim>
 SlidingState sliding_state(const ElasticBody<dim> &body,
                            const ContactParameters &parameters,
                            const DofMask &held,
                            const std::vector<double> &friction,
-                           const StaticContactSolution *solution)
+                           const StaticContact &solve)
 {
   SlidingState state;
   state.held               = held;
@@ -17,21 +98,28 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
   for (unsigned int c = 0; c < 2; ++c)
     state.contact.velocity[c] = flat.flat_velocity.amplitude() * flat.flat_direction[c];
   const SurfaceNodes<dim> &bottom = body.surface(ElasticBody<dim>::bottom);
+  std::optional<StaticContactSolution> solution;
+  if (solve)
+    solution = settle<dim>(bottom, body, parameters, friction, solve);
+  const std::vector<SteadyFriction> nodes =
+    friction_of<dim>(bottom, body, parameters, friction, solution ? &*solution : nullptr);
   for (std::size_t k = 0; k + (bottom.closed ? 1 : 0) < bottom.nodes.size(); ++k)
     {
       const NodeIndex &node = bottom.nodes[k];
       if (held.is_constrained(dim - 1, node))
         continue; // by a side: no contact node
-      if (solution != nullptr && solution->state[k] == ContactState::separated)
+      if (solution && solution->state[k] == ContactState::separated)
         {
           ++state.n_separated;
           continue;
         }
       state.held.constrain(dim - 1, node);
       state.contact.nodes.push_back(node);
-      state.contact.friction.push_back(friction[k]);
-      state.contact.normal_force.push_back(
-        solution == nullptr ? 0. : solution->normal_force[k]);
+      state.contact.friction.push_back(nodes[k].coefficient);
+      state.contact.normal_force.push_back(solution ? solution->normal_force[k] : 0.);
+      if (flat.law.slip_law)
+        state.contact.slopes.push_back(nodes[k].slopes);
+      state.state_time = nodes[k].state_time;
       state.place.push_back(k);
     }
   body.copy_duplicates(state.held);
@@ -44,10 +132,10 @@ template SlidingState sliding_state(const ElasticBody<2> &,
                                     const ContactParameters &,
                                     const DofMask &,
                                     const std::vector<double> &,
-                                    const StaticContactSolution *);
+                                    const StaticContact &);
 template SlidingState sliding_state(const ElasticBody<3> &,
                                     const ContactParameters &,
                                     const DofMask &,
                                     const std::vector<double> &,
-                                    const StaticContactSolution *);
+                                    const StaticContact &);
 } // namespace mesoslip

@@ -142,10 +142,11 @@ std::string FrictionParameters::memory_text(const NormalStressMemory &memory)
 void ContactParameters::make_slip_law(const Keys &keys)
 {
   FrictionParameters::Use use;
-  use.dim            = mesh.mesh.dim;
-  use.pressure       = std::fabs(top.pressure.amplitude());
-  use.speed          = std::fabs(contact.flat_velocity.amplitude());
-  use.in_time        = analysis == ContactAnalysis::transient;
+  use.dim      = mesh.mesh.dim;
+  use.pressure = std::fabs(top.pressure.amplitude());
+  use.speed    = std::fabs(contact.flat_velocity.amplitude());
+  use.in_time  = analysis == ContactAnalysis::transient ||
+                analysis == ContactAnalysis::complex_modes; // which linearize it
   use.flat_displaced = static_load.moves_flat();
   friction.make_slip_law(keys, use, contact.law);
 }

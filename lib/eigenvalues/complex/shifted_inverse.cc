@@ -1,0 +1,58 @@
+#include "eigenvalues/complex/shifted_inverse.h"
+
+namespace mesoslip
+{
+ShiftedInverse::ShiftedInverse(const SlidingPencil &pencil,
+                               const ComplexFactorization &factors,
+                               const SlidingPencil::Complex shift,
+                               const double frequency)
+  : pencil(pencil)
+  , factors(factors)
+  , shift(shift)
+  , of_v(frequency)
+  , of_q(pencil.stiffness.diagonal().mean())
+{
+}
+
+void ShiftedInverse::vmult(ComplexVector &dst, const ComplexVector &src) const
+{
+  const Eigen::Index n = pencil.size(), n_forces = pencil.targets.rows();
+  const double beta = pencil.law.beta, delta = pencil.law.delta,
+               tau                    = pencil.law.state_time;
+  const SlidingPencil::Complex damped = 1. + beta * shift, lag = 1. + delta * shift,
+                               late = 1. + tau * shift;
+  const ComplexVector u = src.head(n), v = of_v * src.segment(n, n);
+  ComplexVector old_force = ComplexVector::Zero(n_forces), old_late = old_force;
+  if (delta > 0.)
+    old_force = delta * of_q * src.segment(2 * n, n_forces);
+  if (tau > 0.)
+    old_late = tau * of_q * src.tail(n_forces);
+
+  // D_0 v - z as far as it is known.
+  const auto drag = [&](const ComplexVector &velocity) -> ComplexVector {
+    return product(pencil.drag, velocity) +
+           (product(pencil.late_drag, velocity) + old_late) / late;
+  };
+  ComplexVector right = -pencil.mass.cwiseProduct(v + shift * u);
+  if (beta > 0.)
+    right -= beta * product(pencil.stiffness, u);
+  const ComplexVector force =
+    (beta * product(pencil.targets, u) - drag(u) - old_force) / lag;
+  for (std::size_t k = 0; k < pencil.rows.size(); ++k)
+    right[pencil.rows[k]] += force[static_cast<Eigen::Index>(k)];
+
+  ComplexVector new_u;
+  factors.solve(new_u, right);
+  new_u /= damped;
+  const ComplexVector new_v = u + shift * new_u;
+  dst.resize(src.size());
+  dst.head(n)       = new_u;
+  dst.segment(n, n) = new_v / of_v;
+  if (delta > 0.)
+    dst.segment(2 * n, n_forces) =
+      (product(pencil.targets, new_u + beta * new_v) - drag(new_v) - old_force) /
+      (lag * of_q);
+  if (tau > 0.)
+    dst.tail(n_forces) = -(product(pencil.late_drag, new_v) + old_late) / (late * of_q);
+}
+} // namespace mesoslip

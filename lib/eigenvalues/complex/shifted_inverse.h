@@ -1,0 +1,31 @@
+#ifndef mesoslip_eigenvalues_complex_shifted_inverse_h
+#define mesoslip_eigenvalues_complex_shifted_inverse_h
+
+#include "eigenvalues/complex/sliding_pencil.h"
+
+namespace mesoslip
+{
+/** Applies (A - sigma B)^-1 B of the linear form A x = s B x, scaled; see nearest(). */
+class ShiftedInverse
+{
+public:
+  /** @p factors of pencil(@p shift) have to outlive this object, like @p pencil. @p
+   * frequency (1/s) scales v. */
+  ShiftedInverse(const SlidingPencil &pencil,
+                 const ComplexFactorization &factors,
+                 const SlidingPencil::Complex shift,
+                 const double frequency);
+
+  /** dst = the operator applied to src, of length SlidingPencil::state_size(). */
+  void vmult(ComplexVector &dst, const ComplexVector &src) const;
+
+private:
+  const SlidingPencil &pencil;
+  const ComplexFactorization &factors;
+  const SlidingPencil::Complex shift;
+  const double of_v; ///< v = of_v times its scaled unknowns
+  const double of_q; ///< q likewise
+};
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,111 @@
+#include "material/plausibility.h"
+#include "sliding/complex/complex_output.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+std::string range_text(const ComplexModesParameters &keys, const double highest)
+{
+  return (keys.least_growth == 0.
+            ? std::string("growing modes")
+            : brief_text(4, "modes that decay by at most ", -keys.least_growth, " 1/s")) +
+         (keys.lowest_frequency > 0.
+            ? brief_text(6, " from ", 1e-3 * keys.lowest_frequency, " to ",
+                         1e-3 * highest, " kHz")
+            : brief_text(6, " up to ", 1e-3 * highest, " kHz"));
+}
+
+void warn_of_missing(const ComplexCase &of_case,
+                     const std::string &place,
+                     RunContext &context)
+{
+  if (of_case.n_missing != 0)
+    context.warn(
+      "The argument principle counts " + std::to_string(of_case.n_missing) +
+      " eigenvalues more than the search found" + place +
+      ": the list of modes is not complete; tighten Complex modes/Tolerance or "
+      "reduce Highest frequency");
+}
+
+/** The coefficient of the law about steady sliding, and how it changes. */
+std::string law_text(const SlidingState &state)
+{
+  const SlidingNodesAtRest &contact = state.contact;
+  const auto mu = std::minmax_element(contact.friction.begin(), contact.friction.end());
+  const auto least =
+    *std::min_element(contact.slopes.begin(), contact.slopes.end(),
+                      [](const FrictionSlopes &a, const FrictionSlopes &b) {
+                        return a.rate + a.state < b.rate + b.state;
+                      });
+  return brief_text(4, "In steady sliding mu = ", *mu.first,
+                    *mu.first == *mu.second ? std::string()
+                                            : brief_text(4, " to ", *mu.second),
+                    ", d mu/dV = ", least.rate, " s/m at once") +
+         (state.state_time > 0.
+            ? brief_text(4, " and ", least.state, " s/m by the state, within ",
+                         1e9 * state.state_time, " ns")
+            : std::string()) +
+         (*mu.first == *mu.second ? "" : " where the sum is least");
+}
+
+} // namespace
+
+template <int dim>
+void log_complex_modes(const ComplexCases<dim> &cases,
+                       const ContactParameters &parameters,
+                       RunContext &context)
+{
+  const ComplexCase &base   = cases.base;
+  const ComplexModes &found = cases.modes;
+  const bool counted        = parameters.complex_modes.count;
+  context.log(std::to_string(base.n_sliding) + " contact nodes slide" +
+              (base.n_separated > 0 ? ", " + std::to_string(base.n_separated) +
+                                        " are separated in the static state and free"
+                                    : "") +
+              brief_text(4, "; delta = ", 1e9 * base.delta, " ns"));
+  if (!cases.state.contact.slopes.empty())
+    context.log(law_text(cases.state));
+  if (parameters.friction.law_name == "slip rate")
+    context.log("The slip-rate law is linearized: delta = L / (|V| + V_ref) of steady "
+                "sliding, whose changes act on a friction force that is at its target");
+  context.log(std::to_string(base.modes.size()) + " " +
+              range_text(parameters.complex_modes, cases.highest_frequency) + ", from " +
+              std::to_string(found.n_shifts) + " shifts" +
+              (counted && base.n_missing == 0
+                 ? brief_text(4,
+                              "; the argument principle counts none else with growth "
+                              "rates up to ",
+                              found.fastest_counted, " 1/s")
+               : counted ? std::string()
+                         : "; not counted (Count modes = false)"));
+  if (std::isfinite(base.nothing_grows_above))
+    context.log(brief_text(5, "No mode above ", 1e-3 * base.nothing_grows_above,
+                           " kHz can grow on these cells"));
+  else
+    context.log("Above the highest frequency modes may grow as well");
+  for (std::size_t k = 0; k < std::min<std::size_t>(base.modes.size(), 30); ++k)
+    context.log(brief_text(6, "  mode ", k + 1, "  ", 1e-3 * base.modes[k].frequency,
+                           " kHz  growth ", base.modes[k].growth_rate, " 1/s"));
+  warn_of_missing(base, "", context);
+  for (const ComplexCase &of_case : cases.sweep)
+    {
+      warn_of_missing(of_case, brief_text(6, " at ", of_case.value), context);
+      context.log(brief_text(6, "  ", swept_column(parameters.complex_modes.sweep), " = ",
+                             of_case.value, ": ", of_case.modes.size(), " modes",
+                             of_case.modes.empty()
+                               ? std::string()
+                               : brief_text(6, ", fastest ", of_case.modes[0].growth_rate,
+                                            " 1/s at ", 1e-3 * of_case.modes[0].frequency,
+                                            " kHz")));
+    }
+}
+
+template void
+log_complex_modes(const ComplexCases<2> &, const ContactParameters &, RunContext &);
+template void
+log_complex_modes(const ComplexCases<3> &, const ContactParameters &, RunContext &);
+} // namespace mesoslip

@@ -1,0 +1,150 @@
+"""Analysis complex modes with laws of the coefficient of friction: the shear vibration of a layer that a falling coefficient feeds, in
+closed form; coefficients that do not change; the same pin in 3D; friction that relaxes slowly; what is refused."""
+
+import cmath
+import math
+import os
+import sys
+import tempfile
+
+import numpy as np
+
+from scenes import TOOLS, Folder, prm
+
+sys.path.append(os.path.join(TOOLS, "studies", "prediction"))
+from sliding_modes import SlidingPin  # noqa: E402
+
+# The stiffness is that of eq. (10), of which the shear modulus takes part.
+HEIGHT, DENSITY, SHEAR, PRESSURE, VELOCITY, TOP = 0.016, 1770, 13.785e9, 5e7, 2., 200e3
+SPEED = math.sqrt(SHEAR / DENSITY)
+LAYER = {"Analysis": "complex modes", "Body/Stiffness": f"36.54e9, 9.1e9, 47.26e9, {SHEAR}", "Body/Density": DENSITY,
+         "Body/Size": f"{HEIGHT / 10}, {HEIGHT}", "Sides/Periodic": "true", "Top/Kind": "pressure", "Top/Lateral held": "true",
+         "Top/Pressure": PRESSURE, "Flat/Velocity": VELOCITY, "Complex modes/Highest frequency": TOP, "Complex modes/Fastest decay": 2000}
+FALLING = {"Friction/Coefficient law": "static and kinetic", "Friction/Coefficient": 0.3, "Friction/Kinetic coefficient": 0.1,
+           "Friction/Critical velocity": 1.}
+STATE = {"Friction/Coefficient law": "rate and state", "Friction/Coefficient": 0.9, "Friction/Rate and state/Direct effect": 0.01,
+         "Friction/Rate and state/Evolution effect": 0.05, "Friction/Rate and state/Length": 4e-6}
+PLAIN, DAMPED = {"Friction/Regularization time": 0, "Time/Rayleigh beta": 0}, {"Friction/Regularization time": 1e-6, "Time/Rayleigh beta": 4.4e-9}
+
+
+def modes(folder, settings):
+    folder.write("layer.prm", prm(settings))
+    folder.run(0, "contact_dynamics", "layer.prm", "--output", "layer")
+    summary = folder.summary("layer")
+    assert summary["missing_modes"] == 0, summary
+    return np.array([complex(mode["growth_rate"], 2 * math.pi * mode["frequency"]) for mode in summary["complex_modes"]])
+
+
+def exact(slope, late, tau, law, order):
+    """s (1/s) of u = sinh(k (H - y)) exp(s t), k = s/(c sqrt(1 + beta s)), whose shear stress at the flat is -p dmu/dV(s) times
+    its velocity: sqrt(1 + beta s) rho c coth(k H) = -p (slope + late/(1 + s tau))/(1 + s delta)."""
+    delta, beta = law["Friction/Regularization time"], law["Time/Rayleigh beta"]
+
+    def boundary(s):
+        root = cmath.sqrt(1 + beta * s)
+        k = s / (SPEED * root)
+        return root * DENSITY * SPEED * cmath.cosh(k * HEIGHT) + PRESSURE * (slope + late / (1 + s * tau)) / (1 + s * delta) * cmath.sinh(k * HEIGHT)
+
+    s = complex(0, (2 * order + 1) * math.pi * SPEED / (2 * HEIGHT))
+    for _ in range(60):
+        step = 1e-6 * abs(s)
+        s -= boundary(s) * 2 * step / (boundary(s + step) - boundary(s - step))
+    assert abs(boundary(s)) < 1e-7 * DENSITY * SPEED
+    return s
+
+
+def check_layer(folder):
+    """Order two in the cells for laws of the rate and of rate and state, with and without regularization and damping."""
+    impedance = DENSITY * SPEED
+    falling, ageing = (-0.2 * math.exp(-2), 0, 0), (0.01 / VELOCITY, -0.05 / VELOCITY, 4e-6 / VELOCITY)
+    closed = SPEED / HEIGHT * math.atanh(-PRESSURE * falling[0] / impedance)
+    assert abs(exact(*falling, PLAIN, 0).real / closed - 1) < 1e-9, closed
+    slip = {**STATE, "Friction/Rate and state/Evolution": "slip law"}
+    for name, law, slopes, regularized in (("falling", FALLING, falling, PLAIN), ("falling, regularized and damped", FALLING, falling, DAMPED),
+                                           ("rate and state", STATE, ageing, PLAIN), ("slip law, regularized and damped", slip, ageing, DAMPED)):
+        wanted = [s for s in (exact(*slopes, regularized, order) for order in range(3)) if s.real > 0 and s.imag < 2 * math.pi * TOP]
+        assert len(wanted) >= 1, wanted
+        errors = []
+        for n in (20, 40):
+            found = modes(folder, {**LAYER, **law, **regularized, "Body/Cells": f"{n // 10}, {n}"})
+            errors.append([abs(found - s).min() / abs(s) for s in wanted])
+        orders = np.log2(np.divide(*errors))
+        print(f"{name}: {wanted[0].real:.1f} 1/s at {wanted[0].imag / 2 / math.pi:.1f} Hz; errors {errors}, orders {orders}")
+        assert np.abs(orders - 2).max() < 0.05 and errors[1][0] < 1e-4, (name, errors)
+
+
+def check_limits(folder):
+    """A law that does not change in steady sliding is its constant."""
+    grid = {**LAYER, **DAMPED, "Body/Cells": "2, 20", "Complex modes/Fastest decay": 20000}
+    constant = modes(folder, {**grid, "Friction/Coefficient": 0.2})
+    for law in ({"Friction/Coefficient law": "linear slip weakening", "Friction/Coefficient": 0.5, "Friction/Kinetic coefficient": 0.2},
+                {"Friction/Coefficient law": "exponential slip weakening", "Friction/Coefficient": 0.5, "Friction/Kinetic coefficient": 0.2},
+                {"Friction/Coefficient law": "expression", "Friction/Coefficient expression": "0.2"}):
+        found = modes(folder, {**grid, **law})
+        assert len(found) == len(constant) and np.abs(found / constant - 1).max() < 1e-9, (law, found, constant)
+    rising = modes(folder, {**grid, "Friction/Coefficient law": "expression", "Friction/Coefficient expression": "0.18 + 0.01*V"})
+    s = exact(0.01, 0, 0, DAMPED, 0)
+    assert s.real < -5000 and abs(rising - s).min() < 1e-3 * abs(s), (rising, s)
+
+
+PIN = {"Analysis": "complex modes", "Body/Stiffness": "36.54e9, 9.1e9, 47.26e9, 13.785e9", "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
+       "Body/Cells": "24, 8", "Top/Kind": "platen", "Top/Pressure": 5e6, "Flat/Velocity": VELOCITY, "Friction/Regularization time": 4e-7,
+       "Complex modes/Highest frequency": 1e6, "Complex modes/Fastest decay": 20000}
+SLICE = {**PIN, "Body/Stiffness": "36.54e9, 8e9, 9.1e9, 40e9, 9e9, 47.26e9, 12e9, 13.785e9, 11e9", "Body/Size": "0.012, 0.0005, 0.004",
+         "Body/Cells": "24, 1, 8"}
+
+
+def check_slice(folder):
+    """The modes of a plane pin are among those of a slice in 3D that is held across, with coefficients of slip rate, pressure and place."""
+    law = {"Friction/Coefficient law": "expression", "Friction/Coefficient expression": "0.15 + 0.1*p/1e7 + 0.3*exp(-V) + 3*x"}
+    plane = modes(folder, {**PIN, **law})
+    folder.write("slice.prm", "set Dimension = 3\n" + prm({**SLICE, **law, "Sides/Front": "u_y", "Sides/Back": "u_y"}))
+    for ranks in (1, 2):
+        folder.run(0, "contact_dynamics", "slice.prm", "--output", "slice", ranks=ranks)
+        summary = folder.summary("slice")
+        found = np.array([complex(mode["growth_rate"], 2 * math.pi * mode["frequency"]) for mode in summary["complex_modes"]])
+        assert summary["missing_modes"] == 0 and len(plane) >= 5, summary
+        for s in plane:
+            assert abs(found - s).min() < 1e-6 * abs(s), (ranks, s, found)
+
+
+def check_slow_friction(folder):
+    """Friction that relaxes within a millisecond, as scipy has it by inverse iteration; within a second, as without friction. In 3D a
+    flat so slow that it holds the nodes across its motion."""
+    low = {"Complex modes/Lowest frequency": 5e3}
+    for delta, tolerance in ((1e-3, 1e-8), (1, 1e-6)):
+        found = modes(folder, {**PIN, **low, "Friction/Regularization time": delta})
+        assert len(found) >= 4, found
+        pin = SlidingPin.build(np.zeros((8, 24), int), [[[36.54e9, 9.1e9, 0], [9.1e9, 47.26e9, 0], [0, 0, 13.785e9]]], DENSITY, (0.012, 0.004),
+                               0.25 if delta < 1 else 0, delta, 4.4e-9)
+        for s in found:
+            other, _ = pin.eigenvalue(complex(s) * (1 + 1e-3))
+            assert abs(other - s) < tolerance * abs(s), (delta, s, other)
+    for settings, status in (({}, 3), (low, 0)):
+        folder.write("slow.prm", "set Dimension = 3\n" + prm({**SLICE, **settings, "Flat/Velocity": 1e-6}))
+        said = folder.run(status, "contact_dynamics", "slow.prm", "--output", "slow")
+        assert status == 0 or "Lowest frequency" in said, said
+    assert folder.summary("slow")["missing_modes"] == 0 and len(folder.summary("slow")["complex_modes"]) >= 4
+
+
+def check_refused(folder):
+    expression = {"Friction/Coefficient law": "expression"}
+    for settings, words in (({**expression, "Friction/Coefficient expression": "0.2 + t"}, ["Coefficient law", "depends on the time"]),
+                            ({**expression, "Friction/Coefficient expression": "0.2 + 0.1*exp(-D)"}, ["Coefficient law", "goes on changing"]),
+                            ({**expression, "Friction/Coefficient expression": "0.2 - 0.2*V"}, ["coefficient", "speed of the flat"]),
+                            ({**FALLING, "Complex modes/Sweep": "friction coefficient", "Complex modes/Sweep values": "0.1"}, ["Sweep", "Coefficient law"]),
+                            ({**FALLING, "Top/Kind": "held", "Top/Lateral held": None}, ["Coefficient law", "top is held"]),
+                            ({"Complex modes/Lowest frequency": 2 * TOP}, ["Lowest frequency", "Highest frequency"])):
+        given = {**LAYER, "Body/Cells": "2, 20", **settings}
+        folder.write("bad.prm", prm({key: value for key, value in given.items() if value is not None}))
+        said = folder.run(2, "contact_dynamics", "bad.prm", "--validate")
+        assert all(word in said for word in words), (settings, said)
+
+
+with tempfile.TemporaryDirectory() as path:
+    scene = Folder(path)
+    check_refused(scene)
+    check_layer(scene)
+    check_limits(scene)
+    check_slice(scene)
+    check_slow_friction(scene)
