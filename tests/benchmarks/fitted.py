@@ -75,8 +75,8 @@ def compare(results, meshes, grids):
 
 def draw(bench, rows):
     figure, (space, cost) = panels(2)
-    logarithmic(space, "number of cells", "largest error of D11, D12, D33 in %", "by cells")
-    logarithmic(cost, "CPU seconds (program, three load cases)", "largest error of D11, D12, D33 in %", "by time")
+    logarithmic(space, "number of cells", "largest error of D11, D12, D33 (%)", "by cells")
+    logarithmic(cost, "CPU seconds (program, three load cases)", "largest error of D11, D12, D33 (%)", "by time")
     for k, (kind, name) in enumerate((("mesh", "mesh along the circles, ml"), ("grid", "staircase, multigrid"))):
         own = [row for row in rows if row["kind"] == kind]
         errors = [100 * row["largest_error"] for row in own]

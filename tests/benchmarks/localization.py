@@ -77,7 +77,7 @@ def draw(bench, rows, kinds):
     figure, axes = panels(len(kinds) + 1, width=4.8 * (len(kinds) + 1))
     for panel, kind in zip(axes, kinds):
         own = [row for row in rows if row["kind"] == kind]
-        logarithmic(panel, "macroscopic cell size over that of the morphology", "error of the mean von Mises stress in %",
+        logarithmic(panel, "macroscopic cell size over that of the morphology", "error of the mean von Mises stress (%)",
                     "static contact" if kind == "static" else "sliding, 0.1 to 0.2 ms")
         for k, region in enumerate(REGIONS):
             curve(panel, k, [row["ratio"] for row in own], [100 * row[f"von_mises_{region}"] for row in own], region)
@@ -91,7 +91,7 @@ def draw(bench, rows, kinds):
 
 
 def draw_cost(axes, rows, kinds):
-    logarithmic(axes, "CPU seconds (macroscopic run and localization)", "error of the mean von Mises stress in %", "by time")
+    logarithmic(axes, "CPU seconds (macroscopic run and localization)", "error of the mean von Mises stress (%)", "by time")
     for k, kind in enumerate(kinds):
         own = [row for row in rows if row["kind"] == kind]
         errors = [100 * row["von_mises_interior"] for row in own]

@@ -56,8 +56,8 @@ def bar(bench):
     rows = sweep(bench, "bar", [50, 100, 200] if bench.quick else [50, 100, 200, 400, 800], "bar of 10 m with c = 30 m/s hits a rigid "
                  "wall at 10 m/s; energy_lost: share of the energy before; cpu_s: time loop of 2 s")
     draw(bench, "bar", rows, [
-        ("energy_lost", "energy lost in %", "energy of one impact"),
-        ("contact_time_error", "error of the time of contact in %", "time of contact")])
+        ("energy_lost", "energy lost (%)", "energy of one impact"),
+        ("contact_time_error", "error of the time of contact (%)", "time of contact")])
     bench.write("bar-cheapest", conclusions(rows, "energy_lost", "energy of an impact")
                 + conclusions(rows, "contact_time_error", "time of contact"), "least cost for a target")
 
@@ -67,8 +67,8 @@ def sliding_growth(bench):
     rows = sweep(bench, "growth", [20, 40] if bench.quick else [5, 7, 10, 14, 20, 28, 40, 56, 80], "growth rate (1/s) and frequency of the "
                  "fastest wave, k H = 1, mu = 0.25, delta = 1.5 us, beta = 4.4 ns; cpu_s: time loop of 0.4 ms")
     draw(bench, "growth", rows, [
-        ("growth_error", "error of the growth rate in %", "growth rate"),
-        ("frequency_error", "error of the frequency in %", "frequency")])
+        ("growth_error", "error of the growth rate (%)", "growth rate"),
+        ("frequency_error", "error of the frequency (%)", "frequency")])
     bench.write("growth-cheapest", conclusions(rows, "growth_error", "growth rate")
                 + conclusions(rows, "frequency_error", "frequency of the growth"), "least cost for a target")
 
@@ -81,8 +81,8 @@ def modes(bench):
     modal_analysis(bench, sizes[:4])
     damped = [choice for choice in CURVES if choice[1] > 0.5]
     draw(bench, "mode", rows, [
-        ("frequency_error", "error of the frequency in %", "frequency"),
-        ("amplitude_lost", "amplitude lost in a period in %", r"amplitude (nothing is lost with $\beta_2$ = 0.5)", damped)])
+        ("frequency_error", "error of the frequency (%)", "frequency"),
+        ("amplitude_lost", "amplitude lost in a period (%)", r"amplitude (nothing is lost with $\beta_2$ = 0.5)", damped)])
     undamped = [row for row in rows if row["beta2"] == 0.5]
     bench.write("mode-cheapest", conclusions(undamped, "frequency_error", "frequency"), "least cost for a target, without loss of amplitude")
 

@@ -25,7 +25,7 @@ def errors(bench, rows):
     """Errors of the three quantities over CPU seconds, with the scatter of blocks of time."""
     figure, axes = panels(3, width=15)
     for panel, (quantity, title) in zip(axes, TITLES.items()):
-        logarithmic(panel, "CPU seconds (program, 3 ms)", "error in %", title)
+        logarithmic(panel, "CPU seconds (program, 3 ms)", "error (%)", title)
         smallest = min(100 * abs(row[quantity + "_error"]) for row in rows if row["material"] == "homogeneous")
         floor = max(3e-3, 0.5 * smallest)
         for k, (label, own) in enumerate(curves(rows)):
@@ -51,7 +51,7 @@ def history(bench, found):
             axes.plot(time, mu, color=COLOURS[k % len(COLOURS)], lw=1.4, label=label,
                       ls="--" if name.endswith("beta") or k >= len(COLOURS) else "-")
     axes.axvspan(2, 3, color=GREY, alpha=0.12, lw=0, label="evaluated")
-    axes.set(xlabel="time in ms", ylabel=r"$\mu_\mathrm{inter}$ in blocks of 50 $\mu$s")
+    axes.set(xlabel="time (ms)", ylabel=r"$\mu_\mathrm{inter}$ in blocks of 50 $\mu$s")
     axes.margins(x=0)
     axes.set_ylim(bottom=0.17)
     legend(axes, 3)

@@ -90,15 +90,15 @@ def tolerance_rows(results, solvers, tolerances):
 
 def draw(bench, grids, solves):
     figure, (space, cost, solver) = panels(3, width=14.5)
-    logarithmic(space, "cell size in mm", "largest error of D11, D22, D33 in %", "by cells")
-    logarithmic(cost, "CPU seconds (program, three load cases)", "largest error of D11, D22, D33 in %", "by time")
+    logarithmic(space, "cell size (mm)", "largest error of D11, D22, D33 (%)", "by cells")
+    logarithmic(cost, "CPU seconds (program, three load cases)", "largest error of D11, D22, D33 (%)", "by time")
     for k, condition in enumerate(CONDITIONS):
         own = [row for row in grids if row["condition"] == condition]
         errors = [100 * row["largest_error"] for row in own]
         order = fitted_order([row["h_mm"] for row in own], errors)
         curve(space, k, [row["h_mm"] for row in own], errors, f"{condition}: order {order:.2f}")
         curve(cost, k, [row["cpu_s"] for row in own], errors, condition)
-    logarithmic(solver, "CPU seconds (program, three load cases)", "error by the tolerance in %", "tolerance, KUBC, 280 x 160")
+    logarithmic(solver, "CPU seconds (program, three load cases)", "error by the tolerance (%)", "tolerance, KUBC, 280 x 160")
     names = list(dict.fromkeys(row["solver"] for row in solves))
     for k, name in enumerate(names):
         own = [row for row in solves if row["solver"] == name and row["largest_error"] > 1e-13]

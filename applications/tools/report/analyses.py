@@ -99,7 +99,7 @@ def contact_tractions(run):
         smooth = np.convolve(np.pad(values, 1, mode="edge"), [0.25, 0.5, 0.25], mode="valid")
         axes.plot(1e3 * x, values / factor, color=c, lw=0.5, alpha=0.6)
         axes.plot(1e3 * x, smooth / factor, color=c, lw=1.8, label=label)
-    axes.set(xlabel="position along the contact in mm", ylabel=f"traction in {unit}", ylim=(0, None))
+    axes.set(xlabel="position along the contact (mm)", ylabel=f"traction ({unit})", ylim=(0, None))
     axes.margins(x=0)
     above(axes)
     return figure
@@ -112,8 +112,8 @@ def contact_maps(run):
     figure, axes = panels(2, 6.4)
     for axis, (label, value) in zip(axes, values):
         colours = axis.tripcolor(1e3 * x, 1e3 * y, value / factor, shading="gouraud", vmin=0)
-        figure.colorbar(colours, ax=axis, label=f"{label} in {unit}")
-        axis.set(xlabel="x in mm", ylabel="y in mm", aspect="equal")
+        figure.colorbar(colours, ax=axis, label=f"{label} ({unit})")
+        axis.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
     return figure
 
 

@@ -9,8 +9,8 @@ from data import Missing
 from figures import BLUE, GREY, ORANGE, panels
 from page import escape, number, quantity, table
 
-LABELS = {"friction_coefficient [-]": "friction coefficient", "regularization_time [s]": "regularization time in s",
-          "velocity [m/s]": "velocity in m/s"}
+LABELS = {"friction_coefficient [-]": "friction coefficient", "regularization_time [s]": "regularization time (s)",
+          "velocity [m/s]": "velocity (m/s)"}
 
 
 def complex_modes(page, run):
@@ -25,7 +25,7 @@ def complex_modes(page, run):
                                               if highest is not None else "")
     rows = [[str(k + 1), quantity(mode["frequency"], "Hz"), number(mode["growth_rate"]), number(mode.get("growth_by_friction")),
              number(mode.get("growth_by_damping"))] for k, mode in enumerate(modes[:30])]
-    html += table(["mode", "frequency", "growth rate in 1/s", "by friction", "by damping"], rows)
+    html += table(["mode", "frequency", "growth rate (1/s)", "by friction", "by damping"], rows)
     if modes:
         html += page.figure(spectrum(modes), f"Modes of steady sliding of {escape(run.name)}: growth rate over frequency.")
     if isinstance(run.summary.get("sweep"), list):
@@ -41,7 +41,7 @@ def spectrum(modes):
         axes.vlines(1e-3 * frequency[picked], 0, growth[picked], color=c, lw=1.5)
         axes.plot(1e-3 * frequency[picked], growth[picked], "o", color=c, ms=4)
     axes.axhline(0, color=GREY, lw=0.8)
-    axes.set(xlabel="frequency in kHz", ylabel="growth rate in 1/s", xlim=(0, None))
+    axes.set(xlabel="frequency (kHz)", ylabel="growth rate (1/s)", xlim=(0, None))
     return figure
 
 
@@ -62,6 +62,6 @@ def sweep(run):
         line, = axes[0].plot(value[of_curve], 1e-3 * frequency[of_curve], ".-", ms=3, **style)
         axes[1].plot(value[of_curve], growth[of_curve], ".-", ms=3, lw=style["lw"], color=line.get_color())
     axes[1].axhline(0, color=GREY, lw=0.8)
-    for axis, label in zip(axes, ("frequency in kHz", "growth rate in 1/s")):
+    for axis, label in zip(axes, ("frequency (kHz)", "growth rate (1/s)")):
         axis.set(xlabel=LABELS.get(columns[0], columns[0]), ylabel=label)
     return figure

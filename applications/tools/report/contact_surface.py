@@ -6,9 +6,9 @@ import numpy as np
 
 from data import Missing
 from figures import STRESSES, scaled
-from maps import STRESS_MAP
-from mesh_maps import area, cells_of, compared, middle_strain, points_of
+from mesh_maps import area, cells_of, middle_strain, points_of
 from projections import Group, View, draw
+from stress_maps import STRESS_MAP, compared
 
 # Corners of the faces of each kind of cells in /mesh/topology, in turn.
 FACES = {6: list(itertools.combinations(range(4), 3)),
@@ -83,7 +83,7 @@ def shares(run):
     groups = []
     for name in ("slip", "stick", "separated"):
         share = 100 * run.need(f"/contact/{name}")
-        groups.append(Group(share, STRESS_MAP, (0, 100), f"{name}, mean {share.mean():.1f} %", "share of time in %"))
+        groups.append(Group(share, STRESS_MAP, (0, 100), f"{name}, mean {share.mean():.1f} %", "share of time (%)"))
     return draw([nodes_view(run)], groups)
 
 

@@ -3,6 +3,7 @@ missing or broken file: a dataset that cannot be read is None, and the reason is
 
 import json
 import os
+import re
 
 import h5py
 import numpy as np
@@ -15,6 +16,16 @@ HDF5_NAMES = {
 HDF5_OF_ANALYSIS = {"modal": "modal.h5", "complex modes": "complex_modes.h5", "friction homogenization": None}
 
 
+def without_folders(found):
+    """Texts, also those in lists and dictionaries, in which an absolute path is no more than the names of its folder and file: where the
+    results lay is of no use to who reads the page elsewhere."""
+    if isinstance(found, dict):
+        return {key: without_folders(value) for key, value in found.items()}
+    if isinstance(found, list):
+        return [without_folders(value) for value in found]
+    return re.sub(r"(?<![\w.)\]])/(?:[^\s/'\":;,]+/)+([^\s/'\":;,]+/[^\s/'\":;,]+)", r"\1", found) if isinstance(found, str) else found
+
+
 class Missing(Exception):
     """What a section needs is not there; the message says what."""
 
@@ -24,7 +35,7 @@ class Run:
 
     def __init__(self, folder, summary):
         self.folder = folder
-        self.summary = summary
+        self.summary = without_folders(summary)
         self.program = summary.get("program", "")
         self.notes = []
         self.file = None
@@ -65,6 +76,18 @@ class Run:
                 raise Missing(f"{dataset} is not in the HDF5 file of {self.name}")
             arrays.append(array)
         return arrays if len(arrays) > 1 else arrays[0]
+
+    def file_path(self, name):
+        return os.path.join(self.folder, name)
+
+    def started(self):
+        """Number of processes, date and parameter file of the run, as the first line of its log says; empty if it does not."""
+        try:
+            with open(self.file_path("log.txt"), encoding="utf-8") as log:
+                found = re.match(r"\S+ \S+, (\d+ process(?:es)?), (\S+ \S+), (.+) -> ", log.readline())
+        except (OSError, UnicodeDecodeError):
+            found = None
+        return [found[1], found[2], os.path.basename(found[3])] if found else []
 
     def per_thickness(self):
         """What the units of forces and energies end with: those of plane bodies are per metre of the thickness."""
@@ -216,7 +239,7 @@ class Chain:
         self.runs.append(Run(folder, summary))
 
     def all_notes(self):
-        return self.notes + [note for run in self.runs for note in run.notes]
+        return [without_folders(note) for note in self.notes + [note for run in self.runs for note in run.notes]]
 
 
 def thinned(x, y, points=3000):

@@ -32,7 +32,7 @@ def friction_energy(runs):
             line = np.array([time[steady][0], time[-1]])
             axes.plot(1e3 * line, (slope * line + offset) / factor, color=BLACK, lw=1, ls=(0, (1, 2)))
     axes.plot([], [], color=BLACK, lw=1, ls=(0, (1, 2)), label="slope used")
-    axes.set(xlabel="time in ms", ylabel=rf"$E_\mathrm{{friction}}$ in {unit}")
+    axes.set(xlabel="time (ms)", ylabel=rf"$E_\mathrm{{friction}}$ ({unit})")
     axes.margins(x=0)
     above(axes, columns=2)
     return figure
@@ -43,33 +43,43 @@ ENERGIES = [("external_work", "external work", BLACK), ("friction", "friction", 
             ("scheme", "time scheme", PINK), ("impact", "impacts", YELLOW)]
 
 
-def energy_balance(run):
+NEGLIGIBLE, SMALL = 1e-4, 0.2  # of the largest term: not drawn; drawn on a scale of its own
+
+
+def terms(run):
+    """(label, values, colour) of the terms of the balance in three lists: large, small, and not drawn."""
     time = run.need("/energy/time")
     parts = [(label, run.get(f"/energy/{name}"), c) for name, label, c in ENERGIES]
-    parts = [(label, values, c) for label, values, c in parts
-             if values is not None and len(values) == len(time)]
+    parts = [part for part in parts if part[1] is not None and len(part[1]) == len(time)]
     if not parts:
         raise Missing("/energy holds no energies of the length of /energy/time")
+    sizes = [np.nanmax(np.abs(values)) for _, values, _ in parts]
+    top = max(sizes) or 1.0
+    pick = lambda low, high: [part for part, size in zip(parts, sizes) if low * top <= size < high * top]
+    return pick(SMALL, np.inf), pick(NEGLIGIBLE, SMALL), pick(0, NEGLIGIBLE)
+
+
+def energy_balance(run):
+    """(figure, names of the terms that are not drawn)."""
+    time = run.need("/energy/time")
+    large, small, left_out = terms(run)
     residual = run.get("/energy/residual")
     scale, of = _residual_scale(run, len(time))
-    top = max(np.nanmax(np.abs(values)) for _, values, _ in parts) or 1.0
-    small = [part for part in parts if np.nanmax(np.abs(part[1])) < 0.2 * top]
     figure, axes = panels(3 if small else 2, 6.6 if small else 5.0, sharex=True,
                           gridspec_kw={"height_ratios": [2.2, 1.6, 1] if small else [2.4, 1]})
-    _energies(axes[0], time, parts, "energy", units_of(run))
-    above(axes[0], columns=4)
+    _energies(axes[0], time, large, "energy", units_of(run))
     if small:
-        _energies(axes[1], time, small, "small ones", units_of(run))
+        _energies(axes[1], time, small, "smaller terms", units_of(run))
     if residual is not None and len(residual) == len(time):
         x, y = thinned(time, np.abs(residual) / scale)
         axes[-1].semilogy(1e3 * x, np.where(y > 0, y, np.nan), color=GREY, lw=1)
         if np.nanmedian(y) > 0:
             axes[-1].set_ylim(bottom=1e-2 * np.nanmedian(y))
-    axes[-1].set(xlabel="time in ms", ylabel=f"|residual| /\n{of}")
+    axes[-1].set(xlabel="time (ms)", ylabel=f"|residual| /\n{of}")
     for axis in axes:
         axis.margins(x=0)
     figure.align_ylabels()
-    return figure
+    return figure, [label for label, *_ in left_out]
 
 
 def _residual_scale(run, count):
@@ -85,4 +95,5 @@ def _energies(axes, time, parts, name, units):
     factor, unit = scaled(*[values for _, values, _ in parts], units=units)
     for label, values, c in parts:
         axes.plot(*rescaled(*thinned(time, values), 1e3, 1 / factor), color=c, label=label)
-    axes.set_ylabel(f"{name}\nin {unit}")
+    axes.set_ylabel(f"{name}\n({unit})")
+    above(axes, columns=4)

@@ -6,7 +6,6 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.patches import Patch
 
 from data import Missing, thinned
 
@@ -15,7 +14,8 @@ BLUE, ORANGE, GREEN, PINK, SKY, YELLOW, BLACK, GREY = (
 RUN_COLOURS = [BLUE, ORANGE, GREEN, PINK, YELLOW, SKY]
 SLIP, STICK, SEPARATED = "#0072B2", "#E69F00", "#e9ecef"
 DASHES = ["-", (0, (3, 1.5)), (0, (1, 1)), (0, (5, 1.5, 1, 1.5))]
-WIDTH = 6.4
+FRAME = "#D55E00"  # of what another panel shows enlarged
+WIDTH = 6.4  # in
 
 plt.rcParams.update({
     "font.size": 11.5, "font.family": "DejaVu Sans", "axes.titlesize": 11.5,
@@ -61,18 +61,23 @@ def zoom_window(run, end):
     return max(0.0, start) if start < end else 0.85 * end
 
 
+def legend_columns(entries, most):
+    """How many columns of a legend have room for its longest entry."""
+    longest = max((len(entry.get_label()) for entry in entries), default=1)
+    return int(np.clip(WIDTH / (0.55 + 0.082 * longest), 1, most))
+
+
 def above(axes, entries=None, columns=3):
     """Legend outside, above the axes, so that it never covers data."""
-    options = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncol": columns,
-               "borderaxespad": 0.2, "handlelength": 1.6, "columnspacing": 1.3}
+    entries = entries or axes.get_legend_handles_labels()[0]
     if entries:
-        axes.legend(handles=entries, **options)
-    else:
-        axes.legend(**options)
+        axes.legend(handles=entries, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=legend_columns(entries, columns), borderaxespad=0.2,
+                    handlelength=1.6, columnspacing=1.3)
 
 
 def above_all(figure, entries, columns=3):
     """Legend of `entries` above all panels of a figure; one above an axes would widen its column."""
+    columns = legend_columns(entries, columns)
     height = -(-len(entries) // columns) * 0.26 / figure.get_figheight()
     figure.legend(handles=entries, loc="upper left", ncol=columns, handlelength=1.6, columnspacing=1.3)
     figure.get_layout_engine().set(rect=(0, 0, 1, 1 - height))
@@ -103,7 +108,7 @@ def apparent_friction(runs, paper_value=None):
             axes.axhline(paper_value, color=BLACK, lw=1.2, ls="--", label="mean in the paper")
         axes.set_ylabel(r"$\mu_\mathrm{app}$")
         axes.margins(x=0)
-    zoom.set_xlabel("time in ms")
+    zoom.set_xlabel("time (ms)")
     zoom.set_title("last periods" if len(series) == 1 else "last periods of the shorter run", loc="left", color=GREY)
     above(whole)
     return figure
@@ -132,7 +137,7 @@ def phase_diagram(runs):
         if probe and len(series) == 1:
             _orbit(axes, run, probe, factor)
         axes.plot(np.append(u, u[0]) / factor, np.append(v, v[0]), **style(runs, run), label=run.label)
-    axes.set(xlabel=f"tangential displacement in {unit}", ylabel="tangential velocity in m/s")
+    axes.set(xlabel=f"tangential displacement ({unit})", ylabel="tangential velocity (m/s)")
     above(axes)
     return figure
 
@@ -168,89 +173,8 @@ def spectrum(runs, paper_frequency=None):
     axes.set_xlim(0, 1e-3 * min(13 * main, max(f[-1] for _, f, _ in series)))
     if top > 0:
         axes.set_ylim(1e-5 * top / factor, 3 * top / factor)
-    axes.set(xlabel="frequency in kHz", ylabel=f"amplitude in {unit}")
+    axes.set(xlabel="frequency (kHz)", ylabel=f"amplitude ({unit})")
     above(axes)
-    return figure
-
-
-STATES = [Patch(facecolor=SLIP, label="slip"), Patch(facecolor=STICK, label="stick"),
-          Patch(facecolor=SEPARATED, edgecolor="#adb5bd", label="separated")]
-
-
-def contact_positions(run):
-    """x of the contact nodes (m); of a mesh in three dimensions too, where many nodes may share it."""
-    position = run.get("/contact/position")
-    return position[:, 0] if position is not None else run.get("/contact/x")
-
-
-def node_statistics(runs):
-    series = []
-    for run in runs:
-        arrays = [contact_positions(run), *(run.get(f"/contact/{name}") for name in ("slip", "stick", "separated"))]
-        if all(array is not None and array.shape == arrays[0].shape and array.size
-               for array in arrays):
-            order = np.argsort(arrays[0], kind="stable")
-            series.append((run, [array[order] for array in arrays]))
-    if not series:
-        raise Missing("/contact/{x, slip, stick, separated} is in none of the dynamics files")
-    figure, axes = panels(len(series), 1.1 + 2.0 * len(series), sharex=True)
-    for axis, (run, (x, slip, stick, separated)) in zip(axes, series):
-        axis.stackplot(1e3 * x, 100 * slip, 100 * stick, 100 * separated,
-                       colors=[SLIP, STICK, SEPARATED], linewidth=0)
-        axis.set(ylim=(0, 100), ylabel="share of time\nin %")
-        axis.margins(x=0)
-        axis.set_title(run.label, loc="right", color=GREY)
-    axes[-1].set_xlabel("position along the contact in mm")
-    above(axes[0], STATES)
-    return figure
-
-
-def in_order(x, *shares):
-    """Positions in order and shares [blocks][nodes] there."""
-    if x is None:
-        return (x, *shares)
-    order = np.argsort(x, kind="stable")
-    return (x[order], *(share[:, order] for share in shares))
-
-
-def in_strips(x, *shares):
-    """Positions in order and means of shares [blocks][nodes] over strips of a contact surface in 3D across x."""
-    places, strip = np.unique(np.round(x, 9), return_inverse=True)
-    if len(places) ** 2 > 4 * len(x):  # of a mesh without rows of nodes
-        edges = np.linspace(x.min(), x.max(), 1 + max(1, int(np.sqrt(len(x)))))
-        filled, strip = np.unique(np.clip(np.searchsorted(edges, x, "right"), 1, len(edges) - 1), return_inverse=True)
-        places = 0.5 * (edges[filled] + edges[filled - 1])
-    count = np.bincount(strip)
-    mean = lambda share: np.stack([np.bincount(strip, row) for row in share]) / count
-    return (places, *(mean(share) for share in shares))
-
-
-def contact_map(run):
-    time, slip, stick, separated = run.need(*[f"/contact/blocks/{name}" for name in
-                                              ("time", "slip", "stick", "separated")])
-    if slip.ndim != 2 or slip.shape != stick.shape or slip.shape != separated.shape:
-        raise Missing(f"/contact/blocks of {run.name} has arrays of different shapes")
-    x = contact_positions(run)
-    solid = run.has_surface()
-    x, slip, stick, separated = (in_strips if solid else in_order)(x, slip, stick, separated)
-    bottom, top = (1e3 * x[0], 1e3 * x[-1]) if x is not None and len(x) > 1 else (0, slip.shape[1])
-    rgb = [np.array(matplotlib.colors.to_rgb(c)) for c in (SLIP, STICK, SEPARATED)]
-    image = sum(np.clip(np.nan_to_num(share), 0, 1)[..., None] * c
-                for share, c in zip((slip, stick, separated), rgb))
-    first = time[0] - (time[1] - time[0]) if len(time) > 1 else 0.0
-    begin = zoom_window(run, time[-1])
-    n_panels = 2 if np.count_nonzero(time > begin) >= 24 else 1
-    figure, axes = panels(n_panels, 0.9 + 2.6 * n_panels)
-    for axis in axes:
-        axis.imshow(np.clip(image, 0, 1).transpose(1, 0, 2), origin="lower", aspect="auto",
-                    extent=[1e3 * first, 1e3 * time[-1], bottom, top], interpolation="nearest")
-        axis.grid(False)
-        axis.set_ylabel("contact node" if x is None else "x in mm" if solid else "position in mm")
-    if n_panels > 1:
-        axes[1].set_xlim(1e3 * begin, 1e3 * time[-1])
-        axes[1].set_title("last periods", loc="left", color=GREY)
-    axes[-1].set_xlabel("time in ms")
-    above(axes[0], STATES)
     return figure
 
 
@@ -270,9 +194,9 @@ def localized_stress(run, probe):
                       alpha=0.35, label="direct (heterogeneous run)")
         axis.plot(1e3 * time[shown], stress[shown, component] / factor, color=ORANGE, lw=1.3,
                   label="localized (homogeneous run)")
-        axis.set_ylabel(rf"$\sigma_\mathrm{{{name}}}$ in {unit}")
+        axis.set_ylabel(rf"$\sigma_\mathrm{{{name}}}$ ({unit})")
         axis.margins(x=0)
-    axes[-1].set_xlabel("time in ms")
+    axes[-1].set_xlabel("time (ms)")
     figure.align_ylabels()
     above(axes[0], columns=2)
     return figure

@@ -1,7 +1,10 @@
-"""Key numbers: the runs beside one another, and, of the paper's pin, beside the paper."""
+"""Key numbers: the runs beside one another, and, of the paper's pin, beside the paper; effective stiffnesses."""
+
+import numpy as np
 
 import paper
 from data import Missing
+from figures import STRESSES, scaled
 from page import difference, escape, number, quantity, table
 
 # Heading, place in summary.json, unit; shares become per cent.
@@ -26,6 +29,9 @@ QUANTITIES = [
     ("Means over whole periods from", ("window_begin",), "s"),
     ("Means over whole periods to", ("window_end",), "s"),
 ]
+# Rows below a number: what it is relative to.
+EXPLAINED = {("global_interface_friction_coefficient",): ("… which is the frictional power over", "global_interface_friction_load_meaning"),
+             ("energy_balance_residual",): ("… which is relative to", "energy_balance_scale")}
 
 
 def side_by_side(page, runs):
@@ -35,15 +41,27 @@ def side_by_side(page, runs):
         values = [run.number(*place) for run in runs]
         if any(value is not None for value in values):
             rows.append([what, *(_cell(run, value, place, unit) for run, value in zip(runs, values))])
-    for what, key in (("μ<sub>inter</sub> is the frictional power over", "global_interface_friction_load_meaning"), ("Residual of the energy balance is relative to", "energy_balance_scale"), ("Regime of the reference node", "regime")):
-        if any(run.summary.get(key) for run in runs):
-            rows.append([what, *(f'<span class="words">{escape(run.summary.get(key) or "–")}</span>' for run in runs)])
+        rows += _explained(runs, place)
+    rows += _words(runs, "Regime of the reference node", "regime")
     if not rows:
         raise Missing("no summary holds any key number")
     html = table(["", *(escape(run.label) for run in runs)], rows)
     settled = [(run, run.summary.get("limit_cycle")) for run in runs if isinstance(run.summary.get("limit_cycle"), str)]
     html += "".join(f'<p class="lead"><b>{escape(run.label)}</b>: {escape(text)}.</p>' for run, text in settled)
     return html + "".join(warnings(run) for run in runs)
+
+
+def _words(runs, what, key):
+    """A row of texts of the summaries, if one has it."""
+    if not any(run.summary.get(key) for run in runs):
+        return []
+    return [[what, *(f'<span class="words">{escape(run.summary.get(key) or "–")}</span>' for run in runs)]]
+
+
+def _explained(runs, place):
+    """A row on what the number above it is relative to."""
+    what, key = EXPLAINED.get(place, ("", ""))
+    return _words(runs, what, key) if key else []
 
 
 def _cell(run, value, place, unit):
@@ -82,3 +100,70 @@ def beside_the_paper(page, run):
         ["", "this run", "paper", "difference", "where in the paper"],
         [[what, quantity(ours, unit), quantity(value, unit), difference(ours, value), source]
          for what, ours, value, unit, source in rows], (0, 4))
+
+
+def stiffness_matrices(run):
+    """{heading: stiffness (Pa)}; of an ensemble the means, as `effective` is the mean of those."""
+    ensemble = run.summary.get("ensemble")
+    ensemble = ensemble if isinstance(ensemble, dict) else {}
+    matrices = {}
+    for name in ("KUBC", "MUBC", "PBC", "SUBC", "effective"):
+        mean = ensemble[name].get("mean") if isinstance(ensemble.get(name), dict) else None
+        value = mean if mean is not None else run.get(f"/stiffness/{name}")
+        if value is None:
+            listed = run.summary.get("stiffness")
+            value = listed.get(name) if isinstance(listed, dict) else None
+        value = np.array(value, dtype=float) if value is not None else None
+        if value is not None and value.shape in ((3, 3), (6, 6)):
+            matrices[f"{name}, mean of {ensemble.get('members')}" if mean is not None else name] = value
+    return matrices
+
+
+def stiffness_entries(matrices):
+    """(label, i, j) of the rows: those of an orthotropic body, and of the couplings of shears those that are not round-off."""
+    n = len(next(iter(matrices.values())))
+    dim = 2 if n == 3 else 3
+    coupled = lambda i, j: any(abs(m[i, j]) > 1e-6 * np.sqrt(m[i, i] * m[j, j]) for m in matrices.values())
+    shown = [(i, j) for i in range(n) for j in range(i, n)]
+    plane = dim == 2 and (coupled(0, 2) or coupled(1, 2))
+    return [(f"D<sub>{i + 1}{j + 1}</sub>", i, j) for i, j in shown if i == j or j < dim or plane or (dim == 3 and coupled(i, j))]
+
+
+def scale_of(matrices):
+    """(Pa, name, decimals) of the unit in which the largest entry reads well."""
+    largest = max(np.abs(matrix).max() for matrix in matrices.values())
+    factor, unit = scaled(np.array([largest]), units=STRESSES)
+    return factor, unit, 2 if largest / factor >= 10 else 3
+
+
+def entry(value, scale):
+    """With the decimals of its table, and no minus before what rounds to zero."""
+    factor, _, decimals = scale
+    return f"{round(value / factor, decimals) + 0.0:.{decimals}f}".replace("-", "−")
+
+
+def stiffness_table(page, run):
+    matrices = stiffness_matrices(run)
+    if not matrices:
+        raise Missing(f"{run.name} holds no stiffness of 3 × 3 entries")
+    compared, scale = paper.is_pin(run), scale_of(matrices)
+    rows = []
+    for label, i, j in stiffness_entries(matrices):
+        reference = paper.STIFFNESS[i][j] if compared else 0.0
+        cells = [entry(matrix[i, j], scale) + f" <small>({difference(matrix[i, j], reference)})</small>" * (compared and reference > 0)
+                 for matrix in matrices.values()]
+        rows.append([label] + [entry(reference, scale)] * compared + cells)
+    shares = [f"{escape(phase.get('name'))} {100 * phase['volume_fraction']:.2f} %"
+              for phase in run.summary.get("phases") or []
+              if isinstance(phase, dict) and isinstance(phase.get("volume_fraction"), (int, float))]
+    extra = [f"Volume fractions: {', '.join(shares)}"] if shares else []
+    for words, key in [("Hill–Mandel residual", "hill_mandel_residual"),
+                       ("symmetry residual", "symmetry_residual")]:
+        if run.number(key) is not None:
+            extra.append(f"{words} {number(run.number(key), 2)}")
+    order = "1 is xx, 2 is yy, 3 is the shear xy" if len(next(iter(matrices.values()))) == 3 else "1 to 6 are xx, yy, zz, yz, xz, xy"
+    extra.insert(0, f"{order} (engineering strain). Theory orders SUBC ≤ PBC ≤ KUBC")
+    if compared:
+        extra.insert(0, "In brackets: difference from eq. (10)")
+    return (f"<h3>{escape(run.name)}</h3>" + table([scale[1]] + ["paper, eq. (10)"] * compared + list(matrices), rows) +
+            f'<p class="lead">{". ".join(extra)}.</p>')

@@ -10,9 +10,10 @@ from matplotlib.ticker import MaxNLocator
 import mesh_maps
 from data import Missing
 from figures import BLACK, DASHES, RUN_COLOURS, STRESSES, WIDTH, above_all, plt, scaled
-from maps import DIFFERENCE_MAP, STRESS_MAP, _bar, _draw
+from maps import whole_view
 from page import escape, number, quantity, table
 from projections import Group, draw
+from stress_maps import DIFFERENCE_MAP, STRESS_MAP
 
 COMPONENTS = {2: ("xx", "yy", "xy"), 3: ("xx", "yy", "zz", "yz", "xz", "xy")}
 COLOURS = [BLACK, *RUN_COLOURS]
@@ -30,8 +31,15 @@ def loads_of(run):
 
 
 def state(load, of, unit, factor):
-    return ", ".join(f"{symbol(c, 'ε' if of == 'strain' else 'σ')} {number(load[of][c] / factor + 0.0, 4)}" for c in
-                     COMPONENTS[2 if len(load[of]) == 3 else 3]) + f" {unit}"
+    values = without_round_off(load[of])
+    return ", ".join(f"{symbol(c, 'ε' if of == 'strain' else 'σ')} {number(values[c] / factor + 0.0, 4)}" for c in
+                     COMPONENTS[2 if len(values) == 3 else 3]) + f" {unit}"
+
+
+def without_round_off(components):
+    """{component: value} with 0 for what is below 1e-12 of the largest."""
+    largest = max(abs(value) for value in components.values())
+    return {name: value if abs(value) >= 1e-12 * largest else 0.0 for name, value in components.items()}
 
 
 def tables(page, run):
@@ -96,29 +104,12 @@ def maps(run, load):
         shown = [shown[max(range(len(names)), key=lambda k: abs(load["stress"][names[k]]))]]
     if "von_mises" in fields:
         shown.append(("von Mises", fields["von_mises"][:, 0]))
-    if dim == 3 or run.members("/mesh"):
-        groups = []
-        for title, values in shown:
-            factor, unit = scaled(np.percentile(np.abs(values), 99.5), units=STRESSES)
-            limits, colours = ((0, np.percentile(values, 99.5)), STRESS_MAP) if title == "von Mises" else signed_limits(values)
-            groups.append(Group(values / factor, colours, tuple(limit / factor for limit in limits), "", f"{title} in {unit}"))
-        return draw(mesh_maps.views(run), groups)
-    return plane_maps(run, shown)
-
-
-def plane_maps(run, shown):
-    extent, (nx, ny) = run.extent(), run.grid()[0].astype(int)
-    ratio = min((extent[3] - extent[2]) / (extent[1] - extent[0]), 1.6)
-    figure, axes = plt.subplots(-(-len(shown) // 2), 2, figsize=(1.5 * WIDTH, -(-len(shown) // 2) * (0.56 * WIDTH * ratio + 0.75)), squeeze=False)
-    for axis, (title, values) in zip(axes.ravel(), shown):
-        factor, unit = scaled(np.percentile(np.abs(values), 99.5), units=STRESSES)
+    groups = []
+    for title, values in shown:
         limits, colours = ((0, np.percentile(values, 99.5)), STRESS_MAP) if title == "von Mises" else signed_limits(values)
-        picture = _draw(axis, values.reshape(ny, nx) / factor, extent, cmap=colours, vmin=limits[0] / factor, vmax=limits[1] / factor)
-        axis.set_xlabel("x in mm")
-        _bar(figure, picture, axis, f"{title} in {unit}")
-    for axis in axes.ravel()[len(shown):]:
-        axis.axis("off")
-    return figure
+        factor, unit = scaled(np.array(limits), units=STRESSES)
+        groups.append(Group(values / factor, colours, tuple(limit / factor for limit in limits), "", f"{title} ({unit})"))
+    return draw(mesh_maps.views(run) if run.is_mesh_like() else [whole_view(run)], groups)
 
 
 def histograms(run, load):
@@ -135,7 +126,7 @@ def histograms(run, load):
         for k, (phase, of) in enumerate(found.items()):
             edges, share = of[name]
             axis.stairs(share / np.diff(edges) * factor, edges / factor, color=COLOURS[k % len(COLOURS)], ls=DASHES[k % len(DASHES)], lw=1.5)
-        axis.set(xlabel=f"{titles.get(name, name.replace('_', ' '))} in {unit}", ylabel=f"density in 1/{unit}")
+        axis.set(xlabel=f"{titles.get(name, name.replace('_', ' '))} ({unit})", ylabel=f"density (1/{unit})")
         axis.set_ylim(bottom=0)
         axis.xaxis.set_major_locator(MaxNLocator(6))
     above_all(figure, [Line2D([], [], color=COLOURS[k % len(COLOURS)], ls=DASHES[k % len(DASHES)], lw=1.5, label=phase)

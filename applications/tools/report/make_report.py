@@ -8,8 +8,10 @@ Each folder is the output of rve_homogenization, contact_dynamics or stress_loca
 """
 
 import argparse
+import datetime
 import json
 import os
+import platform
 import signal
 import sys
 
@@ -20,7 +22,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import figures
 import sections
-from data import Chain, Missing
+from data import Chain, Missing, without_folders
 from page import Page, escape, note
 
 
@@ -32,32 +34,55 @@ def attempt(page, make, *arguments):
         return note(f"Left out: {missing}.")
     except Exception as error:  # a report is never worth losing for one figure
         figures.plt.close("all")
-        return note(f"Left out: {type(error).__name__} while drawing ({error}).")
+        return note(f"Left out: {type(error).__name__} while drawing ({without_folders(str(error))}).")
 
 
-def build(chain, title):
-    """The Page of a chain."""
+def processor():
+    """The machine, by its processor."""
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as file:
+            model = next((line.split(":")[1].strip() for line in file if line.startswith("model name")), platform.machine())
+    except OSError:
+        model = platform.machine()
+    return f"{model}, {os.cpu_count()} processors"
+
+
+def build(chain, title, folder="."):
+    """The Page of a chain that will stand in a folder."""
     what = f"{len(chain.runs)} result folder{'s' if len(chain.runs) != 1 else ''}"
     page = Page(title, f"From the composite’s microstructure to its sliding contact and back: {what}. "
-                       "Tension is positive; contact pressures are positive, too.")
+                       "Tension is positive; contact pressures are positive, too. " + thickness(chain) +
+                f"Written on {datetime.datetime.now():%Y-%m-%d %H:%M} by make_report.py on a machine with {escape(processor())}.", folder)
     for heading, parts in sections.plan(chain):
         page.section(heading, "".join(attempt(page, *part) for part in parts))
     notes = chain.all_notes()
     if notes:
         page.section("Notes", "".join(note(text) for text in dict.fromkeys(notes)))
     details = "".join(
-        f"<details><summary>{escape(run.folder)}/summary.json</summary><pre>"
+        f"<details><summary>{escape(run.name)}/summary.json</summary><pre>"
         f"{escape(json.dumps(run.summary, indent=1))}</pre></details>" for run in chain.runs)
     if details:
         page.section("Everything the programs summarised", details, "screen")
     return page
 
 
+def thickness(chain):
+    plane = [run for run in chain.dynamics if run.per_thickness()]
+    return "Bodies are plane: forces and energies are those per metre of thickness (N/m, J/m). " if plane else ""
+
+
+def title_of(folders):
+    """The name of the folder that holds all that is shown."""
+    paths = [os.path.abspath(folder) for folder in folders]
+    common = os.path.commonpath(paths)
+    return os.path.basename(common) or "mesoslip report"
+
+
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folders", nargs="+", metavar="folder", help="result folder(s) of a chain")
     parser.add_argument("--output", default="report.html", help="file to write (default: %(default)s)")
-    parser.add_argument("--title", default="mesoslip report", help="title (default: %(default)s)")
+    parser.add_argument("--title", help="title (default: the name of the folder that holds all of them)")
     options = parser.parse_args(arguments)
 
     chain = Chain(options.folders)
@@ -66,7 +91,7 @@ def main(arguments=None):
             print(f"make_report.py: {text}", file=sys.stderr)
         print("make_report.py: nothing to report; give at least one result folder", file=sys.stderr)
         return 2
-    text = build(chain, options.title).html()
+    text = build(chain, options.title or title_of(options.folders), os.path.dirname(os.path.abspath(options.output))).html()
     part = options.output + ".part"
     try:
         with open(part, "w", encoding="utf-8") as stream:

@@ -1,13 +1,10 @@
 """Maps of volumes on meshes and of voxels: phases and von Mises stress, of a plane mesh as it is, of a solid one in three sections through its middle."""
 
 import numpy as np
-from matplotlib.colors import ListedColormap
-from matplotlib.patches import Patch
 
 from data import Missing
-from figures import STRESSES, scaled
-from maps import DIFFERENCE_MAP, PHASE_COLOURS, STRESS_MAP, phase_names
-from projections import Group, View, draw
+from projections import View, draw
+from stress_maps import compared, phase_figure, stress_group
 
 # Kinds of cells in /mesh/topology: number of corners, edges between them.
 CORNERS = {4: 3, 5: 4, 6: 4, 9: 8}
@@ -123,38 +120,23 @@ def von_mises_of(stress, stiffness):
     return np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * (stress[:, 3:] ** 2).sum(axis=1))
 
 
-def stress_group(field, label="von Mises stress", title="", shown=slice(None)):
-    """One field of stresses (Pa), from zero on; the colours are for those with the numbers `shown`."""
-    factor, unit = scaled(field[shown], units=STRESSES)
-    limits = (0, np.percentile(field[shown], 99.5) / factor)
-    return Group(field / factor, STRESS_MAP, limits, title, f"{label} in {unit}")
-
-
-def stress_figure(run, field):
-    return draw(views(run), [stress_group(field)])
+def stress_figure(run, field, limit=None):
+    return draw(views(run), [stress_group(field, limit=limit)])
 
 
 def morphology(run):
     ids = run.need("/phase/id").ravel()
     shares = run.need("/phase/volume_fraction") if run.members("/mesh") else [np.mean(ids == i) for i in range(ids.max() + 1)]
-    return phase_figure(run, ids, [f" ({100 * share:.1f} %)" for share in shares])
+    return phase_figure(views(run), run, ids, [f" ({100 * share:.1f} %)" for share in shares])
 
 
 def phases_of_run(run):
     ids, names = run.need("/material/phase_id", "/material/name")
-    return phase_figure(run, ids.ravel(), [""] * len(names))
+    return phase_figure(views(run), run, ids.ravel(), [""] * len(names))
 
 
-def phase_figure(run, ids, remarks):
-    n = len(remarks)
-    colours = ListedColormap((PHASE_COLOURS * (n // len(PHASE_COLOURS) + 1))[:n])
-    entries = [Patch(facecolor=colours(i), edgecolor="#adb5bd", label=name + remark)
-               for i, (name, remark) in enumerate(zip(phase_names(run, n), remarks))]
-    return draw(views(run), [Group(ids, colours, (-0.5, n - 0.5))], entries)
-
-
-def von_mises(run, pressure=0.5e6):
-    """Under the uniform strain that a mean stress of -pressure along the last axis alone needs, of KUBC or PBC; and which of the two."""
+def von_mises(run, pressure):
+    """Under the uniform strain that a mean stress of -pressure (Pa) along the last axis alone needs, of KUBC or PBC; and which of the two."""
     condition = next((name for name in ("PBC", "KUBC") if name in run.members("/concentration")), None)
     if condition is None:
         raise Missing(f"{run.name} holds no strain concentration tensors")
@@ -191,32 +173,16 @@ def middle_strain(points, cells, displacement):
 
 
 def snapshot_von_mises(run):
-    """Of the last snapshot."""
+    """Pa [cells]; of the last snapshot, NaN in the cells of a grid that pictures do not show."""
     displacement = run.last("/snapshots/displacement")
     ids, stiffness = run.need("/material/phase_id", "/material/stiffness")
     points, cells = cells_of(run)
     strain = middle_strain(points, cells, 1e3 * displacement.reshape(points.shape))
     numbers = np.concatenate([of_kind for _, of_kind, _ in cells])
     by_cell = stiffness[ids.ravel()[numbers]]
-    field = np.zeros(len(strain))
+    field = np.full(len(strain), np.nan)
     field[numbers] = von_mises_of(np.einsum("cij,cj->ci", by_cell, strain[numbers]), by_cell)
-    return draw(views(run), [stress_group(field, shown=numbers)])
-
-
-def compared(seen, localized, direct, label):
-    """Localized and, if there are any, direct stresses and their difference; (figure, relative L2 difference over the values)."""
-    factor, unit = scaled(localized, units=STRESSES)
-    fields = [localized] if direct is None else [localized, direct]
-    low, high = np.percentile(np.stack(fields), (0.5, 99.5)) / factor
-    titles = ["localized", "direct"]
-    groups = [Group(field / factor, STRESS_MAP, (min(low, 0) if low < -0.05 * high else 0, high), title, f"{label} in {unit}")
-              for field, title in zip(fields, titles)]
-    if direct is None:
-        return draw(seen, groups), None
-    gap = (localized - direct) / factor
-    bound = np.percentile(np.abs(gap), 99.5) or 1.0
-    groups.append(Group(gap, DIFFERENCE_MAP, (-bound, bound), "localized − direct", f"difference in {unit}"))
-    return draw(seen, groups), float(np.linalg.norm(localized - direct) / np.linalg.norm(direct))
+    return field
 
 
 def mean_von_mises(run):

@@ -1,45 +1,17 @@
-"""The page: HTML pieces, numbers with units, and the style sheet (phone, desk, print)."""
+"""The page: HTML pieces and numbers with units."""
 
 import base64
 import html
 import io
 import math
+import os
+import re
+import urllib.parse
 
 import matplotlib.pyplot as plt
 
-STYLE = """
-:root{--ink:#1d2733;--soft:#5b6773;--line:#d5dbe1;--wash:#f4f6f8;--accent:#0072b2}
-*{box-sizing:border-box}
-body{margin:0 auto;max-width:54rem;padding:1rem 1rem 4rem;color:var(--ink);background:#fff;
- font:1rem/1.55 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
-h1{font-size:1.7rem;line-height:1.2;margin:.6rem 0 .2rem}
-h2{font-size:1.25rem;margin:2.4rem 0 .6rem;padding-bottom:.25rem;border-bottom:2px solid var(--accent)}
-h3{font-size:1.02rem;margin:1.4rem 0 .4rem}
-.lead,.note,figcaption{color:var(--soft)}
-nav ol{columns:2;padding-left:2rem;margin:.4rem 0}
-nav a{color:var(--accent);text-decoration:none}
-.scroll{overflow-x:auto;-webkit-overflow-scrolling:touch}
-table{border-collapse:collapse;width:100%;font-size:.9rem;font-variant-numeric:tabular-nums}
-th,td{padding:.35rem .6rem;text-align:right;border-bottom:1px solid var(--line);vertical-align:top}
-td:not(.text){white-space:nowrap}
-td.text{min-width:6.5rem}
-.words{white-space:normal}
-th:first-child,td:first-child,td.text,th.text{text-align:left}
-thead th{background:var(--wash);border-bottom:2px solid var(--line);font-weight:600}
-figure{margin:1rem 0 1.6rem}
-figure img{width:100%;height:auto;display:block}
-figcaption{font-size:.88rem;margin-top:.4rem}
-.note{background:var(--wash);border-left:4px solid var(--line);padding:.5rem .8rem;font-size:.9rem;
- overflow-wrap:anywhere}
-details{margin:.5rem 0}pre{background:var(--wash);padding:.7rem;font-size:.75rem;white-space:pre-wrap;
- overflow-wrap:anywhere}
-@media (max-width:34rem){nav ol{columns:1}body{padding:.6rem .7rem 3rem}th,td{padding:.3rem .4rem}
- table{font-size:.8rem}figure{margin:1rem -.5rem 1.4rem}figcaption{padding:0 .5rem}}
-@media print{@page{margin:16mm}body{max-width:none;padding:0;font-size:10pt}nav,details{display:none}
- figure,table,.note{break-inside:avoid}.screen{display:none}h2,h3{break-after:avoid}.scroll{overflow:visible}
- figure img{max-height:112mm;object-fit:contain;object-position:left}
- figure.tall img{max-height:185mm}}
-"""
+from figure_data import csv_of
+from style import STYLE
 
 PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")]
 PREFIXED = {"s", "Hz", "Pa", "m", "J", "W", "B", "J/m"}
@@ -92,8 +64,18 @@ def table(header, rows, text_columns=(0,)):
     body = "".join(
         "<tr>" + "".join(f"<td{kind(i)}>{cell}</td>" for i, cell in enumerate(row)) + "</tr>"
         for row in rows)
-    return (f'<div class="scroll"><table><thead><tr>{head}</tr></thead>'
+    return (f'<div class="scroll" tabindex="0"><table><thead><tr>{head}</tr></thead>'
             f"<tbody>{body}</tbody></table></div>")
+
+
+def plain(text):
+    """Words of a piece of HTML."""
+    return html.unescape(re.sub("<[^>]*>", "", text))
+
+
+def first_sentence(caption):
+    """Of a caption, which no point in a number or a name ends."""
+    return re.split(r"\.(?=\s|$)", plain(caption), maxsplit=1)[0]
 
 
 def note(text):
@@ -101,15 +83,22 @@ def note(text):
 
 
 class Page:
-    """Sections in order; figures are numbered and embedded as PNG."""
+    """Sections in order; figures are numbered and embedded as PNG, their data as CSV. Links are relative to `folder`, where it will stand."""
 
-    def __init__(self, title, lead):
-        self.title, self.lead = title, lead
+    def __init__(self, title, lead, folder="."):
+        self.title, self.lead, self.folder = title, lead, folder
         self.sections, self.figures = [], 0
 
     def section(self, title, body, kind="paper"):
         """`kind` "screen" keeps it off the printed page."""
         self.sections.append((title, body, kind))
+
+    def link(self, path, words):
+        """A link to a file, if it is there."""
+        if not os.path.isfile(path):
+            return ""
+        place = os.path.relpath(path, self.folder).replace(os.sep, "/")
+        return f'<a href="{escape(urllib.parse.quote(place))}">{escape(words)}</a>'
 
     def figure(self, figure, caption, alt=None):
         """HTML of a matplotlib figure, which is closed."""
@@ -117,13 +106,18 @@ class Page:
         stream = io.BytesIO()
         try:
             figure.savefig(stream, format="png", dpi=170)
+            data = csv_of(figure)
         finally:
             plt.close(figure)
-        data = base64.b64encode(stream.getvalue()).decode("ascii")
-        tall = ' class="tall"' if figure.get_figheight() > 0.95 * figure.get_figwidth() else ""
-        plain = escape(alt or caption.split(".")[0])
-        return (f'<figure{tall}><img alt="{plain}" src="data:image/png;base64,{data}">'
-                f"<figcaption><b>Figure {self.figures}.</b> {caption}</figcaption></figure>")
+        picture = base64.b64encode(stream.getvalue()).decode("ascii")
+        width, height = figure.get_size_inches()
+        kinds = " ".join(kind for kind, holds in (("tall", height > 0.95 * width), ("wide", width > 7.0)) if holds)
+        kinds = f' class="{kinds}"' if kinds else ""
+        below = (f' <a class="data" download="figure-{self.figures}.csv" '
+                 f'href="data:text/csv;charset=utf-8,{urllib.parse.quote(data, safe=",.:+-()")}">Data (CSV)</a>' if data else "")
+        return (f'<figure{kinds}><img alt="{escape(alt or first_sentence(caption))}" style="width:{96 * width:.0f}px" '
+                f'src="data:image/png;base64,{picture}">'
+                f"<figcaption><b>Figure {self.figures}.</b> {caption}{below}</figcaption></figure>")
 
     def html(self):
         links = "".join(f'<li><a href="#s{i}">{title}</a></li>'

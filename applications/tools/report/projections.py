@@ -1,5 +1,5 @@
-"""Polygons of bodies and surfaces in panels of one scale, for each field three or one: of a body in 3D sections across its axes,
-of what is plane the whole."""
+"""Polygons or cells of bodies and surfaces in panels, for each field: of a body in 3D sections across its axes, of what is plane the
+whole, and enlarged a part of it. The places of all panels are computed in inches, so that bodies of any shape fit."""
 
 from dataclasses import dataclass
 
@@ -7,34 +7,42 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
+from matplotlib.patches import Rectangle
 
-from figures import WIDTH, plt
+from figures import FRAME, WIDTH, legend_columns, plt
 
 # in
 LEFT, RIGHT, BELOW, GAP = 0.82, 0.2, 0.64, 0.14  # beside and below a panel with labels; without
 PLANE, TITLE, BAR, LEGEND = 0.28, 0.34, 0.8, 0.3  # titles of a panel and of a field, a colour bar, a line of the legend
-LEAST = 0.85  # room for a panel, so that its labels fit
-TALLEST, TALLER = 8.5, 1.2  # a figure of one field, and more for each other
+LEAST = 0.66  # room for a panel, so that its labels fit
+TALLEST, TALLER = 7.2, 2.2  # a figure of one field, and more for each other
 LETTER = 0.09  # of the title of a field
 BAR_LENGTH, SHORTEST, BAR_WIDTH = 4.2, 2.4, 0.15
 
 
 @dataclass
 class View:
-    """Polygons in the plane across `axis` (None: nothing is cut), and the numbers of the values that colour them."""
-    bounds: np.ndarray  # lower and upper corner of the body (mm)
+    """Polygons in the plane across `axis` (None: nothing is cut), and the numbers of the values that colour them; without polygons the
+    cells of a plane grid, numbers [ny][nx]."""
+    bounds: np.ndarray  # lower and upper corner of what is shown (mm)
     axis: object
     polygons: object
     numbers: np.ndarray
+    whole: object = None  # corners of the body (mm), of which the view is an enlarged part
+    magnified: float = 1.0
+    beside: bool = False  # the enlarged part stands beside the body instead of below it
+    frame: object = None  # corners (mm) of the part that another view shows
 
     def directions(self):
         return [d for d in range(self.bounds.shape[1]) if d != self.axis][:2]
 
     def size(self):
-        return np.ptp(self.bounds, axis=0)[self.directions()]
+        return self.magnified * np.ptp(self.bounds, axis=0)[self.directions()]
 
     def place(self):
-        """Column and row in a technical drawing: x and z, beside it y and z, below it x and y."""
+        """Column and row in a technical drawing: x and z, beside it y and z, below it x and y; what is enlarged beside or below."""
+        if self.whole is not None:
+            return (1, 0) if self.beside else (0, 1)
         return {0: (1, 0), 2: (0, 1)}.get(self.axis, (0, 0))
 
 
@@ -49,10 +57,11 @@ class Group:
 
 
 class Layout:
-    """Places (in) of the panels: fields one below the other, each a technical drawing, or in columns."""
+    """Places (in) of the panels: fields one below the other, each a technical drawing, or in columns; four and more of one view in pairs."""
 
     def __init__(self, views, groups, in_columns):
         self.views, self.groups, self.in_columns = views, groups, in_columns
+        self.side_by_side = 2 if len(views) == 1 and len(groups) > 3 and len({group.label for group in groups}) == len(groups) else 1
         self.bars = [bool(group.label) and (k + 1 == len(groups) or groups[k + 1].label != group.label)
                      for k, group in enumerate(groups)]
         self.places = {(v, g): (g, v) if in_columns else self._below(views[v], g)
@@ -76,7 +85,7 @@ class Layout:
 
     def _below(self, view, g):
         column, row = view.place()
-        return column, row + g * (2 if len(self.views) > 1 else 1)
+        return column + g % self.side_by_side, row + g // self.side_by_side * (2 if len(self.views) > 1 else 1)
 
     def labelled_up(self, column):
         return not self.in_columns or column == 0
@@ -94,7 +103,8 @@ class Layout:
 
     def _fit(self):
         """The largest scale (in/mm) at which width and height are kept, or are no larger than they must be."""
-        allowed = np.maximum([WIDTH, TALLEST + TALLER * (len(self.groups) - 1)], self._total(0)) + 1e-9
+        allowed = np.maximum([WIDTH * (1.5 if self.side_by_side > 1 else 1), TALLEST + TALLER * (len(self.groups) // self.side_by_side - 1)],
+                             self._total(0)) + 1e-9
         low, high = 0.0, TALLEST / max(lengths.max() for lengths in self.lengths)
         for _ in range(40):
             middle = 0.5 * (low + high)
@@ -130,11 +140,12 @@ def draw(views, groups, entries=()):
     """Figure of the groups, with a legend above."""
     arrangements = [Layout(views, groups, in_columns) for in_columns in (False, True)[: len(groups)]]
     layout = max(arrangements, key=lambda arrangement: arrangement.scale)
-    legend = LEGEND * -(-len(entries) // 3)
+    columns = legend_columns(entries, 3)
+    legend = LEGEND * -(-len(entries) // columns)
     wide, high = max(WIDTH, layout.total[0]), layout.total[1] + legend
     figure = plt.figure(figsize=(wide, high), layout="none")
     if entries:
-        figure.legend(handles=entries, loc="upper left", ncol=3, handlelength=1.6, columnspacing=1.3)
+        figure.legend(handles=entries, loc="upper left", ncol=columns, handlelength=1.6, columnspacing=1.3)
     add_axes = lambda box: figure.add_axes([box[0] / wide, 1 - (legend + box[1]) / high, box[2] / wide, box[3] / high])
     for g, group in enumerate(groups):
         for v in range(len(views)):
@@ -148,18 +159,27 @@ def draw(views, groups, entries=()):
 
 def _panel(axes, layout, v, g):
     view, group = layout.views[v], layout.groups[g]
-    # Edges in the colour of the cell close the gaps between polygons.
-    collection = PolyCollection(view.polygons, array=group.values[view.numbers], cmap=group.colours, edgecolors="face",
-                                linewidths=0.5)
-    collection.set_clim(*group.limits)
-    axes.add_collection(collection)
+    values = group.values[view.numbers]
+    if view.polygons is None:
+        (left, low), (right, top) = view.bounds if view.whole is None else view.whole
+        axes.imshow(values, origin="lower", extent=[left, right, low, top], aspect="auto", cmap=group.colours, clim=group.limits,
+                    interpolation="antialiased" if view.whole is None else "nearest")
+    else:  # edges in the colour of the cell close the gaps between polygons
+        axes.add_collection(PolyCollection(view.polygons, array=values, cmap=group.colours, clim=group.limits, edgecolors="face",
+                                           linewidths=0.5))
+    if view.frame is not None:
+        (left, low), (right, top) = view.frame
+        axes.add_patch(Rectangle((left, low), right - left, top - low, fill=False, color=FRAME, lw=1.6, clip_on=False, zorder=3))
+    if view.whole is not None:
+        for spine in axes.spines.values():
+            spine.set(visible=True, color=FRAME, linewidth=1.6)
     axes.grid(False)
     (across, up), (wide, high), (column, row) = view.directions(), layout.scale * view.size(), layout.places[v, g]
     axes.set(xlim=view.bounds[:, across], ylim=view.bounds[:, up])
     _ticks(axes.xaxis, wide, view.bounds[:, across])
-    _ticks(axes.yaxis, high, view.bounds[:, up])
-    axes.set_xlabel(f"{'xyz'[across]} in mm", loc="center" if wide >= LEAST else "left")
-    axes.set_ylabel(f"{'xyz'[up]} in mm", loc="center" if high >= LEAST else "bottom")
+    _ticks(axes.yaxis, high, view.bounds[:, up], upright=True)
+    axes.set_xlabel(f"{'xyz'[across]} (mm)", loc="center" if wide >= LEAST else "left")
+    axes.set_ylabel(f"{'xyz'[up]} (mm)", loc="center" if high >= LEAST else "bottom")
     axes.tick_params(labelbottom=layout.labelled_across(row), labelleft=layout.labelled_up(column))
     axes.xaxis.label.set_visible(layout.labelled_across(row))
     axes.yaxis.label.set_visible(layout.labelled_up(column))
@@ -167,13 +187,19 @@ def _panel(axes, layout, v, g):
         axes.set_title(f"{'xyz'[view.axis]} = {view.bounds[:, view.axis].mean():.3g} mm", loc="left", fontsize=9.5, pad=3)
 
 
-def _ticks(line, length, ends):
-    """As many as there is room for."""
+def _ticks(line, length, ends, upright=False):
+    """As many as there is room for (in), so that no label touches the next."""
     if length < 1.0:
         shown = ends if length > 0.55 else ends[1:]
         line.set_ticks(shown, [f"{end:.3g}" for end in shown])
-    else:
-        line.set_major_locator(plt.MaxNLocator(int(np.clip(length / 0.5, 2, 6)), steps=[1, 2, 2.5, 5, 10]))
+        return
+    for most in range(int(np.clip(length / 0.5, 2, 7)), 0, -1):
+        locator = plt.MaxNLocator(most, steps=[1, 2, 2.5, 5, 10])
+        inside = [tick for tick in locator.tick_values(*ends) if ends[0] <= tick <= ends[1]]
+        letters = 1 if upright else max((len(f"{tick:g}") for tick in inside), default=1)
+        if len(inside) * (0.1 * letters + 0.14) <= length:
+            break
+    line.set_major_locator(locator)
 
 
 def _bar(axes, groups):
@@ -184,6 +210,6 @@ def _bar(axes, groups):
     extend = "both" if over and under else "max" if over else "min" if under else "neither"
     bar = axes.figure.colorbar(ScalarMappable(Normalize(low, high), group.colours), cax=axes, orientation="horizontal", extend=extend)
     length = axes.get_position().width * axes.figure.get_figwidth()
-    bar.ax.xaxis.set_major_locator(plt.MaxNLocator(int(np.clip(length / 0.6, 2, 7)), steps=[1, 2, 2.5, 5, 10]))
+    _ticks(bar.ax.xaxis, max(length, 1.0), group.limits)
     bar.set_label(group.label, loc="center" if length > 2.6 else "left")
     bar.outline.set_visible(False)

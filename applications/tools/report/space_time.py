@@ -5,11 +5,11 @@ from matplotlib import mlab
 from matplotlib.colors import BoundaryNorm, ListedColormap
 
 import contact_surface
+from contact_states import STATES, contact_positions, direction_of_flat
 from data import Missing
-from figures import (GREY, SEPARATED, SLIP, STATES, STICK, STRESSES, WIDTH, above_all, contact_positions, panels, plt, scaled,
-                     zoom_window)
-from maps import STRESS_MAP
+from figures import GREY, SEPARATED, SLIP, STICK, STRESSES, WIDTH, above_all, panels, plt, scaled, zoom_window
 from projections import Group, draw
+from stress_maps import STRESS_MAP
 
 MOST_ROWS, MOST_COLUMNS = 900, 700  # of a picture; more than its pixels
 SHOWN = (2.5, 97.5)  # percentiles at the ends of a scale; the leading edge of a surface may have 2 % of the nodes
@@ -18,12 +18,6 @@ STATE_MAP, STATE_NORM = ListedColormap([SEPARATED, STICK, SLIP]), BoundaryNorm([
 FIELDS = [("pressure", "pressure", STRESSES), ("traction", "shear traction", STRESSES),
           ("slip_velocity", "slip velocity", [(1e-6, "µm/s"), (1e-3, "mm/s"), (1.0, "m/s")]), ("state", "state", None),
           ("friction_work", "friction work", [(1e-3, "mJ/m²"), (1.0, "J/m²"), (1e3, "kJ/m²")])]
-
-
-def direction_of_flat(run):
-    """Unit vector along x and y in which the flat moves."""
-    parts = [run.attribute("/run", f"flat_direction_{axis}") for axis in "xy"]
-    return np.array([1.0, 0.0]) if None in [part if part is None else 1 for part in parts] else np.array(parts, dtype=float).ravel()
 
 
 def line_of_nodes(run):
@@ -93,13 +87,17 @@ def samples(run):
     return time, names
 
 
+def first_of_last_periods(run):
+    """Number of the sample from which on a picture of the last periods tells more than that of all; None if it would not."""
+    time, _ = samples(run)
+    begin = int(np.searchsorted(time, zoom_window(run, time[-1])))
+    return begin if begin > 0.05 * len(time) and len(time) - begin >= 12 else None
+
+
 def space_time(run, zoom=False):
     """All fields side by side, x to the right and time upwards; (figure, whether samples were left out)."""
     time, names = samples(run)
-    begin = np.searchsorted(time, zoom_window(run, time[-1])) if zoom else 0
-    rows = range(int(begin), len(time))
-    if zoom and (len(rows) < 12 or begin == 0):
-        raise Missing(f"the map of the contact of {run.name} has no more than its last periods")
+    rows = range(first_of_last_periods(run) if zoom else 0, len(time))
     nodes, place = line_of_nodes(run)
     figure, axes = plt.subplots(1, len(names), figsize=(WIDTH + 0.9 * max(0, len(names) - 2), 5.6), sharex=True, sharey=True,
                                 squeeze=False)
@@ -120,13 +118,13 @@ def space_time(run, zoom=False):
             over, under = values.max() > 1.000001 * high * factor, values.min() < low * factor
             bar = figure.colorbar(image, ax=axis, location="top", aspect=12, pad=0.02,
                                   extend="both" if over and under else "max" if over else "min" if under else "neither")
-            bar.set_label(f"{label}\nin {unit}", fontsize=11)
+            bar.set_label(f"{label}\n({unit})", fontsize=11)
             bar.ax.tick_params(labelsize=9)
             bar.ax.locator_params(nbins=3)
         axis.grid(False)
         axis.locator_params(axis="x", nbins=4)
-    axes[0][0].set_ylabel("time in ms")
-    figure.supxlabel("position along the contact in mm", fontsize=11.5)
+    axes[0][0].set_ylabel("time (ms)")
+    figure.supxlabel("position along the contact (mm)", fontsize=11.5)
     if any(name == "state" for name, *_ in names):
         above_all(figure, STATES)
     return figure, reduced
@@ -144,10 +142,10 @@ def profile(run):
         mean = np.average(values, weights=x)
         axis.plot(1e3 * place, values[nodes] / factor, color=SLIP, lw=1.4)
         axis.axhline(mean / factor, color=GREY, lw=1.0, ls="--")
-        axis.set_ylabel(f"{label}\nin {unit}")
+        axis.set_ylabel(f"{label}\n({unit})")
         axis.margins(x=0)
         axis.set_ylim(*sorted((0, 1.08 * max(values.max(), mean) / factor)))
-    axes[-1].set_xlabel("position along the contact in mm")
+    axes[-1].set_xlabel("position along the contact (mm)")
     figure.align_ylabels()
     return figure
 
@@ -160,7 +158,7 @@ def surface_means(run):
         factor, unit = scaled(np.percentile(values, SHOWN[1]), units=units)
         low, high = limits_of(name, values, factor)
         mean = np.average(values, weights=area) / factor
-        groups.append(Group(values / factor, STRESS_MAP, (low, high), f"mean over the surface {mean:.4g} {unit}", f"{label} in {unit}"))
+        groups.append(Group(values / factor, STRESS_MAP, (low, high), f"mean over the surface {mean:.4g} {unit}", f"{label} ({unit})"))
     return draw([contact_surface.nodes_view(run)], groups)
 
 
@@ -174,22 +172,25 @@ def surface_at_times(run):
     fields = [run.get("/contact_map/pressure", int(row)) for row in rows]
     factor, unit = scaled(np.percentile(fields, SHOWN[1]), units=STRESSES)
     limits = limits_of("pressure", np.array(fields), factor)
-    groups = [Group(values / factor, STRESS_MAP, limits, f"t = {1e3 * time[row]:.5g} ms", f"pressure in {unit}")
+    groups = [Group(values / factor, STRESS_MAP, limits, f"t = {1e3 * time[row]:.5g} ms", f"pressure ({unit})")
               for row, values in zip(rows, fields)]
     return draw([contact_surface.nodes_view(run)], groups), time[rows]
 
 
 def spectrogram(run):
-    """Power of the tangential velocity of the reference node over time and frequency; (figure, length of a window in s)."""
+    """Power of the velocity of the reference node along the motion of the flat over time and frequency; (figure, length of a window in s)."""
     time, velocity = run.need("/reference/time", "/reference/velocity")
     if velocity.ndim != 2 or len(time) != len(velocity) or len(time) < 128:
         raise Missing(f"/reference of {run.name} has fewer than 128 samples")
+    velocity = velocity[:, :2] @ direction_of_flat(run) if velocity.shape[1] == 3 else velocity[:, 0]
+    if not np.any(velocity):
+        raise Missing(f"the reference node of {run.name} does not move along the flat")
     interval = (time[-1] - time[0]) / (len(time) - 1)
     main = run.number("main_frequency")
     # Some periods in a window tell frequencies apart, and a twelfth of the run tells times apart.
     wanted = 8 / (main * interval) if main else len(time) / 16
     n = int(np.clip(wanted, 32, len(time) // 12 if len(time) > 400 else len(time) // 4))
-    power, frequency, middle = mlab.specgram(velocity[:, 0], NFFT=n, Fs=1 / interval, noverlap=n - max(1, min(n // 8, len(time) // 800 + 1)),
+    power, frequency, middle = mlab.specgram(velocity, NFFT=n, Fs=1 / interval, noverlap=n - max(1, min(n // 8, len(time) // 800 + 1)),
                                              detrend="linear", pad_to=4 * n)
     top = min(13 * main if main else frequency[-1], frequency[-1])
     shown = (frequency <= top) & (frequency > 0)
@@ -198,6 +199,6 @@ def spectrogram(run):
     image = axis.pcolormesh(1e3 * (time[0] + middle), 1e-3 * frequency[shown], level, cmap=STRESS_MAP, vmin=-60, vmax=0, shading="nearest",
                             rasterized=True)
     axis.grid(False)
-    axis.set(xlabel="time in ms", ylabel="frequency in kHz")
-    figure.colorbar(image, ax=axis, label="power in dB of the largest", extend="min")
+    axis.set(xlabel="time (ms)", ylabel="frequency (kHz)")
+    figure.colorbar(image, ax=axis, label="power over the largest (dB)", extend="min")
     return figure, n * interval

@@ -34,6 +34,8 @@ def whole_map(page, run):
 
 
 def last_periods(page, run):
+    if space_time.first_of_last_periods(run) is None:
+        return ""  # the picture of the whole run shows them
     figure, reduced = space_time.space_time(run, zoom=True)
     return page.figure(figure, f"The last periods of the map of the {escape(run.label)} run. A line across it is a wave: its speed is "
                                f"the slope, position over time.{' Reduced as above.' if reduced else ''}")

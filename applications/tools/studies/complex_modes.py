@@ -70,7 +70,7 @@ def picture(found, folder):
         line, = axes[0].plot(mu, frequency, **style)
         axes[1].plot(mu, [1e-3 * g for g in growth], **{**style, "color": line.get_color()},
                      label=f"{frequency[-1]:.1f} kHz" if grows else None)
-    axes[0].set(xlabel="friction coefficient", ylabel="frequency in kHz")
+    axes[0].set(xlabel="friction coefficient", ylabel="frequency (kHz)")
     axes[1].set(xlabel="friction coefficient", ylabel="growth rate in 1/ms")
     axes[1].axhline(0, color="k", lw=0.6)
     axes[1].legend(fontsize=8, frameon=False)

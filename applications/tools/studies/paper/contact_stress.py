@@ -26,14 +26,14 @@ def normal(fragment, runs, names):
         time, _, _, traction = reference(run)
         last = time > time[-1] - PERIODS / frequency(run)
         axis.plot(1e6 * (time[last] - time[last][0]), traction[last, 1] / 1e6, color=colour, lw=1.3)
-        axis.set(ylabel=r"$|\sigma_n|$ in MPa")
+        axis.set(ylabel=r"$|\sigma_n|$ (MPa)")
         axis.set_title(LABELS[pressure], loc="left", color=colour)
         axis.margins(x=0)
         f, a = spectrum_of(traction[:, 1], time)
         main = a[(f > 1e4) & (f < 1e5)].max()
         rows.append([LABELS[pressure], f"{paper.HIGHEST_FREQUENCY / 1e3:.0f}", f"{f[a > 0.1 * main].max() / 1e3:.0f}",
                      f"{1e6 * run.number('mean_contact_duration'):.2f}"])
-    axes[1].set_xlabel("time in µs, last periods")
+    axes[1].set_xlabel("time (µs), last periods")
     fragment.table(["", "paper: highest frequency above 10 % of the main one, kHz (section 3.2)", "ours, kHz", "T_G, µs"], rows)
     fragment.reading("Homogeneous pin, δ = 1500 ns, pressures as printed, pushed at 0.5 m/s. T_G is the mean duration of a contact, over all nodes; the paper prints none. "
                      "It counts every short touch, of which a period has many.")
@@ -73,7 +73,7 @@ def sweep(fragment, runs, names):
                      [f"T_G of {whose} in µs", *[fixed(1e6 * t, 1) for t in duration]]]
         fragment.table([f"{LABELS[pressure]}: δ in ns", *[f"{1e9 * d:.0f}" for d in deltas]],
                        [*rows, ["M slips, %", *[f"{100 * slip(run):.0f}" for run in found]]])
-    axes[1].set_xlabel("δ in ns")
+    axes[1].set_xlabel("δ (ns)")
     above(axes[0], columns=2)
     fragment.reading("Homogeneous pin, pressures as printed, pushed at 0.5 m/s; each point is a run of its own of 3 ms, of which the latter half counts. The paper says of its curve "
                      "only that the slope changes sign near 300 Δt = 1500 ns, where regime 2 gives way to regime 1. T_G is the mean duration of the contacts, of node M as in the paper or of all nodes; a period "

@@ -22,7 +22,7 @@ def step(fragment, runs, names):
     since = np.clip(time - STEP_AT, 0, None)
     exact = mu * normal[-1] * (1 - np.exp(-since / delta))
     axes[0].plot(1e6 * time[::160], exact[::160] / 1e6, "o", ms=4.5, mfc="none", color=BLACK, label="eq. (11)")
-    axes[0].set(xlabel="time in µs", ylabel="stress in MPa")
+    axes[0].set(xlabel="time (µs)", ylabel="stress (MPa)")
     above(axes[0], columns=4)
     error = np.abs(tangential - exact)[time > STEP_AT].max() / (mu * normal[-1])
     fragment.text(f"The paper prints no number. Largest difference from the exact solution of eq. (7), "

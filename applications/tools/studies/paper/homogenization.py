@@ -45,7 +45,7 @@ def stiffness(fragment, runs, names):
             axes[0].plot(i + 0.16 * (k - 0.5) + np.zeros(len(shown)), shown, "o", ms=5, alpha=0.75,
                          color=(ORANGE, BLUE)[k], label=c if i == 0 else None)
     axes[0].axhline(0, color=GREY, lw=1.2, ls="--", label="eq. (10)")
-    axes[0].set(xticks=range(len(ENTRIES)), ylabel="difference in %")
+    axes[0].set(xticks=range(len(ENTRIES)), ylabel="difference (%)")
     axes[0].set_xticklabels([f"$D_{{{entry[1:]}}}$" for entry in ENTRIES])
     above(axes[0])
     fragment.figure(figure, "Entries of the stiffness by morphology, relative to eq. (10).")

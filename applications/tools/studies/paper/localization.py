@@ -57,7 +57,7 @@ def _element(fragment, run, name, label):
     axes.plot(shown, direct[last, 1] / factor, color=BLACK, lw=1.4, label="direct (heterogeneous run)")
     axes.plot(shown, stress[last, 1] / factor, color=ORANGE, lw=1.4, label="localized (homogeneous run)")
     axes.axhline(0, color=BLACK, lw=0.6)
-    axes.set(xlabel="time in µs, last periods", ylabel=rf"$\sigma_\mathrm{{yy}}$ in {unit}")
+    axes.set(xlabel="time (µs), last periods", ylabel=rf"$\sigma_\mathrm{{yy}}$ ({unit})")
     axes.margins(x=0)
     above(axes, columns=2)
     fragment.figure(figure, f"Normal stress in element {label}.")

@@ -30,9 +30,9 @@ def trajectory(fragment, runs, names):
         axis.plot(1e6 * u[:, 0], 1e6 * u[:, 1], color=colour, lw=1)
         axis.axhline(0, color=BLACK, lw=1.2)
         axis.axhline(1e6 * paper.SEPARATION, color=GREY, lw=1, ls="--")
-        axis.set(xlabel="X in µm")
+        axis.set(xlabel="X (µm)")
         axis.set_title(label, loc="left")
-    axes[0].set_ylabel("Y in µm")
+    axes[0].set_ylabel("Y (µm)")
     fragment.figure(figure, f"Trajectory of node M over {SHOWN_PERIODS} periods. Y = 0: the rigid flat; dashed: 0.2 µm.")
 
 
@@ -63,9 +63,9 @@ def convergence(fragment, runs, names):
         axes[2].semilogy(f[shown] / 1e3, 1e6 * a[shown], color=colour, lw=width)
     for harmonic in paper.HARMONICS:
         axes[2].axvline(harmonic / 1e3, color=GREY, lw=0.9, ls="--")
-    axes[0].set(xlabel="time in ms", ylabel="$u_x$ of node M in µm", xlim=(0, None))
-    axes[1].set(xlabel="$u_x$ in µm", ylabel="$v_x$ in m/s")
-    axes[2].set(xlabel="frequency in kHz", ylabel="amplitude of $u_x$ in µm")
+    axes[0].set(xlabel="time (ms)", ylabel="$u_x$ of node M (µm)", xlim=(0, None))
+    axes[1].set(xlabel="$u_x$ (µm)", ylabel="$v_x$ (m/s)")
+    axes[2].set(xlabel="frequency (kHz)", ylabel="amplitude of $u_x$ (µm)")
     above_all(figure, axes[1].get_legend_handles_labels()[0])
     fragment.figure(figure, "Node M at two grids and time steps: transient and steady part, mean phase diagram, spectrum; dashed the "
                             "paper's 40, 80 and 120 kHz.")

@@ -27,19 +27,19 @@ def picture(fragment, results, names):
     field = localized.need("/mean_von_mises") / 1e6
     shown = stress.imshow(field, origin="lower", extent=extent, cmap=maps.STRESS_MAP, vmin=0, vmax=np.percentile(field, 99.5))
     stress.set_title("localized von Mises stress, mean over time", loc="left")
-    figure.colorbar(shown, ax=[fibres, stress], pad=0.02, aspect=24, extend="max").set_label("von Mises stress in MPa")
+    figure.colorbar(shown, ax=[fibres, stress], pad=0.02, aspect=24, extend="max").set_label("von Mises stress (MPa)")
     for axis in (fibres, stress):
-        axis.set(ylabel="y in mm", yticks=(0, 8, 16))
+        axis.set(ylabel="y (mm)", yticks=(0, 8, 16))
         axis.grid(False)
-    stress.set_xlabel("x in mm")
+    stress.set_xlabel("x (mm)")
     for run, label, colour in ((bouncing, "regime 2", ORANGE), (slipping, "regime 1", BLUE)):
         time, ratio, dissipated = run.need("/history/time", "/history/apparent_friction", "/history/friction_energy")
         last = time > time[-1] - PERIODS / slipping.number("main_frequency")
         friction.plot(1e6 * (time[last] - time[last][0]), ratio[last], color=colour, lw=1.3, label=label)
         x = run.need("/contact/x")
         energy.plot(1e3 * time, 1e6 * dissipated / (run.number("pressure") * (x[-1] - x[0])), color=colour, lw=1.6)
-    friction.set(xlabel="time in µs", ylabel=r"$\mu_\mathrm{app}$")
-    energy.set(xlabel="time in ms", ylabel=r"$E_\mathrm{friction}/(P\,S)$ in µm")
+    friction.set(xlabel="time (µs)", ylabel=r"$\mu_\mathrm{app}$")
+    energy.set(xlabel="time (ms)", ylabel=r"$E_\mathrm{friction}/(P\,S)$ (µm)")
     for axis in (friction, energy):
         axis.margins(x=0)
     above(friction, columns=2)

@@ -69,7 +69,7 @@ def _by_push(fragment, found):
     figure, axes = plt.subplots(1, 3, figsize=(10.4, 3.4))
     for axis, quantity, table, label, scale in (
             (axes[0], "slip", paper.SLIP, "M slips, %", 100), (axes[1], "mu", paper.INTERFACE_FRICTION, r"$\mu_\mathrm{inter}$", 1),
-            (axes[2], "frequency", paper.MAIN_FREQUENCY, "main frequency in kHz", 1e-3)):
+            (axes[2], "frequency", paper.MAIN_FREQUENCY, "main frequency (kHz)", 1e-3)):
         for pressure, mark, colour in ((P1, "o", GREEN), (P2, "s", BLACK)):
             axis.plot([1e6 * push / pressure for push in PUSHES[pressure]], [scale * seen[pressure, push][quantity] for push in PUSHES[pressure]],
                       mark, color=colour, ms=5, mfc="white", mew=1.5, label=f"{pressure / 1e6:g} MPa")
@@ -104,7 +104,7 @@ def _in_the_long_run(fragment, found):
         axes.plot(1e3 * time, 100 * share, color=COLOURS[v], label=f"{v:g} m/s")
     for n, colour in ((1, BLUE), (2, ORANGE)):
         axes.axhline(100 * (1 - paper.SLIP[n]), color=colour, lw=1.2, ls="--", label=f"paper, regime {n}")
-    axes.set(xlabel="time in ms", ylabel="M separated, %", ylim=(0, 100))
+    axes.set(xlabel="time (ms)", ylabel="M separated (%)", ylim=(0, 100))
     axes.margins(x=0)
     above(axes, columns=3)
     fragment.figure(figure, "Share of time in which node M is separated, in the long run, at 0.5 MPa. " + _end_of_regime_2(*shares[max(LONG)]), "-long")

@@ -51,7 +51,7 @@ def table(fragment, results, names):
     rows = []
     for method, ours in (("SPR", {**spr, "mu_homo": homogenized(paper.FIBRE_SHARE, spr, pressure)}),
                          ("SCA", {**at_ten, "mu_homo": homogenized(paper.FIBRE_SHARE, at_ten, pressure)})):
-        for key, label, unit in (("fibre", "P_h in MPa", 1e6), ("matrix", "P_m in MPa", 1e6), ("mu_homo", "mu_homo", 1.0)):
+        for key, label, unit in (("fibre", "P_h (MPa)", 1e6), ("matrix", "P_m (MPa)", 1e6), ("mu_homo", "mu_homo", 1.0)):
             value = paper.TABLE_4[method][key]
             everything = {**measured, "mu_homo": coefficients}[key] / unit
             spread = f"{everything.mean():.3f} ± {everything.std(ddof=1):.3f}" if method == "SCA" else "-"
@@ -70,6 +70,6 @@ def table(fragment, results, names):
         axis.plot(10, paper.TABLE_4["SCA"][phase] / 1e6, "x", color=ORANGE, ms=9, mew=2.5, label="paper, SCA")
         axis.plot(10, paper.TABLE_4["SPR"][phase] / 1e6, "+", color=ORANGE, ms=11, mew=2.5, label="paper, SPR")
         axis.set_ylabel(f"pressure, {phase}, MPa")
-    axes[1].set_xlabel("share of fibres on the contact in %")
+    axes[1].set_xlabel("share of fibres on the contact (%)")
     above(axes[0], columns=4)
     fragment.figure(figure, "Contact pressures of the phases in the static contact analysis.")

@@ -34,7 +34,7 @@ def growth_over_delta(folder, found):
         values = [line[k].real for line in found.morphologies.values()]
         axes.plot(np.full(len(values), ns[growth.AT]) + 25, values, "_", ms=9, color=COLOURS[k % len(COLOURS)], zorder=3)
     axes.axhline(0, color="black", lw=0.8)
-    axes.set(xlabel="δ [ns]", ylabel="growth rate [1/s]", yscale="symlog")
+    axes.set(xlabel="δ (ns)", ylabel="growth rate (1/s)", yscale="symlog")
     axes.set_yscale("symlog", linthresh=100)
     axes.legend(title="frequency at 1500 ns", ncol=2, fontsize=8, loc="lower left", bbox_to_anchor=(0.02, 0.12))
     return save(figure, folder, "growth.png")
@@ -45,7 +45,7 @@ def regime_maps(folder, found, starts, name):
     pressures = sorted({p for p, _, _ in found})
     deltas = sorted({d for _, d, _ in found})
     rows = [("μ_inter", lambda m: m.mu, "viridis", 0.12, 0.25), ("separation of M", lambda m: m.middle[2], "magma", 0, 0.8),
-            ("frequency [kHz]", lambda m: m.frequency / 1e3, "turbo", 30, 260)]
+            ("frequency (kHz)", lambda m: m.frequency / 1e3, "turbo", 30, 260)]
     figure, grid = plt.subplots(len(rows), len(starts), figsize=(1.4 + 3.3 * len(starts), 7.6), sharex=True, sharey=True)
     for row, (line, (title, value, colours, low, high)) in enumerate(zip(grid, rows)):
         for axes, start in zip(line, starts):
@@ -67,7 +67,7 @@ def regime_maps(folder, found, starts, name):
             axes.set_xticks(np.arange(len(pressures)) + 0.5, [f"{p / regime_map.VELOCITY / 1e6:g}" for p in pressures],
                             fontsize=7)
             axes.set_yticks(np.arange(len(deltas)) + 0.5, [f"{d * 1e9:g}" for d in deltas], fontsize=7)
-        line[0].set_ylabel("δ [ns]")
+        line[0].set_ylabel("δ (ns)")
         shown = np.concatenate([np.ravel(axes.collections[0].get_array().compressed()) for axes in line])
         visible = 0.01 * (high - low)  # less is not seen, such as round-off below 0
         extend = {(0, 0): "neither", (1, 0): "min", (0, 1): "max", (1, 1): "both"}[int(shown.min() < low - visible), int(shown.max() > high + visible)]
@@ -90,7 +90,7 @@ def search(folder, found):
                           arrowprops={"arrowstyle": "-", "color": GREY, "shrinkB": 6})
         axes.set(xlim=(-0.03, 1), title=f"{title[0] * 1e3:g} to {title[1] * 1e3:g} ms", xlabel="share of time in which M is separated")
     grid[0].set_ylabel("μ_inter")
-    figure.colorbar(points, ax=grid, label="main frequency [kHz]")
+    figure.colorbar(points, ax=grid, label="main frequency (kHz)")
     return save(figure, folder, "regime2_search.png")
 
 
@@ -105,7 +105,7 @@ def mu_over_delta(folder, sweeps, morphologies):
                       color=BLUE, label="homogeneous", capsize=2)
         axes.errorbar(np.full(len(runs), 1500.) + 20 * (np.arange(len(runs)) - len(runs) / 2), [m.mu for m in runs],
                       yerr=[m.mu_error for m in runs], fmt="_", ms=5, color=ORANGE, lw=0.8, label="morphologies, δ = 1500 ns")
-        axes.set(title=f"{key[0].label},\n{key[1]}", xlabel="δ [ns]")
+        axes.set(title=f"{key[0].label},\n{key[1]}", xlabel="δ (ns)")
     grid[0][0].set_ylabel("μ_inter")
     grid[0][0].legend(fontsize=7, loc="lower right")
     return save(figure, folder, "mu_over_delta.png")
@@ -134,7 +134,7 @@ def cycle_life(folder, lines, times):
         right.plot(d22 / 1e9, line[-1].mu, "o", ms=5, color=colour)
     right.axvline(47.26, color=GREY, lw=0.9, ls="--")
     right.annotate("eq. (10)", (47.26, 0), (-3, 6), xycoords=("data", "axes fraction"), textcoords="offset points", ha="right", color=GREY)
-    left.set(xlabel="time [ms]", ylabel="μ_inter, means over 1 ms")
+    left.set(xlabel="time (ms)", ylabel="μ_inter, means over 1 ms")
     left.legend(title="D22 [GPa]", ncol=2, fontsize=8)
     right.set(xlabel="D22 [GPa]", title="9 to 10 ms")
     return save(figure, folder, "cycle_life.png")

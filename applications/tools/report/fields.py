@@ -1,0 +1,100 @@
+"""Pictures of phases and of von Mises stress on grids and meshes."""
+
+import functools
+
+import numpy as np
+
+import maps
+import mesh_maps
+from page import escape, quantity
+from projections import draw
+from stress_maps import highest, stress_group
+
+PERCENTILE = "The colour scale ends at the 99.5th percentile."
+
+
+def parts(chain):
+    """(function, arguments...) that the runs call for."""
+    on_mesh = [run for run in chain.rve if run.is_mesh_like()]
+    on_grid = [run for run in chain.rve if run not in on_mesh]
+    on_plane = [run for run in chain.runs if run.heterogeneous and run.grid() and not run.is_mesh_like()]
+    result = [(morphology, chain)] if on_grid or on_plane else []
+    result += [(rve_stress, run, chain) for run in on_grid if run.members("/concentration")]
+    for run in on_mesh:
+        result += [(mesh_morphology, run)] + ([(mesh_stress, run, chain)] if run.members("/concentration") else [])
+    if not on_mesh:
+        result += [(phases_of_run, run) for run in chain.dynamics if run.heterogeneous and run.is_mesh_like()]
+    return result + [(snapshot, run, chain) for run in snapshots(chain)]
+
+
+def snapshots(chain):
+    return [run for run in chain.transient + chain.static if run.members("/snapshots")]
+
+
+def pressure_of(chain):
+    """Pa; that of the first run with one, and what to call it."""
+    pressure = next((run.number("pressure") for run in chain.dynamics if run.number("pressure")), None)
+    return (pressure, "the pressure of the runs") if pressure else (1e6, "no run says which pressure is wanted")
+
+
+def sections_of(run):
+    return ", in the planes through the middle" if run.summary.get("dim") == 3 or run.is_solid() else ""
+
+
+def enlarged(run):
+    return "; framed, the middle of the contact, enlarged" if maps.enlarged(run) else ""
+
+
+def morphology(page, chain):
+    run, ids = maps.phase_map(chain)
+    return page.figure(maps.morphology(run, ids), f"Phases of {escape(run.name)}: the whole body{enlarged(run)}.")
+
+
+def rve_stress(page, run, chain):
+    pressure, which = pressure_of(chain)
+    figure, condition = maps.rve_von_mises(run, pressure)
+    return page.figure(figure, f"Von Mises stress in {escape(run.name)} under {escape(condition)} with a strain whose mean stress is "
+                               f"{quantity(pressure, 'Pa')} ({which}) of vertical compression alone{enlarged(run)}. {PERCENTILE}")
+
+
+def mesh_morphology(page, run):
+    return page.figure(mesh_maps.morphology(run), f"Phases of {escape(run.name)}{' on their mesh' if run.members('/mesh') else ''}{sections_of(run)}.")
+
+
+def phases_of_run(page, run):
+    return page.figure(mesh_maps.phases_of_run(run), f"Phases of the body of {escape(run.name)}{sections_of(run)}.")
+
+
+def mesh_stress(page, run, chain):
+    pressure, which = pressure_of(chain)
+    figure, condition = mesh_maps.von_mises(run, pressure)
+    return page.figure(figure, f"Von Mises stress in {escape(run.name)} under {escape(condition)} with a strain whose mean stress is "
+                               f"{quantity(pressure, 'Pa')} ({which}) of compression along the last axis alone{sections_of(run)}. {PERCENTILE}")
+
+
+def field_of(run, chain):
+    return mesh_maps.snapshot_von_mises(run) if run.is_mesh_like() else maps.snapshot_von_mises(run, chain)
+
+
+@functools.lru_cache(maxsize=None)
+def end_of_scale(chain, pressure):
+    """Pa; of the last snapshots of all runs with the same pressure, so that their pictures can be compared."""
+    ends = []
+    for run in snapshots(chain):
+        if run.number("pressure") == pressure:
+            try:
+                ends.append(highest(field_of(run, chain)))
+            except Exception:  # its own picture says what is wrong
+                continue
+    return max(ends, default=None), len(ends)
+
+
+def snapshot(page, run, chain):
+    field = field_of(run, chain)
+    end, count = end_of_scale(chain, run.number("pressure"))
+    figure = draw((mesh_maps if run.is_mesh_like() else maps).views(run), [stress_group(field, limit=end)])
+    time = run.last("/snapshots/time")
+    when = f" at t = {quantity(float(time), 's')}" if time is not None else ""
+    same = " It is the same for all runs with this pressure." if count > 1 else ""
+    return page.figure(figure, f"Von Mises stress of the last snapshot of the {escape(run.label)} run{when}" +
+                       (sections_of(run) if run.is_mesh_like() else enlarged(run)) + f". {PERCENTILE}{same}")

@@ -1,0 +1,116 @@
+"""Maps of the report for bodies of many shapes: nothing leaves the picture, no panel is too small, no labels touch.
+
+    report_layout.py <folder with the programs, not used>
+"""
+
+import os
+import sys
+
+import numpy as np
+
+from scenes import TOOLS
+
+sys.path.insert(0, os.path.join(TOOLS, "report"))
+
+from data import without_folders  # noqa: E402
+from figures import plt  # noqa: E402
+from loads import without_round_off  # noqa: E402
+from maps import TALL, views, whole_view  # noqa: E402
+from projections import Group, View, draw  # noqa: E402
+from stress_maps import compared, phase_figure, stress_group  # noqa: E402
+
+LONG = "reinforcement-of-carbon-fibre-lot-7"
+SHAPES = [(240, 20), (120, 20), (90, 60), (60, 60), (60, 90), (20, 120), (16, 192), (560, 160)]  # cells of 0.1 mm
+SLACK = 0.03  # in
+
+
+class Body:
+    """A run on a plane grid, as far as maps ask."""
+    name, summary = "body", {"phases": [{"name": LONG[:-1] + "6"}, {"name": LONG}]}
+
+    def __init__(self, nx, ny):
+        self.cells = np.array([nx, ny])
+
+    def grid(self):
+        return [self.cells.astype(float), np.array([1e-4, 1e-4]), np.zeros(2)]
+
+    def extent(self):
+        return [0, 0.1 * self.cells[0], 0, 0.1 * self.cells[1]]
+
+    def get(self, dataset, rows=...):
+        return None
+
+
+def overlaps(axes, renderer):
+    """Whether labels of neighbouring ticks touch."""
+    for line, side in ((axes.xaxis, 0), (axes.yaxis, 1)):
+        boxes = [label.get_window_extent(renderer) for label in line.get_ticklabels() if label.get_visible() and label.get_text()]
+        ends = sorted((box.intervalx if side == 0 else box.intervaly).tolist() for box in boxes)
+        if any(first[1] > second[0] + 1 for first, second in zip(ends, ends[1:])):
+            yield f"labels along {'xy'[side]} touch"
+
+
+def problems_of(figure):
+    """What a reader would object to."""
+    figure.canvas.draw()
+    renderer = figure.canvas.get_renderer()
+    width, height = figure.get_size_inches()
+    box = figure.get_tightbbox(renderer)
+    if box.x0 < -SLACK or box.y0 < -SLACK or box.x1 > width + SLACK or box.y1 > height + SLACK:
+        yield f"what is drawn reaches from {box.p0} to {box.p1} in a picture of {width:.1f} x {height:.1f} in"
+    if width > 10 or height > 13:
+        yield f"{width:.1f} x {height:.1f} in"
+    for axes in figure.axes:
+        yield from overlaps(axes, renderer)
+        place = axes.get_position()
+        if place.width * width < 0.1 or place.height * height < 0.1:
+            yield f"a panel of {place.width * width:.2f} x {place.height * height:.2f} in"
+    plt.close(figure)
+
+
+def pictures(body):
+    values = np.random.default_rng(1).random(body.cells.prod()) * 3e6
+    ids = (values > 2e6).astype(int)
+    one = [whole_view(body)]
+    yield "phases", phase_figure(views(body), body, ids, [" (90.0 %)", " (10.0 %)"])
+    yield "stress", draw(views(body), [stress_group(values)])
+    yield "comparison", compared(one, values, 1.1 * values, "mean von Mises stress")[0]
+    signed = 1e-5 * (values / 3e6 - 0.5)
+    yield "four fields", draw(one, [Group(signed, "PuOr_r", (-5e-6, 5e-6), "", f"$\\sigma_{{{name}}}$ (GPa)") for name in ("xx", "yy", "xy", "zz")])
+
+
+def solid_pictures(size):
+    """Sections of a box."""
+    bounds, seen = np.array([np.zeros(3), size]), []
+    for axis in range(3):
+        others = [d for d in range(3) if d != axis]
+        corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]]) * bounds[1][others]
+        seen.append(View(bounds, axis, [corners], np.array([0])))
+    values = np.array([-0.0123])
+    yield "sections", draw(seen, [Group(values, "viridis", (-0.0125, 0.0125), "", "stress (MPa)")])
+
+
+def main():
+    found = []
+    for shape in SHAPES:
+        body = Body(*shape)
+        assert (len(views(body)) == 2) == (shape[0] > 50 or shape[1] > TALL * shape[0]), shape
+        found += [f"{shape}, {name}: {problem}" for name, figure in pictures(body) for problem in problems_of(figure)]
+    for size in ([6.0, 2, 3], [12, 1, 1], [1, 1, 12], [1, 12, 1], [4, 4, 4]):
+        found += [f"{size}, {name}: {problem}" for name, figure in solid_pictures(size) for problem in problems_of(figure)]
+    assert not found, "\n".join(found)
+
+    figure, axes = plt.subplots(figsize=(2, 1.5), layout="none")  # the checks see what they look for
+    axes.set_xticks([0.1, 0.12, 0.14], ["0.1000", "0.1200", "0.1400"])
+    figure.text(0.9, 0.5, LONG)
+    seen = " ".join(problems_of(figure))
+    assert "touch" in seen and "reaches" in seen, seen
+
+    assert without_round_off({"xx": 2e9, "yy": -3e-4, "xy": 5.0}) == {"xx": 2e9, "yy": 0.0, "xy": 5.0}
+    paths = {"a": ["the phases of /tmp/x/square/10-rve/rve.h5, 1/s and J/m; /etc is kept"]}
+    assert without_folders(paths) == {"a": ["the phases of 10-rve/rve.h5, 1/s and J/m; /etc is kept"]}, without_folders(paths)
+    print("report_layout: bodies from 12:1 to 1:12 fit")
+
+
+if __name__ == "__main__":
+    main()
