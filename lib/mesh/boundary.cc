@@ -18,8 +18,7 @@ namespace mesoslip
 {
 namespace
 {
-/** A face of a cell by its points in ascending order, the same for all that share it. As
- * small as can be: there are six of each hexahedron. */
+/** A face of a cell by its points in ascending order, the same for all that share it. */
 template <int dim>
 struct SortedFace
 {
@@ -60,24 +59,70 @@ face_of_cell(const Mesh<dim> &mesh, const unsigned int k, const unsigned int num
 }
 
 template <int dim>
-std::vector<SortedFace<dim>> faces_of_cells(const Mesh<dim> &mesh)
+unsigned int n_faces(const dealii::CellData<dim> &cell)
 {
-  const auto n_faces = [](const auto &cell) {
-    return dealii::ReferenceCell::n_vertices_to_type(dim, cell.vertices.size()).n_faces();
-  };
-  std::size_t n = 0;
-  for (const auto &cell : mesh.cells)
-    n += n_faces(cell);
-  std::vector<SortedFace<dim>> faces;
-  faces.reserve(n);
-  for (unsigned int k = 0; k < mesh.cells.size(); ++k)
-    for (unsigned int f = 0; f < n_faces(mesh.cells[k]); ++f)
-      {
-        const BoundaryFace<dim> face = face_of_cell(mesh, k, f);
-        faces.push_back({sorted_points<dim>(face.points.data(), face.n_points), k, f});
-      }
-  std::sort(faces.begin(), faces.end());
-  return faces;
+  return dealii::ReferenceCell::n_vertices_to_type(dim, cell.vertices.size()).n_faces();
+}
+
+/** For each point the cells with a face of which it is the smallest, as often as they have
+ * such: those of point p begin at first[p]. */
+struct CellsBySmallestPoint
+{
+  template <int dim>
+  explicit CellsBySmallestPoint(const Mesh<dim> &mesh)
+    : first(mesh.points.size() + 2, 0)
+  {
+    const auto for_each = [&mesh](const auto &visit) {
+      for (unsigned int k = 0; k < mesh.cells.size(); ++k)
+        for (unsigned int f = 0; f < n_faces(mesh.cells[k]); ++f)
+          {
+            const BoundaryFace<dim> face = face_of_cell(mesh, k, f);
+            visit(
+              *std::min_element(face.points.begin(), face.points.begin() + face.n_points),
+              k);
+          }
+    };
+    // Two places on, so that filling the lists leaves the numbers where they belong.
+    for_each([this](const unsigned int p, const unsigned int) { ++first[p + 2]; });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    cells.resize(first.back());
+    for_each(
+      [this](const unsigned int p, const unsigned int k) { cells[first[p + 1]++] = k; });
+  }
+
+  std::vector<std::size_t> first;
+  std::vector<unsigned int> cells;
+};
+
+/** Calls @p visit with the cells' faces that have the same points, all places in the mesh one
+ * after the other, in ascending order. No list has all faces: there are six of each hexahedron. */
+template <int dim, typename Visit>
+void visit_faces(const Mesh<dim> &mesh, const Visit &visit)
+{
+  const CellsBySmallestPoint lists(mesh);
+  std::vector<SortedFace<dim>> faces, same;
+  for (unsigned int p = 0; p < mesh.points.size(); ++p)
+    {
+      faces.clear();
+      for (std::size_t i = lists.first[p]; i < lists.first[p + 1]; ++i)
+        if (const unsigned int k = lists.cells[i];
+            i == lists.first[p] || k != lists.cells[i - 1])
+          for (unsigned int f = 0; f < n_faces(mesh.cells[k]); ++f)
+            {
+              const BoundaryFace<dim> face = face_of_cell(mesh, k, f);
+              const auto key = sorted_points<dim>(face.points.data(), face.n_points);
+              if (key[0] == p)
+                faces.push_back({key, k, f});
+            }
+      std::sort(faces.begin(), faces.end());
+      for (auto begin = faces.begin(), end = begin; begin != faces.end(); begin = end)
+        {
+          end = std::find_if(begin, faces.end(),
+                             [&](const auto &face) { return face.key != begin->key; });
+          same.assign(begin, end);
+          visit(same);
+        }
+    }
 }
 
 template <int dim>
@@ -131,31 +176,28 @@ std::vector<dealii::Tensor<1, dim>> tributary_areas(const Mesh<dim> &mesh,
 template <int dim>
 std::vector<BoundaryFace<dim>> boundary_faces(const Mesh<dim> &mesh)
 {
-  const std::vector<SortedFace<dim>> faces = faces_of_cells(mesh);
   std::vector<BoundaryFace<dim>> result;
   boost::disjoint_sets_with_storage<> pieces(mesh.cells.size());
   for (unsigned int k = 0; k < mesh.cells.size(); ++k)
     pieces.make_set(k);
   std::size_t n_pieces = mesh.cells.size();
-  for (auto first = faces.begin(), last = first; first != faces.end(); first = last)
-    {
-      while (last != faces.end() && last->key == first->key)
-        ++last;
-      const BoundaryFace<dim> face = face_of_cell(mesh, first->cell, first->number);
-      if (last - first > 2)
-        throw UserError(
-          "Mesh/File: " + std::to_string(last - first) + " cells share the " +
-          (dim == 2 ? "edge" : "face") + " at " +
-          place(mesh, {face.points.begin(), face.points.begin() + face.n_points}) +
-          "; cells overlap or are there twice, look at the mesh");
-      if (last - first == 1)
-        result.push_back(face);
-      else if (pieces.find_set(first->cell) != pieces.find_set((last - 1)->cell))
-        {
-          pieces.link(first->cell, (last - 1)->cell);
-          --n_pieces;
-        }
-    }
+  visit_faces(mesh, [&](const std::vector<SortedFace<dim>> &same) {
+    const SortedFace<dim> &one = same.front(), &other = same.back();
+    const BoundaryFace<dim> face = face_of_cell(mesh, one.cell, one.number);
+    if (same.size() > 2)
+      throw UserError(
+        "Mesh/File: " + std::to_string(same.size()) + " cells share the " +
+        (dim == 2 ? "edge" : "face") + " at " +
+        place(mesh, {face.points.begin(), face.points.begin() + face.n_points}) +
+        "; cells overlap or are there twice, look at the mesh");
+    if (same.size() == 1)
+      result.push_back(face);
+    else if (pieces.find_set(one.cell) != pieces.find_set(other.cell))
+      {
+        pieces.link(one.cell, other.cell);
+        --n_pieces;
+      }
+  });
   if (n_pieces != 1)
     throw UserError("Mesh/File: the body is in " + std::to_string(n_pieces) +
                     " pieces that share no " + (dim == 2 ? "edges" : "faces") +
@@ -167,12 +209,12 @@ std::vector<BoundaryFace<dim>> boundary_faces(const Mesh<dim> &mesh)
 template <int dim>
 std::vector<std::array<unsigned int, 2>> neighbouring_cells(const Mesh<dim> &mesh)
 {
-  const std::vector<SortedFace<dim>> faces = faces_of_cells(mesh);
   std::vector<std::array<unsigned int, 2>> pairs;
-  pairs.reserve(faces.size() / 2);
-  for (std::size_t k = 1; k < faces.size(); ++k)
-    if (faces[k - 1].key == faces[k].key)
-      pairs.push_back({{faces[k - 1].cell, faces[k].cell}});
+  pairs.reserve(mesh.cells.size() * dim); // of simplices fewer
+  visit_faces(mesh, [&pairs](const std::vector<SortedFace<dim>> &same) {
+    for (std::size_t k = 1; k < same.size(); ++k)
+      pairs.push_back({{same[k - 1].cell, same[k].cell}});
+  });
   return pairs;
 }
 

@@ -41,22 +41,33 @@ std::vector<unsigned int> curve_order(const Mesh<dim> &mesh)
   return order;
 }
 
-/** For each original of the mesh the ranks whose cells have it or one that moves with it, in
- * ascending order. */
+/** An original of the mesh and a rank whose cells have it or one that moves with it. */
+using PointAndRank = std::pair<unsigned int, unsigned int>;
+
+/** Those of points of several ranks, in ascending order. */
 template <int dim>
-std::vector<std::vector<unsigned int>>
-ranks_of_points(const Mesh<dim> &mesh, const std::vector<unsigned int> &rank_of_cell)
+std::vector<PointAndRank>
+ranks_of_shared_points(const Mesh<dim> &mesh,
+                       const std::vector<unsigned int> &rank_of_cell)
 {
-  std::vector<std::vector<unsigned int>> ranks(mesh.points.size());
+  std::vector<unsigned int> first(mesh.points.size(), nobody);
+  std::vector<bool> shared(mesh.points.size());
   for (std::size_t k = 0; k < mesh.cells.size(); ++k)
     for (const unsigned int v : mesh.cells[k].vertices)
       {
         const unsigned int p = mesh.original(v);
-        const auto place =
-          std::lower_bound(ranks[p].begin(), ranks[p].end(), rank_of_cell[k]);
-        if (place == ranks[p].end() || *place != rank_of_cell[k])
-          ranks[p].insert(place, rank_of_cell[k]);
+        if (first[p] == nobody)
+          first[p] = rank_of_cell[k];
+        else if (first[p] != rank_of_cell[k])
+          shared[p] = true;
       }
+  std::vector<PointAndRank> ranks;
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k)
+    for (const unsigned int v : mesh.cells[k].vertices)
+      if (const unsigned int p = mesh.original(v); shared[p])
+        ranks.emplace_back(p, rank_of_cell[k]);
+  std::sort(ranks.begin(), ranks.end());
+  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
   return ranks;
 }
 
@@ -82,7 +93,7 @@ public:
     : mesh(mesh)
     , rank_of_cell(rank_of_cell)
     , order(curve_order(mesh))
-    , ranks(ranks_of_points(mesh, rank_of_cell))
+    , ranks(ranks_of_shared_points(mesh, rank_of_cell))
     , owners(owners_of_points(mesh, rank_of_cell))
     , local(mesh.points.size(), nobody)
   {
@@ -146,9 +157,11 @@ private:
             continue;
           }
         first = k;
-        for (const unsigned int other : ranks[original])
-          if (other != rank)
-            shared[other].push_back(point);
+        for (auto entry =
+               std::lower_bound(ranks.begin(), ranks.end(), PointAndRank(original, 0U));
+             entry != ranks.end() && entry->first == original; ++entry)
+          if (entry->second != rank)
+            shared[entry->second].push_back(point);
       }
     for (const auto &[other, points] : shared)
       part.neighbours.push_back({other, points});
@@ -157,7 +170,7 @@ private:
   const Mesh<dim> &mesh;
   const std::vector<unsigned int> &rank_of_cell;
   const std::vector<unsigned int> order;
-  const std::vector<std::vector<unsigned int>> ranks; ///< of originals
+  const std::vector<PointAndRank> ranks;
   const std::vector<unsigned int> owners;
   std::vector<unsigned int> local; ///< of each point of the mesh its index in the part
 };

@@ -231,6 +231,8 @@ template <int dim>
 void join_periodic_sides(MeshMorphology<dim> &morphology,
                          const MeshBodyParameters &parameters)
 {
+  if (parameters.periodic[0].empty() && parameters.periodic[1].empty())
+    return;
   Mesh<dim> &mesh  = morphology.mesh;
   const auto faces = faces_of(morphology);
   for (unsigned int axis = 0; axis + 1 < dim; ++axis)
