@@ -29,7 +29,7 @@ endfunction()
 mesoslip_python_tests(regression 1 chain_inputs bad_input earlier_results dependencies refused_statics links verification_page completion
                       python_module parameter_reference prediction report shortcuts profile_rows studies terminal disk browser
                       work_precision)
-mesoslip_python_tests(regression 2 chain files resume ranks steady_part first_steps command_line package paper other_processors xdmf mesh mesh_dynamics boxes mesh_periodic mesh_flat contact_map
+mesoslip_python_tests(regression 2 chain files resume ranks steady_part first_steps guide command_line package paper other_processors xdmf mesh mesh_dynamics boxes mesh_periodic mesh_flat contact_map
                       mesh_localization mesh_modes mesh_static_contact complex_modes)
 mesoslip_python_tests(verification 1 independent_finite_elements static_localization stability hexagonal_cell mesh_inclusions mesh_friction_vector
                       hertz spence incremental_friction)
