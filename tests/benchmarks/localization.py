@@ -39,7 +39,7 @@ def run(bench):
 
 
 def add_static(study, name, material, ratio):
-    study.add(name, "contact_dynamics", prm("examples/static_contact.prm"), {
+    study.add(name, "contact_dynamics", prm("examples/fibres/40-contact_dynamics-static_contact.prm"), {
         "Body/Material": material, "Body/RVE file": "{rve}/rve.h5", "Body/Cells": [n // ratio for n in CELLS],
         "Friction/Coefficient from": "constant"})
 

@@ -39,7 +39,7 @@ STOP = "stop at the limit cycle"
 QUIET = {"Snapshots/Interval": 0, "Observation/Steady from": "auto", "Observation/Stop at limit cycle": False}
 FINE = {**QUIET, "Observation/Steady from": 5e-5, "Body/Cells": [560, 160], "Body/RVE file": "{rve}/rve.h5", "Time/End time": 2e-4}
 COARSE = {**FINE, "Observation/Steady from": 7.5e-4, "Body/Cells": [280, 80], "Time/End time": 1.5e-3}
-# The stiffness of eq. (10), in Pa: with it the pin stays in its limit cycle (doc/limits.md).
+# The stiffness of eq. (10), in Pa: with it the pin stays in its limit cycle (doc/paper/reading.md).
 PAPER = {"Body/Stiffness": [36.54e9, 9.1e9, 47.26e9, 13.785e9], "Body/Density": 1770, "Body/Size": [0.056, 0.016], "Body/RVE file": ""}
 LASTING = {**COARSE, **PAPER, "Observation/Steady from": "auto", "Time/End time": 4e-3}
 CYCLE_TOLERANCE = 0.02  # of the criterion for a limit cycle (lib/observation/steady_state.h)

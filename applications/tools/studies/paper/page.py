@@ -11,7 +11,7 @@ and figure with a number or a curve, beside what mesoslip computes. `./run.sh pa
 [prm/paper](../../prm/paper) with the changes named. Only the paper's numbers are typed in
 (`applications/tools/report/paper_values.py`); nothing is read off its figures. "Difference" is ours against the paper's.
 
-How the paper was read, and why, is in [limits](../limits.md).
+How the paper was read, and why, has [a page of its own](reading.md).
 """
 
 

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""doc/guide.md and doc/guide/squeal.md by the letter: the micrograph is what its script writes and segments, the commands run, and
+what the pages say is printed is printed."""
+
+import importlib.util
+import os
+import re
+import tempfile
+
+import numpy as np
+from PIL import Image
+
+import first_steps
+from scenes import TOP, Folder, run_chain
+
+EXAMPLE = os.path.join(TOP, "prm", "examples", "micrograph")
+
+
+def script(path):
+    spec = importlib.util.spec_from_file_location("script", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def check_pictures():
+    """micrograph.png is that of micrograph.py, but for the last bit; phases.png is what the lines of the guide make of it."""
+    with Image.open(os.path.join(EXAMPLE, "micrograph.png")) as file:
+        grey = np.asarray(file)
+    assert np.abs(script(os.path.join(EXAMPLE, "micrograph.py")).draw().astype(int) - grey).max() <= 1
+    lines = re.findall(r"^ {4}(grey = Image.*\n {4}grey\.point.*)$", Folder(TOP).read("doc", "guide.md").decode(), re.MULTILINE)
+    own = Folder(EXAMPLE).read("segment.py").decode()
+    assert len(lines) == 1
+    from PIL import ImageFilter
+    names = {"Image": Image, "ImageFilter": ImageFilter}
+    with tempfile.TemporaryDirectory() as folder:
+        code = lines[0].replace("    ", "").replace('"micrograph.png"', repr(os.path.join(EXAMPLE, "micrograph.png")))
+        exec(code.replace('"phases.png"', repr(os.path.join(folder, "phases.png"))), names)
+        with Image.open(os.path.join(folder, "phases.png")) as made, Image.open(os.path.join(EXAMPLE, "phases.png")) as kept:
+            assert np.array_equal(np.asarray(made), np.asarray(kept))
+    threshold = re.search(r"g > (\d+)", lines[0])[1]
+    assert f"THRESHOLD = {threshold} " in own and "MedianFilter(5)" in own, "segment.py is not what the guide says"
+
+
+def check_refusal(text):
+    """The grey picture is refused in the sentence that the guide quotes."""
+    said = re.search(r"^ {4}rve_homogenization: micrograph\.png: (.*)$", text, re.MULTILINE)[1]
+    with tempfile.TemporaryDirectory() as folder:
+        printed = Folder(folder).run(2, "rve_homogenization", os.path.join(EXAMPLE, "10-rve_homogenization.prm"), "--set", "Microstructure/File="
+                                     + os.path.join(EXAMPLE, "micrograph.png"), "--set", "Microstructure/Image values=")
+    assert said in printed, printed
+
+
+def check_cells(text):
+    """The table of stiffness against cells, but for its finest grid."""
+    rows = re.findall(r"^\| (\d+) x (\d+) \| [\d.]+ \| ([\d.]+) \| ([\d.]+) \|", text, re.MULTILINE)
+    assert len(rows) == 5
+    for columns, n_rows, d11, d22 in rows[:4]:
+        with tempfile.TemporaryDirectory() as folder:
+            printed = Folder(folder).run(0, "rve_homogenization", os.path.join(EXAMPLE, "10-rve_homogenization.prm"), "--set",
+                                         f"Grid/Cells={columns},{n_rows}", "--output", "out")
+        found = re.search(r"effective +([\d.]+) +[\d.]+ +[\d.]+ +([\d.]+)", printed).groups()
+        assert np.allclose([float(x) for x in found], [float(d11), float(d22)], rtol=1e-3), (columns, found)
+
+
+def check_squeal():
+    """Every quoted line of the page is printed by one of its two runs."""
+    text = Folder(TOP).read("doc", "guide", "squeal.md").decode()
+    with tempfile.TemporaryDirectory() as folder:
+        printed = "".join(Folder(folder).run(0, "contact_dynamics", os.path.join(TOP, prm), "--output", name) for prm, name in
+                          re.findall(r"build/applications/contact_dynamics (\S+) --output (\S+)", text))
+    lines = [line.strip() for line in printed.split("\n")]
+    said = [line.strip() for line in re.findall(r"^ {4}((?:\d+ (?:contact|growing)|  mode|mu_inter).*)$", text, re.MULTILINE)]
+    assert len(said) == 9, said
+    missing = [line for line in said if not any(first_steps.same(line, other) for other in lines)]
+    assert not missing, "the guide says what is not printed:\n" + "\n".join(missing) + "\n" + printed
+
+
+def main():
+    text = Folder(TOP).read("doc", "guide.md").decode()
+    check_pictures()
+    check_refusal(text)
+    first_steps.check_validation(text)
+    check_cells(text)
+    check_squeal()
+    with tempfile.TemporaryDirectory() as folder:
+        first_steps.check_outputs(text, run_chain(EXAMPLE, "--output", os.path.join(folder, "results"), "--no-report"))
+    print("ok")
+
+
+if __name__ == "__main__":
+    main()
