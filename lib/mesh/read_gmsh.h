@@ -12,7 +12,7 @@ namespace mesoslip
  * one without a name is called by its number. Points that belong to no cell are dropped.
  * Coordinates are multiplied by @p scale (m per unit of the file).
  *
- * The rank that calls reads, see read_msh(). Cells have positive volume
+ * The Gmsh library does the reading, on the rank that calls. Cells have positive volume
  * on average: those that are numbered clockwise are turned. Nothing else is checked; see
  * check_mesh().
  *
