@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""One self-contained report.html from the result folders of a chain.
+"""One report.html, with its pictures and their data in it, from the result folders of a chain.
 
     make_report.py [--output report.html] folder...
 

@@ -4,9 +4,9 @@ import os
 
 import numpy as np
 
-import maps
 from cases import P1, P2, PUSHED, TOP
 from figures import BLUE, ORANGE, above, plt
+from stress_maps import STRESS_MAP
 
 PICTURE = os.path.join("doc", "pin.png")
 PERIODS = 8
@@ -25,7 +25,7 @@ def picture(fragment, results, names):
     fibres.imshow(morphology.need("/phase/id"), origin="lower", extent=extent, cmap="Greys", vmin=0, vmax=1.0, interpolation="antialiased")
     fibres.set_title("fibres in the matrix", loc="left")
     field = localized.need("/mean_von_mises") / 1e6
-    shown = stress.imshow(field, origin="lower", extent=extent, cmap=maps.STRESS_MAP, vmin=0, vmax=np.percentile(field, 99.5))
+    shown = stress.imshow(field, origin="lower", extent=extent, cmap=STRESS_MAP, vmin=0, vmax=np.percentile(field, 99.5))
     stress.set_title("localized von Mises stress, mean over time", loc="left")
     figure.colorbar(shown, ax=[fibres, stress], pad=0.02, aspect=24, extend="max").set_label("von Mises stress (MPa)")
     for axis in (fibres, stress):
