@@ -11,13 +11,13 @@ import h5py
 import numpy as np
 
 from scenes import TOOLS, Folder, prm, sets
+from sliding_pin import SlidingPin
 
 sys.path.append(os.path.join(TOOLS, "studies", "prediction"))
 sys.path.append(os.path.join(TOOLS, "python"))
 import mesoslip  # noqa: E402
 from measures import rates  # noqa: E402
 from mesoslip.participation import participation  # noqa: E402
-from sliding_modes import SlidingPin  # noqa: E402
 
 STIFFNESS, DENSITY, CELLS, SIZE = (36.54e9, 9.1e9, 47.26e9, 13.785e9), 1770, (24, 8), (0.012, 0.004)
 MU, DELTA, BETA = 0.3, 4e-7, 4.4e-9

@@ -3,16 +3,12 @@ closed form; coefficients that do not change; the same pin in 3D; friction that 
 
 import cmath
 import math
-import os
-import sys
 import tempfile
 
 import numpy as np
 
-from scenes import TOOLS, Folder, prm
-
-sys.path.append(os.path.join(TOOLS, "studies", "prediction"))
-from sliding_modes import SlidingPin  # noqa: E402
+from scenes import Folder, prm
+from sliding_pin import SlidingPin
 
 # The stiffness is that of eq. (10), of which the shear modulus takes part.
 HEIGHT, DENSITY, SHEAR, PRESSURE, VELOCITY, TOP = 0.016, 1770, 13.785e9, 5e7, 2., 200e3
