@@ -3,8 +3,6 @@ vibration; the same cells as a mesh and as a slice in 3D; a sweep; what is refus
 
 import csv
 import math
-import os
-import sys
 import tempfile
 
 import h5py
