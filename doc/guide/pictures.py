@@ -22,9 +22,9 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
 TOOLS = os.path.join(TOP, "applications", "tools")
 EXAMPLES = os.path.join(TOP, "prm", "examples")
-sys.path.insert(0, os.path.join(TOOLS, "python"))
+sys.path[:0] = [os.path.join(TOOLS, "python"), os.path.join(TOOLS, "studies")]
 import mesoslip
-from pictures_of_reports import report_figures, save
+from report_pictures import report_figures, save
 
 WIDTH, HEIGHT = 8, 4  # mm
 

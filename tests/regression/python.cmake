@@ -27,7 +27,7 @@ function(mesoslip_python_tests label processors)
 endfunction()
 
 mesoslip_python_tests(regression 1 chain_inputs bad_input earlier_results dependencies refused_statics links verification_page completion
-                      python_module python_runs parameter_reference prediction report report_layout shortcuts profile_rows setup site studies
+                      python_module python_runs parameter_reference prediction report report_layout shortcuts profile_rows setup site gallery studies
                       terminal disk browser work_precision complex_modes_growth complex_modes_laws)
 mesoslip_python_tests(regression 2 chain chain_validation files resume ranks steady_part first_steps guide command_line package paper
                       other_processors xdmf mesh mesh_dynamics boxes mesh_periodic mesh_flat contact_map mesh_localization mesh_modes

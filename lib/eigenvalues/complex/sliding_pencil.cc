@@ -51,22 +51,16 @@ row_of(const ElasticBody<dim> &body, const NodeIndex &node, const unsigned int c
     dim * (static_cast<std::size_t>(node.j) * body.n_columns() + node.i) + c);
 }
 
-/** A friction force of a contact node. */
-struct ContactForce
-{
-  std::size_t node;       ///< among the contact nodes
-  unsigned int component; ///< along the flat
-};
-
-/** The row of targets of a force: @p reactions holds the normal ones of the nodes. */
-void add_target(const ContactForce &force,
+/** The row @p q of targets, of a force at contact node @p node: @p reactions holds the normal
+ * ones of the nodes. */
+void add_target(const std::size_t node,
                 const double coupling,
                 const RealMatrix &reactions,
                 const std::int64_t q,
                 std::vector<Triplet> &target)
 {
-  for (RealMatrix::InnerIterator entry(reactions, static_cast<Eigen::Index>(force.node));
-       entry; ++entry)
+  for (RealMatrix::InnerIterator entry(reactions, static_cast<Eigen::Index>(node)); entry;
+       ++entry)
     target.emplace_back(q, entry.row(), coupling * entry.value());
 }
 
@@ -93,8 +87,8 @@ void add_contact(const ElasticBody<dim> &body,
         pencil.contact_nodes.push_back(k);
         const FrictionSlopes slopes =
           contact.slopes.empty() ? FrictionSlopes() : contact.slopes[k];
-        add_target({k, c}, (contact.friction[k] + slopes.pressure) * direction[c],
-                   reactions, q, target);
+        add_target(k, (contact.friction[k] + slopes.pressure) * direction[c], reactions,
+                   q, target);
         if (contact.normal_force.empty())
           continue;
         const double force = contact.normal_force[k];

@@ -84,13 +84,13 @@ double Solver::dot_with_kept(const unsigned int k)
 {
   LineVector<double> row(voxels.stride());
   double sum = 0.;
-  for (unsigned int z = 1; z <= voxels.n_nodes(2); ++z)
-    for (unsigned int y = 1; y <= voxels.n_nodes(1); ++y)
+  for (unsigned int plane = 1; plane <= voxels.n_nodes(2); ++plane)
+    for (unsigned int line = 1; line <= voxels.n_nodes(1); ++line)
       for (unsigned int c = 0; c < 3; ++c)
         {
           // The ghosts of the residual are zero.
-          kept[k].read_row(c, y, z, row.data());
-          sum += kernels().mixed_dot(row.size(), r.row(c, y, z), row.data());
+          kept[k].read_row(c, line, plane, row.data());
+          sum += kernels().mixed_dot(row.size(), r.row(c, line, plane), row.data());
         }
   return sum_over_ranks(voxels, sum);
 }
@@ -119,20 +119,20 @@ void Solver::sum_strains(const unsigned int k)
             sums[6 * std::size_t{phase[i]} + m] += strain[m][i];
       }
   sum_over_ranks(voxels, sums.data(), static_cast<unsigned int>(sums.size()));
-  for (std::size_t p = 0; p < strains.size(); ++p)
-    strains[p].col(k) = Eigen::Map<const VoigtVector<3>>(&sums[6 * p]);
+  for (std::size_t id = 0; id < strains.size(); ++id)
+    strains[id].col(k) = Eigen::Map<const VoigtVector<3>>(&sums[6 * id]);
 }
 
 std::vector<Solver::PhaseStrains> Solver::phase_strains() const
 {
   std::vector<PhaseStrains> result;
-  for (std::size_t p = 0; p < strains.size(); ++p)
+  for (std::size_t id = 0; id < strains.size(); ++id)
     {
-      result.push_back({n_cells[p], strains[p]});
+      result.push_back({n_cells[id], strains[id]});
       if (voxels.sides == Sides::free)
-        result[p].sum /= modulus;
+        result[id].sum /= modulus;
       else
-        result[p].sum += n_cells[p] * VoigtMatrix<3>::Identity();
+        result[id].sum += n_cells[id] * VoigtMatrix<3>::Identity();
     }
   return result;
 }

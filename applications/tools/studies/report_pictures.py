@@ -10,7 +10,7 @@ import sys
 
 from PIL import Image
 
-TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
 WIDTH = 900  # pixels
 
 

@@ -1,0 +1,59 @@
+"""What the gallery shows of each example."""
+
+import dataclasses
+
+
+@dataclasses.dataclass(frozen=True)
+class Example:
+    """`targets`: files or folders of prm/examples that run one after the other, files with `program`. `figure`: how the text of the
+    picture in the report begins; `pictured`: the folder of the run that has it, where it is not the first one."""
+    title: str
+    text: str
+    targets: tuple
+    figure: str
+    program: str = ""
+    pictured: str = ""
+
+
+RVE, CONTACT = "rve_homogenization", "contact_dynamics"
+EXAMPLES = (
+    Example("From a map of phases to localized stress",
+            "A text file with a number for each cell becomes a composite that slides on the flat, homogenized and with every grain; the stresses of both are compared "
+            "([first steps](first_steps.md)).", ("image",), "Von Mises stress averaged over time"),
+    Example("From a micrograph to localized stress",
+            "The same chain from a grey picture with noise, which a script of three lines segments ([guide](guide.md)).", ("micrograph",),
+            "Von Mises stress of the last snapshot of the heterogeneous run"),
+    Example("A pin with fibres whose friction differs",
+            "Random fibres, sliding, static contact, the homogenized coefficient of friction, and localized stresses. The picture shows pressure and shear traction "
+            "along the contact in static contact.", ("fibres",), "Static contact of"),
+    Example("Effective stiffness of random fibres",
+            "KUBC, SUBC and periodic conditions on one morphology, and how far several morphologies differ.", ("homogenization.prm",), "Phases of", RVE),
+    Example("Stresses in fibres and matrix under a load of one's own",
+            "Tension, shear under pressure and confined compression by superposition of the unit load cases ([loads](loads.md)).", ("loads.prm",),
+            "Stresses in loads under the load shear under pressure", RVE),
+    Example("Modes of vibration of the paper's pin", "Lowest frequencies and shapes, with the bottom free and held.", ("modal.prm",), "Lowest modes", CONTACT),
+    Example("Which vibrations of sliding grow",
+            "Complex modes of the pin that slides steadily: growth rate over frequency ([complex modes](complex_modes/README.md)).", ("complex_modes.prm",),
+            "Modes of steady sliding", CONTACT),
+    Example("A pin that squeals", "The fastest of these modes grows until nodes stick and lift, and becomes a limit cycle ([a pin that squeals](guide/squeal.md)).",
+            ("squeal.prm",), "Map of the contact", CONTACT),
+    Example("Waves in the contact", "Pressure, traction, slip velocity and state of every contact node over time ([maps of the contact](contact_maps.md)).",
+            ("contact_map.prm",), "The last periods of the map", CONTACT),
+    Example("How sliding begins", "Slip grows from the edges of the contact until all of it slides.", ("contact_map_onset.prm",), "Map of the contact", CONTACT),
+    Example("Ruptures under slip weakening", "A pad is sheared by the flat; ruptures run through its contact and heal. Every contact node over time.",
+            ("friction_laws/rupture.prm",), "Contact states", CONTACT),
+    Example("A step of velocity under rate-and-state friction", "The friction of a block in 3D jumps and falls as the velocity of the flat rises tenfold.",
+            ("friction_laws/rate_and_state.prm",), "Apparent friction", CONTACT),
+    Example("A pin with bevelled edges", "A mesh of Gmsh whose gap opens towards both ends ([meshes](meshes.md)).", ("mesh/chamfered_pin.prm",),
+            "Von Mises stress of the last snapshot", CONTACT),
+    Example("A cylindrical pin in 3D", "Sliding, modes and static contact of a mesh of hexahedra. The picture shows pressure and shear traction of the static contact.",
+            ("mesh/cylinder.prm", "mesh/cylinder_modes.prm", "mesh/cylinder_static.prm"), "Static contact of", CONTACT, "cylinder_static"),
+    Example("Round fibres in a pin", "A mesh that follows the edges of the fibres, its homogenized twin, and localization.", ("mesh/round_fibres",),
+            "Von Mises stress averaged over time"),
+    Example("A periodic cell with round fibres", "Effective stiffness and concentration tensors of a mesh.", ("mesh/fibre_cell.prm",), "Von Mises stress in", RVE),
+    Example("Spheres in a periodic cube", "Tetrahedra in 3D, six load cases.", ("mesh/spheres.prm",), "Von Mises stress in", RVE),
+    Example("Two crossing fibres as voxels", "A `.npy` of phases in 3D ([voxels](voxels.md)).", ("voxels/two_fibres.prm",), "Von Mises stress in", RVE),
+    Example("An ensemble of random fibres in 3D", "Four seeds of periodic continuous fibres along z.", ("voxels/random_fibres.prm",), "Phases of", RVE),
+    Example("A pad of short fibres in 3D", "From the microstructure over sliding to localized stresses, all in boxes of voxels.", ("voxels/pad",),
+            "Pressure on the contact surface, seen"),
+)
