@@ -146,11 +146,11 @@ VoigtMatrix<3> Solver::effective_stiffness() const
   const double cells          = 1. * voxels.cells[0] * voxels.cells[1] * voxels.cells[2];
   const double volume         = voxels.spacing[0] * voxels.spacing[1] * voxels.spacing[2];
   VoigtMatrix<3> work_of_load = VoigtMatrix<3>::Zero();
-  for (std::size_t p = 0; p < strains.size(); ++p)
+  for (std::size_t id = 0; id < strains.size(); ++id)
     if (voxels.sides == Sides::free)
-      work_of_load += strains[p] / cells;
+      work_of_load += strains[id] / cells;
     else
-      work_of_load -= stiffness[p] / modulus * strains[p] / cells;
+      work_of_load -= stiffness[id] / modulus * strains[id] / cells;
   for (unsigned int k = 0; k < 6; ++k)
     for (unsigned int l = k; l < 6; ++l)
       work_of_load(k, l) = work_of_load(l, k) =
