@@ -51,10 +51,19 @@ def morphology(page, chain):
 
 
 def rve_stress(page, run, chain):
+    return _stress_of_volume(page, run, chain, maps.rve_von_mises, "vertical compression alone" + enlarged(run))
+
+
+def mesh_stress(page, run, chain):
+    return _stress_of_volume(page, run, chain, mesh_maps.von_mises, "compression along the last axis alone" + sections_of(run))
+
+
+def _stress_of_volume(page, run, chain, draw, load):
+    """`draw(run, pressure)` gives the figure and the boundary condition that it shows."""
     pressure, which = pressure_of(chain)
-    figure, condition = maps.rve_von_mises(run, pressure)
+    figure, condition = draw(run, pressure)
     return page.figure(figure, f"Von Mises stress in {escape(run.name)} under {escape(condition)} with a strain whose mean stress is "
-                               f"{quantity(pressure, 'Pa')} ({which}) of vertical compression alone{enlarged(run)}. {PERCENTILE}")
+                               f"{quantity(pressure, 'Pa')} ({which}) of {load}. {PERCENTILE}")
 
 
 def mesh_morphology(page, run):
@@ -63,13 +72,6 @@ def mesh_morphology(page, run):
 
 def phases_of_run(page, run):
     return page.figure(mesh_maps.phases_of_run(run), f"Phases of the body of {escape(run.name)}{sections_of(run)}.")
-
-
-def mesh_stress(page, run, chain):
-    pressure, which = pressure_of(chain)
-    figure, condition = mesh_maps.von_mises(run, pressure)
-    return page.figure(figure, f"Von Mises stress in {escape(run.name)} under {escape(condition)} with a strain whose mean stress is "
-                               f"{quantity(pressure, 'Pa')} ({which}) of compression along the last axis alone{sections_of(run)}. {PERCENTILE}")
 
 
 def field_of(run, chain):

@@ -10,7 +10,7 @@ namespace mesoslip
 struct SteadyFriction
 {
   double coefficient = 0.; ///< mu after long sliding
-  FrictionSlopes slopes;   ///< of mu
+  FrictionSlopes slopes;   ///< how the coefficient changes with slip rate and pressure
   double state_time = 0.;  ///< in which the state follows the slip rate (s); 0: no state
 };
 

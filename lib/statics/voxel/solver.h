@@ -63,7 +63,7 @@ public:
   /** What the cells of a phase have together. */
   struct PhaseStrains
   {
-    double n_cells; ///< of all ranks
+    double n_cells; ///< number of cells of the phase, summed over the ranks
 
     /** Sum over these cells of RowOfCells::strain, a column for each load case that was
      *  solved. */
