@@ -28,7 +28,7 @@ fuzz() {
 release() {
   install_packages
   [ -z "${CI:-}" ] || (mesoslip_packages=(chromium python3-paraview) && install_packages) ||
-    say "Without them regression/browser or regression/xdmf is skipped"
+    say "Without them regression/report/browser or regression/programs/xdmf is skipped"
   build build all
   ctest --test-dir build --output-on-failure -j "$(nproc)" "$@"
 }

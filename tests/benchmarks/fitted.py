@@ -2,14 +2,12 @@
 
 import math
 import os
-import sys
 
 from common import TOP, add_repeated, repeated
 from fits import fitted_order, least_costs, richardson
 from plots import curve, legend, logarithmic, panels
 
-sys.path.append(os.path.join(TOP, "tests", "regression"))
-from mesh_files import hexagonal_cell  # noqa: E402
+from mesh_files import hexagonal_cell
 
 FRACTION = 0.4
 ENTRIES = {"D11": (0, 0), "D12": (0, 1), "D33": (2, 2)}

@@ -1,13 +1,11 @@
 """Static solves on meshes against unknowns: iterations of conjugate gradients with ML, time and memory."""
 
 import os
-import sys
 
 from common import TOP, add_repeated, repeated
 from plots import curve, legend, logarithmic, panels
 
-sys.path.append(os.path.join(TOP, "tests", "regression"))
-from mesh_files import Box  # noqa: E402
+from mesh_files import Box
 
 # Cells a side: 1e5, 3e5 and 1e6 unknowns.
 SIDES = {2: [223, 387, 707], 3: [31, 46, 68]}

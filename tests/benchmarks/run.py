@@ -11,7 +11,8 @@ import os
 import sys
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.join(HERE, "..", "scenes")]
 
 from common import TOP, Bench  # noqa: E402
 from study import parse_arguments  # noqa: E402

@@ -12,7 +12,7 @@ if(missing)
 endif()
 
 # A program without physics, to test from outside what all programs share.
-add_executable(io_program ${CMAKE_CURRENT_LIST_DIR}/io_program.cc)
+add_executable(io_program ${CMAKE_CURRENT_LIST_DIR}/programs/io_program.cc)
 mesoslip_warnings(io_program)
 deal_ii_setup_target(io_program)
 target_link_libraries(io_program mesoslip_program)
@@ -22,22 +22,27 @@ function(mesoslip_python_tests label processors)
   foreach(name ${ARGN})
     add_test(NAME ${label}/${name} COMMAND ${MESOSLIP_PYTHON} -B ${CMAKE_SOURCE_DIR}/tests/${label}/${name}.py
              ${CMAKE_BINARY_DIR}/applications)
-    set_tests_properties(${label}/${name} PROPERTIES LABELS ${label} TIMEOUT 600 PROCESSORS ${processors} SKIP_RETURN_CODE 77)
+    set_tests_properties(${label}/${name} PROPERTIES LABELS ${label} TIMEOUT 600 PROCESSORS ${processors} SKIP_RETURN_CODE 77
+                         ENVIRONMENT PYTHONPATH=${CMAKE_SOURCE_DIR}/tests/scenes)
   endforeach()
 endfunction()
 
-mesoslip_python_tests(regression 1 chain_inputs bad_input earlier_results dependencies refused_statics links verification_page completion
-                      python_module python_runs parameter_reference prediction report report_layout shortcuts profile_rows setup site gallery studies
-                      terminal disk browser work_precision complex_modes_growth complex_modes_laws)
-mesoslip_python_tests(regression 2 chain chain_validation files resume ranks steady_part first_steps guide command_line package paper
-                      other_processors xdmf mesh mesh_dynamics boxes mesh_periodic mesh_flat contact_map mesh_localization mesh_modes
-                      mesh_static_contact complex_modes)
+mesoslip_python_tests(regression 1 chains/chain_inputs chains/python_module chains/python_runs chains/setup chains/shortcuts
+                      homogenization/refused_statics pages/dependencies pages/gallery pages/links pages/parameter_reference pages/prediction
+                      pages/site pages/studies pages/verification_page pages/work_precision programs/bad_input programs/completion
+                      programs/disk programs/earlier_results programs/profile_rows programs/terminal report/browser report/report
+                      report/report_layout sliding/complex_modes_growth sliding/complex_modes_laws)
+mesoslip_python_tests(regression 2 chains/chain chains/chain_validation chains/package homogenization/mesh localization/mesh_localization
+                      pages/first_steps pages/guide pages/paper programs/command_line programs/files programs/other_processors
+                      programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/contact_map sliding/mesh_dynamics
+                      sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/resume
+                      sliding/steady_part)
 mesoslip_python_tests(verification 1 independent_finite_elements static_localization stability hexagonal_cell mesh_inclusions mesh_friction_vector
                       hertz spence incremental_friction)
 mesoslip_python_tests(verification 1 voxel_files)
 mesoslip_python_tests(verification 2 large_strains mesh_ranks voxel_random voxels macroscopic_loads mixed_conditions)
 if(MESOSLIP_DOXYGEN)
-  mesoslip_python_tests(regression 1 doxygen)
+  mesoslip_python_tests(regression 1 pages/doxygen)
 else()
-  message(STATUS "mesoslip: no doxygen; regression/doxygen is left out")
+  message(STATUS "mesoslip: no doxygen; regression/pages/doxygen is left out")
 endif()

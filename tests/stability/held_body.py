@@ -1,16 +1,13 @@
 """The critical time step of a homogeneous pin whose top and contact are held, from the exact largest frequency: what the
 program's prediction, of the free grid, leaves out."""
 
-import os
-import sys
 
 import numpy as np
 import scipy.sparse as sparse
 import scipy.sparse.linalg as linalg
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
 
-from sliding_pin import SlidingPin  # noqa: E402
+from sliding_pin import SlidingPin
 
 SIZE, DENSITY = (0.056, 0.016), 1770.0  # m, kg/m^3; of pin.prm
 STIFFNESS = np.array([[3.654e10, 9.1e9, 0], [9.1e9, 4.726e10, 0], [0, 0, 1.3785e10]])  # Pa; eq. (10)

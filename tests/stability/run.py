@@ -6,7 +6,7 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
-sys.path[:0] = [HERE, os.path.join(TOP, "applications", "tools", "studies")]
+sys.path[:0] = [HERE, os.path.join(TOP, "tests", "scenes"), os.path.join(TOP, "applications", "tools", "studies")]
 
 import sections  # noqa: E402
 from pages import Page  # noqa: E402

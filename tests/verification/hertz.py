@@ -3,15 +3,12 @@ a quarter of the body."""
 
 import csv
 import math
-import os
-import sys
 import tempfile
 
 import numpy as np
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from round_bodies import HALF_WIDTH, RADIUS, WIDTH, round_body  # noqa: E402
-from scenes import Folder, prm  # noqa: E402
+from round_bodies import HALF_WIDTH, RADIUS, WIDTH, round_body
+from scenes import Folder, prm
 
 YOUNG, POISSON = 210e9, 0.3
 MODULUS = YOUNG / (1 - POISSON**2)

@@ -3,13 +3,10 @@
 code_aster, V7.03.106 (HPLV106): glass, E = 70 GPa, nu = 0.22, in resin, 3.5 GPa, 0.35; fibres along z. Published to three or four digits.
 """
 
-import os
-import sys
 import tempfile
 
 import numpy as np
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
 from mesh_files import extruded, hexagonal_cell
 from scenes import Folder, prm
 

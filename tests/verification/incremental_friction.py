@@ -9,15 +9,12 @@ little, and limits are as wide as what is left. Shear node by node does not conv
 
 import csv
 import math
-import os
-import sys
 import tempfile
 
 import numpy as np
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from round_bodies import HALF_WIDTH, RADIUS, WIDTH, round_body  # noqa: E402
-from scenes import Folder, prm  # noqa: E402
+from round_bodies import HALF_WIDTH, RADIUS, WIDTH, round_body
+from scenes import Folder, prm
 
 YOUNG = 210e9
 

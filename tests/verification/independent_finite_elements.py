@@ -6,14 +6,11 @@ and held: frequencies agree to 1e-8, effective masses to 1e-6.
 """
 
 import csv
-import os
-import sys
 import tempfile
 
 import numpy as np
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from scenes import Folder, prm  # noqa: E402
+from scenes import Folder, prm
 
 SEED = 20081
 NX, NY, HX, HY = 13, 9, 1.0e-3, 0.6e-3

@@ -5,13 +5,11 @@ compliance times the pressure in a static analysis with free sides: the summary 
 """
 
 import os
-import sys
 import tempfile
 
 import numpy as np
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from scenes import Folder, prm, sets  # noqa: E402
+from scenes import Folder, prm, sets
 
 D11, D12, D22, D33 = 36.54e9, 9.1e9, 47.26e9, 13.785e9
 CASE = prm({"Body/Cells": "20, 10", "Body/Size": "0.002, 0.001", "Friction/Coefficient": 0})

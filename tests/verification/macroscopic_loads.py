@@ -19,7 +19,6 @@ import numpy as np
 import independent_finite_elements as plane
 from independent_finite_elements import HX, HY, I, J, NODES, NX, NY
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
 from mesh_files import Box  # noqa: E402
 from scenes import TOOLS, Folder, prm, rve  # noqa: E402
 

@@ -2,15 +2,12 @@
 under the law of friction, d f / dt = -(f - mu m g s / |s|) / delta, s the velocity of the flat over the block; f = 0 at the start.
 The blocks are flat: one of height h tilts, and what its friction then turns it is of the order of h^2."""
 
-import os
-import sys
 import tempfile
 
 import h5py
 import numpy as np
 from scipy.integrate import solve_ivp
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
 from mesh_files import Box
 from scenes import Folder, prm
 

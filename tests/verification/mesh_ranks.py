@@ -1,12 +1,10 @@
 """Homogenization, a contact run and modes of one distorted mesh in 3D on 1, 2, 4 and 8 ranks: every number that they leave in HDF5."""
 
 import os
-import sys
 import tempfile
 
 import numpy as np
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
 from comparison import content_of_h5
 from mesh_files import Box
 from scenes import Folder, prm

@@ -1,12 +1,9 @@
 """Meshes of round and irregular inclusions in a box, and constants of isotropic phases, for the tests of bodies on meshes."""
 
 import itertools
-import os
-import sys
 
 import numpy as np
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
 from mesh_files import AROUND, Cells
 
 

@@ -7,16 +7,14 @@ KUBC. One, two and three ranks agree. Axes that are not those of orthotropy are 
 """
 
 import os
-import sys
 import tempfile
 
 import numpy as np
 
 from macroscopic_loads import PHASES, close, laminate, run, stiffness
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from mesh_files import Box  # noqa: E402
-from scenes import Folder, prm  # noqa: E402
+from mesh_files import Box
+from scenes import Folder, prm
 
 SEED = 20261
 CONDITIONS = {"Homogenization/Boundary conditions": "KUBC, SUBC, PBC, MUBC"}

@@ -130,7 +130,7 @@ logarithm. Data: [convergence.csv](verification/convergence.csv).
 Largest differences, over the largest value, between ML on a mesh of deal.II that METIS divides and multigrid on the
 grid, through the programs with `prm/paper` at its full 560 x 160 cells. They have to be below 1e-8: stiffnesses are
 of second order in the tolerance of the solver (1e-8), forces of the static contact of first order. Five minutes of
-CPU time; `regression/ranks` does the same with smaller bodies.
+CPU time; `regression/programs/ranks` does the same with smaller bodies.
 
 {pin}
 
@@ -148,7 +148,7 @@ CPU time; `regression/ranks` does the same with smaller bodies.
 * Boxes of voxels against a finite element code in scipy (`verification/voxels`), every kind of voxel file against NumPy (`verification/voxel_files`), ensembles
   and turned phases (`verification/voxel_random`).
 * Macroscopic loads and mixed uniform conditions against dense NumPy: `verification/macroscopic_loads`, `verification/mixed_conditions`.
-* Complex modes of heterogeneous pins against scipy, and their growth in runs: `regression/complex_modes`, `regression/prediction`.
+* Complex modes of heterogeneous pins against scipy, and their growth in runs: `regression/sliding/complex_modes`, `regression/pages/prediction`.
 
 ## Not covered
 

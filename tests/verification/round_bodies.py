@@ -1,13 +1,10 @@
 """Bodies of steel with a round lower side on blocks, for contact with the rigid flat: fine cells as wide as the contact and more, then
 growing ones."""
 
-import os
-import sys
 
 import numpy as np
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from mesh_files import Box  # noqa: E402
+from mesh_files import Box
 
 RADIUS, WIDTH = 1.0, 0.5  # m: of the round side, of the body in x (and y) and z
 HALF_WIDTH = 0.01  # m: of the contact that is aimed at

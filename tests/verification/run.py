@@ -10,7 +10,7 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
-sys.path[:0] = [HERE, os.path.join(TOP, "applications", "tools", "studies"),
+sys.path[:0] = [HERE, os.path.join(TOP, "tests", "scenes"), os.path.join(TOP, "applications", "tools", "studies"),
                 os.path.join(TOP, "applications", "tools", "report")]
 
 import mesh_pin  # noqa: E402

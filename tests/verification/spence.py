@@ -5,15 +5,12 @@ does not change the pressure and K(c / a) / K'(c / a) = mu / beta, beta = (1 - 2
 
 import csv
 import math
-import os
-import sys
 import tempfile
 
 import numpy as np
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from mesh_files import Box  # noqa: E402
-from scenes import Folder, prm  # noqa: E402
+from mesh_files import Box
+from scenes import Folder, prm
 
 YOUNG, POISSON = 1e9, 0.3
 BETA = (1 - 2 * POISSON) / (2 * (1 - POISSON))

@@ -6,11 +6,9 @@ from 1.6 mm inside the edges. The pressures under fibres and matrix are near the
 
 import csv
 import os
-import sys
 import tempfile
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from scenes import Folder, prm  # noqa: E402
+from scenes import Folder, prm
 
 PIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "prm", "pin", "10-rve_homogenization.prm")
 COMPRESSION = {"Analysis": "static contact", "Body/RVE file": "rve/rve.h5", "Top/Kind": "platen", "Top/Pressure": 5e5, "Friction/Coefficient": 0}

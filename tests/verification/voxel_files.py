@@ -6,15 +6,13 @@ What does not fit is refused with exit status 2 before anything is computed.
 """
 
 import os
-import sys
 import tempfile
 
 import h5py
 import numpy as np
 from PIL import Image
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from scenes import Folder, prm  # noqa: E402
+from scenes import Folder, prm
 
 SEED = 4711
 NAMES = ("soft", "middle", "stiff")

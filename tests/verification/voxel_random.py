@@ -6,15 +6,13 @@ phase turns the stiffness. What has no room or contradicts itself is refused wit
 """
 
 import os
-import sys
 import tempfile
 
 import h5py
 import numpy as np
 from scipy import stats
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from scenes import Folder, prm  # noqa: E402
+from scenes import Folder, prm
 
 INCLUSIONS = "Microstructure/Random inclusions/"
 SHAPES = {"spheres": {}, "ellipsoids": {"Axis ratios": "1.5, 1, 0.5", "Orientation": "random"}, "cylinders": {"Axis": "x"},

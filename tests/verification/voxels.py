@@ -8,7 +8,6 @@ nodes are), a laminate the exact stiffness (1e-9). What is no array of voxels is
 """
 
 import os
-import sys
 import tempfile
 
 import h5py
@@ -16,8 +15,7 @@ import numpy as np
 from scipy.sparse import coo_matrix, csr_matrix
 from scipy.sparse.linalg import spsolve
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "regression"))
-from scenes import Folder, prm  # noqa: E402
+from scenes import Folder, prm
 
 SEED = 4711
 CONDITIONS = ("KUBC", "SUBC", "PBC")
