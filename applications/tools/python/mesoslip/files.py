@@ -9,6 +9,7 @@ import h5py
 import numpy as np
 
 from .array import Array
+from .closing import Closing
 from .derived import Derived
 from .labelled import to_xarray
 
@@ -62,7 +63,7 @@ def read_mesh(points, topology):
     return Mesh(points, {kind: np.array(c) for kind, c in cells.items()}, {kind: np.array(n) for kind, n in numbers.items()})
 
 
-class ResultFile(Derived):
+class ResultFile(Closing, Derived):
     """A mapping from the names of datasets to arrays, with shortcuts to what is used most, and quantities that follow from them
     (derived.py)."""
 
@@ -80,12 +81,6 @@ class ResultFile(Derived):
 
     def close(self):
         self.hdf5.close()
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *exception):
-        self.close()
 
     def __repr__(self):
         """Format, path and all datasets with shape and unit."""

@@ -6,6 +6,7 @@ import os
 
 import numpy as np
 
+from .closing import Closing
 from .files import NAMES, ResultFile
 
 
@@ -34,7 +35,7 @@ def runs_in(folder):
             if any(os.path.exists(os.path.join(folder, name, file)) for file in ("summary.json", *NAMES))]
 
 
-class RunFolder:
+class RunFolder(Closing):
     """A run without an HDF5 file, such as a homogenization of friction: `summary`, and its tables (CSV)."""
 
     def __init__(self, path):
@@ -54,12 +55,6 @@ class RunFolder:
     def close(self):
         """Nothing is open; so that it can be used as a ResultFile."""
 
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *exception):
-        self.close()
-
     def __repr__(self):
         return f"<RunFolder {self.path}: summary with {', '.join(self.summary)}; tables {', '.join(self.tables) or 'none'}>"
 
@@ -71,7 +66,7 @@ def _numbers(texts):
         return np.array(texts)
 
 
-class Chain(collections.abc.Mapping):
+class Chain(Closing, collections.abc.Mapping):
     """The results of a chain: a mapping from the names of its runs to what open() gives, opened when asked for and then kept.
 
     A part of a name does when it is that of one run: chain["rve"], chain["localization"]."""
@@ -104,12 +99,6 @@ class Chain(collections.abc.Mapping):
         for results in self._open.values():
             results.close()
         self._open.clear()
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *exception):
-        self.close()
 
     def __repr__(self):
         return f"<Chain {self.path}: {', '.join(self)}>"
