@@ -4,7 +4,7 @@
 namespace mesoslip
 {
 /** Version of the programs, as CMakeLists.txt has it. */
-constexpr const char *version = "0.1.0";
+constexpr const char *version = "0.2.0";
 } // namespace mesoslip
 
 #endif

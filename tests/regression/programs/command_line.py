@@ -50,7 +50,7 @@ def check_papers(folder):
     summary = folder.summary("res")
     assert (summary["program"], summary["dim"], summary["cells"], summary["ranks"]) == ("io_program", 3, None, 1), summary
     assert summary["peak_memory_bytes"] > 1e6 and summary["seconds"]["total"] > 0, summary
-    assert b"io_program 0.1.0, 1 process" in folder.read("res", "log.txt")
+    assert b"io_program 0.2.0, 1 process" in folder.read("res", "log.txt")
     assert folder.run(0, PROGRAM, "res/parameters.prm", "-q", "-o", "res2") == ""
     one, two = (folder.read(name, "parameters.prm").decode() for name in ("res", "res2"))
     assert "set Density = 7" in one and one[one.index("set "):] == two[two.index("set "):], (one, two)

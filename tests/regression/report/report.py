@@ -57,7 +57,7 @@ def write_rve(folder, ids):
     random = np.random.default_rng(1)
     concentration = np.eye(3) + 0.1 * random.standard_normal((NY, NX, 3, 3)) - 0.5 * ids[..., None, None] * np.eye(3)
     write(folder, "rve.h5",
-          {"program": "rve_homogenization", "version": "0.1.0", "dim": 2, "cells": [NX, NY], "dofs": 11562,
+          {"program": "rve_homogenization", "version": "0.2.0", "dim": 2, "cells": [NX, NY], "dofs": 11562,
            "ranks": 1, "seconds": {"total": 12.3}, "peak_memory_bytes": 2.1e8,
            "phases": [{"name": "matrix", "volume_fraction": 0.9}, {"name": "fibre", "volume_fraction": 0.1}],
            "hill_mandel_residual": 3e-12, "symmetry_residual": 1e-13},
@@ -109,7 +109,7 @@ def write_dynamics(folder, ids, heterogeneous):
         data["/material/name"] = np.array([b"matrix", b"fibre"])
         data["/material/stiffness"] = np.array([plane_strain(30e9), plane_strain(240e9)])
     write(folder, "dynamics.h5",
-          {"program": "contact_dynamics", "version": "0.1.0", "dim": 2, "cells": [NX, NY], "analysis": "transient",
+          {"program": "contact_dynamics", "version": "0.2.0", "dim": 2, "cells": [NX, NY], "analysis": "transient",
            "steps": 20000, "time_step": 5e-8, "critical_time_step": 7e-8, "simulated_time": 1e-3,
            "seconds": {"total": 31.0}, "peak_memory_bytes": 9.1e7,
            "global_interface_friction_coefficient": 0.219 - 0.005 * heterogeneous,
@@ -133,7 +133,7 @@ def write_localization(folder, ids):
     field = 4e5 * (1 + 3 * ids) * (1.3 - y) * (1 + 0.1 * random.random((NY, NX)))
     data["/mean_von_mises"], data["/direct/mean_von_mises"] = field, field * (1 + 0.03 * random.standard_normal((NY, NX)))
     write(folder, "localization.h5",
-          {"program": "stress_localization", "version": "0.1.0", "cells": [NX, NY], "seconds": {"total": 2.2},
+          {"program": "stress_localization", "version": "0.2.0", "cells": [NX, NY], "seconds": {"total": 2.2},
            "peak_memory_bytes": 1.1e8, "probes": [{"name": "A", "phase": "fibre"}, {"name": "B", "phase": "matrix"}]},
           data, positions)
 

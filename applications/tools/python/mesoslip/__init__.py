@@ -23,7 +23,7 @@ from .folders import Chain, RunFolder
 from .folders import open_folder as open  # noqa: A004  (mesoslip.open, as h5py.File)
 from .programs import RunError, find_program, run, run_chain
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = ["Array", "Chain", "FormatError", "Grid", "Mesh", "ResultFile", "RunError", "RunFolder", "find_program", "open", "principal", "run",
            "run_chain", "von_mises"]
