@@ -41,10 +41,15 @@ public:
   /** Displacement of all points in snapshot number @p k (m) [n_points][dim]. */
   std::vector<double> displacement(const std::size_t k) const;
 
-  /** Points and cells, with their phases as material_id. */
+  /** Points and cells, with their phases as material_id, or what materials() has of them. */
   Mesh<dim> mesh() const;
 
+  /** What the cells are made of: the phases, or these in all their orientations. */
+  std::vector<Phase<dim>> materials() const;
+
 private:
+  std::vector<std::uint8_t> phase_id() const;
+
   const Hdf5File file;
 
 public:

@@ -103,7 +103,7 @@ TEST(Loads, BinsCoverAllValues)
 TEST(Loads, InvariantsOfPlaneStrain)
 {
   const double E = 70e9, nu = 0.3;
-  const LoadedPhase<2> phase{"a", isotropic_stiffness<2>(E, nu),
+  const LoadedPhase<2> phase{0, isotropic_stiffness<2>(E, nu),
                              VoigtVector<2>(E * nu / (1. + nu) / (1. - 2. * nu),
                                             E * nu / (1. + nu) / (1. - 2. * nu), 0.)};
   const LocalFields<2> fields({phase});

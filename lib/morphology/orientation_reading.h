@@ -1,0 +1,54 @@
+#ifndef mesoslip_morphology_orientation_reading_h
+#define mesoslip_morphology_orientation_reading_h
+
+#include "io/voxel_file.h"
+#include "material/orientations.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+class Keys;
+struct MicrostructureParameters;
+
+/** Where the orientations of the cells come from; keys of section `Microstructure`. */
+struct OrientationReading
+{
+  std::string file;  ///< three angles a voxel or, with a table, its grain; empty: none
+  std::string table; ///< CSV of the angles of the grains; empty: the file has angles
+  std::string dataset;              ///< of an HDF5 file
+  std::string raw_type = "float64"; ///< of the numbers of a .raw, the lowest byte first
+  double step          = 0.;        ///< multiples that angles are rounded to (degrees); 0: no
+
+  /** Binds the keys of the current section. */
+  void bind(Keys &keys);
+
+  /** The file, of which a .raw has @p voxels along x, y, z. */
+  VoxelSource source(const std::array<std::size_t, 3> &voxels) const;
+};
+
+/** What check_orientations() has found to be there. */
+struct CellOrientations
+{
+  Orientations orientations;            ///< of the cells
+  std::vector<std::string> description; ///< lines for the log
+};
+
+/** Reads what the files say of themselves. @throws UserError unless they fit the voxels, and
+ * one voxel is a cell */
+void check_orientations(const MicrostructureParameters &parameters);
+
+/**
+ * Reads the orientations of cells with the phases @p phase_id, in a byte each. Those of
+ * isotropic @p phases do not count. @throws UserError naming the voxel of an angle that is no
+ * number or of a grain without angles, and when there are too many different ones
+ */
+CellOrientations read_cell_orientations(const MicrostructureParameters &parameters,
+                                        const std::vector<std::uint8_t> &phase_id,
+                                        const std::vector<Phase<3>> &phases);
+} // namespace mesoslip
+
+#endif
