@@ -65,17 +65,11 @@ std::vector<double> BodySnapshots<dim>::displacement(const std::size_t k) const
 }
 
 template <int dim>
-std::vector<std::uint8_t> BodySnapshots<dim>::phase_id() const
-{
-  return file.exists(snapshot_phases) ? file.read<std::uint8_t>(snapshot_phases)
-                                      : std::vector<std::uint8_t>();
-}
-
-template <int dim>
 std::vector<Phase<dim>> BodySnapshots<dim>::materials() const
 {
   return oriented_phases(
-    phases, read_orientations(file, phase_id(), snapshots_program).materials);
+    phases,
+    read_orientations(file, snapshot_phases, phases.size(), snapshots_program).materials);
 }
 
 template <int dim>
@@ -83,9 +77,9 @@ Mesh<dim> BodySnapshots<dim>::mesh() const
 {
   Mesh<dim> mesh = is_grid ? mesh_of_cells(read_grid<dim>(file, snapshots_program))
                            : read_mesh_cells<dim>(file, snapshots_program);
-  std::vector<std::uint8_t> id = phase_id();
-  if (id.empty())
-    id.resize(mesh.cells.size());
+  std::vector<std::uint8_t> id(mesh.cells.size());
+  if (file.exists(snapshot_phases))
+    id = file.read<std::uint8_t>(snapshot_phases);
   std::size_t n_values = 1;
   for (const std::size_t n : file.shape(displacement_name, snapshots_hint))
     n_values *= n;
@@ -96,7 +90,8 @@ Mesh<dim> BodySnapshots<dim>::mesh() const
   require_phases(file, snapshot_phases, id, phases.size(), snapshots_program);
   for (std::size_t cell = 0; cell < id.size(); ++cell)
     mesh.cells[cell].material_id = id[cell];
-  const Orientations turned = read_orientations(file, id, snapshots_program);
+  const Orientations turned =
+    read_orientations(file, snapshot_phases, phases.size(), snapshots_program);
   for (std::size_t cell = 0; cell < turned.id.size(); ++cell)
     mesh.cells[cell].material_id = turned.id[cell];
   return mesh;

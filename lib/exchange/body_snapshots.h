@@ -48,8 +48,6 @@ public:
   std::vector<Phase<dim>> materials() const;
 
 private:
-  std::vector<std::uint8_t> phase_id() const;
-
   const Hdf5File file;
 
 public:

@@ -36,7 +36,8 @@ void write_orientations(Hdf5File &file,
 }
 
 Orientations read_orientations(const Hdf5File &file,
-                               const std::vector<std::uint8_t> &phase_id,
+                               const std::string &phases_of_cells,
+                               const std::size_t n_phases,
                                const std::string &program)
 {
   Orientations found;
@@ -46,16 +47,21 @@ Orientations read_orientations(const Hdf5File &file,
   const auto phases      = file.read<std::uint8_t>(of_phases, {any_extent}, hint);
   const auto euler       = file.read<double>(angles, {phases.size(), 3}, hint);
   found.id               = file.read<std::uint16_t>(of_cells);
+  const auto phase_id    = file.read<std::uint8_t>(phases_of_cells, {}, hint);
   for (std::size_t m = 0; m < phases.size(); ++m)
     found.materials.push_back(
       {phases[m], {{euler[3 * m], euler[3 * m + 1], euler[3 * m + 2]}}});
-  bool fits = !phases.empty() && found.id.size() == phase_id.size();
+  bool fits =
+    !phases.empty() && found.id.size() == phase_id.size() &&
+    std::all_of(phases.begin(), phases.end(),
+                [n_phases](const std::uint8_t phase) { return phase < n_phases; });
   for (std::size_t k = 0; fits && k < phase_id.size(); ++k)
     fits = found.id[k] < phases.size() && phases[found.id[k]] == phase_id[k];
   if (!fits || !std::all_of(euler.begin(), euler.end(),
                             [](const double angle) { return std::isfinite(angle); }))
-    throw UserError(file.path() + ": /orientation does not give each cell an orientation "
-                                  "of its phase; run " +
+    throw UserError(file.path() +
+                    ": /orientation does not give each cell an orientation "
+                    "of its phase; run " +
                     program + " again");
   return found;
 }

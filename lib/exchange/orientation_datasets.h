@@ -16,12 +16,13 @@ void write_orientations(Hdf5File &file,
                         const Shape &cells);
 
 /**
- * Reads it; empty where there is none. @p phase_id are the phases of the cells, of which
- * @p program wrote the file. @throws UserError also unless each cell has an orientation of its
+ * Reads it; empty where there is none. The phases of the cells, of which there are
+ * @p n_phases, are in the dataset @p phases; @p program wrote the file. @throws UserError also unless each cell has an orientation of its
  * phase
  */
 Orientations read_orientations(const Hdf5File &file,
-                               const std::vector<std::uint8_t> &phase_id,
+                               const std::string &phases,
+                               const std::size_t n_phases,
                                const std::string &program);
 } // namespace mesoslip
 

@@ -98,8 +98,8 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
   constexpr std::size_t v = n_voigt<dim>;
   Hdf5File file =
     content.reserved.empty() ? Hdf5File::create(path) : Hdf5File::resume(path);
-  file.write_header(rve_format, content.orientations.empty() ? 1 : newest_rve_version, dim,
-                    content.digest);
+  file.write_header(rve_format, content.orientations.empty() ? 1 : newest_rve_version,
+                    dim, content.digest);
   write_dataset(file, "/summary", {1}, std::vector<std::string>{content.summary});
   Shape cells = {content.phase_id.size()};
   if (content.mesh != nullptr)
@@ -205,7 +205,7 @@ std::vector<std::uint8_t> RveFile<dim>::phase_id() const
 template <int dim>
 Orientations RveFile<dim>::orientations() const
 {
-  return read_orientations(file, phase_id(), rve_program);
+  return read_orientations(file, "/phase/id", phases.size(), rve_program);
 }
 
 template <int dim>

@@ -16,8 +16,9 @@
 namespace mesoslip
 {
 /** Format of rve.h5 and its newest version. */
-inline constexpr char rve_format[]      = "mesoslip-rve";
-inline constexpr int newest_rve_version = 2; ///< of files with orientations of cells; else 1
+inline constexpr char rve_format[] = "mesoslip-rve";
+inline constexpr int newest_rve_version =
+  2; ///< of files with orientations of cells; else 1
 
 /** Digest of a draft (--draft), in which a guess stands for the stiffness. */
 inline constexpr char rve_draft[] = "draft";

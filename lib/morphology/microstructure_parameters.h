@@ -4,7 +4,7 @@
 #include "grid/uniform_grid.h"
 #include "material/voigt.h"
 #include "morphology/image_map.h"
-#include "morphology/orientation_reading.h"
+#include "morphology/orientations/orientation_reading.h"
 #include "morphology/random_fibres.h"
 #include "morphology/random_inclusions.h"
 #include "morphology/rectangles.h"

@@ -1,11 +1,12 @@
-#ifndef mesoslip_morphology_orientation_reading_h
-#define mesoslip_morphology_orientation_reading_h
+#ifndef mesoslip_morphology_orientations_orientation_reading_h
+#define mesoslip_morphology_orientations_orientation_reading_h
 
 #include "io/voxel_file.h"
 #include "material/orientations.h"
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,11 @@ struct MicrostructureParameters;
 /** Where the orientations of the cells come from; keys of section `Microstructure`. */
 struct OrientationReading
 {
-  std::string file;  ///< three angles a voxel or, with a table, its grain; empty: none
-  std::string table; ///< CSV of the angles of the grains; empty: the file has angles
-  std::string dataset;              ///< of an HDF5 file
+  std::string file;    ///< three angles a voxel or, with a table, its grain; empty: none
+  std::string table;   ///< CSV of the angles of the grains; empty: the file has angles
+  std::string dataset; ///< of an HDF5 file
   std::string raw_type = "float64"; ///< of the numbers of a .raw, the lowest byte first
-  double step          = 0.;        ///< multiples that angles are rounded to (degrees); 0: no
+  double step          = 0.; ///< multiples that angles are rounded to (degrees); 0: no
 
   /** Binds the keys of the current section. */
   void bind(Keys &keys);
@@ -30,7 +31,16 @@ struct OrientationReading
   VoxelSource source(const std::array<std::size_t, 3> &voxels) const;
 };
 
-/** What check_orientations() has found to be there. */
+/** Numbers of voxels along x, y, z of the file of voxels; without one those of cells. */
+std::array<std::size_t, 3> voxels_of(const MicrostructureParameters &parameters);
+
+/** Bunge's angles (degrees) by number of grain, of the table @p path. @throws UserError */
+std::map<double, std::array<double, 3>> read_grains(const std::string &path);
+
+/** Which phases are anisotropic, so that an orientation changes them. */
+std::vector<bool> phases_that_turn(const std::vector<Phase<3>> &phases);
+
+/** What was read of the cells. */
 struct CellOrientations
 {
   Orientations orientations;            ///< of the cells
