@@ -90,11 +90,11 @@ void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
     if (std::filesystem::exists(path))
       throw UserError("--draft: there is a file " + path +
                       " already; name a folder without one");
-    RveContent<dim> content = morphology();
-    content.digest          = rve_draft;
+    RveContent<dim> content        = morphology();
+    content.digest                 = rve_draft;
     const auto [phases, fractions] = content.constituents();
-    const VoigtMatrix<dim> hill    = 0.5 * (voigt_bound<dim>(phases, fractions) +
-                                         reuss_bound<dim>(phases, fractions));
+    const VoigtMatrix<dim> hill =
+      0.5 * (voigt_bound<dim>(phases, fractions) + reuss_bound<dim>(phases, fractions));
     content.stiffness["effective"] = hill;
     for (const BoundaryCondition condition : parameters.conditions)
       content.stiffness[to_string(condition)] = hill;

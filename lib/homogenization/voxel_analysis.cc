@@ -102,9 +102,9 @@ protected:
   RveContent<3> morphology() const override
   {
     RveContent<3> content;
-    content.grid      = volume.map.grid;
-    content.phases    = volume.phases;
-    content.phase_id  = volume.map.id;
+    content.grid         = volume.map.grid;
+    content.phases       = volume.phases;
+    content.phase_id     = volume.map.id;
     content.fractions    = volume.fractions;
     content.orientations = volume.orientations;
     return content;
@@ -211,21 +211,20 @@ private:
     VoxelVolume solver(p.box, volume.material_id(), phases, context.communicator());
     for (const BoundaryCondition condition : parameters.conditions)
       {
-        const auto part = context.timer().scope(to_string(condition).c_str());
-        const VolumeSums<3> sums =
-          solver.solve(condition, parameters.tolerance,
-                       [&]() { context.progress().update(++done); });
+        const auto part          = context.timer().scope(to_string(condition).c_str());
+        const VolumeSums<3> sums = solver.solve(
+          condition, parameters.tolerance, [&]() { context.progress().update(++done); });
         member.responses.push_back(homogenize<3>(sums, phases));
         if (!materials.empty())
-          member.responses.back() = response_of_phases(member.responses.back(), sums,
-                                                       materials, p.phases.size());
+          member.responses.back() =
+            response_of_phases(member.responses.back(), sums, materials, p.phases.size());
         if (parameters.write_concentration && m == 0)
           write_concentration(solver, condition, context);
         if (!parameters.loads.loads.empty() && parameters.loads.uses(condition))
-          for (LoadResult<3> &result : evaluate_loads(
-                 parameters.loads, member.responses.back(), loaded,
-                 VoxelCells(solver, p.box, context.communicator()),
-                 m == 0 ? loads_file : std::string()))
+          for (LoadResult<3> &result :
+               evaluate_loads(parameters.loads, member.responses.back(), loaded,
+                              VoxelCells(solver, p.box, context.communicator()),
+                              m == 0 ? loads_file : std::string()))
             member.loads.push_back(std::move(result));
       }
     return member;

@@ -65,9 +65,8 @@ VolumeSums<3> VoxelVolume::solve(const BoundaryCondition wanted,
   std::vector<VoigtMatrix<3>> stiffness;
   for (const ElasticPhase<3> &phase : phases)
     stiffness.push_back(phase.stiffness);
-  solver =
-    std::make_unique<voxel::Solver>(box, phase_id, stiffness, sides_of(condition),
-                                    communicator);
+  solver = std::make_unique<voxel::Solver>(box, phase_id, stiffness, sides_of(condition),
+                                           communicator);
   std::array<SolverReport, 6> reports;
   for (unsigned int k = 0; k < 6; ++k)
     try

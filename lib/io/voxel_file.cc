@@ -66,10 +66,11 @@ private:
     for (std::size_t y = 0; y < extents[1]; ++y)
       for (std::size_t x = 0; x < extents[2]; ++x)
         for (std::size_t c = 0; c < nc; ++c, to += type.bytes)
-          bytes.replace(
-            to, type.bytes, all,
-            offset + (((c * extents[2] + x) * extents[1] + y) * extents[0] + z) * type.bytes,
-            type.bytes);
+          bytes.replace(to, type.bytes, all,
+                        offset +
+                          (((c * extents[2] + x) * extents[1] + y) * extents[0] + z) *
+                            type.bytes,
+                        type.bytes);
     return type.decode(bytes.data(), plane_size(), path);
   }
 
@@ -183,8 +184,8 @@ std::unique_ptr<VoxelFile> VoxelFile::open(const VoxelSource &source)
       break;
     case VoxelSource::Kind::hdf5:
       if (source.dataset.empty())
-        throw UserError(
-          source.dataset_key + " is empty; name the dataset of voxels in " + source.path);
+        throw UserError(source.dataset_key + " is empty; name the dataset of voxels in " +
+                        source.path);
       file = std::make_unique<Hdf5Voxels>(source);
       break;
     case VoxelSource::Kind::stack:

@@ -20,7 +20,7 @@ struct OrientedPhase
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &phase &euler_angles[0] &euler_angles[1] &euler_angles[2];
+    archive &phase &euler_angles[0] & euler_angles[1] & euler_angles[2];
   }
 
   /** The stiffness @p of_phase turned by these angles (Pa). */

@@ -125,7 +125,7 @@ std::vector<Index> refine(const RveFile<dim> &rve,
     for (std::size_t j = 0; j < n[1]; ++j)
       for (std::size_t i = 0; i < n[0]; ++i)
         id.push_back(of_cells[(k / ratio[2] * n_coarse[1] + j / ratio[1]) * n_coarse[0] +
-                               i / ratio[0]]);
+                              i / ratio[0]]);
   return id;
 }
 
@@ -139,12 +139,12 @@ void require_densities(const RveFile<dim> &rve)
                       "/Density and run rve_homogenization again");
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                    \
-  template Phase<dim> given_phase<dim>(const BodyParameters &);                      \
-  template UniformGrid<dim> make_grid(const BodyParameters &, const RveFile<dim> *); \
-  template std::vector<std::uint8_t> refine(                                         \
-    const RveFile<dim> &, const UniformGrid<dim> &, const std::vector<std::uint8_t> &); \
-  template std::vector<std::uint16_t> refine(                                        \
+#define MESOSLIP_INSTANTIATE(dim)                                                        \
+  template Phase<dim> given_phase<dim>(const BodyParameters &);                          \
+  template UniformGrid<dim> make_grid(const BodyParameters &, const RveFile<dim> *);     \
+  template std::vector<std::uint8_t> refine(                                             \
+    const RveFile<dim> &, const UniformGrid<dim> &, const std::vector<std::uint8_t> &);  \
+  template std::vector<std::uint16_t> refine(                                            \
     const RveFile<dim> &, const UniformGrid<dim> &, const std::vector<std::uint16_t> &); \
   template void require_densities(const RveFile<dim> &);
 MESOSLIP_INSTANTIATE(2)

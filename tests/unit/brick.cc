@@ -63,7 +63,12 @@ struct Box
     : phases(phases_of(c))
     , box{{c.cells, c.edges, {}}, c.periodic}
     , mesh(mesh_of_cells(box.grid))
-    , op(divide_box(box, CellView(random_phases()), static_cast<unsigned int>(phases.size()), communicator), phases, communicator)
+    , op(divide_box(box,
+                    CellView(random_phases()),
+                    static_cast<unsigned int>(phases.size()),
+                    communicator),
+         phases,
+         communicator)
   {
     mesh.originals.resize(mesh.points.size());
     for (unsigned int p = 0; p < mesh.points.size(); ++p)
@@ -296,7 +301,7 @@ TEST(Brick, BoundOfACubeIsExact)
 {
   const double E = 2.1e11, nu = 0.3, rho = 7850., h = 0.01;
   const double lambda = E * nu / ((1. + nu) * (1. - 2. * nu)), mu = E / (2. * (1. + nu));
-  const BrickBox box = {{{{1, 1, 1}}, {{h, h, h}}, {}}, {}};
+  const BrickBox box                       = {{{{1, 1, 1}}, {{h, h, h}}, {}}, {}};
   const std::vector<std::uint8_t> one_cell = {0};
   const BrickOperator op(divide_box(box, CellView(one_cell), 1, MPI_COMM_SELF),
                          {{isotropic_stiffness<3>(E, nu), rho}}, MPI_COMM_SELF);

@@ -43,9 +43,9 @@ struct BrickSweep
    * n[2] + 1 layers of n[1] - 1 rows. */
   const std::uint8_t *phase;
   const std::uint16_t *material; ///< instead of these, where they are too many for a byte
-  bool has_layer_below;    ///< whether there are cells below the first plane
-  bool has_layer_above;    ///< and above the last one
-  unsigned int n_phases;   ///< with that without stiffness, the last one
+  bool has_layer_below;          ///< whether there are cells below the first plane
+  bool has_layer_above;          ///< and above the last one
+  unsigned int n_phases;         ///< with that without stiffness, the last one
 
   /** Times volume / (16 edge_rows^2): [coefficient][256], of materials instead of phases
    * [n_phases][n_of_material]. */

@@ -198,7 +198,8 @@ loaded_phases(const std::vector<PhaseParameters> &parameters)
   std::vector<LoadedPhase<dim>> phases;
   for (const PhaseParameters &p : parameters)
     {
-      phases.push_back({static_cast<unsigned int>(phases.size()), p.stiffness<dim>(), {}});
+      phases.push_back(
+        {static_cast<unsigned int>(phases.size()), p.stiffness<dim>(), {}});
       if constexpr (dim == 2)
         if (p.type != PhaseParameters::Type::stiffness)
           {
@@ -235,8 +236,7 @@ std::vector<LoadResult<dim>> evaluate_loads(const LoadParameters &loads,
       results.back().strain    = state.strain;
       results.back().stress    = state.stress;
     }
-  const auto statistics =
-    LoadSurvey<dim>(loads, fields, cells, amplitudes).run();
+  const auto statistics = LoadSurvey<dim>(loads, fields, cells, amplitudes).run();
   for (std::size_t load = 0; load < results.size(); ++load)
     {
       results[load].phases = statistics[load];

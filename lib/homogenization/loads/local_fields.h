@@ -14,7 +14,7 @@ namespace mesoslip
 template <int dim>
 struct LoadedPhase
 {
-  unsigned int part = 0; ///< the phase with which its cells are counted
+  unsigned int part          = 0; ///< the phase with which its cells are counted
   VoigtMatrix<dim> stiffness = VoigtMatrix<dim>::Zero(); ///< Pa, plane strain in 2D
 
   /** 2D: sigma_zz = transverse . strain (Pa); empty: the stiffness in the plane was given

@@ -135,6 +135,7 @@ inline std::string attribute_text(const std::string &object, const std::string &
   DO(double)                    \
   DO(float)                     \
   DO(int)                       \
-  DO(unsigned int) DO(std::int64_t) DO(std::uint64_t) DO(std::uint8_t) DO(std::uint16_t) DO(std::string)
+  DO(unsigned int)              \
+  DO(std::int64_t) DO(std::uint64_t) DO(std::uint8_t) DO(std::uint16_t) DO(std::string)
 
 #endif

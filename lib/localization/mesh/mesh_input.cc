@@ -170,9 +170,9 @@ void MeshLocalizationInput<dim>::check_direct()
     parameters.direct_run, "the direct run; run contact_dynamics first");
   if (!direct->change_note().empty())
     warnings.push_back(direct->change_note());
-  direct_body            = direct->mesh();
+  direct_body                             = direct->mesh();
   const std::vector<Phase<dim>> of_direct = direct->materials();
-  const std::string what = "the direct run " + direct->path();
+  const std::string what                  = "the direct run " + direct->path();
   if (direct_body.cells.size() != volume.cells.size())
     throw UserError(what + " has " + std::to_string(direct_body.cells.size()) +
                     " cells, " + rve.path() + " " + std::to_string(volume.cells.size()) +

@@ -221,9 +221,9 @@ MeshMorphology<3> make_box(const ContactParameters &parameters)
   body.phases = make_phases<3>(parameters.mesh.phases);
   describe_phases(body, parameters.mesh.phases);
   if (!body.orientations.empty())
-    body.description.push_back("Orientations: " +
-                               std::to_string(body.orientations.materials.size()) +
-                               " different pairs of phase and orientation");
+    body.description.push_back(
+      "Orientations: " + std::to_string(body.orientations.materials.size()) +
+      " different pairs of phase and orientation");
   return body;
 }
 } // namespace mesoslip

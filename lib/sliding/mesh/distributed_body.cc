@@ -202,8 +202,8 @@ distribute_body(const MeshMorphology<dim> &morphology,
       broadcast_object(communicator, is_box);
       broadcast_object(communicator, box);
       if (is_box)
-        return std::make_unique<BodyOfBricks>(box, morphology.material_id(), probes, phases,
-                                              isa, communicator);
+        return std::make_unique<BodyOfBricks>(box, morphology.material_id(), probes,
+                                              phases, isa, communicator);
     }
   return std::make_unique<BodyOfMesh<dim>>(morphology.mesh, contact, phases, isa,
                                            communicator);

@@ -32,9 +32,8 @@ double stiffness_ratio(const std::vector<double> &n_cells,
 }
 
 /** Numbers of cells of @p n_phases phases. */
-std::vector<double> count_cells(const UniformGrid<3> &box,
-                                const CellView &id,
-                                const std::size_t n_phases)
+std::vector<double>
+count_cells(const UniformGrid<3> &box, const CellView &id, const std::size_t n_phases)
 {
   if (id.size() != box.n_cells() || id.size() == 0)
     throw std::invalid_argument("The map has another number of phases than of cells.");
@@ -112,8 +111,8 @@ Solver::Solver(const UniformGrid<3> &the_box,
     grid.rank      = grid.is_divided() ? rank : 0;
     return padded_phases(phase_id, grid, stiffness.size());
   };
-  const std::string others = scatter(
-    communicator, [&](const unsigned int rank) { return of_rank(rank).text(); });
+  const std::string others =
+    scatter(communicator, [&](const unsigned int rank) { return of_rank(rank).text(); });
   phases = dealii::Utilities::MPI::this_mpi_process(communicator) == 0
              ? of_rank(0)
              : CellIndices(others, stiffness.size());

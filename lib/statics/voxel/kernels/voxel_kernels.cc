@@ -25,16 +25,15 @@ namespace mesoslip::voxel::MESOSLIP_VARIANT
       sweep<Number, Material<Number, Cells::cubes __VA_ARGS__>, Sweep::kind>,   \
       sweep<Number, Material<Number, Cells::general __VA_ARGS__>, Sweep::kind>  \
   }
-#define MESOSLIP_MATERIALS(Number, kind) \
-  {                                      \
+#define MESOSLIP_MATERIALS(Number, kind)                              \
+  {                                                                   \
     nullptr, nullptr, sweep<Number, OfMaterials<Number>, Sweep::kind> \
   }
-#define MESOSLIP_SOURCES(kind)                       \
-  {                                                  \
-    MESOSLIP_KINDS(Stored, float, kind, ),           \
-      MESOSLIP_KINDS(OfPhases, float, kind, , true), \
-      MESOSLIP_KINDS(OfPhases, float, kind, , false), \
-      MESOSLIP_MATERIALS(float, kind) \
+#define MESOSLIP_SOURCES(kind)                                                        \
+  {                                                                                   \
+    MESOSLIP_KINDS(Stored, float, kind, ),                                            \
+      MESOSLIP_KINDS(OfPhases, float, kind, , true),                                  \
+      MESOSLIP_KINDS(OfPhases, float, kind, , false), MESOSLIP_MATERIALS(float, kind) \
   }
 
 const Kernels &kernels()
