@@ -39,8 +39,8 @@ struct MeshMorphology
 {
   std::string file; ///< where it comes from
 
-  /** Its phases are those of `Phases/Names`, in their order; of a box with orientations the
-   * material_id of the cells is that of materials(). */
+  /** Its phases are those of `Phases/Names`, in their order; of a box with orientations they are
+   * materials(). */
   Mesh<dim> mesh;
 
   /** Of a grid in 3D, whose nodes and cells are numbered with x fastest, then y. */
