@@ -118,7 +118,7 @@ TEST(Loads, InvariantsOfPlaneStrain)
   EXPECT_NEAR(values[LocalFields<2>::largest_principal()], values[3], 1e-6);
   EXPECT_NEAR(values[11], zz, 1e-6);
   // A stiffness in the plane alone has no sigma_zz.
-  const LocalFields<2> plane({{"a", phase.stiffness, {}}});
+  const LocalFields<2> plane({{0, phase.stiffness, {}}});
   EXPECT_FALSE(plane.has_invariants());
   EXPECT_EQ(plane.quantities().size(), 6U);
 }
