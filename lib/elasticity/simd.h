@@ -202,6 +202,30 @@ MESOSLIP_INLINE vint32 load_bytes(const std::uint8_t *p, const vint32)
 #endif
 }
 
+/** The same of numbers of two bytes. */
+MESOSLIP_INLINE vint64 load_words(const std::uint16_t *p, const vint64)
+{
+#if defined(__AVX512F__)
+  return (vint64)_mm512_maskz_cvtepu16_epi64(0xff, _mm_loadu_si128((const __m128i *)p));
+#elif defined(__AVX2__)
+  return (vint64)_mm256_cvtepu16_epi64(_mm_loadl_epi64((const __m128i *)p));
+#else
+  return vint64{p[0], p[1]};
+#endif
+}
+
+MESOSLIP_INLINE vint32 load_words(const std::uint16_t *p, const vint32)
+{
+#if defined(__AVX512F__)
+  return (vint32)_mm512_maskz_cvtepu16_epi32(0xffff,
+                                             _mm256_loadu_si256((const __m256i *)p));
+#elif defined(__AVX2__)
+  return (vint32)_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)p));
+#else
+  return vint32{p[0], p[1], p[2], p[3]};
+#endif
+}
+
 #if defined(__AVX512F__)
 /** Whether lookup() is there. */
 constexpr bool has_lookup = true;

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "exchange/datasets.h"
 #include "exchange/mesh_datasets.h"
+#include "exchange/orientation_datasets.h"
 
 #include <algorithm>
 
@@ -18,7 +19,7 @@ const char snapshots_hint[]    = "run contact_dynamics with Snapshots/Interval >
 template <int dim>
 std::string check_body_header(const Hdf5File &file, const bool is_grid)
 {
-  return file.check_header(is_grid ? "mesoslip-dynamics" : "mesoslip-dynamics-mesh", 1,
+  return file.check_header(is_grid ? "mesoslip-dynamics" : "mesoslip-dynamics-mesh", 2,
                            dim, "contact_dynamics writes such a file");
 }
 
@@ -64,6 +65,14 @@ std::vector<double> BodySnapshots<dim>::displacement(const std::size_t k) const
 }
 
 template <int dim>
+std::vector<Phase<dim>> BodySnapshots<dim>::materials() const
+{
+  return oriented_phases(
+    phases,
+    read_orientations(file, snapshot_phases, phases.size(), snapshots_program).materials);
+}
+
+template <int dim>
 Mesh<dim> BodySnapshots<dim>::mesh() const
 {
   Mesh<dim> mesh = is_grid ? mesh_of_cells(read_grid<dim>(file, snapshots_program))
@@ -81,6 +90,10 @@ Mesh<dim> BodySnapshots<dim>::mesh() const
   require_phases(file, snapshot_phases, id, phases.size(), snapshots_program);
   for (std::size_t cell = 0; cell < id.size(); ++cell)
     mesh.cells[cell].material_id = id[cell];
+  const Orientations turned =
+    read_orientations(file, snapshot_phases, phases.size(), snapshots_program);
+  for (std::size_t cell = 0; cell < turned.id.size(); ++cell)
+    mesh.cells[cell].material_id = turned.id[cell];
   return mesh;
 }
 

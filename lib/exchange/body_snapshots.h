@@ -41,8 +41,11 @@ public:
   /** Displacement of all points in snapshot number @p k (m) [n_points][dim]. */
   std::vector<double> displacement(const std::size_t k) const;
 
-  /** Points and cells, with their phases as material_id. */
+  /** Points and cells, with their phases as material_id, or what materials() has of them. */
   Mesh<dim> mesh() const;
+
+  /** What the cells are made of: the phases, or these in all their orientations. */
+  std::vector<Phase<dim>> materials() const;
 
 private:
   const Hdf5File file;

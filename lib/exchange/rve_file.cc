@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "exchange/datasets.h"
 #include "exchange/mesh_datasets.h"
+#include "exchange/orientation_datasets.h"
 #include "exchange/xdmf.h"
 
 #include <deal.II/base/bounding_box.h>
@@ -97,7 +98,8 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
   constexpr std::size_t v = n_voigt<dim>;
   Hdf5File file =
     content.reserved.empty() ? Hdf5File::create(path) : Hdf5File::resume(path);
-  file.write_header(rve_format, newest_rve_version, dim, content.digest);
+  file.write_header(rve_format, content.orientations.empty() ? 1 : newest_rve_version,
+                    dim, content.digest);
   write_dataset(file, "/summary", {1}, std::vector<std::string>{content.summary});
   Shape cells = {content.phase_id.size()};
   if (content.mesh != nullptr)
@@ -123,6 +125,7 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
     write_dataset(file, "/phase/volume_fraction", {content.fractions.size()},
                   content.fractions);
   write_dataset(file, "/phase/id", cells, content.phase_id);
+  write_orientations(file, content.orientations, cells);
   for (const auto &[of, D] : content.stiffness)
     write_dataset(file, "/stiffness/" + of, {v, v},
                   std::vector<double>(D.data(), D.data() + D.size()), "Pa");
@@ -197,6 +200,24 @@ std::vector<std::uint8_t> RveFile<dim>::phase_id() const
   auto id = file.read<std::uint8_t>("/phase/id", cells(), "rve_homogenization writes it");
   require_phases(file, "/phase/id", id, phases.size(), rve_program);
   return id;
+}
+
+template <int dim>
+Orientations RveFile<dim>::orientations() const
+{
+  return read_orientations(file, "/phase/id", phases.size(), rve_program);
+}
+
+template <int dim>
+std::pair<std::vector<Phase<dim>>, std::vector<double>>
+RveContent<dim>::constituents() const
+{
+  if (orientations.empty())
+    return {phases, fractions};
+  std::vector<double> shares = orientations.count_cells();
+  for (double &share : shares)
+    share /= static_cast<double>(orientations.id.size());
+  return {oriented_phases(phases, orientations.materials), shares};
 }
 
 template <int dim>
@@ -290,6 +311,8 @@ Mesh<dim> RveFile<dim>::mesh() const
   return mesh;
 }
 
+template struct RveContent<2>;
+template struct RveContent<3>;
 template class RveFile<2>;
 template class RveFile<3>;
 template void reserve_concentration(const std::string &,

@@ -3,19 +3,22 @@
 
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
+#include "material/orientations.h"
 #include "material/voigt.h"
 #include "mesh/mesh.h"
 
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mesoslip
 {
 /** Format of rve.h5 and its newest version. */
-inline constexpr char rve_format[]      = "mesoslip-rve";
-inline constexpr int newest_rve_version = 1; ///< as written now
+inline constexpr char rve_format[] = "mesoslip-rve";
+inline constexpr int newest_rve_version =
+  2; ///< of files with orientations of cells; else 1
 
 /** Digest of a draft (--draft), in which a guess stands for the stiffness. */
 inline constexpr char rve_draft[] = "draft";
@@ -33,6 +36,12 @@ struct RveContent
 
   /** Phase of each cell, on a grid x fastest. */
   std::vector<std::uint8_t> phase_id;
+
+  Orientations orientations; ///< of the cells, in 3D, where they differ within a phase
+
+  /** What the cells are made of, and the volume fraction of each: the phases, or these in
+   * all their orientations. */
+  std::pair<std::vector<Phase<dim>>, std::vector<double>> constituents() const;
 
   std::map<std::string, VoigtMatrix<dim>> stiffness; ///< KUBC, SUBC, PBC, effective (Pa)
 
@@ -113,6 +122,9 @@ public:
 
   /** Phase of each cell, on a grid x fastest; below the number of phases. */
   std::vector<std::uint8_t> phase_id() const;
+
+  /** Orientations of the cells; empty where they are those of the phases. */
+  Orientations orientations() const;
 
   /** Volume mean of the density (kg/m^3). */
   double mean_density() const;

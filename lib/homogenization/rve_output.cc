@@ -40,9 +40,9 @@ json matrix_json(const VoigtMatrix<dim> &D)
 }
 
 template <int dim>
-json bounds_json(const std::vector<Phase<dim>> &phases,
-                 const std::vector<double> &fractions)
+json bounds_json(const RveContent<dim> &content)
 {
+  const auto [phases, fractions] = content.constituents();
   json bounds = {{"voigt", matrix_json<dim>(voigt_bound<dim>(phases, fractions))},
                  {"reuss", matrix_json<dim>(reuss_bound<dim>(phases, fractions))},
                  {"hashin_shtrikman_lower", nullptr},
@@ -148,7 +148,6 @@ void write_rve_results(RveResults<dim> &results, RunContext &context)
 {
   RveContent<dim> &content       = results.first;
   content.summary                = context.summary().dump();
-  content.fractions              = results.members[0].fractions;
   content.stiffness["effective"] = results.effective;
   for (const HomogenizedResponse<dim> &response : results.members[0].responses)
     {
@@ -306,7 +305,7 @@ void write_rve_summary(const RveParameters &parameters,
         out["iterations"][name].push_back(report.iterations);
     }
   out["stiffness"]["effective"] = matrix_json<dim>(results.effective);
-  out["bounds"]                 = bounds_json<dim>(results.first.phases, first.fractions);
+  out["bounds"]                 = bounds_json<dim>(results.first);
   for (const EngineeringConstant &c : engineering_constants<dim>(results.effective))
     out["engineering_constants"][c.name] = c.value;
   if (results.members.size() > 1)

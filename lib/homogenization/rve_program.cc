@@ -41,6 +41,10 @@ std::string inputs_digest(const Keys &keys, const RveParameters &parameters)
       digest.add_file(file);
   else if (!microstructure.file.empty())
     digest.add_file(microstructure.file);
+  for (const std::string &file :
+       {microstructure.orientation.file, microstructure.orientation.table})
+    if (!file.empty())
+      digest.add_file(file);
   return digest.hex();
 }
 
@@ -54,7 +58,7 @@ bool is_up_to_date(const std::string &path,
   try
     {
       const Hdf5File file = Hdf5File::open(path);
-      return file.check_header(format, 1) == digest &&
+      return file.check_header(format, newest_rve_version) == digest &&
              file.change_note("rve_homogenization").empty();
     }
   catch (const UserError &)
@@ -86,11 +90,11 @@ void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
     if (std::filesystem::exists(path))
       throw UserError("--draft: there is a file " + path +
                       " already; name a folder without one");
-    RveContent<dim> content = morphology();
-    content.digest          = rve_draft;
+    RveContent<dim> content        = morphology();
+    content.digest                 = rve_draft;
+    const auto [phases, fractions] = content.constituents();
     const VoigtMatrix<dim> hill =
-      0.5 * (voigt_bound<dim>(content.phases, content.fractions) +
-             reuss_bound<dim>(content.phases, content.fractions));
+      0.5 * (voigt_bound<dim>(phases, fractions) + reuss_bound<dim>(phases, fractions));
     content.stiffness["effective"] = hill;
     for (const BoundaryCondition condition : parameters.conditions)
       content.stiffness[to_string(condition)] = hill;
@@ -145,7 +149,8 @@ void VolumeAnalysis<dim>::run(RunContext &context)
     mean_stiffness<dim>(results.members, effective_conditions(parameters));
   if (!parameters.effective_full)
     results.effective = orthotropic_part<dim>(results.effective);
-  results.first.digest = digest;
+  results.first.digest    = digest;
+  results.first.fractions = results.members[0].fractions;
   write_rve_tables<dim>(parameters, results, context);
   write_loads<dim>(parameters, results, context);
   write_rve_summary<dim>(parameters, results, context);

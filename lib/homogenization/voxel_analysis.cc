@@ -1,6 +1,5 @@
 #include "base/errors.h"
 #include "base/exchange.h"
-#include "elasticity/brick/brick_matrices.h"
 #include "exchange/rve_file.h"
 #include "homogenization/loads/load_output.h"
 #include "homogenization/loads/volume_cells.h"
@@ -8,6 +7,7 @@
 #include "homogenization/voxel_volume.h"
 #include "io/parallel_rows.h"
 #include "material/plausibility.h"
+#include "material/stiffness.h"
 #include "morphology/voxels.h"
 #include "program/run_context.h"
 
@@ -24,6 +24,8 @@ namespace
 constexpr double bytes_per_voxel = 210.;
 /** More where a phase is not isotropic. */
 constexpr double anisotropic_bytes = 30.;
+/** More where orientations are read: two bytes instead of one in the solver, and on rank 0. */
+constexpr double orientation_bytes = 5.;
 
 /** What all ranks together need (bytes). */
 double bytes_of_solver(const MicrostructureParameters &microstructure)
@@ -32,7 +34,30 @@ double bytes_of_solver(const MicrostructureParameters &microstructure)
   for (const auto &phase : make_phases<3>(microstructure.phases))
     if (!is_isotropic(phase.stiffness))
       bytes = bytes_per_voxel + anisotropic_bytes;
+  if (!microstructure.orientation.file.empty())
+    bytes += orientation_bytes;
   return bytes * static_cast<double>(microstructure.box.n_nodes());
+}
+
+/** The response of phases from that of the materials @p of_materials, which are these in
+ *  some orientations, with the sums that it follows from. */
+HomogenizedResponse<3> response_of_phases(HomogenizedResponse<3> of_materials,
+                                          const VolumeSums<3> &sums,
+                                          const std::vector<OrientedPhase> &materials,
+                                          const std::size_t n_phases)
+{
+  std::vector<VoigtMatrix<3>> means(n_phases, VoigtMatrix<3>::Zero());
+  std::vector<double> volumes(n_phases, 0.);
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    {
+      means[materials[m].phase] += sums.phases[m].volume * of_materials.phase_means[m];
+      volumes[materials[m].phase] += sums.phases[m].volume;
+    }
+  for (std::size_t p = 0; p < n_phases; ++p)
+    if (volumes[p] > 0.)
+      means[p] /= volumes[p];
+  of_materials.phase_means = means;
+  return of_materials;
 }
 
 /** Share of the ranks that runs on this machine. Collective. */
@@ -77,10 +102,11 @@ protected:
   RveContent<3> morphology() const override
   {
     RveContent<3> content;
-    content.grid      = volume.map.grid;
-    content.phases    = volume.phases;
-    content.phase_id  = volume.map.id;
-    content.fractions = volume.fractions;
+    content.grid         = volume.map.grid;
+    content.phases       = volume.phases;
+    content.phase_id     = volume.map.id;
+    content.fractions    = volume.fractions;
+    content.orientations = volume.orientations;
     return content;
   }
 
@@ -133,7 +159,10 @@ protected:
           });
         results.members.push_back(compute_member(m, context));
         if (m == 0)
-          results.first.phase_id = volume.map.id;
+          {
+            results.first.phase_id     = volume.map.id;
+            results.first.orientations = volume.orientations;
+          }
       }
     context.progress().finish();
     if (parameters.n_members > 1 && context.root())
@@ -167,26 +196,35 @@ private:
     member.origin    = p.is_random() ? "seed " + std::to_string(p.seed() + m) : "voxels";
     member.warnings  = volume.warnings;
     member.fractions = volume.fractions;
+    std::vector<OrientedPhase> materials = volume.orientations.materials;
+    broadcast_object(context.communicator(), materials);
     std::vector<ElasticPhase<3>> phases;
-    for (const auto &phase : make_phases<3>(parameters.microstructure.phases))
+    for (const auto &phase : oriented_phases(make_phases<3>(p.phases), materials))
       phases.push_back({phase.stiffness, phase.density});
+    auto loaded = loaded_phases<3>(p.phases);
+    if (!materials.empty())
+      loaded.clear();
+    for (std::size_t k = 0; k < materials.size(); ++k)
+      loaded.push_back({materials[k].phase, phases[k].stiffness, {}});
     const auto scope   = context.timer().scope("Load cases");
     std::uint64_t done = n_cases() / parameters.n_members * m;
-    VoxelVolume solver(volume.map, phases, context.communicator());
+    VoxelVolume solver(p.box, volume.material_id(), phases, context.communicator());
     for (const BoundaryCondition condition : parameters.conditions)
       {
-        const auto part = context.timer().scope(to_string(condition).c_str());
-        member.responses.push_back(
-          homogenize<3>(solver.solve(condition, parameters.tolerance,
-                                     [&]() { context.progress().update(++done); }),
-                        phases));
+        const auto part          = context.timer().scope(to_string(condition).c_str());
+        const VolumeSums<3> sums = solver.solve(
+          condition, parameters.tolerance, [&]() { context.progress().update(++done); });
+        member.responses.push_back(homogenize<3>(sums, phases));
+        if (!materials.empty())
+          member.responses.back() =
+            response_of_phases(member.responses.back(), sums, materials, p.phases.size());
         if (parameters.write_concentration && m == 0)
           write_concentration(solver, condition, context);
         if (!parameters.loads.loads.empty() && parameters.loads.uses(condition))
-          for (LoadResult<3> &result : evaluate_loads(
-                 parameters.loads, member.responses.back(), loaded_phases<3>(p.phases),
-                 VoxelCells(solver, p.box, context.communicator()),
-                 m == 0 ? loads_file : std::string()))
+          for (LoadResult<3> &result :
+               evaluate_loads(parameters.loads, member.responses.back(), loaded,
+                              VoxelCells(solver, p.box, context.communicator()),
+                              m == 0 ? loads_file : std::string()))
             member.loads.push_back(std::move(result));
       }
     return member;

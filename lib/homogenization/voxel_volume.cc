@@ -45,10 +45,12 @@ void for_each_voxel(const voxel::Solver &solver,
 }
 } // namespace
 
-VoxelVolume::VoxelVolume(const PhaseMap<3> &map,
+VoxelVolume::VoxelVolume(const UniformGrid<3> &the_box,
+                         const CellView &the_phase_id,
                          const std::vector<ElasticPhase<3>> &the_phases,
                          const MPI_Comm the_communicator)
-  : map(map)
+  : box(the_box)
+  , phase_id(the_phase_id)
   , phases(the_phases)
   , communicator(the_communicator)
 {
@@ -63,8 +65,8 @@ VolumeSums<3> VoxelVolume::solve(const BoundaryCondition wanted,
   std::vector<VoigtMatrix<3>> stiffness;
   for (const ElasticPhase<3> &phase : phases)
     stiffness.push_back(phase.stiffness);
-  solver =
-    std::make_unique<voxel::Solver>(map, stiffness, sides_of(condition), communicator);
+  solver = std::make_unique<voxel::Solver>(box, phase_id, stiffness, sides_of(condition),
+                                           communicator);
   std::array<SolverReport, 6> reports;
   for (unsigned int k = 0; k < 6; ++k)
     try

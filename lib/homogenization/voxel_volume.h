@@ -19,8 +19,10 @@ namespace mesoslip
 class VoxelVolume
 {
 public:
-  /** @p map is that of rank 0; @p the_phases (stiffness in Pa) are those of its cells. */
-  VoxelVolume(const PhaseMap<3> &map,
+  /** @p the_phase_id is that of rank 0, of the cells of @p the_box, x fastest; @p the_phases
+   * (stiffness in Pa) are those of its cells, or what else they are made of. */
+  VoxelVolume(const UniformGrid<3> &the_box,
+              const CellView &the_phase_id,
               const std::vector<ElasticPhase<3>> &the_phases,
               const MPI_Comm the_communicator);
 
@@ -52,7 +54,8 @@ public:
 private:
   VolumeSums<3> integrate();
 
-  const PhaseMap<3> &map;
+  const UniformGrid<3> box;
+  const CellView phase_id;
   const std::vector<ElasticPhase<3>> phases;
   const MPI_Comm communicator;
   BoundaryCondition condition = BoundaryCondition::KUBC; ///< solved last

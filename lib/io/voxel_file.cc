@@ -42,7 +42,7 @@ public:
 
   std::vector<double> plane(const std::size_t z) override
   {
-    const std::size_t n = extents[1] * extents[2];
+    const std::size_t n = plane_size();
     if (first_fastest)
       return scattered_plane(z);
     std::string bytes(n * type.bytes, '\0');
@@ -60,14 +60,18 @@ private:
   {
     if (all.empty())
       all = read_file(path);
-    std::string bytes(extents[1] * extents[2] * type.bytes, '\0');
-    std::size_t to = 0;
+    std::string bytes(plane_size() * type.bytes, '\0');
+    const std::size_t nc = extents.size() > 3 ? extents[3] : 1;
+    std::size_t to       = 0;
     for (std::size_t y = 0; y < extents[1]; ++y)
-      for (std::size_t x = 0; x < extents[2]; ++x, to += type.bytes)
-        bytes.replace(to, type.bytes, all,
-                      offset + ((x * extents[1] + y) * extents[0] + z) * type.bytes,
-                      type.bytes);
-    return type.decode(bytes.data(), extents[1] * extents[2], path);
+      for (std::size_t x = 0; x < extents[2]; ++x)
+        for (std::size_t c = 0; c < nc; ++c, to += type.bytes)
+          bytes.replace(to, type.bytes, all,
+                        offset +
+                          (((c * extents[2] + x) * extents[1] + y) * extents[0] + z) *
+                            type.bytes,
+                        type.bytes);
+    return type.decode(bytes.data(), plane_size(), path);
   }
 
   const std::string path;
@@ -85,15 +89,17 @@ public:
     : file(Hdf5File::open(source.path))
     , dataset(source.dataset)
   {
-    extents   = file.shape(dataset, "Microstructure/Dataset has to name one");
+    extents   = file.shape(dataset, source.dataset_key + " has to name one");
     whole     = !file.is_floating(dataset);
     type_name = whole ? "'integer'" : "'float'";
   }
 
   std::vector<double> plane(const std::size_t z) override
   {
-    std::vector<double> values =
-      file.read_block<double>(dataset, {z, 0, 0}, {1, extents[1], extents[2]});
+    Shape first(extents.size(), 0), count = extents;
+    first[0]                   = z;
+    count[0]                   = 1;
+    std::vector<double> values = file.read_block<double>(dataset, first, count);
     if (whole)
       require_exact(values, file.path());
     return values;
@@ -110,8 +116,8 @@ std::unique_ptr<VoxelFile> open_raw(const VoxelSource &source)
   if (nx == 0)
     throw UserError("Microstructure/Raw shape is empty; give the numbers of voxels of " +
                     source.path + " along x, y and z");
-  const double needs =
-    static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);
+  const double needs = static_cast<double>(nx) * static_cast<double>(ny) *
+                       static_cast<double>(nz) * source.components;
   std::error_code code;
   const std::uintmax_t has = fs::file_size(source.path, code);
   if (const double bytes = needs * source.raw_type.bytes;
@@ -119,9 +125,11 @@ std::unique_ptr<VoxelFile> open_raw(const VoxelSource &source)
     throw UserError(source.path + " has " + std::to_string(code ? 0 : has) +
                     " bytes, not the " + to_text(bytes) + " of " + to_text(needs) +
                     " numbers of " + std::to_string(source.raw_type.bytes) +
-                    " bytes; mend Microstructure/Raw shape or Raw type");
-  return std::make_unique<PlainVoxels>(source.path, std::vector<std::size_t>{nz, ny, nx},
-                                       source.raw_type, 0, false);
+                    " bytes; mend " + source.raw_keys);
+  std::vector<std::size_t> shape = {nz, ny, nx};
+  if (source.components > 1)
+    shape.push_back(source.components);
+  return std::make_unique<PlainVoxels>(source.path, shape, source.raw_type, 0, false);
 }
 
 std::unique_ptr<VoxelFile> open_numpy(const std::string &path)
@@ -131,6 +139,14 @@ std::unique_ptr<VoxelFile> open_numpy(const std::string &path)
                                        header.fortran_order);
 }
 } // namespace
+
+std::size_t VoxelFile::plane_size() const
+{
+  std::size_t n = 1;
+  for (std::size_t axis = 1; axis < extents.size(); ++axis)
+    n *= extents[axis];
+  return n;
+}
 
 bool has_ending(const std::string &path, const std::string &end)
 {
@@ -168,9 +184,8 @@ std::unique_ptr<VoxelFile> VoxelFile::open(const VoxelSource &source)
       break;
     case VoxelSource::Kind::hdf5:
       if (source.dataset.empty())
-        throw UserError(
-          "Microstructure/Dataset is empty; name the dataset of voxels in " +
-          source.path);
+        throw UserError(source.dataset_key + " is empty; name the dataset of voxels in " +
+                        source.path);
       file = std::make_unique<Hdf5Voxels>(source);
       break;
     case VoxelSource::Kind::stack:
@@ -178,7 +193,13 @@ std::unique_ptr<VoxelFile> VoxelFile::open(const VoxelSource &source)
     default:
       file = open_numpy(source.path);
     }
-  if (file->shape().size() != 3)
+  const std::vector<std::size_t> &shape = file->shape();
+  if (source.components > 1 && (shape.size() != 4 || shape[3] != source.components))
+    throw UserError(source.path + " is an array " + text_of_shape(shape) + ", but " +
+                    std::to_string(source.components) +
+                    " numbers a voxel are one of the shape [z][y][x][" +
+                    std::to_string(source.components) + "]");
+  if (source.components == 1 && shape.size() != 3)
     throw UserError(source.path + " is an array " + text_of_shape(file->shape()) +
                     ", but voxels are one of three axes, [z][y][x]");
   return file;

@@ -21,6 +21,12 @@ struct VoxelSource
   std::array<std::size_t, 3> raw_shape = {};
   NumberType raw_type; ///< of the numbers of a .raw
 
+  unsigned int components = 1; ///< numbers a voxel: 1, or a fourth axis of so many
+
+  /** Keys, for messages. */
+  std::string dataset_key = "Microstructure/Dataset",
+              raw_keys    = "Microstructure/Raw shape or Raw type";
+
   /** The kinds of files. */
   enum class Kind
   {
@@ -42,7 +48,8 @@ struct VoxelSource
 /** Whether a path is that of a file whose name ends in @p end, upper or lower case. */
 bool has_ending(const std::string &path, const std::string &end);
 
-/** Numbers [z][y][x] of a file or of a stack of pictures, read plane by plane. */
+/** Numbers [z][y][x], or [z][y][x][component], of a file or of a stack of pictures, read plane
+ *  by plane. */
 class VoxelFile
 {
 public:
@@ -51,7 +58,7 @@ public:
   /** Reads what there is about the numbers. @throws UserError beginning with the path */
   static std::unique_ptr<VoxelFile> open(const VoxelSource &source);
 
-  /** Extents as stored, the slowest axis first; of voxels these are three. */
+  /** Extents as stored, the slowest axis first; of voxels these are three, or four. */
   const std::vector<std::size_t> &shape() const
   {
     return extents;
@@ -69,10 +76,14 @@ public:
     return type_name;
   }
 
-  /** The values [y][x] of plane @p z. @throws UserError beginning with the path */
+  /** The values [y][x], or [y][x][component], of plane @p z. @throws UserError beginning
+   *  with the path */
   virtual std::vector<double> plane(const std::size_t z) = 0;
 
 protected:
+  /** Numbers of a plane. */
+  std::size_t plane_size() const;
+
   std::vector<std::size_t> extents; ///< see shape()
   bool whole = true;                ///< see is_whole()
   std::string type_name;            ///< see type_text()

@@ -191,6 +191,16 @@ VoigtMatrix<dim> rotate_stiffness(const VoigtMatrix<dim> &stiffness, const doubl
                                     Q.transpose());
 }
 
+bool is_isotropic(const VoigtMatrix<3> &stiffness)
+{
+  const double lambda = stiffness(0, 1), mu = stiffness(5, 5);
+  VoigtMatrix<3> difference = stiffness;
+  difference.topLeftCorner<3, 3>().array() -= lambda;
+  difference.diagonal().head<3>().array() -= 2. * mu;
+  difference.diagonal().tail<3>().array() -= mu;
+  return difference.cwiseAbs().maxCoeff() <= 1e-12 * stiffness.cwiseAbs().maxCoeff();
+}
+
 VoigtMatrix<3> turn_stiffness(const VoigtMatrix<3> &stiffness,
                               const Eigen::Matrix3d &rotation)
 {

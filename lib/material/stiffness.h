@@ -106,6 +106,10 @@ Eigen::Matrix3d bunge_rotation(const double phi_1, const double Phi, const doubl
  */
 Eigen::Matrix3d rotation_from_axes(const Eigen::Vector3d &axis_1,
                                    const Eigen::Vector3d &axis_2);
+
+/** Whether lambda and mu say everything, to 1e-12 of the largest entry. */
+bool is_isotropic(const VoigtMatrix<3> &stiffness);
+
 /** Whether normal strains cause normal stresses alone, and shears the same shear alone. */
 template <int dim>
 bool is_orthotropic(const VoigtMatrix<dim> &C)

@@ -2,6 +2,8 @@
 #define mesoslip_morphology_mesh_morphology_h
 
 #include "grid/brick_box.h"
+#include "grid/cell_indices.h"
+#include "material/orientations.h"
 #include "material/voigt.h"
 #include "mesh/mesh.h"
 #include "morphology/microstructure_parameters.h"
@@ -37,13 +39,33 @@ struct MeshMorphology
 {
   std::string file; ///< where it comes from
 
-  /** Its phases are those of `Phases/Names`, in their order. */
+  /** Its phases are those of `Phases/Names`, in their order; of a box with orientations they are
+   * materials(). */
   Mesh<dim> mesh;
 
   /** Of a grid in 3D, whose nodes and cells are numbered with x fastest, then y. */
   std::optional<BrickBox> box;
 
   std::vector<std::uint8_t> phase_id; ///< of a box: of all its cells
+  Orientations orientations;          ///< the same, where they have their own
+
+  /** Of each cell of a box its material: its phase, or this in one of its orientations. */
+  CellView material_id() const
+  {
+    return orientations.empty() ? CellView(phase_id) : CellView(orientations.id);
+  }
+
+  /** What the cells are made of, by material_id. */
+  std::vector<Phase<dim>> materials() const
+  {
+    return oriented_phases(phases, orientations.materials);
+  }
+
+  /** The phase of material @p m. */
+  unsigned int phase_of(const unsigned int m) const
+  {
+    return orientations.empty() ? m : orientations.materials[m].phase;
+  }
 
   /** Numbers in the box of the points of the mesh, ascending, where the mesh has only some;
    * empty: it has all. */

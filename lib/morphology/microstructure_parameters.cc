@@ -153,6 +153,7 @@ void MicrostructureParameters::bind(Keys &keys, const unsigned int dimension)
   if (has_grids_in_3d)
     {
       voxels.bind(keys, file);
+      orientation.bind(keys);
       keys.only_with("Type", {"random inclusions"}, {"Random inclusions/"});
       const auto subsection = keys.section("Random inclusions");
       inclusions.bind(keys);
@@ -179,6 +180,8 @@ void MicrostructureParameters::check() const
     check_image_values(*this);
   if (type == Type::voxels)
     check_voxels(*this);
+  if (!orientation.file.empty())
+    check_orientations(*this);
   if (type == Type::image || type == Type::rectangles)
     {
       require_memory({static_cast<double>(grid.n_cells()), "reduce Grid/Cells"});

@@ -4,6 +4,7 @@
 #include "grid/uniform_grid.h"
 #include "material/voigt.h"
 #include "morphology/image_map.h"
+#include "morphology/orientations/orientation_reading.h"
 #include "morphology/random_fibres.h"
 #include "morphology/random_inclusions.h"
 #include "morphology/rectangles.h"
@@ -129,6 +130,8 @@ struct MicrostructureParameters
   FibrePlacement placement; ///< rules of random fibres
 
   VoxelReading voxels; ///< how voxels are read
+
+  OrientationReading orientation; ///< of cells in 3D
 
   InclusionPlacement inclusions; ///< rules of random inclusions, in 3D
 

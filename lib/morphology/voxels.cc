@@ -160,6 +160,17 @@ void read_voxels(VoxelMorphology &result, const MicrostructureParameters &p)
                                 "Microstructure/Coarsening");
 }
 
+/** The orientations of the cells, if there is a file of them. */
+void read_orientations(VoxelMorphology &result, const MicrostructureParameters &p)
+{
+  if (p.orientation.file.empty())
+    return;
+  CellOrientations found = read_cell_orientations(p, result.map.id, result.phases);
+  result.orientations    = std::move(found.orientations);
+  for (const std::string &line : found.description)
+    result.description.push_back(line);
+}
+
 void describe_places(VoxelMorphology &result)
 {
   result.description.push_back(corners_line(result.map, result.phases));
@@ -185,6 +196,7 @@ VoxelMorphology make_voxels(const MicrostructureParameters &parameters)
       result.description.emplace_back("Morphology: homogeneous");
       describe_phases(result, parameters.phases);
       result.warnings.clear();
+      read_orientations(result, parameters);
       return result;
     }
   if (parameters.type == Type::random_inclusions)
@@ -195,6 +207,7 @@ VoxelMorphology make_voxels(const MicrostructureParameters &parameters)
   else
     read_voxels(result, parameters);
   describe_places(result);
+  read_orientations(result, parameters);
   return result;
 }
 } // namespace mesoslip

@@ -1,7 +1,9 @@
 #ifndef mesoslip_morphology_voxels_h
 #define mesoslip_morphology_voxels_h
 
+#include "grid/cell_indices.h"
 #include "grid/uniform_grid.h"
+#include "material/orientations.h"
 #include "material/voigt.h"
 
 #include <string>
@@ -17,6 +19,13 @@ struct VoxelMorphology
   PhaseMap<3> map;               ///< phase of each cell
   std::vector<Phase<3>> phases;  ///< by index
   std::vector<double> fractions; ///< volume fraction of each phase
+  Orientations orientations;     ///< of the cells, where they have their own
+
+  /** Of each cell its material: its phase, or this in one of its orientations. */
+  CellView material_id() const
+  {
+    return orientations.empty() ? CellView(map.id) : CellView(orientations.id);
+  }
 
   /** Lines for the log: grid, file, cells and material of each phase, phases of the cells
    * in the corners, fractions in slices across each axis. */

@@ -40,8 +40,8 @@ MeshPlace place_in(const Mesh<dim> &mesh,
                    const dealii::Point<dim> &at,
                    const ProbePoint &point)
 {
-  MeshPlace place{point, cell, mesh.cells[cell].material_id, mesh.cells[cell].vertices,
-                  {},    {}};
+  const unsigned int material = mesh.cells[cell].material_id;
+  MeshPlace place{point, cell, material, material, mesh.cells[cell].vertices, {}, {}};
   for (unsigned int d = 0; d < dim; ++d)
     place.point.position[d] = at[d];
   const CellShapes<dim> shapes = shapes_at(mesh, place.corners, at);
@@ -173,7 +173,7 @@ void MeshProbes<dim>::sample_strain(const std::size_t k, ProbeHistory &history) 
       for (std::size_t v = 0; v < corners[k].size(); ++v)
         strain[voigt_index<dim>(c, d)] +=
           places[k].gradient[v * dim + d] * stepper.u.row(c, 0)[corners[k][v]];
-  const VoigtVector<dim> stress = phases[places[k].phase].stiffness * strain;
+  const VoigtVector<dim> stress = phases[places[k].material].stiffness * strain;
   history.strain.insert(history.strain.end(), strain.data(),
                         strain.data() + n_voigt<dim>);
   history.stress.insert(history.stress.end(), stress.data(),

@@ -13,8 +13,9 @@ namespace mesoslip
 struct MeshPlace
 {
   ProbePoint point;                  ///< moved to a node if so wanted
-  unsigned int cell  = 0;            ///< of the whole mesh, in which it lies
-  unsigned int phase = 0;            ///< of this cell
+  unsigned int cell     = 0;         ///< of the whole mesh, in which it lies
+  unsigned int phase    = 0;         ///< of this cell
+  unsigned int material = 0;         ///< the same, or this in one of its orientations
   std::vector<unsigned int> corners; ///< of this cell, originals of the whole mesh
   std::vector<double> shape;         ///< of the corners at the point [-]
   std::vector<double> gradient;      ///< of the shapes, [corner][d] (1/m)
@@ -24,7 +25,7 @@ struct MeshPlace
   void serialize(Archive &archive, const unsigned int)
   {
     archive &point.name &point.position &point.nearest_node &cell &phase;
-    archive &corners &shape &gradient;
+    archive &material &corners &shape &gradient;
   }
 };
 

@@ -99,8 +99,10 @@ UniformGrid<dim> make_grid(const BodyParameters &body, const RveFile<dim> *rve)
   return grid;
 }
 
-template <int dim>
-std::vector<std::uint8_t> refine(const RveFile<dim> &rve, const UniformGrid<dim> &grid)
+template <int dim, typename Index>
+std::vector<Index> refine(const RveFile<dim> &rve,
+                          const UniformGrid<dim> &grid,
+                          const std::vector<Index> &of_cells)
 {
   rve.require_grid("a heterogeneous body on a grid takes nothing");
   const std::array<unsigned int, dim> coarse = rve.grid.cells, fine = grid.cells;
@@ -117,14 +119,13 @@ std::vector<std::uint8_t> refine(const RveFile<dim> &rve, const UniformGrid<dim>
     throw UserError("Body/Cells: " + extents_text(fine, dim) + " is no multiple of the " +
                     extents_text(coarse, dim) + " cells of " + rve.path() +
                     ", whose morphology a heterogeneous body takes");
-  const std::vector<std::uint8_t> coarse_id = rve.phase_id();
-  std::vector<std::uint8_t> id;
+  std::vector<Index> id;
   id.reserve(grid.n_cells());
   for (std::size_t k = 0; k < n[2]; ++k)
     for (std::size_t j = 0; j < n[1]; ++j)
       for (std::size_t i = 0; i < n[0]; ++i)
-        id.push_back(coarse_id[(k / ratio[2] * n_coarse[1] + j / ratio[1]) * n_coarse[0] +
-                               i / ratio[0]]);
+        id.push_back(of_cells[(k / ratio[2] * n_coarse[1] + j / ratio[1]) * n_coarse[0] +
+                              i / ratio[0]]);
   return id;
 }
 
@@ -138,11 +139,13 @@ void require_densities(const RveFile<dim> &rve)
                       "/Density and run rve_homogenization again");
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                    \
-  template Phase<dim> given_phase<dim>(const BodyParameters &);                      \
-  template UniformGrid<dim> make_grid(const BodyParameters &, const RveFile<dim> *); \
-  template std::vector<std::uint8_t> refine(const RveFile<dim> &,                    \
-                                            const UniformGrid<dim> &);               \
+#define MESOSLIP_INSTANTIATE(dim)                                                        \
+  template Phase<dim> given_phase<dim>(const BodyParameters &);                          \
+  template UniformGrid<dim> make_grid(const BodyParameters &, const RveFile<dim> *);     \
+  template std::vector<std::uint8_t> refine(                                             \
+    const RveFile<dim> &, const UniformGrid<dim> &, const std::vector<std::uint8_t> &);  \
+  template std::vector<std::uint16_t> refine(                                            \
+    const RveFile<dim> &, const UniformGrid<dim> &, const std::vector<std::uint16_t> &); \
   template void require_densities(const RveFile<dim> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

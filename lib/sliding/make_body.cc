@@ -30,7 +30,7 @@ void read_materials(const BodyParameters &given,
       return;
     }
   body.phases   = rve.phases;
-  body.phase_id = refine(rve, body.grid);
+  body.phase_id = refine(rve, body.grid, rve.phase_id());
 }
 
 std::vector<double> friction_of_nodes(const BodyDescription &body,

@@ -35,12 +35,12 @@ mesoslip_python_tests(regression 1 chains/chain_inputs chains/python_module chai
 mesoslip_python_tests(regression 2 chains/chain chains/chain_validation chains/package homogenization/mesh localization/mesh_localization
                       pages/first_steps pages/guide pages/paper programs/command_line programs/files programs/other_processors
                       programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/contact_map sliding/mesh_dynamics
-                      sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/resume
-                      sliding/steady_part)
+                      sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/oriented_boxes
+                      sliding/resume sliding/steady_part)
 mesoslip_python_tests(verification 1 independent_finite_elements static_localization stability hexagonal_cell mesh_inclusions mesh_friction_vector
                       hertz spence incremental_friction)
 mesoslip_python_tests(verification 1 voxel_files)
-mesoslip_python_tests(verification 2 large_strains mesh_ranks voxel_random voxels macroscopic_loads mixed_conditions)
+mesoslip_python_tests(verification 2 large_strains mesh_ranks voxel_orientations voxel_random voxels macroscopic_loads mixed_conditions)
 if(MESOSLIP_DOXYGEN)
   mesoslip_python_tests(regression 1 pages/doxygen)
 else()

@@ -22,7 +22,8 @@ struct Case
   {
     isotropic,
     orthotropic,
-    any
+    any,
+    many ///< materials, more than a byte can number
   } symmetry;
   std::array<bool, 2> periodic;
 };
@@ -35,7 +36,7 @@ std::vector<ElasticPhase<3>> phases_of(const Case &c)
   if (c.symmetry == Case::orthotropic)
     phases[1].stiffness.diagonal() +=
       (VoigtVector<3>() << 1e10, 3e10, 5e10, 2e10, 4e10, 6e10).finished();
-  if (c.symmetry == Case::any)
+  if (c.symmetry == Case::any || c.symmetry == Case::many)
     {
       std::mt19937 generator(5);
       std::uniform_real_distribution<double> uniform(-1., 1.);
@@ -44,6 +45,13 @@ std::vector<ElasticPhase<3>> phases_of(const Case &c)
         for (int j = 0; j < 6; ++j)
           A(i, j) = uniform(generator);
       phases[1].stiffness += 2e10 * (A * A.transpose());
+    }
+  for (unsigned int k = 3; c.symmetry == Case::many && k < 300; ++k)
+    {
+      phases.push_back(phases[1]);
+      phases.back().stiffness =
+        turn_stiffness(phases[1].stiffness, bunge_rotation(k, 2. * k, 3. * k));
+      phases.back().density += k;
     }
   return phases;
 }
@@ -55,7 +63,12 @@ struct Box
     : phases(phases_of(c))
     , box{{c.cells, c.edges, {}}, c.periodic}
     , mesh(mesh_of_cells(box.grid))
-    , op(divide_box(box, random_phases(), 3, communicator), phases, communicator)
+    , op(divide_box(box,
+                    CellView(random_phases()),
+                    static_cast<unsigned int>(phases.size()),
+                    communicator),
+         phases,
+         communicator)
   {
     mesh.originals.resize(mesh.points.size());
     for (unsigned int p = 0; p < mesh.points.size(); ++p)
@@ -65,12 +78,12 @@ struct Box
       mesh.cells[k].material_id = id[k];
   }
 
-  std::vector<std::uint8_t> random_phases() const
+  std::vector<std::uint16_t> random_phases() const
   {
     std::mt19937 generator(7);
-    std::vector<std::uint8_t> id(box.grid.n_cells());
+    std::vector<std::uint16_t> id(box.grid.n_cells());
     for (auto &one : id)
-      one = generator() % 3;
+      one = static_cast<std::uint16_t>(generator() % phases.size());
     return id;
   }
 
@@ -150,7 +163,9 @@ std::vector<Case> cases()
           {{{1, 3, 1}}, cube, Case::any, {{false, false}}},
           {{{10, 6, 4}}, brick, Case::orthotropic, {{false, true}}},
           {{{6, 5, 9}}, cube, Case::orthotropic, {{true, false}}},
-          {{{7, 4, 1}}, brick, Case::any, {{true, true}}}};
+          {{{7, 4, 1}}, brick, Case::any, {{true, true}}},
+          {{{9, 6, 8}}, brick, Case::many, {{false, false}}},
+          {{{17, 5, 4}}, cube, Case::many, {{true, true}}}};
 }
 
 /** What is compared after some steps with surfaces and held components. */
@@ -286,8 +301,9 @@ TEST(Brick, BoundOfACubeIsExact)
 {
   const double E = 2.1e11, nu = 0.3, rho = 7850., h = 0.01;
   const double lambda = E * nu / ((1. + nu) * (1. - 2. * nu)), mu = E / (2. * (1. + nu));
-  const BrickBox box = {{{{1, 1, 1}}, {{h, h, h}}, {}}, {}};
-  const BrickOperator op(divide_box(box, {0}, 1, MPI_COMM_SELF),
+  const BrickBox box                       = {{{{1, 1, 1}}, {{h, h, h}}, {}}, {}};
+  const std::vector<std::uint8_t> one_cell = {0};
+  const BrickOperator op(divide_box(box, CellView(one_cell), 1, MPI_COMM_SELF),
                          {{isotropic_stiffness<3>(E, nu), rho}}, MPI_COMM_SELF);
   const double exact = std::sqrt(4. * (3. * lambda + 2. * mu) / (rho * h * h));
   EXPECT_NEAR(op.frequency_bound(), exact, 1e-12 * exact);

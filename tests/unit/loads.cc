@@ -103,7 +103,7 @@ TEST(Loads, BinsCoverAllValues)
 TEST(Loads, InvariantsOfPlaneStrain)
 {
   const double E = 70e9, nu = 0.3;
-  const LoadedPhase<2> phase{"a", isotropic_stiffness<2>(E, nu),
+  const LoadedPhase<2> phase{0, isotropic_stiffness<2>(E, nu),
                              VoigtVector<2>(E * nu / (1. + nu) / (1. - 2. * nu),
                                             E * nu / (1. + nu) / (1. - 2. * nu), 0.)};
   const LocalFields<2> fields({phase});
@@ -118,7 +118,7 @@ TEST(Loads, InvariantsOfPlaneStrain)
   EXPECT_NEAR(values[LocalFields<2>::largest_principal()], values[3], 1e-6);
   EXPECT_NEAR(values[11], zz, 1e-6);
   // A stiffness in the plane alone has no sigma_zz.
-  const LocalFields<2> plane({{"a", phase.stiffness, {}}});
+  const LocalFields<2> plane({{0, phase.stiffness, {}}});
   EXPECT_FALSE(plane.has_invariants());
   EXPECT_EQ(plane.quantities().size(), 6U);
 }

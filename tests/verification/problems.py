@@ -146,7 +146,7 @@ CPU time; `regression/programs/ranks` does the same with smaller bodies.
 * Meshes of round bodies: the hexagonal cell of code_aster's HPLV106 (`verification/hexagonal_cell`), one round or spherical inclusion
   (`verification/mesh_inclusions`), Hertz in 2D and 3D (`verification/hertz`), Spence's indenter with friction (`verification/spence`).
 * Boxes of voxels against a finite element code in scipy (`verification/voxels`), every kind of voxel file against NumPy (`verification/voxel_files`), ensembles
-  and turned phases (`verification/voxel_random`).
+  and turned phases (`verification/voxel_random`), orientations by cell (`verification/voxel_orientations`, `regression/sliding/oriented_boxes`).
 * Macroscopic loads and mixed uniform conditions against dense NumPy: `verification/macroscopic_loads`, `verification/mixed_conditions`.
 * Complex modes of heterogeneous pins against scipy, and their growth in runs: `regression/sliding/complex_modes`, `regression/pages/prediction`.
 

@@ -7,6 +7,7 @@ import numpy as np
 from data import Missing
 from figures import STRESSES, scaled
 from mesh_maps import area, cells_of, middle_strain, points_of
+from orientations import materials_of
 from projections import Group, View, draw
 from stress_maps import STRESS_MAP, compared
 
@@ -89,7 +90,8 @@ def shares(run):
 
 def pressure(run):
     """Mean over the snapshots of the steady part of the stress −σ_zz in the cells at the contact; (figure, number of snapshots)."""
-    time, ids, stiffness = run.need("/snapshots/time", "/material/phase_id", "/material/stiffness")
+    time = run.need("/snapshots/time")
+    ids, stiffness = materials_of(run, "/material/phase_id", "/material/stiffness")
     points, cells = cells_of(run)
     view = cells_view(run)
     at = [(kind, numbers[pick], corners[pick]) for kind, numbers, corners in cells
@@ -99,7 +101,7 @@ def pressure(run):
         raise Missing(f"{run.name} has no snapshot of its steady part")
     moved = lambda row: 1e3 * run.get("/snapshots/displacement", int(row)).reshape(points.shape)
     strain = sum(middle_strain(points, at, moved(row))[view.numbers] for row in steady)
-    mean = -np.einsum("cj,cj->c", stiffness[ids.ravel()[view.numbers], 2], strain) / len(steady)
+    mean = -np.einsum("cj,cj->c", stiffness[ids[view.numbers], 2], strain) / len(steady)
     view.numbers = np.arange(len(view.numbers))
     factor, unit = scaled(mean, units=STRESSES)
     low, high = np.percentile(mean, (0.5, 99.5)) / factor

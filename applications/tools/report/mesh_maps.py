@@ -3,6 +3,7 @@
 import numpy as np
 
 from data import Missing
+from orientations import materials_of
 from projections import View, draw
 from stress_maps import compared, phase_figure, stress_group
 
@@ -140,10 +141,10 @@ def von_mises(run, pressure):
     condition = next((name for name in ("PBC", "KUBC") if name in run.members("/concentration")), None)
     if condition is None:
         raise Missing(f"{run.name} holds no strain concentration tensors")
-    ids, stiffness, tensors, effective = run.need("/phase/id", "/phase/stiffness", f"/concentration/{condition}",
-                                                  f"/stiffness/{condition}")
+    ids, stiffness = materials_of(run, "/phase/id", "/phase/stiffness")
+    tensors, effective = run.need(f"/concentration/{condition}", f"/stiffness/{condition}")
     n = effective.shape[0]
-    ids, tensors = ids.ravel(), tensors.reshape(-1, n, n)
+    tensors = tensors.reshape(-1, n, n)
     dim = 2 if n == 3 else 3
     mean = np.zeros(n)
     mean[dim - 1] = -pressure
@@ -175,11 +176,11 @@ def middle_strain(points, cells, displacement):
 def snapshot_von_mises(run):
     """Pa [cells]; of the last snapshot, NaN in the cells of a grid that pictures do not show."""
     displacement = run.last("/snapshots/displacement")
-    ids, stiffness = run.need("/material/phase_id", "/material/stiffness")
+    ids, stiffness = materials_of(run, "/material/phase_id", "/material/stiffness")
     points, cells = cells_of(run)
     strain = middle_strain(points, cells, 1e3 * displacement.reshape(points.shape))
     numbers = np.concatenate([of_kind for _, of_kind, _ in cells])
-    by_cell = stiffness[ids.ravel()[numbers]]
+    by_cell = stiffness[ids[numbers]]
     field = np.full(len(strain), np.nan)
     field[numbers] = von_mises_of(np.einsum("cij,cj->ci", by_cell, strain[numbers]), by_cell)
     return field

@@ -25,10 +25,12 @@ namespace
 
 BrickKernels brick_kernels()
 {
-  return {
-    {advance<n_cubes>, advance<n_isotropic>, advance<n_orthotropic>, advance<n_general>},
-    {multiply<n_cubes>, multiply<n_isotropic>, multiply<n_orthotropic>,
-     multiply<n_general>},
-    copy_plane};
+  return {{advance<OfPhases<n_cubes>>, advance<OfPhases<n_isotropic>>,
+           advance<OfPhases<n_orthotropic>>, advance<OfPhases<n_general>>,
+           advance<OfMaterials>},
+          {multiply<OfPhases<n_cubes>>, multiply<OfPhases<n_isotropic>>,
+           multiply<OfPhases<n_orthotropic>>, multiply<OfPhases<n_general>>,
+           multiply<OfMaterials>},
+          copy_plane};
 }
 } // namespace mesoslip::kernels::MESOSLIP_VARIANT

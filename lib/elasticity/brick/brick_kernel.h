@@ -42,10 +42,14 @@ struct BrickSweep
   /** Phases of the cells, [layer][row][stride]: layer k lies below plane k; there are
    * n[2] + 1 layers of n[1] - 1 rows. */
   const std::uint8_t *phase;
-  bool has_layer_below;    ///< whether there are cells below the first plane
-  bool has_layer_above;    ///< and above the last one
-  unsigned int n_phases;   ///< with that without stiffness, the last one
-  const double *stiffness; ///< [coefficient][256]: times volume / (16 edge_rows^2)
+  const std::uint16_t *material; ///< instead of these, where they are too many for a byte
+  bool has_layer_below;          ///< whether there are cells below the first plane
+  bool has_layer_above;          ///< and above the last one
+  unsigned int n_phases;         ///< with that without stiffness, the last one
+
+  /** Times volume / (16 edge_rows^2): [coefficient][256], of materials instead of phases
+   * [n_phases][n_of_material]. */
+  const double *stiffness;
 
   unsigned int rows_at_once; ///< rows of cells of a tile
   double *scratch;           ///< see scratch_size()
@@ -89,15 +93,16 @@ constexpr std::size_t scratch_size(const std::size_t stride,
   return stride * (15 + 12 * (std::size_t{rows_at_once} + 1)) + 64;
 }
 
-/** Kernels of one instruction set; [0]: isotropic phases and cubes, [1]: isotropic, [2]: orthotropic,
- * [3]:
- * any ones. */
+constexpr unsigned int n_brick_kinds = 5; ///< see BrickKernels
+
+/** Kernels of one instruction set; [0]: isotropic phases and cubes, [1]: isotropic, [2]:
+ * orthotropic, [3]: any ones, [4]: any materials instead of phases. */
 struct BrickKernels
 {
   /** One time step of the box. */
-  void (*advance[4])(const BrickSweep &sweep, const BrickStep &step);
+  void (*advance[n_brick_kinds])(const BrickSweep &sweep, const BrickStep &step);
   /** Forces of a displacement. */
-  void (*product[4])(const BrickSweep &sweep, const BrickProduct &product);
+  void (*product[n_brick_kinds])(const BrickSweep &sweep, const BrickProduct &product);
 
   /** Node plane @p plane of x + beta w, for other ranks: [n[1]][3][stride]. */
   void (*copy_plane)(const BrickSweep &sweep,

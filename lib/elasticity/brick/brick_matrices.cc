@@ -71,14 +71,6 @@ std::vector<BrickMatrix> brick_matrices(const std::array<double, 3> &spacing,
   return matrices;
 }
 
-bool is_isotropic(const VoigtMatrix<3> &stiffness)
-{
-  const double lambda = stiffness(0, 1), mu = stiffness(5, 5);
-  const VoigtMatrix<3> difference = stiffness - lambda * unit_stiffness(0, n_isotropic) -
-                                    mu * unit_stiffness(1, n_isotropic);
-  return difference.cwiseAbs().maxCoeff() <= 1e-12 * stiffness.cwiseAbs().maxCoeff();
-}
-
 std::vector<double> coefficients_of(const VoigtMatrix<3> &stiffness,
                                     const unsigned int n_coefficients)
 {

@@ -21,9 +21,6 @@ using BrickMatrix = Eigen::Matrix<double, 24, 24>;
 std::vector<BrickMatrix> brick_matrices(const std::array<double, 3> &spacing,
                                         const unsigned int n_coefficients);
 
-/** Whether lambda and mu say everything, to 1e-12 of the largest entry. */
-bool is_isotropic(const VoigtMatrix<3> &stiffness);
-
 /** The coefficients of a stiffness. */
 std::vector<double> coefficients_of(const VoigtMatrix<3> &stiffness,
                                     const unsigned int n_coefficients);

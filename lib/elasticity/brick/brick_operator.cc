@@ -38,11 +38,14 @@ enum Kind : unsigned int
   cubes,
   isotropic,
   orthotropic,
-  general
+  general,
+  materials
 };
 
 Kind kind_of(const std::vector<ElasticPhase<3>> &phases, const std::array<double, 3> &h)
 {
+  if (CellIndices::is_wide(phases.size()))
+    return materials;
   Kind kind = isotropic;
   for (const ElasticPhase<3> &phase : phases)
     if (!is_orthotropic<3>(phase.stiffness))
@@ -83,7 +86,8 @@ BrickOperator::BrickOperator(BrickSlab slab,
   sweep.ratio[0]        = h[2] / h[0];
   sweep.ratio[1]        = h[2] / h[1];
   sweep.plane_start     = the_slab.plane_start.data();
-  sweep.phase           = the_slab.phase.data();
+  sweep.phase           = the_slab.phase.bytes();
+  sweep.material        = the_slab.phase.words();
   sweep.n_phases        = the_slab.none + 1;
   sweep.has_layer_below = the_slab.has_layer(false);
   sweep.has_layer_above = the_slab.has_layer(true);
@@ -104,10 +108,13 @@ void BrickOperator::set_stiffness(const std::vector<ElasticPhase<3>> &phases)
 {
   const auto &h                     = the_slab.box.grid.spacing;
   kind                              = kind_of(phases, h);
-  const unsigned int n_coefficients = kind == general       ? n_general
+  const unsigned int n_coefficients = kind >= general       ? n_general
                                       : kind == orthotropic ? n_orthotropic
                                                             : n_isotropic;
-  stiffness.resize(std::size_t{256} * std::max(n_coefficients, n_cubes));
+  // [coefficient][phase], or [material][coefficient]; zero behind the last one.
+  const bool together = kind == materials;
+  stiffness.resize(together ? (phases.size() + 1) * n_of_material
+                            : std::size_t{256} * std::max(n_coefficients, n_cubes));
   const double volume = h[0] * h[1] * h[2], factor = volume / (16. * h[2] * h[2]);
   const std::vector<BrickMatrix> matrices = brick_matrices(h, n_general);
   for (std::size_t p = 0; p < phases.size(); ++p)
@@ -117,7 +124,7 @@ void BrickOperator::set_stiffness(const std::vector<ElasticPhase<3>> &phases)
       if (kind == cubes)
         c.insert(c.end(), {c[0] / 3., (c[0] + 4. * c[1]) / 9.});
       for (std::size_t m = 0; m < c.size(); ++m)
-        stiffness[256 * m + p] = factor * c[m];
+        stiffness[together ? p * n_of_material + m : 256 * m + p] = factor * c[m];
       BrickMatrix K                 = BrickMatrix::Zero();
       const std::vector<double> all = coefficients_of(phases[p].stiffness, n_general);
       for (std::size_t m = 0; m < all.size(); ++m)
@@ -213,7 +220,8 @@ std::string BrickOperator::kernel_name() const
 {
   const std::string kinds[] = {"cubes of isotropic phases", "bricks of isotropic phases",
                                "bricks of orthotropic phases",
-                               "bricks of anisotropic phases"};
+                               "bricks of anisotropic phases",
+                               "bricks of many materials"};
   return to_string(isa) + " " + kinds[kind];
 }
 } // namespace mesoslip

@@ -15,7 +15,7 @@ namespace mesoslip
 {
 /**
  * Stiffness and lumped mass of a box of equal bricks, exactly integrated, without a matrix
- * and without anything but a byte for each cell. Ranks tell each other one plane of nodes a
+ * and without anything but a byte for each cell (two where there are more than 255 phases). Ranks tell each other one plane of nodes a
  * neighbour and product; each computes the forces on all its nodes itself, in the same order
  * on any number of ranks, so they have the same bits.
  *
@@ -87,7 +87,7 @@ private:
   const BrickSlab the_slab;
   const InstructionSet isa;
   const kernels::BrickKernels kernels;
-  unsigned int kind = 0; ///< of the kernels: cubes, isotropic, any
+  unsigned int kind = 0; ///< of the kernels, see BrickKernels
   std::vector<double> mass;
   LineVector<double> stiffness;
   mutable LineVector<double> scratch, carry;

@@ -30,12 +30,11 @@ std::vector<unsigned int> planes_of_ranks(const BrickBox &box, const unsigned in
 }
 
 /** Phases of the cells of a rank, see BrickSlab. */
-std::string phases_of_slab(const BrickSlab &slab, const std::vector<std::uint8_t> &all)
+CellIndices phases_of_slab(const BrickSlab &slab, const CellView &all)
 {
   const auto &n             = slab.box.grid.cells;
   const unsigned int n_rows = n[2];
-  std::string phase((std::size_t{slab.n_planes} + 1) * n_rows * slab.stride,
-                    static_cast<char>(slab.none));
+  CellIndices phase((std::size_t{slab.n_planes} + 1) * n_rows * slab.stride, slab.none);
   for (unsigned int layer = 0; layer <= slab.n_planes; ++layer)
     {
       if ((layer == 0 && !slab.has_layer(false)) ||
@@ -43,10 +42,9 @@ std::string phases_of_slab(const BrickSlab &slab, const std::vector<std::uint8_t
         continue;
       const unsigned int j = (slab.first_plane + layer + n[1] - 1) % n[1];
       for (std::size_t k = 0; k < n_rows; ++k)
-        std::copy_n(all.begin() + static_cast<std::ptrdiff_t>((k * n[1] + j) * n[0]),
-                    n[0],
-                    phase.begin() + static_cast<std::ptrdiff_t>(
-                                      (std::size_t{layer} * n_rows + k) * slab.stride));
+        for (std::size_t i = 0; i < n[0]; ++i)
+          phase.set((std::size_t{layer} * n_rows + k) * slab.stride + i,
+                    all[(k * n[1] + j) * n[0] + i]);
     }
   return phase;
 }
@@ -63,7 +61,7 @@ BrickSlab extents_of_slab(const BrickBox &box,
   slab.n_planes    = planes[rank + 1] - planes[rank] + 1;
   slab.n_nodes = {{box.grid.cells[0] + (box.periodic[0] ? 0 : 1), box.grid.cells[2] + 1}};
   slab.stride  = whole_vectors<double>(slab.n_nodes[0] + 2);
-  slab.none    = static_cast<std::uint8_t>(n_phases);
+  slab.none    = n_phases;
   return slab;
 }
 
@@ -196,7 +194,7 @@ std::array<unsigned int, 3> BrickSlab::place_of(const unsigned int point) const
 }
 
 BrickSlab divide_box(const BrickBox &box,
-                     const std::vector<std::uint8_t> &phase_id,
+                     const CellView &phase_id,
                      const unsigned int n_phases,
                      const MPI_Comm communicator,
                      const std::vector<unsigned int> &cells)
@@ -207,10 +205,9 @@ BrickSlab divide_box(const BrickBox &box,
   const std::vector<unsigned int> planes = planes_of_ranks(box, n_ranks);
   BrickSlab slab                         = extents_of_slab(box, planes, rank, n_phases);
   const std::string phase = scatter(communicator, [&](const unsigned int other) {
-    return phases_of_slab(extents_of_slab(box, planes, other, n_phases), phase_id);
+    return phases_of_slab(extents_of_slab(box, planes, other, n_phases), phase_id).text();
   });
-  const std::string own   = rank == 0 ? phases_of_slab(slab, phase_id) : phase;
-  slab.phase.assign(own.begin(), own.end());
+  slab.phase = rank == 0 ? phases_of_slab(slab, phase_id) : CellIndices(phase, n_phases);
   SlabPart(slab).make(cells);
   return slab;
 }

@@ -2,6 +2,7 @@
 #define mesoslip_elasticity_brick_brick_slab_h
 
 #include "grid/brick_box.h"
+#include "grid/cell_indices.h"
 #include "mesh/mesh_part.h"
 
 #include <array>
@@ -32,8 +33,8 @@ struct BrickSlab
   /** Of the cells of this rank and of the layers below and above, where there are such:
    * [n_planes + 1][n_nodes[1] - 1][stride]; `none` behind the rows and where there are no
    * cells. */
-  std::vector<std::uint8_t> phase;
-  std::uint8_t none = 0; ///< number of phases
+  CellIndices phase;
+  unsigned int none = 0; ///< number of phases
 
   /** Without neighbours, and with no cells but those that were asked for: the kernels need
    * none. */
@@ -58,7 +59,7 @@ struct BrickSlab
  * @throws UserError for more ranks than layers of cells
  */
 BrickSlab divide_box(const BrickBox &box,
-                     const std::vector<std::uint8_t> &phase_id,
+                     const CellView &phase_id,
                      const unsigned int n_phases,
                      const MPI_Comm communicator,
                      const std::vector<unsigned int> &cells = {});

@@ -10,6 +10,9 @@ constexpr unsigned int n_cubes     = 4; ///< of isotropic cubes: see cube_coeffi
 constexpr unsigned int n_orthotropic = 9;
 
 constexpr unsigned int n_general = 21; ///< the upper triangle of the Voigt matrix
+
+/** Numbers of a material in tables of many: n_general, and room up to whole cache lines. */
+constexpr unsigned int n_of_material = 24;
 } // namespace mesoslip
 
 #endif

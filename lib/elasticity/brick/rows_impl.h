@@ -8,6 +8,17 @@ struct Source
   double beta;
 };
 
+/** Nodes of @p source at @p place will be wanted soon. */
+MESOSLIP_INLINE void prefetch_row(const Source &source, const std::size_t place)
+{
+  for (int c = 0; c < 3; ++c)
+    {
+      __builtin_prefetch(source.x[c] + place);
+      if (source.beta != 0.)
+        __builtin_prefetch(source.w[c] + place);
+    }
+}
+
 /** Coefficients of the cells of a row by their phases. */
 template <unsigned int n>
 struct OfPhases
@@ -31,12 +42,7 @@ struct OfPhases
 
   inline __attribute__((always_inline)) void prefetch(const std::size_t i) const
   {
-    for (int c = 0; c < 3; ++c)
-      {
-        __builtin_prefetch(source.x[c] + place + i);
-        if (source.beta != 0.)
-          __builtin_prefetch(source.w[c] + place + i);
-      }
+    prefetch_row(source, place + i);
   }
 
   inline __attribute__((always_inline)) Stiffness<double, n> at(const std::size_t i) const
@@ -54,6 +60,44 @@ struct OfPhases
   const std::uint8_t *first;
   const double *table;
   const bool is_short;
+  const Source &source;
+  const std::size_t place;
+};
+
+/** The same by their materials, of which there may be too many for a byte. Coefficients of
+ * one lie together, as those of many are not all in the first cache. */
+struct OfMaterials
+{
+  static constexpr unsigned int n_coefficients = n_general;
+  static constexpr bool adds_stress            = false;
+  static constexpr bool cubes                  = false;
+
+  OfMaterials(const BrickSweep &a,
+              const std::size_t row,
+              const Source &source,
+              const std::size_t place)
+    : first(a.material + row * a.stride)
+    , table(a.stiffness)
+    , source(source)
+    , place(place)
+  {
+  }
+
+  inline __attribute__((always_inline)) void prefetch(const std::size_t i) const
+  {
+    prefetch_row(source, place + i);
+  }
+
+  inline __attribute__((always_inline)) Stiffness<double, n_general>
+  at(const std::size_t i) const
+  {
+    const vint64 index = load_words(first + i, vint64{}) * int{n_of_material};
+    return Stiffness<double, n_general>::of([&](const unsigned int m) __attribute__((
+      always_inline)) { return gather(table + m, index); });
+  }
+
+  const std::uint16_t *first;
+  const double *table;
   const Source &source;
   const std::size_t place;
 };

@@ -91,16 +91,16 @@ MESOSLIP_INLINE void sweep(const BrickSweep &a, const Finish &finish)
     }
 }
 
-template <unsigned int n>
+template <typename Cells>
 void advance(const BrickSweep &a, const BrickStep &step)
 {
-  sweep<OfPhases<n>>(a, Advance{step});
+  sweep<Cells>(a, Advance{step});
 }
 
-template <unsigned int n>
+template <typename Cells>
 void multiply(const BrickSweep &a, const BrickProduct &product)
 {
-  sweep<OfPhases<n>>(a, WriteForces{product});
+  sweep<Cells>(a, WriteForces{product});
 }
 
 static void copy_plane(const BrickSweep &a,

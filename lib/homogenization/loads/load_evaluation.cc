@@ -16,14 +16,13 @@ class LoadSurvey
 public:
   LoadSurvey(const LoadParameters &loads,
              const LocalFields<dim> &fields,
-             const std::size_t n_phases,
              const VolumeElementCells<dim> &cells,
              const std::vector<VoigtVector<dim>> &amplitudes)
     : loads(loads)
     , fields(fields)
     , cells(cells)
     , amplitudes(amplitudes)
-    , parts(amplitudes.size(), std::vector<PhaseUnderLoad>(n_phases))
+    , parts(amplitudes.size(), std::vector<PhaseUnderLoad>(fields.n_parts()))
     , values(fields.quantities().size())
   {
     for (std::vector<PhaseUnderLoad> &of_load : parts)
@@ -65,7 +64,7 @@ private:
     for (std::size_t load = 0; load < parts.size(); ++load)
       {
         const double *const value = evaluate(cell, load);
-        std::vector<Moments> &of  = parts[load][cell.phase].quantities;
+        std::vector<Moments> &of  = parts[load][fields.part(cell.phase)].quantities;
         for (std::size_t q = 0; q < of.size(); ++q)
           of[q].add(moments_of_cell(value[q], cell.volume, centre));
       }
@@ -94,19 +93,20 @@ private:
 
   void add_shares(const LocalCell<dim> &cell)
   {
+    const unsigned int part = fields.part(cell.phase);
     for (std::size_t load = 0; load < parts.size(); ++load)
       {
         const double *const value = evaluate(cell, load);
-        PhaseUnderLoad &phase     = parts[load][cell.phase];
+        PhaseUnderLoad &phase     = parts[load][part];
         // Volumes of a phase may differ in their last digits from rank to rank.
         const double share = cell.volume / phase.quantities[0].volume;
         for (std::size_t q = 0; q < phase.histogram.size(); ++q)
-          phase.histogram[q][bins[load][cell.phase][q](value[q])] += share;
+          phase.histogram[q][bins[load][part][q](value[q])] += share;
         if (!fields.has_invariants())
           continue;
-        if (value[fields.von_mises()] > limit(loads.von_mises_limit, cell.phase))
+        if (value[fields.von_mises()] > limit(loads.von_mises_limit, part))
           phase.beyond[0] += share;
-        if (value[fields.largest_principal()] > limit(loads.principal_limit, cell.phase))
+        if (value[fields.largest_principal()] > limit(loads.principal_limit, part))
           phase.beyond[1] += share;
       }
   }
@@ -198,7 +198,8 @@ loaded_phases(const std::vector<PhaseParameters> &parameters)
   std::vector<LoadedPhase<dim>> phases;
   for (const PhaseParameters &p : parameters)
     {
-      phases.push_back({p.name, p.stiffness<dim>(), {}});
+      phases.push_back(
+        {static_cast<unsigned int>(phases.size()), p.stiffness<dim>(), {}});
       if constexpr (dim == 2)
         if (p.type != PhaseParameters::Type::stiffness)
           {
@@ -235,8 +236,7 @@ std::vector<LoadResult<dim>> evaluate_loads(const LoadParameters &loads,
       results.back().strain    = state.strain;
       results.back().stress    = state.stress;
     }
-  const auto statistics =
-    LoadSurvey<dim>(loads, fields, phases.size(), cells, amplitudes).run();
+  const auto statistics = LoadSurvey<dim>(loads, fields, cells, amplitudes).run();
   for (std::size_t load = 0; load < results.size(); ++load)
     {
       results[load].phases = statistics[load];

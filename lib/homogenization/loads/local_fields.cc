@@ -43,6 +43,15 @@ LocalFields<dim>::LocalFields(const std::vector<LoadedPhase<dim>> &the_phases)
 }
 
 template <int dim>
+std::size_t LocalFields<dim>::n_parts() const
+{
+  unsigned int last = 0;
+  for (const LoadedPhase<dim> &phase : phases)
+    last = std::max(last, phase.part);
+  return last + 1;
+}
+
+template <int dim>
 std::vector<CellDataset> LocalFields<dim>::datasets(const std::string &group,
                                                     const std::size_t first) const
 {

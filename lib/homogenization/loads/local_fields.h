@@ -14,7 +14,7 @@ namespace mesoslip
 template <int dim>
 struct LoadedPhase
 {
-  std::string name;                                      ///< as in the .prm
+  unsigned int part          = 0; ///< the phase with which its cells are counted
   VoigtMatrix<dim> stiffness = VoigtMatrix<dim>::Zero(); ///< Pa, plane strain in 2D
 
   /** 2D: sigma_zz = transverse . strain (Pa); empty: the stiffness in the plane was given
@@ -42,6 +42,16 @@ class LocalFields
 public:
   /** Of cells of these phases. */
   explicit LocalFields(const std::vector<LoadedPhase<dim>> &the_phases);
+
+  /** The phase with which cells of phase @p phase are counted: where orientations differ
+   * from cell to cell there are several of one. */
+  unsigned int part(const unsigned int phase) const
+  {
+    return phases[phase].part;
+  }
+
+  /** Number of phases with which cells are counted. */
+  std::size_t n_parts() const;
 
   /** Whether sigma_zz is known everywhere and with it what follows from it. */
   bool has_invariants() const

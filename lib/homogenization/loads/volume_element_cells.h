@@ -15,7 +15,7 @@ namespace mesoslip
 template <int dim>
 struct LocalCell
 {
-  unsigned int phase             = 0;  ///< of it
+  unsigned int phase             = 0;  ///< of it, as LocalFields numbers them
   double volume                  = 0.; ///< in any unit, that of the other cells
   std::array<double, dim> centre = {}; ///< m
 

@@ -49,6 +49,7 @@ hid_t native_type()
     return sizeof(T) == 4 ? H5T_NATIVE_INT32 : H5T_NATIVE_INT64;
   else
     return sizeof(T) == 1   ? H5T_NATIVE_UINT8
+           : sizeof(T) == 2 ? H5T_NATIVE_UINT16
            : sizeof(T) == 4 ? H5T_NATIVE_UINT32
                             : H5T_NATIVE_UINT64;
 }
@@ -134,6 +135,7 @@ inline std::string attribute_text(const std::string &object, const std::string &
   DO(double)                    \
   DO(float)                     \
   DO(int)                       \
-  DO(unsigned int) DO(std::int64_t) DO(std::uint64_t) DO(std::uint8_t) DO(std::string)
+  DO(unsigned int)              \
+  DO(std::int64_t) DO(std::uint64_t) DO(std::uint8_t) DO(std::uint16_t) DO(std::string)
 
 #endif

@@ -53,6 +53,8 @@ MeshLocalizationInput<dim>::MeshLocalizationInput(const LocalizationParameters &
   , rve(p.rve_file)
   , homogeneous(p.homogeneous_run, "the homogeneous run; run contact_dynamics first")
   , volume(rve.mesh())
+  , orientations(rve.orientations())
+  , materials(oriented_phases(rve.phases, orientations.materials))
   , body(homogeneous.mesh())
   , out_of_plane_ratio(out_of_plane_ratios(p, rve))
 {
@@ -76,9 +78,10 @@ MeshLocalizationInput<dim>::MeshLocalizationInput(const LocalizationParameters &
 template <int dim>
 void MeshLocalizationInput<dim>::check_homogeneous()
 {
-  const auto &first = homogeneous.phases[body.cells[0].material_id].stiffness;
+  const std::vector<Phase<dim>> of_body = homogeneous.materials();
+  const auto &first                     = of_body[body.cells[0].material_id].stiffness;
   for (const auto &cell : body.cells)
-    if (homogeneous.phases[cell.material_id].stiffness != first)
+    if (of_body[cell.material_id].stiffness != first)
       throw UserError("the homogeneous run " + homogeneous.path() +
                       " is one of a heterogeneous body, whose strains are local already; "
                       "name a run with Body/Material = homogeneous");
@@ -167,8 +170,9 @@ void MeshLocalizationInput<dim>::check_direct()
     parameters.direct_run, "the direct run; run contact_dynamics first");
   if (!direct->change_note().empty())
     warnings.push_back(direct->change_note());
-  direct_body            = direct->mesh();
-  const std::string what = "the direct run " + direct->path();
+  direct_body                             = direct->mesh();
+  const std::vector<Phase<dim>> of_direct = direct->materials();
+  const std::string what                  = "the direct run " + direct->path();
   if (direct_body.cells.size() != volume.cells.size())
     throw UserError(what + " has " + std::to_string(direct_body.cells.size()) +
                     " cells, " + rve.path() + " " + std::to_string(volume.cells.size()) +
@@ -181,8 +185,8 @@ void MeshLocalizationInput<dim>::check_direct()
         throw UserError(what + " has other cells than " + rve.path() + ", the first at " +
                         point_text(measure.centroid) +
                         "; run contact_dynamics with the mesh of the RVE");
-      const auto &ours   = rve.phases[volume.cells[k].material_id].stiffness;
-      const auto &theirs = direct->phases[direct_body.cells[k].material_id].stiffness;
+      const auto &ours   = materials[material_of(k)].stiffness;
+      const auto &theirs = of_direct[direct_body.cells[k].material_id].stiffness;
       if (!((ours - theirs).norm() <= 1e-9 * ours.norm()))
         throw UserError(what + " has another material than " + rve.path() +
                         " in the cell at " + point_text(centroids[k]) +

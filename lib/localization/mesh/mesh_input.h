@@ -36,6 +36,12 @@ public:
     return body_cell.size() == volume.cells.size();
   }
 
+  /** What cell @p k of the volume is made of, of the materials. */
+  unsigned int material_of(const std::size_t k) const
+  {
+    return orientations.empty() ? volume.cells[k].material_id : orientations.id[k];
+  }
+
   /** The first of the cells of the volume that rank @p r of @p n_ranks has. */
   std::size_t first_cell(const std::size_t r, const std::size_t n_ranks) const
   {
@@ -54,7 +60,9 @@ public:
   const RveFile<dim> rve;                       ///< stiffnesses, tensors
   const BodySnapshots<dim> homogeneous;         ///< run whose strains are localized
   std::unique_ptr<BodySnapshots<dim>> direct;   ///< run to compare with, or null
-  const Mesh<dim> volume;                       ///< cells of the RVE file
+  const Mesh<dim> volume;                       ///< cells of the RVE file, with phases
+  const Orientations orientations;              ///< of these cells
+  const std::vector<Phase<dim>> materials;      ///< phases in their orientations
   const Mesh<dim> body;                         ///< cells of the homogeneous run
   Mesh<dim> direct_body;                        ///< cells of the direct run
   std::vector<dealii::Point<dim>> centroids;    ///< of the volume's cells (m)

@@ -131,7 +131,7 @@ private:
       input->rve.concentration(parameters.concentration, first, end - first);
     for (std::size_t k = first; k < end; ++k)
       {
-        work.phase.push_back(input->volume.cells[k].material_id);
+        work.phase.push_back(input->material_of(k));
         if (input->is_body())
           {
             work.in_body.at.push_back(input->centroids[k]);
@@ -151,9 +151,10 @@ private:
     for (const auto &probe : input->probes)
       if (probe.cell >= first && probe.cell < end)
         work.probes.push_back(probe.cell - first);
-    for (const Phase<dim> &phase : input->rve.phases)
+    for (const Phase<dim> &phase : input->materials)
       work.phase_stiffness.push_back(phase.stiffness);
     work.phase_ratio = input->out_of_plane_ratio;
+    work.phase_ratio.resize(input->materials.size()); // in 3D they do not count
     return work;
   }
 

@@ -15,7 +15,7 @@ struct RankWork
 {
   bool is_body = true;               ///< whether the volume is the body
   std::vector<double> concentration; ///< L of each cell [n][v][v]
-  std::vector<unsigned int> phase;   ///< of each cell
+  std::vector<unsigned int> phase;   ///< of each cell, or its material
   PlacesInCells<dim> in_body;        ///< centroids, if the volume is the body; points
   PlacesInCells<dim> in_direct;      ///< centroids, if there is a direct run
   std::vector<std::size_t> probes;   ///< numbers of the probes' cells among these cells

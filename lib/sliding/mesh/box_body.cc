@@ -194,9 +194,14 @@ MeshMorphology<3> make_box(const ContactParameters &parameters)
   body.box  = {
      grid, {{!parameters.mesh.periodic[0].empty(), !parameters.mesh.periodic[1].empty()}}};
   body.description = {grid_line(grid)};
-  body.phase_id    = parameters.body.heterogeneous
-                       ? refine(*rve, grid)
-                       : std::vector<std::uint8_t>(grid.n_cells());
+  body.phase_id.resize(grid.n_cells());
+  if (parameters.body.heterogeneous)
+    {
+      body.phase_id     = refine(*rve, grid, rve->phase_id());
+      body.orientations = rve->orientations();
+      if (!body.orientations.empty())
+        body.orientations.id = refine(*rve, grid, body.orientations.id);
+    }
   if (whole)
     make_whole_mesh(body);
   else
@@ -209,12 +214,16 @@ MeshMorphology<3> make_box(const ContactParameters &parameters)
       keep_cells(body, cells);
     }
   for (unsigned int k = 0; k < body.mesh.cells.size(); ++k)
-    body.mesh.cells[k].material_id = body.phase_id[body.whole_cell(k)];
+    body.mesh.cells[k].material_id = body.material_id()[body.whole_cell(k)];
   body.mesh.boundaries = {"Left", "Right", "Front", "Back", "Contact", "Top"};
-  for (const PhaseParameters &phase : parameters.mesh.phases)
-    body.mesh.phases.push_back(phase.name);
   body.phases = make_phases<3>(parameters.mesh.phases);
+  for (const Phase<3> &material : body.materials())
+    body.mesh.phases.push_back(material.name);
   describe_phases(body, parameters.mesh.phases);
+  if (!body.orientations.empty())
+    body.description.push_back(
+      "Orientations: " + std::to_string(body.orientations.materials.size()) +
+      " different pairs of phase and orientation");
   return body;
 }
 } // namespace mesoslip

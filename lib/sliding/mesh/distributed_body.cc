@@ -126,7 +126,7 @@ class BodyOfBricks : public DistributedBody<3>
 {
 public:
   BodyOfBricks(const BrickBox &box,
-               const std::vector<std::uint8_t> &phase_id,
+               const CellView &phase_id,
                const std::vector<MeshPlace> &probes,
                const std::vector<ElasticPhase<3>> &phases,
                const InstructionSet isa,
@@ -202,8 +202,8 @@ distribute_body(const MeshMorphology<dim> &morphology,
       broadcast_object(communicator, is_box);
       broadcast_object(communicator, box);
       if (is_box)
-        return std::make_unique<BodyOfBricks>(box, morphology.phase_id, probes, phases,
-                                              isa, communicator);
+        return std::make_unique<BodyOfBricks>(box, morphology.material_id(), probes,
+                                              phases, isa, communicator);
     }
   return std::make_unique<BodyOfMesh<dim>>(morphology.mesh, contact, phases, isa,
                                            communicator);

@@ -64,7 +64,10 @@ MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
       morphology.warnings.push_back(sentence);
   });
   broadcast_object(MPI_COMM_WORLD, body);
-  for (const Phase<dim> &phase : make_phases<dim>(parameters.mesh.phases))
+  std::vector<OrientedPhase> materials = morphology.orientations.materials;
+  broadcast_object(MPI_COMM_WORLD, materials);
+  for (const Phase<dim> &phase :
+       oriented_phases(make_phases<dim>(parameters.mesh.phases), materials))
     phases.push_back({phase.stiffness, phase.density});
   const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
   if (n_ranks > body.n_cells)

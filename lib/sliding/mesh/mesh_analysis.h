@@ -44,7 +44,7 @@ protected:
   const ContactParameters parameters;    ///< all of them, checked
   MeshMorphology<dim> morphology;        ///< on rank 0
   MeshBodyDescription body;              ///< the same on all ranks
-  std::vector<ElasticPhase<dim>> phases; ///< the same on all ranks
+  std::vector<ElasticPhase<dim>> phases; ///< of the cells, the same on all ranks
 
 private:
   std::vector<std::string> lines() const;

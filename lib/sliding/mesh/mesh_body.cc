@@ -93,7 +93,7 @@ std::vector<double> friction_of_points(const MeshMorphology<dim> &morphology,
   if (!friction.coefficient_by_phase)
     return std::vector<double>(contact.points.size(), friction.coefficient);
   std::vector<double> coefficient, weight;
-  for (const Phase<dim> &phase : morphology.phases)
+  for (const Phase<dim> &phase : morphology.materials())
     {
       coefficient.push_back(phase.friction_coefficient);
       weight.push_back(
@@ -170,7 +170,7 @@ ReferenceNode reference_node(const MeshMorphology<dim> &morphology,
   std::copy_n(points[node.number].begin_raw(), dim, node.position.begin());
   node.area        = -contact.area[node.number];
   const auto place = places_of(morphology, {{"the reference node", node.position}});
-  node.phase       = place[0].phase;
+  node.phase       = morphology.phase_of(place[0].material);
   return node;
 }
 
@@ -183,7 +183,7 @@ BodyScales scales_of(const MeshMorphology<dim> &morphology,
   BodyScales scales;
   scales.dim = dim;
   std::vector<ElasticPhase<dim>> phases;
-  for (const Phase<dim> &phase : morphology.phases)
+  for (const Phase<dim> &phase : morphology.materials())
     {
       const double stiffness = phase.stiffness(dim - 1, dim - 1);
       phases.push_back({phase.stiffness, phase.density});
@@ -194,8 +194,8 @@ BodyScales scales_of(const MeshMorphology<dim> &morphology,
   double box = 1., mean_density = 0.;
   for (unsigned int d = 0; d + 1 < dim; ++d)
     box *= sides[d];
-  for (std::size_t k = 0; k < phases.size(); ++k)
-    mean_density += morphology.fractions[k] * phases[k].density;
+  for (std::size_t k = 0; k < morphology.phases.size(); ++k)
+    mean_density += morphology.fractions[k] * morphology.phases[k].density;
   scales.height  = sides[dim - 1];
   scales.area    = top.points.empty() ? box : sum_of(top.area);
   scales.density = mean_density;
@@ -221,7 +221,8 @@ void number_in_whole_body(MeshBodyDescription &body,
     h.point = morphology.whole_point(h.point);
   for (MeshPlace &place : body.probes)
     {
-      place.cell = morphology.whole_cell(place.cell);
+      place.cell  = morphology.whole_cell(place.cell);
+      place.phase = morphology.phase_of(place.material);
       renumber(place.corners);
     }
 }

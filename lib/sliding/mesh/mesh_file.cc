@@ -2,6 +2,7 @@
 
 #include "exchange/datasets.h"
 #include "exchange/mesh_datasets.h"
+#include "exchange/orientation_datasets.h"
 #include "exchange/xdmf.h"
 
 namespace mesoslip
@@ -19,9 +20,9 @@ void write_cells(Hdf5File &file, const MeshMorphology<dim> &morphology)
       {
         const UniformGrid<3> &grid = morphology.box->grid;
         write_grid(file, grid);
-        return write_dataset(file, phase_of_cells,
-                             {grid.cells[2], grid.cells[1], grid.cells[0]},
-                             morphology.phase_id);
+        const Shape cells = {grid.cells[2], grid.cells[1], grid.cells[0]};
+        write_dataset(file, phase_of_cells, cells, morphology.phase_id);
+        return write_orientations(file, morphology.orientations, cells);
       }
   write_mesh(file, morphology.mesh);
   std::vector<std::uint8_t> phase_id;
@@ -38,7 +39,8 @@ Hdf5File create_mesh_file(const std::string &path,
                           const MeshBodyDescription &body)
 {
   Hdf5File file = Hdf5File::create(path);
-  file.write_header(morphology.box ? format : format + "-mesh", 1, dim, body.digest);
+  file.write_header(morphology.box ? format : format + "-mesh",
+                    morphology.orientations.empty() ? 1 : 2, dim, body.digest);
   write_phases(file, "/material", morphology.phases, true);
   file.write_attribute("/material", "rve_digest", body.rve_digest);
   write_cells(file, morphology);

@@ -55,18 +55,19 @@ SweepArguments<float> Level::arguments(VoxelField<float> &x)
   SweepArguments<float> a = sweep_arguments(grid, work);
   a.x                     = x.data();
   a.stiffness             = stiffness.numbers.data();
-  a.phase                 = phase;
+  a.phase                 = phase != nullptr ? phase->bytes() : nullptr;
+  a.material              = phase != nullptr ? phase->words() : nullptr;
   a.table                 = table.data();
   a.inverse               = inverse.data();
   a.n_diagonals           = n_diagonals();
   return a;
 }
 
-void Level::take_phases(const std::uint8_t *phases,
+void Level::take_phases(const CellIndices &phases,
                         const Source kind_of_phases,
                         LineVector<float> &&the_table)
 {
-  phase             = phases;
+  phase             = &phases;
   source            = kind_of_phases;
   table             = std::move(the_table);
   stiffness.numbers = LineVector<float>();

@@ -1,6 +1,7 @@
 #ifndef mesoslip_statics_voxel_level_h
 #define mesoslip_statics_voxel_level_h
 
+#include "grid/cell_indices.h"
 #include "statics/voxel/kernels/kernels.h"
 #include "statics/voxel/voxel_field.h"
 
@@ -41,9 +42,9 @@ public:
   /** Estimates the largest eigenvalue of D^-1 K. */
   Level(const VoxelGrid &grid, CellStiffness &&stiffness);
 
-  /** From now on the stiffness is that of the phases of the cells, as in kernels.h; what is
-   *  stored is given back. @p table: [n_in_table][256]. */
-  void take_phases(const std::uint8_t *phases,
+  /** From now on the stiffness is that of the phases of the cells, which have to outlive it,
+   *  as in kernels.h; what is stored is given back. @p table: as SweepArguments has it. */
+  void take_phases(const CellIndices &phases,
                    const Source kind_of_phases,
                    LineVector<float> &&table);
 
@@ -77,7 +78,7 @@ private:
   LineVector<float> inverse;
   LineVector<float> work;
   LineVector<float> table;
-  const std::uint8_t *phase = nullptr;
+  const CellIndices *phase = nullptr;
   Cells cells;
   Source source  = Source::stored;
   double largest = 0.;

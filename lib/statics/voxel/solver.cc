@@ -46,7 +46,8 @@ double Solver::outer(const unsigned int k,
   a.x                      = v.data();
   a.out                    = out.data();
   a.exact                  = exact;
-  a.phase                  = phases.data();
+  a.phase                  = phases.bytes();
+  a.material               = phases.words();
   a.table                  = table.data();
   const double volume      = voxels.spacing[0] * voxels.spacing[1] * voxels.spacing[2];
   if (voxels.sides == Sides::free)

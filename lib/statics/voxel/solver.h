@@ -1,6 +1,7 @@
 #ifndef mesoslip_statics_voxel_solver_h
 #define mesoslip_statics_voxel_solver_h
 
+#include "grid/cell_indices.h"
 #include "grid/uniform_grid.h"
 #include "material/voigt.h"
 #include "statics/static_solver.h"
@@ -31,12 +32,23 @@ namespace mesoslip::voxel
 class Solver
 {
 public:
+  /** Cells of @p map. See below. */
+  Solver(const PhaseMap<3> &map,
+         const std::vector<VoigtMatrix<3>> &the_stiffness,
+         const Sides sides,
+         const MPI_Comm communicator = MPI_COMM_SELF)
+    : Solver(map.grid, CellView(map.id), the_stiffness, sides, communicator)
+  {
+  }
+
   /**
-   * Phases of @p map, of which rank 0's counts, have @p the_stiffness (Pa); at most 255 of
-   * them.
+   * Phases of the cells of a box, of which rank 0's count, x fastest, have @p the_stiffness
+   * (Pa); at most 65535 of them. From 256 on they are called materials: cells take two bytes
+   * instead of one, and all count as anisotropic.
    * @throws std::invalid_argument for a phase without a stiffness
    */
-  Solver(const PhaseMap<3> &map,
+  Solver(const UniformGrid<3> &box,
+         const CellView &phase_id,
          const std::vector<VoigtMatrix<3>> &the_stiffness,
          const Sides sides,
          const MPI_Comm communicator = MPI_COMM_SELF);
@@ -76,7 +88,7 @@ public:
   /** Strains of a row of cells along x. */
   struct RowOfCells
   {
-    const std::uint8_t *phase; ///< of each cell
+    std::vector<unsigned int> phase; ///< of each cell
 
     /** Mean strain (for free sides: for 1 Pa) of each cell, that of E included: [load
      *  case][Voigt component]. */
@@ -109,19 +121,19 @@ private:
   void keep(const unsigned int k);
   double dot_with_kept(const unsigned int k);
   void sum_strains(const unsigned int k);
-  const std::uint8_t *phases_of_row(const unsigned int line,
-                                    const unsigned int plane) const;
+  std::size_t first_cell_of_row(const unsigned int line, const unsigned int plane) const;
+  std::size_t in_table(const unsigned int coefficient, const std::size_t phase) const;
 
   const std::vector<VoigtMatrix<3>> stiffness;
   VoxelGrid voxels;
   std::vector<double> n_cells;                            ///< of each phase
   unsigned int n_coefficients   = 0;                      ///< n_isotropic or n_general
-  Source source                 = Source::phases;         ///< few or many
+  Source source                 = Source::phases;         ///< few, many or materials
   unsigned int n_solved         = 0;                      ///< cases 0 to n_solved - 1
   double modulus                = 0.;                     ///< unit of stress (Pa)
   double length                 = 1.;                     ///< unit of length (m)
   VoigtMatrix<3> mean_stiffness = VoigtMatrix<3>::Zero(); ///< in units of modulus
-  LineVector<std::uint8_t> phases;
+  CellIndices phases;
   LineVector<double> table, work;
   std::unique_ptr<Multigrid> multigrid;
   VoxelField<double> u;            ///< of the case that is being solved

@@ -58,11 +58,12 @@ void add_strains(const VoxelGrid &grid,
 }
 } // namespace
 
-const std::uint8_t *Solver::phases_of_row(const unsigned int line,
-                                          const unsigned int plane) const
+/** Place among the phases of the first cell of a row. */
+std::size_t Solver::first_cell_of_row(const unsigned int line,
+                                      const unsigned int plane) const
 {
-  return &phases[((std::size_t{voxels.n_nodes(1)} + 1) * plane + line) * voxels.stride() +
-                 voxels.first()];
+  return ((std::size_t{voxels.n_nodes(1)} + 1) * plane + line) * voxels.stride() +
+         voxels.first();
 }
 
 /** What is wanted later of the displacements u of load case @p k and their residual. */
@@ -113,10 +114,10 @@ void Solver::sum_strains(const unsigned int k)
             return u.row(c, y, z);
           },
           1., strain);
-        const std::uint8_t *phase = phases_of_row(line, at);
+        const std::size_t first = first_cell_of_row(line, at);
         for (unsigned int m = 0; m < 6; ++m)
           for (unsigned int i = 0; i < voxels.cells[0]; ++i)
-            sums[6 * std::size_t{phase[i]} + m] += strain[m][i];
+            sums[6 * std::size_t{phases[first + i]} + m] += strain[m][i];
       }
   sum_over_ranks(voxels, sums.data(), static_cast<unsigned int>(sums.size()));
   for (std::size_t id = 0; id < strains.size(); ++id)
@@ -163,7 +164,9 @@ VoigtMatrix<3> Solver::effective_stiffness() const
 void Solver::evaluate(const unsigned int j, const unsigned int k, RowOfCells &row) const
 {
   const unsigned int plane = k + voxels.first_cell_plane(), line = j + voxels.first();
-  row.phase       = phases_of_row(line, plane);
+  row.phase.resize(voxels.cells[0]);
+  for (unsigned int i = 0; i < voxels.cells[0]; ++i)
+    row.phase[i] = phases[first_cell_of_row(line, plane) + i];
   const bool free = voxels.sides == Sides::free;
   std::array<std::vector<double>, 4> nodes;
   for (unsigned int load = 0; load < 6; ++load)

@@ -1,5 +1,6 @@
 #include "base/exchange.h"
 #include "elasticity/brick/brick_matrices.h"
+#include "material/stiffness.h"
 #include "statics/voxel/solver.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace mesoslip::voxel
 namespace
 {
 /** Phases and what lies outside of the body, whose number comes after theirs, at most. */
-constexpr std::size_t most_phases = 256;
+constexpr std::size_t most_phases = 65536;
 /** Ratio of stiffness from which on more is smoothed. That saves iterations, but time only
  *  for nearly incompressible phases and where few steps hardly converge. */
 constexpr double strong_ratio = 400.;
@@ -31,32 +32,33 @@ double stiffness_ratio(const std::vector<double> &n_cells,
 }
 
 /** Numbers of cells of @p n_phases phases. */
-std::vector<double> count_cells(const PhaseMap<3> &map, const std::size_t n_phases)
+std::vector<double>
+count_cells(const UniformGrid<3> &box, const CellView &id, const std::size_t n_phases)
 {
-  if (map.id.size() != map.grid.n_cells() || map.id.empty())
+  if (id.size() != box.n_cells() || id.size() == 0)
     throw std::invalid_argument("The map has another number of phases than of cells.");
   std::vector<double> n(n_phases, 0.);
-  for (const std::uint8_t id : map.id)
+  for (std::size_t k = 0; k < id.size(); ++k)
     {
-      if (id >= n_phases || n_phases >= most_phases)
+      if (id[k] >= n_phases || n_phases >= most_phases)
         throw std::invalid_argument("A cell has a phase without a stiffness.");
-      n[id] += 1.;
+      n[id[k]] += 1.;
     }
   return n;
 }
 
 /** Phases of the cells of a rank's fields, [z][y][stride]; @p outside: of no cell. */
-std::string
-padded_phases(const PhaseMap<3> &map, const VoxelGrid &grid, const std::size_t outside)
+CellIndices
+padded_phases(const CellView &id, const VoxelGrid &grid, const std::size_t outside)
 {
   const std::size_t stride = grid.stride();
-  std::string phases(grid.n_cell_rows() * stride, static_cast<char>(outside));
+  CellIndices phases(grid.n_cell_rows() * stride, outside);
   // Numbers of cells in a field, ghosts included, and of those in the map.
   const auto cell = [&](const std::size_t number, const unsigned int axis) {
     const std::size_t n = grid.cells[axis];
     return grid.sides == Sides::periodic ? (number + n - 1) % n : number - grid.first();
   };
-  char *row = phases.data();
+  std::size_t row = 0;
   for (std::size_t k = 0; k <= grid.n_nodes(2); ++k)
     for (std::size_t j = 0; j <= grid.n_nodes(1); ++j, row += stride)
       for (std::size_t i = 0; i <= grid.n_nodes(0); ++i)
@@ -65,7 +67,7 @@ padded_phases(const PhaseMap<3> &map, const VoxelGrid &grid, const std::size_t o
           const std::array<std::size_t, 3> at  = {
              {cell(i, 0), cell(j, 1), cell(k + grid.below(), 2)}};
           if (at[0] < n[0] && at[1] < n[1] && at[2] < n[2])
-            row[i] = static_cast<char>(map.id[(at[2] * n[1] + at[1]) * n[0] + at[0]]);
+            phases.set(row + i, id[(at[2] * n[1] + at[1]) * n[0] + at[0]]);
         }
   return phases;
 }
@@ -78,19 +80,21 @@ Multigrid::Options options_for(const double ratio)
 }
 } // namespace
 
-Solver::Solver(const PhaseMap<3> &map,
+Solver::Solver(const UniformGrid<3> &the_box,
+               const CellView &phase_id,
                const std::vector<VoigtMatrix<3>> &the_stiffness,
                const Sides sides,
                const MPI_Comm communicator)
   : stiffness(the_stiffness)
   , strains(the_stiffness.size(), VoigtMatrix<3>::Zero())
 {
-  on_root(communicator, [&]() { n_cells = count_cells(map, stiffness.size()); });
+  on_root(communicator,
+          [&]() { n_cells = count_cells(the_box, phase_id, stiffness.size()); });
   std::array<double, 6> box = {};
   for (unsigned int d = 0; d < 3; ++d)
     {
-      box[d]     = map.grid.cells[d];
-      box[d + 3] = map.grid.spacing[d];
+      box[d]     = the_box.cells[d];
+      box[d + 3] = the_box.spacing[d];
     }
   broadcast_object(communicator, n_cells);
   broadcast_object(communicator, box);
@@ -105,17 +109,26 @@ Solver::Solver(const PhaseMap<3> &map,
   const auto of_rank = [&](const unsigned int rank) {
     VoxelGrid grid = voxels;
     grid.rank      = grid.is_divided() ? rank : 0;
-    return padded_phases(map, grid, stiffness.size());
+    return padded_phases(phase_id, grid, stiffness.size());
   };
-  const std::string others = scatter(communicator, of_rank);
-  const std::string own =
-    dealii::Utilities::MPI::this_mpi_process(communicator) == 0 ? of_rank(0) : others;
-  phases.assign(own.begin(), own.end());
+  const std::string others =
+    scatter(communicator, [&](const unsigned int rank) { return of_rank(rank).text(); });
+  phases = dealii::Utilities::MPI::this_mpi_process(communicator) == 0
+             ? of_rank(0)
+             : CellIndices(others, stiffness.size());
   set_table();
   for (unsigned int d = 0; d < 3; ++d)
     if (voxels.n_all_nodes(d) == 0)
       return; // no unknowns
   build_multigrid(stiffness_ratio(n_cells, stiffness));
+}
+
+/** Place of a number of a phase in the table, see SweepArguments. */
+std::size_t Solver::in_table(const unsigned int coefficient,
+                             const std::size_t phase) const
+{
+  return source == Source::materials ? phase * n_of_material + coefficient
+                                     : std::size_t{256} * coefficient + phase;
 }
 
 /** What phases have of each coefficient, in units, and the mean stiffness. */
@@ -133,8 +146,15 @@ void Solver::set_table()
       }
   source =
     stiffness.size() + 1 <= kernels().few_phases ? Source::few_phases : Source::phases;
+  if (CellIndices::is_wide(stiffness.size()))
+    {
+      source         = Source::materials;
+      n_coefficients = n_general;
+    }
   const unsigned int n = n_in_table(cells_of(voxels, n_coefficients));
-  table.assign(std::size_t{256} * (n + 1), 0.);
+  table.assign(source == Source::materials ? (stiffness.size() + 1) * n_of_material
+                                           : std::size_t{256} * (n + 1),
+               0.);
   for (std::size_t phase = 0; phase < stiffness.size(); ++phase)
     if (n_cells[phase] > 0.)
       {
@@ -143,8 +163,8 @@ void Solver::set_table()
         if (n == n_cubes)
           c.insert(c.end(), {c[0] / 3., (c[0] + 4. * c[1]) / 9.});
         for (unsigned int m = 0; m < n; ++m)
-          table[std::size_t{m} * 256 + phase] = c[m] / modulus * voxels.factor();
-        table[std::size_t{n} * 256 + phase] = 1.;
+          table[in_table(m, phase)] = c[m] / modulus * voxels.factor();
+        table[in_table(n, phase)] = 1.;
       }
 }
 
@@ -158,8 +178,8 @@ void Solver::build_multigrid(const double ratio)
     for (unsigned int m = 0; m < n_coefficients; ++m)
       for (std::size_t i = 0; i < stride; ++i)
         cells.numbers[(row * n_coefficients + m) * stride + i] =
-          static_cast<float>(table[m * 256 + phases[row * stride + i]]);
+          static_cast<float>(table[in_table(m, phases[row * stride + i])]);
   multigrid = std::make_unique<Multigrid>(voxels, std::move(cells), options_for(ratio));
-  multigrid->finest().take_phases(phases.data(), source, {table.begin(), table.end()});
+  multigrid->finest().take_phases(phases, source, {table.begin(), table.end()});
 }
 } // namespace mesoslip::voxel

@@ -107,6 +107,14 @@ class Derived:
         """Names of the phases, in the order of their numbers."""
         return self["phase/name" if "phase/name" in self else "material/name"]
 
+    def material_axes(self):
+        """Axes of the material of each cell of a box of voxels whose orientations came from a file, as columns of [nz][ny][nx][3][3], before
+        what its phase's own keys turn: sigma in these axes is R^T sigma R. Raises KeyError where the file has none."""
+        (c1, c, c2), (s1, s, s2) = ((f(np.radians(np.asarray(self["orientation/euler_angles"])))).T for f in (np.cos, np.sin))
+        rotation = np.stack([c1 * c2 - s1 * s2 * c, -c1 * s2 - s1 * c2 * c, s1 * s, s1 * c2 + c1 * s2 * c, -s1 * s2 + c1 * c2 * c, -c1 * s,
+                             s2 * s, c2 * s, c], axis=-1).reshape(-1, 3, 3)
+        return Array(rotation[np.asarray(self["orientation/id"])], "-", "material axes")
+
     def cell_measures(self):
         """Area (m^2) or volume (m^3) of each cell, as phase_id()."""
         if "grid" in self:

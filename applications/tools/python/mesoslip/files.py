@@ -16,7 +16,7 @@ from .labelled import to_xarray
 NAMES = ("dynamics.h5", "localization.h5", "rve.h5", "modal.h5", "complex_modes.h5")
 FORMATS = ("mesoslip-rve", "mesoslip-loads", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal", "mesoslip-dynamics-mesh",
            "mesoslip-modal-mesh", "mesoslip-complex-modes", "mesoslip-complex-modes-mesh")
-VERSION = 1
+VERSIONS = (1, 2)
 
 
 class FormatError(ValueError):
@@ -193,8 +193,8 @@ class ResultFile(Closing, Derived):
         if found not in FORMATS:
             raise FormatError(f"{self.path} is not a file of mesoslip: its attribute 'format' is '{found}'")
         version = int(self.hdf5.attrs.get("format_version", 0))
-        if version != VERSION:
-            raise FormatError(f"{self.path} has format_version {version}, but this module reads {VERSION}")
+        if version not in VERSIONS:
+            raise FormatError(f"{self.path} has format_version {version}, but this module reads {VERSIONS[0]} to {VERSIONS[-1]}")
         return found
 
 

@@ -53,6 +53,8 @@ EXAMPLES = (
     Example("A periodic cell with round fibres", "Effective stiffness and concentration tensors of a mesh.", ("mesh/fibre_cell.prm",), "Von Mises stress in", RVE),
     Example("Spheres in a periodic cube", "Tetrahedra in 3D, six load cases.", ("mesh/spheres.prm",), "Von Mises stress in", RVE),
     Example("Two crossing fibres as voxels", "A `.npy` of phases in 3D ([voxels](voxels.md)).", ("voxels/two_fibres.prm",), "Von Mises stress in", RVE),
+    Example("A polycrystal of copper", "Sixty grains of one phase, whose orientations are read from a file ([voxels](voxels.md#orientation-of-the-cells)).",
+            ("voxels/polycrystal.prm",), "Von Mises stress in", RVE),
     Example("An ensemble of random fibres in 3D", "Four seeds of periodic continuous fibres along z.", ("voxels/random_fibres.prm",), "Phases of", RVE),
     Example("A pad of short fibres in 3D", "From the microstructure over sliding to localized stresses, all in boxes of voxels.", ("voxels/pad",),
             "Pressure on the contact surface, seen"),

@@ -36,19 +36,21 @@ PhasePressures mesh_phase_pressures(const MeshMorphology<dim> &morphology,
   const auto group      = std::find(mesh.boundaries.begin(), mesh.boundaries.end(),
                                     parameters.mesh.contact_boundary);
   std::vector<double> area(morphology.phases.size()), force(area.size());
+  const std::vector<Phase<dim>> materials = morphology.materials();
   for (const BoundaryFace<dim> &face :
        faces_of_group(mesh, boundary_faces(mesh),
                       static_cast<unsigned int>(group - mesh.boundaries.begin())))
     {
       const auto &cell               = mesh.cells[face.cell];
       const VoigtVector<dim> strain  = mean_strain(mesh, cell.vertices, u);
-      const VoigtMatrix<dim> &D      = morphology.phases[cell.material_id].stiffness;
+      const VoigtMatrix<dim> &D      = materials[cell.material_id].stiffness;
+      const unsigned int phase       = morphology.phase_of(cell.material_id);
       const double pressure          = -D.row(dim - 1).dot(strain);
       const BoundaryPoints<dim> here = boundary_points<dim>(mesh, {face});
       for (const auto &of_point : here.normal_area)
         {
-          area[cell.material_id] -= of_point[dim - 1];
-          force[cell.material_id] -= of_point[dim - 1] * pressure;
+          area[phase] -= of_point[dim - 1];
+          force[phase] -= of_point[dim - 1] * pressure;
         }
     }
   const double total = std::accumulate(area.begin(), area.end(), 0.);

@@ -44,9 +44,10 @@ enum class Source : unsigned int
 {
   stored,     ///< coefficients of each cell
   few_phases, ///< a table by the phase of the cell, of at most Kernels::few_phases
-  phases      ///< the same of up to 256
+  phases,     ///< the same of up to 256
+  materials   ///< of more, of which each has its numbers together; Cells::general alone
 };
-constexpr unsigned int n_sources = 3; ///< see Source
+constexpr unsigned int n_sources = 4; ///< see Source
 
 /** Arrays of one row (of nodes or cells) that the sweep needs for itself: [...][stride] */
 constexpr unsigned int n_work_rows = 27;
@@ -72,8 +73,9 @@ struct SweepArguments
   const Number *stiffness; ///< [n[2] + 1][n[1] + 1][n_stored][stride], if stored
   /** If not stored, the phases of cells [n[2] + 1][n[1] + 1][stride]. */
   const std::uint8_t *phase;
+  const std::uint16_t *material; ///< instead of them, with Source::materials
   /** What a phase has of each coefficient and, for outer, last whether it is one:
-   * [n_in_table + 1][256]. */
+   * [n_in_table + 1][256], of materials [][n_of_material]. */
   const Number *table;
   const float *b;           ///< right-hand side
   const float *inverse;     ///< D^-1: [n[2] + 2][n[1] + 2][n_diagonals][stride]

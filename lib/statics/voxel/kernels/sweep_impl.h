@@ -135,6 +135,49 @@ struct OfPhases
   const Number *next;
 };
 
+/** The same by the material of the cell, of which there may be too many for a byte. */
+template <typename Number>
+struct OfMaterials
+{
+  using Vector                      = typename Simd<Number>::Vector;
+  using Index                       = typename Simd<Number>::Index;
+  static constexpr bool cubes       = false;
+  static constexpr bool adds_stress = sizeof(Number) == sizeof(double);
+
+  OfMaterials(const SweepArguments<Number> &a, const std::size_t row)
+    : first(a.material + row * a.stride)
+    , table(a.table)
+    , stride(a.stride)
+    , next(next_nodes(a, row))
+  {
+  }
+  inline __attribute__((always_inline)) Index place(const std::size_t i) const
+  {
+    return load_words(first + i, Index{}) * int{n_of_material};
+  }
+  inline __attribute__((always_inline)) Stiffness<Number, n_general>
+  at(const std::size_t i) const
+  {
+    const Index index = place(i);
+    return Stiffness<Number, n_general>::of([&](const unsigned int m) __attribute__((
+      always_inline)) { return gather(table + m, index); });
+  }
+  Vector inside(const std::size_t i) const
+  {
+    return gather(table + n_general, place(i));
+  }
+
+  inline __attribute__((always_inline)) void prefetch(const std::size_t i) const
+  {
+    prefetch_nodes(next, stride, i);
+  }
+
+  const std::uint16_t *first;
+  const Number *table;
+  std::size_t stride;
+  const Number *next;
+};
+
 /** Rows in a field that begin on a cache line, from their pointers; null stays null. */
 template <typename T>
 MESOSLIP_INLINE T *at_row(T *field, const std::size_t first)

@@ -25,11 +25,15 @@ namespace mesoslip::voxel::MESOSLIP_VARIANT
       sweep<Number, Material<Number, Cells::cubes __VA_ARGS__>, Sweep::kind>,   \
       sweep<Number, Material<Number, Cells::general __VA_ARGS__>, Sweep::kind>  \
   }
-#define MESOSLIP_SOURCES(kind)                       \
-  {                                                  \
-    MESOSLIP_KINDS(Stored, float, kind, ),           \
-      MESOSLIP_KINDS(OfPhases, float, kind, , true), \
-      MESOSLIP_KINDS(OfPhases, float, kind, , false) \
+#define MESOSLIP_MATERIALS(Number, kind)                              \
+  {                                                                   \
+    nullptr, nullptr, sweep<Number, OfMaterials<Number>, Sweep::kind> \
+  }
+#define MESOSLIP_SOURCES(kind)                                                        \
+  {                                                                                   \
+    MESOSLIP_KINDS(Stored, float, kind, ),                                            \
+      MESOSLIP_KINDS(OfPhases, float, kind, , true),                                  \
+      MESOSLIP_KINDS(OfPhases, float, kind, , false), MESOSLIP_MATERIALS(float, kind) \
   }
 
 const Kernels &kernels()
@@ -39,7 +43,8 @@ const Kernels &kernels()
                                 MESOSLIP_SOURCES(chebyshev),
                                 {{nullptr, nullptr, nullptr},
                                  MESOSLIP_KINDS(OfPhases, double, outer, , true),
-                                 MESOSLIP_KINDS(OfPhases, double, outer, , false)},
+                                 MESOSLIP_KINDS(OfPhases, double, outer, , false),
+                                 MESOSLIP_MATERIALS(double, outer)},
                                 few_phases,
                                 first_step,
                                 combine,
@@ -49,5 +54,6 @@ const Kernels &kernels()
   return table;
 }
 #undef MESOSLIP_SOURCES
+#undef MESOSLIP_MATERIALS
 #undef MESOSLIP_KINDS
 } // namespace mesoslip::voxel::MESOSLIP_VARIANT

@@ -1,0 +1,86 @@
+#ifndef mesoslip_material_orientations_h
+#define mesoslip_material_orientations_h
+
+#include "material/stiffness.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace mesoslip
+{
+/** A phase with its axes turned. */
+struct OrientedPhase
+{
+  unsigned int phase                 = 0;  ///< its index
+  std::array<double, 3> euler_angles = {}; ///< Bunge's phi1, Phi, phi2 (degrees)
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &phase &euler_angles[0] & euler_angles[1] & euler_angles[2];
+  }
+
+  /** The stiffness @p of_phase turned by these angles (Pa). */
+  VoigtMatrix<3> turned(const VoigtMatrix<3> &of_phase) const
+  {
+    const double degree = 3.14159265358979323846 / 180.;
+    if (euler_angles == std::array<double, 3>())
+      return of_phase;
+    return turn_stiffness(of_phase, bunge_rotation(degree * euler_angles[0],
+                                                   degree * euler_angles[1],
+                                                   degree * euler_angles[2]));
+  }
+};
+
+/** Orientations that differ from cell to cell; without any the cells are as their phases. */
+struct Orientations
+{
+  /** More materials than these have no number. */
+  static constexpr std::size_t most_materials = 65535;
+
+  /** The distinct pairs of phase and orientation; every phase has one at least. */
+  std::vector<OrientedPhase> materials;
+
+  std::vector<std::uint16_t> id; ///< of each cell its material, x fastest
+
+  /** Whether there are none. */
+  bool empty() const
+  {
+    return materials.empty();
+  }
+
+  /** Number of cells of each material. */
+  std::vector<double> count_cells() const
+  {
+    std::vector<double> n(materials.size());
+    for (const std::uint16_t material : id)
+      n[material] += 1.;
+    return n;
+  }
+};
+
+/** The materials as phases of their own, with the names of their phases; without any the
+ * phases themselves. */
+template <int dim>
+std::vector<Phase<dim>> oriented_phases(const std::vector<Phase<dim>> &phases,
+                                        const std::vector<OrientedPhase> &materials)
+{
+  std::vector<Phase<dim>> result = phases;
+  if constexpr (dim == 3)
+    if (!materials.empty())
+      {
+        result.clear();
+        for (const OrientedPhase &material : materials)
+          {
+            result.push_back(phases.at(material.phase));
+            result.back().stiffness = material.turned(phases[material.phase].stiffness);
+          }
+      }
+  return result;
+}
+} // namespace mesoslip
+
+#endif

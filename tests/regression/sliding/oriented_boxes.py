@@ -1,0 +1,164 @@
+"""contact_dynamics and stress_localization on a box of voxels whose orientations come from a file: as on a mesh of the same cells, in which
+each grain is a phase with its Euler angles, on 1, 2 and 3 ranks; with more materials than fit a byte; modes and static contact; localized
+and direct stresses are those of the turned stiffnesses."""
+
+import re
+import tempfile
+
+import boxes
+import h5py
+import numpy as np
+from boxes import BOX, CELLS, COMMON, PROBES, SIDES, SIZE, displacements
+from mesh_dynamics import check_equal, check_same_summary, group
+from mesh_files import Box
+from scenes import Folder, prm
+
+GRAINS = 12
+SEARCH = ("inputs", "iterations", "state_changes", "solver_iterations", "residual", "friction_change")  # how statics were found
+CRYSTAL = {"Type": "orthotropic", "Young moduli": "240e9, 60e9, 90e9", "Poisson ratios": "0.2, 0.25, 0.3", "Shear moduli": "40e9, 30e9, 50e9",
+           "Density": 2600, "Friction coefficient": 0.5}
+MATRIX = {"Young modulus": "30e9", "Poisson ratio": 0.2, "Density": 1800}
+PHASES = {"Phases/Names": "matrix, crystal", **{f"Phases/matrix/{key}": value for key, value in MATRIX.items()},
+          **{f"Phases/crystal/{key}": value for key, value in CRYSTAL.items()}}
+
+
+def prepare(folder):
+    """The volume of grains in a matrix, twice: with the number of the grain, and with angles that all differ a little; and the mesh."""
+    random = np.random.default_rng(11)
+    voxels = np.where(random.random(CELLS[::-1]) < 0.03, -1, random.integers(0, GRAINS, CELLS[::-1]))
+    angles = np.round(random.uniform((0, 0, 0), (360, 180, 360), (GRAINS, 3)), 3)
+    np.save(folder("phases.npy"), (voxels >= 0).astype(np.uint8))
+    np.save(folder("grains.npy"), voxels)
+    folder.write("grains.csv", "grain,phi1 [degrees],Phi [degrees],phi2 [degrees]\n"
+                 + "".join("%d,%r,%r,%r\n" % (n, *map(float, a)) for n, a in enumerate(angles)))
+    np.save(folder("angles.npy"), angles[voxels] + 1e-12 * np.arange(voxels.size).reshape(*voxels.shape, 1))
+    volume = {"Dimension": 3, "Grid/Cells": "%d, %d, %d" % CELLS, "Grid/Size": "%g, %g, %g" % SIZE, "Microstructure/Type": "voxels",
+              "Microstructure/File": "phases.npy", **PHASES}
+    folder.write("rve.prm", prm({**volume, "Microstructure/Orientation file": "grains.npy", "Microstructure/Orientation table": "grains.csv"}))
+    folder.write("many.prm", prm({**volume, "Microstructure/Orientation file": "angles.npy"}))
+    for name in ("rve", "many"):
+        folder.run(0, "rve_homogenization", f"{name}.prm", "--output", name)
+
+    def phase(middle):
+        i, j, k = (int(x / length * n) for x, length, n in zip(middle, SIZE, CELLS))
+        return "matrix" if voxels[k, j, i] < 0 else f"grain{voxels[k, j, i]}"
+
+    mesh = Box(SIZE, CELLS, phase)
+    for name, (axis, upper) in SIDES.items():
+        mesh.name_side(name, axis, upper)
+    mesh.write(folder("mesh.msh"))
+    settings = {"Phases/Names": ", ".join(["matrix", *(f"grain{n}" for n in range(GRAINS))]),
+                **{f"Phases/matrix/{key}": value for key, value in MATRIX.items()}}
+    for n, euler in enumerate(angles):
+        settings |= {f"Phases/grain{n}/{key}": value for key, value in CRYSTAL.items()} | {f"Phases/grain{n}/Euler angles": "%r, %r, %r" % tuple(map(float, euler))}
+    return settings
+
+
+def check_as_mesh(folder, of_mesh):
+    for name, (of_box, mesh_sides) in boxes.SUPPORTS.items():
+        folder.write("mesh.prm", "set Dimension = 3\n" + prm({"Mesh/File": "mesh.msh", **of_mesh, **COMMON}) + mesh_sides + PROBES)
+        folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh")
+        folder.write(f"{name}.prm", BOX + of_box + PROBES)
+        for ranks, more in ((1, ()), (2, ()), (3, ()), (2, ("--set=Body/RVE file=many/rve.h5",))):
+            run = f"{name}{ranks}"
+            said = folder.run(0, "contact_dynamics", f"{name}.prm", "--output", run, *more, ranks=ranks)
+            pairs = int(re.search(r"Orientations: (\d+) different pairs of phase and orientation", said)[1])
+            assert pairs > 255 if more else pairs == GRAINS + 1, said
+            for what in ("history", "energy", "probes", "reference"):
+                one, two = ({key: v for key, v in group(folder, r, what).items() if key not in ("residual", "scheme", "potential")}
+                            for r in (run, "mesh"))
+                check_equal(one, two, 1e-9, (name, ranks, what))
+            check_same_summary(folder.summary(run), folder.summary("mesh"), 1e-8, (name, ranks), but=("inputs", "critical_time_step"))
+            with h5py.File(folder(run, "dynamics.h5")) as file, h5py.File(folder("mesh", "dynamics.h5")) as other:
+                u, v = displacements(file), displacements(other)
+                assert u.shape == v.shape and np.abs(u - v).max() < 1e-9 * np.abs(v).max() > 0, (name, ranks)
+                assert set(np.unique(file["material/phase_id"][()])) == {0, 1} and file.attrs["format_version"] == 2
+        assert folder.summary(f"{name}1")["slip_fraction"] > 0.01
+
+
+def check_other_analyses(folder, of_mesh):
+    common = {"Top/Pressure": 5e7, "Flat/Velocity": 1}
+    for name, settings in (("modal", prm({"Analysis": "modal", "Modal/Number of modes": 3})),
+                           ("static", prm({**common, "Analysis": "static contact", "Friction/Coefficient from": "constant", "Friction/Coefficient": 0.2}))):
+        of_box, mesh_sides = boxes.SUPPORTS["platen"]
+        folder.write("box_other.prm", "set Dimension = 3\n" + prm({"Body/Material": "heterogeneous", "Body/RVE file": "rve/rve.h5"}) + of_box + settings)
+        folder.write("mesh_other.prm", "set Dimension = 3\n" + prm({"Mesh/File": "mesh.msh", **of_mesh}) + mesh_sides + settings)
+        for run in ("box", "mesh"):
+            folder.run(0, "contact_dynamics", f"{run}_other.prm", "--output", f"{run}_{name}")
+        box, mesh = ({key: value for key, value in folder.summary(f"{run}_{name}").items()
+                      if not key.startswith("phase") and not (isinstance(value, dict) and "matrix" in value)} for run in ("box", "mesh"))
+        check_same_summary(box, mesh, 1e-6, name, but=SEARCH)
+
+
+def check_localized(folder):
+    """Stresses of the homogeneous and of the direct run: those of the turned stiffnesses, taken from loads of the volume."""
+    common = {"Body/RVE file": "rve/rve.h5", "Top/Kind": "platen", "Top/Pressure": 5e7, "Time/Time step": 1e-8, "Time/End time": 4e-6, "Snapshots/Interval": 1e-6}
+    folder.write("homogeneous.prm", prm({"Dimension": 3, **common}))
+    folder.write("direct.prm", prm({"Dimension": 3, **common, "Body/Material": "heterogeneous"}))
+    for run in ("homogeneous", "direct"):
+        folder.run(0, "contact_dynamics", f"{run}.prm", "--output", run)
+    folder.write("localization.prm", prm({"Input/RVE file": "rve/rve.h5", "Input/Homogeneous run": "homogeneous/dynamics.h5",
+                                          "Input/Direct run": "direct/dynamics.h5", "Localization/Fields": "mean stress",
+                                          "Window/From": 0}))
+    for ranks in (1, 2):
+        folder.run(0, "stress_localization", "localization.prm", "--output", f"localized{ranks}", ranks=ranks)
+    with h5py.File(folder("rve", "rve.h5")) as file:
+        phases, stiffness = file["orientation/phase"][()], file["phase/stiffness"][()]
+        materials = np.array([turned(stiffness[p], a) for p, a in zip(phases, file["orientation/euler_angles"][()])])
+        D, L = materials[file["orientation/id"][()].ravel()], file["concentration/KUBC"][()].reshape(-1, 6, 6)
+    with h5py.File(folder("localized1", "localization.h5")) as one, h5py.File(folder("localized2", "localization.h5")) as two:
+        for name, run, tensor in (("mean_stress", "homogeneous", D @ L), ("direct/mean_stress", "direct", D)):
+            expected = np.einsum("cij,cj->ci", tensor, mean_strain(folder, run))
+            found = one[name][()]
+            assert np.abs(found - two[name][()]).max() <= 1e-12 * np.abs(found).max() > 0, name
+            error = np.abs(found.reshape(-1, 6) - expected).max() / np.abs(expected).max()
+            print(name, error)
+            assert error < 1e-10, (name, error)
+
+
+def mean_strain(folder, run):
+    """Of the cells, at their middles, over the snapshots [cells][6]."""
+    with h5py.File(folder(run, "dynamics.h5")) as file:
+        u = file["snapshots/displacement"][()].mean(axis=0)
+    h = np.array(SIZE) / CELLS
+    corner = lambda i, j, k: u[k:k + CELLS[2], j:j + CELLS[1], i:i + CELLS[0]]  # noqa: E731
+    gradient = np.zeros((*CELLS[::-1], 3, 3))
+    for i, j, k in np.ndindex(2, 2, 2):
+        for axis, end in enumerate((i, j, k)):
+            gradient[..., axis] += (2 * end - 1) * corner(i, j, k) / (4 * h[axis])
+    gradient = gradient.reshape(-1, 3, 3)
+    pairs = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+    return np.stack([gradient[:, c, d] + (c != d) * gradient[:, d, c] for c, d in pairs], axis=1)
+
+
+def turned(D, angles):
+    """Stress and strain turned with Bunge's matrix."""
+    phi1, Phi, phi2 = np.radians(angles)
+    about_z = lambda a: np.array([[np.cos(a), np.sin(a), 0], [-np.sin(a), np.cos(a), 0], [0, 0, 1]])  # noqa: E731
+    g = about_z(phi2) @ np.array([[1, 0, 0], [0, np.cos(Phi), np.sin(Phi)], [0, -np.sin(Phi), np.cos(Phi)]]) @ about_z(phi1)
+    pairs = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+    result = np.zeros((6, 6))
+    for column, (c, d) in enumerate(pairs):
+        strain = np.zeros((3, 3))
+        strain[c, d] = strain[d, c] = 1 if c == d else 0.5
+        own = g @ strain @ g.T
+        s = D @ [own[p] * (1 if p[0] == p[1] else 2) for p in pairs]
+        stress = np.zeros((3, 3))
+        for value, (a, b) in zip(s, pairs):
+            stress[a, b] = stress[b, a] = value
+        result[:, column] = [(g.T @ stress @ g)[p] for p in pairs]
+    return result
+
+
+def main():
+    with tempfile.TemporaryDirectory() as path:
+        folder = Folder(path)
+        of_mesh = prepare(folder)
+        check_localized(folder)
+        check_as_mesh(folder, of_mesh)
+        check_other_analyses(folder, of_mesh)
+    print("a box with orientations of its cells: as the mesh whose grains are phases, on several ranks, localized")
+
+
+if __name__ == "__main__":
+    main()
