@@ -24,7 +24,7 @@ std::vector<std::complex<float>> sample(const ElasticBody<dim> &body,
                                         const ComplexVector &shape)
 {
   constexpr std::size_t most = 2000; // nodes
-  typename FreeDofs<dim>::Vector real(dofs.size()), imaginary(dofs.size());
+  typename FreeDofs<dim>::Vector real = dofs.zero(), imaginary = dofs.zero();
   for (std::size_t k = 0; k < dofs.size(); ++k)
     {
       real[k]      = shape[static_cast<Eigen::Index>(k)].real();
