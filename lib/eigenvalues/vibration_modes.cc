@@ -157,8 +157,9 @@ double normalize(NodalField<double> &shape, const ElasticBody<dim> &body)
       most = std::max(most, length_of({i, j}));
   most = dealii::Utilities::MPI::max(most, body.communicator());
 
-  constexpr auto nowhere = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t first    = nowhere;
+  // Utilities::MPI::min() of deal.II 9.4 takes unsigned numbers of 64 bits for signed ones.
+  constexpr std::uint64_t nowhere = std::numeric_limits<std::int64_t>::max();
+  std::uint64_t first             = nowhere;
   NodeIndex place;
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int i = 0; i < body.n_columns(); ++i)
@@ -173,7 +174,7 @@ double normalize(NodalField<double> &shape, const ElasticBody<dim> &body)
     {
       double component = 0.;
       for (unsigned int c = 0; c < dim; ++c)
-        if (std::fabs(shape(c, place)) > std::fabs(component))
+        if (std::fabs(shape(c, place)) > std::fabs(component) * (1. + 1e-6))
           component = shape(c, place);
       factor = (component < 0. ? -1. : 1.) * length_of(place);
     }

@@ -2,6 +2,7 @@
 
 #include "body/mesh/mesh_body.h"
 #include "body/rigid_motions.h"
+#include "divided_body.h"
 #include "eigenvalues/vibration_modes.h"
 #include "material/stiffness.h"
 
@@ -48,12 +49,6 @@ MeshBodyInput<3> brick(const std::vector<unsigned int> &cells,
     }
   body.phases = {{isotropic_stiffness<3>(2., 0.3), density}};
   return body;
-}
-
-/** With fields that are divided among the ranks. */
-std::unique_ptr<MeshBody<3>> divided(const MeshBodyInput<3> &input)
-{
-  return MeshBody<3>::divide(input.mesh, input, MPI_COMM_WORLD);
 }
 
 /** The displacement of a uniform displacement gradient. */
@@ -116,7 +111,7 @@ TEST(MeshStatics, PatchTest)
     {
       SCOPED_TRACE(simplices ? "tetrahedra" : "hexahedra");
       const auto owner =
-        divided(brick({3, 4, 3}, {3., 4., 3.}, simplices, simplices ? 0.08 : 0.2));
+        verification::divided(brick({3, 4, 3}, {3., 4., 3.}, simplices, simplices ? 0.08 : 0.2));
       const MeshBody<3> &body = *owner;
       EXPECT_NEAR(body.volume(), 36., 1e-12);
       EXPECT_NEAR(body.total_mass(), 36. * density, 1e-10);
@@ -159,7 +154,7 @@ TEST(MeshStatics, PatchTest)
 
 TEST(MeshStatics, SixRigidMotions)
 {
-  const auto owner        = divided(brick({2, 2, 2}, {1., 2., 1.5}, true, 0.));
+  const auto owner        = verification::divided(brick({2, 2, 2}, {1., 2., 1.5}, true, 0.));
   const MeshBody<3> &body = *owner;
   DofMask mask(body.n_columns(), 1);
   const auto motions = free_rigid_motions<3>(body, mask);
@@ -186,7 +181,7 @@ TEST(MeshStatics, ModesOfAPrismAreThoseOfAChain)
 {
   constexpr unsigned int n = 12;
   const double h           = 0.25;
-  const auto owner         = divided(brick({2, 3, n}, {1., 1., n * h}, false, 0.));
+  const auto owner         = verification::divided(brick({2, 3, n}, {1., 1., n * h}, false, 0.));
   const MeshBody<3> &body = *owner;
   DofMask mask(body.n_columns(), 1);
   mask.constrain_row(0, 0);

@@ -4,6 +4,7 @@
 #include "base/exchange.h"
 #include "body/mesh/mesh_body.h"
 #include "contact/static_contact_solver.h"
+#include "divided_body.h"
 #include "eigenvalues/vibration_modes.h"
 #include "mesh_sliding.h"
 
@@ -87,7 +88,7 @@ NodalField<double> some_field(const ElasticBody<3> &body)
 }
 
 /** Pressed by a top that is lowered, on a flat that is not everywhere as high. */
-StaticContactSolution pressed(const ElasticBody<3> &body, const int sliding)
+StaticContactSolution pressed_bar(const ElasticBody<3> &body, const int sliding)
 {
   const SurfaceNodes<3> &bottom = body.surface(ElasticBody<3>::bottom);
   StaticContactProblem problem;
@@ -115,11 +116,7 @@ TEST(DividedBody, IsThatOfWholeFields)
                      (simplices ? ", tetrahedra" : ", hexahedra"));
         const MeshBodyInput<3> input = bar(standing, simplices);
         const MeshBody<3> all(input, MPI_COMM_SELF);
-        const bool is_root = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-        MeshBodyInput<3> rest = input;
-        rest.mesh             = {};
-        const auto owner =
-          MeshBody<3>::divide(is_root ? input.mesh : Mesh<3>(), rest, MPI_COMM_WORLD);
+        const auto owner        = verification::divided(input);
         const MeshBody<3> &body = *owner;
         EXPECT_EQ(body.n_cells(), all.n_cells());
         EXPECT_NEAR(body.total_mass(), all.total_mass(), 1e-12 * all.total_mass());
@@ -156,7 +153,7 @@ TEST(DividedBody, IsThatOfWholeFields)
 
         for (const int sliding : {0, 1})
           {
-            const auto found = pressed(body, sliding), same = pressed(all, sliding);
+            const auto found = pressed_bar(body, sliding), same = pressed_bar(all, sliding);
             EXPECT_EQ(found.state, same.state);
             EXPECT_LT(difference(body, found.displacement, all, same.displacement), 1e-8);
             const double force =

@@ -5,6 +5,7 @@
 #include "body/mesh/mesh_body.h"
 #include "body/rigid_motions.h"
 #include "contact/static_contact_solver.h"
+#include "divided_body.h"
 #include "eigenvalues/vibration_modes.h"
 #include "mesh_sliding.h"
 
@@ -36,12 +37,6 @@ layer_of(const unsigned int n, const verification::Cells &kind, const bool along
   body.phases      = {{layer_stiffness, layer_density}};
   body.periodicity = {true, along_y};
   return body;
-}
-
-/** With fields that are divided among the ranks. */
-std::unique_ptr<MeshBody<3>> divided(const MeshBodyInput<3> &input)
-{
-  return MeshBody<3>::divide(input.mesh, input, MPI_COMM_WORLD);
 }
 
 /** With all points at the height @p z held. */
@@ -158,7 +153,7 @@ TEST(PeriodicLayer, ModesConvergeToThoseOfWaves)
       std::array<std::vector<double>, 2> errors;
       for (const unsigned int k : {0U, 1U})
         {
-          const auto owner        = divided(layer_of(k == 0 ? 4 : 8, kind));
+          const auto owner        = verification::divided(layer_of(k == 0 ? 4 : 8, kind));
           const MeshBody<3> &body = *owner;
           VibrationModesOptions options;
           options.n_modes  = 16;
@@ -189,7 +184,7 @@ TEST(PeriodicLayer, FreeMotionsAndLoads)
           layer_of(2, {simplices, simplices ? 0.05 : 0.2}, along_y);
         for (auto &p : input.mesh.points) // with no lower side that could support it
           p[2] += along_y ? 0. : 0.5 * std::fabs(p[1] - 0.6);
-        const auto owner        = divided(input);
+        const auto owner        = verification::divided(input);
         const MeshBody<3> &body = *owner;
         const DofMask free(body.n_columns(), 1);
         const auto motions    = free_rigid_motions<3>(body, free);
@@ -238,7 +233,7 @@ TEST(PeriodicLayer, PressedOnASlidingFlatIsUniform)
             layer_of(4, {simplices, simplices ? 0.03 : 0.2}, along_y);
           if (!along_y) // nor do they stay plane
             input.phases[0].stiffness = isotropic_stiffness<3>(2., 0.);
-          const auto owner        = divided(input);
+          const auto owner        = verification::divided(input);
           const MeshBody<3> &body = *owner;
           const VoigtMatrix<3> &D = body.phases()[0].stiffness;
           const auto found        = pressed(body, sliding);
