@@ -26,9 +26,8 @@ std::vector<double>
 ElasticBody<dim>::surface_values(const unsigned int id,
                                  const NodalField<double> &field) const
 {
-  return gather(id, [&field](const unsigned int c, const NodeIndex &node) {
-    return field(c, node);
-  });
+  return gather(
+    id, [&field](const unsigned int c, const NodeIndex &node) { return field(c, node); });
 }
 
 template <int dim>

@@ -39,8 +39,8 @@ RigidMotions<dim>::at(const std::array<double, dim> &point) const
 }
 
 template <int dim>
-typename RigidMotions<dim>::Hold
-RigidMotions<dim>::hold_of(const DofMask &mask, const bool can_rotate) const
+typename RigidMotions<dim>::Hold RigidMotions<dim>::hold_of(const DofMask &mask,
+                                                            const bool can_rotate) const
 {
   Hold own = Hold::Zero();
   // A rotation about the axis along which sides are one is the same on both.

@@ -13,10 +13,10 @@ template <int dim>
 class RigidMotions
 {
 public:
-  static constexpr int n = dim * (dim + 1) / 2;               ///< their number
-  using Displacements    = Eigen::Matrix<double, dim, n>;     ///< a motion in a column
-  using Coefficients     = Eigen::Matrix<double, n, 1>;       ///< of the motions
-  using Hold             = Eigen::Matrix<double, n, n>;       ///< see hold_of()
+  static constexpr int n = dim * (dim + 1) / 2;           ///< their number
+  using Displacements    = Eigen::Matrix<double, dim, n>; ///< a motion in a column
+  using Coefficients     = Eigen::Matrix<double, n, 1>;   ///< of the motions
+  using Hold             = Eigen::Matrix<double, n, n>;   ///< see hold_of()
 
   /** @p body must outlive it. */
   explicit RigidMotions(const ElasticBody<dim> &body)

@@ -37,8 +37,8 @@ public:
   {
     for (unsigned int i = 0; i < n_nodes; ++i)
       solution.state.push_back(held[dim * i + normal_axis] != 0. ? ContactState::held
-                               : problem.state.empty() ? at_rest(i)
-                                                       : problem.state[i]);
+                               : problem.state.empty()           ? at_rest(i)
+                                                                 : problem.state[i]);
     for (unsigned int i = 0; i < n_nodes && !problem.friction.empty(); ++i)
       if (solution.state[i] == ContactState::slip)
         for (unsigned int c = 0; c < n_tangents; ++c)
@@ -166,7 +166,8 @@ private:
   {
     DofMask constrained   = problem.constrained;
     NodalField<double> &u = problem.displacement;
-    const auto put = [&](const unsigned int c, const NodeIndex &node, const double value) {
+    const auto put        = [&](const unsigned int c, const NodeIndex &node,
+                         const double value) {
       // Held by a side: that value counts.
       if (constrained.is_constrained(c, node))
         return;
@@ -312,9 +313,10 @@ private:
   StaticContactProblem problem;
   const StaticContactOptions &options;
   EquilibriumSolver<dim> solver;
-  const SurfaceNodes<dim> &bottom; ///< whose nodes all ranks know; the duplicate at the end
-  const unsigned int n_nodes;      ///< distinct ones of the bottom
-  const double scale;              ///< see stiffness_scale()
+  const SurfaceNodes<dim>
+    &bottom;                  ///< whose nodes all ranks know; the duplicate at the end
+  const unsigned int n_nodes; ///< distinct ones of the bottom
+  const double scale;         ///< see stiffness_scale()
 
   /** At the nodes of the bottom, their dim components together: problem.force, whether
    * problem.constrained holds them, the displacement. */

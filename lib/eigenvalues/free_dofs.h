@@ -191,7 +191,8 @@ private:
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
   unsigned int platen_rank = 0;        ///< that has its degree of freedom
   std::vector<NodeIndex> platen_nodes; ///< that this rank counts, without duplicates
-  std::vector<NodeIndex> nodes; ///< of the degrees of freedom; of the platen one of the top
+  std::vector<NodeIndex>
+    nodes; ///< of the degrees of freedom; of the platen one of the top
   std::vector<unsigned int> components;
   std::vector<double> masses;
 };

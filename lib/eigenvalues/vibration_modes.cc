@@ -29,7 +29,8 @@ orthonormal_motions(const ElasticBody<dim> &body, DofMask mask, const FreeDofs<d
       mask.release(dim - 1, node);
   std::vector<Vector> motions;
   // Neither can a platen turn.
-  for (const NodalField<double> &field : free_rigid_motions(body, mask, !dofs.has_platen()))
+  for (const NodalField<double> &field :
+       free_rigid_motions(body, mask, !dofs.has_platen()))
     {
       Vector motion = dofs.zero();
       dofs.gather(motion, field);
@@ -227,8 +228,8 @@ std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
 {
   using dealii::ArpackSolver;
   using dealii::PArpackSolver;
-  const unsigned int n_lanczos = static_cast<unsigned int>(
-    std::min<std::size_t>(2 * n_modes + 10, dofs.size() - 1));
+  const unsigned int n_lanczos =
+    static_cast<unsigned int>(std::min<std::size_t>(2 * n_modes + 10, dofs.size() - 1));
   Vector start = dofs.zero();
   std::mt19937 generator(1 + dealii::Utilities::MPI::this_mpi_process(communicator));
   std::uniform_real_distribution<> number(-1., 1.);
@@ -249,12 +250,12 @@ std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
     }
   // PARPACK takes no part without entries.
   if (dealii::Utilities::MPI::min(start.locally_owned_size(), communicator) == 0)
-    throw UserError("Modal: one of the processes has no free degree of freedom of its own, "
-                    "as there are few cells; start fewer of them");
+    throw UserError(
+      "Modal: one of the processes has no free degree of freedom of its own, "
+      "as there are few cells; start fewer of them");
   using Solver = PArpackSolver<Vector>;
-  Solver arpack(
-    control, communicator,
-    Solver::AdditionalData(n_lanczos, Solver::largest_magnitude, true));
+  Solver arpack(control, communicator,
+                Solver::AdditionalData(n_lanczos, Solver::largest_magnitude, true));
   arpack.reinit(start);
   arpack.set_initial_vector(start);
   try
@@ -288,7 +289,8 @@ VibrationModes<dim> vibration_modes(const ElasticBody<dim> &body,
   const InverseStiffness<dim> inverse(body, mask, dofs, options);
 
   VibrationModes<dim> result;
-  for (const Vector &x : lowest_eigenvectors(dofs, inverse, body.communicator(), options.n_modes))
+  for (const Vector &x :
+       lowest_eigenvectors(dofs, inverse, body.communicator(), options.n_modes))
     result.modes.push_back(finish_mode(x, dofs, body, options.platen_mass.value_or(0.)));
   std::sort(result.modes.begin(), result.modes.end(),
             [](const VibrationMode<dim> &a, const VibrationMode<dim> &b) {

@@ -10,12 +10,14 @@
 namespace verification
 {
 /** With fields that are divided among the ranks; rank 0 alone hands the mesh over. */
-inline std::unique_ptr<mesoslip::MeshBody<3>> divided(const mesoslip::MeshBodyInput<3> &input)
+inline std::unique_ptr<mesoslip::MeshBody<3>>
+divided(const mesoslip::MeshBodyInput<3> &input)
 {
   mesoslip::MeshBodyInput<3> rest = input;
-  rest.mesh             = {};
-  const bool is_root    = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  return mesoslip::MeshBody<3>::divide(is_root ? input.mesh : mesoslip::Mesh<3>(), rest, MPI_COMM_WORLD);
+  rest.mesh                       = {};
+  const bool is_root = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  return mesoslip::MeshBody<3>::divide(is_root ? input.mesh : mesoslip::Mesh<3>(), rest,
+                                       MPI_COMM_WORLD);
 }
 } // namespace verification
 

@@ -110,8 +110,8 @@ TEST(MeshStatics, PatchTest)
   for (const bool simplices : {false, true})
     {
       SCOPED_TRACE(simplices ? "tetrahedra" : "hexahedra");
-      const auto owner =
-        verification::divided(brick({3, 4, 3}, {3., 4., 3.}, simplices, simplices ? 0.08 : 0.2));
+      const auto owner = verification::divided(
+        brick({3, 4, 3}, {3., 4., 3.}, simplices, simplices ? 0.08 : 0.2));
       const MeshBody<3> &body = *owner;
       EXPECT_NEAR(body.volume(), 36., 1e-12);
       EXPECT_NEAR(body.total_mass(), 36. * density, 1e-10);
@@ -154,7 +154,7 @@ TEST(MeshStatics, PatchTest)
 
 TEST(MeshStatics, SixRigidMotions)
 {
-  const auto owner        = verification::divided(brick({2, 2, 2}, {1., 2., 1.5}, true, 0.));
+  const auto owner = verification::divided(brick({2, 2, 2}, {1., 2., 1.5}, true, 0.));
   const MeshBody<3> &body = *owner;
   DofMask mask(body.n_columns(), 1);
   const auto motions = free_rigid_motions<3>(body, mask);
@@ -181,7 +181,7 @@ TEST(MeshStatics, ModesOfAPrismAreThoseOfAChain)
 {
   constexpr unsigned int n = 12;
   const double h           = 0.25;
-  const auto owner         = verification::divided(brick({2, 3, n}, {1., 1., n * h}, false, 0.));
+  const auto owner = verification::divided(brick({2, 3, n}, {1., 1., n * h}, false, 0.));
   const MeshBody<3> &body = *owner;
   DofMask mask(body.n_columns(), 1);
   mask.constrain_row(0, 0);

@@ -21,20 +21,21 @@ namespace
  * node, or no cell of a phase, or one of two points that move together. */
 MeshBodyInput<3> bar(const bool standing, const bool simplices)
 {
-  const std::array<unsigned int, 3> cells =
-    standing ? std::array<unsigned int, 3>{{2, 3, 16}} : std::array<unsigned int, 3>{{16, 3, 2}};
-  const unsigned int axis = standing ? 2 : 0;
+  const std::array<unsigned int, 3> cells = standing
+                                              ? std::array<unsigned int, 3>{{2, 3, 10}}
+                                              : std::array<unsigned int, 3>{{10, 3, 2}};
+  const unsigned int axis                 = standing ? 2 : 0;
   verification::MeshCase<3> c;
-  c.mesh = verification::brick<3>(
-    cells, {{0.25 * cells[0], 0.3 * cells[1], 0.25 * cells[2]}},
-    {simplices, simplices ? 0.05 : 0.2});
+  c.mesh =
+    verification::brick<3>(cells, {{0.25 * cells[0], 0.3 * cells[1], 0.25 * cells[2]}},
+                           {simplices, simplices ? 0.05 : 0.2});
   c.mesh.phases = {"one", "other"};
   for (auto &cell : c.mesh.cells)
     {
       dealii::Point<3> middle;
       for (const unsigned int v : cell.vertices)
         middle += c.mesh.points[v] / static_cast<double>(cell.vertices.size());
-      cell.material_id = middle[axis] < 2. ? 0 : 1;
+      cell.material_id = middle[axis] < 1. ? 0 : 1;
     }
   if (!standing)
     c.join(0);
@@ -52,7 +53,6 @@ DofMask held_at_top(const ElasticBody<3> &body)
   for (const NodeIndex &node : body.surface(ElasticBody<3>::top).nodes)
     for (unsigned int c = 0; c < 3; ++c)
       held.constrain(c, node);
-  body.copy_duplicates(held);
   return held;
 }
 
@@ -153,7 +153,8 @@ TEST(DividedBody, IsThatOfWholeFields)
 
         for (const int sliding : {0, 1})
           {
-            const auto found = pressed_bar(body, sliding), same = pressed_bar(all, sliding);
+            const auto found = pressed_bar(body, sliding),
+                       same  = pressed_bar(all, sliding);
             EXPECT_EQ(found.state, same.state);
             EXPECT_LT(difference(body, found.displacement, all, same.displacement), 1e-8);
             const double force =

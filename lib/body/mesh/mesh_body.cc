@@ -145,10 +145,9 @@ NodeIndex MeshBody<dim>::node(const std::size_t point) const
 template <int dim>
 std::optional<NodeIndex> MeshBody<dim>::find(const unsigned int number) const
 {
-  const auto found = std::lower_bound(in_order.begin(), in_order.end(), number,
-                                      [this](const unsigned int i, const unsigned int n) {
-                                        return in_mesh[i] < n;
-                                      });
+  const auto found = std::lower_bound(
+    in_order.begin(), in_order.end(), number,
+    [this](const unsigned int i, const unsigned int n) { return in_mesh[i] < n; });
   if (found == in_order.end() || in_mesh[*found] != number)
     return std::nullopt;
   return node(*found);

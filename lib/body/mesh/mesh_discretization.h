@@ -89,10 +89,11 @@ private:
   dealii::AffineConstraints<double> constraints;
   std::vector<Index> dofs; ///< dim for each node of fields, see dof()
 
-  static constexpr int nowhere = -1; ///< where a node is a duplicate or another rank owns it
-  std::vector<int> in_owned;         ///< places of dofs in a Vector
-  std::vector<int> in_needed;        ///< places of dofs in needed
-  mutable Vector needed;             ///< all that fields have
+  static constexpr int nowhere =
+    -1;                       ///< where a node is a duplicate or another rank owns it
+  std::vector<int> in_owned;  ///< places of dofs in a Vector
+  std::vector<int> in_needed; ///< places of dofs in needed
+  mutable Vector needed;      ///< all that fields have
   Matrix matrix;
   Vector mass;
 };

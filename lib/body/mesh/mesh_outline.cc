@@ -118,8 +118,8 @@ void find_sides(const Mesh<dim> &mesh,
                                                                : std::string();
       outline.sides.push_back(in_order(
         mesh,
-        of_originals(
-          mesh, boundary_points(mesh, name.empty() ? faces_in_plane(mesh, faces, box, id)
+        of_originals(mesh, boundary_points(mesh, name.empty()
+                                                   ? faces_in_plane(mesh, faces, box, id)
                                                    : faces_called(mesh, faces, name))),
         id));
     }

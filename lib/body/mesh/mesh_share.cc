@@ -45,12 +45,11 @@ dofs_of_part(const MeshPart<dim> &part, const DistributedMesh<dim> &distributed)
   for (const auto &cell : distributed.dofs().active_cell_iterators())
     if (cell->is_locally_owned())
       {
-        const auto number = cell->id().get_coarse_cell_id();
-        const auto found =
-          std::lower_bound(order.begin(), order.end(), number,
-                           [&](const unsigned int k, const auto wanted) {
-                             return part.cell_in_mesh[k] < wanted;
-                           });
+        const auto number   = cell->id().get_coarse_cell_id();
+        const auto found    = std::lower_bound(order.begin(), order.end(), number,
+                                               [&](const unsigned int k, const auto wanted) {
+                                              return part.cell_in_mesh[k] < wanted;
+                                            });
         const auto &corners = part.cells[*found].vertices;
         for (unsigned int v = 0; v < corners.size(); ++v)
           for (unsigned int c = 0; c < dim; ++c)
@@ -71,8 +70,9 @@ MeshShare<dim> whole_share(const MeshBodyInput<dim> &given, const MPI_Comm commu
   share.point_in_mesh.resize(given.mesh.points.size());
   std::iota(share.point_in_mesh.begin(), share.point_in_mesh.end(), 0U);
   share.n_counted = share.n_owned = share.point_in_mesh.size();
-  share.dofs       = share.all_ranks->dofs_of_points(given.mesh, share.point_in_mesh);
-  share.duplicates = share.all_ranks->dofs_of_points(given.mesh, share.outline.duplicates);
+  share.dofs = share.all_ranks->dofs_of_points(given.mesh, share.point_in_mesh);
+  share.duplicates =
+    share.all_ranks->dofs_of_points(given.mesh, share.outline.duplicates);
   return share;
 }
 
@@ -85,10 +85,11 @@ MeshShare<dim> divided_share(const Mesh<dim> &mesh,
   share.is_divided = true;
   on_root(communicator, [&]() { share.outline = outline_of(mesh, given); });
   broadcast_object(communicator, share.outline);
-  share.all_ranks    = std::make_unique<DistributedMesh<dim>>(mesh, communicator);
-  share.duplicates   = share.all_ranks->dofs_of_points(mesh, share.outline.duplicates);
-  MeshPart<dim> part = distribute(mesh, rank_of_cells(mesh, *share.all_ranks), communicator);
-  const auto dofs    = dofs_of_part(part, *share.all_ranks);
+  share.all_ranks  = std::make_unique<DistributedMesh<dim>>(mesh, communicator);
+  share.duplicates = share.all_ranks->dofs_of_points(mesh, share.outline.duplicates);
+  MeshPart<dim> part =
+    distribute(mesh, rank_of_cells(mesh, *share.all_ranks), communicator);
+  const auto dofs = dofs_of_part(part, *share.all_ranks);
   // Where cells are of several kinds the owner of a degree of freedom may be another rank
   // than that of the point in MeshPart.
   const dealii::IndexSet &owned = share.all_ranks->dofs().locally_owned_dofs();
@@ -118,9 +119,9 @@ MeshShare<dim> divided_share(const Mesh<dim> &mesh,
   return share;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                         \
-  template MeshShare<dim> whole_share(const MeshBodyInput<dim> &, const MPI_Comm);        \
-  template MeshShare<dim> divided_share(const Mesh<dim> &, const MeshBodyInput<dim> &,    \
+#define MESOSLIP_INSTANTIATE(dim)                                                      \
+  template MeshShare<dim> whole_share(const MeshBodyInput<dim> &, const MPI_Comm);     \
+  template MeshShare<dim> divided_share(const Mesh<dim> &, const MeshBodyInput<dim> &, \
                                         const MPI_Comm);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -25,10 +25,11 @@ struct MeshShare
   bool is_divided = false;                 ///< whether fields are
   Mesh<dim> mesh;                          ///< points and cells of fields
   std::vector<unsigned int> point_in_mesh; ///< numbers of the points in the whole mesh
-  std::size_t n_counted = 0;     ///< points that the rank owns and that move on their own
-  std::size_t n_owned   = 0;     ///< points that the rank owns
-  std::vector<Index> dofs;       ///< dim a point
-  std::vector<Index> duplicates; ///< of the whole mesh: dim of a duplicate, of its original
+  std::size_t n_counted = 0; ///< points that the rank owns and that move on their own
+  std::size_t n_owned   = 0; ///< points that the rank owns
+  std::vector<Index> dofs;   ///< dim a point
+  std::vector<Index>
+    duplicates; ///< of the whole mesh: dim of a duplicate, of its original
 };
 
 /** For whole fields of the body @p given, which is the same on all ranks. Collective. @throws

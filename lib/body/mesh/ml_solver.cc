@@ -26,7 +26,7 @@ constexpr unsigned int max_iterations = 2000;
 template <int dim>
 struct Place
 {
-  std::array<double, dim> point = {};                      ///< m, see ElasticBody::point()
+  std::array<double, dim> point = {}; ///< m, see ElasticBody::point()
   std::array<dealii::types::global_dof_index, dim> dofs = {}; ///< of its components
 };
 
@@ -70,12 +70,10 @@ std::array<Place<dim>, 3> distant_nodes(const ElasticBody<dim> &body,
       offset[d] = point[d] - from[d];
     return offset;
   };
-  const auto a = farthest(body, discretization, [&](const Point &p) {
-    return offset_of(p, Point()).norm();
-  });
-  const auto b = farthest(body, discretization, [&](const Point &p) {
-    return offset_of(p, a.point).norm();
-  });
+  const auto a      = farthest(body, discretization,
+                               [&](const Point &p) { return offset_of(p, Point()).norm(); });
+  const auto b      = farthest(body, discretization,
+                               [&](const Point &p) { return offset_of(p, a.point).norm(); });
   const Vector line = offset_of(b.point, a.point).normalized();
   return {{a, b, farthest(body, discretization, [&](const Point &p) {
              const Vector offset = offset_of(p, a.point);
@@ -129,8 +127,8 @@ void MlSolver<dim>::support()
   for (const Place<dim> &place : distant_nodes(body, discretization))
     for (unsigned int c = dim; c-- > 0 && n_free > 0;)
       {
-        const auto row    = rigid.at(place.point).row(c).eval();
-        const auto trial  = (hold + row.transpose() * row).eval();
+        const auto row      = rigid.at(place.point).row(c).eval();
+        const auto trial    = (hold + row.transpose() * row).eval();
         const std::size_t n = RigidMotions<dim>::left_by(trial).size();
         if (n == n_free)
           continue;

@@ -191,12 +191,12 @@ void write_frequencies(Hdf5File &file, const std::vector<ModalCase<dim>> &cases)
     }
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                    \
-  template std::vector<ModalCase<dim>> compute_modes(                                \
-    const ElasticBody<dim> &, const std::function<DofMask(const bool)> &,            \
-    const ContactParameters &, RunContext &);                                        \
-  template void write_modes(const std::vector<ModalCase<dim>> &, RunContext &);      \
-  template ShownShapes shown_shapes(const std::vector<ModalCase<dim>> &);             \
+#define MESOSLIP_INSTANTIATE(dim)                                               \
+  template std::vector<ModalCase<dim>> compute_modes(                           \
+    const ElasticBody<dim> &, const std::function<DofMask(const bool)> &,       \
+    const ContactParameters &, RunContext &);                                   \
+  template void write_modes(const std::vector<ModalCase<dim>> &, RunContext &); \
+  template ShownShapes shown_shapes(const std::vector<ModalCase<dim>> &);       \
   template void write_frequencies(Hdf5File &, const std::vector<ModalCase<dim>> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

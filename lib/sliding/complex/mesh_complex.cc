@@ -47,9 +47,8 @@ private:
     return top_at_start(this->parameters).kind != TopSetup::Kind::held;
   }
 
-  SlidingState at_rest(const ContactParameters &of_case,
-                       MeshBody<dim> &elastic,
-                       RunContext &context);
+  SlidingState
+  at_rest(const ContactParameters &of_case, MeshBody<dim> &elastic, RunContext &context);
 };
 
 template <int dim>

@@ -94,7 +94,8 @@ void MeshModal<dim>::run(RunContext &context)
       std::vector<const NodalField<double> *> shapes;
       for (const VibrationMode<dim> &mode : c.modes.modes)
         shapes.push_back(&mode.shape);
-      write_divided_fields(file, path, shapes_name(c), shapes, this->morphology, *elastic);
+      write_divided_fields(file, path, shapes_name(c), shapes, this->morphology,
+                           *elastic);
     }
   if (!context.root())
     return;

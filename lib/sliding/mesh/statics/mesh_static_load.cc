@@ -129,8 +129,8 @@ void MeshStaticLoad<dim>::stick_where_it_is(const double share)
   if (!parameters.static_load.has_history())
     return;
   const std::vector<double> &of_flat = parameters.static_load.of_flat;
-  constexpr unsigned int bottom = ElasticBody<dim>::bottom;
-  const std::vector<double> u   = elastic.surface_values(bottom, problem.displacement),
+  constexpr unsigned int bottom      = ElasticBody<dim>::bottom;
+  const std::vector<double> u    = elastic.surface_values(bottom, problem.displacement),
                             held = elastic.surface_values(bottom, problem.constrained);
   problem.reference.clear();
   for (std::size_t k = 0; k < u.size(); k += dim)
