@@ -99,7 +99,9 @@ StaticContactSolution pressed_bar(const ElasticBody<3> &body, const int sliding)
     problem.displacement(2, node) = -0.02;
   for (std::size_t k = 0; k < bottom.normal_area.size(); ++k)
     problem.gap.push_back(0.004 * static_cast<double>(k % 4));
-  problem.friction_coefficient.assign(bottom.normal_area.size(), 0.2);
+  // On a flat at rest all nodes that touch it stick.
+  problem.friction_coefficient.assign(bottom.normal_area.size(),
+                                      sliding == 0 ? 50. : 0.2);
   problem.sliding = sliding;
   StaticContactOptions options;
   options.tolerance = 1e-11;
