@@ -159,8 +159,7 @@ MeshOutline<dim> outline_of(const Mesh<dim> &mesh, const MeshBodyInput<dim> &inp
       outline.volume += volume;
       outline.mass += volume * input.phases[cell.material_id].density;
     }
-  outline.n_points = mesh.points.size();
-  outline.n_cells  = mesh.cells.size();
+  outline.n_cells = mesh.cells.size();
   find_sides(mesh, input, outline);
   tie_sides(mesh, input.periodicity, outline);
   return outline;

@@ -34,7 +34,6 @@ struct MeshOutline
   std::array<double, dim> extents = {}; ///< of the bounding box (m)
   double volume                   = 0.; ///< m^2, m^3
   double mass                     = 0.; ///< kg, in 2D kg/m
-  std::uint64_t n_points          = 0;  ///< of the mesh
   std::uint64_t n_cells           = 0;  ///< of the mesh
   std::vector<Side> sides;              ///< as ElasticBody has them
 
@@ -45,7 +44,7 @@ struct MeshOutline
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<8>(archive, *this);
+    serialize_members<7>(archive, *this);
   }
 };
 

@@ -26,7 +26,6 @@ public:
 
 private:
   using Vector = typename MeshDiscretization<dim>::Vector;
-  using Index  = typename MeshDiscretization<dim>::Index;
 
   void support();
   void copy_without_fixed();
