@@ -1,13 +1,44 @@
 #include "body/elastic_body.h"
 
+#include "base/exchange.h"
 #include "body/grid_body.h"
 #include "body/mesh/mesh_body.h"
-#include "statics/multigrid/rigid_modes.h"
-
-#include <cmath>
 
 namespace mesoslip
 {
+/** Of the values (component, node) at the nodes of side @p id. */
+template <int dim>
+template <typename Value>
+std::vector<double> ElasticBody<dim>::gather(const unsigned int id,
+                                             const Value &value) const
+{
+  const SurfaceNodes<dim> &side = sides[id];
+  std::vector<double> values(dim * side.normal_area.size(), 0.);
+  for (std::size_t k = 0; k < side.nodes.size(); ++k)
+    for (unsigned int c = 0; c < dim && is_counted(side.nodes[k]); ++c)
+      values[dim * side.place(k) + c] = value(c, side.nodes[k]);
+  sum_over_ranks(values, sharing);
+  return values;
+}
+
+template <int dim>
+std::vector<double>
+ElasticBody<dim>::surface_values(const unsigned int id,
+                                 const NodalField<double> &field) const
+{
+  return gather(
+    id, [&field](const unsigned int c, const NodeIndex &node) { return field(c, node); });
+}
+
+template <int dim>
+std::vector<double> ElasticBody<dim>::surface_values(const unsigned int id,
+                                                     const DofMask &mask) const
+{
+  return gather(id, [&mask](const unsigned int c, const NodeIndex &node) {
+    return mask.is_constrained(c, node) ? 1. : 0.;
+  });
+}
+
 template <int dim>
 void ElasticBody<dim>::add_duplicates(NodalField<double> &field) const
 {
@@ -46,86 +77,6 @@ std::vector<double> phase_volumes(const ElasticBody<dim> &body)
         volumes[cells.phase[k]] += cells.volume[k];
     }
   return volumes;
-}
-
-template <>
-std::vector<NodalField<double>>
-free_rigid_motions(const ElasticBody<2> &body, const DofMask &mask, const bool can_rotate)
-{
-  // Lengths are measured from the middle in widths of the body.
-  const double width  = body.extent(0);
-  const auto position = [&](const NodeIndex &node) {
-    const auto p = body.point(node);
-    return std::array<double, 2>{
-      {p[0] / width - 0.5, (p[1] - 0.5 * body.extent(1)) / width}};
-  };
-  const Periodicity periodic = body.periodicity();
-  std::vector<NodalField<double>> motions;
-  for (const Eigen::Vector3d &a :
-       motions_left_by(mask, can_rotate && !periodic.x && !periodic.y, position))
-    {
-      NodalField<double> motion = body.zero_field();
-      for (unsigned int j = 0; j < body.n_rows(); ++j)
-        for (unsigned int i = 0; i < body.n_columns(); ++i)
-          {
-            const auto [x, y]   = position({i, j});
-            motion.row(0, j)[i] = a[0] - a[2] * y;
-            motion.row(1, j)[i] = a[1] + a[2] * x;
-          }
-      motions.push_back(std::move(motion));
-    }
-  return motions;
-}
-
-// Eigenvectors for the eigenvalue zero of what the constraints hold of the six motions.
-template <>
-std::vector<NodalField<double>>
-free_rigid_motions(const ElasticBody<3> &body, const DofMask &mask, const bool can_rotate)
-{
-  using Motions     = Eigen::Matrix<double, 3, 6>;
-  const double size = std::hypot(body.extent(0), body.extent(1), body.extent(2));
-  // Displacements of a node by unit translations and rotations about the middle.
-  const auto motions_of = [&](const NodeIndex &node) {
-    const auto p = body.point(node);
-    Eigen::Vector3d x;
-    for (unsigned int d = 0; d < 3; ++d)
-      x[d] = (p[d] - 0.5 * body.extent(d)) / size;
-    Motions motions = Motions::Zero();
-    motions.leftCols<3>().setIdentity();
-    for (unsigned int d = 0; d < 3; ++d)
-      motions.col(3 + d) = Eigen::Vector3d::Unit(d).cross(x);
-    return motions;
-  };
-  // A rotation about the axis along which sides are one is the same on both.
-  Eigen::Matrix<double, 6, 6> hold = Eigen::Matrix<double, 6, 6>::Zero();
-  const Periodicity periodic       = body.periodicity();
-  for (unsigned int d = 0; d < 3; ++d)
-    if (!can_rotate || (periodic.x && d != 0) || (periodic.y && d != 1))
-      hold(3 + d, 3 + d) = 1.;
-  for (unsigned int j = 0; j < body.n_rows(); ++j)
-    for (unsigned int i = 0; i < body.n_columns(); ++i)
-      if (mask.bits({i, j}) != 0)
-        {
-          const Motions motions = motions_of({i, j});
-          for (unsigned int c = 0; c < 3; ++c)
-            if (mask.is_constrained(c, {i, j}))
-              hold += motions.row(c).transpose() * motions.row(c);
-        }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(hold);
-  std::vector<NodalField<double>> result;
-  for (int k = 0; k < 6; ++k)
-    if (!(eigen.eigenvalues()[k] > 1e-10 * std::max(1., eigen.eigenvalues()[5])))
-      {
-        NodalField<double> &motion = result.emplace_back(body.zero_field());
-        for (unsigned int j = 0; j < body.n_rows(); ++j)
-          for (unsigned int i = 0; i < body.n_columns(); ++i)
-            {
-              const Eigen::Vector3d u = motions_of({i, j}) * eigen.eigenvectors().col(k);
-              for (unsigned int c = 0; c < 3; ++c)
-                motion.row(c, j)[i] = u[c];
-            }
-      }
-  return result;
 }
 
 std::unique_ptr<ElasticBody<2>> make_body(const UniformMaterial &material,

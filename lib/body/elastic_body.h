@@ -18,16 +18,26 @@ namespace mesoslip
 template <int dim>
 struct SurfaceNodes
 {
-  /** In 2D in ascending order along the side. */
+  /** Those that this rank has. In 2D in ascending order along the side. */
   std::vector<NodeIndex> nodes;
 
   /** In 2D on a body whose sides are periodic: the last node is the duplicate of the first.
    * Meshes with Mesh::originals have no duplicates here. */
   bool closed = false;
 
-  /** Integral of the outward normal times the shape function of each node: its tributary
-   * length (2D, m) or area (3D, m^2) in the direction of the normal. */
+  /** Of all nodes of the side, whatever rank has them: integral of the outward normal times
+   * the shape function of the node, its tributary length (2D, m) or area (3D, m^2) in the
+   * direction of the normal. */
   std::vector<std::array<double, dim>> normal_area;
+
+  /** Of each of nodes its number among all nodes of the side; empty: nodes are all. */
+  std::vector<std::size_t> place_of_nodes;
+
+  /** Number of node @p k of nodes among all nodes of the side. */
+  std::size_t place(const std::size_t k) const
+  {
+    return place_of_nodes.empty() ? k : place_of_nodes[k];
+  }
 };
 
 /** A part of an entry of K; parts at the same place add up. Degree of freedom dim k + c is
@@ -52,9 +62,11 @@ struct MatrixEntry
  * a grid its rows and columns, on a mesh any layout. Where sides are periodic, fields
  * keep the duplicate nodes, which operators read and write equal to their originals.
  *
- * Every rank holds whole fields. On a body that is distributed, products and solves are
- * collective: all ranks call them with the same fields and get the same result, bit for
- * bit, so that they take the same decisions.
+ * Fields are whole on every rank, or divided: then a rank has the nodes of its cells, and
+ * nodes of several ranks have the same values on all of them. Sums over nodes go over those
+ * that a rank counts and then over the ranks of communicator(), which are one where fields
+ * are whole. On a distributed body products and solves are collective and give all ranks
+ * the same bits, so that they take the same decisions.
  */
 template <int dim>
 class ElasticBody
@@ -103,8 +115,36 @@ public:
     return sides[id];
   }
 
+  /** Components of @p field at all nodes of side @p id, on all ranks; those of a node
+   * together. Collective. */
+  std::vector<double> surface_values(const unsigned int id,
+                                     const NodalField<double> &field) const;
+
+  /** The same of a mask: 1 where a component is constrained, else 0. Collective. */
+  std::vector<double> surface_values(const unsigned int id, const DofMask &mask) const;
+
+  /** The ranks among which fields are divided; MPI_COMM_SELF where they are whole. */
+  MPI_Comm communicator() const
+  {
+    return sharing;
+  }
+
+  /** Whether this rank counts @p node in sums: of a node of several ranks one does, of
+   * divided fields only that which duplicates follow. */
+  bool is_counted(const NodeIndex &node) const
+  {
+    return index(node) < n_counted;
+  }
+
+  /** Number of @p node in the whole body, the same for any number of ranks. */
+  virtual std::uint64_t number(const NodeIndex &node) const
+  {
+    return index(node);
+  }
+
   /** Duplicate nodes and their originals, axis after axis: a corner is the duplicate of
-   * one that is itself the duplicate of another along the next axis. */
+   * one that is itself the duplicate of another along the next axis. None where fields are
+   * divided. */
   const std::vector<std::array<NodeIndex, 2>> &duplicate_nodes() const
   {
     return duplicates;
@@ -113,10 +153,12 @@ public:
   /** Adds up what duplicate nodes and their originals have, in both. */
   void add_duplicates(NodalField<double> &field) const;
 
-  /** Sets duplicate nodes to the value of their originals. */
-  void copy_duplicates(NodalField<double> &field) const;
+  /** Sets duplicate nodes, and those that other ranks count, to the value of their originals.
+   * Collective. */
+  virtual void copy_duplicates(NodalField<double> &field) const;
 
-  /** Constrains duplicate nodes where their originals are constrained. */
+  /** Constrains duplicate nodes where their originals are constrained. Solvers of divided
+   * fields look at originals alone. */
   void copy_duplicates(DofMask &mask) const;
 
   /** Length of the body's bounding box along axis @p d (m). */
@@ -167,7 +209,8 @@ public:
     std::vector<double> volume;           ///< in mean cell volumes: 1 on a grid
   };
 
-  /** Evaluates the displacement @p u in the cells of @p group. Not collective. */
+  /** Evaluates the displacement @p u in the cells of @p group, where fields are divided of
+   * those of this rank. Not collective. */
   virtual void
   evaluate(const NodalField<double> &u, const std::size_t group, Cells &cells) const = 0;
 
@@ -176,7 +219,8 @@ public:
 
   /**
    * K as a matrix: of this rank's cells or rows, all together without repetition.
-   * Duplicate nodes are apart from their originals or empty. Not collective.
+   * Duplicate nodes are apart from their originals or empty. Not collective; for whole
+   * fields.
    */
   virtual std::vector<MatrixEntry> stiffness_entries() const = 0;
 
@@ -193,11 +237,18 @@ protected:
               const unsigned int n_rows,
               const std::vector<ElasticPhase<dim>> &phases,
               const Periodicity &periodicity)
-    : columns(n_columns)
+    : n_counted(static_cast<std::size_t>(n_columns) * n_rows)
+    , columns(n_columns)
     , rows(n_rows)
     , the_phases(phases)
     , periodic(periodicity)
   {
+  }
+
+  /** Of a node among those of a field, row after row. */
+  std::size_t index(const NodeIndex &node) const
+  {
+    return static_cast<std::size_t>(node.j) * columns + node.i;
   }
 
   std::array<double, dim> extents = {};             ///< see extent()
@@ -205,10 +256,15 @@ protected:
   double mass                     = 0.;             ///< see total_mass()
   std::size_t number_of_cells     = 0;              ///< see n_cells()
   bool distributed                = false;          ///< see is_distributed()
+  MPI_Comm sharing                = MPI_COMM_SELF;  ///< see communicator()
+  std::size_t n_counted;                            ///< the first nodes of a field
   std::array<SurfaceNodes<dim>, 2UL * dim> sides;   ///< see surface()
   std::vector<std::array<NodeIndex, 2>> duplicates; ///< see duplicate_nodes()
 
 private:
+  template <typename Value>
+  std::vector<double> gather(const unsigned int id, const Value &value) const;
+
   const unsigned int columns, rows;
   const std::vector<ElasticPhase<dim>> the_phases;
   const Periodicity periodic;
@@ -217,27 +273,6 @@ private:
 /** Volume (in mean cell volumes) of each phase. */
 template <int dim>
 std::vector<double> phase_volumes(const ElasticBody<dim> &body);
-
-/**
- * The displacement fields of the rigid motions that the constraints @p mask, periodic
- * sides and, if @p can_rotate is false, something else leave; linearly independent.
- */
-template <int dim>
-std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<dim> &body,
-                                                   const DofMask &mask,
-                                                   const bool can_rotate = true);
-
-/** See above. */
-template <>
-std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<2> &body,
-                                                   const DofMask &mask,
-                                                   const bool can_rotate);
-
-/** See above. */
-template <>
-std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<3> &body,
-                                                   const DofMask &mask,
-                                                   const bool can_rotate);
 
 /**
  * The body that @p solver works on: a GridBody, or for StaticSolverKind::ml a MeshBody

@@ -3,6 +3,8 @@
 
 #include "body/elastic_body.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -99,9 +101,13 @@ private:
             const double x =
               constrained.is_constrained(c, node) ? 0. : force(c, node) - internal;
             residual(c, node) = x;
+            if (!body.is_counted(node))
+              continue;
             free += x * x;
             all += internal * internal;
           }
+    free = dealii::Utilities::MPI::sum(free, body.communicator());
+    all  = dealii::Utilities::MPI::sum(all, body.communicator());
     return all > 0. ? std::sqrt(free / all) : (free > 0. ? 1. : 0.);
   }
 

@@ -1,8 +1,6 @@
 #ifndef mesoslip_contact_incremental_friction_h
 #define mesoslip_contact_incremental_friction_h
 
-#include "body/elastic_body.h"
-
 #include <Eigen/Dense>
 
 #include <array>
@@ -58,37 +56,34 @@ public:
            !(std::inner_product(now.begin(), now.end(), before.begin(), 0.) > 0.);
   }
 
-  /** Size of what friction of node @p i tends to (N), with @p node and displacement @p u. */
-  double size_of_trial(const NodalField<double> &u,
-                       const NodeIndex &node,
-                       const unsigned int i) const
+  /** Size of what friction of node @p i tends to (N). @p u: dim components of the
+   * displacement (m) of each contact node. */
+  double size_of_trial(const std::vector<double> &u, const unsigned int i) const
   {
     double squares = 0.;
     for (unsigned int c = 0; c < n_tangents; ++c)
-      squares += trial(u, node, i, c) * trial(u, node, i, c);
+      squares += trial(u, i, c) * trial(u, i, c);
     return std::sqrt(squares);
   }
 
   /** Turns the friction of node @p i against its displacement; see size_of_trial(). */
-  void turn(const NodalField<double> &u, const NodeIndex &node, const unsigned int i)
+  void turn(const std::vector<double> &u, const unsigned int i)
   {
-    const double size = size_of_trial(u, node, i);
+    const double size = size_of_trial(u, i);
     for (unsigned int c = 0; c < n_tangents && size > 0.; ++c)
-      direction[i][c] = trial(u, node, i, c) / size;
+      direction[i][c] = trial(u, i, c) / size;
   }
 
   /** Whether node @p i moves with its friction, which is at most @p limit (N). */
-  bool is_pushed(const NodalField<double> &u,
-                 const NodeIndex &node,
-                 const unsigned int i,
-                 const double limit) const
+  bool
+  is_pushed(const std::vector<double> &u, const unsigned int i, const double limit) const
   {
     double friction_squares = 0., along = 0.;
     for (unsigned int c = 0; c < n_tangents; ++c)
       {
         const double f = force[index(i, c)];
         friction_squares += f * f;
-        along += f * (u(c, node) - sticks_at(i, c));
+        along += f * (u[dim * i + c] - sticks_at(i, c));
       }
     return along > 0. && std::sqrt(friction_squares) <= (1. + 1e-6) * limit;
   }
@@ -97,12 +92,10 @@ public:
   std::vector<Direction> direction; ///< of friction at nodes that slip
 
 private:
-  double trial(const NodalField<double> &u,
-               const NodeIndex &node,
-               const unsigned int i,
-               const unsigned int c) const
+  double
+  trial(const std::vector<double> &u, const unsigned int i, const unsigned int c) const
   {
-    return force[index(i, c)] - scale * (u(c, node) - sticks_at(i, c));
+    return force[index(i, c)] - scale * (u[dim * i + c] - sticks_at(i, c));
   }
 
   const std::vector<double> &reference;

@@ -25,20 +25,20 @@ public:
     , problem(std::move(given))
     , options(options)
     , solver(body)
-    , nodes(body.surface(ElasticBody<dim>::bottom).nodes)
-    , closed(body.surface(ElasticBody<dim>::bottom).closed)
-    , n_nodes(nodes.size() - (closed ? 1 : 0))
+    , bottom(body.surface(ElasticBody<dim>::bottom))
+    , n_nodes(bottom.normal_area.size() - (bottom.closed ? 1 : 0))
     , scale(stiffness_scale(body))
+    , given_force(body.surface_values(ElasticBody<dim>::bottom, problem.force))
+    , held(body.surface_values(ElasticBody<dim>::bottom, problem.constrained))
     , force(problem.force)
     , friction(Eigen::VectorXd::Zero(Eigen::Index{n_nodes} * n_tangents))
     , normal(Eigen::VectorXd::Zero(n_nodes))
     , tangential(problem.reference, n_nodes, turning * scale, of_sliding_flat())
   {
     for (unsigned int i = 0; i < n_nodes; ++i)
-      solution.state.push_back(problem.constrained.is_constrained(normal_axis, nodes[i])
-                                 ? ContactState::held
-                               : problem.state.empty() ? at_rest(i)
-                                                       : problem.state[i]);
+      solution.state.push_back(held[dim * i + normal_axis] != 0. ? ContactState::held
+                               : problem.state.empty()           ? at_rest(i)
+                                                                 : problem.state[i]);
     for (unsigned int i = 0; i < n_nodes && !problem.friction.empty(); ++i)
       if (solution.state[i] == ContactState::slip)
         for (unsigned int c = 0; c < n_tangents; ++c)
@@ -93,7 +93,7 @@ public:
     solution.normal_force.assign(normal.data(), normal.data() + n_nodes);
     solution.tangential_force.assign(tangential.force.data(),
                                      tangential.force.data() + tangential.force.size());
-    if (closed)
+    if (bottom.closed)
       {
         solution.normal_force.push_back(normal[0]);
         solution.tangential_force.push_back(tangential.force[0]);
@@ -150,28 +150,37 @@ private:
   /** Whether a side does, so that a flat at rest has nothing to add. */
   bool side_carries(const unsigned int i, const unsigned int c) const
   {
-    return problem.sliding == 0 && problem.constrained.is_constrained(c, nodes[i]);
+    return problem.sliding == 0 && held[dim * i + c] != 0.;
+  }
+
+  /** Calls action(node, number of the node) with the contact nodes that this rank has. */
+  template <typename Action>
+  void for_each_node(const Action &action) const
+  {
+    for (std::size_t k = 0; k < bottom.nodes.size(); ++k)
+      if (bottom.place(k) < n_nodes)
+        action(bottom.nodes[k], static_cast<unsigned int>(bottom.place(k)));
   }
 
   void hold_contact()
   {
     DofMask constrained   = problem.constrained;
     NodalField<double> &u = problem.displacement;
-    const auto put        = [&](const unsigned int c, const unsigned int i) {
+    const auto put        = [&](const unsigned int c, const NodeIndex &node,
+                         const double value) {
       // Held by a side: that value counts.
-      if (constrained.is_constrained(c, nodes[i]))
+      if (constrained.is_constrained(c, node))
         return;
-      constrained.constrain(c, nodes[i]);
-      u(c, nodes[i]) = c == normal_axis ? -gap(i) : tangential.sticks_at(i, c);
+      constrained.constrain(c, node);
+      u(c, node) = value;
     };
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      {
-        if (touches(i))
-          put(normal_axis, i);
-        if (solution.state[i] == ContactState::stick)
-          for (unsigned int c = 0; c < n_tangents; ++c)
-            put(c, i);
-      }
+    for_each_node([&](const NodeIndex &node, const unsigned int i) {
+      if (touches(i))
+        put(normal_axis, node, -gap(i));
+      if (solution.state[i] == ContactState::stick)
+        for (unsigned int c = 0; c < n_tangents; ++c)
+          put(c, node, tangential.sticks_at(i, c));
+    });
     body.copy_duplicates(constrained);
     body.copy_duplicates(u);
     solver.set_constrained(constrained);
@@ -179,24 +188,28 @@ private:
 
   void set_forces()
   {
-    for (unsigned int i = 0; i < n_nodes; ++i)
+    for_each_node([&](const NodeIndex &node, const unsigned int i) {
       for (unsigned int c = 0; c < n_tangents; ++c)
-        force(c, nodes[i]) = problem.force(c, nodes[i]) + friction[index(i, c)];
+        force(c, node) = problem.force(c, node) + friction[index(i, c)];
+    });
     body.copy_duplicates(force);
   }
 
   void evaluate_reactions()
   {
-    const NodalField<double> &Ku = solver.internal_force();
+    displaced = body.surface_values(ElasticBody<dim>::bottom, problem.displacement);
+    const std::vector<double> internal =
+      body.surface_values(ElasticBody<dim>::bottom, solver.internal_force());
+    const auto reaction = [&](const unsigned int i, const unsigned int c) {
+      return internal[dim * i + c] - given_force[dim * i + c];
+    };
     for (unsigned int i = 0; i < n_nodes; ++i)
       {
-        const NodeIndex &node = nodes[i];
-        normal[i] =
-          touches(i) ? Ku(normal_axis, node) - problem.force(normal_axis, node) : 0.;
+        normal[i] = touches(i) ? reaction(i, normal_axis) : 0.;
         for (unsigned int c = 0; c < n_tangents; ++c)
           tangential.force[index(i, c)] = !touches(i) || side_carries(i, c) ? 0.
                                           : solution.state[i] == ContactState::stick
-                                            ? Ku(c, node) - problem.force(c, node)
+                                            ? reaction(i, c)
                                             : friction[index(i, c)];
       }
   }
@@ -210,7 +223,7 @@ private:
     const double negligible = options.tolerance * std::fabs(normal.sum()) / n_nodes;
     if (state == ContactState::separated)
       {
-        if (problem.displacement(normal_axis, nodes[i]) + gap(i) >= -negligible / scale)
+        if (displaced[dim * i + normal_axis] + gap(i) >= -negligible / scale)
           return state;
         // A node that comes down moves freely along the flat until its friction is known.
         if (problem.sliding == 0)
@@ -224,10 +237,10 @@ private:
     // Resting flat: friction opposes the displacement and stays below its limit.
     const double limit = problem.friction_coefficient[i] * normal[i];
     // A node that moves with its friction sticks before it may slip the other way.
-    if (tangential.size_of_trial(problem.displacement, nodes[i], i) <= limit ||
-        tangential.is_pushed(problem.displacement, nodes[i], i, limit))
+    if (tangential.size_of_trial(displaced, i) <= limit ||
+        tangential.is_pushed(displaced, i, limit))
       return ContactState::stick;
-    tangential.turn(problem.displacement, nodes[i], i);
+    tangential.turn(displaced, i);
     return ContactState::slip;
   }
 
@@ -236,7 +249,7 @@ private:
   {
     for (unsigned int i = 0; i < n_nodes && dim == 3 && problem.sliding == 0; ++i)
       if (solution.state[i] == ContactState::slip)
-        tangential.turn(problem.displacement, nodes[i], i);
+        tangential.turn(displaced, i);
   }
 
   bool update_states()
@@ -300,10 +313,15 @@ private:
   StaticContactProblem problem;
   const StaticContactOptions &options;
   EquilibriumSolver<dim> solver;
-  const std::vector<NodeIndex> &nodes; ///< of the bottom, the duplicate at the end
-  const bool closed;                   ///< the last of them is the first one again
-  const unsigned int n_nodes;          ///< distinct ones of the bottom
-  const double scale;                  ///< see stiffness_scale()
+  const SurfaceNodes<dim>
+    &bottom;                  ///< whose nodes all ranks know; the duplicate at the end
+  const unsigned int n_nodes; ///< distinct ones of the bottom
+  const double scale;         ///< see stiffness_scale()
+
+  /** At the nodes of the bottom, their dim components together: problem.force, whether
+   * problem.constrained holds them, the displacement. */
+  const std::vector<double> given_force, held;
+  std::vector<double> displaced;
 
   NodalField<double> force;
   Eigen::VectorXd friction, normal;

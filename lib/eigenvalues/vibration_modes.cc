@@ -1,12 +1,15 @@
 #include "eigenvalues/vibration_modes.h"
 
+#include "base/errors.h"
+#include "body/rigid_motions.h"
 #include "eigenvalues/free_dofs.h"
-#include <deal.II/lac/arpack_solver.h>
 
-#include <Eigen/Dense>
+#include <deal.II/lac/arpack_solver.h>
+#include <deal.II/lac/parpack_solver.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <sstream>
 
@@ -14,22 +17,22 @@ namespace mesoslip
 {
 namespace
 {
-using Vector = dealii::Vector<double>; // as FreeDofs has it
+using Vector = FreeDofs<2>::Vector; // in 3D the same
 
 /** The rigid motions that nothing holds, orthonormal with respect to the mass. */
 template <int dim>
 std::vector<Vector>
 orthonormal_motions(const ElasticBody<dim> &body, DofMask mask, const FreeDofs<dim> &dofs)
 {
-  const bool platen = dofs.platen() != FreeDofs<dim>::none;
-  if (platen)
+  if (dofs.has_platen())
     for (const NodeIndex &node : body.surface(ElasticBody<dim>::top).nodes)
       mask.release(dim - 1, node);
   std::vector<Vector> motions;
   // Neither can a platen turn.
-  for (const NodalField<double> &field : free_rigid_motions(body, mask, !platen))
+  for (const NodalField<double> &field :
+       free_rigid_motions(body, mask, !dofs.has_platen()))
     {
-      Vector motion(dofs.size());
+      Vector motion = dofs.zero();
       dofs.gather(motion, field);
       for (const Vector &other : motions)
         motion.add(-dofs.mass_product(other, motion), other);
@@ -61,14 +64,14 @@ public:
     , u(force)
   {
     solver->set_constrained(mask);
-    if (dofs.platen() != FreeDofs<dim>::none && !platen_moves_freely())
+    if (dofs.has_platen() && !platen_moves_freely())
       push_platen(body);
   }
 
   void vmult(Vector &dst, const Vector &src) const
   {
     // The mass times a motion is the load that accelerates the body in that motion.
-    Vector load(src), motion(src.size());
+    Vector load(src), motion = dofs.zero();
     for (const Vector &r : rigid)
       {
         dofs.vmult(motion, r);
@@ -109,17 +112,17 @@ private:
   bool platen_moves_freely() const
   {
     return std::any_of(rigid.begin(), rigid.end(), [this](const Vector &r) {
-      return std::fabs(r[dofs.platen()]) > 1e-6 * r.linfty_norm();
+      return std::fabs(dofs.of_platen(r)) > 1e-6 * r.linfty_norm();
     });
   }
 
   void push_platen(const ElasticBody<dim> &body)
   {
-    Vector unit(dofs.size()), Kz(dofs.size());
-    unit[dofs.platen()] = 1.;
+    Vector unit = dofs.zero(), Kz = dofs.zero();
+    dofs.set_platen(unit, 1.);
     dofs.scatter(u, unit);
     solve();
-    response.reinit(dofs.size());
+    response = dofs.zero();
     dofs.gather(response, u);
     body.vmult(force, u);
     dofs.gather_forces(Kz, force);
@@ -135,6 +138,53 @@ private:
   double platen_stiffness = 0.; ///< z.K z (N/m^2)
 };
 
+/**
+ * Divides @p shape by its largest displacement vector, which is returned, with the sign that
+ * makes the larger component of that positive. Of mirror images, which are equal up to
+ * round-off, the node with the lowest number decides.
+ */
+template <int dim>
+double normalize(NodalField<double> &shape, const ElasticBody<dim> &body)
+{
+  const auto length_of = [&shape](const NodeIndex &node) {
+    double length = 0.;
+    for (unsigned int c = 0; c < dim; ++c)
+      length = std::hypot(length, shape(c, node));
+    return length;
+  };
+  double most = 0.;
+  for (unsigned int j = 0; j < body.n_rows(); ++j)
+    for (unsigned int i = 0; i < body.n_columns(); ++i)
+      most = std::max(most, length_of({i, j}));
+  most = dealii::Utilities::MPI::max(most, body.communicator());
+
+  // Utilities::MPI::min() of deal.II 9.4 takes unsigned numbers of 64 bits for signed ones.
+  constexpr std::uint64_t nowhere = std::numeric_limits<std::int64_t>::max();
+  std::uint64_t first             = nowhere;
+  NodeIndex place;
+  for (unsigned int j = 0; j < body.n_rows(); ++j)
+    for (unsigned int i = 0; i < body.n_columns(); ++i)
+      if (body.number({i, j}) < first && !(most > length_of({i, j}) * (1. + 1e-6)))
+        {
+          first = body.number({i, j});
+          place = {i, j};
+        }
+  const std::uint64_t lowest = dealii::Utilities::MPI::min(first, body.communicator());
+  double factor              = -std::numeric_limits<double>::max();
+  if (first == lowest && first != nowhere)
+    {
+      double component = 0.;
+      for (unsigned int c = 0; c < dim; ++c)
+        if (std::fabs(shape(c, place)) > std::fabs(component) * (1. + 1e-6))
+          component = shape(c, place);
+      factor = (component < 0. ? -1. : 1.) * length_of(place);
+    }
+  factor = dealii::Utilities::MPI::max(factor, body.communicator());
+  for (std::size_t k = 0; k < shape.size(); ++k)
+    shape.begin()[k] *= (factor < 0. ? -1. : 1.) / std::fabs(factor);
+  return std::fabs(factor);
+}
+
 /** Rayleigh quotient, residual, normalisation and masses of an eigenvector. */
 template <int dim>
 VibrationMode<dim> finish_mode(const Vector &eigenvector,
@@ -145,7 +195,7 @@ VibrationMode<dim> finish_mode(const Vector &eigenvector,
   VibrationMode<dim> mode;
   mode.shape               = body.zero_field();
   NodalField<double> field = mode.shape;
-  Vector Ku(dofs.size()), Mu(dofs.size());
+  Vector Ku = dofs.zero(), Mu = dofs.zero();
   dofs.scatter(mode.shape, eigenvector);
   body.vmult(field, mode.shape);
   dofs.gather_forces(Ku, field);
@@ -153,9 +203,7 @@ VibrationMode<dim> finish_mode(const Vector &eigenvector,
   const double uMu = eigenvector * Mu, omega2 = eigenvector * Ku / uMu;
   mode.frequency = std::sqrt(std::max(0., omega2)) / (2. * M_PI);
 
-  std::array<double, dim> momentum = {};
-  for (std::size_t k = 0; k < dofs.size(); ++k)
-    momentum[dofs.component(k)] += Mu[k];
+  const std::array<double, dim> momentum = dofs.sums(Mu);
   for (unsigned int c = 0; c < dim; ++c)
     {
       const double moved     = body.total_mass() + (c + 1 == dim ? platen_mass : 0.);
@@ -166,28 +214,8 @@ VibrationMode<dim> finish_mode(const Vector &eigenvector,
   Ku.add(-omega2, Mu);
   mode.residual = Ku.l2_norm() / norm;
 
-  double largest = 0., sign = 1.;
-  for (unsigned int j = 0; j < body.n_rows(); ++j)
-    for (unsigned int i = 0; i < body.n_columns(); ++i)
-      {
-        double length = 0., component = 0.;
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            const double u = mode.shape.row(c, j)[i];
-            length         = std::hypot(length, u);
-            if (std::fabs(u) > std::fabs(component))
-              component = u;
-          }
-        // Mirror images are equal up to round-off; the first of them decides.
-        if (length > largest * (1. + 1e-6))
-          {
-            largest = length;
-            sign    = component < 0. ? -1. : 1.;
-          }
-      }
-  for (std::size_t k = 0; k < mode.shape.size(); ++k)
-    mode.shape.begin()[k] *= sign / largest;
-  mode.modal_mass = uMu / (largest * largest);
+  const double largest = normalize(mode.shape, body);
+  mode.modal_mass      = uMu / (largest * largest);
   return mode;
 }
 
@@ -195,26 +223,49 @@ VibrationMode<dim> finish_mode(const Vector &eigenvector,
 template <int dim>
 std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
                                         const InverseStiffness<dim> &inverse,
+                                        const MPI_Comm communicator,
                                         const unsigned int n_modes)
 {
-  const std::size_t n_dofs = dofs.size();
+  using dealii::ArpackSolver;
+  using dealii::PArpackSolver;
   const unsigned int n_lanczos =
-    static_cast<unsigned int>(std::min<std::size_t>(2 * n_modes + 10, n_dofs - 1));
-  Vector start(n_dofs);
-  std::mt19937 generator(1);
+    static_cast<unsigned int>(std::min<std::size_t>(2 * n_modes + 10, dofs.size() - 1));
+  Vector start = dofs.zero();
+  std::mt19937 generator(1 + dealii::Utilities::MPI::this_mpi_process(communicator));
   std::uniform_real_distribution<> number(-1., 1.);
   for (double &x : start)
     x = number(generator);
   inverse.remove_rigid(start);
 
   std::vector<std::complex<double>> values(n_modes);
-  std::vector<Vector> vectors(n_modes, Vector(n_dofs));
+  std::vector<Vector> vectors(n_modes, start);
   dealii::SolverControl control(1000, 1e-10, false, false);
-  dealii::ArpackSolver arpack(
-    control, dealii::ArpackSolver::AdditionalData(
-               n_lanczos, dealii::ArpackSolver::largest_magnitude, true));
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+    {
+      ArpackSolver arpack(control, ArpackSolver::AdditionalData(
+                                     n_lanczos, ArpackSolver::largest_magnitude, true));
+      arpack.set_initial_vector(start);
+      arpack.solve(dofs, dofs, inverse, values, vectors, n_modes);
+      return vectors;
+    }
+  // PARPACK takes no part without entries.
+  if (dealii::Utilities::MPI::min(start.locally_owned_size(), communicator) == 0)
+    throw UserError(
+      "Modal: one of the processes has no free degree of freedom of its own, "
+      "as there are few cells; start fewer of them");
+  using Solver = PArpackSolver<Vector>;
+  Solver arpack(control, communicator,
+                Solver::AdditionalData(n_lanczos, Solver::largest_magnitude, true));
+  arpack.reinit(start);
   arpack.set_initial_vector(start);
-  arpack.solve(dofs, dofs, inverse, values, vectors, n_modes);
+  try
+    {
+      arpack.solve(dofs, dofs, inverse, values, vectors, n_modes);
+    }
+  catch (const dealii::ExceptionBase &)
+    {
+      throw NotConverged("the Lanczos iteration did not converge");
+    }
   return vectors;
 }
 } // namespace
@@ -238,7 +289,8 @@ VibrationModes<dim> vibration_modes(const ElasticBody<dim> &body,
   const InverseStiffness<dim> inverse(body, mask, dofs, options);
 
   VibrationModes<dim> result;
-  for (const Vector &x : lowest_eigenvectors(dofs, inverse, options.n_modes))
+  for (const Vector &x :
+       lowest_eigenvectors(dofs, inverse, body.communicator(), options.n_modes))
     result.modes.push_back(finish_mode(x, dofs, body, options.platen_mass.value_or(0.)));
   std::sort(result.modes.begin(), result.modes.end(),
             [](const VibrationMode<dim> &a, const VibrationMode<dim> &b) {

@@ -72,7 +72,8 @@ void check_number_of_modes(const std::size_t n_free,
 /**
  * Solves K u = omega^2 M u (lumped mass) by shift-and-invert Lanczos
  * around zero (ARPACK); rigid motions are projected out, so a free body needs no shift.
- * @throws std::invalid_argument if there are not that many modes; NotConverged
+ * @throws std::invalid_argument if there are not that many modes; NotConverged; UserError
+ * where fields are divided and a rank has no free degree of freedom
  */
 template <int dim>
 VibrationModes<dim> vibration_modes(const ElasticBody<dim> &body,

@@ -67,6 +67,15 @@ public:
               const MPI_Comm communicator,
               const std::size_t n_together = 1);
 
+  /** The same where this rank owns the points called @p numbers. Collective. */
+  PointBlocks(const std::vector<std::uint64_t> &numbers,
+              const std::size_t n_points,
+              const MPI_Comm communicator,
+              const std::size_t n_together = 1)
+    : blocks(numbers, n_points, communicator, n_together)
+  {
+  }
+
   /** The first point of the block of this rank. */
   std::size_t first() const
   {

@@ -1,6 +1,8 @@
 // Statics and modes of bodies on meshes in three dimensions. Runs on any number of ranks.
 
 #include "body/mesh/mesh_body.h"
+#include "body/rigid_motions.h"
+#include "divided_body.h"
 #include "eigenvalues/vibration_modes.h"
 #include "material/stiffness.h"
 
@@ -88,12 +90,15 @@ NodalField<double> tractions(const ElasticBody<3> &body, const Eigen::Matrix3d &
       strain(voigt_index<3>(c, d)) += gradient(c, d);
   const VoigtVector<3> stress = body.phases()[0].stiffness * strain;
   NodalField<double> force    = body.zero_field();
-  for (unsigned int side = 0; side < 6; ++side)
-    for (std::size_t k = 0; k < body.surface(side).nodes.size(); ++k)
-      for (unsigned int c = 0; c < 3; ++c)
-        for (unsigned int d = 0; d < 3; ++d)
-          force(c, body.surface(side).nodes[k]) +=
-            stress(voigt_index<3>(c, d)) * body.surface(side).normal_area[k][d];
+  for (unsigned int id = 0; id < 6; ++id)
+    {
+      const SurfaceNodes<3> &side = body.surface(id);
+      for (std::size_t k = 0; k < side.nodes.size(); ++k)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int d = 0; d < 3; ++d)
+            force(c, side.nodes[k]) +=
+              stress(voigt_index<3>(c, d)) * side.normal_area[side.place(k)][d];
+    }
   return force;
 }
 } // namespace
@@ -105,9 +110,9 @@ TEST(MeshStatics, PatchTest)
   for (const bool simplices : {false, true})
     {
       SCOPED_TRACE(simplices ? "tetrahedra" : "hexahedra");
-      const MeshBody<3> body(
-        brick({3, 4, 3}, {3., 4., 3.}, simplices, simplices ? 0.08 : 0.2),
-        MPI_COMM_WORLD);
+      const auto owner = verification::divided(
+        brick({3, 4, 3}, {3., 4., 3.}, simplices, simplices ? 0.08 : 0.2));
+      const MeshBody<3> &body = *owner;
       EXPECT_NEAR(body.volume(), 36., 1e-12);
       EXPECT_NEAR(body.total_mass(), 36. * density, 1e-10);
       const NodalField<double> exact = affine(body, some_gradient());
@@ -149,7 +154,8 @@ TEST(MeshStatics, PatchTest)
 
 TEST(MeshStatics, SixRigidMotions)
 {
-  const MeshBody<3> body(brick({2, 2, 2}, {1., 2., 1.5}, true, 0.), MPI_COMM_WORLD);
+  const auto owner = verification::divided(brick({2, 2, 2}, {1., 2., 1.5}, true, 0.));
+  const MeshBody<3> &body = *owner;
   DofMask mask(body.n_columns(), 1);
   const auto motions = free_rigid_motions<3>(body, mask);
   ASSERT_EQ(motions.size(), 6);
@@ -159,11 +165,12 @@ TEST(MeshStatics, SixRigidMotions)
       body.vmult(Ku, motion);
       EXPECT_LT(largest_difference(Ku, body.zero_field()), 1e-13);
     }
-  const auto &bottom = body.surface(4).nodes;
-  for (unsigned int c = 0; c < 3; ++c)
-    mask.constrain(c, bottom.front());
+  const SurfaceNodes<3> &bottom = body.surface(4);
+  for (std::size_t k = 0; k < bottom.nodes.size(); ++k)
+    for (unsigned int c = 0; c < 3 && bottom.place(k) == 0; ++c)
+      mask.constrain(c, bottom.nodes[k]);
   EXPECT_EQ(free_rigid_motions<3>(body, mask).size(), 3);
-  for (const NodeIndex &node : bottom)
+  for (const NodeIndex &node : bottom.nodes)
     mask.constrain(2, node);
   EXPECT_EQ(free_rigid_motions<3>(body, mask).size(), 1);
 }
@@ -174,7 +181,8 @@ TEST(MeshStatics, ModesOfAPrismAreThoseOfAChain)
 {
   constexpr unsigned int n = 12;
   const double h           = 0.25;
-  const MeshBody<3> body(brick({2, 3, n}, {1., 1., n * h}, false, 0.), MPI_COMM_WORLD);
+  const auto owner = verification::divided(brick({2, 3, n}, {1., 1., n * h}, false, 0.));
+  const MeshBody<3> &body = *owner;
   DofMask mask(body.n_columns(), 1);
   mask.constrain_row(0, 0);
   mask.constrain_row(1, 0);

@@ -1,8 +1,11 @@
 // Statics and modes of layers on meshes whose opposite points move together. Runs on any
 // number of ranks.
 
+#include "base/exchange.h"
 #include "body/mesh/mesh_body.h"
+#include "body/rigid_motions.h"
 #include "contact/static_contact_solver.h"
+#include "divided_body.h"
 #include "eigenvalues/vibration_modes.h"
 #include "mesh_sliding.h"
 
@@ -82,16 +85,19 @@ double likeness(const ElasticBody<3> &body,
   double share = 0., all = 0.;
   for (const double phase : {0., 0.5 * M_PI})
     {
-      double product = 0., of_wave = 0.;
-      all = 0.;
+      std::vector<double> sums(3, 0.);
       for (unsigned int i = 0; i < body.n_columns(); ++i)
-        {
-          const double w = wave.at(body.point({i, 0}), phase);
-          product += w * shape.row(wave.component, 0)[i];
-          of_wave += w * w;
-          for (unsigned int c = 0; c < 3; ++c)
-            all += shape.row(c, 0)[i] * shape.row(c, 0)[i];
-        }
+        if (body.is_counted({i, 0}))
+          {
+            const double w = wave.at(body.point({i, 0}), phase);
+            sums[0] += w * shape.row(wave.component, 0)[i];
+            sums[1] += w * w;
+            for (unsigned int c = 0; c < 3; ++c)
+              sums[2] += shape.row(c, 0)[i] * shape.row(c, 0)[i];
+          }
+      sum_over_ranks(sums, body.communicator());
+      const double product = sums[0], of_wave = sums[1];
+      all = sums[2];
       share += of_wave > 1e-9 ? product * product / of_wave : 0.;
     }
   return share / all;
@@ -124,9 +130,9 @@ StaticContactSolution pressed(const ElasticBody<3> &body, const int sliding)
   problem.force        = body.zero_field();
   const auto &top      = body.surface(ElasticBody<3>::top);
   for (std::size_t k = 0; k < top.nodes.size(); ++k)
-    problem.force(2, top.nodes[k]) = -top.normal_area[k][2];
-  problem.friction_coefficient.assign(body.surface(ElasticBody<3>::bottom).nodes.size(),
-                                      0.3);
+    problem.force(2, top.nodes[k]) = -top.normal_area[top.place(k)][2];
+  problem.friction_coefficient.assign(
+    body.surface(ElasticBody<3>::bottom).normal_area.size(), 0.3);
   problem.sliding        = sliding;
   problem.flat_direction = {{-0.6, 0.8}};
   StaticContactOptions options;
@@ -147,7 +153,8 @@ TEST(PeriodicLayer, ModesConvergeToThoseOfWaves)
       std::array<std::vector<double>, 2> errors;
       for (const unsigned int k : {0U, 1U})
         {
-          const MeshBody<3> body(layer_of(k == 0 ? 4 : 8, kind), MPI_COMM_WORLD);
+          const auto owner        = verification::divided(layer_of(k == 0 ? 4 : 8, kind));
+          const MeshBody<3> &body = *owner;
           VibrationModesOptions options;
           options.n_modes  = 16;
           const auto found = vibration_modes<3>(body, held_at(body, 0., 3), options);
@@ -177,7 +184,8 @@ TEST(PeriodicLayer, FreeMotionsAndLoads)
           layer_of(2, {simplices, simplices ? 0.05 : 0.2}, along_y);
         for (auto &p : input.mesh.points) // with no lower side that could support it
           p[2] += along_y ? 0. : 0.5 * std::fabs(p[1] - 0.6);
-        const MeshBody<3> body(input, MPI_COMM_WORLD);
+        const auto owner        = verification::divided(input);
+        const MeshBody<3> &body = *owner;
         const DofMask free(body.n_columns(), 1);
         const auto motions    = free_rigid_motions<3>(body, free);
         NodalField<double> Ku = body.zero_field(), force(Ku), u(Ku);
@@ -225,7 +233,8 @@ TEST(PeriodicLayer, PressedOnASlidingFlatIsUniform)
             layer_of(4, {simplices, simplices ? 0.03 : 0.2}, along_y);
           if (!along_y) // nor do they stay plane
             input.phases[0].stiffness = isotropic_stiffness<3>(2., 0.);
-          const MeshBody<3> body(input, MPI_COMM_WORLD);
+          const auto owner        = verification::divided(input);
+          const MeshBody<3> &body = *owner;
           const VoigtMatrix<3> &D = body.phases()[0].stiffness;
           const auto found        = pressed(body, sliding);
           for (unsigned int i = 0; i < body.n_columns(); ++i)
@@ -237,7 +246,7 @@ TEST(PeriodicLayer, PressedOnASlidingFlatIsUniform)
               ASSERT_NEAR(found.displacement(2, {i, 0}), -z / D(2, 2), 1e-9);
             }
           const auto &bottom = body.surface(ElasticBody<3>::bottom);
-          for (std::size_t k = 0; k < bottom.nodes.size(); ++k)
+          for (std::size_t k = 0; k < bottom.normal_area.size(); ++k)
             {
               ASSERT_NEAR(found.normal_force[k], -bottom.normal_area[k][2], 1e-9);
               EXPECT_EQ(found.state[k],

@@ -13,7 +13,6 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <map>
 #include <unordered_map>
 
 namespace mesoslip
@@ -109,10 +108,8 @@ void DistributedMesh<dim>::require_cells() const
                     " ranks; start at most as many ranks as there are cells");
 }
 
-void tie_duplicates(
-  const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates,
-  const dealii::IndexSet &relevant,
-  dealii::AffineConstraints<double> &constraints)
+std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> originals_of(
+  const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates)
 {
   // Corners are duplicates of duplicates; each is led on to its last original.
   std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> originals;
@@ -121,6 +118,15 @@ void tie_duplicates(
       const auto next       = originals.find((*pair)[1]);
       originals[(*pair)[0]] = next == originals.end() ? (*pair)[1] : next->second;
     }
+  return originals;
+}
+
+void tie_duplicates(
+  const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates,
+  const dealii::IndexSet &relevant,
+  dealii::AffineConstraints<double> &constraints)
+{
+  const auto originals  = originals_of(duplicates);
   dealii::IndexSet used = relevant;
   for (const auto &[duplicate, original] : originals)
     if (relevant.is_element(duplicate))

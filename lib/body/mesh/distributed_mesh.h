@@ -11,6 +11,7 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <array>
+#include <map>
 #include <vector>
 
 namespace mesoslip
@@ -80,9 +81,14 @@ private:
   dealii::IndexSet relevant_dofs;
 };
 
+/** Of each duplicate degree of freedom its last original: that of one pair may be the
+ * duplicate of a later one. */
+std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> originals_of(
+  const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates);
+
 /**
- * Constrains duplicate degrees of freedom to be equal to their originals, axis after axis:
- * the original of one pair may be the duplicate of a later one. Only those among
+ * Constrains duplicate degrees of freedom to be equal to their originals, see
+ * originals_of(). Only those among
  * @p relevant get a line; their originals, on whatever rank, become local to
  * @p constraints, which is left open.
  */

@@ -1,24 +1,16 @@
 #include "body/mesh/mesh_body.h"
 
-#include "base/errors.h"
-#include "base/text.h"
+#include "base/exchange.h"
 #include "body/mesh/mesh_discretization.h"
+#include "body/mesh/mesh_share.h"
 #include "body/mesh/ml_solver.h"
-#include "mesh/boundary.h"
 #include "mesh/cell_gradients.h"
-#include "mesh/cell_quality.h"
-#include "mesh/periodic_points.h"
 
-#include <deal.II/base/bounding_box.h>
-#include <deal.II/base/quadrature.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
-#include <string>
 
 namespace mesoslip
 {
@@ -69,86 +61,75 @@ namespace
 /** Cells that are evaluated at once. */
 constexpr std::size_t group_size = 1024;
 
-/** The faces in one of the planes of the bounding box. */
 template <int dim>
-std::vector<BoundaryFace<dim>> faces_in_plane(const Mesh<dim> &mesh,
-                                              const std::vector<BoundaryFace<dim>> &faces,
-                                              const dealii::BoundingBox<dim> &box,
-                                              const unsigned int side)
+MeshBodyInput<dim> with_mesh(MeshBodyInput<dim> input, Mesh<dim> &&mesh)
 {
-  const unsigned int axis = side / 2;
-  const double level      = side % 2 == 0 ? box.lower_bound(axis) : box.upper_bound(axis);
-  std::vector<BoundaryFace<dim>> result;
-  std::copy_if(faces.begin(), faces.end(), std::back_inserter(result),
-               [&](const BoundaryFace<dim> &face) {
-                 return std::all_of(face.points.begin(),
-                                    face.points.begin() + face.n_points,
-                                    [&](const unsigned int p) {
-                                      return std::fabs(mesh.points[p][axis] - level) <=
-                                             1e-9 * box.side_length(axis);
-                                    });
-               });
-  return result;
+  input.mesh = std::move(mesh);
+  return input;
 }
 
-/** Areas of points that move together summed up at the original. */
-template <int dim>
-BoundaryPoints<dim> of_originals(const Mesh<dim> &mesh, const BoundaryPoints<dim> &all)
+/** The indices of @p numbers in the order of these. */
+std::vector<unsigned int> order_of(const std::vector<unsigned int> &numbers)
 {
-  if (mesh.originals.empty())
-    return all;
-  std::map<unsigned int, dealii::Tensor<1, dim>> area;
-  for (std::size_t k = 0; k < all.points.size(); ++k)
-    area[mesh.original(all.points[k])] += all.normal_area[k];
-  BoundaryPoints<dim> result;
-  for (const auto &[point, of_point] : area)
-    {
-      result.points.push_back(point);
-      result.normal_area.push_back(of_point);
-    }
-  return result;
+  std::vector<unsigned int> order(numbers.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) {
+    return numbers[a] < numbers[b];
+  });
+  return order;
 }
 
 template <int dim>
-std::vector<BoundaryFace<dim>> faces_called(const Mesh<dim> &mesh,
-                                            const std::vector<BoundaryFace<dim>> &faces,
-                                            const std::string &name)
+std::vector<double> volumes_of(const Mesh<dim> &mesh)
 {
-  const auto found = std::find(mesh.boundaries.begin(), mesh.boundaries.end(), name);
-  std::vector<BoundaryFace<dim>> result;
-  if (found != mesh.boundaries.end())
-    result = faces_of_group(mesh, faces, found - mesh.boundaries.begin());
-  if (result.empty())
-    throw UserError("Mesh: there is no boundary '" + name +
-                    "' with faces on the surface of the body; its boundaries are " +
-                    to_text(mesh.boundaries));
-  return result;
+  std::vector<double> volumes;
+  for (const auto &cell : mesh.cells)
+    volumes.push_back(dealii::GridTools::cell_measure(
+      mesh.points, dealii::ArrayView<const unsigned int>(cell.vertices)));
+  return volumes;
 }
 } // namespace
 
 template <int dim>
-MeshBody<dim>::MeshBody(const MeshBodyInput<dim> &given, const MPI_Comm communicator)
-  : ElasticBody<dim>(given.n_columns > 0 ? given.n_columns : given.mesh.points.size(),
-                     given.n_columns > 0 ? given.mesh.points.size() / given.n_columns : 1,
+MeshBody<dim>::MeshBody(const MeshBodyInput<dim> &given, MeshShare<dim> &&share)
+  : ElasticBody<dim>(given.n_columns > 0 ? given.n_columns : share.mesh.points.size(),
+                     given.n_columns > 0 ? share.mesh.points.size() / given.n_columns : 1,
                      given.phases,
                      given.periodicity)
-  , input(given)
+  , input(with_mesh(given, std::move(share.mesh)))
   , mesh(input.mesh)
-  , communicator(communicator)
+  , all_ranks(share.all_ranks->communicator())
+  , lower(share.outline.lower)
+  , in_mesh(std::move(share.point_in_mesh))
+  , in_order(order_of(in_mesh))
+  , n_owned(share.n_owned)
+  , volumes(volumes_of(mesh))
 {
-  cell_quality(mesh);
-  for (const auto &cell : mesh.cells)
-    {
-      volumes.push_back(dealii::GridTools::cell_measure(
-        mesh.points, dealii::ArrayView<const unsigned int>(cell.vertices)));
-      this->total_volume += volumes.back();
-      this->mass += volumes.back() * input.phases[cell.material_id].density;
-    }
-  this->number_of_cells = mesh.cells.size();
-  this->distributed     = dealii::Utilities::MPI::n_mpi_processes(communicator) > 1;
-  find_sides();
-  tie_sides();
-  discretization = std::make_unique<MeshDiscretization<dim>>(mesh, *this, communicator);
+  this->extents         = share.outline.extents;
+  this->total_volume    = share.outline.volume;
+  this->mass            = share.outline.mass;
+  this->number_of_cells = share.outline.n_cells;
+  this->distributed     = dealii::Utilities::MPI::n_mpi_processes(all_ranks) > 1;
+  this->n_counted       = share.n_counted;
+  if (share.is_divided)
+    this->sharing = all_ranks;
+  set_sides(share);
+  discretization = std::make_unique<MeshDiscretization<dim>>(std::move(share), *this);
+}
+
+template <int dim>
+MeshBody<dim>::MeshBody(const MeshBodyInput<dim> &given, const MPI_Comm communicator)
+  : MeshBody(given, whole_share(given, communicator))
+{
+}
+
+template <int dim>
+std::unique_ptr<MeshBody<dim>> MeshBody<dim>::divide(const Mesh<dim> &mesh,
+                                                     const MeshBodyInput<dim> &given,
+                                                     const MPI_Comm communicator)
+{
+  return std::unique_ptr<MeshBody>(
+    new MeshBody(given, divided_share(mesh, given, communicator)));
 }
 
 template <int dim>
@@ -162,72 +143,68 @@ NodeIndex MeshBody<dim>::node(const std::size_t point) const
 }
 
 template <int dim>
-void MeshBody<dim>::find_sides()
+std::optional<NodeIndex> MeshBody<dim>::find(const unsigned int number) const
 {
-  const auto faces = boundary_faces(mesh);
-  const dealii::BoundingBox<dim> box(mesh.points);
-  for (unsigned int d = 0; d < dim; ++d)
-    {
-      lower[d]         = box.lower_bound(d);
-      this->extents[d] = box.side_length(d);
-    }
+  const auto found = std::lower_bound(
+    in_order.begin(), in_order.end(), number,
+    [this](const unsigned int i, const unsigned int n) { return in_mesh[i] < n; });
+  if (found == in_order.end() || in_mesh[*found] != number)
+    return std::nullopt;
+  return node(*found);
+}
+
+template <int dim>
+std::vector<std::uint64_t> MeshBody<dim>::owned_points() const
+{
+  return {in_mesh.begin(), in_mesh.begin() + static_cast<std::ptrdiff_t>(n_owned)};
+}
+
+template <int dim>
+std::vector<double> MeshBody<dim>::values_at(const std::vector<unsigned int> &numbers,
+                                             const NodalField<double> &field) const
+{
+  std::vector<double> values(dim * numbers.size(), 0.);
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    if (const auto node = find(numbers[k]); node && this->index(*node) < n_owned)
+      for (unsigned int c = 0; c < dim; ++c)
+        values[dim * k + c] = field(c, *node);
+  sum_over_ranks(values, this->communicator());
+  return values;
+}
+
+template <int dim>
+std::uint64_t MeshBody<dim>::number(const NodeIndex &node) const
+{
+  return in_mesh[this->index(node)];
+}
+
+template <int dim>
+void MeshBody<dim>::set_sides(const MeshShare<dim> &share)
+{
+  of_contact           = share.outline.sides[ElasticBody<dim>::bottom].points;
+  const bool may_close = dim == 2 && !share.is_divided && mesh.originals.empty();
   for (unsigned int id = 0; id < 2 * dim; ++id)
     {
-      const std::string &name = id == ElasticBody<dim>::bottom ? input.contact_boundary
-                                : id == ElasticBody<dim>::top  ? input.top_boundary
-                                                               : std::string();
-      const auto side         = of_originals(
-                mesh, boundary_points(mesh, name.empty() ? faces_in_plane(mesh, faces, box, id)
-                                                         : faces_called(mesh, faces, name)));
-      std::vector<std::size_t> order(side.points.size());
-      std::iota(order.begin(), order.end(), 0);
-      if (dim == 2)
-        std::sort(order.begin(), order.end(),
-                  [&](const std::size_t a, const std::size_t b) {
-                    return mesh.points[side.points[a]][1 - id / 2] <
-                           mesh.points[side.points[b]][1 - id / 2];
-                  });
-      const Periodicity ends = input.periodicity;
-      this->sides[id].closed =
-        dim == 2 && mesh.originals.empty() && (id < 2 ? ends.y : ends.x);
-      for (const std::size_t k : order)
-        {
-          this->sides[id].nodes.push_back(node(side.points[k]));
-          std::array<double, dim> area;
-          for (unsigned int d = 0; d < dim; ++d)
-            area[d] = side.normal_area[k][d];
-          this->sides[id].normal_area.push_back(area);
-        }
+      const auto &points      = share.outline.sides[id].points;
+      SurfaceNodes<dim> &side = this->sides[id];
+      side.normal_area        = share.outline.sides[id].normal_area;
+      side.closed = may_close && (id < 2 ? input.periodicity.y : input.periodicity.x);
+      for (std::size_t k = 0; k < points.size(); ++k)
+        if (const auto found = find(points[k]))
+          {
+            side.nodes.push_back(*found);
+            side.place_of_nodes.push_back(k);
+          }
     }
+  const std::vector<unsigned int> &pairs = share.outline.duplicates;
+  for (std::size_t k = 0; k < pairs.size() && !share.is_divided; k += 2)
+    this->duplicates.push_back({{node(pairs[k]), node(pairs[k + 1])}});
 }
 
 template <int dim>
-void MeshBody<dim>::tie_copies()
+void MeshBody<dim>::copy_duplicates(NodalField<double> &field) const
 {
-  for (unsigned int p = 0; p < mesh.originals.size(); ++p)
-    if (mesh.originals[p] != p)
-      this->duplicates.push_back({{node(p), node(mesh.originals[p])}});
-}
-
-template <int dim>
-void MeshBody<dim>::tie_sides()
-{
-  if (!mesh.originals.empty())
-    return tie_copies();
-  const auto points = [this](const unsigned int side) {
-    std::vector<unsigned int> result;
-    for (const NodeIndex &n : this->sides[side].nodes)
-      result.push_back(n.j * this->n_columns() + n.i);
-    return result;
-  };
-  const std::array<bool, 2> periodic = {{input.periodicity.x, input.periodicity.y}};
-  for (unsigned int axis = 0; axis < 2; ++axis)
-    if (periodic[axis])
-      for (const auto &[duplicate, original] :
-           opposite_points(mesh, points(2 * axis), points(2 * axis + 1), axis,
-                           cell_quality(mesh).smallest_edge)
-             .pairs)
-        this->duplicates.push_back({{node(duplicate), node(original)}});
+  discretization->to_field(field, discretization->to_vector(field));
 }
 
 template <int dim>
@@ -255,7 +232,7 @@ std::vector<double> MeshBody<dim>::lumped_mass() const
 template <int dim>
 std::size_t MeshBody<dim>::n_cell_groups() const
 {
-  return (this->n_cells() + group_size - 1) / group_size;
+  return (mesh.cells.size() + group_size - 1) / group_size;
 }
 
 template <int dim>
@@ -264,7 +241,7 @@ void MeshBody<dim>::evaluate(const NodalField<double> &u,
                              typename ElasticBody<dim>::Cells &cells) const
 {
   const std::size_t begin = group * group_size,
-                    end   = std::min(begin + group_size, this->n_cells());
+                    end   = std::min(begin + group_size, mesh.cells.size());
   cells                   = {};
   for (std::size_t k = begin; k < end; ++k)
     {
@@ -299,17 +276,17 @@ std::vector<MatrixEntry> MeshBody<dim>::stiffness_entries() const
   for (const auto &pair : this->duplicates)
     duplicate[static_cast<std::size_t>(pair[0].j) * this->n_columns() + pair[0].i] = true;
   constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
-  std::vector<std::uint64_t> number(discretization->n_dofs(), none);
+  std::vector<std::uint64_t> numbers(discretization->n_dofs(), none);
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
     for (unsigned int c = 0; c < dim && !duplicate[p]; ++c)
-      number[discretization->dof(c, node(p))] = dim * p + c;
+      numbers[discretization->dof(c, node(p))] = dim * p + c;
   const auto &matrix = discretization->stiffness();
   std::vector<MatrixEntry> entries;
   for (const auto row : matrix.locally_owned_range_indices())
-    if (number[row] != none)
+    if (numbers[row] != none)
       for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
-        if (number[entry->column()] != none)
-          entries.push_back({number[row], number[entry->column()], entry->value()});
+        if (numbers[entry->column()] != none)
+          entries.push_back({numbers[row], numbers[entry->column()], entry->value()});
   return entries;
 }
 
@@ -325,7 +302,7 @@ std::unique_ptr<ElasticBody<dim>> MeshBody<dim>::make_periodic() const
 {
   MeshBodyInput<dim> periodic = input;
   periodic.periodicity        = {true, true};
-  return std::make_unique<MeshBody<dim>>(periodic, communicator);
+  return std::make_unique<MeshBody<dim>>(periodic, all_ranks);
 }
 
 template class MeshBody<2>;

@@ -6,7 +6,9 @@
 #include "mesh/mesh.h"
 
 #include <array>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mesoslip
@@ -42,11 +44,13 @@ Mesh<2> cut_into_triangles(const Mesh<2> &mesh);
 
 template <int dim>
 class MeshDiscretization;
+template <int dim>
+struct MeshShare;
 
 /**
  * The body on a mesh of deal.II, elements of order one, in two dimensions or three:
  * stiffness as a Trilinos matrix, solves by MlSolver. Work and matrices are divided among
- * the ranks by METIS, mesh and fields are whole on all of them.
+ * the ranks by METIS.
  */
 template <int dim>
 class MeshBody : public ElasticBody<dim>
@@ -54,13 +58,41 @@ class MeshBody : public ElasticBody<dim>
 public:
   using Cells = typename ElasticBody<dim>::Cells; ///< values in a group of cells
 
-  /** @p given is the same on all ranks. Collective over @p communicator. @throws UserError
+  /** With mesh and fields that are whole on all ranks, which all have the same @p given.
+   * Collective over @p communicator. @throws UserError
    * if a cell is flat or inside out, the body is in pieces, a boundary has no face, or the
    * sides of a periodic mesh do not match */
   MeshBody(const MeshBodyInput<dim> &given, const MPI_Comm communicator);
 
+  /** With fields that are divided like the cells. Only rank 0 has to have @p mesh, which stands in
+   * for that of @p given. Collective. @throws UserError as above */
+  static std::unique_ptr<MeshBody> divide(const Mesh<dim> &mesh,
+                                          const MeshBodyInput<dim> &given,
+                                          const MPI_Comm communicator);
+
   ~MeshBody() override;
 
+  /** The node of point @p number of the mesh, on the ranks that have it. */
+  std::optional<NodeIndex> find(const unsigned int number) const;
+
+  /** Numbers in the mesh of the first nodes of divided fields: each point is such a node on
+   * one rank. */
+  std::vector<std::uint64_t> owned_points() const;
+
+  /** Numbers in the mesh of all nodes of the contact side, in the order of surface(). */
+  const std::vector<unsigned int> &contact_points() const
+  {
+    return of_contact;
+  }
+
+  /** Components of @p field at the points of the mesh with these @p numbers, on all ranks; those of
+   * a point together. Collective. */
+  std::vector<double> values_at(const std::vector<unsigned int> &numbers,
+                                const NodalField<double> &field) const;
+
+  void copy_duplicates(NodalField<double> &field) const override;
+  using ElasticBody<dim>::copy_duplicates;
+  std::uint64_t number(const NodeIndex &node) const override;
   std::array<double, dim> point(const NodeIndex &node) const override;
   std::vector<double> lumped_mass() const override;
   std::size_t n_cell_groups() const override;
@@ -73,16 +105,20 @@ public:
   std::unique_ptr<ElasticBody<dim>> make_periodic() const override;
 
 private:
-  NodeIndex node(const std::size_t point) const;
-  void find_sides();
-  void tie_sides();
-  void tie_copies();
+  MeshBody(const MeshBodyInput<dim> &given, MeshShare<dim> &&share);
 
-  const MeshBodyInput<dim> input;
-  const Mesh<dim> &mesh; ///< of the input
-  const MPI_Comm communicator;
-  dealii::Point<dim> lower;    ///< corner of the bounding box (m)
-  std::vector<double> volumes; ///< of the cells (m^2, m^3)
+  NodeIndex node(const std::size_t point) const;
+  void set_sides(const MeshShare<dim> &share);
+
+  const MeshBodyInput<dim> input;           ///< its mesh has the points of fields
+  const Mesh<dim> &mesh;                    ///< of the input
+  const MPI_Comm all_ranks;                 ///< that share the work
+  const std::array<double, dim> lower;      ///< corner of the bounding box (m)
+  const std::vector<unsigned int> in_mesh;  ///< see MeshShare::point_in_mesh
+  const std::vector<unsigned int> in_order; ///< points of fields, by in_mesh
+  const std::size_t n_owned;                ///< see owned_points()
+  std::vector<unsigned int> of_contact;     ///< see contact_points()
+  const std::vector<double> volumes;        ///< of the cells (m^2, m^3)
   std::unique_ptr<MeshDiscretization<dim>> discretization;
 };
 } // namespace mesoslip

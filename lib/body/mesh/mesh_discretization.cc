@@ -3,58 +3,62 @@
 #include "body/mesh/cell_values.h"
 #include "body/mesh/condensed_cells.h"
 
-#include <deal.II/lac/vector.h>
-
-#include <numeric>
+#include <algorithm>
 
 namespace mesoslip
 {
-namespace
-{
 template <int dim>
-std::vector<unsigned int> all_points(const Mesh<dim> &mesh)
-{
-  std::vector<unsigned int> points(mesh.points.size());
-  std::iota(points.begin(), points.end(), 0U);
-  return points;
-}
-} // namespace
-
-template <int dim>
-MeshDiscretization<dim>::MeshDiscretization(const Mesh<dim> &mesh,
-                                            const ElasticBody<dim> &the_body,
-                                            const MPI_Comm communicator)
+MeshDiscretization<dim>::MeshDiscretization(MeshShare<dim> &&share,
+                                            const ElasticBody<dim> &the_body)
   : body(the_body)
-  , distributed(mesh, communicator)
-  , dofs(distributed.dofs_of_points(mesh, all_points(mesh)))
+  , distributed(std::move(share.all_ranks))
+  , dofs(std::move(share.dofs))
 {
-  constrain_duplicates();
+  std::vector<std::array<Index, 2>> duplicates;
+  for (std::size_t k = 0; k < share.duplicates.size(); k += 2 * dim)
+    for (unsigned int c = 0; c < dim; ++c)
+      duplicates.push_back({{share.duplicates[k + c], share.duplicates[k + dim + c]}});
+  tie_duplicates(duplicates, distributed->relevant(), constraints);
+  constraints.close();
+  find_places(originals_of(duplicates));
   assemble();
 }
 
 template <int dim>
-void MeshDiscretization<dim>::constrain_duplicates()
+void MeshDiscretization<dim>::find_places(const std::map<Index, Index> &originals)
 {
-  std::vector<std::array<Index, 2>> duplicates;
-  for (const auto &[duplicate, original] : body.duplicate_nodes())
-    for (unsigned int c = 0; c < dim; ++c)
-      duplicates.push_back({{dof(c, duplicate), dof(c, original)}});
-  tie_duplicates(duplicates, distributed.relevant(), constraints);
-  constraints.close();
+  const dealii::IndexSet &owned = distributed->dofs().locally_owned_dofs();
+  in_owned.assign(dofs.size(), nowhere);
+  for (std::size_t k = 0; k < dofs.size(); ++k)
+    {
+      const auto original = originals.find(dofs[k]);
+      if (original != originals.end())
+        dofs[k] = original->second;
+      else if (owned.is_element(dofs[k]))
+        in_owned[k] = static_cast<int>(owned.index_within_set(dofs[k]));
+    }
+  std::vector<Index> sorted = dofs;
+  std::sort(sorted.begin(), sorted.end());
+  dealii::IndexSet of_fields(n_dofs());
+  of_fields.add_indices(sorted.begin(), std::unique(sorted.begin(), sorted.end()));
+  of_fields.compress();
+  needed.reinit(owned, of_fields, distributed->communicator());
+  const auto &map = needed.trilinos_partitioner();
+  for (const Index dof : dofs)
+    in_needed.push_back(
+      map.LID(static_cast<dealii::TrilinosWrappers::types::int_type>(dof)));
 }
 
 template <int dim>
 void MeshDiscretization<dim>::assemble()
 {
   using namespace dealii;
-  const MPI_Comm communicator = distributed.communicator();
-  const IndexSet &owned       = distributed.dofs().locally_owned_dofs();
   CondensedCells cells(constraints);
-  cells.reinit(matrix, distributed);
-  mass.reinit(owned, communicator);
+  cells.reinit(matrix, *distributed);
+  mass.reinit(distributed->dofs().locally_owned_dofs(), distributed->communicator());
 
   for_each_cell(
-    distributed, [&](const auto &cell, const auto &values, const auto &indices) {
+    *distributed, [&](const auto &cell, const auto &values, const auto &indices) {
       const unsigned int n           = indices.size();
       const ElasticPhase<dim> &phase = body.phases()[cell.material_id()];
       Eigen::MatrixXd K              = Eigen::MatrixXd::Zero(n, n);
@@ -74,33 +78,64 @@ void MeshDiscretization<dim>::assemble()
 }
 
 template <int dim>
-typename MeshDiscretization<dim>::Vector
-MeshDiscretization<dim>::to_vector(const NodalField<double> &field) const
+template <typename Action>
+void MeshDiscretization<dim>::for_each_owned(const Action &action) const
 {
-  const dealii::IndexSet &owned = distributed.dofs().locally_owned_dofs();
-  Vector vector(owned, distributed.communicator());
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int i = 0; i < body.n_columns(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
-        {
-          const Index k = dof(c, {i, j});
-          if (owned.is_element(k) && !constraints.is_constrained(k))
-            vector[k] = field.row(c, j)[i];
-        }
-  vector.compress(dealii::VectorOperation::insert);
+        if (const int k = in_owned[entry(c, {i, j})]; k != nowhere)
+          action(static_cast<std::size_t>(k), c, NodeIndex{i, j});
+}
+
+template <int dim>
+typename MeshDiscretization<dim>::Vector
+MeshDiscretization<dim>::to_vector(const NodalField<double> &field) const
+{
+  Vector vector(distributed->dofs().locally_owned_dofs(), distributed->communicator());
+  for_each_owned([&](const std::size_t k, const unsigned int c, const NodeIndex &node) {
+    vector.begin()[k] = field(c, node);
+  });
   return vector;
+}
+
+template <int dim>
+typename MeshDiscretization<dim>::Vector
+MeshDiscretization<dim>::to_vector(const NodalField<double> &field,
+                                   const DofMask &mask) const
+{
+  Vector vector(distributed->dofs().locally_owned_dofs(), distributed->communicator());
+  for_each_owned([&](const std::size_t k, const unsigned int c, const NodeIndex &node) {
+    if (mask.is_constrained(c, node))
+      vector.begin()[k] = field(c, node);
+  });
+  return vector;
+}
+
+template <int dim>
+std::vector<bool> MeshDiscretization<dim>::held_by(const DofMask &mask) const
+{
+  const dealii::IndexSet &owned = distributed->dofs().locally_owned_dofs();
+  std::vector<bool> held;
+  for (const Index dof : owned)
+    held.push_back(constraints.is_constrained(dof));
+  for_each_owned([&](const std::size_t k, const unsigned int c, const NodeIndex &node) {
+    if (mask.is_constrained(c, node))
+      held[k] = true;
+  });
+  return held;
 }
 
 template <int dim>
 void MeshDiscretization<dim>::to_field(NodalField<double> &field,
                                        const Vector &vector) const
 {
-  const dealii::Vector<double> all(vector);
+  needed               = vector;
+  const double *values = needed.trilinos_vector()[0];
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int i = 0; i < body.n_columns(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
-        field.row(c, j)[i] = all[dof(c, {i, j})];
-  body.copy_duplicates(field);
+        field.row(c, j)[i] = values[in_needed[entry(c, {i, j})]];
 }
 
 template class MeshDiscretization<2>;

@@ -2,10 +2,12 @@
 #define mesoslip_body_mesh_mesh_discretization_h
 
 #include "body/elastic_body.h"
-#include "body/mesh/distributed_mesh.h"
+#include "body/mesh/mesh_share.h"
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
+
+#include <map>
 
 namespace mesoslip
 {
@@ -23,15 +25,13 @@ public:
   using Matrix = dealii::TrilinosWrappers::SparseMatrix; ///< owned rows
   using Index  = dealii::types::global_dof_index;        ///< a degree of freedom
 
-  /** Of @p body only layout, phases and duplicates are used. Collective. */
-  MeshDiscretization(const Mesh<dim> &mesh,
-                     const ElasticBody<dim> &body,
-                     const MPI_Comm communicator);
+  /** Of @p body only layout and phases are used. Collective. */
+  MeshDiscretization(MeshShare<dim> &&share, const ElasticBody<dim> &body);
 
   /** What ML needs. @throws UserError if there are fewer cells than ranks */
   void require_cells() const
   {
-    distributed.require_cells();
+    distributed->require_cells();
   }
 
   /** K (N/m) with the rows of duplicates added to those of their originals. */
@@ -46,32 +46,54 @@ public:
     return mass;
   }
 
-  /** Degree of freedom of component @p c of the node, on all ranks. */
+  /** Degree of freedom of component @p c of a node of fields, of duplicates that of the
+   * original. */
   Index dof(const unsigned int c, const NodeIndex &node) const
   {
-    return dofs[dim * (static_cast<std::size_t>(node.j) * body.n_columns() + node.i) + c];
+    return dofs[entry(c, node)];
   }
 
   /** Number of degrees of freedom, duplicates included. */
   Index n_dofs() const
   {
-    return dofs.size();
+    return distributed->dofs().n_dofs();
   }
 
   /** The owned part of a field. */
   Vector to_vector(const NodalField<double> &field) const;
 
-  /** The whole field on all ranks, with duplicates. Collective. */
+  /** The same of what @p mask constrains, elsewhere zero. */
+  Vector to_vector(const NodalField<double> &field, const DofMask &mask) const;
+
+  /** For each owned degree of freedom whether it is a duplicate or @p mask constrains it. */
+  std::vector<bool> held_by(const DofMask &mask) const;
+
+  /** The nodes of fields on this rank, with duplicates. Collective. */
   void to_field(NodalField<double> &field, const Vector &vector) const;
 
 private:
-  void constrain_duplicates();
+  std::size_t entry(const unsigned int c, const NodeIndex &node) const
+  {
+    return dim * (static_cast<std::size_t>(node.j) * body.n_columns() + node.i) + c;
+  }
+
+  /** Calls action(place in owned vectors, c, node) where fields have what this rank owns. */
+  template <typename Action>
+  void for_each_owned(const Action &action) const;
+
+  void find_places(const std::map<Index, Index> &originals);
   void assemble();
 
   const ElasticBody<dim> &body;
-  const DistributedMesh<dim> distributed;
+  const std::unique_ptr<const DistributedMesh<dim>> distributed;
   dealii::AffineConstraints<double> constraints;
-  std::vector<Index> dofs; ///< dim for each point of the mesh
+  std::vector<Index> dofs; ///< dim for each node of fields, see dof()
+
+  static constexpr int nowhere =
+    -1;                       ///< where a node is a duplicate or another rank owns it
+  std::vector<int> in_owned;  ///< places of dofs in a Vector
+  std::vector<int> in_needed; ///< places of dofs in needed
+  mutable Vector needed;      ///< all that fields have
   Matrix matrix;
   Vector mass;
 };

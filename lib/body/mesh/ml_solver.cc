@@ -1,10 +1,15 @@
 #include "body/mesh/ml_solver.h"
 
+#include "body/rigid_motions.h"
+
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
 #include <Eigen/Dense>
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_Import.h>
+#include <Epetra_Vector.h>
 
 #include <cmath>
 #include <sstream>
@@ -13,37 +18,65 @@ namespace mesoslip
 {
 namespace
 {
+namespace mpi = dealii::Utilities::MPI;
+
 constexpr unsigned int max_iterations = 2000;
 
-/** Three nodes that are far from one another and not in line. */
+/** A node that some rank has. */
 template <int dim>
-std::array<NodeIndex, 3> distant_nodes(const ElasticBody<dim> &body)
+struct Place
 {
-  using Vector         = Eigen::Matrix<double, dim, 1>;
-  const auto offset_of = [&](const NodeIndex &node, const NodeIndex &from) {
-    Vector offset;
-    for (unsigned int d = 0; d < dim; ++d)
-      offset[d] = body.point(node)[d] - body.point(from)[d];
-    return offset;
-  };
-  const auto farthest = [&](const auto &distance) {
-    NodeIndex best;
-    double most = -1.;
-    for (unsigned int j = 0; j < body.n_rows(); ++j)
-      for (unsigned int i = 0; i < body.n_columns(); ++i)
-        if (const double x = distance(NodeIndex{i, j}); x > most)
+  std::array<double, dim> point = {}; ///< m, see ElasticBody::point()
+  std::array<dealii::types::global_dof_index, dim> dofs = {}; ///< of its components
+};
+
+/** The node of the whole body where @p distance of a point is largest, on all ranks. */
+template <int dim, typename Distance>
+Place<dim> farthest(const ElasticBody<dim> &body,
+                    const MeshDiscretization<dim> &discretization,
+                    const Distance &distance)
+{
+  NodeIndex best;
+  double most = -1.;
+  for (unsigned int j = 0; j < body.n_rows(); ++j)
+    for (unsigned int i = 0; i < body.n_columns(); ++i)
+      if (body.is_counted({i, j}))
+        if (const double x = distance(body.point({i, j})); x > most)
           {
             most = x;
             best = {i, j};
           }
-    return best;
+  Place<dim> place;
+  if (most >= 0.)
+    {
+      place.point = body.point(best);
+      for (unsigned int c = 0; c < dim; ++c)
+        place.dofs[c] = discretization.dof(c, best);
+    }
+  const auto owner = mpi::min_max_avg(most, body.communicator()).max_index;
+  return mpi::broadcast(body.communicator(), place, owner);
+}
+
+/** Three nodes that are far from one another and not in line. */
+template <int dim>
+std::array<Place<dim>, 3> distant_nodes(const ElasticBody<dim> &body,
+                                        const MeshDiscretization<dim> &discretization)
+{
+  using Vector         = Eigen::Matrix<double, dim, 1>;
+  using Point          = std::array<double, dim>;
+  const auto offset_of = [](const Point &point, const Point &from) {
+    Vector offset;
+    for (unsigned int d = 0; d < dim; ++d)
+      offset[d] = point[d] - from[d];
+    return offset;
   };
-  const NodeIndex a = {0, 0}, b = farthest([&](const NodeIndex &node) {
-                                return offset_of(node, a).norm();
-                              });
-  const Vector line = offset_of(b, a).normalized();
-  return {{a, b, farthest([&](const NodeIndex &node) {
-             const Vector offset = offset_of(node, a);
+  const auto a      = farthest(body, discretization,
+                               [&](const Point &p) { return offset_of(p, Point()).norm(); });
+  const auto b      = farthest(body, discretization,
+                               [&](const Point &p) { return offset_of(p, a.point).norm(); });
+  const Vector line = offset_of(b.point, a.point).normalized();
+  return {{a, b, farthest(body, discretization, [&](const Point &p) {
+             const Vector offset = offset_of(p, a.point);
              return (offset - line * line.dot(offset)).norm();
            })}};
 }
@@ -60,20 +93,14 @@ MlSolver<dim>::MlSolver(const ElasticBody<dim> &the_body,
 template <int dim>
 void MlSolver<dim>::set_constrained(const DofMask &mask)
 {
+  is_ready         = true;
   constrained_dofs = mask;
-  fixed.assign(discretization.n_dofs(), false);
   // Axis after axis, so that the original of an original is held as well.
   for (const auto &[duplicate, original] : body.duplicate_nodes())
     for (unsigned int c = 0; c < dim; ++c)
       if (constrained_dofs.is_constrained(c, duplicate))
         constrained_dofs.constrain(c, original);
-  for (unsigned int j = 0; j < constrained_dofs.n_rows(); ++j)
-    for (unsigned int i = 0; i < constrained_dofs.n_columns(); ++i)
-      for (unsigned int c = 0; c < dim; ++c)
-        fixed[discretization.dof(c, {i, j})] = constrained_dofs.is_constrained(c, {i, j});
-  for (const auto &pair : body.duplicate_nodes())
-    for (unsigned int c = 0; c < dim; ++c)
-      fixed[discretization.dof(c, pair[0])] = true;
+  fixed = discretization.held_by(constrained_dofs);
 
   motions.clear();
   for (const NodalField<double> &field : free_rigid_motions(body, constrained_dofs))
@@ -84,46 +111,32 @@ void MlSolver<dim>::set_constrained(const DofMask &mask)
       motions.push_back(motion);
     }
   if (!motions.empty())
-    support(constrained_dofs);
+    support();
   copy_without_fixed();
   set_up_preconditioner();
 }
 
 // Supports that are just enough carry nothing, as forces are in equilibrium.
 template <int dim>
-void MlSolver<dim>::support(DofMask mask)
+void MlSolver<dim>::support()
 {
-  const std::vector<NodeIndex> &bottom = body.surface(ElasticBody<dim>::bottom).nodes;
-  std::vector<NodeIndex> nodes;
-  if (bottom.size() > 1)
-    nodes = {bottom.front(), bottom.back(), bottom[bottom.size() / 2], bottom[1]};
-  // A round body may have no lower side, or one that is too small to stand on.
-  for (const NodeIndex &node : distant_nodes(body))
-    nodes.push_back(node);
-  for (NodeIndex &node : nodes) // duplicates have no row of their own
-    for (const auto &[duplicate, original] : body.duplicate_nodes())
-      if (duplicate.i == node.i && duplicate.j == node.j)
-        node = original;
-  std::vector<std::pair<unsigned int, NodeIndex>> candidates;
-  for (unsigned int c = 0; c < dim; ++c)
-    candidates.emplace_back(c, nodes.front());
-  for (std::size_t k = 1; k < nodes.size(); ++k)
-    for (unsigned int c = dim; c-- > 0;)
-      candidates.emplace_back(c, nodes[k]);
+  const RigidMotions<dim> rigid(body);
+  auto hold          = rigid.hold_of(constrained_dofs, true);
   std::size_t n_free = motions.size();
-  for (const auto &[c, node] : candidates)
-    {
-      if (n_free == 0)
-        return;
-      DofMask trial = mask;
-      trial.constrain(c, node);
-      const std::size_t n = free_rigid_motions(body, trial).size();
-      if (n == n_free)
-        continue;
-      n_free                             = n;
-      mask                               = trial;
-      fixed[discretization.dof(c, node)] = true;
-    }
+  const auto owned   = discretization.lumped_mass().locally_owned_elements();
+  for (const Place<dim> &place : distant_nodes(body, discretization))
+    for (unsigned int c = dim; c-- > 0 && n_free > 0;)
+      {
+        const auto row      = rigid.at(place.point).row(c).eval();
+        const auto trial    = (hold + row.transpose() * row).eval();
+        const std::size_t n = RigidMotions<dim>::left_by(trial).size();
+        if (n == n_free)
+          continue;
+        n_free = n;
+        hold   = trial;
+        if (owned.is_element(place.dofs[c]))
+          fixed[owned.index_within_set(place.dofs[c])] = true;
+      }
   Assert(n_free == 0, dealii::ExcInternalError());
 }
 
@@ -134,6 +147,13 @@ void MlSolver<dim>::copy_without_fixed()
 {
   constrained.copy_from(discretization.stiffness());
   const Epetra_CrsMatrix &epetra = constrained.trilinos_matrix();
+  Epetra_Vector of_rows(epetra.RowMap()), of_columns(epetra.ColMap());
+  for (std::size_t k = 0; k < fixed.size(); ++k)
+    of_rows[static_cast<int>(k)] = fixed[k] ? 1. : 0.;
+  if (epetra.Importer() == nullptr) // on one rank
+    of_columns = of_rows;
+  else
+    of_columns.Import(of_rows, *epetra.Importer(), Insert);
   for (int i = 0; i < epetra.NumMyRows(); ++i)
     {
       int n = 0, *columns = nullptr;
@@ -141,11 +161,9 @@ void MlSolver<dim>::copy_without_fixed()
       epetra.ExtractMyRowView(i, n, values, columns);
       const auto row = epetra.GRID64(i);
       for (int k = 0; k < n; ++k)
-        {
-          const auto column = epetra.GCID64(columns[k]);
-          if (column != row && (fixed[row] || fixed[column]))
-            values[k] = 0.;
-        }
+        if (epetra.GCID64(columns[k]) != row &&
+            (of_rows[i] != 0. || of_columns[columns[k]] != 0.))
+          values[k] = 0.;
     }
 }
 
@@ -165,11 +183,9 @@ void MlSolver<dim>::set_up_preconditioner()
 template <int dim>
 void MlSolver<dim>::clear_fixed(Vector &x) const
 {
-  const auto range = x.local_range();
-  for (Index k = range.first; k < range.second; ++k)
+  for (std::size_t k = 0; k < fixed.size(); ++k)
     if (fixed[k])
-      x(k) = 0.;
-  x.compress(dealii::VectorOperation::insert);
+      x.begin()[k] = 0.;
 }
 
 template <int dim>
@@ -184,16 +200,10 @@ SolverReport MlSolver<dim>::solve(NodalField<double> &u,
                                   const NodalField<double> &force,
                                   const double tolerance)
 {
-  if (fixed.empty())
+  if (!is_ready)
     set_constrained(DofMask(body.n_columns(), body.n_rows()));
   // The scale is the residual of the prescribed values alone.
-  NodalField<double> values = body.zero_field();
-  for (unsigned int j = 0; j < constrained_dofs.n_rows(); ++j)
-    for (unsigned int i = 0; i < constrained_dofs.n_columns(); ++i)
-      for (unsigned int c = 0; c < dim; ++c)
-        if (constrained_dofs.is_constrained(c, {i, j}))
-          values.row(c, j)[i] = u.row(c, j)[i];
-  const Vector prescribed = discretization.to_vector(values);
+  const Vector prescribed = discretization.to_vector(u, constrained_dofs);
   Vector f                = discretization.to_vector(force), r(f);
   remove_motions(f);
   const auto residual = [&](const Vector &x) {

@@ -26,9 +26,8 @@ public:
 
 private:
   using Vector = typename MeshDiscretization<dim>::Vector;
-  using Index  = typename MeshDiscretization<dim>::Index;
 
-  void support(DofMask mask);
+  void support();
   void copy_without_fixed();
   void set_up_preconditioner();
   void clear_fixed(Vector &x) const;
@@ -39,9 +38,10 @@ private:
   const ElasticBody<dim> &body;
   const MeshDiscretization<dim> &discretization;
   DofMask constrained_dofs;
+  bool is_ready = false;       ///< whether constraints were set
   std::vector<Vector> motions; ///< free rigid motions, orthonormal
 
-  /** Per degree of freedom, on all ranks: constrained, duplicate or needed as support. */
+  /** Per owned degree of freedom: constrained, duplicate or needed as support. */
   std::vector<bool> fixed;
 
   /** Rows and columns of fixed degrees of freedom have only their diagonal. */

@@ -29,7 +29,7 @@ template <int dim>
 std::vector<std::int64_t> free_numbers(const ElasticBody<dim> &body,
                                        const FreeDofs<dim> &dofs)
 {
-  typename FreeDofs<dim>::Vector numbers(dofs.size());
+  typename FreeDofs<dim>::Vector numbers = dofs.zero();
   for (std::size_t k = 0; k < dofs.size(); ++k)
     numbers[k] = static_cast<double>(k) + 1.;
   NodalField<double> field = body.zero_field();
@@ -219,7 +219,7 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
   const auto n = static_cast<Eigen::Index>(dofs.size());
   pencil.stiffness.resize(n, n);
   pencil.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
-  typename FreeDofs<dim>::Vector one(dofs.size()), masses(dofs.size());
+  typename FreeDofs<dim>::Vector one = dofs.zero(), masses = dofs.zero();
   one = 1.;
   dofs.vmult(masses, one);
   pencil.mass = Eigen::Map<const Eigen::VectorXd>(masses.begin(), n);

@@ -2,6 +2,7 @@
 
 #include "body/grid_body.h"
 #include "eigenvalues/free_dofs.h"
+#include "exchange/datasets.h"
 #include "exchange/dynamics_file.h"
 
 namespace mesoslip
@@ -46,8 +47,21 @@ void ModalAnalysis::run(RunContext &context)
   write_modes(cases, context);
   DynamicsFile file =
     DynamicsFile::create(context.file("modal.h5"), body, "mesoslip-modal");
-  const ShownShapes shown =
-    write_shapes(file, cases, {body.grid.cells[1] + 1u, body.grid.cells[0] + 1u, 2});
+  write_frequencies(file, cases);
+  for (const ModalCase<2> &c : cases)
+    {
+      std::vector<double> shapes;
+      for (const VibrationMode<2> &mode : c.modes.modes)
+        {
+          const std::vector<double> shape = interleaved(mode.shape);
+          shapes.insert(shapes.end(), shape.begin(), shape.end());
+        }
+      write_dataset(
+        file, shapes_name(c),
+        {c.modes.modes.size(), body.grid.cells[1] + 1u, body.grid.cells[0] + 1u, 2},
+        shapes);
+    }
+  const ShownShapes shown = shown_shapes(cases);
   file.show(shown.fields, shown.numbers);
   file.close();
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iomanip>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <stdexcept>
 
 namespace mesoslip
@@ -160,43 +161,43 @@ void write_modes(const std::vector<ModalCase<dim>> &cases, RunContext &context)
 }
 
 template <int dim>
-ShownShapes write_shapes(Hdf5File &file,
-                         const std::vector<ModalCase<dim>> &cases,
-                         const Shape &extents)
+ShownShapes shown_shapes(const std::vector<ModalCase<dim>> &cases)
 {
   ShownShapes shown;
   for (const ModalCase<dim> &c : cases)
     {
-      std::vector<double> frequency, mass, shapes;
-      shown.numbers.clear();
-      for (const VibrationMode<dim> &mode : c.modes.modes)
-        {
-          shown.numbers.push_back(static_cast<double>(shown.numbers.size()) + 1.);
-          frequency.push_back(mode.frequency);
-          mass.push_back(mode.modal_mass);
-          const std::vector<double> shape = interleaved(mode.shape);
-          shapes.insert(shapes.end(), shape.begin(), shape.end());
-        }
-      const std::string group = "/modes/" + c.bottom;
-      write_series(
-        file, group,
-        {{"frequency", "Hz", &frequency}, {"modal_mass", mass_unit<dim>(), &mass}});
-      Shape all = {shown.numbers.size()};
-      all.insert(all.end(), extents.begin(), extents.end());
-      write_dataset(file, group + "/shape", all, shapes);
+      shown.numbers.resize(c.modes.modes.size());
+      std::iota(shown.numbers.begin(), shown.numbers.end(), 1.);
       shown.fields.push_back(
-        {"bottom_" + c.bottom, group + "/shape", XdmfField::Values::nodes, {dim}});
+        {"bottom_" + c.bottom, shapes_name(c), XdmfField::Values::nodes, {dim}});
     }
   return shown;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                    \
-  template std::vector<ModalCase<dim>> compute_modes(                                \
-    const ElasticBody<dim> &, const std::function<DofMask(const bool)> &,            \
-    const ContactParameters &, RunContext &);                                        \
-  template void write_modes(const std::vector<ModalCase<dim>> &, RunContext &);      \
-  template ShownShapes write_shapes(Hdf5File &, const std::vector<ModalCase<dim>> &, \
-                                    const Shape &);
+template <int dim>
+void write_frequencies(Hdf5File &file, const std::vector<ModalCase<dim>> &cases)
+{
+  for (const ModalCase<dim> &c : cases)
+    {
+      std::vector<double> frequency, mass;
+      for (const VibrationMode<dim> &mode : c.modes.modes)
+        {
+          frequency.push_back(mode.frequency);
+          mass.push_back(mode.modal_mass);
+        }
+      write_series(
+        file, "/modes/" + c.bottom,
+        {{"frequency", "Hz", &frequency}, {"modal_mass", mass_unit<dim>(), &mass}});
+    }
+}
+
+#define MESOSLIP_INSTANTIATE(dim)                                               \
+  template std::vector<ModalCase<dim>> compute_modes(                           \
+    const ElasticBody<dim> &, const std::function<DofMask(const bool)> &,       \
+    const ContactParameters &, RunContext &);                                   \
+  template void write_modes(const std::vector<ModalCase<dim>> &, RunContext &); \
+  template ShownShapes shown_shapes(const std::vector<ModalCase<dim>> &);       \
+  template void write_frequencies(Hdf5File &, const std::vector<ModalCase<dim>> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)
 #undef MESOSLIP_INSTANTIATE

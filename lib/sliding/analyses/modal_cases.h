@@ -56,11 +56,21 @@ struct ShownShapes
   std::vector<double> numbers;   ///< 1, 2, ...
 };
 
-/** Writes /modes; @p extents are those of one shape in the file, components last. */
+/** Those of @p cases, which stand in the datasets of shapes_name(). */
 template <int dim>
-ShownShapes write_shapes(Hdf5File &file,
-                         const std::vector<ModalCase<dim>> &cases,
-                         const Shape &extents);
+ShownShapes shown_shapes(const std::vector<ModalCase<dim>> &cases);
+
+/** Where the shapes of a case stand in a file. */
+template <int dim>
+std::string shapes_name(const ModalCase<dim> &of_case)
+{
+  return "/modes/" + of_case.bottom + "/shape";
+}
+
+/** Writes /modes without the shapes. */
+template <int dim>
+void write_frequencies(Hdf5File &file, const std::vector<ModalCase<dim>> &cases);
+
 } // namespace mesoslip
 
 #endif

@@ -23,8 +23,8 @@ std::vector<std::complex<float>> sample(const ElasticBody<dim> &body,
                                         const std::vector<double> &mass,
                                         const ComplexVector &shape)
 {
-  constexpr std::size_t most = 2000; // nodes
-  typename FreeDofs<dim>::Vector real(dofs.size()), imaginary(dofs.size());
+  constexpr std::size_t most          = 2000; // nodes
+  typename FreeDofs<dim>::Vector real = dofs.zero(), imaginary = dofs.zero();
   for (std::size_t k = 0; k < dofs.size(); ++k)
     {
       real[k]      = shape[static_cast<Eigen::Index>(k)].real();

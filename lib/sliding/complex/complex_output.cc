@@ -76,7 +76,7 @@ parts_of(const ComplexMode &mode, const FreeDofs<dim> &dofs, const ElasticBody<d
   const ComplexVector turned =
     mode.shape * std::exp(std::complex<double>(0., -0.5 * std::arg(square)));
   std::array<NodalField<double>, 2> parts = {{body.zero_field(), body.zero_field()}};
-  typename FreeDofs<dim>::Vector values(dofs.size());
+  typename FreeDofs<dim>::Vector values   = dofs.zero();
   for (unsigned int part = 0; part < 2; ++part)
     {
       for (std::size_t k = 0; k < dofs.size(); ++k)

@@ -47,20 +47,19 @@ private:
     return top_at_start(this->parameters).kind != TopSetup::Kind::held;
   }
 
-  SlidingState at_rest(const ContactParameters &of_case,
-                       ElasticBody<dim> &elastic,
-                       RunContext &context);
+  SlidingState
+  at_rest(const ContactParameters &of_case, MeshBody<dim> &elastic, RunContext &context);
 };
 
 template <int dim>
 SlidingState MeshComplex<dim>::at_rest(const ContactParameters &of_case,
-                                       ElasticBody<dim> &elastic,
+                                       MeshBody<dim> &elastic,
                                        RunContext &context)
 {
   MeshBodyDescription described = this->body;
   if (!of_case.friction.coefficient_by_phase)
     described.friction.assign(described.friction.size(), of_case.friction.coefficient);
-  const DofMask held           = this->held_by_mesh(top_at_start(of_case));
+  const DofMask held           = this->held_by_mesh(top_at_start(of_case), elastic);
   StaticContactOptions options = of_case.static_contact;
   options.before_iteration     = stop_or_report(context, "iteration");
   StaticContact solve;
@@ -84,7 +83,7 @@ void MeshComplex<dim>::run(RunContext &context)
 {
   this->log_body(context);
   context.remove_results(complex_modes_files());
-  const auto elastic = this->make_elastic_body();
+  const auto elastic = this->make_whole_body();
   this->order_contact(*elastic);
   const auto scope = context.timer().scope("Complex modes");
   const auto cases = compute_complex_modes<dim>(

@@ -2,7 +2,6 @@
 
 #include "base/errors.h"
 #include "base/exchange.h"
-#include "body/mesh/mesh_body.h"
 #include "material/plausibility.h"
 #include "mesh/mesh_archive.h"
 #include "program/run_context.h"
@@ -126,11 +125,9 @@ void MeshAnalysis<dim>::summarize_body(const std::string &analysis,
 }
 
 template <int dim>
-std::unique_ptr<ElasticBody<dim>> MeshAnalysis<dim>::make_elastic_body() const
+MeshBodyInput<dim> MeshAnalysis<dim>::input_without_mesh() const
 {
   MeshBodyInput<dim> input;
-  input.mesh = morphology.mesh;
-  broadcast_object(MPI_COMM_WORLD, input.mesh);
   input.phases      = phases;
   input.periodicity = {!parameters.mesh.periodic[0].empty(),
                        !parameters.mesh.periodic[1].empty()};
@@ -139,34 +136,54 @@ std::unique_ptr<ElasticBody<dim>> MeshAnalysis<dim>::make_elastic_body() const
     input.contact_boundary = parameters.mesh.contact_boundary;
   if (!body.top.points.empty())
     input.top_boundary = parameters.mesh.top_boundary;
+  return input;
+}
+
+template <int dim>
+std::unique_ptr<MeshBody<dim>> MeshAnalysis<dim>::divide_body() const
+{
+  return MeshBody<dim>::divide(morphology.mesh, input_without_mesh(), MPI_COMM_WORLD);
+}
+
+template <int dim>
+std::unique_ptr<MeshBody<dim>> MeshAnalysis<dim>::make_whole_body() const
+{
+  MeshBodyInput<dim> input = input_without_mesh();
+  input.mesh               = morphology.mesh;
+  broadcast_object(MPI_COMM_WORLD, input.mesh);
   return std::make_unique<MeshBody<dim>>(input, MPI_COMM_WORLD);
 }
 
 template <int dim>
-DofMask MeshAnalysis<dim>::held_by_mesh(const TopSetup &top) const
+DofMask MeshAnalysis<dim>::held_by_mesh(const TopSetup &top,
+                                        const MeshBody<dim> &elastic) const
 {
-  DofMask held(static_cast<unsigned int>(body.n_points), 1);
+  DofMask held(elastic.n_columns(), 1);
+  const auto hold = [&](const unsigned int c, const unsigned int point) {
+    if (const auto node = elastic.find(point))
+      held.constrain(c, *node);
+  };
   for (const HeldComponent &h : body.held)
-    held.constrain(h.component, {h.point, 0});
+    hold(h.component, h.point);
   for (unsigned int c = 0; c < dim; ++c)
-    if (top.kind != TopSetup::Kind::pressure || (c + 1 < dim && top.lateral_held))
+    if (top_holds<dim>(top, c))
       for (const unsigned int point : body.top.points)
-        held.constrain(c, {point, 0});
+        hold(c, point);
   return held;
 }
 
 template <int dim>
-void MeshAnalysis<dim>::order_contact(const ElasticBody<dim> &elastic)
+void MeshAnalysis<dim>::order_contact(const MeshBody<dim> &elastic)
 {
   const MeshBoundary contact         = this->body.contact;
   const std::vector<double> friction = this->body.friction;
   std::map<unsigned int, std::size_t> place;
   for (std::size_t k = 0; k < contact.points.size(); ++k)
     place[contact.points[k]] = k;
-  const auto &nodes = elastic.surface(ElasticBody<dim>::bottom).nodes;
-  for (std::size_t k = 0; k < nodes.size(); ++k)
+  const std::vector<unsigned int> &points = elastic.contact_points();
+  for (std::size_t k = 0; k < points.size(); ++k)
     {
-      const std::size_t old        = place.at(nodes[k].i);
+      const std::size_t old        = place.at(points[k]);
       this->body.contact.points[k] = contact.points[old];
       this->body.contact.area[k]   = contact.area[old];
       this->body.contact.height[k] = contact.height[old];

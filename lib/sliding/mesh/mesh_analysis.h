@@ -1,7 +1,7 @@
 #ifndef mesoslip_sliding_mesh_mesh_analysis_h
 #define mesoslip_sliding_mesh_mesh_analysis_h
 
-#include "body/elastic_body.h"
+#include "body/mesh/mesh_body.h"
 #include "program/program.h"
 #include "sliding/contact_parameters.h"
 
@@ -11,6 +11,13 @@
 
 namespace mesoslip
 {
+/** Whether the top is held in component @p c: that of a platen along the normal as well. */
+template <int dim>
+bool top_holds(const TopSetup &top, const unsigned int c)
+{
+  return top.kind != TopSetup::Kind::pressure || (c + 1 < dim && top.lateral_held);
+}
+
 /** What the analyses of a body on a mesh have in common. */
 template <int dim>
 class MeshAnalysis : public Analysis
@@ -32,14 +39,17 @@ protected:
   /** Puts analysis, material and size of the body into summary.json. */
   void summarize_body(const std::string &analysis, RunContext &context) const;
 
-  /** The body for statics and modes; then all ranks hold the whole mesh. Collective. */
-  std::unique_ptr<ElasticBody<dim>> make_elastic_body() const;
+  /** The body for statics and modes, with fields that are divided among the ranks. Collective. */
+  std::unique_ptr<MeshBody<dim>> divide_body() const;
+
+  /** The same with whole fields; then all ranks hold the whole mesh. Collective. */
+  std::unique_ptr<MeshBody<dim>> make_whole_body() const;
 
   /** What groups of faces and top hold, of a platen the normal component as well. */
-  DofMask held_by_mesh(const TopSetup &top) const;
+  DofMask held_by_mesh(const TopSetup &top, const MeshBody<dim> &elastic) const;
 
   /** Puts the contact nodes of the description into the order of @p elastic. */
-  void order_contact(const ElasticBody<dim> &elastic);
+  void order_contact(const MeshBody<dim> &elastic);
 
   const ContactParameters parameters;    ///< all of them, checked
   MeshMorphology<dim> morphology;        ///< on rank 0
@@ -48,6 +58,7 @@ protected:
 
 private:
   std::vector<std::string> lines() const;
+  MeshBodyInput<dim> input_without_mesh() const;
 };
 } // namespace mesoslip
 

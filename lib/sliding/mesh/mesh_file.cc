@@ -1,9 +1,12 @@
 #include "sliding/mesh/mesh_file.h"
 
+#include "base/exchange.h"
 #include "exchange/datasets.h"
 #include "exchange/mesh_datasets.h"
 #include "exchange/orientation_datasets.h"
 #include "exchange/xdmf.h"
+#include "io/parallel_rows.h"
+#include "mesh/point_blocks.h"
 
 namespace mesoslip
 {
@@ -66,6 +69,41 @@ Shape vectors_shape(const MeshMorphology<dim> &morphology)
 }
 
 template <int dim>
+void write_divided_fields(std::optional<Hdf5File> &file,
+                          const std::string &path,
+                          const std::string &name,
+                          const std::vector<const NodalField<double> *> &fields,
+                          const MeshMorphology<dim> &morphology,
+                          const MeshBody<dim> &elastic)
+{
+  const MPI_Comm communicator = elastic.communicator();
+  // Planes of a box are written as wholes.
+  std::array<std::size_t, 2> extent = {}; // of the points, of one row of the dataset
+  on_root(communicator, [&]() {
+    Shape shape = vectors_shape(morphology);
+    extent      = {{morphology.n_points(), morphology.n_points() / shape[0]}};
+    shape.insert(shape.begin(), fields.size());
+    file->reserve_rows(name, shape);
+    file->leave();
+    file.reset();
+  });
+  broadcast_object(communicator, extent);
+  const PointBlocks<dim> blocks(elastic.owned_points(), extent[0], communicator,
+                                extent[1]);
+  {
+    ParallelRows rows(path, name, communicator);
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      {
+        std::array<const double *, dim> components;
+        for (unsigned int c = 0; c < dim; ++c)
+          components[c] = fields[k]->row(c, 0);
+        rows.write(k, blocks.first() / extent[1], blocks.gather(components));
+      }
+  }
+  on_root(communicator, [&]() { file.emplace(Hdf5File::resume(path, "start again")); });
+}
+
+template <int dim>
 void show_body(const std::string &path,
                const std::string &file,
                const MeshMorphology<dim> &morphology,
@@ -85,6 +123,10 @@ void show_body(const std::string &path,
   template void show_mesh_phases(const std::string &, const std::string &,             \
                                  const MeshMorphology<dim> &);                         \
   template Shape vectors_shape(const MeshMorphology<dim> &);                           \
+  template void write_divided_fields(                                                  \
+    std::optional<Hdf5File> &, const std::string &, const std::string &,               \
+    const std::vector<const NodalField<double> *> &, const MeshMorphology<dim> &,      \
+    const MeshBody<dim> &);                                                            \
   template void show_body(const std::string &, const std::string &,                    \
                           const MeshMorphology<dim> &, const std::vector<XdmfField> &, \
                           const std::vector<double> &);

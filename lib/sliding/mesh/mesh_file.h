@@ -1,10 +1,12 @@
 #ifndef mesoslip_sliding_mesh_mesh_file_h
 #define mesoslip_sliding_mesh_mesh_file_h
 
+#include "body/mesh/mesh_body.h"
 #include "exchange/xdmf.h"
 #include "io/hdf5_file.h"
 #include "sliding/mesh/mesh_body.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,18 @@ Hdf5File create_mesh_file(const std::string &path,
 /** Extents of a vector for each point: of a box [nz + 1][ny + 1][nx + 1][3], else [points][dim]. */
 template <int dim>
 Shape vectors_shape(const MeshMorphology<dim> &morphology);
+
+/**
+ * Writes @p fields of @p elastic as the rows of dataset @p name: all ranks, each a block of the
+ * points, while rank 0, which has the @p file and its @p morphology, has left it. Collective.
+ */
+template <int dim>
+void write_divided_fields(std::optional<Hdf5File> &file,
+                          const std::string &path,
+                          const std::string &name,
+                          const std::vector<const NodalField<double> *> &fields,
+                          const MeshMorphology<dim> &morphology,
+                          const MeshBody<dim> &elastic);
 
 /** Writes @p path for ParaView with @p fields of such a file, which is called @p file. */
 template <int dim>

@@ -1,10 +1,14 @@
 #include "sliding/mesh/mesh_modal.h"
 
+#include "base/exchange.h"
 #include "sliding/analyses/modal_cases.h"
 #include "sliding/mesh/mesh_analysis.h"
 #include "sliding/mesh/mesh_file.h"
 
 #include <deal.II/base/mpi.h>
+
+#include <set>
+#include <utility>
 
 namespace mesoslip
 {
@@ -19,30 +23,39 @@ public:
     , n_copies(copies_on_rank_0())
   {
     for (const std::string &bottom : modal_bottoms(this->parameters))
-      require_modes(n_free(constraints(bottom == "held")), this->parameters);
+      require_modes(n_free(bottom == "held"), this->parameters);
   }
 
   void run(RunContext &context) override;
 
 private:
   /** Of a contact that is held along the normal of the flat, or not. */
-  DofMask constraints(const bool contact_held) const
+  DofMask constraints(const bool contact_held, const MeshBody<dim> &elastic) const
   {
-    DofMask held = this->held_by_mesh(top_at_start(this->parameters));
+    DofMask held = this->held_by_mesh(top_at_start(this->parameters), elastic);
     if (contact_held)
       for (const unsigned int point : this->body.contact.points)
-        held.constrain(dim - 1, {point, 0});
+        if (const auto node = elastic.find(point))
+          held.constrain(dim - 1, *node);
     return held;
   }
 
   /** As FreeDofs::size(), without the body. */
-  std::size_t n_free(const DofMask &held) const
+  std::size_t n_free(const bool contact_held) const
   {
-    std::size_t n = modal_options(this->parameters).platen_mass ? 1 : 0;
-    for (unsigned int i = 0; i < this->body.n_points; ++i)
-      for (unsigned int c = 0; c < dim; ++c)
-        n += held.is_constrained(c, {i, 0}) ? 0 : 1;
-    return n - dim * n_copies; // which nothing holds but their originals
+    std::set<std::pair<unsigned int, unsigned int>> held; // point and component
+    for (const HeldComponent &h : this->body.held)
+      held.emplace(h.point, h.component);
+    for (unsigned int c = 0; c < dim; ++c)
+      if (top_holds<dim>(top_at_start(this->parameters), c))
+        for (const unsigned int point : this->body.top.points)
+          held.emplace(point, c);
+    for (const unsigned int point : this->body.contact.points)
+      if (contact_held)
+        held.emplace(point, dim - 1);
+    // Nothing holds copies but their originals.
+    return dim * (this->body.n_points - n_copies) - held.size() +
+           (modal_options(this->parameters).platen_mass ? 1 : 0);
   }
 
   /** Points that move as others do, of the mesh that rank 0 has. Collective. */
@@ -63,19 +76,31 @@ void MeshModal<dim>::run(RunContext &context)
 {
   this->log_body(context);
   context.remove_results({"modal.h5", "modal.xdmf", "modal-phases.xdmf", "modes.csv"});
-  const auto elastic = this->make_elastic_body();
+  const auto elastic = this->divide_body();
   const auto cases   = compute_modes<dim>(
-    *elastic, [this](const bool held) { return constraints(held); }, this->parameters,
-    context);
+    *elastic, [&](const bool held) { return constraints(held, *elastic); },
+    this->parameters, context);
+  const auto scope       = context.timer().scope("Output");
+  const std::string path = context.file("modal.h5");
+  std::optional<Hdf5File> file;
+  on_root(context.communicator(), [&]() {
+    this->summarize_body("modal", context);
+    write_modes(cases, context);
+    file.emplace(create_mesh_file(path, "mesoslip-modal", this->morphology, this->body));
+    write_frequencies(*file, cases);
+  });
+  for (const ModalCase<dim> &c : cases)
+    {
+      std::vector<const NodalField<double> *> shapes;
+      for (const VibrationMode<dim> &mode : c.modes.modes)
+        shapes.push_back(&mode.shape);
+      write_divided_fields(file, path, shapes_name(c), shapes, this->morphology,
+                           *elastic);
+    }
   if (!context.root())
     return;
-  const auto scope = context.timer().scope("Output");
-  this->summarize_body("modal", context);
-  write_modes(cases, context);
-  Hdf5File file           = create_mesh_file(context.file("modal.h5"), "mesoslip-modal",
-                                             this->morphology, this->body);
-  const ShownShapes shown = write_shapes(file, cases, vectors_shape(this->morphology));
-  file.close();
+  file->close();
+  const ShownShapes shown = shown_shapes(cases);
   show_body(context.file("modal.xdmf"), "modal.h5", this->morphology, shown.fields,
             shown.numbers);
   show_mesh_phases(context.file("modal-phases.xdmf"), "modal.h5", this->morphology);

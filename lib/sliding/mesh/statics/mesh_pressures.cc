@@ -1,48 +1,85 @@
 #include "sliding/mesh/statics/mesh_pressures.h"
 
+#include "base/exchange.h"
 #include "mesh/boundary.h"
 #include "mesh/cell_gradients.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <numeric>
+#include <set>
 
 namespace mesoslip
 {
 namespace
 {
+/** The displacement of points of a mesh, by their number. */
+template <int dim>
+using Displacements = std::map<unsigned int, std::array<double, dim>>;
+
 /** Mean strain of a cell. */
 template <int dim>
 VoigtVector<dim> mean_strain(const Mesh<dim> &mesh,
                              const std::vector<unsigned int> &corners,
-                             const NodalField<double> &u)
+                             const Displacements<dim> &u)
 {
   const auto gradients    = integrated_gradients(mesh, corners);
   VoigtVector<dim> strain = VoigtVector<dim>::Zero();
   for (std::size_t v = 0; v < corners.size(); ++v)
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)
-        strain[voigt_index<dim>(c, d)] += gradients[v][d] * u(c, {corners[v], 0});
+        strain[voigt_index<dim>(c, d)] += gradients[v][d] * u.at(corners[v])[c];
   return strain / cell_measure(mesh, corners).volume;
+}
+
+/** Of the corners of the cells behind these @p faces, which rank 0 has. Collective. */
+template <int dim>
+Displacements<dim> displacements_behind(const std::vector<BoundaryFace<dim>> &faces,
+                                        const Mesh<dim> &mesh,
+                                        const MeshBody<dim> &elastic,
+                                        const NodalField<double> &u)
+{
+  std::set<unsigned int> corners;
+  for (const BoundaryFace<dim> &face : faces)
+    corners.insert(mesh.cells[face.cell].vertices.begin(),
+                   mesh.cells[face.cell].vertices.end());
+  std::vector<unsigned int> points(corners.begin(), corners.end());
+  broadcast_object(elastic.communicator(), points);
+  const std::vector<double> values = elastic.values_at(points, u);
+  Displacements<dim> result;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(dim * k), dim,
+                result[points[k]].begin());
+  return result;
 }
 } // namespace
 
 template <int dim>
 PhasePressures mesh_phase_pressures(const MeshMorphology<dim> &morphology,
                                     const ContactParameters &parameters,
+                                    const MeshBody<dim> &elastic,
                                     const NodalField<double> &u,
                                     const double normal_force)
 {
   const Mesh<dim> &mesh = morphology.mesh;
-  const auto group      = std::find(mesh.boundaries.begin(), mesh.boundaries.end(),
-                                    parameters.mesh.contact_boundary);
+  std::vector<BoundaryFace<dim>> faces;
+  if (!mesh.cells.empty())
+    {
+      const auto group = std::find(mesh.boundaries.begin(), mesh.boundaries.end(),
+                                   parameters.mesh.contact_boundary);
+      faces            = faces_of_group(mesh, boundary_faces(mesh),
+                                        static_cast<unsigned int>(group - mesh.boundaries.begin()));
+    }
+  const Displacements<dim> behind = displacements_behind(faces, mesh, elastic, u);
+  if (faces.empty())
+    return {};
   std::vector<double> area(morphology.phases.size()), force(area.size());
   const std::vector<Phase<dim>> materials = morphology.materials();
-  for (const BoundaryFace<dim> &face :
-       faces_of_group(mesh, boundary_faces(mesh),
-                      static_cast<unsigned int>(group - mesh.boundaries.begin())))
+  for (const BoundaryFace<dim> &face : faces)
     {
       const auto &cell               = mesh.cells[face.cell];
-      const VoigtVector<dim> strain  = mean_strain(mesh, cell.vertices, u);
+      const VoigtVector<dim> strain  = mean_strain<dim>(mesh, cell.vertices, behind);
       const VoigtMatrix<dim> &D      = materials[cell.material_id].stiffness;
       const unsigned int phase       = morphology.phase_of(cell.material_id);
       const double pressure          = -D.row(dim - 1).dot(strain);
@@ -65,10 +102,12 @@ PhasePressures mesh_phase_pressures(const MeshMorphology<dim> &morphology,
 
 template PhasePressures mesh_phase_pressures(const MeshMorphology<2> &,
                                              const ContactParameters &,
+                                             const MeshBody<2> &,
                                              const NodalField<double> &,
                                              const double);
 template PhasePressures mesh_phase_pressures(const MeshMorphology<3> &,
                                              const ContactParameters &,
+                                             const MeshBody<3> &,
                                              const NodalField<double> &,
                                              const double);
 } // namespace mesoslip

@@ -1,6 +1,7 @@
 #include "sliding/mesh/statics/mesh_static.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "exchange/datasets.h"
 #include "exchange/dynamics_file.h"
 #include "exchange/xdmf.h"
@@ -45,7 +46,8 @@ private:
   void evaluate();
   void write_contact_table(const RunContext &context) const;
   void write_step_table(const RunContext &context) const;
-  void write_static_file(const RunContext &context) const;
+  void write_static_file(const RunContext &context, const MeshBody<dim> &elastic) const;
+  void write_contact_group(Hdf5File &file) const;
   void summarize(RunContext &context) const;
 
   std::size_t count(const ContactState state) const
@@ -55,6 +57,7 @@ private:
   }
 
   StaticContactSolution solution;
+  std::vector<double> displaced; ///< dim components of each contact node (m)
   std::vector<StaticLoadStep> steps;
   std::vector<double> pressure;                   ///< of the contact nodes (Pa)
   std::array<std::vector<double>, dim - 1> shear; ///< likewise, on the body (Pa)
@@ -113,7 +116,7 @@ void MeshStatic<dim>::write_contact_table(const RunContext &context) const
         row.push_back(to_text(component[i]));
       row.push_back(to_text(this->body.friction[i]));
       for (unsigned int c = 0; c < dim; ++c)
-        row.push_back(to_text(solution.displacement(c, {point, 0})));
+        row.push_back(to_text(displaced[dim * i + c]));
       row.push_back(to_string(solution.state[i]));
       table.add_row(row);
     }
@@ -151,16 +154,9 @@ void MeshStatic<dim>::write_step_table(const RunContext &context) const
 }
 
 template <int dim>
-void MeshStatic<dim>::write_static_file(const RunContext &context) const
+void MeshStatic<dim>::write_contact_group(Hdf5File &file) const
 {
-  Hdf5File file = create_mesh_file(context.file("dynamics.h5"), "mesoslip-dynamics",
-                                   this->morphology, this->body);
-  write_run_conditions(file, this->parameters.stated_conditions());
-  const std::string u = "/snapshots/displacement", group = "/static_contact";
-  Shape extents = vectors_shape(this->morphology);
-  extents.insert(extents.begin(), 1);
-  write_dataset(file, u, extents, interleaved(solution.displacement), "m");
-  write_dataset(file, "/snapshots/time", {1}, std::vector<double>{0.}, "s");
+  const std::string group = "/static_contact";
   std::array<std::vector<double>, dim> place;
   for (const unsigned int point : this->body.contact.points)
     for (unsigned int c = 0; c < dim; ++c)
@@ -181,7 +177,27 @@ void MeshStatic<dim>::write_static_file(const RunContext &context) const
   file.write_attribute(group + "/state", "meaning",
                        std::vector<std::string>{"separated", "stick", "slip", "held"});
   write_dataset(file, group + "/point", {state.size()}, this->body.contact.points);
-  file.close();
+}
+
+template <int dim>
+void MeshStatic<dim>::write_static_file(const RunContext &context,
+                                        const MeshBody<dim> &elastic) const
+{
+  const std::string path = context.file("dynamics.h5"), u = "/snapshots/displacement";
+  std::optional<Hdf5File> file;
+  on_root(context.communicator(), [&]() {
+    file.emplace(
+      create_mesh_file(path, "mesoslip-dynamics", this->morphology, this->body));
+    write_run_conditions(*file, this->parameters.stated_conditions());
+    write_dataset(*file, "/snapshots/time", {1}, std::vector<double>{0.}, "s");
+    write_contact_group(*file);
+  });
+  write_divided_fields(file, path, u, {&solution.displacement}, this->morphology,
+                       elastic);
+  if (!context.root())
+    return;
+  file->write_unit(u, "m");
+  file->close();
   show_body(context.file("dynamics.xdmf"), "dynamics.h5", this->morphology,
             {{"displacement", u, XdmfField::Values::nodes, {dim}}}, {0.});
   show_mesh_phases(context.file("dynamics-phases.xdmf"), "dynamics.h5", this->morphology);
@@ -215,36 +231,37 @@ void MeshStatic<dim>::run(RunContext &context)
                           "static_contact.csv", "load_steps.csv"});
   StaticContactOptions options = this->parameters.static_contact;
   options.before_iteration     = stop_or_report(context, "iteration");
-  const auto elastic           = this->make_elastic_body();
+  const auto elastic           = this->divide_body();
   this->order_contact(*elastic);
   {
     const auto scope = context.timer().scope("Equilibrium");
     with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
-      const DofMask held = this->held_by_mesh(this->parameters.top);
+      const DofMask held = this->held_by_mesh(this->parameters.top, *elastic);
       MeshStaticLoad<dim> load(this->parameters, this->body, *elastic, held,
                                this->phases[0].stiffness(dim - 1, dim - 1));
       solution = load.follow(options);
       steps    = load.steps();
     });
   }
+  displaced = elastic->surface_values(ElasticBody<dim>::bottom, solution.displacement);
   evaluate();
   context.log(brief_text(4, solution.state.size() - count(ContactState::separated),
                          " nodes in contact (", count(ContactState::stick), " stick), ",
                          count(ContactState::separated), " separated; ",
                          solution.iterations, " iterations, ", solution.solver_iterations,
                          " of the solver"));
-  if (!context.root())
-    return;
   const auto scope = context.timer().scope("Output");
   const PhasePressures of_phases =
-    mesh_phase_pressures(this->morphology, this->parameters, solution.displacement,
-                         total_normal_force(solution));
+    mesh_phase_pressures(this->morphology, this->parameters, *elastic,
+                         solution.displacement, total_normal_force(solution));
+  write_static_file(context, *elastic);
+  if (!context.root())
+    return;
   for (const std::string &line : pressure_lines(of_phases, sliding_friction()))
     context.log(line);
   write_contact_table(context);
   if (this->parameters.static_load.has_history())
     write_step_table(context);
-  write_static_file(context);
   summarize(context);
   add_pressures(of_phases, context.summary());
 }

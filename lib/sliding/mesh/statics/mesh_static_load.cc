@@ -65,7 +65,7 @@ void check_mesh_static(const ContactParameters &p, const std::vector<double> &mu
 template <int dim>
 MeshStaticLoad<dim>::MeshStaticLoad(const ContactParameters &parameters,
                                     const MeshBodyDescription &body,
-                                    const ElasticBody<dim> &elastic,
+                                    const MeshBody<dim> &elastic,
                                     const DofMask &held,
                                     const double stiffness)
   : parameters(parameters)
@@ -91,7 +91,8 @@ MeshStaticLoad<dim>::MeshStaticLoad(const ContactParameters &parameters,
       whole_load(c, {i, 0}) = mass[i] * p.step.acceleration[c];
   for (std::size_t k = 0; k < top.points.size() && p.top.kind == TopSetup::Kind::pressure;
        ++k)
-    whole_load(dim - 1, {top.points[k], 0}) -= load * top.area[k];
+    if (const auto node = elastic.find(top.points[k]))
+      whole_load(dim - 1, *node) -= load * top.area[k];
 }
 
 template <int dim>
@@ -128,14 +129,15 @@ void MeshStaticLoad<dim>::stick_where_it_is(const double share)
   if (!parameters.static_load.has_history())
     return;
   const std::vector<double> &of_flat = parameters.static_load.of_flat;
+  constexpr unsigned int bottom      = ElasticBody<dim>::bottom;
+  const std::vector<double> u    = elastic.surface_values(bottom, problem.displacement),
+                            held = elastic.surface_values(bottom, problem.constrained);
   problem.reference.clear();
-  for (const NodeIndex &node : elastic.surface(ElasticBody<dim>::bottom).nodes)
+  for (std::size_t k = 0; k < u.size(); k += dim)
     for (unsigned int c = 0; c + 1 < dim; ++c)
       {
-        const bool moves =
-          c < of_flat.size() && !problem.constrained.is_constrained(c, node);
-        problem.reference.push_back(problem.displacement(c, node) +
-                                    (moves ? share * of_flat[c] : 0.));
+        const bool moves = c < of_flat.size() && held[k + c] == 0.;
+        problem.reference.push_back(u[k + c] + (moves ? share * of_flat[c] : 0.));
       }
 }
 
@@ -175,7 +177,8 @@ void MeshStaticLoad<dim>::press(const double share)
   for (unsigned int n = 0; n < most; ++n)
     {
       for (const unsigned int point : top.points)
-        problem.displacement(dim - 1, {point, 0}) = -lowered;
+        if (const auto node = elastic.find(point))
+          problem.displacement(dim - 1, *node) = -lowered;
       solve();
       const double force = total_normal_force(solution);
       if (std::fabs(force - wanted) <= 10. * options.tolerance * wanted)

@@ -1,6 +1,7 @@
 #ifndef mesoslip_sliding_mesh_statics_mesh_static_load_h
 #define mesoslip_sliding_mesh_statics_mesh_static_load_h
 
+#include "body/mesh/mesh_body.h"
 #include "contact/static_contact_solver.h"
 #include "sliding/contact_parameters.h"
 
@@ -45,7 +46,7 @@ public:
    */
   MeshStaticLoad(const ContactParameters &parameters,
                  const MeshBodyDescription &body,
-                 const ElasticBody<dim> &elastic,
+                 const MeshBody<dim> &elastic,
                  const DofMask &held,
                  const double stiffness);
 
@@ -76,7 +77,7 @@ private:
 
   const ContactParameters &parameters;
   const MeshBodyDescription &body;
-  const ElasticBody<dim> &elastic;
+  const MeshBody<dim> &elastic;
   const double stiffness;
   StaticContactOptions options;
   StaticContactProblem problem;

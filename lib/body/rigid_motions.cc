@@ -1,0 +1,107 @@
+#include "body/rigid_motions.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+namespace mpi = dealii::Utilities::MPI;
+}
+
+template <int dim>
+typename RigidMotions<dim>::Displacements
+RigidMotions<dim>::at(const std::array<double, dim> &point) const
+{
+  Displacements motions = Displacements::Zero();
+  motions.template leftCols<dim>().setIdentity();
+  if constexpr (dim == 2)
+    {
+      // Lengths are measured from the middle in widths of the body.
+      const double width = body.extent(0);
+      motions(0, 2)      = -(point[1] - 0.5 * body.extent(1)) / width;
+      motions(1, 2)      = point[0] / width - 0.5;
+    }
+  else
+    {
+      const double size = std::hypot(body.extent(0), body.extent(1), body.extent(2));
+      Eigen::Vector3d x;
+      for (unsigned int d = 0; d < 3; ++d)
+        x[d] = (point[d] - 0.5 * body.extent(d)) / size;
+      for (unsigned int d = 0; d < 3; ++d)
+        motions.col(3 + d) = Eigen::Vector3d::Unit(d).cross(x);
+    }
+  return motions;
+}
+
+template <int dim>
+typename RigidMotions<dim>::Hold RigidMotions<dim>::hold_of(const DofMask &mask,
+                                                            const bool can_rotate) const
+{
+  Hold own = Hold::Zero();
+  // A rotation about the axis along which sides are one is the same on both.
+  const Periodicity periodic = body.periodicity();
+  for (int d = 0; d < n - dim && mpi::this_mpi_process(body.communicator()) == 0; ++d)
+    if (!can_rotate || (periodic.x && (dim == 2 || d != 0)) ||
+        (periodic.y && (dim == 2 || d != 1)))
+      own(dim + d, dim + d) = 1.;
+  for (unsigned int j = 0; j < body.n_rows(); ++j)
+    for (unsigned int i = 0; i < body.n_columns(); ++i)
+      if (mask.bits({i, j}) != 0 && body.is_counted({i, j}))
+        {
+          const Displacements motions = at(body.point({i, j}));
+          for (unsigned int c = 0; c < dim; ++c)
+            if (mask.is_constrained(c, {i, j}))
+              own += motions.row(c).transpose() * motions.row(c);
+        }
+  Hold hold;
+  mpi::sum(dealii::ArrayView<const double>(own.data(), own.size()), body.communicator(),
+           dealii::ArrayView<double>(hold.data(), hold.size()));
+  return hold;
+}
+
+template <int dim>
+std::vector<typename RigidMotions<dim>::Coefficients>
+RigidMotions<dim>::left_by(const Hold &hold)
+{
+  const Eigen::SelfAdjointEigenSolver<Hold> eigen(hold);
+  std::vector<Coefficients> motions;
+  for (int k = 0; k < n; ++k)
+    if (!(eigen.eigenvalues()[k] > 1e-10 * std::max(1., eigen.eigenvalues()[n - 1])))
+      motions.emplace_back(eigen.eigenvectors().col(k));
+  return motions;
+}
+
+template <int dim>
+std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<dim> &body,
+                                                   const DofMask &mask,
+                                                   const bool can_rotate)
+{
+  const RigidMotions<dim> rigid(body);
+  const auto left = RigidMotions<dim>::left_by(rigid.hold_of(mask, can_rotate));
+  std::vector<NodalField<double>> result(left.size(), body.zero_field());
+  for (unsigned int j = 0; j < body.n_rows() && !left.empty(); ++j)
+    for (unsigned int i = 0; i < body.n_columns(); ++i)
+      {
+        const auto motions = rigid.at(body.point({i, j}));
+        for (std::size_t k = 0; k < left.size(); ++k)
+          {
+            const Eigen::Matrix<double, dim, 1> u = motions * left[k];
+            for (unsigned int c = 0; c < dim; ++c)
+              result[k].row(c, j)[i] = u[c];
+          }
+      }
+  return result;
+}
+
+template class RigidMotions<2>;
+template class RigidMotions<3>;
+template std::vector<NodalField<double>>
+free_rigid_motions(const ElasticBody<2> &, const DofMask &, const bool);
+template std::vector<NodalField<double>>
+free_rigid_motions(const ElasticBody<3> &, const DofMask &, const bool);
+} // namespace mesoslip

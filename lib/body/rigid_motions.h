@@ -1,0 +1,55 @@
+#ifndef mesoslip_body_rigid_motions_h
+#define mesoslip_body_rigid_motions_h
+
+#include "body/elastic_body.h"
+
+#include <Eigen/Core>
+
+namespace mesoslip
+{
+/** The rigid motions of a body about the middle of its bounding box: translations, then
+ * rotations by one over a length of the body. */
+template <int dim>
+class RigidMotions
+{
+public:
+  static constexpr int n = dim * (dim + 1) / 2;           ///< their number
+  using Displacements    = Eigen::Matrix<double, dim, n>; ///< a motion in a column
+  using Coefficients     = Eigen::Matrix<double, n, 1>;   ///< of the motions
+  using Hold             = Eigen::Matrix<double, n, n>;   ///< see hold_of()
+
+  /** @p body must outlive it. */
+  explicit RigidMotions(const ElasticBody<dim> &body)
+    : body(body)
+  {
+  }
+
+  /** Displacements of a point by each of them. */
+  Displacements at(const std::array<double, dim> &point) const;
+
+  /**
+   * What the constraints @p mask, periodic sides and, if @p can_rotate is false, something
+   * else hold: the sum of m^T m over all constrained components, m being their row of at().
+   * Collective.
+   */
+  Hold hold_of(const DofMask &mask, const bool can_rotate) const;
+
+  /** The motions that these leave: eigenvectors for the eigenvalue zero. */
+  static std::vector<Coefficients> left_by(const Hold &hold);
+
+private:
+  const ElasticBody<dim> &body;
+};
+
+/**
+ * The displacement fields of the rigid motions that the constraints @p mask, periodic
+ * sides and, if @p can_rotate is false, something else leave; linearly independent.
+ * Collective.
+ */
+template <int dim>
+std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<dim> &body,
+                                                   const DofMask &mask,
+                                                   const bool can_rotate = true);
+} // namespace mesoslip
+
+#endif

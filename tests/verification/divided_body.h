@@ -1,0 +1,24 @@
+#ifndef mesoslip_tests_verification_divided_body_h
+#define mesoslip_tests_verification_divided_body_h
+
+#include "body/mesh/mesh_body.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <memory>
+
+namespace verification
+{
+/** With fields that are divided among the ranks; rank 0 alone hands the mesh over. */
+inline std::unique_ptr<mesoslip::MeshBody<3>>
+divided(const mesoslip::MeshBodyInput<3> &input)
+{
+  mesoslip::MeshBodyInput<3> rest = input;
+  rest.mesh                       = {};
+  const bool is_root = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  return mesoslip::MeshBody<3>::divide(is_root ? input.mesh : mesoslip::Mesh<3>(), rest,
+                                       MPI_COMM_WORLD);
+}
+} // namespace verification
+
+#endif
