@@ -275,6 +275,23 @@ bool ContactParameters::wants_node_loads() const
   return observation.contact_means || (map.interval > 0. && mapped);
 }
 
+void ContactParameters::check_contact_map(const Keys &keys) const
+{
+  const auto asked = [&](const std::string &name) {
+    return map.interval > 0. &&
+           std::find(map.fields.begin(), map.fields.end(), name) != map.fields.end();
+  };
+  const FrictionLaw &law = contact.law;
+  keys.require(!asked("law state") || (law.slip_law && law.slip_law->state()),
+               "Contact map/Fields",
+               "it names law state, but the Friction/Coefficient law has none; leave it "
+               "out, or choose a slip weakening or rate and state");
+  keys.require(!asked("remembered pressure") || law.normal_stress.is_given(),
+               "Contact map/Fields",
+               "it names remembered pressure, but Friction/Normal stress acts at once; "
+               "leave it out, or set Normal stress");
+}
+
 void ContactParameters::bind_contact_map(Keys &keys)
 {
   const auto section = keys.section("Contact map");
@@ -288,8 +305,10 @@ void ContactParameters::bind_contact_map(Keys &keys)
     "Fields", map.fields, map_field_names(),
     "What is sampled: pressure and tangential traction on the tributary area "
     "(Pa), velocity of the flat relative to the node (m/s), state (0 "
-    "separated, 1 stick, 2 slip), and the friction work since the start "
-    "(J/m^2), which is summed up in every step");
+    "separated, 1 stick, 2 slip), the friction work since the start "
+    "(J/m^2), which is summed up in every step, the state of the Coefficient law (slip, "
+    "m, "
+    "or theta, s), and the pressure that friction remembers with Normal stress (Pa)");
   keys.only_if(keys.is_typed("Contact map/Interval"), {"From", "To", "Fields"},
                "Contact map/Interval is 0 and there is no map",
                "set Contact map/Interval");
