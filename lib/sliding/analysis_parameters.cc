@@ -275,23 +275,6 @@ bool ContactParameters::wants_node_loads() const
   return observation.contact_means || (map.interval > 0. && mapped);
 }
 
-void ContactParameters::check_contact_map(const Keys &keys) const
-{
-  const auto asked = [&](const std::string &name) {
-    return map.interval > 0. &&
-           std::find(map.fields.begin(), map.fields.end(), name) != map.fields.end();
-  };
-  const FrictionLaw &law = contact.law;
-  keys.require(!asked("law state") || (law.slip_law && law.slip_law->state()),
-               "Contact map/Fields",
-               "it names law state, but the Friction/Coefficient law has none; leave it "
-               "out, or choose a slip weakening or rate and state");
-  keys.require(!asked("remembered pressure") || law.normal_stress.is_given(),
-               "Contact map/Fields",
-               "it names remembered pressure, but Friction/Normal stress acts at once; "
-               "leave it out, or set Normal stress");
-}
-
 void ContactParameters::bind_contact_map(Keys &keys)
 {
   const auto section = keys.section("Contact map");
