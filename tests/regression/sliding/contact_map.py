@@ -159,7 +159,7 @@ def check_laws(folder):
         assert file["contact_map/law_state"].attrs["unit"] == b"s"
     state, slid = found["contact_map/law_state"], found["contact_map/state"] == 2
     share = state[slid] * np.abs(found["contact_map/slip_velocity"][slid]) / 1e-7  # 1 in steady sliding
-    assert state.min() > 0 and abs(np.median(share) - 1) < 0.05, np.median(share)
+    assert state.min() > 0 and abs(np.median(share) - 1) < 0.15, np.median(share)  # theta follows V with a lag
 
 
 def check_window(folder):
