@@ -7,7 +7,8 @@ namespace mesoslip
 {
 std::vector<std::string> map_field_names()
 {
-  return {"pressure", "traction", "slip velocity", "state", "friction work"};
+  return {"pressure",      "traction",  "slip velocity",      "state",
+          "friction work", "law state", "remembered pressure"};
 }
 
 bool ContactMapSetup::has(const MapQuantity quantity) const
@@ -23,7 +24,9 @@ std::vector<MapField> ContactMapSetup::fields(const unsigned int dim) const
          {MapQuantity::traction, "traction", "Pa", vector, true},
          {MapQuantity::slip_velocity, "slip_velocity", "m/s", vector, false},
          {MapQuantity::state, "state", "-", 1, false},
-         {MapQuantity::friction_work, "friction_work", "J/m^2", 1, true}};
+         {MapQuantity::friction_work, "friction_work", "J/m^2", 1, true},
+         {MapQuantity::law_state, "law_state", law_state.unit, 1, false},
+         {MapQuantity::remembered_pressure, "remembered_pressure", "Pa", 1, true}};
   std::vector<MapField> fields;
   for (const MapQuantity quantity : quantities)
     fields.push_back(all[static_cast<unsigned int>(quantity)]);
@@ -60,6 +63,10 @@ void ContactMapSampler<dim>::after(const SurfaceView<dim> &surface,
         return 2. * contact.touching()[i] - contact.sticking()[i];
       case MapQuantity::friction_work:
         return loads.loads().friction_energy[i];
+      case MapQuantity::law_state:
+        return contact.law_state()[i];
+      case MapQuantity::remembered_pressure:
+        return contact.variable_friction()->remembered_normal_force()[i];
       }
     return 0.;
   };

@@ -1,6 +1,7 @@
 #ifndef mesoslip_contact_contact_map_h
 #define mesoslip_contact_contact_map_h
 
+#include "contact/laws/slip_law.h"
 #include "contact/node_loads.h"
 
 #include <cstdint>
@@ -16,7 +17,9 @@ enum class MapQuantity : unsigned int
   traction,
   slip_velocity,
   state,
-  friction_work
+  friction_work,
+  law_state,
+  remembered_pressure
 };
 
 /** What a user calls them, in their order. */
@@ -39,6 +42,7 @@ struct ContactMapSetup
   std::uint64_t end      = 0;          ///< steps from there on have none
   std::uint64_t interval = 0;          ///< steps between two samples; 0: no map
   std::vector<MapQuantity> quantities; ///< in the order of MapQuantity
+  StateVariable law_state;             ///< of the law of the coefficient, if it has one
 
   /** Whether step @p n has a sample. */
   bool has(const std::uint64_t n) const
@@ -66,7 +70,8 @@ struct ContactMapSetup
 /**
  * Samples of all nodes of this rank: forces of the step (N, in 2D N/m) and energies (J, in
  * 2D J/m) that are not divided by the areas yet, the centred slip velocity of NodeSlip
- * (m/s), and states: 0 separated, 1 stick, 2 slip.
+ * (m/s), and states: 0 separated, 1 stick, 2 slip. State of the law and remembered normal force
+ * are those of which the friction of the step is made.
  */
 template <int dim>
 class ContactMapSampler : public ContactObserver<dim>

@@ -35,6 +35,7 @@ struct BodyScales
   double area              = 0.; ///< of the top (m^2, in 2D m)
   double mass              = 0.; ///< kg, in 2D kg/m
   double density           = 0.; ///< mean (kg/m^3)
+  double shear_impedance   = 0.; ///< least of the phases, see shear_impedance() (Pa s/m)
   double highest_frequency = 0.; ///< circular, of the body or a bound of it (1/s)
 
   /** Time in which a pressure wave goes from the flat to the top (s). */

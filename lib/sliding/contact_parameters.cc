@@ -339,5 +339,7 @@ void ContactParameters::bind(Keys &keys)
       analysis == ContactAnalysis::static_contact ||
       analysis == ContactAnalysis::complex_modes)
     make_slip_law(keys);
+  if (keys.are_read())
+    check_contact_map(keys);
 }
 } // namespace mesoslip

@@ -165,6 +165,7 @@ private:
   void make_slip_law(const Keys &keys);
   void bind_observation(Keys &keys);
   void bind_contact_map(Keys &keys);
+  void check_contact_map(const Keys &keys) const;
   void bind_analyses(Keys &keys);
 };
 } // namespace mesoslip

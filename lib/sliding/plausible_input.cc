@@ -1,4 +1,5 @@
 #include "dynamics/critical_time_step.h"
+#include "sliding/friction/rate_weakening.h"
 #include "sliding/run_plan.h"
 
 #include <algorithm>
@@ -256,17 +257,26 @@ private:
     const FrictionLaw &law = parameters.contact.law;
     if (!law.slip_law || law.time > 0. || law.node_law || flat_speed == 0.)
       return "";
-    const double fall     = pressures.largest_size() * law.slip_law->steepest_fall(),
-                 radiated = scales.density * scales.wave_speed;
-    return fall < radiated
-             ? ""
-             : "friction falls by up to " + quantity_text(fall, "Pa s/m") +
-                 " with the slip rate under " + pressure.name("largest") +
-                 ", more than the " + quantity_text(radiated, "Pa s/m") +
-                 " that waves into the body resist (density times wave "
-                 "speed): slip jumps at once, whatever grid and step; use a "
-                 "larger Friction/Critical velocity, a regularization "
-                 "(Friction/Law), or a lower pressure";
+    SlipPoint at;
+    at.slip_rate                 = flat_speed;
+    at.pressure                  = pressures.largest_size();
+    at.state                     = law.slip_law->steady_state(flat_speed);
+    const RateWeakening friction = {
+      at.pressure * std::max(law.slip_law->steepest_fall(), -law.slip_law->slope(at)),
+      scales.shear_impedance, 0., parameters.step.beta};
+    if (!friction.is_too_steep())
+      return "";
+    const double growth = friction.fastest_growth();
+    return "friction " + friction.text("under " + pressure.name("largest")) +
+           ": slip jumps at once, and vibrations grow " +
+           (std::isfinite(growth)
+              ? "by up to " + quantity_text(growth, "1/s") +
+                  ", which Time/Rayleigh beta alone limits"
+              : std::string("the faster the shorter they are, so that no grid is fine "
+                            "enough")) +
+           "; use a larger Friction/Critical velocity, a regularization (Friction/Law), "
+           "or "
+           "a lower pressure";
   }
 
   bool slides_undamped() const

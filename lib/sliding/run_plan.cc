@@ -2,9 +2,11 @@
 
 #include "base/errors.h"
 #include "dynamics/critical_time_step.h"
+#include "material/shear_impedance.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mesoslip
 {
@@ -124,9 +126,11 @@ ContactMapSetup contact_map_setup(const ContactParameters &parameters, const dou
   const auto steps = [&](const double t) {
     return static_cast<std::uint64_t>(std::llround(std::min(t / dt, 1e18)));
   };
-  setup.interval   = std::max<std::uint64_t>(1, steps(map.interval));
-  setup.first      = steps(map.from);
-  setup.end        = std::isnan(map.to) ? steps(1e18 * dt) : steps(map.to) + 1;
+  setup.interval = std::max<std::uint64_t>(1, steps(map.interval));
+  setup.first    = steps(map.from);
+  setup.end      = std::isnan(map.to) ? steps(1e18 * dt) : steps(map.to) + 1;
+  if (const auto &law = parameters.contact.law.slip_law; law && law->state())
+    setup.law_state = *law->state();
   const auto names = map_field_names();
   for (std::size_t k = 0; k < names.size(); ++k)
     if (std::find(map.fields.begin(), map.fields.end(), names[k]) != map.fields.end())
@@ -154,12 +158,15 @@ BodyScales::BodyScales(const UniformMaterial &material)
   , area(material.grid().extent(0))
   , mass(material.total_mass())
   , density(mass / (area * height))
+  , shear_impedance(std::numeric_limits<double>::infinity())
   , highest_frequency(element_frequency_bound(material))
 {
   for (const ElasticPhase<2> &c : material.phases())
     {
       stiffness  = std::max(stiffness, c.stiffness(1, 1));
       wave_speed = std::max(wave_speed, std::sqrt(c.stiffness(1, 1) / c.density));
+      shear_impedance =
+        std::min(shear_impedance, mesoslip::shear_impedance<2>(c.stiffness, c.density));
     }
 }
 

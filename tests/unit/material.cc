@@ -2,6 +2,7 @@
 // forms, table 1 and eq. (10) of the paper.
 #include "material/bounds.h"
 #include "material/engineering_constants.h"
+#include "material/shear_impedance.h"
 #include "material/stiffness.h"
 
 #include <Eigen/LU>
@@ -413,4 +414,35 @@ TEST(EngineeringConstants, ClosestOrthotropicIsClosest)
   EXPECT_LT(found.relative_distance, least + 1e-12);
   EXPECT_GT(found.relative_distance, least - 1e-6);
   EXPECT_GE(found.principal_stiffness(0, 0), found.principal_stiffness(1, 1));
+}
+
+// rho c_T of an isotropic solid; sqrt(rho G) along the axes of an orthotropic one; of a turned one by the
+// closed form of the root of a 2 x 2 matrix; in 3D across the axes no force acts.
+TEST(ShearImpedance, IsThatOfShearWaves)
+{
+  const double density = 1770., G = 12.5 * GPa;
+  EXPECT_NEAR(shear_impedance<2>(isotropic_stiffness<2>(30. * GPa, 0.2), density),
+              std::sqrt(density * G), 1e-9 * std::sqrt(density * G));
+  for (const double angle : {0., 0.4, 1.3})
+    EXPECT_NEAR(shear_impedance<3>(isotropic_stiffness<3>(30. * GPa, 0.2), density,
+                                   {{std::cos(angle), std::sin(angle)}}),
+                std::sqrt(density * G), 1e-9 * std::sqrt(density * G));
+  EXPECT_NEAR(shear_impedance<2>(paper_stiffness, density),
+              std::sqrt(density * 13.785 * GPa), 1e-3);
+
+  const VoigtMatrix<2> turned = plane(40., 9., 30., 12., 3., 5.);
+  const double shear = 12. * GPa, normal = 30. * GPa, mixed = 5. * GPa;
+  const double root = std::sqrt(shear * normal - mixed * mixed);
+  const double due =
+    std::sqrt(density) * (shear + root) / std::sqrt(shear + normal + 2. * root);
+  EXPECT_NEAR(shear_impedance<2>(turned, density), due, 1e-9 * due);
+
+  VoigtMatrix<3> solid = VoigtMatrix<3>::Identity() * GPa;
+  solid(3, 3)          = 4. * GPa; // yz
+  solid(4, 4)          = 9. * GPa; // xz
+  const double x = std::sqrt(density * 9. * GPa), y = std::sqrt(density * 4. * GPa);
+  EXPECT_NEAR(shear_impedance<3>(solid, density, {{1., 0.}}), x, 1e-9 * x);
+  EXPECT_NEAR(shear_impedance<3>(solid, density, {{0., 1.}}), y, 1e-9 * y);
+  EXPECT_NEAR(shear_impedance<3>(solid, density, {{0.6, 0.8}}),
+              1. / (0.36 / x + 0.64 / y), 1e-9 * x);
 }

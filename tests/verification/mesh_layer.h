@@ -109,26 +109,6 @@ public:
     return sum;
   }
 };
-
-/**
- * The circular frequency and growth of a real signal that is one wave Re(c exp(s t)):
- * samples follow q(n + 1) = a q(n) + b q(n - 1), with a and b by least squares.
- */
-inline Complex rate_of(const std::vector<double> &q, const double interval)
-{
-  double m11 = 0., m12 = 0., m22 = 0., r1 = 0., r2 = 0.;
-  for (std::size_t n = 1; n + 1 < q.size(); ++n)
-    {
-      m11 += q[n] * q[n];
-      m12 += q[n] * q[n - 1];
-      m22 += q[n - 1] * q[n - 1];
-      r1 += q[n + 1] * q[n];
-      r2 += q[n + 1] * q[n - 1];
-    }
-  const double det = m11 * m22 - m12 * m12, a = (r1 * m22 - r2 * m12) / det,
-               b = (m11 * r2 - m12 * r1) / det;
-  return std::log(0.5 * a + std::sqrt(Complex(0.25 * a * a + b))) / interval;
-}
 } // namespace sliding_layer
 } // namespace verification
 

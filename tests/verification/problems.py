@@ -148,7 +148,8 @@ CPU time; `regression/programs/ranks` does the same with smaller bodies.
 * Boxes of voxels against a finite element code in scipy (`verification/voxels`), every kind of voxel file against NumPy (`verification/voxel_files`), ensembles
   and turned phases (`verification/voxel_random`), orientations by cell (`verification/voxel_orientations`, `regression/sliding/oriented_boxes`).
 * Macroscopic loads and mixed uniform conditions against dense NumPy: `verification/macroscopic_loads`, `verification/mixed_conditions`.
-* Complex modes of heterogeneous pins against scipy, and their growth in runs: `regression/sliding/complex_modes`, `regression/pages/prediction`.
+* Complex modes of heterogeneous pins against scipy, and their growth in runs: `regression/sliding/complex_modes`, `regression/pages/prediction`;
+  at an angle to the sliding in 3D against a closed form and numpy: `verification/oblique_modes`.
 
 ## Not covered
 

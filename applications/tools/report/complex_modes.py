@@ -23,15 +23,27 @@ def complex_modes(page, run):
         missing, f"The argument principle counts {missing} more that the search did not find.")
     html = f"<h3>{escape(run.name)}</h3>" + (f'<p class="lead">{len(modes)} modes up to {quantity(highest, "Hz")}. {known}</p>'
                                               if highest is not None else "")
+    phases = list(run.summary.get("contact_phases") or {})
     rows = [[str(k + 1), quantity(mode["frequency"], "Hz"), number(mode["growth_rate"]), number(mode.get("growth_by_friction")),
-             number(mode.get("growth_by_damping"))] for k, mode in enumerate(modes[:30])]
-    html += table(["mode", "frequency", "growth rate (1/s)", "by friction", "by damping"], rows)
+             number(mode.get("growth_by_damping"))] + [text for phase in phases for text in part_of(mode, phase)]
+            for k, mode in enumerate(modes[:30])]
+    html += table(["mode", "frequency", "growth rate (1/s)", "by friction", "by damping"]
+                  + [text for phase in phases for text in (f"by friction of {escape(phase)}", f"motion of {escape(phase)} (%)")], rows)
+    if phases:
+        shares = ", ".join(f"{escape(phase)} {number(100 * run.summary['contact_phases'][phase])} %" for phase in phases)
+        html += f"<p>The contact that slides: {shares}. Motion: share of the mean square motion of the contact along the flat.</p>"
     if modes:
         html += page.figure(spectrum(modes), f"Modes of steady sliding of {escape(run.name)}: growth rate over frequency.")
     if isinstance(run.summary.get("sweep"), list):
         html += page.figure(sweep(run), f"Frequency and growth rate of the modes of {escape(run.name)} over what is swept; curves join "
                             "modes of like shapes.")
     return html
+
+
+def part_of(mode, phase):
+    """What the friction of a phase adds to the growth of a mode, and its share of the motion in per cent."""
+    part = (mode.get("phases") or {}).get(phase) or {}
+    return [number(part.get("growth_by_friction")), number(100 * part["motion"] if "motion" in part else None)]
 
 
 def spectrum(modes):

@@ -17,6 +17,7 @@ SIGNED_MAP = "RdBu_r"
 STATE_MAP, STATE_NORM = ListedColormap([SEPARATED, STICK, SLIP]), BoundaryNorm([-0.5, 0.5, 1.5, 2.5], 3)
 FIELDS = [("pressure", "pressure", STRESSES), ("traction", "shear traction", STRESSES),
           ("slip_velocity", "slip velocity", [(1e-6, "µm/s"), (1e-3, "mm/s"), (1.0, "m/s")]), ("state", "state", None),
+          ("law_state", "state of the law", None), ("remembered_pressure", "remembered pressure", STRESSES),
           ("friction_work", "friction work", [(1e-3, "mJ/m²"), (1.0, "J/m²"), (1e3, "kJ/m²")])]
 
 
@@ -79,6 +80,13 @@ def limits_of(name, values, factor):
     return min(low, 0.0), max(high, 0.0) or 1.0
 
 
+def units_of_law(run):
+    """Of the state of the law of the coefficient, a slip or a time."""
+    unit = run.file["/contact_map/law_state"].attrs["unit"]
+    unit = unit.decode() if isinstance(unit, bytes) else str(unit)
+    return [(factor, prefix + unit) for factor, prefix in ((1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""))]
+
+
 def samples(run):
     time = run.need("/contact_map/time")
     names = [entry for entry in FIELDS if entry[0] in run.members("/contact_map")]
@@ -112,7 +120,7 @@ def space_time(run, zoom=False):
             show(values, cmap=STATE_MAP, norm=STATE_NORM)
             axis.set_title(label, fontsize=11)
         else:
-            factor, unit = scaled(np.percentile(np.abs(values), SHOWN[1]), units=units)
+            factor, unit = scaled(np.percentile(np.abs(values), SHOWN[1]), units=units or units_of_law(run))
             low, high = limits_of(name, values, factor)
             image = show(values / factor, cmap=SIGNED_MAP if low == -high else STRESS_MAP, vmin=low, vmax=high)
             over, under = values.max() > 1.000001 * high * factor, values.min() < low * factor

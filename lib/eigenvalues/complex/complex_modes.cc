@@ -57,11 +57,15 @@ ComplexMode finish(const SlidingPencil &pencil, const FoundMode &found)
                                 ? Eigen::Index(0)
                                 : static_cast<Eigen::Index>(pencil.contact_nodes.back() + 1);
   mode.growth_by_friction   = Eigen::VectorXd::Zero(n_nodes);
+  mode.motion_of_contact    = Eigen::VectorXd::Zero(n_nodes);
   for (std::size_t k = 0; k < pencil.rows.size(); ++k)
-    mode.growth_by_friction[static_cast<Eigen::Index>(pencil.contact_nodes[k])] +=
-      (std::conj(found.s * found.u[pencil.rows[k]]) * force[static_cast<Eigen::Index>(k)])
-        .real() /
-      energy;
+    {
+      const auto node = static_cast<Eigen::Index>(pencil.contact_nodes[k]);
+      const Complex u = found.u[pencil.rows[k]];
+      mode.growth_by_friction[node] +=
+        (std::conj(found.s * u) * force[static_cast<Eigen::Index>(k)]).real() / energy;
+      mode.motion_of_contact[node] += std::norm(u);
+    }
   return mode;
 }
 } // namespace

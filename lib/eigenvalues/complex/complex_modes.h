@@ -39,6 +39,9 @@ struct ComplexMode
   /** Likewise of the damping, not positive (1/s). */
   double growth_by_damping = 0.;
 
+  /** Of each contact node, |u|^2 of its motion along the flat (1/kg, in 2D m/kg). */
+  Eigen::VectorXd motion_of_contact;
+
   /** Hz. */
   double frequency() const
   {

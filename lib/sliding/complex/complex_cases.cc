@@ -5,6 +5,7 @@
 #include "material/plausibility.h"
 #include "sliding/analyses/modal_cases.h"
 #include "sliding/body_analysis.h"
+#include "sliding/friction/rate_weakening.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -53,6 +54,7 @@ std::vector<std::complex<float>> sample(const ElasticBody<dim> &body,
 
 ComplexCase numbers_of(const SlidingPencil &pencil,
                        const SlidingState &state,
+                       const ContactParts &parts,
                        const ComplexModes &found)
 {
   ComplexCase result;
@@ -60,11 +62,31 @@ ComplexCase numbers_of(const SlidingPencil &pencil,
   result.n_sliding           = state.contact.nodes.size();
   result.n_separated         = state.n_separated;
   result.n_missing           = found.n_missing;
+  result.steepest_fall       = state.steepest_fall;
   result.nothing_grows_above = found.nothing_grows_above / (2. * M_PI);
   for (const ComplexMode &mode : found.modes)
     result.modes.push_back({mode.frequency(), mode.s.real(), mode.residual,
-                            mode.growth_by_friction.sum(), mode.growth_by_damping});
+                            mode.growth_by_friction.sum(), mode.growth_by_damping,
+                            parts.of_mode(mode, state)});
   return result;
+}
+
+/** Where friction falls with the slip rate by more than waves carry away. */
+void warn_of_weakening(const RateWeakening &friction,
+                       const std::string &place,
+                       RunContext &context)
+{
+  if (!friction.is_too_steep())
+    return;
+  const double growth = friction.fastest_growth();
+  context.warn(
+    "Friction " + friction.text("in the static state" + place) + ": " +
+    (std::isfinite(growth)
+       ? "motion that does not vibrate grows as well, by up to " +
+           quantity_text(growth, "1/s") + ", and need not be among the modes listed"
+       : std::string("short vibrations and motion that does not vibrate grow without a "
+                     "limit as cells become smaller, and are not among the modes "
+                     "listed; use a regularization (Friction/Law)")));
 }
 
 /** What one rank throws ends all of them. Collective. */
@@ -107,6 +129,8 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
                                         const ContactParameters &parameters,
                                         const double highest_frequency,
                                         const StateAtRest &at_rest,
+                                        const ContactParts &parts,
+                                        const double shear_impedance,
                                         RunContext &context)
 {
   const MPI_Comm communicator        = context.communicator();
@@ -131,6 +155,8 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
   constexpr std::size_t fewest_unknowns = 40; // what the iterations take for granted
   ComplexCases<dim> result;
   result.highest_frequency  = highest_frequency;
+  result.parts              = parts;
+  result.shear_impedance    = shear_impedance;
   const std::size_t n_cases = 1 + keys.values.size();
   const auto n_ranks        = static_cast<std::size_t>(context.n_ranks());
   std::vector<ContactParameters> parameters_of;
@@ -147,6 +173,11 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
                         std::to_string(fewest_unknowns) +
                         " free degrees of freedom or more, and the body has " +
                         std::to_string(free.back().size()) + "; take more cells");
+      if (context.root())
+        warn_of_weakening({states.back().steepest_fall, shear_impedance,
+                           sliding_law(parameters_of.back()).delta, parameters.step.beta},
+                          k == 0 ? "" : brief_text(6, " at ", keys.values[k - 1]),
+                          context);
     }
   result.state = states[0];
   result.dofs.push_back(free[0]);
@@ -168,7 +199,7 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
             make_sliding_pencil<dim>(body, all, dofs, state.contact, law);
           ComplexModes found =
             find_complex_modes(pencil, friction_radius(pencil), options);
-          cases[k] = numbers_of(pencil, state, found);
+          cases[k] = numbers_of(pencil, state, parts, found);
           if (k == 0)
             {
               result.modes = std::move(found);
@@ -209,10 +240,14 @@ template ComplexCases<2> compute_complex_modes(const ElasticBody<2> &,
                                                const ContactParameters &,
                                                const double,
                                                const StateAtRest &,
+                                               const ContactParts &,
+                                               const double,
                                                RunContext &);
 template ComplexCases<3> compute_complex_modes(const ElasticBody<3> &,
                                                const ContactParameters &,
                                                const double,
                                                const StateAtRest &,
+                                               const ContactParts &,
+                                               const double,
                                                RunContext &);
 } // namespace mesoslip

@@ -4,6 +4,7 @@
 #include "base/serialize_members.h"
 #include "eigenvalues/complex/complex_modes.h"
 #include "program/run_context.h"
+#include "sliding/complex/contact_parts.h"
 #include "sliding/complex/sliding_state.h"
 #include "sliding/contact_parameters.h"
 
@@ -21,12 +22,13 @@ struct ModeNumbers
   double residual           = 0.; ///< relative
   double growth_by_friction = 0.; ///< of all nodes (1/s)
   double growth_by_damping  = 0.; ///< 1/s
+  std::vector<PartOfMode> parts;  ///< of each phase of the contact; empty: one phase
 
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<5>(archive, *this);
+    serialize_members<6>(archive, *this);
   }
 };
 
@@ -39,6 +41,7 @@ struct ComplexCase
   std::uint64_t n_separated  = 0;  ///< contact nodes that do not touch
   std::int64_t n_missing     = 0;  ///< ComplexModes::n_missing
   double nothing_grows_above = 0.; ///< Hz
+  double steepest_fall       = 0.; ///< SlidingState::steepest_fall (Pa s/m)
   std::vector<ModeNumbers> modes;  ///< fastest growing first
   std::vector<std::vector<std::complex<float>>> samples; ///< of shapes, of equal length
 
@@ -46,7 +49,7 @@ struct ComplexCase
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<8>(archive, *this);
+    serialize_members<9>(archive, *this);
   }
 };
 
@@ -59,6 +62,8 @@ struct ComplexCases
   std::vector<FreeDofs<dim>> dofs; ///< of the first case: one
   ComplexCase base;                ///< its numbers, on rank 0
   std::vector<ComplexCase> sweep;  ///< on rank 0
+  ContactParts parts;              ///< phases of the contact
+  double shear_impedance   = 0.;   ///< BodyScales::shear_impedance (Pa s/m)
   double fastest_counted   = 0.;   ///< ComplexModes::fastest_counted (1/s)
   double highest_frequency = 0.;   ///< up to which modes were looked for (Hz)
 };
@@ -77,13 +82,16 @@ ResourceNeed complex_modes_memory(const double n_dofs, const unsigned int dim);
 
 /**
  * The modes for the parameters, and for each value of the sweep; each case is computed by one
- * rank. Collective. @throws NumericalFailure
+ * rank, which knows the @p parts of the contact. Warns where friction falls with the slip rate by
+ * more than @p shear_impedance, that of BodyScales. Collective. @throws NumericalFailure
  */
 template <int dim>
 ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
                                         const ContactParameters &parameters,
                                         const double highest_frequency,
                                         const StateAtRest &at_rest,
+                                        const ContactParts &parts,
+                                        const double shear_impedance,
                                         RunContext &context);
 
 } // namespace mesoslip

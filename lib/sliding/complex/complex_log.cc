@@ -52,6 +52,27 @@ std::string law_text(const SlidingState &state)
          (*mu.first == *mu.second ? "" : " where the sum is least");
 }
 
+/** What the phases of the contact have of a mode, in words. */
+std::string parts_text(const ModeNumbers &mode, const ContactParts &parts)
+{
+  std::string text;
+  for (std::size_t p = 0; p < mode.parts.size(); ++p)
+    text += brief_text(4, text.empty() ? "; " : ", ", parts.names[p], " ",
+                       mode.parts[p].growth_by_friction, " 1/s and ",
+                       100. * mode.parts[p].motion, " % of the motion");
+  return text;
+}
+
+/** Which phases slide, in words. */
+std::string contact_text(const ContactParts &parts, const SlidingState &state)
+{
+  const std::vector<double> shares = parts.of_contact(state);
+  std::string text                 = "Contact that slides: ";
+  for (std::size_t p = 0; p < shares.size(); ++p)
+    text += brief_text(4, p > 0 ? ", " : "", parts.names[p], " ", 100. * shares[p], " %");
+  return text + "; behind each mode what friction of a phase adds to its growth, and the "
+                "phase's share of the mean square motion along the flat";
+}
 } // namespace
 
 template <int dim>
@@ -72,6 +93,8 @@ void log_complex_modes(const ComplexCases<dim> &cases,
   if (parameters.friction.law_name == "slip rate")
     context.log("The slip-rate law is linearized: delta = L / (|V| + V_ref) of steady "
                 "sliding, whose changes act on a friction force that is at its target");
+  if (cases.parts.differ())
+    context.log(contact_text(cases.parts, cases.state));
   context.log(std::to_string(base.modes.size()) + " " +
               range_text(parameters.complex_modes, cases.highest_frequency) + ", from " +
               std::to_string(found.n_shifts) + " shifts" +
@@ -89,7 +112,8 @@ void log_complex_modes(const ComplexCases<dim> &cases,
     context.log("Above the highest frequency modes may grow as well");
   for (std::size_t k = 0; k < std::min<std::size_t>(base.modes.size(), 30); ++k)
     context.log(brief_text(6, "  mode ", k + 1, "  ", 1e-3 * base.modes[k].frequency,
-                           " kHz  growth ", base.modes[k].growth_rate, " 1/s"));
+                           " kHz  growth ", base.modes[k].growth_rate, " 1/s",
+                           parts_text(base.modes[k], cases.parts)));
   warn_of_missing(base, "", context);
   for (const ComplexCase &of_case : cases.sweep)
     {

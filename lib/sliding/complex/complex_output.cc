@@ -20,28 +20,53 @@ nlohmann::json finite_or_null(const double value)
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
 }
 
-nlohmann::json modes_json(const ComplexCase &of_case)
+nlohmann::json modes_json(const ComplexCase &of_case, const ContactParts &parts)
 {
   nlohmann::json modes = nlohmann::json::array();
   for (const ModeNumbers &mode : of_case.modes)
-    modes.push_back({{"frequency", mode.frequency},
-                     {"growth_rate", mode.growth_rate},
-                     {"growth_by_friction", mode.growth_by_friction},
-                     {"growth_by_damping", mode.growth_by_damping},
-                     {"residual", mode.residual}});
+    {
+      modes.push_back({{"frequency", mode.frequency},
+                       {"growth_rate", mode.growth_rate},
+                       {"growth_by_friction", mode.growth_by_friction},
+                       {"growth_by_damping", mode.growth_by_damping},
+                       {"residual", mode.residual}});
+      for (std::size_t p = 0; p < mode.parts.size(); ++p)
+        modes.back()["phases"][parts.names[p]] = {
+          {"growth_by_friction", mode.parts[p].growth_by_friction},
+          {"motion", mode.parts[p].motion}};
+    }
   return modes;
 }
 
-void write_modes_table(const ComplexCase &base, const std::string &path)
+void write_modes_table(const ComplexCase &base,
+                       const ContactParts &parts,
+                       const std::string &path)
 {
-  TableWriter table(path, {"mode [-]", "frequency [Hz]", "growth_rate [1/s]",
-                           "growth_by_friction [1/s]", "growth_by_damping [1/s]",
-                           "residual [-]"});
+  std::vector<std::string> columns = {"mode [-]",
+                                      "frequency [Hz]",
+                                      "growth_rate [1/s]",
+                                      "growth_by_friction [1/s]",
+                                      "growth_by_damping [1/s]",
+                                      "residual [-]"};
+  for (std::size_t p = 0; parts.differ() && p < parts.names.size(); ++p)
+    {
+      columns.push_back("growth_by_friction_" + parts.names[p] + " [1/s]");
+      columns.push_back("motion_" + parts.names[p] + " [-]");
+    }
+  TableWriter table(path, columns);
   double number = 0.;
   for (const ModeNumbers &mode : base.modes)
-    table.add_row(std::vector<double>{++number, mode.frequency, mode.growth_rate,
-                                      mode.growth_by_friction, mode.growth_by_damping,
-                                      mode.residual});
+    {
+      std::vector<double> row = {++number,
+                                 mode.frequency,
+                                 mode.growth_rate,
+                                 mode.growth_by_friction,
+                                 mode.growth_by_damping,
+                                 mode.residual};
+      for (const PartOfMode &part : mode.parts)
+        row.insert(row.end(), {part.growth_by_friction, part.motion});
+      table.add_row(row);
+    }
   table.flush();
 }
 
@@ -122,9 +147,9 @@ void write_complex_tables(const ComplexCases<dim> &cases,
                           RunContext &context)
 {
   const ComplexModesParameters &keys = parameters.complex_modes;
-  write_modes_table(cases.base, context.file("complex_modes.csv"));
+  write_modes_table(cases.base, cases.parts, context.file("complex_modes.csv"));
   nlohmann::json &json  = context.summary();
-  json["complex_modes"] = modes_json(cases.base);
+  json["complex_modes"] = modes_json(cases.base, cases.parts);
   json["missing_modes"] =
     keys.count ? nlohmann::json(cases.base.n_missing) : nlohmann::json();
   json["lowest_frequency"]  = keys.lowest_frequency;
@@ -132,16 +157,26 @@ void write_complex_tables(const ComplexCases<dim> &cases,
   json["least_growth_rate"] = keys.least_growth;
   json["largest_growth_rate_counted"] =
     keys.count ? nlohmann::json(cases.modes.fastest_counted) : nlohmann::json();
-  json["nothing_grows_above"] = finite_or_null(cases.base.nothing_grows_above);
-  json["regularization_time"] = cases.base.delta;
-  json["flat_velocity"]       = parameters.contact.flat_velocity.amplitude();
-  json["rayleigh_beta"]       = parameters.step.beta;
-  json["sliding_nodes"]       = cases.base.n_sliding;
-  json["separated_nodes"]     = cases.base.n_separated;
-  json["shifts"]              = cases.modes.n_shifts;
-  json["factorizations"]      = cases.modes.n_factorizations;
-  json["solves"]              = cases.modes.n_solves;
-  json["bytes_of_factors"]    = cases.modes.factor_bytes;
+  json["nothing_grows_above"]    = finite_or_null(cases.base.nothing_grows_above);
+  json["regularization_time"]    = cases.base.delta;
+  json["flat_velocity"]          = parameters.contact.flat_velocity.amplitude();
+  json["rayleigh_beta"]          = parameters.step.beta;
+  json["sliding_nodes"]          = cases.base.n_sliding;
+  json["separated_nodes"]        = cases.base.n_separated;
+  json["steepest_friction_fall"] = parameters.contact.law.slip_law
+                                     ? nlohmann::json(cases.base.steepest_fall)
+                                     : nlohmann::json();
+  json["shear_impedance"]        = cases.shear_impedance;
+  if (cases.parts.differ())
+    {
+      const std::vector<double> shares = cases.parts.of_contact(cases.state);
+      for (std::size_t p = 0; p < shares.size(); ++p)
+        json["contact_phases"][cases.parts.names[p]] = shares[p];
+    }
+  json["shifts"]           = cases.modes.n_shifts;
+  json["factorizations"]   = cases.modes.n_factorizations;
+  json["solves"]           = cases.modes.n_solves;
+  json["bytes_of_factors"] = cases.modes.factor_bytes;
   if (keys.sweep == ModeSweep::none)
     return;
   write_sweep_table(cases.sweep, keys.sweep, context.file("complex_modes_sweep.csv"));
@@ -149,7 +184,7 @@ void write_complex_tables(const ComplexCases<dim> &cases,
     json["sweep"].push_back({{"value", of_case.value},
                              {"separated_nodes", of_case.n_separated},
                              {"missing_modes", of_case.n_missing},
-                             {"complex_modes", modes_json(of_case)}});
+                             {"complex_modes", modes_json(of_case, cases.parts)}});
 }
 
 template <int dim>

@@ -12,6 +12,28 @@
 
 namespace mesoslip
 {
+namespace
+{
+/** A node has half of the cell on either side, those at the ends of a body one cell. */
+ContactParts contact_parts(const BodyDescription &body, const bool periodic)
+{
+  const std::size_t n = body.grid.cells[0];
+  ContactParts parts;
+  for (std::size_t p = 0; p < body.phases.size(); ++p)
+    {
+      parts.names.push_back(body.phases[p].name);
+      std::vector<double> &shares = parts.shares.emplace_back();
+      const auto has              = [&](const std::size_t cell) {
+        return body.phase_of(cell) == p ? 0.5 : 0.;
+      };
+      for (std::size_t i = 0; i <= n; ++i)
+        shares.push_back(has(i > 0 ? i - 1 : (periodic ? n - 1 : 0)) +
+                         has(i < n ? i : (periodic ? 0 : n - 1)));
+    }
+  return parts;
+}
+} // namespace
+
 ComplexModesAnalysis::ComplexModesAnalysis(const ContactParameters &given)
   : BodyAnalysis(given)
 {
@@ -63,7 +85,7 @@ void ComplexModesAnalysis::run(RunContext &context)
   const auto cases = compute_complex_modes<2>(
     elastic, parameters,
     highest_frequency_of(parameters, scales.wave_speed, elastic.extent(1)), at_rest,
-    context);
+    contact_parts(body, parameters.periodic), scales.shear_impedance, context);
   if (!context.root())
     return;
   log_complex_modes(cases, parameters, context);

@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "sliding/analyses/modal_cases.h"
 #include "sliding/body_analysis.h"
 #include "sliding/complex/complex_output.h"
@@ -7,6 +8,8 @@
 #include "sliding/mesh/mesh_file.h"
 #include "sliding/mesh/statics/mesh_static_load.h"
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace mesoslip
@@ -86,12 +89,21 @@ void MeshComplex<dim>::run(RunContext &context)
   const auto elastic = this->make_whole_body();
   this->order_contact(*elastic);
   const auto scope = context.timer().scope("Complex modes");
+  auto parts =
+    std::make_pair(std::vector<std::string>(), std::vector<std::vector<double>>());
+  if (context.root())
+    for (const Phase<dim> &phase : this->morphology.phases)
+      parts.first.push_back(phase.name);
+  if (context.root())
+    parts.second =
+      contact_shares(this->morphology, this->parameters.mesh, this->body.contact);
+  broadcast_object(context.communicator(), parts);
   const auto cases = compute_complex_modes<dim>(
     *elastic, this->parameters,
     highest_frequency_of(this->parameters, this->body.scales.wave_speed,
                          elastic->extent(dim - 1)),
     [&](const ContactParameters &of_case) { return at_rest(of_case, *elastic, context); },
-    context);
+    {parts.first, parts.second}, this->body.scales.shear_impedance, context);
   if (!context.root())
     return;
   log_complex_modes(cases, this->parameters, context);

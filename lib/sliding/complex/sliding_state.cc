@@ -4,6 +4,7 @@
 #include "sliding/complex/steady_friction.h"
 #include "statics/static_solver.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -11,6 +12,16 @@ namespace mesoslip
 {
 namespace
 {
+/** Tributary area of a node (m^2, in 2D m), with that of its duplicate. */
+template <int dim>
+double area_of(const SurfaceNodes<dim> &bottom, const std::size_t k)
+{
+  const bool joined = bottom.closed && (k == 0 || k + 1 == bottom.nodes.size());
+  return joined ? std::fabs(bottom.normal_area.front()[dim - 1]) +
+                    std::fabs(bottom.normal_area.back()[dim - 1])
+                : std::fabs(bottom.normal_area[k][dim - 1]);
+}
+
 /** Friction of each node of a surface as the law has it under a static contact. */
 template <int dim>
 std::vector<SteadyFriction> friction_of(const SurfaceNodes<dim> &bottom,
@@ -28,10 +39,7 @@ std::vector<SteadyFriction> friction_of(const SurfaceNodes<dim> &bottom,
           result[k].coefficient = coefficients[k];
           continue;
         }
-      double area = std::fabs(bottom.normal_area[k][dim - 1]);
-      if (bottom.closed && (k == 0 || k + 1 == bottom.nodes.size()))
-        area = std::fabs(bottom.normal_area.front()[dim - 1]) +
-               std::fabs(bottom.normal_area.back()[dim - 1]);
+      const double area = area_of<dim>(bottom, k);
       SlipPoint at;
       at.slip_rate = std::fabs(parameters.contact.flat_velocity.amplitude());
       at.pressure  = solution == nullptr ? parameters.top.pressure.amplitude()
@@ -117,8 +125,16 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
       state.contact.nodes.push_back(node);
       state.contact.friction.push_back(nodes[k].coefficient);
       state.contact.normal_force.push_back(solution ? solution->normal_force[k] : 0.);
+      state.area.push_back(area_of<dim>(bottom, k));
       if (flat.law.slip_law)
-        state.contact.slopes.push_back(nodes[k].slopes);
+        {
+          state.contact.slopes.push_back(nodes[k].slopes);
+          if (state.area.back() > 0.)
+            state.steepest_fall =
+              std::max(state.steepest_fall, -nodes[k].slopes.rate *
+                                              state.contact.normal_force.back() /
+                                              state.area.back());
+        }
       state.state_time = nodes[k].state_time;
       state.place.push_back(k);
     }

@@ -16,7 +16,9 @@ struct SlidingState
   DofMask held;                   ///< by sides, top and the flat
   SlidingNodesAtRest contact;     ///< nodes that are pressed on the flat
   std::vector<std::size_t> place; ///< of each of them in ElasticBody::surface()
+  std::vector<double> area;       ///< tributary of each of them (m^2, in 2D m)
   std::size_t n_separated = 0;    ///< contact nodes that do not touch in this state
+  double steepest_fall    = 0.;   ///< largest -p d mu/d V at once (Pa s/m); 0: none
   double state_time       = 0.;   ///< SlidingLaw::state_time
 };
 

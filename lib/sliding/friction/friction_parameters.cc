@@ -5,6 +5,7 @@
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mesoslip
@@ -149,5 +150,22 @@ void ContactParameters::make_slip_law(const Keys &keys)
                 analysis == ContactAnalysis::complex_modes; // which linearize it
   use.flat_displaced = static_load.moves_flat();
   friction.make_slip_law(keys, use, contact.law);
+}
+
+void ContactParameters::check_contact_map(const Keys &keys) const
+{
+  const auto asked = [&](const std::string &name) {
+    return map.interval > 0. &&
+           std::find(map.fields.begin(), map.fields.end(), name) != map.fields.end();
+  };
+  const FrictionLaw &law = contact.law;
+  keys.require(!asked("law state") || (law.slip_law && law.slip_law->state()),
+               "Contact map/Fields",
+               "it names law state, but the Friction/Coefficient law has none; leave it "
+               "out, or choose a slip weakening or rate and state");
+  keys.require(!asked("remembered pressure") || law.normal_stress.is_given(),
+               "Contact map/Fields",
+               "it names remembered pressure, but Friction/Normal stress acts at once; "
+               "leave it out, or set Normal stress");
 }
 } // namespace mesoslip

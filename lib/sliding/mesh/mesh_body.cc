@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "elasticity/element_operator.h"
 #include "exchange/rve_file.h"
+#include "material/shear_impedance.h"
 #include "mesh/cell_quality.h"
 #include "mesh/periodic_points.h"
 #include "sliding/body_grid.h"
@@ -174,14 +175,16 @@ ReferenceNode reference_node(const MeshMorphology<dim> &morphology,
   return node;
 }
 
-/** Stiffness, size and mass; the area is that of @p top or, without one, of the bounding box. */
+/** Stiffness, impedance, size and mass; the area is that of @p top or, without one, of the bounding box. */
 template <int dim>
 BodyScales scales_of(const MeshMorphology<dim> &morphology,
                      const dealii::Tensor<1, dim> &sides,
-                     const MeshBoundary &top)
+                     const MeshBoundary &top,
+                     const std::array<double, 2> &flat_direction)
 {
   BodyScales scales;
-  scales.dim = dim;
+  scales.dim             = dim;
+  scales.shear_impedance = std::numeric_limits<double>::infinity();
   std::vector<ElasticPhase<dim>> phases;
   for (const Phase<dim> &phase : morphology.materials())
     {
@@ -190,6 +193,9 @@ BodyScales scales_of(const MeshMorphology<dim> &morphology,
       scales.stiffness = std::max(scales.stiffness, stiffness);
       scales.wave_speed =
         std::max(scales.wave_speed, std::sqrt(stiffness / phase.density));
+      scales.shear_impedance =
+        std::min(scales.shear_impedance,
+                 shear_impedance<dim>(phase.stiffness, phase.density, flat_direction));
     }
   double box = 1., mean_density = 0.;
   for (unsigned int d = 0; d + 1 < dim; ++d)
@@ -249,6 +255,25 @@ void join_periodic_sides(MeshMorphology<dim> &morphology,
 }
 
 template <int dim>
+std::vector<std::vector<double>> contact_shares(const MeshMorphology<dim> &morphology,
+                                                const MeshBodyParameters &parameters,
+                                                const MeshBoundary &contact)
+{
+  const auto faces    = group_faces(morphology, faces_of(morphology),
+                                    "Mesh/Contact boundary", parameters.contact_boundary);
+  const std::size_t n = morphology.phases.size();
+  std::vector<std::vector<double>> shares;
+  for (std::size_t p = 0; p < n; ++p)
+    {
+      std::vector<double> is_phase(n, 0.);
+      is_phase[p] = 1.;
+      shares.push_back(mean_of_phases(morphology.mesh, faces, contact, is_phase,
+                                      std::vector<double>(n, 1.)));
+    }
+  return shares;
+}
+
+template <int dim>
 MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
                                   const ContactParameters &given)
 {
@@ -300,7 +325,7 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
   body.rve_digest           = parameters.rve_digest;
   const auto [lower, upper] = dealii::BoundingBox<dim>(mesh.points).get_boundary_points();
   const dealii::Tensor<1, dim> sides = upper - lower;
-  body.scales                        = scales_of(morphology, sides, body.top);
+  body.scales = scales_of(morphology, sides, body.top, given.contact.flat_direction);
   body.shortest_side = *std::min_element(sides.begin_raw(), sides.end_raw());
   body.probes        = places_of(morphology, given.observation.probes);
   number_in_whole_body(body, morphology);
@@ -309,6 +334,12 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
 
 template void join_periodic_sides(MeshMorphology<2> &, const MeshBodyParameters &);
 template void join_periodic_sides(MeshMorphology<3> &, const MeshBodyParameters &);
+template std::vector<std::vector<double>> contact_shares(const MeshMorphology<2> &,
+                                                         const MeshBodyParameters &,
+                                                         const MeshBoundary &);
+template std::vector<std::vector<double>> contact_shares(const MeshMorphology<3> &,
+                                                         const MeshBodyParameters &,
+                                                         const MeshBoundary &);
 template MeshBodyDescription describe_body(const MeshMorphology<2> &,
                                            const ContactParameters &);
 template MeshBodyDescription describe_body(const MeshMorphology<3> &,

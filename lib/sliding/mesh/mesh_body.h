@@ -96,6 +96,12 @@ struct MeshBodyDescription
   }
 };
 
+/** For each phase, its share of the area of the faces around each point of @p contact. */
+template <int dim>
+std::vector<std::vector<double>> contact_shares(const MeshMorphology<dim> &morphology,
+                                                const MeshBodyParameters &parameters,
+                                                const MeshBoundary &contact);
+
 /**
  * Contact, top, friction and held points of the mesh that was read; no contact and no top
  * where modes under these supports ask for none. The coefficient of a

@@ -158,6 +158,8 @@ void ContactMapOutput<dim>::complete(Hdf5File &file,
       if (field.quantity == MapQuantity::state)
         file.write_attribute(map_dataset(field), "meaning",
                              std::string("0 separated, 1 stick, 2 slip"));
+      if (field.quantity == MapQuantity::law_state)
+        file.write_attribute(map_dataset(field), "meaning", setup.law_state.name);
     }
   write_series(file, contact_map_group, {{"time", "s", &times}});
 }

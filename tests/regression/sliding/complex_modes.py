@@ -55,10 +55,47 @@ def wanted(s):
     return s.real >= -20000 and 0 < s.imag <= 2 * math.pi * 1.2e6 and s.imag > -s.real
 
 
+def check_phases(folder, run, below, shares, motion):
+    """What the phases have of each mode, from the nodes' parts and shapes: half a cell on either side of a node, one at the ends."""
+    names = ("matrix", "fibre")
+    cells = np.array([below == p for p in range(2)], dtype=float)
+    weights = np.pad(cells, ((0, 0), (0, 1)), "edge") / 2 + np.pad(cells, ((0, 0), (1, 0)), "edge") / 2
+    area = np.full(25, 1.0)
+    area[[0, -1]] = 0.5
+    summary = folder.summary(run)
+    for p, name in enumerate(names):
+        assert abs(summary["contact_phases"][name] - weights[p] @ area / area.sum()) < 1e-12, summary["contact_phases"]
+    assert 0.05 < summary["contact_phases"]["fibre"] < 0.95, summary["contact_phases"]
+    with open(folder(run, "complex_modes.csv"), encoding="ascii") as file:
+        rows = list(csv.DictReader(file))
+    for mode, row, share, u in zip(summary["complex_modes"], rows, shares, motion):
+        for p, name in enumerate(names):
+            part, square = mode["phases"][name], area * abs(u)**2
+            assert abs(part["growth_by_friction"] - weights[p] @ share) < 1e-8 * mode["frequency"], (mode, name)
+            assert abs(part["motion"] - weights[p] @ square / square.sum()) < 1e-8, (mode, name)
+            assert float(row[f"growth_by_friction_{name} [1/s]"]) == part["growth_by_friction"], row
+            assert float(row[f"motion_{name} [-]"]) == part["motion"], row
+    assert any(abs(mode["phases"]["fibre"]["motion"] - summary["contact_phases"]["fibre"]) > 0.01 for mode in summary["complex_modes"])
+
+
+def expect_same_phases(folder, run, other):
+    """Modes that grow, their frequencies apart from those of a slice, have the same phases."""
+    one, two = ([mode for mode in folder.summary(name)["complex_modes"] if mode["growth_rate"] > 0] for name in (run, other))
+    for mode in two:
+        same = min(one, key=lambda m, f=mode["frequency"]: abs(m["frequency"] - f))
+        for name, part in mode["phases"].items():
+            for key, value in part.items():
+                scale = 1 if key == "motion" else mode["frequency"]
+                assert abs(same["phases"][name][key] - value) < 1e-6 * scale, (run, mode, same)
+    shares = [folder.summary(name)["contact_phases"] for name in (run, other)]
+    assert all(abs(shares[0][name] - shares[1][name]) < 1e-9 for name in ("matrix", "fibre")), shares
+
+
 def check_heterogeneous(folder):
     """All eigenvalues of a pin of two phases as scipy has them from 60 shifts, on any number of ranks."""
     folder.write("rve.prm", PHASES + prm({"Grid/Cells": "24, 8", "Grid/Size": "0.012, 0.004", "Microstructure/Random fibres/Fibre width":
-                                          1e-3, "Microstructure/Random fibres/Minimum height": 1e-3, "Microstructure/Random fibres/Maximum height": 1.5e-3}))
+                                          1e-3, "Microstructure/Random fibres/Minimum height": 1e-3, "Microstructure/Random fibres/Maximum height": 1.5e-3,
+                                         "Microstructure/Random fibres/Seed": 2}))
     folder.run(0, "rve_homogenization", "rve.prm", "--output", "rve")
     folder.write("pin.prm", prm({**COMMON, "Body/RVE file": "rve/rve.h5", "Body/Material": "heterogeneous"}))
     folder.run(0, "contact_dynamics", "pin.prm", "--output", "pin1")
@@ -78,9 +115,28 @@ def check_heterogeneous(folder):
     assert np.abs(frequency - values.imag[:len(frequency)] / (2 * math.pi)).max() < 1e-6
     for share, mode in zip(shares, folder.summary("pin1")["complex_modes"]):
         assert abs(share.sum() - mode["growth_by_friction"]) < 1e-8 * mode["frequency"]
+    check_phases(folder, "pin1", ids.reshape(8, 24)[0], shares, real[:, 0, :, 0] + 1j * imaginary[:, 0, :, 0])
     for ranks in (2, 3):
         folder.run(0, "contact_dynamics", "pin.prm", "--output", f"pin{ranks}", ranks=ranks)
         expect_same(found(folder, f"pin{ranks}"), values, 1e-9, ranks)
+        expect_same_phases(folder, f"pin{ranks}", "pin1")
+    # The same cells as a mesh in 2D, and extruded in 3D.
+    solids = {"Phases/Names": "matrix, fibre", **{f"Phases/{name}/{key}": value for name, modulus in (("matrix", 30e9), ("fibre", 240e9)) for
+                                                  key, value in (("Young modulus", modulus), ("Density", DENSITY))}}
+    for dim in (2, 3):
+        def phase(middle):
+            return ("matrix", "fibre")[ids.reshape(8, 24)[int(middle[-1] / 0.5), int(middle[0] / 0.5)]]
+
+        box = Box([12, 0.5, 4] if dim == 3 else [12, 4], [24, 1, 8] if dim == 3 else [24, 8], phase)
+        box.name_side("Contact", dim - 1, False).name_side("Top", dim - 1, True)
+        if dim == 3:
+            box.name_side("Front", 1, False).name_side("Back", 1, True)
+        box.write(folder("pin.msh"))
+        folder.write("mesh.prm", ("set Dimension = 3\n" if dim == 3 else "") + prm({
+            **COMMON, "Mesh/File": "pin.msh", "Mesh/Scale": 0.001, **solids, **({"Mesh/Held in y": "Front, Back"} if dim == 3 else {}),
+            "Complex modes/Fastest decay": 0}))
+        folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh", ranks=dim)
+        expect_same_phases(folder, "mesh", "pin1")
 
 
 def check_meshes(folder):

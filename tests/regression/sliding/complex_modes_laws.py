@@ -1,5 +1,5 @@
 """Analysis complex modes with laws of the coefficient of friction: the shear vibration of a layer that a falling coefficient feeds, in
-closed form; coefficients that do not change; the same pin in 3D; friction that relaxes slowly; what is refused."""
+closed form, and what is said where it falls too fast; coefficients that do not change; the same pin in 3D; friction that relaxes slowly; what is refused."""
 
 import cmath
 import math
@@ -67,6 +67,34 @@ def check_layer(folder):
         orders = np.log2(np.divide(*errors))
         print(f"{name}: {wanted[0].real:.1f} 1/s at {wanted[0].imag / 2 / math.pi:.1f} Hz; errors {errors}, orders {orders}")
         assert np.abs(orders - 2).max() < 0.05 and errors[1][0] < 1e-4, (name, errors)
+
+
+def check_impedance(folder):
+    """Friction that falls by more than rho c with the slip rate: analysis and run warn, and name what regularization and damping leave, the s
+    with sqrt(1 + beta s) (1 + delta s) = r; by less: nothing is said and the growth is c/H artanh r."""
+    impedance = DENSITY * SPEED
+
+    def law(r):
+        return {**LAYER, **PLAIN, "Body/Cells": "2, 20", "Friction/Coefficient law": "expression",
+                "Friction/Coefficient expression": f"0.3 - {r * impedance / PRESSURE!r}*(V - {VELOCITY})"}
+
+    found = modes(folder, law(0.9))
+    summary = folder.summary("layer")
+    assert abs(found.real / (SPEED / HEIGHT * math.atanh(0.9)) - 1).min() < 0.01, found
+    assert abs(summary["shear_impedance"] / impedance - 1) < 1e-12 and abs(summary["steepest_friction_fall"] / (0.9 * impedance) - 1) < 1e-6
+    assert not any("shear waves" in warning for warning in summary["warnings"]), summary["warnings"]
+    # What grows without vibrating would lie on the border of what is counted.
+    for settings, bound, words in ((PLAIN, None, "without a limit"), ({**PLAIN, "Time/Rayleigh beta": 1e-6}, (1.2**2 - 1) / 1e-6, None),
+                                   ({**PLAIN, "Friction/Regularization time": 1e-6}, 0.2 / 1e-6, None)):
+        modes(folder, {**law(1.2), **settings, "Complex modes/Lowest frequency": 1e4})
+        said, = (warning for warning in folder.summary("layer")["warnings"] if "shear waves" in warning)
+        assert f"{impedance:.3g} Pa s/m" in said and (words or f"by up to {bound:.3g} 1/s") in said, said
+    run = {**law(1.2), "Analysis": "transient", "Time/End time": 1e-4}
+    for settings, warned in (({}, True), ({"Friction/Regularization time": 1e-6}, False), ({"Top/Pressure": 0.8 * PRESSURE}, False)):
+        given = {key: value for key, value in {**run, **settings}.items() if not key.startswith("Complex modes/")}
+        folder.write("run.prm", prm(given))
+        said = folder.run(0, "contact_dynamics", "run.prm", "--validate")
+        assert ("shear waves into the body" in said) == warned, (settings, said)
 
 
 def check_limits(folder):
@@ -141,6 +169,7 @@ with tempfile.TemporaryDirectory() as path:
     scene = Folder(path)
     check_refused(scene)
     check_layer(scene)
+    check_impedance(scene)
     check_limits(scene)
     check_slice(scene)
     check_slow_friction(scene)

@@ -129,6 +129,39 @@ def check_bodies(folder):
                     same(1.0 * one[key], 1.0 * many[key], 0 if name == "grid" else 1e-9, (name, ranks, key))
 
 
+def check_laws(folder):
+    """Nodes that slip have the traction that state of the law and remembered pressure give, to round-off; on a grid and in 3D."""
+    weakening = {"Friction/Law": "coulomb", "Friction/Coefficient law": "linear slip weakening", "Friction/Coefficient": 0.5,
+                 "Friction/Kinetic coefficient": 0.2, "Friction/Critical slip": 2e-6, "Friction/Normal stress": "constant time",
+                 "Friction/Normal stress time": 1e-6, "Contact map/Fields": "pressure, traction, state, law state, remembered pressure"}
+    solid = {**SLIDING, **SOLID, "Time/Time step": "auto", "Time/End time": 1e-5}
+    for name, settings in (("law", {**GRID, **SLIDING, **SIDES}), ("periodic", {**GRID, **SLIDING, "Sides/Periodic": "true"}), ("solid_law", solid)):
+        fields = {}
+        for ranks in (1, 2, 3):
+            found = run(folder, f"{name}{ranks}", {**settings, **weakening}, ranks=ranks)
+            for key in ("pressure", "traction", "state", "law_state", "remembered_pressure"):
+                value = 1.0 * found["contact_map/" + key]
+                same(fields.setdefault(key, value), value, 0 if settings is not solid else 1e-9, (name, ranks, key))
+        slip, slid = fields["law_state"], fields["state"] == 2
+        size = np.linalg.norm(fields["traction"], axis=-1) if fields["traction"].ndim == 3 else np.abs(fields["traction"])
+        limit = (0.2 + 0.3 * np.maximum(0, 1 - slip / 2e-6)) * fields["remembered_pressure"]
+        assert slid.sum() > 100 and slip.max() > 2e-6 and slip[slid].min() < 1e-6, (name, slid.sum(), slip.max())
+        assert np.abs(size - limit)[slid].max() < 1e-12 * limit.max(), (name, np.abs(size - limit)[slid].max(), limit.max())
+        assert np.abs(fields["remembered_pressure"] - fields["pressure"])[slid].max() > 0.01 * limit.max()
+        with h5py.File(folder(name + "1", "dynamics.h5")) as file:
+            attributes = file["contact_map/law_state"].attrs
+            assert attributes["unit"] == b"m" and attributes["meaning"] == b"slip", dict(attributes)
+    theta = {**GRID, **SLIDING, "Contact map/Fields": "law state, state, slip velocity", "Friction/Coefficient law": "rate and state", "Friction/Coefficient": 0.4,
+             "Friction/Rate and state/Direct effect": 0.01, "Friction/Rate and state/Evolution effect": 0.02,
+             "Friction/Rate and state/Length": 1e-7, "Friction/Regularization time": 0, "Time/End time": 4e-5}
+    found = run(folder, "theta", theta)
+    with h5py.File(folder("theta", "dynamics.h5")) as file:
+        assert file["contact_map/law_state"].attrs["unit"] == b"s"
+    state, slid = found["contact_map/law_state"], found["contact_map/state"] == 2
+    share = state[slid] * np.abs(found["contact_map/slip_velocity"][slid]) / 1e-7  # 1 in steady sliding
+    assert state.min() > 0 and abs(np.median(share) - 1) < 0.15, np.median(share)  # theta follows V with a lag
+
+
 def check_window(folder):
     """From, To and Interval; a long map is handed on in several pieces, here with 1024 rows and more."""
     whole = run(folder, "whole", {**GRID, **SLIDING, "Body/Cells": "6, 2", "Time/End time": 1.2e-4})
@@ -175,6 +208,8 @@ def check_refused(folder):
         assert not os.path.exists(folder("bad")), "a run that is refused creates nothing"
 
     refuse({"Contact map/From": 1}, "Contact map/From", "set it earlier")
+    refuse({"Contact map/Fields": "law state"}, "Contact map/Fields", "law state", "has none")
+    refuse({"Contact map/Fields": "remembered pressure"}, "Contact map/Fields", "Normal stress")
     refuse({"Contact map/Fields": "speed"}, "Contact map/Fields", "slip velocity")
     refuse({"Contact map/Interval": None, "Contact map/From": 1e-6}, "Contact map/Interval is 0")
     refuse({"Time/End time": 1e3, "Observation/History interval": 1000000000, "Observation/Energy interval": 0}, "Contact map/Interval",
@@ -226,7 +261,7 @@ def main():
     check_reduction()
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
-        for check in (check_uniform, check_bodies, check_window, check_resume, check_refused, check_tools):
+        for check in (check_uniform, check_bodies, check_laws, check_window, check_resume, check_refused, check_tools):
             check(folder)
             print(check.__name__, "passed", flush=True)
 

@@ -1,0 +1,33 @@
+#include "material/shear_impedance.h"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+namespace mesoslip
+{
+template <int dim>
+double shear_impedance(const VoigtMatrix<dim> &stiffness,
+                       const double density,
+                       const std::array<double, 2> &direction)
+{
+  using Tensor = Eigen::Matrix<double, dim, dim>;
+  Tensor gamma;
+  for (unsigned int i = 0; i < dim; ++i)
+    for (unsigned int k = 0; k < dim; ++k)
+      gamma(i, k) = stiffness(voigt_index<dim>(i, dim - 1), voigt_index<dim>(k, dim - 1));
+  const Tensor symmetric = 0.5 * (gamma + gamma.transpose());
+  const Tensor waves =
+    std::sqrt(density) * Eigen::SelfAdjointEigenSolver<Tensor>(symmetric).operatorSqrt();
+  // The side slides along itself, with no force across the direction.
+  const Eigen::Matrix<double, dim - 1, dim - 1> along =
+    waves.template topLeftCorner<dim - 1, dim - 1>();
+  const Eigen::Map<const Eigen::Matrix<double, dim - 1, 1>> unit(direction.data());
+  return 1. / unit.dot(along.inverse() * unit);
+}
+
+template double
+shear_impedance<2>(const VoigtMatrix<2> &, const double, const std::array<double, 2> &);
+template double
+shear_impedance<3>(const VoigtMatrix<3> &, const double, const std::array<double, 2> &);
+} // namespace mesoslip

@@ -1,0 +1,23 @@
+#ifndef mesoslip_material_shear_impedance_h
+#define mesoslip_material_shear_impedance_h
+
+#include "material/voigt.h"
+
+#include <array>
+
+namespace mesoslip
+{
+/**
+ * Shear traction that moves the flat side of a half-space along @p direction at one speed, over
+ * that speed (Pa s/m), the side moving neither along its normal, the last axis, nor pushed across
+ * @p direction. With the tensor Gamma_ik = C_(i n k n) of the normal n waves into the body ask
+ * for sqrt(rho) Gamma^(1/2) v; an isotropic solid has rho c_T. @p direction has length one, along
+ * x and, in 3D, y.
+ */
+template <int dim>
+double shear_impedance(const VoigtMatrix<dim> &stiffness,
+                       const double density,
+                       const std::array<double, 2> &direction = {{1., 0.}});
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,34 @@
+#include "sliding/friction/rate_weakening.h"
+
+#include "material/plausibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mesoslip
+{
+double RateWeakening::fastest_growth() const
+{
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const double r            = fall / impedance;
+  double high               = std::min(delta > 0. ? (r - 1.) / delta : infinite,
+                         beta > 0. ? (r * r - 1.) / beta : infinite);
+  if (delta == 0. || beta == 0.)
+    return high;
+  double low = 0.;
+  for (unsigned int n = 0; n < 100; ++n)
+    {
+      const double s                                                 = 0.5 * (low + high);
+      (std::sqrt(1. + beta * s) * (1. + delta * s) < r ? low : high) = s;
+    }
+  return high;
+}
+
+std::string RateWeakening::text(const std::string &where) const
+{
+  return "falls by up to " + quantity_text(fall, "Pa s/m") + " with the slip rate " +
+         where + ", more than the " + quantity_text(impedance, "Pa s/m") +
+         " that shear waves into the body resist (density times wave speed)";
+}
+} // namespace mesoslip

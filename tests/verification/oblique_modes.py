@@ -1,0 +1,158 @@
+"""Analysis complex modes in 3D against waves at an angle to the sliding of a layer: the continuous closed form, of which the error
+is of order two in the cells, and the same cells in numpy, where a wave in a periodic layer leaves three unknowns a level."""
+
+import cmath
+import math
+import tempfile
+
+import numpy as np
+
+from scenes import Folder, prm
+
+HEIGHT, DENSITY, SPEED, PRESSURE, VELOCITY, NUMBER, MU = 0.016, 1900, 2560., 5e6, 4., 1 / 0.016, 0.4  # NUMBER: of waves, k H = 1
+SHEAR = DENSITY * SPEED**2
+LAME = 2 / 3 * SHEAR  # Poisson's ratio is 0.2
+COMMON = {"Analysis": "complex modes", "Body/Density": DENSITY, "Sides/Periodic": "true", "Sides/Periodic in y": "true", "Top/Kind": "pressure",
+          "Top/Lateral held": "true", "Top/Pressure": PRESSURE, "Friction/Coefficient": MU, "Complex modes/Lowest frequency": 40e3,
+          "Complex modes/Highest frequency": 50e3}
+STIFFNESS = [[LAME + 2 * SHEAR * (i == j) if max(i, j) < 3 else SHEAR * (i == j) for j in range(6)] for i in range(6)]
+DIAGONAL = (STIFFNESS[0][0], LAME, LAME, STIFFNESS[0][0], LAME, STIFFNESS[0][0], SHEAR, SHEAR, SHEAR)  # as Body/Stiffness has it
+PLAIN, REGULARIZED = (0., 2e-8), (1.5e-6, 4.4e-9)  # delta and beta (s)
+ANGLES = (0, 30, 45, 60)
+
+
+def closed(s, angle, law):
+    """Zero for a wave exp(i k (x cos t + y sin t) + s t) of the layer that slides along x: a wave in the vertical plane along its direction
+    and one of shear across it, which meet in the friction alone (the balance of both tangential forces at the flat)."""
+    (delta, beta), k = law, NUMBER
+    inertia, softening = s * s / (1 + beta * s), 1 + beta * s
+    a, b = cmath.sqrt(k**2 + inertia / (SPEED**2 * 1.6 / 0.6)), cmath.sqrt(k**2 + inertia / SPEED**2)
+    friction, shear = MU / (1 + s * delta), SHEAR * softening
+    drag, ta, tb = friction * PRESSURE / VELOCITY * s, cmath.tanh(a * HEIGHT), cmath.tanh(b * HEIGHT)
+    u, slope, squeeze = 1j / k * (k**2 * ta / a - b * tb), 1j / k * (b**2 - k**2), a * ta - b * tb
+    pressure = -softening * (LAME * (1j * k * u + squeeze) + 2 * SHEAR * squeeze)
+    along, across = math.cos(angle), math.sin(angle)
+    return (-(along * shear * slope + friction * pressure) * along * (shear * b + drag * tb)
+            - across * (shear * slope - drag * u) * across * shear * b)
+
+
+def zero(function, s, tolerance=1e-13):
+    """By the secant method."""
+    before, s = s, s * (1 + 1e-5)
+    last, value = function(before), function(s)
+    for _ in range(60):
+        if value == last or abs(s - before) < tolerance * abs(s):
+            break
+        before, s, last = s, s - value * (s - before) / (value - last), value
+        value = function(s)
+    return s
+
+
+def exact(law):
+    """s (1/s) at all ANGLES, followed from 0 degrees, where the wave is the fastest of all at this length."""
+    start = {PLAIN: complex(45e3, 2 * math.pi * 46.7e3), REGULARIZED: complex(36e3, 2 * math.pi * 44.7e3)}[law]
+    found, s = {}, start
+    for degree in range(ANGLES[-1] + 1):
+        s = zero(lambda z, t=math.radians(degree): closed(z, t, law), s)
+        found[degree] = s
+    return {degree: found[degree] for degree in ANGLES}
+
+
+def cell_stiffness(h):
+    """Of a brick, trilinear with 2 x 2 x 2 points of Gauss; and the places of its corners, x the fastest."""
+    corners = [(i, j, k) for k in (0, 1) for j in (0, 1) for i in (0, 1)]
+    total = np.zeros((24, 24))
+    for point in np.array(corners) / math.sqrt(3) + (1 - 1 / math.sqrt(3)) / 2:
+        strain = np.zeros((6, 24))
+        for n, corner in enumerate(corners):
+            value = [x if c else 1 - x for x, c in zip(point, corner)]
+            dx, dy, dz = ((1 if corner[d] else -1) / h[d] * value[(d + 1) % 3] * value[(d + 2) % 3] for d in range(3))
+            strain[:, 3 * n:3 * n + 3] = [[dx, 0, 0], [0, dy, 0], [0, 0, dz], [0, dz, dy], [dz, 0, dx], [dy, dx, 0]]
+        total += strain.T @ np.array(STIFFNESS) @ strain * np.prod(h) / 8
+    return total, corners
+
+
+def in_numpy(wave, h, n, start):
+    """s (1/s) nearest to `start` under PLAIN friction along x, of displacements that have the phase exp(i wave.x) from one point to the
+    next, on `n` levels of cells: [s^2 M + s (beta K' + C) + K'] u = 0 with K' = K - N."""
+    cells, corners = cell_stiffness(h)
+    phases = np.zeros((24, 6), complex)
+    for c, corner in enumerate(corners):
+        for d in range(3):
+            phases[3 * c + d, 3 * corner[2] + d] = cmath.exp(1j * (wave[0] * h[0] * corner[0] + wave[1] * h[1] * corner[1]))
+    of_cell, size = phases.conj().T @ cells @ phases, 3 * (n + 1)
+    stiffness, drag, mass = np.zeros((size, size), complex), np.zeros((size, size)), np.full(size, DENSITY * np.prod(h))
+    for level in range(n):
+        stiffness[3 * level:3 * level + 6, 3 * level:3 * level + 6] += of_cell
+    mass[:3] /= 2
+    mass[-3:] /= 2
+    stiffness[0] -= MU * stiffness[2]
+    drag[1, 1] = MU * PRESSURE * h[0] * h[1] / VELOCITY
+    free = np.delete(np.arange(size), [2, size - 3, size - 2])
+    stiffness, drag, mass = stiffness[np.ix_(free, free)], drag[np.ix_(free, free)], mass[free, np.newaxis]
+    linear = np.block([[np.zeros_like(stiffness), np.eye(len(free))], [-stiffness / mass, -(PLAIN[1] * stiffness + drag) / mass]])
+    values = np.linalg.eigvals(linear)
+    return values[np.argmin(abs(values - start))]
+
+
+def nearest(folder, size, cells, direction, law, expected, ranks=1, count="true"):
+    """The eigenvalue of the program nearest to `expected`, or to that which runs the other way. To count them takes minutes where many
+    waves in all directions are in the body."""
+    expected = complex(expected.real, abs(expected.imag))
+    folder.write("layer.prm", "set Dimension = 3\n" + prm({
+        **COMMON, "Body/Stiffness": ", ".join(map(repr, DIAGONAL)), "Body/Size": ", ".join(map(repr, size)),
+        "Body/Cells": "%d, %d, %d" % cells, "Flat/Velocity": ", ".join(repr(VELOCITY * d) for d in direction),
+        "Friction/Regularization time": law[0], "Time/Rayleigh beta": law[1], "Complex modes/Count modes": count}))
+    folder.run(0, "contact_dynamics", "layer.prm", "--output", "layer", ranks=ranks)
+    summary = folder.summary("layer")
+    assert summary["missing_modes"] == (0 if count == "true" else None) and summary["separated_nodes"] == 0, summary
+    found = np.array([complex(mode["growth_rate"], 2 * math.pi * mode["frequency"]) for mode in summary["complex_modes"]])
+    return found[np.argmin(abs(found - expected))], expected
+
+
+def check_order(folder):
+    """Waves along x under a flat that moves at an angle to them, so that one cell across is enough."""
+    for law in (PLAIN, REGULARIZED):
+        for degree, s in exact(law).items():
+            direction, errors = (math.cos(math.radians(degree)), -math.sin(math.radians(degree))), []
+            length = 2 * math.pi / NUMBER
+            for n in (10, 20):
+                found, expected = nearest(folder, (length, length / (2 * n), HEIGHT), (2 * n, 1, n), direction, law, s)
+                errors.append(abs(found - expected) / abs(s))
+            order = math.log2(errors[0] / errors[1])
+            print(f"{degree} degrees, delta {law[0]:g} s: growth {found.real:.1f} (exact {s.real:.1f}) 1/s at {found.imag / 2 / math.pi:.1f} "
+                  f"({abs(s.imag) / 2 / math.pi:.1f}) Hz; errors {errors[0]:.2%}, {errors[1]:.2%} of s, order {order:.3f}")
+            assert abs(order - 2) < 0.05 and errors[1] < 0.003 and abs(found.real / s.real - 1) < 0.01, (degree, law, errors)
+
+
+def check_cells(folder):
+    """Waves at 30 and 45 degrees to the sides of the cells as numpy has them; what is left to the closed form is that of the cells."""
+    for degree, cells, ranks in ((30, (12, 8, 6), 1), (30, (12, 8, 6), 2), (45, (10, 10, 6), 3)):
+        s, angle = exact(PLAIN)[degree], math.radians(degree)
+        wave = (NUMBER * math.cos(angle), NUMBER * math.sin(angle))
+        size = (2 * math.pi / wave[0], 2 * math.pi / wave[1], HEIGHT)
+        cell = tuple(length / n for length, n in zip(size, cells))
+        of_cells = in_numpy(wave, cell, cells[2], s)
+        found, expected = nearest(folder, size, cells, (1, 0), PLAIN, of_cells, ranks, "false")
+        print(f"{degree} degrees, {cells} cells, {ranks} ranks: {abs(found - expected) / abs(s):.1e} from numpy, "
+              f"{abs(of_cells - s) / abs(s):.2%} from the closed form")
+        assert abs(found - expected) < 1e-7 * abs(s), (degree, found, expected)
+
+
+def check_discretization():
+    """In numpy, cells at an angle to the wave: order two down to fine ones."""
+    s, angle = exact(PLAIN)[30], math.radians(30)
+    wave, errors = (NUMBER * math.cos(angle), NUMBER * math.sin(angle)), []
+    for n in (8, 16, 32, 64):
+        cell = (math.pi / wave[0] / n, math.pi / wave[1] / n, HEIGHT / n)
+        errors.append(abs(in_numpy(wave, cell, n, s) - s) / abs(s))
+    print("30 degrees, 2n x 2n x n cells, n = 8, 16, 32, 64: errors", ", ".join(f"{error:.3%}" for error in errors))
+    assert abs(np.log2(np.divide(errors[:-1], errors[1:])) - 2).max() < 0.03 and errors[-1] < 5e-4, errors
+
+
+if __name__ == "__main__":
+    check_discretization()
+    with tempfile.TemporaryDirectory() as path:
+        scene = Folder(path)
+        check_order(scene)
+        check_cells(scene)
