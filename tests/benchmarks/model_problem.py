@@ -76,7 +76,7 @@ def sliding_growth(bench):
 def oblique_growth(bench):
     """The same in three dimensions, of a wave at 45 degrees to the sliding."""
     sizes = [4, 6, 8] if bench.quick else [4, 6, 8, 10, 14, 20, 28]
-    repetitions = 2
+    repetitions = 1
     choices = [f"{n}:{share}:{beta2}" for n in sizes for share, beta2 in CURVES if n < 28 or (share, beta2) == CURVES[0]]
     rows = bench.tool("model_problems", "oblique_growth", repetitions, *choices)
     bench.write("oblique-growth", rows, "growth rate (1/s) and frequency of a wave at 45 degrees, k H = 0.987, mu = 0.4, delta = 1.5 us, beta = 4.4 ns, in a "

@@ -12,7 +12,7 @@ from vector_loop import vector_loop
 # Boxes (x, y, z) within the second cache: they give work a vector of cells, a row, a node of the contact and a step.
 SMALL = [(64, 12, 12), (128, 8, 8), (24, 20, 20), (16, 16, 32), (40, 15, 15), (250, 6, 6), (32, 32, 9), (64, 30, 4)]
 STEPS = {1: (64, 100, 128, 160, 256), 2: (64, 100, 128, 160)}
-STATICS = {1: (32, 64, 128, 256), 2: (64, 128, 256)}
+STATICS = {1: (32, 64, 128), 2: (64, 128)}
 STREAM = [2 ** k for k in (12, 14, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28)]
 MESSAGES = [8, 1024, 16384, 131072, 524288, 2097152]
 LANES = 8  # cells of a vector
@@ -132,7 +132,7 @@ class StepModel:
         share, memory_rate = np.prod(n) / ranks, CLUSTER["memory"] / CLUSTER["ranks"]
         if name.startswith("blocks"):
             edge = share ** (1 / 3)
-            work = self.work(edge + 2, edge + 2, edge + 2, 0) * 1.0
+            work = self.work(edge + 2, edge + 2, edge + 2, 0)
             nodes, sides = edge ** 2, 6
             crossing = sides / 2 * CLUSTER["ranks"] ** (2 / 3) * nodes  # the surface of a node's block of blocks, on average half its own faces
         else:
@@ -147,7 +147,7 @@ class StepModel:
         total = max(work, memory) + planes + platen
         alone = self.best[0] * share / LANES
         return {"work_s": work, "memory_s": memory, "planes_s": planes, "platen_s": platen, "step_s": total, "million_cells_per_s": 1e-6 * share * ranks / total,
-                "efficiency": alone / total, "planes_MB_per_rank": sides * nodes * PLANE_BYTES / 1e6}
+                "efficiency": alone / total, "of_memory_bound": max(alone, memory) / total, "planes_MB_per_rank": sides * nodes * PLANE_BYTES / 1e6}
 
 
 class StaticModel:
@@ -225,10 +225,10 @@ class StaticModel:
             parts["planes_s"] += count * (sides * CLUSTER["latency"] + STATIC_PLANE_BYTES * nodes * (crossing / CLUSTER["network"] + sides * 4 / memory_rate))
         reductions = REDUCTIONS * 2 * CLUSTER["latency"] * np.log2(ranks)
         iteration = max(parts["work_s"], parts["memory_s"]) + parts["planes_s"] + parts["whole_grids_s"] + reductions
-        alone = self.product * self.products_in_all() * voxels / ranks
+        alone, memory = (voxels / ranks * self.products_in_all() * of_product for of_product in (self.product, memory_of_product))
         times = 6 * ITERATIONS
         return {**{key: times * value for key, value in parts.items()}, "sums_s": times * reductions, "set_up_s": self.set_up * voxels / ranks,
-                "seconds": times * iteration + self.set_up * voxels / ranks, "efficiency": alone / iteration, "memory_GB_per_rank": resident / 1e9}
+                "seconds": times * iteration + self.set_up * voxels / ranks, "efficiency": alone / iteration, "of_memory_bound": max(alone, memory) / iteration, "memory_GB_per_rank": resident / 1e9}
 
 
 def bounds(bench, steps, machine, rows):

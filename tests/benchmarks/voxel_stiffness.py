@@ -10,6 +10,7 @@ from common import require_ended
 from fits import fitted_order, least_costs, richardson
 from plots import curve, legend, logarithmic, panels
 
+from mesh_files import AROUND
 from meshes import inclusion
 
 FRACTION = 0.25
@@ -58,7 +59,7 @@ def add_runs(study, meshes, grids, random):
     on_grid = lambda n: {"Grid/Cells": [n] * 3, "Grid/Size": [1e-3] * 3}
     for n in meshes:
         path = study.path(os.path.join("inputs", f"mesh-{n}.msh"))
-        inclusion(3, n, [RADIUS], [n, n], ["sphere", "matrix"]).write(path)
+        fitted(n).write(path)
         add(f"mesh-{n}", {"Mesh/File": path, "Mesh/Scale": 0.0005})
     for n in grids:
         path = study.path(os.path.join("inputs", f"grid-{n}.npy"))
@@ -67,6 +68,24 @@ def add_runs(study, meshes, grids, random):
         add(f"grid-{n}", {**on_grid(n), "Microstructure/Type": "voxels", "Microstructure/File": path})
     for n in random:
         add(f"random-{n}", {**on_grid(n), **RANDOM})
+
+
+def fitted(n):
+    """A mesh whose inclusion, within the sphere as its corners lie on it, is made as large as the sphere."""
+    make = lambda radius: inclusion(3, n, [radius], [n, n], ["sphere", "matrix"])
+    mesh = make(RADIUS)
+    return make(RADIUS * (FRACTION / (volume(mesh, "sphere") / 8)) ** (1 / 3))
+
+
+def volume(mesh, group):
+    """Of the hexahedra of a group, by eight points of Gauss."""
+    corners = mesh.points[[cell for cell, name in zip(mesh.cells, mesh.groups) if name == group]]
+    steps = 2 * np.array(AROUND[3]) - 1
+    total = 0.0
+    for point in steps / math.sqrt(3):
+        gradients = np.stack([steps[:, d] * np.prod(np.delete(1 + steps * point, d, axis=1), axis=1) / 8 for d in range(3)], axis=1)
+        total += np.linalg.det(np.einsum("cvi,vd->cid", corners, gradients)).sum()
+    return total
 
 
 def entries(result):
