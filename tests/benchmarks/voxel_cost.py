@@ -61,6 +61,11 @@ def compare_conditions(bench, edges):
     return rows
 
 
+def first_of(iterations):
+    """Of the first load case; where there is one alone it was read as a number."""
+    return f"{float(str(iterations).split()[0]):g}"
+
+
 def draw(bench, steps, statics):
     figure, (step_time, static_time, memory) = panels(3, width=15)
     for axes, text, title in ((step_time, "ns a cell and step", "explicit step, one rank"),
@@ -71,16 +76,16 @@ def draw(bench, steps, statics):
         curve(step_time, k, [row["cells"] for row in own], [row["ns_per_cell"] for row in own], name)
         if k == 1:
             curve(memory, 0, [row["cells"] for row in own], [row["bytes_per_cell"] for row in own], "explicit step")
-    curve(static_time, 2, [row["voxels"] for row in statics], [row["us_per_voxel_and_case"] for row in statics], "mean of the load cases, with set-up")
+    six, one = ([row for row in statics if row["load_cases"] == cases] for cases in (6, 1))
+    for k, (rows, name) in enumerate(((six, "six load cases"), (one, "one load case, with the whole set-up"))):
+        if rows:
+            curve(static_time, 2 + k, [row["voxels"] for row in rows], [row["us_per_voxel_and_case"] for row in rows], name)
+            rows = [row for row in rows if row["bytes_per_voxel"] > 0]  # the smallest is the program
+            curve(memory, 2 + k, [row["voxels"] for row in rows], [row["bytes_per_voxel"] for row in rows], name)
     for row in statics:
-        static_time.annotate(row["iterations"].split()[0], (row["voxels"], row["us_per_voxel_and_case"]), xytext=(4, 6), textcoords="offset points",
-                             fontsize=8.5)
-    six = [row for row in statics[1:] if row["load_cases"] == 6]
-    curve(memory, 2, [row["voxels"] for row in six], [row["bytes_per_voxel"] for row in six], "six load cases")
-    one = [row for row in statics if row["load_cases"] == 1]
-    if one:
-        curve(memory, 3, [row["voxels"] for row in one], [row["bytes_per_voxel"] for row in one], "one load case", ls="")
+        static_time.annotate(f"{first_of(row['iterations'])} iterations" if row is statics[0] else first_of(row["iterations"]),
+                             (row["voxels"], row["us_per_voxel_and_case"]), xytext=(2, 7), textcoords="offset points", fontsize=8.5)
     for axes in (step_time, static_time, memory):
-        axes.set_ylim(bottom=0.6 * min(min(line.get_ydata()) for line in axes.lines), top=1.8 * max(max(line.get_ydata()) for line in axes.lines))
+        axes.set(yscale="linear", ylim=(0, 1.25 * max(max(line.get_ydata()) for line in axes.lines)))
         legend(axes, 2)
     bench.draw("voxel-cost", figure)

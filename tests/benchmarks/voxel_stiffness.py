@@ -58,7 +58,7 @@ def add_runs(study, meshes, grids, random):
     add = lambda name, settings: study.add(name, "rve_homogenization", prm, {**PHASES, **settings})
     on_grid = lambda n: {"Grid/Cells": [n] * 3, "Grid/Size": [1e-3] * 3}
     for n in meshes:
-        path = study.path(os.path.join("inputs", f"mesh-{n}.msh"))
+        path = study.path(os.path.join("inputs", f"fitted-{n}.msh"))
         fitted(n).write(path)
         add(f"mesh-{n}", {"Mesh/File": path, "Mesh/Scale": 0.0005})
     for n in grids:
