@@ -9,8 +9,8 @@ from plots import curve, legend, logarithmic, panels
 from step_scaling import CLUSTER
 from vector_loop import vector_loop
 
-# Boxes (x, y, z) within the second cache: they give work a vector of cells, a row, a node of the contact and a step.
-SMALL = [(64, 12, 12), (128, 8, 8), (24, 20, 20), (16, 16, 32), (40, 15, 15), (250, 6, 6), (32, 32, 9), (64, 30, 4)]
+# Boxes (x, y, z) of at most 3 MB: they give work a vector of cells, a row and a node of the contact.
+SMALL = [(64, 12, 12), (128, 12, 12), (24, 20, 20), (16, 16, 32), (40, 15, 15), (191, 12, 12), (32, 32, 32), (95, 16, 16), (127, 16, 16)]
 STEPS = {1: (64, 100, 128, 160, 256), 2: (64, 100, 128, 160)}
 STATICS = {1: (32, 64, 128), 2: (64, 128)}
 STREAM = [2 ** k for k in (12, 14, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28)]
@@ -38,6 +38,8 @@ def run(bench):
     statics = StaticModel(solved[1, 64], machine)
     static_rows = [statics.compared(row) for row in solved.values()]
     write_all(bench, steps, statics, small, step_rows, static_rows)
+    bench.write("voxel-stream", stream, "numbers read and written in place by every rank at once, seconds a sweep; bytes: of one rank", ranks="1 and 2",
+                repetitions=41)
     bench.write("voxel-step-bounds", bounds(bench, steps, machine, [row for row in step_rows if row["ranks"] == 1]), "what bounds a step of a box of cubes on "
                 "one rank, in million cells a second; instructions are counted in the compiled loop")
     draw(bench, step_rows, static_rows, steps.cluster(), statics.cluster())
@@ -55,7 +57,7 @@ def write_all(bench, steps, statics, small, step_rows, static_rows):
     bench.write("voxel-static-ranks", static_rows, "six load cases of PBC to 1e-8, contrast 8; one rank: seconds of the processor, two: of the clock",
                 ranks="1 and 2")
     bench.write("voxel-ranks-constants", [{"constant": k, "value": v} for k, v in {**steps.constants(), **statics.constants()}.items()],
-                "constants of the models, from boxes within the second cache and from 64^3 voxels on one rank")
+                "constants of the models, from boxes of at most 33,000 cells and from 64^3 voxels on one rank")
     bench.write("voxel-step-1000-ranks", steps.cluster(), f"predicted; {assumed}", ranks="10 to 1000")
     bench.write("voxel-static-1000-ranks", statics.cluster(), f"predicted, six load cases of PBC to 1e-8 in {ITERATIONS} iterations each; {assumed}",
                 ranks="10 to 1000")
@@ -83,7 +85,7 @@ def vectors(nx):
 
 
 class StepModel:
-    """Seconds a step: the larger of work and memory, and an exchange of planes that nothing hides. Ranks have layers across y; each also computes
+    """Seconds a step: the larger of work and memory, or their sum where nothing overlaps, and an exchange of planes that nothing hides. Ranks have layers across y; each also computes
     the forces of the layers of its neighbours on its own planes."""
 
     def __init__(self, rows, machine):
@@ -107,14 +109,14 @@ class StepModel:
         work = self.work(nx, ny / ranks, nz, neighbours)
         memory = STEP_BYTES * cells / self.machine.bandwidth(STATE_BYTES * cells, ranks)
         exchange = 2 * self.machine.message(PLANE_BYTES * (nx + 1) * (nz + 1)) + self.machine.message(8) if ranks > 1 else 0.0
-        return {"work_s": work, "memory_s": memory, "exchange_s": exchange, "predicted_s": max(work, memory) + exchange}
+        return {"work_s": work, "memory_s": memory, "exchange_s": exchange, "predicted_s": max(work, memory) + exchange, "sum_s": work + memory + exchange}
 
     def compared(self, row):
         nx, ny, nz, ranks = (int(row[key]) for key in ("nx", "ny", "nz", "ranks"))
         seconds = row["cpu_s"] if ranks == 1 else row["seconds_low"]
         predicted = self.step(nx, ny, nz, ranks)
         return {"edge": nx, "cells": nx * ny * nz, "ranks": ranks, "seconds": seconds, "million_cells_per_s": 1e-6 * nx * ny * nz / seconds, **predicted,
-                "measured_over_predicted": seconds / predicted["predicted_s"]}
+                "measured_over_predicted": seconds / predicted["predicted_s"], "measured_over_sum": seconds / predicted["sum_s"]}
 
     def constants(self):
         return {"step_s_per_vector_of_8": self.best[0], "step_s_per_row": self.best[1], "step_s_per_contact_node": self.best[2],
@@ -146,7 +148,7 @@ class StepModel:
         platen = CLUSTER["latency"] * np.log2(ranks)
         total = max(work, memory) + planes + platen
         alone = self.best[0] * share / LANES
-        return {"work_s": work, "memory_s": memory, "planes_s": planes, "platen_s": platen, "step_s": total, "million_cells_per_s": 1e-6 * share * ranks / total,
+        return {"work_s": work, "memory_s": memory, "planes_s": planes, "platen_s": platen, "step_s": total, "step_s_without_overlap": work + memory + planes + platen, "million_cells_per_s": 1e-6 * share * ranks / total,
                 "efficiency": alone / total, "of_memory_bound": max(alone, memory) / total, "planes_MB_per_rank": sides * nodes * PLANE_BYTES / 1e6}
 
 
@@ -244,7 +246,7 @@ def bounds(bench, steps, machine, rows):
         per_cell = steps.work(n, n, n, 0) / n ** 3
         cached = 1e-6 / (steps.best[0] / LANES)
         found.append({"edge": n, "measured": row["million_cells_per_s"], "arithmetic": 1e3 * LANES / arithmetic, "loads_and_stores": 1e3 * LANES / moves,
-                      "one_vector_within_second_cache": cached, "with_rows_and_contact": 1e-6 / per_cell,
+                      "vectors_alone": cached, "with_rows_and_contact": 1e-6 / per_cell,
                       "memory": 1e-6 * machine.bandwidth(STATE_BYTES * n ** 3) / STEP_BYTES, **{f"{key}_of_8_cells": value for key, value in loop.items()},
                       **{f"{kind}_per_ns": rate for kind, rate in rates.items()}})
     return found
