@@ -11,10 +11,9 @@
  */
 #include "../verification/mesh_sliding.h"
 
-#include "exchange/mesh_datasets.h"
+#include "box_run.h"
 #include "matrix_step.h"
 #include "measuring.h"
-#include "sliding/mesh/box_body.h"
 
 #include <stdexcept>
 #include <string>
@@ -24,62 +23,6 @@ using namespace verification;
 namespace
 {
 constexpr unsigned int repetitions = 9, most_of_mesh = 48;
-
-/** A box on the flat, its cells being @p phases at random. */
-struct BoxRun
-{
-  BoxRun(const unsigned int n,
-         const std::vector<ElasticPhase<3>> &phases,
-         const MPI_Comm communicator)
-    : BoxRun(n, phases, communicator, mesh_of(n, phases.size()))
-  {
-  }
-
-private:
-  static MeshMorphology<3> mesh_of(const unsigned int n, const std::size_t n_phases)
-  {
-    MeshMorphology<3> box;
-    box.box  = BrickBox{{{{n, n, n}}, {{0.1 / n, 0.1 / n, 0.1 / n}}, {}}, {}};
-    box.mesh = mesh_of_cells(box.box->grid);
-    std::mt19937 random(1);
-    for (auto &cell : box.mesh.cells)
-      {
-        cell.material_id = random() % 4 == 0 ? n_phases - 1 : 0;
-        box.phase_id.push_back(static_cast<std::uint8_t>(cell.material_id));
-      }
-    return box;
-  }
-
-  BoxRun(const unsigned int n,
-         const std::vector<ElasticPhase<3>> &phases,
-         const MPI_Comm communicator,
-         MeshMorphology<3> &&box)
-    : contact(mesh_boundary(box.mesh, faces_of_side(box, 4)))
-    , top(mesh_boundary(box.mesh, faces_of_side(box, 5)))
-    , distributed(distribute_body(
-        box, contact.points, {}, phases, InstructionSet::automatic, communicator))
-    , body(*distributed, contact, top, {}, setup_of(n))
-  {
-  }
-
-  SlidingSetup setup_of(const unsigned int n) const
-  {
-    SlidingSetup s;
-    s.contact.friction_coefficient.assign(contact.points.size(), 0.3);
-    s.contact.flat_velocity = LoadHistory(1.);
-    s.top.pressure          = LoadHistory(1e6);
-    s.step.dt               = 1e-7 / n;
-    s.step.beta             = 4.4e-9;
-    s.history_interval      = 0;
-    return s;
-  }
-
-  const MeshBoundary contact, top;
-  const std::unique_ptr<DistributedBody<3>> distributed;
-
-public:
-  SlidingMesh<3> body;
-};
 
 std::vector<ElasticPhase<3>> phases_of(const std::string &kind)
 {
@@ -131,8 +74,8 @@ void run_kind(const std::string &kind, const unsigned int n)
   const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
   std::unique_ptr<BoxRun> all;
   if (ranks > 1)
-    all = std::make_unique<BoxRun>(n, phases, MPI_COMM_WORLD);
-  BoxRun own(n, phases, MPI_COMM_SELF);
+    all = std::make_unique<BoxRun>(cubes({{n, n, n}}), phases, MPI_COMM_WORLD);
+  BoxRun own(cubes({{n, n, n}}), phases, MPI_COMM_SELF);
   std::unique_ptr<MeshRun<3>> mesh;
   std::unique_ptr<MatrixStep<3>> matrix;
   if (rank() == 0)

@@ -27,13 +27,14 @@ def prm(name):
 
 @dataclasses.dataclass
 class Bench:
-    """One call of the benchmarks. `pictures` is where diagrams and CSV go."""
+    """One call of the benchmarks. `pictures` is where diagrams and CSV go, `earlier` the build folder of an earlier commit."""
     runs: str
     programs: str
     pictures: str
     jobs: int
     keep: bool
     quick: bool
+    earlier: str = ""
 
     def study(self, name):
         return Study(os.path.join(self.runs, name), self.programs, jobs=self.jobs, keep=self.keep)

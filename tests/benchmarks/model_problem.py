@@ -73,6 +73,21 @@ def sliding_growth(bench):
                 + conclusions(rows, "frequency_error", "frequency of the growth"), "least cost for a target")
 
 
+def oblique_growth(bench):
+    """The same in three dimensions, of a wave at 45 degrees to the sliding."""
+    sizes = [4, 6, 8] if bench.quick else [4, 6, 8, 10, 14, 20, 28]
+    repetitions = 1
+    choices = [f"{n}:{share}:{beta2}" for n in sizes for share, beta2 in CURVES if n < 28 or (share, beta2) == CURVES[0]]
+    rows = bench.tool("model_problems", "oblique_growth", repetitions, *choices)
+    bench.write("oblique-growth", rows, "growth rate (1/s) and frequency of a wave at 45 degrees, k H = 0.987, mu = 0.4, delta = 1.5 us, beta = 4.4 ns, in a "
+                "box of 9 n x 4.5 n x n cubes; cpu_s: time loop of 0.4 ms", repetitions=repetitions)
+    draw(bench, "oblique-growth", rows, [
+        ("growth_error", "error of the growth rate (%)", "growth rate"),
+        ("frequency_error", "error of the frequency (%)", "frequency")])
+    bench.write("oblique-growth-cheapest", conclusions(rows, "growth_error", "growth rate in 3D")
+                + conclusions(rows, "frequency_error", "frequency of the growth in 3D"), "least cost for a target")
+
+
 def modes(bench):
     """The frequency of a mode seen in five periods, and what the modal analysis says at the same cells."""
     sizes = [8, 16, 32] if bench.quick else [8, 16, 32, 64, 128]

@@ -135,23 +135,24 @@ def start_rows(results, names):
     return found
 
 
+def limit_of(rows, quantity):
+    """value, error, a, b, residual of value + a h^2 + b dt (h in mm, dt in ns): two orders of the bulk, one of the moments at
+    which nodes land and lift off."""
+    terms = np.array([[1, row["h_mm"] ** 2, 1e9 * row["dt_s"]] for row in rows])
+    values = np.array([row[quantity] for row in rows])
+    best, *_ = np.linalg.lstsq(terms, values, rcond=None)
+    rest = values - terms @ best
+    freedom = max(1, len(rows) - 3)
+    covariance = np.linalg.inv(terms.T @ terms) * (rest @ rest) / freedom
+    return {"value": float(best[0]), "standard_error": float(covariance[0, 0] ** 0.5), "per_mm2": float(best[1]), "per_ns": float(best[2]),
+            "rms_residual": float((rest @ rest / freedom) ** 0.5), "runs": len(rows)}
+
+
 def continuum(rows):
-    """{quantity: value, error_95, a, b, residual} of value + a h^2 + b dt (h in mm, dt in ns): two orders of the bulk,
-    one of the moments at which nodes land and lift off."""
+    """{quantity: limit_of()} of the homogeneous runs."""
     used = [row for row in rows if row["material"] == "homogeneous" and row["beta2"] == 0.5
             and row["name"] != "homogeneous-h0.2-beta"]
-    terms = np.array([[1, row["h_mm"] ** 2, 1e9 * row["dt_s"]] for row in used])
-    found = {}
-    for quantity in QUANTITIES:
-        values = np.array([row[quantity] for row in used])
-        best, *_ = np.linalg.lstsq(terms, values, rcond=None)
-        rest = values - terms @ best
-        freedom = max(1, len(used) - 3)
-        covariance = np.linalg.inv(terms.T @ terms) * (rest @ rest) / freedom
-        found[quantity] = {"value": float(best[0]), "standard_error": float(covariance[0, 0] ** 0.5),
-                           "per_mm2": float(best[1]), "per_ns": float(best[2]),
-                           "rms_residual": float((rest @ rest / freedom) ** 0.5), "runs": len(used)}
-    return found
+    return {quantity: limit_of(used, quantity) for quantity in QUANTITIES}
 
 
 def conclusions(rows):

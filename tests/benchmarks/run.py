@@ -12,25 +12,27 @@ import sys
 
 sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [HERE, os.path.join(HERE, "..", "scenes")]
+sys.path[:0] = [HERE, *(os.path.join(HERE, "..", folder) for folder in ("scenes", "verification"))]
 
 from common import TOP, Bench  # noqa: E402
 from study import parse_arguments  # noqa: E402
 
 # Part: its module, in which it is a function of that name or `run`.
-PARTS = {**dict.fromkeys(("modes", "bar", "sliding_growth"), "model_problem"), **{name: name for name in (
-    "stiffness", "localization", "pin", "step_scaling", "static_scaling", "statics", "mesh_statics", "mesh_step", "brick_step", "fitted", "localization_speed", "skips", "two_ranks")}}
+PARTS = {**dict.fromkeys(("modes", "bar", "sliding_growth", "oblique_growth"), "model_problem"), **{name: name for name in (
+    "stiffness", "localization", "pin", "step_scaling", "static_scaling", "statics", "mesh_statics", "mesh_step", "brick_step", "fitted", "localization_speed", "skips", "two_ranks",
+    "voxel_stiffness", "slab", "voxel_cost", "voxel_ranks", "earlier")}}
 
 
 def main():
     def options(parser):
         parser.add_argument("--quick", action="store_true",
                             help="small cases only; the diagrams go beside the runs instead of to doc/performance")
+        parser.add_argument("--earlier", metavar="DIR", help="part earlier: the build folder of an earlier commit")
 
     arguments = parse_arguments(__doc__, "benchmarks", list(PARTS), options)
     runs = os.path.join(arguments.output, "quick") if arguments.quick else arguments.output
     pictures = os.path.join(runs, "diagrams") if arguments.quick else os.path.join(TOP, "doc", "performance")
-    bench = Bench(runs, arguments.programs, pictures, arguments.jobs, arguments.keep, arguments.quick)
+    bench = Bench(runs, arguments.programs, pictures, arguments.jobs, arguments.keep, arguments.quick, arguments.earlier)
     for part in arguments.parts:
         print(f"{part}", file=sys.stderr, flush=True)
         module = importlib.import_module(PARTS[part])

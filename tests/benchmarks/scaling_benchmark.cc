@@ -16,19 +16,31 @@
  *   [mpirun -np n] scaling_benchmark step <cells x>:<cells y>:<steps in flight>...
  *     0 steps in flight: automatic
  *
+ *   [mpirun -np n] scaling_benchmark box <cells x>:<cells y>:<cells z>:<phases>...
+ *     cubes in 3D, of one or two phases
+ *
+ *   scaling_benchmark units fma|add|mixed|load|store|cycle...
+ *     instructions on vectors of 512 bits a nanosecond
+ *
  * A step is that of a body on the flat with contact, friction and damping, without
- * observers. Times are wall-clock: median, lowest and highest of the repetitions.
+ * observers. Times are wall-clock: median, lowest and highest of the repetitions; cpu_s is
+ * the least time of the processor of rank 0.
  */
-#include "../verification/sliding_body.h"
+#include "../verification/mesh_sliding.h"
+#include "box_run.h"
 #include "measuring.h"
+#include "vector_units.h"
 
 #include "grid/halo.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <fstream>
+#include <limits>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -189,6 +201,39 @@ void step(const Sizes &sizes)
   print(what.str(), seconds, 1. / n_steps);
 }
 
+/** Memory is that of all ranks after, beyond what a small box takes. */
+void box(const Sizes &sizes)
+{
+  std::vector<ElasticPhase<3>> phases = two_phases<3>();
+  phases.resize(sizes[3]);
+  const auto make = [&](const std::array<unsigned int, 3> &n) {
+    return std::make_unique<BoxRun>(cubes(n), phases, MPI_COMM_WORLD);
+  };
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  make({{8, 8, 8}})->body.stepper.advance(2);
+  const double before = resident_bytes();
+  const auto run =
+    make({{static_cast<unsigned int>(sizes[0]), static_cast<unsigned int>(sizes[1]),
+           static_cast<unsigned int>(sizes[2])}});
+  const double n_cells       = double(sizes[0]) * sizes[1] * sizes[2];
+  const unsigned int n_steps = std::max(1., std::round(1e6 / n_cells));
+  double cpu                 = std::numeric_limits<double>::infinity();
+  const auto seconds         = mesoslip::measure(
+    [&]() {
+      const std::clock_t begin = std::clock();
+      run->body.stepper.advance(n_steps);
+      cpu = std::min(cpu, double(std::clock() - begin) / CLOCKS_PER_SEC / n_steps);
+    },
+    n_cells > 4e6 ? 9 : repetitions);
+  double bytes = resident_bytes() - before, all = 0.;
+  MPI_Reduce(&bytes, &all, 1, MPI_DOUBLE, MPI_SUM, 0, MPI_COMM_WORLD);
+  std::ostringstream what;
+  what << sizes[0] << ',' << sizes[1] << ',' << sizes[2] << ',' << sizes[3] << ','
+       << ranks << ',' << std::lround(all) << ',' << cpu;
+  print(what.str(), seconds, 1. / n_steps);
+}
+
 Sizes sizes_of(std::string text)
 {
   std::replace(text.begin(), text.end(), ':', ' ');
@@ -213,10 +258,18 @@ int run(const int argc, char **argv)
     {"copy", {"bytes", 1, copy}},
     {"message", {"bytes", 1, message}},
     {"halo", {"bytes", 2, exchange}},
-    {"step", {"nx,ny,in_flight,ranks,bytes", 3, step}}};
+    {"step", {"nx,ny,in_flight,ranks,bytes", 3, step}},
+    {"box", {"nx,ny,nz,phases,ranks,bytes,cpu_s", 4, box}}};
+  if (argc > 2 && std::string(argv[1]) == "units")
+    {
+      std::printf("kind,per_ns\n");
+      for (int k = 2; k < argc; ++k)
+        std::printf("%s,%.6g\n", argv[k], instructions_per_ns(argv[k]));
+      return 0;
+    }
   const auto chosen = benchmarks.find(argc > 2 ? argv[1] : "");
   if (chosen == benchmarks.end())
-    throw std::runtime_error("what? stream, copy, message, halo or step");
+    throw std::runtime_error("what? stream, copy, message, halo, step, box or units");
   const Benchmark &benchmark = chosen->second;
   if (rank() == 0)
     std::printf("%s,seconds,seconds_low,seconds_high\n", benchmark.columns);

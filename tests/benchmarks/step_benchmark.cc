@@ -9,6 +9,7 @@
  * Million cell updates per second of wall-clock time: median [lowest, highest].
  */
 #include "body/grid_body.h"
+#include "body/mesh/mesh_body.h"
 #include "body/mesh/mesh_discretization.h"
 #include "dynamics/explicit_stepper.h"
 #include "grid/halo.h"

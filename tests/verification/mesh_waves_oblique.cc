@@ -2,6 +2,7 @@
 
 #include "../measured.h"
 #include "mesh_layer.h"
+#include "oblique_layer.h"
 
 #include <gtest/gtest.h>
 
@@ -10,92 +11,6 @@ using namespace verification::sliding_layer;
 
 namespace
 {
-constexpr double G = 1900. * c_T * c_T, lambda = 2. / 3. * G;
-
-/** Perturbations exp(i k (x cos t + y sin t) + s t) of the sliding layer: a wave in the
- * vertical plane along the direction t and one of shear across it, which meet in the
- * friction alone. */
-struct ObliqueLayer : Layer
-{
-  double angle         = 0.; ///< t
-  double flat_velocity = 0.; ///< m/s
-
-  double along() const
-  {
-    return std::cos(angle);
-  }
-  double across() const
-  {
-    return std::sin(angle);
-  }
-  /** Stiffness with damping over that without. */
-  Complex softening(const Complex s) const
-  {
-    return 1. + beta * (scheme_dt > 0. ? (1. - std::exp(-s * scheme_dt)) / scheme_dt : s);
-  }
-  /** Friction across the motion of the flat over -u_y: along the slip of the step. */
-  Complex drag(const Complex s) const
-  {
-    const Complex rate = scheme_dt > 0. ? (std::exp(s * scheme_dt) - 1.) / scheme_dt : s;
-    return friction(s) * P / flat_velocity * rate;
-  }
-
-  /** What the two waves have at the flat: forces that are not in balance along x and y. */
-  struct Bottom
-  {
-    std::array<Complex, 2> plane, shear;
-  };
-
-  Bottom bottom(const Complex s) const
-  {
-    const Complex a = decay(s, c_L()), b = decay(s, c_T), Gg = G * softening(s);
-    const Complex ta = std::tanh(a * H), tb = std::tanh(b * H);
-    const double k2 = k() * k();
-    // The wave in the plane is shape(), that across it sinh(b (H - z)) / cosh(b H).
-    const Complex u = I / k() * (k2 * ta / a - b * tb), du = I / k() * (b * b - k2);
-    const Complex squeeze = a * ta - b * tb, dilatation = I * k() * u + squeeze;
-    const Complex pressure = -softening(s) * (lambda * dilatation + 2. * G * squeeze);
-    Bottom found;
-    found.plane = {
-      {along() * Gg * du + friction(s) * pressure, across() * (Gg * du - drag(s) * u)}};
-    found.shear = {{across() * Gg * b, -along() * (Gg * b + drag(s) * tb)}};
-    return found;
-  }
-
-  Complex determinant(const Complex s) const
-  {
-    const Bottom f = bottom(s);
-    return f.plane[0] * f.shear[1] - f.plane[1] * f.shear[0];
-  }
-
-  /** The root near @p s by Newton's method. */
-  Complex root_oblique(Complex s) const
-  {
-    for (unsigned int n = 0; n < 60; ++n)
-      {
-        const double step = 1e-6 * std::abs(s);
-        s -= determinant(s) * 2. * step / (determinant(s + step) - determinant(s - step));
-      }
-    return s;
-  }
-
-  /** The wave and its mirror image in y, which vanish together at walls. */
-  Complex
-  displacement(const Complex s, const dealii::Point<3> &p, const unsigned int c) const
-  {
-    const Complex b     = decay(s, c_T);
-    const Bottom f      = bottom(s);
-    const Complex shear = -f.plane[1] / f.shear[1] * std::sinh(b * (H - p[2])) /
-                          std::cosh(b * H),
-                  plane = shape(s, p[2], 0);
-    const double phase  = k() * across() * p[1];
-    const Complex wave  = std::exp(I * k() * along() * p[0]);
-    return wave * (c == 0   ? (along() * plane - across() * shear) * std::cos(phase)
-                   : c == 1 ? I * (across() * plane + along() * shear) * std::sin(phase)
-                            : shape(s, p[2], 1) * std::cos(phase));
-  }
-};
-
 /** @p n cells over the height; half as many to a length along the flat. */
 MeshCase<3> oblique_case(const ObliqueLayer &layer, const unsigned int n)
 {
