@@ -1,5 +1,6 @@
 """Figures over time, frequency and contact position. Every function takes runs and returns a figure,
-or raises Missing. Colours are those of Okabe and Ito, distinct for the colour-blind."""
+or raises Missing. Colours are those of Okabe and Ito, distinct for the colour-blind. Colours and settings
+are also those of all pictures in doc/."""
 
 import matplotlib
 
@@ -28,6 +29,12 @@ plt.rcParams.update({
 def panels(rows=1, height=3.2, **options):
     figure, axes = plt.subplots(rows, 1, figsize=(WIDTH, height), squeeze=False, **options)
     return figure, axes[:, 0]
+
+
+def lettered(axes):
+    """Panel letters before the titles of axes, for captions to refer to."""
+    for letter, axis in zip("abcdefghijkl", axes):
+        axis.set_title(f"({letter}) {axis.get_title(loc='left')}".rstrip(), loc="left")
 
 
 def colour(runs, run):
@@ -78,7 +85,7 @@ def above(axes, entries=None, columns=3):
 def above_all(figure, entries, columns=3):
     """Legend of `entries` above all panels of a figure; one above an axes would widen its column."""
     columns = legend_columns(entries, columns)
-    height = -(-len(entries) // columns) * 0.26 / figure.get_figheight()
+    height = (-(-len(entries) // columns) * 0.24 + 0.1) / figure.get_figheight()
     figure.legend(handles=entries, loc="upper left", ncol=columns, handlelength=1.6, columnspacing=1.3)
     figure.get_layout_engine().set(rect=(0, 0, 1, 1 - height))
 
