@@ -62,7 +62,7 @@ def wrapped(text, width=120):
 
 def write_page(folder, name, text):
     """A page in doc/ or in a folder of it, with links to the glossary."""
-    text = with_links(wrapped(text), "" if os.path.realpath(folder) == os.path.realpath(DOC) else "../")
+    text = wrapped(with_links(text, "" if os.path.realpath(folder) == os.path.realpath(DOC) else "../", width=10**6))
     with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
         file.write(text)
 
