@@ -88,7 +88,7 @@ def check_told(folder):
     text = folder.read(last).decode()
     folder.write(last, text + prm({"Probes/Further": "far", "Probes/far/Position": "1, 1"}))  # of which no draft knows
     done = run_chain(source, folder("out"), "--jobs", "1")
-    assert done.returncode == 2 and "Probes/far" in done.stdout and "Report so far: " in done.stdout, done.stdout
+    assert done.returncode == 2 and "probe far" in done.stdout and "Report so far: " in done.stdout, done.stdout
     assert os.path.getsize(folder("out", "report.html")) > 1e5 and done.stdout.count(": done in") == 3
     told = {line.split(":")[0]: line for line in lines}
     for name in RUNS:
@@ -98,7 +98,7 @@ def check_told(folder):
         assert 0.5 * found < said < 2 * found, (name, said, found)
     # With the results there the last file is checked as a whole, before it runs.
     done = run_chain(source, folder("out"))
-    assert done.returncode == 2 and done.stdout.count("\n") == 1 and "Probes/far" in done.stdout, done.stdout
+    assert done.returncode == 2 and done.stdout.count("\n") == 1 and "probe far" in done.stdout, done.stdout
     folder.write(last, text)
     again = run_chain(source, folder("out"), "--validate").stdout
     assert again.count("up to date") == 3 and re.search(r"40-stress_localization: valid; \d+ MB of memory, about \d+ s", again), again
