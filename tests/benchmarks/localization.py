@@ -74,7 +74,7 @@ def difference(results, kind, ratio):
 
 
 def draw(bench, rows, kinds):
-    figure, axes = panels(len(kinds) + 1, width=4.8 * (len(kinds) + 1))
+    figure, axes = panels(len(kinds) + 1, width=4.2 * (len(kinds) + 1))
     for panel, kind in zip(axes, kinds):
         own = [row for row in rows if row["kind"] == kind]
         logarithmic(panel, "macroscopic cell size over that of the morphology", "error of the mean von Mises stress (%)",

@@ -54,7 +54,7 @@ def row_of(result, cost, dim, n):
 
 
 def draw(bench, rows):
-    figure, (iterations, time) = panels(2, width=11)
+    figure, (iterations, time) = panels(2)
     iterations.set_xscale("log")
     iterations.set(xlabel="unknowns", ylabel="iterations of a load case, most", title="conjugate gradients with ML, contrast 8")
     logarithmic(time, "unknowns", "seconds", "all load cases of a condition, one rank", percent=False)

@@ -84,7 +84,7 @@ class Model:
 
 
 def draw(bench, rows):
-    figure, axes = panels(2, width=12)
+    figure, axes = panels(2)
     for panel, prefix in zip(axes, ("", "congruent-")):
         logarithmic(panel, "cells", "million cells a second", f"one rank, {'congruent' if prefix else 'shifted'} cells", percent=False)
         for k, kind in enumerate(("quadrilaterals", "triangles", "hexahedra", "tetrahedra")):

@@ -8,6 +8,13 @@ from plots import curve, legend, logarithmic, panels
 # Share of the critical time step and beta2: one curve each.
 CURVES = [(0.95, 0.5), (0.475, 0.5), (0.2375, 0.5), (0.95, 0.6), (0.95, 1.0)]
 
+# A panel of a diagram: error, label of its axis, title and, unless all, its curves.
+SHOWN = {
+    "bar": [("energy_lost", "energy lost (%)", "energy of one impact"),
+            ("contact_time_error", "error of the time of contact (%)", "time of contact")],
+    "growth": [("growth_error", "error of the growth rate (%)", "growth rate"), ("frequency_error", "error of the frequency (%)", "frequency")],
+    "mode": [("frequency_error", "error of the frequency (%)", "frequency"),
+             ("amplitude_lost", "amplitude lost in a period (%)", r"amplitude ($\beta_2$ = 0.5 loses none)", CURVES[3:])]}
 
 # Lowest mode with a horizontal wave, sides u_x = 0, top u_x = 0, bottom u_y = 0 (doc/theory.md, section 10).
 LENGTH, HEIGHT, C_T = 0.024, 0.016, 2560.0
@@ -36,10 +43,10 @@ def draw_curves(axes, rows, error, curves=None):
         curve(axes, k if not curves else CURVES.index((share, beta2)), [row["cpu_s"] for row in own], errors, text)
 
 
-def draw(bench, name, rows, shown):
-    """NAME.svg, a panel for each of `shown`: error, label of its axis, title and, unless all, its curves."""
-    figure, all_axes = panels(len(shown))
-    for axes, (error, text, title, *curves) in zip(all_axes, shown):
+def draw(bench, name, rows):
+    """NAME.svg of SHOWN."""
+    figure, all_axes = panels(len(SHOWN[name]))
+    for axes, (error, text, title, *curves) in zip(all_axes, SHOWN[name]):
         logarithmic(axes, "CPU seconds (time loop)", text, title)
         draw_curves(axes, rows, error, *curves)
         legend(axes)
@@ -55,9 +62,7 @@ def bar(bench):
     """Energy lost in the impact and time of contact."""
     rows = sweep(bench, "bar", [50, 100, 200] if bench.quick else [50, 100, 200, 400, 800], "bar of 10 m with c = 30 m/s hits a rigid "
                  "wall at 10 m/s; energy_lost: share of the energy before; cpu_s: time loop of 2 s")
-    draw(bench, "bar", rows, [
-        ("energy_lost", "energy lost (%)", "energy of one impact"),
-        ("contact_time_error", "error of the time of contact (%)", "time of contact")])
+    draw(bench, "bar", rows)
     bench.write("bar-cheapest", conclusions(rows, "energy_lost", "energy of an impact")
                 + conclusions(rows, "contact_time_error", "time of contact"), "least cost for a target")
 
@@ -66,9 +71,7 @@ def sliding_growth(bench):
     """Growth of a perturbation of steady sliding with the regularized law, against the dispersion relation."""
     rows = sweep(bench, "growth", [20, 40] if bench.quick else [5, 7, 10, 14, 20, 28, 40, 56, 80], "growth rate (1/s) and frequency of the "
                  "fastest wave, k H = 1, mu = 0.25, delta = 1.5 us, beta = 4.4 ns; cpu_s: time loop of 0.4 ms")
-    draw(bench, "growth", rows, [
-        ("growth_error", "error of the growth rate (%)", "growth rate"),
-        ("frequency_error", "error of the frequency (%)", "frequency")])
+    draw(bench, "growth", rows)
     bench.write("growth-cheapest", conclusions(rows, "growth_error", "growth rate")
                 + conclusions(rows, "frequency_error", "frequency of the growth"), "least cost for a target")
 
@@ -94,10 +97,7 @@ def modes(bench):
     rows = sweep(bench, "mode", sizes, "frequency of the slowest shear mode of a 24 x 16 mm rectangle from five periods; cpu_s: time loop "
                  "alone")
     modal_analysis(bench, sizes[:4])
-    damped = [choice for choice in CURVES if choice[1] > 0.5]
-    draw(bench, "mode", rows, [
-        ("frequency_error", "error of the frequency (%)", "frequency"),
-        ("amplitude_lost", "amplitude lost in a period (%)", r"amplitude (nothing is lost with $\beta_2$ = 0.5)", damped)])
+    draw(bench, "mode", rows)
     undamped = [row for row in rows if row["beta2"] == 0.5]
     bench.write("mode-cheapest", conclusions(undamped, "frequency_error", "frequency"), "least cost for a target, without loss of amplitude")
 

@@ -17,6 +17,7 @@ BLOCKS = 4
 PRESSURE, VELOCITY, WIDTH = FROM_REST["Top/Pressure"], 2.0, 0.056
 SEEDS = (1, 2, 3)
 FULL = {"homogeneous": (0.4, 0.2, 0.1, 0.05), "heterogeneous": (0.1,)}
+HISTORY = "pin-history"
 RAMPS = (1e-5, 2e-5, 5e-5, 1e-4)  # s, of the pressure: other starts of the same motion
 
 
@@ -72,7 +73,10 @@ def run(bench):
                 "homogeneous pin with h, dt -> 0: least squares of value + a h^2 + b dt over all runs with beta2 = 1/2")
     bench.write("pin-cheapest", conclusions(rows), "least cost for a target; errors of the homogeneous model's own limit")
     pin_diagrams.errors(bench, rows)
-    pin_diagrams.history(bench, {name: history(results[name].folder) for name in chosen | others})
+    histories = {name: history(results[name].folder) for name in chosen | others}
+    bench.write(HISTORY, [{"name": name, "time_ms": t, "mu_inter": mu} for name, found in histories.items() for t, mu in zip(*found)],
+                "mu_inter in blocks of 50 microseconds")
+    pin_diagrams.history(bench, histories)
     if not bench.quick:
         bench.write("pin-starts", start_rows(results, ["homogeneous-h0.2", *others]), "the same pin, the pressure growing "
                     "linearly at the start: mu_inter of the last beat, 2.75 to 3 ms, and when it first fell below 0.21")
@@ -123,6 +127,12 @@ def history(folder):
         mu = friction_blocks(file, 5e-6, END, 60)
     edges = np.linspace(5e-6, END, 61)
     return 1e3 * 0.5 * (edges[1:] + edges[:-1]), mu
+
+
+def kept_history(rows):
+    """{name: (ms, mu_inter)} of pin-history.csv."""
+    return {name: np.array([[row["time_ms"], row["mu_inter"]] for row in rows if row["name"] == name]).T
+            for name in dict.fromkeys(row["name"] for row in rows)}
 
 
 def start_rows(results, names):

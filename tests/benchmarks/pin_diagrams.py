@@ -23,7 +23,7 @@ def curves(rows):
 
 def errors(bench, rows):
     """Errors of the three quantities over CPU seconds, with the scatter of blocks of time."""
-    figure, axes = panels(3, width=15)
+    figure, axes = panels(3, width=12.6)
     for panel, (quantity, title) in zip(axes, TITLES.items()):
         logarithmic(panel, "CPU seconds (program, 3 ms)", "error (%)", title)
         smallest = min(100 * abs(row[quantity + "_error"]) for row in rows if row["material"] == "homogeneous")
@@ -60,11 +60,11 @@ def history(bench, found):
 
 def homogenization(bench, rows):
     """The three quantities over CPU seconds, homogeneous and heterogeneous."""
-    figure, axes = panels(3, width=15)
+    figure, axes = panels(3, width=12.6)
     plain = [row for row in rows if row["name"] == f"homogeneous-h{row['h_mm']:g}"]
     direct = [row for row in rows if row["material"] == "heterogeneous"]
     for panel, (quantity, title) in zip(axes, TITLES.items()):
-        scale, unit = (1e-3, " in kHz") if quantity == "frequency_Hz" else (1.0, "")
+        scale, unit = (1e-3, " (kHz)") if quantity == "frequency_Hz" else (1.0, "")
         panel.set(xscale="log", xlabel="CPU seconds (program, 3 ms)", ylabel=title + unit)
         panel.margins(x=0.25)
         draw_values(panel, plain, quantity, scale, 0, "homogeneous, h in mm as written", "{h_mm:g}", below=True)

@@ -1,7 +1,8 @@
-"""Work-precision diagrams: error against seconds, logarithmic, one curve a choice."""
+"""Work-precision diagrams: error against seconds, logarithmic, one curve for each choice. Colours and settings are those of the report."""
 
 import os
 import sys
+import textwrap
 
 import numpy as np
 
@@ -28,17 +29,28 @@ class PlainLogFormatter(LogFormatter):
 
 
 def panels(columns, width=None, height=5.3, **options):
-    figure, axes = plt.subplots(1, columns, figsize=(width or (6.4 if columns == 1 else 5.2 * columns), height),
+    figure, axes = plt.subplots(1, columns, figsize=(width or (6.8 if columns == 1 else 4.6 * columns), height),
                                 squeeze=False, **options)
     return figure, axes[0]
 
 
+def plain(value, _=None):
+    """10^6 where digits would be many, 0.02 instead of 2e-02."""
+    power = np.log10(value) if value > 0 else 0.0
+    return f"$10^{{{power:.0f}}}$" if abs(power) > 3.5 and abs(power - round(power)) < 1e-9 else f"{value:g}"
+
+
+def wrapped(label, width=32):
+    """A label of an axis in lines that are shorter than the axis."""
+    return textwrap.fill(label, width)
+
+
 def logarithmic(axes, xlabel, ylabel, title=None, percent=True):
     """Both axes logarithmic; with errors in percent the two targets are marked."""
-    axes.set(xscale="log", yscale="log", xlabel=xlabel, ylabel=ylabel)
+    axes.set(xscale="log", yscale="log", xlabel=wrapped(xlabel, 40), ylabel=wrapped(ylabel))
     axes.grid(True, which="major")
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.set_major_formatter(FuncFormatter(plain))
         axis.set_minor_formatter(PlainLogFormatter(labelOnlyBase=False, minor_thresholds=(1.2, 0.5)))
     if title:
         axes.set_title(title, loc="left")
@@ -60,7 +72,7 @@ def curve(axes, index, x, y, label, low_high=None, **style):
 
 
 def legend(axes, columns=1, **options):
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.15), ncol=columns, borderaxespad=0.2, handlelength=1.8,
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncol=columns, borderaxespad=0.2, handlelength=1.8,
                 columnspacing=1.2, **options)
 
 

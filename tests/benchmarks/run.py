@@ -3,7 +3,8 @@
     ./run.sh benchmarks [part...] [--quick]
 
 Every diagram has a CSV beside it, which names machine, compiler, instruction set, ranks and repetitions. Costs are
-CPU seconds (user and system) of whole programs or of the time loop, as the headings say.
+CPU seconds (user and system) of whole programs or of the time loop, as the headings say. The part `pictures` only redraws
+the diagrams from the CSV.
 """
 
 import importlib
@@ -21,6 +22,7 @@ from study import parse_arguments  # noqa: E402
 PARTS = {**dict.fromkeys(("modes", "bar", "sliding_growth", "oblique_growth"), "model_problem"), **{name: name for name in (
     "stiffness", "localization", "pin", "step_scaling", "static_scaling", "statics", "mesh_statics", "mesh_step", "brick_step", "fitted", "localization_speed", "skips", "two_ranks",
     "voxel_stiffness", "slab", "voxel_cost", "voxel_ranks", "earlier")}}
+ON_REQUEST = {"pictures": "redraw"}
 
 
 def main():
@@ -29,13 +31,13 @@ def main():
                             help="small cases only; the diagrams go beside the runs instead of to doc/performance")
         parser.add_argument("--earlier", metavar="DIR", help="part earlier: the build folder of an earlier commit")
 
-    arguments = parse_arguments(__doc__, "benchmarks", list(PARTS), options)
+    arguments = parse_arguments(__doc__, "benchmarks", list(PARTS), options, tuple(ON_REQUEST))
     runs = os.path.join(arguments.output, "quick") if arguments.quick else arguments.output
     pictures = os.path.join(runs, "diagrams") if arguments.quick else os.path.join(TOP, "doc", "performance")
     bench = Bench(runs, arguments.programs, pictures, arguments.jobs, arguments.keep, arguments.quick, arguments.earlier)
     for part in arguments.parts:
         print(f"{part}", file=sys.stderr, flush=True)
-        module = importlib.import_module(PARTS[part])
+        module = importlib.import_module({**PARTS, **ON_REQUEST}[part])
         getattr(module, part, getattr(module, "run", None))(bench)
     print(f"diagrams in {os.path.relpath(pictures)}")
 

@@ -67,7 +67,7 @@ def predict(rows):
 
 
 def draw(bench, rows):
-    figure, (time, memory) = panels(2, width=11)
+    figure, (time, memory) = panels(2)
     cells = [row["cells"] for row in rows]
     logarithmic(time, "cells", "CPU seconds of three load cases", "KUBC to 1e-8, one rank", percent=False)
     curve(time, 0, cells[1:], [row["seconds"] for row in rows[1:]], "measured", ls="")
@@ -75,7 +75,7 @@ def draw(bench, rows):
     for row in rows[1:]:
         time.annotate(f"{row['iterations']:.0f} iterations", (row["cells"], row["seconds"]), xytext=(6, -10),
                       textcoords="offset points", fontsize=8.5)
-    logarithmic(memory, "cells", "peak memory in MB", "whole program", percent=False)
+    logarithmic(memory, "cells", "peak memory (MB)", "whole program", percent=False)
     curve(memory, 0, cells, [row["peak_memory_bytes"] / 1e6 for row in rows], "measured", ls="")
     curve(memory, 0, cells, [row["predicted_memory_bytes"] / 1e6 for row in rows], "predicted", marker="")
     for axes in (time, memory):

@@ -5,7 +5,7 @@ import os
 
 from common import add_repeated, cpu_seconds, prm, repeated, require_ended
 from fits import median, spread
-from plots import curve, legend, panels
+from plots import curve, legend, panels, wrapped
 
 CELL = 1e-4  # m
 PIN = (560, 160)
@@ -74,9 +74,9 @@ def mean_iterations(row, condition):
 
 
 def draw(bench, rows):
-    figure, (cells, contrast) = panels(2, width=11)
+    figure, (cells, contrast) = panels(2)
     for axes, kind, x in ((cells, "cells-", lambda row: row["nx"] * row["ny"]), (contrast, "contrast-", lambda row: row["contrast"])):
-        axes.set(xscale="log", xlabel=kind[:-1], ylabel="iterations a load case to 1e-8, mean of three")
+        axes.set(xscale="log", xlabel=kind[:-1], ylabel=wrapped("iterations of a load case to $10^{-8}$, mean of three"))
         axes.grid(True)
         for k, condition in enumerate(ALL):
             for prefix, style in (("", {}), ("odd-", {"ls": "", "mfc": "none"})):
@@ -87,7 +87,7 @@ def draw(bench, rows):
                       condition + (", odd size" if prefix else ""), **style)
         axes.margins(y=0.1)
         axes.set_ylim(bottom=0)
-        legend(axes, 3)
+        legend(axes, 2)
     cells.set_title("contrast 8", loc="left")
     contrast.set_title(f"{PIN[0]} x {PIN[1]} cells", loc="left")
     bench.draw("statics", figure)

@@ -119,12 +119,12 @@ class Model:
 
 
 def draw(bench, rows, stream, messages, halos):
-    figure, (cells, two, machine) = panels(3, width=15.5)
-    logarithmic(cells, "cells", "ns a cell and step (fastest of the repetitions)", "one rank", percent=False)
+    figure, (cells, two, machine) = panels(3, width=12.6)
+    logarithmic(cells, "cells", "time per cell and step, fastest repetition (ns)", "one rank", percent=False)
     draw_sweeps(cells, [r for r in rows if r["ranks"] == 1])
-    logarithmic(two, "cells", "ns a cell and step (fastest of the repetitions)", "two ranks", percent=False)
+    logarithmic(two, "cells", "time per cell and step, fastest repetition (ns)", "two ranks", percent=False)
     draw_sweeps(two, [r for r in rows if r["ranks"] == 2])
-    logarithmic(machine, "bytes", "GB/s", "what the model knows of the machine", percent=False)
+    logarithmic(machine, "size (bytes)", "rate (GB/s)", "measured of the machine", percent=False)
     for ranks in (1, 2):
         own = [r for r in stream if r["ranks"] == ranks]
         curve(machine, ranks - 1, [r["bytes"] for r in own], [2e-9 * r["bytes"] / r["seconds_low"] for r in own],

@@ -89,7 +89,7 @@ def tolerance_rows(results, solvers, tolerances):
 
 
 def draw(bench, grids, solves):
-    figure, (space, cost, solver) = panels(3, width=14.5)
+    figure, (space, cost, solver) = panels(3, width=12.6)
     logarithmic(space, "cell size (mm)", "largest error of D11, D22, D33 (%)", "by cells")
     logarithmic(cost, "CPU seconds (program, three load cases)", "largest error of D11, D22, D33 (%)", "by time")
     for k, condition in enumerate(CONDITIONS):

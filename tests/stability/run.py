@@ -1,5 +1,6 @@
 """Stability under stress: time steps around the limit, settings far beyond the paper's, a million steps, refinement with
-and without regularization, sensitivity. Leaves tables and pictures in doc/stability."""
+and without regularization, sensitivity. Leaves tables and pictures in doc/stability. The part `pictures` only redraws the
+pictures from the tables that are there."""
 
 import os
 import sys
@@ -8,6 +9,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
 sys.path[:0] = [HERE, os.path.join(TOP, "tests", "scenes"), os.path.join(TOP, "applications", "tools", "studies")]
 
+import redraw  # noqa: E402
 import sections  # noqa: E402
 from pages import Page  # noqa: E402
 from study import Study, parse_arguments  # noqa: E402
@@ -24,9 +26,13 @@ put in. A short form of the first three parts is a test (`verification/stability
 
 
 def main():
-    arguments = parse_arguments(__doc__, "stability", list(PARTS))
+    arguments = parse_arguments(__doc__, "stability", list(PARTS), on_request=("pictures",))
+    doc = os.path.join(TOP, "doc", "stability")
+    if arguments.parts == ["pictures"]:
+        redraw.pictures(doc)
+        return 0
     study = Study(arguments.output, arguments.programs, arguments.jobs, arguments.keep)
-    page = Page(os.path.join(TOP, "doc", "stability"), os.path.join(arguments.output, "page"))
+    page = Page(doc, os.path.join(arguments.output, "page"))
     wrong = []
     for part in arguments.parts:
         verdicts, findings = PARTS[part](study, page)

@@ -4,6 +4,7 @@ import limit
 import long_runs
 import numpy as np
 import plots
+import redraw
 import refinement
 import sensitivity
 import stress
@@ -11,7 +12,7 @@ from pages import number, save_picture, table, write_csv
 
 
 def picture(page, name, figure):
-    save_picture(figure, page.folder, name, colours=48, dpi=90, bbox_inches="tight")
+    save_picture(figure, page.folder, name, colours=64, dpi=100)
 
 
 def span(values):
@@ -22,7 +23,7 @@ def span(values):
 
 def limit_part(study, page):
     sweep, limits = limit.sweep(study), limit.bisect(study)
-    picture(page, "time_step.png", plots.time_step(sweep, limits))
+    picture(page, "time_step.png", plots.time_step({case: verdict.outcome for case, verdict in sweep.items()}, limits))
     headings = ["body", "beta2 [-]", "beta [s]", "predicted [s]", "largest stable [s]", "smallest unstable [s]", "observed / predicted [-]",
                 "observed / exact, as held [-]"]
     write_csv(page.folder, "time_step.csv", headings, [[x.body, x.beta2, x.beta, x.predicted, x.low * x.predicted, x.high * x.predicted, x.observed,
@@ -59,9 +60,9 @@ square of the number of rows.
 
 ![time step](time_step.png)
 
-Upper: the homogeneous pin without damping, time steps from 0.5 to 1.1 of the critical one. Below the limit the body never holds more than what was
+(a) The homogeneous pin without damping, time steps from 0.5 to 1.1 of the critical one. Below the limit the body never holds more than what was
 put in (largest ratio {max(v.growth for v in stable):.6f}) and the balance closes to {max(v.residual for v in stable):.1e}; all runs above it are stopped, after
-{min(v.step for v in sweep.values() if v.step)} to {max(v.step for v in sweep.values() if v.step)} steps. Lower: the last intervals of the bisections, in the colours of
+{min(v.step for v in sweep.values() if v.step)} to {max(v.step for v in sweep.values() if v.step)} steps. (b) The last intervals of the bisections, in the colours of
 beta2; within a body beta grows downwards, and beta2 for each beta.
 Data: [time_step.csv](time_step.csv), [time_step_sweep.csv](time_step_sweep.csv).
 """)
@@ -73,7 +74,7 @@ Data: [time_step.csv](time_step.csv), [time_step_sweep.csv](time_step_sweep.csv)
 
 def stress_part(study, page):
     verdicts = stress.run(study)
-    picture(page, "energy.png", plots.energy_residuals(verdicts))
+    picture(page, "energy.png", plots.energy_residuals([(group, v.outcome, v.residual) for (group, _), v in verdicts.items()]))
     write_csv(page.folder, "stress.csv", ["group", "value", "unit", "outcome", "energy balance error [-]", "largest energy / put in [-]", "whole contact opened [-]",
                             "mu_inter [-]", "slip share [-]", "stick share [-]", "separated share [-]", "message"],
              [[group, value, unit, v.outcome, v.residual, v.growth, v.openings, v.summary.get("global_interface_friction_coefficient"),
@@ -116,7 +117,8 @@ Error of the energy balance over the largest energy, one dot a run. Data: [stres
 def long_part(study, page):
     found = long_runs.run(study)
     curves = {case: long_runs.drift(folder) for case, (_, folder) in found.items()}
-    picture(page, "million_steps.png", plots.drift(curves))
+    shown = redraw.keep_drift(page.folder, curves)
+    picture(page, "million_steps.png", plots.drift(shown))
     bounce = max(curves, key=lambda case: curves[case][1].max())
     travelled = long_runs.travel(found[bounce][1])
     headings = ["case", "error of the balance after 1e3", "1e4", "1e5", "1e6 steps", "slip share", "separated share"]
@@ -138,7 +140,7 @@ strains are differences of ever larger displacements, so that digits go.
 
 ![million steps](million_steps.png)
 
-Data: [million_steps.csv](million_steps.csv).
+Data: [million_steps.csv](million_steps.csv), over time [million_steps_drift.csv](million_steps_drift.csv).
 """)
     return [verdict for verdict, _ in found.values()], []
 
@@ -155,7 +157,8 @@ def refinement_part(study, page):
     nodes = {case: refinement.Node(result) for case, result in refinement.run(
         study, refinement.CELLS_MM, refinement.END, refinement.STEADY).items()}
     numbers = {case: node.numbers() for case, node in nodes.items()}
-    picture(page, "figure_5.png", plots.figure_five({(d, h): node for (b, d, h), node in nodes.items() if b > 0}))
+    figure_five = redraw.keep_figure_five(page.folder, {(d, h): node for (b, d, h), node in nodes.items() if b > 0})
+    picture(page, "figure_5.png", plots.figure_five(figure_five))
     picture(page, "refinement.png", plots.refinement_numbers(numbers))
     names = list(next(iter(numbers.values())))
     rows = [[f"{beta * 1e9:g}", f"{delta * 1e9:g}", f"{h:g}"] + list(values.values()) for (beta, delta, h), values in numbers.items()]
@@ -175,7 +178,7 @@ def refinement_part(study, page):
     page.text("refinement", REFINEMENT.format(
         numbers=table(["beta (ns)", "delta (ns)", "h (mm)"] + names, rows), changes=table([""] + names, changes), rates=rates,
         late=table(["beta (ns)", "delta (ns)", "h (mm)"] + late_names, late_rows),
-        late_steady=refinement.LONG_STEADY * 1e3, late_end=refinement.LONG_END * 1e3, steady=refinement.STEADY * 1e3, end=refinement.END * 1e3, last=plots.LAST * 1e3,
+        late_steady=refinement.LONG_STEADY * 1e3, late_end=refinement.LONG_END * 1e3, steady=refinement.STEADY * 1e3, end=refinement.END * 1e3, last=plots.LAST * 1e3, cycles=plots.LAST_CYCLES * 1e3, finer=plots.CYCLES_UP_TO,
         mu=", ".join(f"{row['mu_inter']:.3f}" for row in bare),
         fast=", ".join(f"{row['share of v_x above 400 kHz']:.2f}" for row in bare)))
     return [], []
@@ -194,7 +197,8 @@ Change from the second finest to the finest cells:
 
 ![figure 5](figure_5.png)
 
-The form of the paper's figure 5, beta = 4.4 ns: path and phase diagram (last {last:g} ms) and spectrum of the middle contact node.
+The form of the paper's figure 5, beta = 4.4 ns, of the middle contact node: u_x over the last {last:g} ms (a, b), phase diagrams of the last {cycles:g} ms on cells of
+{finer:g} mm and less (c, d), and spectrum of u_x (e, f).
 
 ![refinement](refinement.png)
 
@@ -219,7 +223,7 @@ The first {end:g} ms, as in the paper's figure 5, are a transient. The same from
 
 Finer cells and time steps in the limit cycle, extrapolated: [work and precision](../performance/work_precision.md).
 
-Data: [refinement.csv](refinement.csv), [refinement_long.csv](refinement_long.csv).
+Data: [refinement.csv](refinement.csv), [refinement_long.csv](refinement_long.csv), [figure_5.csv](figure_5.csv), [figure_5_spectrum.csv](figure_5_spectrum.csv).
 """
 
 

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """The page of the verification problems: runs the tests that hold them, collects what they measured, and writes
-doc/verification.md with a table, a picture of convergence and a CSV. A test that fails stops it."""
+doc/verification.md with a table, a picture of convergence and a CSV. A test that fails stops it. The part `pictures` only
+redraws the picture from the CSV."""
 
+import csv
 import json
 import os
 import subprocess
@@ -17,12 +19,14 @@ import mesh_pin  # noqa: E402
 import numpy as np  # noqa: E402
 import problems  # noqa: E402
 from figures import RUN_COLOURS, plt  # noqa: E402  (figures chooses the backend)
-from pages import number, table, write_csv, write_page  # noqa: E402
+from pages import number, save_picture, table, write_csv, write_page  # noqa: E402
 from study import Study, parse_arguments  # noqa: E402
 
 EXECUTABLES = ("unit_brick", "unit_contact", "unit_elasticity", "unit_localization", "unit_voxel_solver", "verification_complex_modes",
                "verification_dynamics", "verification_homogenization", "verification_mesh_sliding", "verification_mesh_statics",
                "verification_mesh_volume", "verification_mesh_waves", "verification_sliding", "verification_statics")
+
+MARKS = (("o", "-"), ("s", "--"), ("^", "-."))  # a round of colours each
 
 
 class Measured:
@@ -78,25 +82,37 @@ def observed(measured, tests):
     return "<br>".join(orders + numbers) or "holds"
 
 
-def convergence(measured, path):
-    """Errors over refinement, a panel for each expected order; dotted: that order, through the coarsest grid of the series."""
-    figure, axes = plt.subplots(1, len(problems.ORDERS), figsize=(11.5, 7.4), width_ratios=(1.2, 1.2, 0.8))
-    styles = [(tint, line) for line in ("o-", "s--") for tint in RUN_COLOURS]
-    for axis, (order, names) in zip(axes, problems.ORDERS.items()):
-        shown = [(name, values) for (_, name), values in measured.series.items() if name in names]
-        for (name, values), (tint, line) in zip(shown, styles):
-            sizes, errors = (np.array(x) for x in zip(*sorted(values.items())))
+def convergence(series, path):
+    """Errors over refinement, a panel for each expected order; dotted: that order, through the coarsest grid of the series.
+    `series` {name: {size: error}}."""
+    figure, axes = plt.subplots(2, len(problems.ORDERS), figsize=(9.0, 8.4), width_ratios=(1.2, 1.2, 0.6), height_ratios=(2, 1), sharey="row")
+    for letter, (column, (order, names)) in zip("abc", enumerate(problems.ORDERS.items())):
+        axis, below = axes[:, column]
+        shown = [name for name in series if name in names]
+        for k, name in enumerate(shown):
+            sizes, errors = (np.array(x) for x in zip(*sorted(series[name].items())))
             times = sizes / sizes[0]
-            axis.loglog(times, errors, line, color=tint, label=name, markersize=4, linewidth=1.1)
+            mark, line = MARKS[k // len(RUN_COLOURS) % len(MARKS)]
+            axis.loglog(times, errors, marker=mark, ls=line, color=RUN_COLOURS[k % len(RUN_COLOURS)], label=name, markersize=5)
             axis.loglog(times, errors[0] * times**-order, ":", color="black", linewidth=1.0)
-        axis.set(title=f"expected order {order:g}", xlabel="refinement (times)", xticks=(1, 2, 4, 8), xticklabels=("1", "2", "4", "8"))
-        low, high = axis.get_ylim()
-        axis.set_ylim(10 ** np.floor(np.log10(low)), 10 ** np.ceil(np.log10(high)))
+        axis.set(xlabel="refinement (times)", xticks=(1, 2, 4, 8), xticklabels=("1", "2", "4", "8"), xlim=(0.9, 9))
+        axis.set_title(f"({letter}) order {order:g}", loc="left")
         axis.minorticks_off()
-        axis.legend(fontsize=10, loc="upper center", bbox_to_anchor=(0.5, -0.15), ncol=1)
-    axes[0].set_ylabel("relative error")
-    os.makedirs(os.path.dirname(path), exist_ok=True)
-    figure.savefig(path, dpi=90, bbox_inches="tight")
+        below.axis("off")
+        below.legend(*axis.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(-0.15, 1.0), fontsize=9.5, borderaxespad=0)
+    low, high = axes[0, 0].get_ylim()
+    axes[0, 0].set_ylim(10 ** np.floor(np.log10(low)), 10 ** np.ceil(np.log10(high)))
+    axes[0, 0].set_ylabel("relative error")
+    save_picture(figure, os.path.dirname(path), os.path.basename(path), colours=64, dpi=100)
+
+
+def kept_series(folder):
+    """What write() left in convergence.csv."""
+    series = {}
+    with open(os.path.join(folder, "convergence.csv"), encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            series.setdefault(row["series"], {})[float(row["size [-]"])] = float(row["error [-]"])
+    return series
 
 
 def check_names(folder):
@@ -108,7 +124,7 @@ def check_names(folder):
 
 def write(measured, pin):
     doc = os.path.join(TOP, "doc")
-    convergence(measured, os.path.join(doc, "verification", "convergence.png"))
+    convergence({name: values for (_, name), values in measured.series.items()}, os.path.join(doc, "verification", "convergence.png"))
     write_csv(os.path.join(doc, "verification"), "convergence.csv", ["test", "series", "size [-]", "error [-]"],
               [[test, series, number(size, 6), number(value, 6)] for (test, series), values in measured.series.items()
                for size, value in sorted(values.items())])
@@ -124,7 +140,11 @@ def write(measured, pin):
 
 
 def main():
-    arguments = parse_arguments(__doc__, "verification", ["page"])
+    arguments = parse_arguments(__doc__, "verification", ["page"], on_request=("pictures",))
+    if arguments.parts == ["pictures"]:
+        folder = os.path.join(TOP, "doc", "verification")
+        convergence(kept_series(folder), os.path.join(folder, "convergence.png"))
+        return
     build = os.path.dirname(os.path.abspath(arguments.programs))
     subprocess.run(["cmake", "--build", build, "--target", *EXECUTABLES], stdout=subprocess.DEVNULL, check=True)
     tests = os.path.join(build, "tests")

@@ -2,7 +2,8 @@
 
 The check goes on in a folder of links to the inputs, where each step has the results of those before it: the finished ones, or
 a draft of rve.h5 that `rve_homogenization --validate --draft` writes. So contact_dynamics knows grid and phases of a volume that has not
-been computed. A step that reads what no draft can tell has its keys and values checked, and the names of the files that it reads.
+been computed. A step that reads what no draft can tell has its keys and values checked, the names of the files that it reads, and against
+the parameters of the steps before it (`reads_run.py`) its window, probes and concentration tensors.
 """
 
 import os
@@ -11,6 +12,7 @@ import shutil
 import signal
 import subprocess
 
+from chain import reads_run
 from chain.inputs import ChainError, output_named, settings, values
 from chain.runner import STOPPING
 from chain.speed import measure
@@ -119,7 +121,10 @@ class Plan:
             for value in values(step.prm):
                 if value.endswith(".h5") and value not in missing and not os.path.exists(os.path.join(self.folder, value)):
                     raise ChainError(f"{step.name}.prm: there is no file {value}, and no step before makes it")
-            self._ask(step, "--print-parameters")
+            own = reads_run.parameters(self._ask(step, "--print-parameters"))
+            if step.program.endswith("stress_localization"):
+                others = {need.name: reads_run.parameters(self._ask(need, "--print-parameters")) for need in step.needs}
+                reads_run.check(step, own, others, self.folder)
             return Estimate(), [f"the rest is checked when it runs, as it reads {', '.join(missing)}"]
         words = ["--validate", "--output", output]
         if step.program.endswith("rve_homogenization"):

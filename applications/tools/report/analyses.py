@@ -2,11 +2,16 @@
 
 import numpy as np
 
+import mode_shapes
 from data import Missing
-from figures import BLUE, GREY, LENGTHS, ORANGE, STRESSES, WIDTH, above, panels, plt, scaled
+from figures import BLUE, LENGTHS, ORANGE, STRESSES, above, panels, scaled
 from page import escape, number, quantity, table
 
-BOTTOMS = [("free", "bottom free"), ("held", "bottom held in y")]
+
+
+def bottoms(run):
+    """(name in files, title) of the two boundary conditions of modes."""
+    return [("free", "bottom free"), ("held", f"bottom held in {'z' if run.is_solid() else 'y'}")]
 
 
 def modes(page, run):
@@ -16,48 +21,21 @@ def modes(page, run):
     cases = {name: values for name, values in cases.items() if isinstance(values, list) and values}
     if not cases:
         raise Missing(f"the summary of {run.name} holds no frequencies")
-    titles = dict(BOTTOMS)
+    titles = dict(bottoms(run))
     rows = [[str(k + 1), *(quantity(float(values[k]), "Hz") if k < len(values) else "–" for values in cases.values())]
             for k in range(max(len(values) for values in cases.values()))]
     html = f"<h3>{escape(run.name)}</h3>" + table(["mode", *(titles.get(name, escape(name)) for name in cases)], rows)
     if run.members("/modes"):
-        html += page.figure(mode_shapes(run), f"Lowest modes of {escape(run.name)}: the deformed body, coloured by the "
-                            "amplitude (blue: at rest, yellow: largest); the outline is the body at rest.")
+        html += page.figure(shapes_of_modes(run), f"Lowest modes of {escape(run.name)}: {mode_shapes.caption(run)}")
     return html
 
 
-def mode_shapes(run, shown=3):
-    extent = run.extent()
-    found = [(title, run.get(f"/modes/{name}/shape"), run.get(f"/modes/{name}/frequency")) for name, title in BOTTOMS]
-    found = [case for case in found if case[1] is not None and case[1].ndim == 4 and len(case[1])]
-    if not found or extent is None:
+def shapes_of_modes(run):
+    found = [(title, run.get(f"/modes/{name}/shape"), run.get(f"/modes/{name}/frequency")) for name, title in bottoms(run)]
+    found = [case for case in found if case[1] is not None and case[1].ndim > 2 and len(case[1])]
+    if not found:
         raise Missing(f"{run.name} holds no shapes of modes")
-    rows = min(shown, max(len(shape) for _, shape, _ in found))
-    ratio = (extent[3] - extent[2]) / (extent[1] - extent[0])
-    figure, axes = plt.subplots(rows, len(found), figsize=(WIDTH, rows * (0.35 + 1.15 * ratio * WIDTH / len(found)) + 0.4),
-                                squeeze=False)
-    for column, (title, shapes, frequencies) in zip(axes.T, found):
-        for k, axis in enumerate(column):
-            axis.axis("off")
-            if k < len(shapes):
-                _draw_shape(axis, shapes[k], extent)
-                axis.set_title(f"{title}: {1e-3 * frequencies[k]:.2f} kHz", fontsize=10, loc="left")
-    return figure
-
-
-def _draw_shape(axis, shape, extent, lines=60):
-    """One mode; at most about `lines` nodes a side are drawn."""
-    step = max(1, max(shape.shape[:2]) // lines)
-    pick = [np.unique(np.append(np.arange(0, n, step), n - 1)) for n in shape.shape[:2]]
-    u = shape[np.ix_(*pick)]
-    x = extent[0] + (extent[1] - extent[0]) * pick[1] / (shape.shape[1] - 1)
-    y = extent[2] + (extent[3] - extent[2]) * pick[0] / (shape.shape[0] - 1)
-    size = np.linalg.norm(u, axis=-1)
-    scale = 0.07 * (extent[1] - extent[0]) / (size.max() or 1.0)
-    x, y = np.meshgrid(x, y)
-    axis.pcolormesh(x + scale * u[..., 0], y + scale * u[..., 1], size, shading="gouraud", cmap="viridis", rasterized=True)
-    axis.plot([extent[i] for i in (0, 1, 1, 0, 0)], [extent[i] for i in (2, 2, 3, 3, 2)], color=GREY, lw=0.8, ls=":")
-    axis.set_aspect("equal")
+    return mode_shapes.figure(run, [([f"{title}: {1e-3 * f:.2f} kHz" for f in frequencies], shapes) for title, shapes, frequencies in found])
 
 
 def static_contact(page, run):

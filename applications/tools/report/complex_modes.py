@@ -5,6 +5,7 @@ import os
 
 import numpy as np
 
+import mode_shapes
 from data import Missing
 from figures import BLUE, GREY, ORANGE, panels
 from page import escape, number, quantity, table
@@ -34,6 +35,8 @@ def complex_modes(page, run):
         html += f"<p>The contact that slides: {shares}. Motion: share of the mean square motion of the contact along the flat.</p>"
     if modes:
         html += page.figure(spectrum(modes), f"Modes of steady sliding of {escape(run.name)}: growth rate over frequency.")
+    if run.members("/complex_modes"):
+        html += page.figure(shapes(run), f"Fastest growing modes of {escape(run.name)} at the phase with the most in the real part: {mode_shapes.caption(run)}")
     if isinstance(run.summary.get("sweep"), list):
         html += page.figure(sweep(run), f"Frequency and growth rate of the modes of {escape(run.name)} over what is swept; curves join "
                             "modes of like shapes.")
@@ -55,6 +58,16 @@ def spectrum(modes):
     axes.axhline(0, color=GREY, lw=0.8)
     axes.set(xlabel="frequency (kHz)", ylabel="growth rate (1/s)", xlim=(0, None))
     return figure
+
+
+def shapes(run, shown=3):
+    """Of the modes that grow fastest; they come first."""
+    parts = [run.get(f"/complex_modes/shape_{part}", slice(0, shown)) for part in ("real", "imaginary")]
+    frequency, growth = run.need("/complex_modes/frequency", "/complex_modes/growth_rate")
+    if any(part is None or part.ndim < 3 or not len(part) for part in parts):
+        raise Missing(f"{run.name} holds no shapes of modes")
+    titles = [f"{1e-3 * f:.2f} kHz, growth rate {g:.4g} 1/s".replace("-", "−") for f, g in zip(frequency, growth)]
+    return mode_shapes.figure(run, [(titles, parts[0] + 1j * parts[1])], shown)
 
 
 def sweep(run):

@@ -1,5 +1,8 @@
 """Figures over time, frequency and contact position. Every function takes runs and returns a figure,
-or raises Missing. Colours are those of Okabe and Ito, distinct for the colour-blind."""
+or raises Missing. Colours are those of Okabe and Ito, distinct for the colour-blind. Colours and settings
+are also those of all pictures in doc/."""
+
+import re
 
 import matplotlib
 
@@ -28,6 +31,12 @@ plt.rcParams.update({
 def panels(rows=1, height=3.2, **options):
     figure, axes = plt.subplots(rows, 1, figsize=(WIDTH, height), squeeze=False, **options)
     return figure, axes[:, 0]
+
+
+def lettered(axes):
+    """Panel letters before the titles of axes, for captions to refer to."""
+    for letter, axis in zip("abcdefghijkl", axes):
+        axis.set_title(f"({letter}) {axis.get_title(loc='left')}".rstrip(), loc="left")
 
 
 def colour(runs, run):
@@ -61,10 +70,10 @@ def zoom_window(run, end):
     return max(0.0, start) if start < end else 0.85 * end
 
 
-def legend_columns(entries, most):
-    """How many columns of a legend have room for its longest entry."""
-    longest = max((len(entry.get_label()) for entry in entries), default=1)
-    return int(np.clip(WIDTH / (0.55 + 0.082 * longest), 1, most))
+def legend_columns(entries, most, width=WIDTH):
+    """How many columns of a legend `width` (in) has room for, by its longest entry; a formula counts as its letters."""
+    longest = max((len(re.sub(r"\$|\\math\w+|[{}_\\]", "", entry.get_label())) for entry in entries), default=1)
+    return int(np.clip(width / (0.55 + 0.082 * longest), 1, most))
 
 
 def above(axes, entries=None, columns=3):
@@ -77,8 +86,8 @@ def above(axes, entries=None, columns=3):
 
 def above_all(figure, entries, columns=3):
     """Legend of `entries` above all panels of a figure; one above an axes would widen its column."""
-    columns = legend_columns(entries, columns)
-    height = -(-len(entries) // columns) * 0.26 / figure.get_figheight()
+    columns = legend_columns(entries, columns, figure.get_figwidth())
+    height = (-(-len(entries) // columns) * 0.24 + 0.1) / figure.get_figheight()
     figure.legend(handles=entries, loc="upper left", ncol=columns, handlelength=1.6, columnspacing=1.3)
     figure.get_layout_engine().set(rect=(0, 0, 1, 1 - height))
 

@@ -11,6 +11,10 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from PIL import Image  # noqa: E402
 
+from glossary_links import with_links  # noqa: E402
+
+DOC = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "doc")
+
 
 def number(value, digits=3):
     """A number as a reader wants it; texts stay, None is a dash."""
@@ -57,8 +61,10 @@ def wrapped(text, width=120):
 
 
 def write_page(folder, name, text):
+    """A page in doc/ or in a folder of it, with links to the glossary."""
+    text = wrapped(with_links(text, "" if os.path.realpath(folder) == os.path.realpath(DOC) else "../", width=10**6))
     with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
-        file.write(wrapped(text))
+        file.write(text)
 
 
 class Page:

@@ -206,12 +206,13 @@ def _text(value):
     return str(value)
 
 
-def parse_arguments(description, default_output, parts, add_options=None):
+def parse_arguments(description, default_output, parts, add_options=None, on_request=()):
     """The command line that all studies share: which `parts` (names, default all) to run, and where.
-    `add_options(parser)` adds what only this study knows."""
+    `add_options(parser)` adds what only this study knows; parts `on_request` are not among all."""
     top = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("parts", nargs="*", metavar="part", help="of " + ", ".join(parts) + " (default: all)")
+    parser.add_argument("parts", nargs="*", metavar="part", help="of " + ", ".join(parts) + " (default: all)"
+                        + (f"; further {', '.join(on_request)}" if on_request else ""))
     parser.add_argument("--output", metavar="DIR", default=os.path.join(top, "results", default_output),
                         help=f"folder of the runs (default: results/{default_output})")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs side by side (default: all cores)")
@@ -220,8 +221,8 @@ def parse_arguments(description, default_output, parts, add_options=None):
     if add_options:
         add_options(parser)
     arguments = parser.parse_args()
-    unknown = [part for part in arguments.parts if part not in parts]
+    unknown = [part for part in arguments.parts if part not in (*parts, *on_request)]
     if unknown:
-        parser.error(f"there is no part '{unknown[0]}'; the parts are {', '.join(parts)}")
+        parser.error(f"there is no part '{unknown[0]}'; the parts are {', '.join((*parts, *on_request))}")
     arguments.parts = arguments.parts or list(parts)
     return arguments

@@ -18,6 +18,11 @@ RUNS = ("10-rve_homogenization", "20-contact_dynamics-homogeneous", "30-contact_
 WRONG = [  # file, text in it, what it is replaced by, words of the only sentence
     ("40-stress_localization.prm", "Edge distance", "Edge distanc", "run.sh: 40-stress_localization.prm:11: there is no key"),
     ("40-stress_localization.prm", "homogeneous/dynamics.h5", "homogeneous/rve.h5", "but 20-contact_dynamics-homogeneous makes dynamics.h5"),
+    # What the runs before will not have, by their parameters.
+    ("40-stress_localization.prm", "subsection Comparison", "subsection Window\n  set From = 6e-4\nend\nsubsection Comparison", "lies after the end of 20-contact_dynamics-homogeneous"),
+    ("40-stress_localization.prm", "subsection Comparison", "subsection Window\n  set From = 1e-4\n  set To = 3e-4\nend\nsubsection Comparison", "they are from 0.0004 to 0.0005 s"),
+    ("40-stress_localization.prm", "subsection Comparison", "subsection Localization\n  set Concentration = PBC\nend\nsubsection Comparison", "but 10-rve_homogenization solves KUBC, SUBC"),
+    ("40-stress_localization.prm", "subsection Comparison", "subsection Probes\n  set Of the run = contakt\nend\nsubsection Comparison", "names contakt, but 20-contact_dynamics-homogeneous observes contact, bulk"),
     # The volume is 8 x 4 mm: that is in file 10 alone.
     ("30-contact_dynamics-heterogeneous.prm", "0.00405, 0.00205", "0.00405, 0.02", "Observation/bulk"),
     ("20-contact_dynamics-homogeneous.prm", "10-rve_homogenization/", "11-rve_homogenization/", "there is no file 11-rve_homogenization/rve.h5"),
@@ -81,9 +86,9 @@ def check_told(folder):
     assert "40-stress_localization: keys and values are valid" in lines, lines
     assert re.match(r"In sum: about \d+ s on one core \(1 of 4 not known\)", lines[-1]), lines
     text = folder.read(last).decode()
-    folder.write(last, text + prm({"Window/From": 1}))
+    folder.write(last, text + prm({"Probes/Further": "far", "Probes/far/Position": "1, 1"}))  # of which no draft knows
     done = run_chain(source, folder("out"), "--jobs", "1")
-    assert done.returncode == 2 and "Window/From" in done.stdout and "Report so far: " in done.stdout, done.stdout
+    assert done.returncode == 2 and "probe far" in done.stdout and "Report so far: " in done.stdout, done.stdout
     assert os.path.getsize(folder("out", "report.html")) > 1e5 and done.stdout.count(": done in") == 3
     told = {line.split(":")[0]: line for line in lines}
     for name in RUNS:
@@ -93,7 +98,7 @@ def check_told(folder):
         assert 0.5 * found < said < 2 * found, (name, said, found)
     # With the results there the last file is checked as a whole, before it runs.
     done = run_chain(source, folder("out"))
-    assert done.returncode == 2 and done.stdout.count("\n") == 1 and "Window/From" in done.stdout, done.stdout
+    assert done.returncode == 2 and done.stdout.count("\n") == 1 and "probe far" in done.stdout, done.stdout
     folder.write(last, text)
     again = run_chain(source, folder("out"), "--validate").stdout
     assert again.count("up to date") == 3 and re.search(r"40-stress_localization: valid; \d+ MB of memory, about \d+ s", again), again

@@ -44,7 +44,6 @@ SOME = ["equation-10", "figure-2", "figure-9", "table-4", "figure-14"]  # all pr
 def page_failures(folder, parts):
     """What goes wrong when the parts are run and written on a coarse grid."""
     study, doc = Study(os.path.join(folder, "runs"), PROGRAMS), os.path.join(folder, "doc")
-    run.overview.PICTURE = os.path.join(folder, "pin.png")
     found = [sentence for sentence in run.make(study, parts, doc, COARSE) if "not run yet" not in sentence]
     with open(os.path.join(doc, "README.md"), encoding="utf-8") as file:
         page = file.read()

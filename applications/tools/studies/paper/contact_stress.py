@@ -4,7 +4,7 @@ import numpy as np
 
 import paper_values as paper
 from cases import P1, P2, PUSHED
-from figures import BLACK, BLUE, GREY, ORANGE, above, panels
+from figures import BLACK, BLUE, GREY, ORANGE, above, lettered, panels
 from measures import contact_time, frequency, mu, reference, regime, slip, spectrum_of
 from page import fixed
 
@@ -19,25 +19,27 @@ def normal_runs(cases):
 
 
 def normal(fragment, runs, names):
-    figure, axes = panels(2, 4.6)
+    figure, axes = panels(2, 4.8, sharex=True)
+    shown = min(PERIODS / frequency(runs[name]) for name in names.values())
     rows = []
     for axis, pressure, colour in zip(axes, names, (BLUE, ORANGE)):
         run = runs[names[pressure]]
         time, _, _, traction = reference(run)
-        last = time > time[-1] - PERIODS / frequency(run)
+        last = time > time[-1] - shown
         axis.plot(1e6 * (time[last] - time[last][0]), traction[last, 1] / 1e6, color=colour, lw=1.3)
         axis.set(ylabel=r"$|\sigma_n|$ (MPa)")
-        axis.set_title(LABELS[pressure], loc="left", color=colour)
+        axis.set_title(LABELS[pressure], loc="left")
         axis.margins(x=0)
         f, a = spectrum_of(traction[:, 1], time)
         main = a[(f > 1e4) & (f < 1e5)].max()
         rows.append([LABELS[pressure], f"{paper.HIGHEST_FREQUENCY / 1e3:.0f}", f"{f[a > 0.1 * main].max() / 1e3:.0f}",
                      f"{1e6 * run.number('mean_contact_duration'):.2f}"])
-    axes[1].set_xlabel("time (µs), last periods")
+    axes[1].set_xlabel("time (µs)")
+    lettered(axes)
     fragment.table(["", "paper: highest frequency above 10 % of the main one, kHz (section 3.2)", "ours, kHz", "T_G, µs"], rows)
     fragment.reading("Homogeneous pin, δ = 1500 ns, pressures as printed, pushed at 0.5 m/s. T_G is the mean duration of a contact, over all nodes; the paper prints none. "
                      "It counts every short touch, of which a period has many.")
-    fragment.figure(figure, f"Normal contact stress at node M over {PERIODS} periods.")
+    fragment.figure(figure, f"Normal contact stress at node M over the last {1e6 * shown:.0f} µs, {PERIODS} periods of the faster motion.")
 
 
 def sweep_runs(cases):
@@ -66,14 +68,14 @@ def sweep(fragment, runs, names):
                       label=rf"$\bar\mu$, eq. (13), $T_G$ of {whose}")
         axis.axvline(1e9 * paper.SLOPE_CHANGE, color=GREY, lw=1, ls=":", label="paper: slope changes")
         axis.set(ylabel="friction coefficient", ylim=(None, mu_local + 0.008))
-        axis.text(0.99, 0.95, LABELS[pressure], transform=axis.transAxes, ha="right", va="top", weight="bold")
+        axis.text(0.99, 0.95, f"({'ab'[list(names).index(pressure)]}) {LABELS[pressure]}", transform=axis.transAxes, ha="right", va="top")
         rows = [["mu_inter", *map(fixed, inter)]]
         for whose, duration in times.items():
             rows += [[f"eq. (13), T_G of {whose}", *map(fixed, mean_friction(mu_local, deltas, duration))],
                      [f"T_G of {whose} in µs", *[fixed(1e6 * t, 1) for t in duration]]]
         fragment.table([f"{LABELS[pressure]}: δ in ns", *[f"{1e9 * d:.0f}" for d in deltas]],
                        [*rows, ["M slips, %", *[f"{100 * slip(run):.0f}" for run in found]]])
-    axes[1].set_xlabel("δ (ns)")
+    axes[1].set_xlabel(r"$\delta$ (ns)")
     above(axes[0], columns=2)
     fragment.reading("Homogeneous pin, pressures as printed, pushed at 0.5 m/s; each point is a run of its own of 3 ms, of which the latter half counts. The paper says of its curve "
                      "only that the slope changes sign near 300 Δt = 1500 ns, where regime 2 gives way to regime 1. T_G is the mean duration of the contacts, of node M as in the paper or of all nodes; a period "

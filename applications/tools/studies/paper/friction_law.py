@@ -29,7 +29,7 @@ def step(fragment, runs, names):
                   f"μ|σ_n|(1 − exp(−t/δ)): {100 * error:.2f} % of μ|σ_n|.")
     fragment.reading("A body of 10 micrometres is pressed on the moving flat by a step of 0.5 MPa, μ = 0.25, δ = 1500 ns: its contact "
                      "stress follows within nanoseconds, which are that difference.")
-    fragment.figure(figure, "Tangential contact stress after a Heaviside step of the normal stress.")
+    fragment.figure(figure, "Tangential contact stress after a Heaviside step of the normal stress. The peak at 2 µs is the small body that overshoots, for some nanoseconds.")
 
 
 def _stresses(run):

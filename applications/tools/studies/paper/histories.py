@@ -4,7 +4,7 @@ import numpy as np
 
 import paper_values as paper
 from cases import P1, P2, PUSHED
-from figures import BLACK, BLUE, ORANGE, above, panels
+from figures import BLACK, BLUE, ORANGE, above, above_all, lettered, panels
 from measures import frequency, mu, mu_text
 from page import fixed, relative
 
@@ -35,12 +35,12 @@ def regimes(fragment, runs, names):
                      "instant; its mean need not be mu_inter, since instants of small normal force count as much as others. Its swings follow from the paper's speeds: 0.8 m/s of the "
                      "contact in the first mode is a shear stress of ρ c_T 0.8 m/s = 4 MPa at the top, eight times P.")
     fragment.figure(_apparent(found, REGIME_LABELS, (BLUE, ORANGE)),
-                    "Apparent friction coefficient in both regimes: transient, last periods, means over five periods (thick: over the steady part).")
+                    "Apparent friction coefficient in both regimes: (a) transient, (b) last periods, (c) means over five periods (pale: over the steady part).")
 
 
 def _apparent(found, labels, colours):
     """Three panels: the start, the last periods, and means over a few periods."""
-    figure, (start, last, means) = panels(3, 7.2)
+    figure, (start, last, means) = panels(3, 7.6)
     for run, label, colour in zip(found, labels, colours):
         time, friction = run.need("/history/time", "/history/apparent_friction")
         period = 1 / (frequency(run) or paper.MAIN_FREQUENCY[1])
@@ -52,13 +52,17 @@ def _apparent(found, labels, colours):
         mean, begin = run.number("mean_apparent_friction_coefficient"), run.steady_from()
         means.plot([1e3 * begin, 1e3 * time[-1]], [mean, mean], color=colour, lw=3.5, alpha=0.35, solid_capstyle="butt")
         start.plot([], [], color=colour, lw=2, label=f"{label}: mean {mean:.3f}")
-    start.set_xlabel("time (ms), transient")
-    last.set_xlabel("time (µs), last periods")
-    means.set_xlabel(f"time (ms), means over {PERIODS_AVERAGED} periods")
+    start.set_xlabel("time (ms)")
+    last.set_xlabel("time (µs)")
+    means.set_xlabel("time (ms)")
+    last.set_title("last periods", loc="left")
+    means.set_title(f"means over {PERIODS_AVERAGED} periods", loc="left")
     for axes in (start, last, means):
         axes.set_ylabel(r"$\mu_\mathrm{app}$")
         axes.margins(x=0)
-    above(start, columns=1)
+    start.set_title("transient", loc="left")
+    lettered((start, last, means))
+    above_all(figure, start.get_legend_handles_labels()[0], columns=1)
     return figure
 
 
@@ -101,8 +105,8 @@ def by_phase_runs(mu_homo, deltas, cases):
 
 def by_phase(fragment, runs, names):
     found = [runs[name] for name in names]
-    labels = ["heterogeneous 1, 0.3 and 0.12, δ = 1500 ns"]
-    labels += [f"homogeneous, {run.number('friction_coefficient'):g}, δ = {1e9 * run.number('regularization_time'):.0f} ns" for run in found[1:]]
+    labels = [r"heterogeneous 1, $\mu$ = 0.3 and 0.12, $\delta$ = 1500 ns"]
+    labels += [rf"homogeneous, $\mu$ = {run.number('friction_coefficient'):g}, $\delta$ = {1e9 * run.number('regularization_time'):.0f} ns" for run in found[1:]]
     fragment.text("The paper prints no number for the curves; the interface coefficients of the same runs are in the table above.")
     fragment.figure(_apparent(found, labels, (BLACK, BLUE, ORANGE)),
-                    "Apparent friction coefficient: transient, last periods, means over five periods (thick: over the steady part).")
+                    "Apparent friction coefficient: (a) transient, (b) last periods, (c) means over five periods (pale: over the steady part).")

@@ -7,12 +7,13 @@ import numpy as np
 
 import paper_values as paper
 from cases import PUSHED, RVE_SEEDS
-from figures import BLUE, GREY, ORANGE, above, panels, plt
+from figures import BLACK, BLUE, GREY, ORANGE, above, lettered, panels, plt
 from measures import frequency
 from page import fixed, relative
 
 ENTRIES = {"D11": (0, 0), "D12": (0, 1), "D22": (1, 1), "D33": (2, 2)}
 CONDITIONS = ("KUBC", "SUBC")
+SCALE = 10  # mm, drawn under a body
 
 
 def stiffness_runs(cases):
@@ -69,14 +70,17 @@ def modes(fragment, runs, names):
         "Under a rigid platen, which these modes leave at rest; the last column is the literal reading, u_x = 0 and the top free "
         "in y. It is the reason for the platen in all contact runs. The running contact of regime 1 vibrates at "
         f"{frequency(contact):.0f} Hz (paper: {paper.MAIN_FREQUENCY[1]:.0f} Hz), close to BC2.")
-    figure, axes = plt.subplots(2, 2, figsize=(7.6, 3.6))
+    figure, axes = plt.subplots(2, 2, figsize=(9.0, 4.2))
     for row, (run, label) in enumerate([(homogeneous, "homogeneous"), (heterogeneous, "heterogeneous")]):
         with h5py.File(os.path.join(run.folder, "modal.h5")) as file:
             spacing = np.broadcast_to(file["grid"].attrs["spacing"], (2,))
             for column, (bottom, condition) in enumerate([("free", "BC1"), ("held", "BC2")]):
                 _shape(axes[row, column], file[f"modes/{bottom}/shape"][0], spacing)
-                axes[row, column].set_title(f"{condition}, {label}: {first(run, bottom):.0f} Hz", fontsize=10.5)
-    fragment.figure(figure, "First modes, every twentieth grid line. Undeformed outline in grey.")
+                axes[row, column].set_title(f"{condition}, {label}: {first(run, bottom):.0f} Hz", loc="left")
+    axes[0, 0].plot([0, SCALE], [-2.5, -2.5], color=BLACK, lw=2.5, solid_capstyle="butt", clip_on=False)
+    axes[0, 0].text(SCALE + 1, -2.5, f"{SCALE} mm", va="center")
+    lettered(axes.flat)
+    fragment.figure(figure, "First modes, every twentieth grid line; displacements are of arbitrary size. Undeformed outline in grey.")
 
 
 def _shape(axes, shape, spacing, every=20, scale=2.0):

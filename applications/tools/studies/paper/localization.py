@@ -79,7 +79,7 @@ def mean_von_mises(fragment, results, names):
     fragment.table(["relative L2 difference", *regions], rows)
     fragment.text("The paper shows the two fields and prints no number for them.")
     fragment.reading(READING + "Averages over the ten periods before the end.")
-    fragment.figure(figure, "Von Mises stress averaged over time: localized, direct, and their difference.", dpi=100)
+    fragment.figure(figure, "Von Mises stress averaged over time: localized, direct, and their difference, which lies on one side for a reason told below.", dpi=100)
     fragment.text(_bias(run, homogeneous, heterogeneous))
 
 

@@ -4,7 +4,7 @@ import numpy as np
 
 import paper_values as paper
 from cases import P1, P2, PUSHED
-from figures import BLACK, BLUE, GREEN, GREY, ORANGE, above_all, plt
+from figures import BLACK, BLUE, GREEN, GREY, ORANGE, above_all, lettered, plt
 from measures import frequency, height, mu_text, reference, relative_velocity
 from page import fixed, relative
 
@@ -24,16 +24,17 @@ def trajectory(fragment, runs, names):
              *[f"{1e6 * height(run):.2f} ({relative(height(run), paper.SEPARATION)})" for run in found]]]
     fragment.table(["", "paper", *LABELS], rows)
     fragment.reading("Node M in the middle of the contact, the last periods; pressures as printed, the pin pushed at 0.5 m/s. The paper shows regime 1.")
-    figure, axes = plt.subplots(1, 3, figsize=(9.6, 3.2), sharey=True)
+    figure, axes = plt.subplots(1, 3, figsize=(9.0, 3.4), sharey=True)
     for axis, run, label, colour in zip(axes, found, LABELS, (BLUE, ORANGE, GREEN)):
         _, u, _, _ = reference(run, run.number("simulated_time") - SHOWN_PERIODS / frequency(run))
         axis.plot(1e6 * u[:, 0], 1e6 * u[:, 1], color=colour, lw=1)
         axis.axhline(0, color=BLACK, lw=1.2)
         axis.axhline(1e6 * paper.SEPARATION, color=GREY, lw=1, ls="--")
-        axis.set(xlabel="X (µm)")
+        axis.set(xlabel="$u_x$ (µm)")
         axis.set_title(label, loc="left")
-    axes[0].set_ylabel("Y (µm)")
-    fragment.figure(figure, f"Trajectory of node M over {SHOWN_PERIODS} periods. Y = 0: the rigid flat; dashed: 0.2 µm.")
+    axes[0].set_ylabel("$u_y$ (µm)")
+    lettered(axes)
+    fragment.figure(figure, f"Trajectory of node M over {SHOWN_PERIODS} periods. u_y = 0: the rigid flat; dashed: the paper's 0.2 µm.")
 
 
 def convergence_runs(cases):
@@ -52,7 +53,7 @@ def convergence(fragment, runs, names):
     fragment.table(["", "paper", *labels], rows)
     fragment.reading("P = 0.5 MPa as printed, the pin pushed at 0.5 m/s; 1 ms, of which the paper's steady part, from 0.25 ms on, counts. "
                      "The paper took these two pairs of cell and time step.")
-    figure, axes = plt.subplots(1, 3, figsize=(10.4, 3.4), gridspec_kw={"width_ratios": [1.5, 1, 1.2]})
+    figure, axes = plt.subplots(1, 3, figsize=(9.0, 3.6), gridspec_kw={"width_ratios": [1.4, 1, 1.2]})
     for run, label, colour, width in zip((coarse, fine), labels, (BLUE, ORANGE), (1.6, 1.0)):
         time, u, _, _ = reference(run, 0.0)
         axes[0].plot(1e3 * time, 1e6 * u[:, 0], color=colour, lw=0.6 * width)
@@ -66,6 +67,7 @@ def convergence(fragment, runs, names):
     axes[0].set(xlabel="time (ms)", ylabel="$u_x$ of node M (µm)", xlim=(0, None))
     axes[1].set(xlabel="$u_x$ (µm)", ylabel="$v_x$ (m/s)")
     axes[2].set(xlabel="frequency (kHz)", ylabel="amplitude of $u_x$ (µm)")
+    lettered(axes)
     above_all(figure, axes[1].get_legend_handles_labels()[0])
-    fragment.figure(figure, "Node M at two grids and time steps: transient and steady part, mean phase diagram, spectrum; dashed the "
+    fragment.figure(figure, "Node M at two grids and time steps: (a) transient and steady part, (b) mean phase diagram, (c) spectrum; dashed the "
                             "paper's 40, 80 and 120 kHz.")

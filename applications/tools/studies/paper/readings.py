@@ -4,7 +4,7 @@ import numpy as np
 
 import paper_values as paper
 from cases import P1, P2, PUSHED, TENFOLD
-from figures import BLACK, BLUE, GREEN, GREY, ORANGE, above, above_all, panels, plt
+from figures import BLACK, BLUE, GREEN, GREY, ORANGE, above, above_all, lettered, panels, plt
 from measures import frequency, height, mu_text, relative_velocity, separation, slip, within
 from page import fixed
 
@@ -66,16 +66,17 @@ def _by_push(fragment, found):
     end = min(run.number("simulated_time") for run in found.values())
     seen = {case: within(run, end / 3, end) for case, run in found.items()}
     drift = {case: abs(np.subtract(*[within(run, a * end, b * end)["mu"] for a, b in ((1 / 3, 2 / 3), (2 / 3, 1))])) for case, run in found.items()}
-    figure, axes = plt.subplots(1, 3, figsize=(10.4, 3.4))
+    figure, axes = plt.subplots(1, 3, figsize=(9.0, 3.6))
     for axis, quantity, table, label, scale in (
-            (axes[0], "slip", paper.SLIP, "M slips, %", 100), (axes[1], "mu", paper.INTERFACE_FRICTION, r"$\mu_\mathrm{inter}$", 1),
+            (axes[0], "slip", paper.SLIP, "share of slip of M (%)", 100), (axes[1], "mu", paper.INTERFACE_FRICTION, r"$\mu_\mathrm{inter}$", 1),
             (axes[2], "frequency", paper.MAIN_FREQUENCY, "main frequency (kHz)", 1e-3)):
         for pressure, mark, colour in ((P1, "o", GREEN), (P2, "s", BLACK)):
             axis.plot([1e6 * push / pressure for push in PUSHES[pressure]], [scale * seen[pressure, push][quantity] for push in PUSHES[pressure]],
                       mark, color=colour, ms=5, mfc="white", mew=1.5, label=f"{pressure / 1e6:g} MPa")
         for n, colour in ((1, BLUE), (2, ORANGE)):
             axis.axhline(scale * table[n], color=colour, lw=1.2, ls="--", label=f"paper, regime {n}")
-        axis.set(xlabel="push over P in (m/s)/MPa", ylabel=label)
+        axis.set(xlabel="push / P ((m/s)/MPa)", ylabel=label)
+    lettered(axes)
     above_all(figure, axes[0].get_legend_handles_labels()[0], columns=4)
     fragment.figure(figure, "Homogeneous pin of both pressures against the velocity with which it starts, over the pressure; "
                             f"from {1e3 * end / 3:.0f} to {1e3 * end:.0f} ms.", "-pushes")
@@ -98,13 +99,13 @@ def _plateaus(seen):
 
 
 def _in_the_long_run(fragment, found):
-    figure, (axes,) = panels(1, 3.0)
+    figure, (axes,) = panels(1, 3.4)
     shares = {v: _separated(found[P1, v], 2.5e-4) for v in LONG}
     for v, (time, share) in shares.items():
         axes.plot(1e3 * time, 100 * share, color=COLOURS[v], label=f"{v:g} m/s")
     for n, colour in ((1, BLUE), (2, ORANGE)):
         axes.axhline(100 * (1 - paper.SLIP[n]), color=colour, lw=1.2, ls="--", label=f"paper, regime {n}")
-    axes.set(xlabel="time (ms)", ylabel="M separated (%)", ylim=(0, 100))
+    axes.set(xlabel="time (ms)", ylabel="share of separation of M (%)", ylim=(0, 100))
     axes.margins(x=0)
     above(axes, columns=3)
     fragment.figure(figure, "Share of time in which node M is separated, in the long run, at 0.5 MPa. " + _end_of_regime_2(*shares[max(LONG)]), "-long")

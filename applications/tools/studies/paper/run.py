@@ -17,7 +17,6 @@ import histories  # noqa: E402
 import homogenization  # noqa: E402
 import localization  # noqa: E402
 import motion  # noqa: E402
-import overview  # noqa: E402
 import paper_values  # noqa: E402
 import readings  # noqa: E402
 import static_contact  # noqa: E402
@@ -59,7 +58,6 @@ PARTS = {
     "figure-14": Part("Figure 14: stress in element A", localization.runs, localization.element_a),
     "figure-15": Part("Figure 15: stress in element B", localization.runs, localization.element_b),
     "figure-16": Part("Figure 16: mean von Mises stress", localization.field_runs, localization.mean_von_mises),
-    "overview": Part("The pin at a glance", overview.runs, overview.picture),
 }
 
 

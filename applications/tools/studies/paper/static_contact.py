@@ -4,7 +4,7 @@ import numpy as np
 
 import paper_values as paper
 from cases import RVE_SEEDS
-from figures import BLUE, GREY, ORANGE, above, panels
+from figures import BLUE, GREY, ORANGE, above_all, lettered, panels
 from page import fixed, relative
 
 PHASES = ("fibre", "matrix")
@@ -69,7 +69,8 @@ def table(fragment, results, names):
         axis.plot(100 * share, measured[phase] / 1e6, "o", color=BLUE, label="SCA, morphologies")
         axis.plot(10, paper.TABLE_4["SCA"][phase] / 1e6, "x", color=ORANGE, ms=9, mew=2.5, label="paper, SCA")
         axis.plot(10, paper.TABLE_4["SPR"][phase] / 1e6, "+", color=ORANGE, ms=11, mew=2.5, label="paper, SPR")
-        axis.set_ylabel(f"pressure, {phase}, MPa")
+        axis.set_ylabel(f"pressure of {phase} (MPa)")
     axes[1].set_xlabel("share of fibres on the contact (%)")
-    above(axes[0], columns=4)
-    fragment.figure(figure, "Contact pressures of the phases in the static contact analysis.")
+    lettered(axes)
+    above_all(figure, axes[0].get_legend_handles_labels()[0], columns=4)
+    fragment.figure(figure, "Contact pressures of the phases in the static contact analysis: (a) fibres, (b) matrix; dashed: straight line through the morphologies.")

@@ -73,7 +73,7 @@ def write(folder, found, choice_results, lives, data):
     write_csv(pictures, "open_choices.csv", ["choice", "window"] + MEASURE_COLUMNS,
               [[n, w, *measure_row(m)] for n, pair in choices.items() for w, m in zip(("early", "late"), pair)])
     growth_page.write_branches(pictures, data.growth)
-    diagrams.growth_over_delta(pictures, data.growth)
+    diagrams.growth_over_delta(pictures, data.growth.paper, data.growth.morphologies)
     diagrams.regime_maps(pictures, found, AT_REST, "regime_map_rest.png")
     diagrams.regime_maps(pictures, found, tuple(regime_map.PUSHES), "regime_map_pushed.png")
     diagrams.search(pictures, found)

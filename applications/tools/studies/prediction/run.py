@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Past the paper: which regimes the pin has, what the open choices do, and whether the homogeneous model's
-regularization time can be predicted. Leaves doc/paper/regimes.md and doc/paper/prediction.md with pictures and tables."""
+regularization time can be predicted. Leaves doc/paper/regimes.md and doc/paper/prediction.md with pictures and tables.
+The part `pictures` only redraws the pictures from the tables that are there."""
 
 import os
 import sys
@@ -12,6 +13,7 @@ import cycle_life  # noqa: E402
 import growth  # noqa: E402
 import open_choices  # noqa: E402
 import prediction_page  # noqa: E402
+import redraw  # noqa: E402
 import regime_map  # noqa: E402
 import regimes_page  # noqa: E402
 import rules  # noqa: E402
@@ -85,14 +87,22 @@ def write_pages(arguments):
     print(os.path.join(folder, "regimes.md"), os.path.join(folder, "prediction.md"), sep="\n")
 
 
+def redraw_pictures(_):
+    """All pictures, from the tables beside them; nothing is run."""
+    regimes, prediction = (os.path.join(TOP, "doc", "paper", name) for name in ("regimes", "prediction"))
+    redraw.regimes(regimes, prediction)
+    redraw.prediction(prediction)
+
+
 PARTS = {"map": run_map, "choices": run_choices, "cycles": run_cycles, "seeds": run_seeds, "growth": run_growth,
          "pages": write_pages}
+ON_REQUEST = {"pictures": redraw_pictures}
 
 
 def main():
-    arguments = parse_arguments(__doc__, "prediction", tuple(PARTS))
+    arguments = parse_arguments(__doc__, "prediction", tuple(PARTS), on_request=tuple(ON_REQUEST))
     for part in arguments.parts:
-        PARTS[part](arguments)
+        {**PARTS, **ON_REQUEST}[part](arguments)
 
 
 if __name__ == "__main__":
