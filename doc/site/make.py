@@ -23,7 +23,7 @@ MENU = {
     "Use": ("doc/voxels", "doc/meshes", "doc/loads", "doc/complex_modes/README", "doc/contact_maps", "doc/chains", "doc/python"),
     "Reference": ("doc/parameters/README", *(f"doc/parameters/{name}" for name in PROGRAMS), "doc/file_formats", "doc/theory", "doc/limits"),
     "Evidence": ("doc/verification", "doc/performance", "doc/performance/work_precision", "doc/stability/README", "doc/paper/README",
-                 "doc/paper/reading", "doc/paper/regimes", "doc/paper/prediction"),
+                 "doc/paper/reading", "doc/paper/regimes", "doc/paper/prediction", "doc/paper/thickness"),
     "Develop": ("CONTRIBUTING", "doc/structure", "doc/extending", "CHANGELOG"),
 }
 LINK = re.compile(r"(\]\()([^)#\s]+)(#[^)\s]*)?(\))")

@@ -44,7 +44,7 @@ def regimes(fragment, runs, names):
     fragment.reading(
         "Rigid platen on top, 560 x 160 cells of 0.1 mm (figures above: 0.2 mm), μ = 0.25, δ = 1500 ns, V = 2 m/s, β = 4.4 ns, β₂ = 1/2, 95 % of the critical time step, "
         f"{1e3 * PUSHED.end:g} ms of which the last {1e3 * (PUSHED.end - PUSHED.steady_from):g} ms count. The last column is another reading, ten times the printed pressure from rest.")
-    fragment.text("Maps over pressure, velocity, δ and start: [regimes](regimes.md); how δ can be predicted: [prediction](prediction.md).")
+    fragment.text("Maps over pressure, velocity, δ and start: [regimes](regimes.md); how δ can be predicted: [prediction](prediction.md). The pin in 3D: [thickness](thickness.md).")
 
 
 def _table(fragment, found):

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""The paper's homogeneous pin as a body of finite thickness with free faces against plane strain and plane stress: runs prm/thickness
+in some settings and writes doc/paper/thickness.md with its picture and tables."""
+
+import os
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.join(HERE, "..")]
+
+import thickness_page  # noqa: E402
+from pages import write_csv  # noqa: E402
+from observed import RUN_COLUMNS, difference, moduli, profile, row  # noqa: E402
+from study import Study, parse_arguments  # noqa: E402
+
+TOP = os.path.normpath(os.path.join(HERE, "..", "..", "..", ".."))
+THICKNESSES = (0.5, 1, 2, 4, 8, 16)  # mm
+LOADS, STARTS = (0.5, 0.4), (0.45, 0.5, 0.55)  # MPa, m/s
+PLANE_STRESS = "35.027e9, 7.232e9, 44.953e9, 13.785e9"  # of the stiffness in 30-contact_dynamics-thickness.prm with sigma_yy = 0
+COLUMNS_OF_LAYER = ["time [ms]", "relative difference [-]"]
+COLUMNS_OF_PROFILE = ["thickness [mm]", "distance from the middle plane over half the thickness [-]", "mean pressure over P [-]"]
+
+
+def prm(name):
+    return os.path.join(TOP, "prm", "thickness", name + ".prm")
+
+
+def loading(load, start, dimension):
+    return {"Top/Pressure": load * 1e6, "Body/Initial velocity": (start, *[0] * (dimension - 1))}
+
+
+def cells_across(thickness, spacing):
+    """Of half the body; a thin one has two at least, or one of 0.25 mm."""
+    return max(1 if thickness <= 0.5 else 2, round(thickness / 2 / spacing))
+
+
+def add_runs(study):
+    """{name: (body, thickness or None, spacing, load, start)}"""
+    runs = {}
+    for spacing in (1, 0.5):
+        nx, nz = round(56 / spacing), round(16 / spacing)
+        for load in LOADS:
+            for start in STARTS if spacing == 1 else (0.5,):
+                for body, stiffness in (("plane strain", None), ("plane stress", PLANE_STRESS)):
+                    name = f"{body.replace(' ', '_')}-{spacing:g}mm-{load:g}MPa-{start:g}"
+                    settings = {"Body/Cells": (nx, nz), **loading(load, start, 2)}
+                    study.add(name, "contact_dynamics", prm("20-contact_dynamics-plane"), {**settings, **({"Body/Stiffness": stiffness} if stiffness else {})})
+                    runs[name] = (body, None, spacing, load, start)
+                for thickness in THICKNESSES:
+                    if spacing == 0.5 and (load != 0.5 or thickness > 8):
+                        continue
+                    name = f"thick-{thickness:g}mm-{spacing:g}mm-{load:g}MPa-{start:g}"
+                    study.add(name, "contact_dynamics", prm("30-contact_dynamics-thickness"), {
+                        "Body/Cells": (nx, cells_across(thickness, spacing), nz), "Body/Size": (56e-3, thickness * 0.5e-3, 16e-3),
+                        **loading(load, start, 3)})
+                    runs[name] = ("free faces", thickness, spacing, load, start)
+    same = {"Time/Time step": 75e-9, "Observation/History interval": 1}
+    study.add("plane-same_step", "contact_dynamics", prm("20-contact_dynamics-plane"), same)
+    study.add("layer-same_step", "contact_dynamics", prm("30-contact_dynamics-thickness"), {
+        **same, "Body/Cells": (112, 1, 32), "Body/Size": (56e-3, 5e-4, 16e-3), "Sides/Back": "u_y"})
+    study.add("moduli", "rve_homogenization", prm("10-rve_homogenization-long_bars"))
+    return runs
+
+
+def main():
+    arguments = parse_arguments(__doc__, "thickness", ("all",))
+    study = Study(arguments.output, arguments.programs, arguments.jobs, arguments.keep)
+    runs = add_runs(study)
+    results = study.run()
+    failed = [name for name in study.cases if name not in results or results[name].status != 0]
+    if failed:
+        sys.exit(f"run.sh thickness: {', '.join(failed)} did not end well")
+    doc = os.path.join(TOP, "doc", "paper")
+    folder = os.path.join(doc, "thickness")
+    write_csv(folder, "runs.csv", RUN_COLUMNS, [[body, *rest, *row(results[name])] for name, (body, *rest) in runs.items()])
+    write_csv(folder, "layer.csv", COLUMNS_OF_LAYER, difference(results["plane-same_step"].folder, results["layer-same_step"].folder))
+    write_csv(folder, "layer_means.csv", RUN_COLUMNS[5:], [row(results[name]) for name in ("plane-same_step", "layer-same_step")])
+    write_csv(folder, "profile.csv", COLUMNS_OF_PROFILE, [
+        [t, *line] for t in THICKNESSES[2:5] for line in profile(results[f"thick-{t:g}mm-0.5mm-0.5MPa-0.5"].folder, 0.5e6)])
+    write_csv(folder, "moduli.csv", ["entry", "PBC [GPa]", "closed form [GPa]"], moduli(results["moduli"].summary))
+    write_csv(folder, "cost.csv", ["runs", "processor time [s]"], [[len(results), round(sum(r.cpu_seconds for r in results.values()))]])
+    thickness_page.write(doc)
+    print("doc/paper/thickness.md")
+
+
+if __name__ == "__main__":
+    main()
