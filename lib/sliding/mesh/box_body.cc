@@ -216,7 +216,7 @@ MeshMorphology<3> make_box(const ContactParameters &parameters)
   for (unsigned int k = 0; k < body.mesh.cells.size(); ++k)
     body.mesh.cells[k].material_id = body.material_id()[body.whole_cell(k)];
   body.mesh.boundaries = {"Left", "Right", "Front", "Back", "Contact", "Top"};
-  body.phases = make_phases<3>(parameters.mesh.phases);
+  body.phases          = make_phases<3>(parameters.mesh.phases);
   for (const Phase<3> &material : body.materials())
     body.mesh.phases.push_back(material.name);
   describe_phases(body, parameters.mesh.phases);
