@@ -11,7 +11,7 @@ from figures import BLUE, GREY, ORANGE, panels
 from page import escape, number, quantity, table
 
 LABELS = {"friction_coefficient [-]": "friction coefficient", "regularization_time [s]": "regularization time (s)",
-          "velocity [m/s]": "velocity (m/s)"}
+          "velocity [m/s]": "velocity (m/s)", "pressure [Pa]": "pressure (Pa)"}
 
 
 def complex_modes(page, run):

@@ -204,7 +204,10 @@ void MeshBody<dim>::set_sides(const MeshShare<dim> &share)
 template <int dim>
 void MeshBody<dim>::copy_duplicates(NodalField<double> &field) const
 {
-  discretization->to_field(field, discretization->to_vector(field));
+  if (this->communicator() == MPI_COMM_SELF)
+    ElasticBody<dim>::copy_duplicates(field); // whole fields: without other ranks
+  else
+    discretization->to_field(field, discretization->to_vector(field));
 }
 
 template <int dim>

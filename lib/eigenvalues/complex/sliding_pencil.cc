@@ -220,7 +220,7 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
   pencil.stiffness.resize(n, n);
   pencil.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
   typename FreeDofs<dim>::Vector one = dofs.zero(), masses = dofs.zero();
-  one = 1.;
+  one.add(1.);
   dofs.vmult(masses, one);
   pencil.mass = Eigen::Map<const Eigen::VectorXd>(masses.begin(), n);
   RealMatrix of_nodes(n, static_cast<Eigen::Index>(contact.nodes.size()));

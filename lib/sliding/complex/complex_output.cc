@@ -132,7 +132,8 @@ std::string swept_column(const ModeSweep sweep)
 {
   return sweep == ModeSweep::coefficient           ? "friction_coefficient [-]"
          : sweep == ModeSweep::regularization_time ? "regularization_time [s]"
-                                                   : "velocity [m/s]";
+         : sweep == ModeSweep::velocity            ? "velocity [m/s]"
+                                                   : "pressure [Pa]";
 }
 
 std::vector<std::string> complex_modes_files()

@@ -39,24 +39,29 @@ void ComplexModesParameters::bind(Keys &keys)
   keys.bind("Number of shapes", n_shapes, 0, 10000,
             "Number of modes, from the fastest growing on, whose shapes are written [-]");
   keys.bind(
-    "Sweep", sweep, {"none", "friction coefficient", "regularization time", "velocity"},
+    "Sweep", sweep,
+    {"none", "friction coefficient", "regularization time", "velocity", "pressure"},
     "Parameter that takes the Sweep values one after the other, besides the value "
     "that it has elsewhere");
   keys.bind_list(
     "Sweep values", values, Range::any(),
     "Values of what Sweep names, in its unit: Friction/Coefficient [-], "
-    "Friction/Regularization time [s] or Flat/Velocity [m/s]; curves of modes "
-    "are followed in this order",
+    "Friction/Regularization time [s], Flat/Velocity [m/s] or Top/Pressure [Pa]; curves "
+    "of modes are followed in this order",
     0, 10000);
   keys.require(sweep == ModeSweep::none || !values.empty(), "Sweep values",
                "it is empty; list the values that Sweep is to take");
   keys.only_if(sweep != ModeSweep::none, {"Sweep values"}, "Complex modes/Sweep is none",
                "name a parameter there");
   for (const double value : values)
-    keys.require(sweep == ModeSweep::velocity ? value != 0. : value >= 0., "Sweep values",
+    keys.require(sweep == ModeSweep::velocity   ? value != 0.
+                 : sweep == ModeSweep::pressure ? value > 0.
+                                                : value >= 0.,
+                 "Sweep values",
                  "one of them is " + to_text(value) +
-                   (sweep == ModeSweep::velocity ? "; without velocity nothing slides"
-                                                 : "; they must not be negative"));
+                   (sweep == ModeSweep::velocity   ? "; without velocity nothing slides"
+                    : sweep == ModeSweep::pressure ? "; without pressure nothing touches"
+                                                   : "; they must not be negative"));
 }
 
 ContactParameters with_swept(ContactParameters p, const double value)
@@ -71,6 +76,9 @@ ContactParameters with_swept(ContactParameters p, const double value)
       break;
     case ModeSweep::velocity:
       p.contact.flat_velocity = LoadHistory(value);
+      break;
+    case ModeSweep::pressure:
+      p.top.pressure = LoadHistory(value);
       break;
     default:
       break;
@@ -123,6 +131,10 @@ void check_complex_modes(const ContactParameters &p)
           "nothing presses the body on the flat, which slopes of the "
           "coefficient are multiplied with; set Top/Kind = platen or pressure");
     }
+  if (sweep == ModeSweep::pressure && top_at_start(p).kind == TopSetup::Kind::held)
+    throw UserError(
+      "Complex modes/Sweep is pressure, but the top is held; set Top/Kind = "
+      "platen or pressure");
   if (sweep == ModeSweep::regularization_time && law != "constant time")
     throw UserError("Complex modes/Sweep is regularization time, but Friction/Law is " +
                     law + "; set it to constant time");

@@ -17,7 +17,8 @@ enum class ModeSweep
   none,
   coefficient,
   regularization_time,
-  velocity
+  velocity,
+  pressure
 };
 
 /** Section Complex modes. */

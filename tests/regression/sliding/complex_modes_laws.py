@@ -165,6 +165,20 @@ def check_refused(folder):
         assert all(word in said for word in words), (settings, said)
 
 
+def check_sweep_of_pressure(folder):
+    """Each value as a run of its own, in the closed form of the layer: s = (c/H) artanh(-p mu'/(rho c)) for the fastest growth."""
+    pressures, law = (1e7, 3e7), {**LAYER, **FALLING, **PLAIN, "Body/Cells": "4, 40"}
+    folder.write("sweep.prm", prm({**law, "Complex modes/Sweep": "pressure", "Complex modes/Sweep values": ", ".join(map(str, pressures))}))
+    folder.run(0, "contact_dynamics", "sweep.prm", "--output", "sweep")
+    sweep = {case["value"]: case["complex_modes"] for case in folder.summary("sweep")["sweep"]}
+    for pressure in pressures:
+        alone = modes(folder, {**law, "Top/Pressure": pressure})
+        swept = np.array([complex(mode["growth_rate"], 2 * math.pi * mode["frequency"]) for mode in sweep[pressure]])
+        assert len(swept) and np.abs(swept - alone).max() < 1e-9 * np.abs(alone).max(), (pressure, swept, alone)
+        closed = SPEED / HEIGHT * math.atanh(pressure * 0.2 * math.exp(-2) / (DENSITY * SPEED))
+        assert abs(swept.real.max() / closed - 1) < 0.01, (pressure, swept, closed)
+
+
 with tempfile.TemporaryDirectory() as path:
     scene = Folder(path)
     check_refused(scene)
@@ -173,3 +187,4 @@ with tempfile.TemporaryDirectory() as path:
     check_limits(scene)
     check_slice(scene)
     check_slow_friction(scene)
+    check_sweep_of_pressure(scene)
