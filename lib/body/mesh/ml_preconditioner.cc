@@ -23,6 +23,9 @@ void MlPreconditioner::initialize(const dealii::TrilinosWrappers::SparseMatrix &
   Teuchos::ParameterList parameters;
   ML_Epetra::SetDefaults("SA", parameters);
   parameters.set("ML output", 0);
+  // W cycles: iterations hardly grow with the mesh; V cycles took 1.5 to 2.2 times as many in
+  // 2D, in about the same time.
+  parameters.set("prec type", "MGW");
   parameters.set("PDE equations", static_cast<int>(dim));
   parameters.set("smoother: type", "Chebyshev");
   parameters.set("smoother: sweeps", 2);
