@@ -13,7 +13,6 @@ FIBRE_COLUMNS = ["body", "material", "cells [mm]", "P [MPa]", "start [m/s]"]
 BODIES = {"plane strain": (PLANE, "21-contact_dynamics-plane_fibres", 2, {}),
           "long bars": ("long_bars-rve", "31-contact_dynamics-short_bars", 3, {"Sides/Front": "u_y"}),
           "short bars": ("short_bars-rve", "31-contact_dynamics-short_bars", 3, {})}
-FINER = {"plane strain": (224, 64), "long bars": (224, 2, 64)}  # the same fibres on cells of 0.25 mm in the plane
 
 
 def add_plane_morphologies(study):
@@ -37,15 +36,11 @@ def add_runs(study):
     study.add("short_bars-rve", "rve_homogenization", prm("12-rve_homogenization-short_bars"))
     runs = {}
     for body, (rve, file, dimension, settings) in BODIES.items():
-        for spacing, loads, starts in ((0.5, LOADS, STARTS), (0.25, (0.5,), (0.5,))):
-            if spacing == 0.25 and body not in FINER:
-                continue
-            for material in ("heterogeneous", "homogeneous"):
-                for load in loads:
-                    for start in starts:
-                        name = f"{body.replace(' ', '_')}-{material}-{spacing:g}mm-{load:g}MPa-{start:g}"
-                        study.add(name, "contact_dynamics", prm(file), {
-                            **settings, "Body/RVE file": f"{{{rve}}}/rve.h5", "Body/Material": material, **loading(load, start, dimension),
-                            **({"Body/Cells": FINER[body]} if spacing == 0.25 else {})})
-                        runs[name] = (body, material, spacing, load, start)
+        for material in ("heterogeneous", "homogeneous"):
+            for load in LOADS:
+                for start in STARTS:
+                    name = f"{body.replace(' ', '_')}-{material}-{load:g}MPa-{start:g}"
+                    study.add(name, "contact_dynamics", prm(file), {
+                        **settings, "Body/RVE file": f"{{{rve}}}/rve.h5", "Body/Material": material, **loading(load, start, dimension)})
+                    runs[name] = (body, material, 0.5, load, start)
     return runs

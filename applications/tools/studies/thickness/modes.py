@@ -8,7 +8,7 @@ from settings import TOP, prm
 
 MODE_COLUMNS = ["thickness [mm]", "first out of plane [kHz]", "clamped and guided beam [kHz]", "shear along x [kHz]",
                 "out of plane below it", "modes computed"]
-CELLS = {0.5: (112, 2, 32), 1: (112, 4, 32), 2: (56, 4, 16), 4: (56, 4, 16), 8: (56, 8, 16)}
+CELLS = {0.5: (112, 2, 32), 1: (56, 4, 16), 2: (56, 4, 16), 4: (56, 4, 16), 8: (56, 8, 16)}
 HEIGHT, DENSITY = 16e-3, 1770  # m, kg/m^3
 # Of the stiffness in 40-contact_dynamics-modes.prm along z with sigma_yy = 0 and, in a wide pin, eps_xx = 0.
 MODULUS = 47.26e9 - 11.272e9**2 / 55.08e9  # Pa
