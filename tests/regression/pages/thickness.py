@@ -20,7 +20,7 @@ def main():
         assert file.read() == wrapped(thickness_page.text(os.path.join(doc, "thickness"))), "the page is not that of its tables"
     assert os.path.isfile(os.path.join(doc, "thickness", "thickness.png"))
     study = Study(os.path.join(TOP, "results", "thickness"), PROGRAMS)
-    run.add_runs(study)
+    run.add_all(study)
     for case in {(case.prm, *case.settings): case for case in study.cases.values()}.values():
         done = subprocess.run([os.path.join(PROGRAMS, case.program), case.prm, "--print-parameters", *sets(case.settings)],
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)

@@ -8,25 +8,18 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [HERE, os.path.join(HERE, "..")]
 
+import fibres  # noqa: E402
+import modes  # noqa: E402
 import thickness_page  # noqa: E402
 from pages import write_csv  # noqa: E402
 from observed import RUN_COLUMNS, difference, moduli, profile, row  # noqa: E402
+from settings import LOADS, STARTS, TOP, loading, prm  # noqa: E402
 from study import Study, parse_arguments  # noqa: E402
 
-TOP = os.path.normpath(os.path.join(HERE, "..", "..", "..", ".."))
 THICKNESSES = (0.5, 1, 2, 4, 8, 16)  # mm
-LOADS, STARTS = (0.5, 0.4), (0.45, 0.5, 0.55)  # MPa, m/s
 PLANE_STRESS = "35.027e9, 7.232e9, 44.953e9, 13.785e9"  # of the stiffness in 30-contact_dynamics-thickness.prm with sigma_yy = 0
 COLUMNS_OF_LAYER = ["time [ms]", "relative difference [-]"]
 COLUMNS_OF_PROFILE = ["thickness [mm]", "distance from the middle plane over half the thickness [-]", "mean pressure over P [-]"]
-
-
-def prm(name):
-    return os.path.join(TOP, "prm", "thickness", name + ".prm")
-
-
-def loading(load, start, dimension):
-    return {"Top/Pressure": load * 1e6, "Body/Initial velocity": (start, *[0] * (dimension - 1))}
 
 
 def cells_across(thickness, spacing):
@@ -62,10 +55,28 @@ def add_runs(study):
     return runs
 
 
+def add_all(study):
+    """The homogeneous pins and those with fibres, as add_runs of either returns them."""
+    fibres.add_plane_morphologies(study)
+    homogeneous, heterogeneous = add_runs(study), fibres.add_runs(study)
+    modes.add_modes(study)
+    return homogeneous, heterogeneous
+
+
+def extruded(study):
+    """Long bars, of the paper's morphology and of wider fibres, for the runs that read them."""
+    fibres.add_plane_morphologies(study)
+    study.run()
+    fibres.extrude(study.path(fibres.PAPER), os.path.join(TOP, "prm", "thickness", "long_bars.npy"), 1)
+    fibres.extrude(study.path(fibres.PLANE), os.path.join(study.path(fibres.PLANE), "long_bars.npy"), 2)
+
+
 def main():
     arguments = parse_arguments(__doc__, "thickness", ("all",))
-    study = Study(arguments.output, arguments.programs, arguments.jobs, arguments.keep)
-    runs = add_runs(study)
+    options = arguments.output, arguments.programs, arguments.jobs, arguments.keep
+    extruded(Study(*options))
+    study = Study(*options)
+    runs, with_fibres = add_all(study)
     results = study.run()
     failed = [name for name in study.cases if name not in results or results[name].status != 0]
     if failed:
@@ -77,6 +88,8 @@ def main():
     write_csv(folder, "layer_means.csv", RUN_COLUMNS[5:], [row(results[name]) for name in ("plane-same_step", "layer-same_step")])
     write_csv(folder, "profile.csv", COLUMNS_OF_PROFILE, [
         [t, *line] for t in THICKNESSES[2:5] for line in profile(results[f"thick-{t:g}mm-0.5mm-0.5MPa-0.5"].folder, 0.5e6)])
+    write_csv(folder, "fibres.csv", fibres.FIBRE_COLUMNS + RUN_COLUMNS[5:], [[*of, *row(results[name])] for name, of in with_fibres.items()])
+    write_csv(folder, "modes.csv", modes.MODE_COLUMNS, modes.mode_rows(results))
     write_csv(folder, "moduli.csv", ["entry", "PBC [GPa]", "closed form [GPa]"], moduli(results["moduli"].summary))
     write_csv(folder, "cost.csv", ["runs", "processor time [s]"], [[len(results), round(sum(r.cpu_seconds for r in results.values()))]])
     thickness_page.write(doc)

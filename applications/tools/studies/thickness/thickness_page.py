@@ -1,19 +1,14 @@
 """The page doc/paper/thickness.md and its picture, from the tables in doc/paper/thickness alone."""
 
-import csv
 import os
 
 import matplotlib.pyplot as plt
 
+import fibres_page
+from fibres_page import read
 from pages import save_picture, table, write_page
 
 BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#6b7280"
-
-
-def read(folder, name):
-    """Rows of a table as dictionaries."""
-    with open(os.path.join(folder, name), encoding="utf-8") as file:
-        return list(csv.DictReader(file))
 
 
 def of(rows, body, cells, load, start=None, thickness=None):
@@ -42,7 +37,7 @@ def picture(folder, rows, profiles):
                       label=f"{load:g} MPa")
         for body, dash in (("plane strain", "-"), ("plane stress", "--")):
             left.axhline(mean(of(rows, body, 1, load, 0.5)), color=colour, ls=dash, lw=1.2)
-    left.set(xlabel="thickness (mm)", ylabel="μ_inter", title="lines: plane strain (dashed: stress)")
+    left.set(xlabel="thickness (mm)", ylabel=r"$\mu_\mathrm{inter}$", title="lines: plane strain (dashed: stress)")
     ticks = sorted({float(r["thickness [mm]"]) for r in of(rows, "free faces", 1, 0.5)})
     left.set_xticks(ticks, [f"{t:g}" for t in ticks])
     left.legend(loc="center left")
@@ -94,9 +89,11 @@ def text(folder):
         f"**Which regime a start falls to is another matter**: of 0.5 MPa pushed at 0.55 m/s, close to the border of the regimes in plane strain "
         f"(0.56 m/s), these are separated most of the time (mu_inter {span(hard)}): {names}; plane strain is in regime 1 ({span(straight)}). So plane strain "
         "holds for the numbers within a regime at 0.5 MPa, and not for the border between them, seen on cells of 1 mm alone.",
+        fibres_page.fibre_verdict(read(folder, "fibres.csv")),
+        fibres_page.modes_verdict(folder),
         f"Written by `./run.sh thickness` from the files of [prm/thickness](../../prm/thickness): {cost['runs']} runs, {cost['processor time [s]']} s of "
         "processor time on one core with AVX-512, beside other work. Tables: [runs](thickness/runs.csv), [layer](thickness/layer.csv), "
-        "[profile](thickness/profile.csv).",
+        "[profile](thickness/profile.csv), [fibres](thickness/fibres.csv), [modes](thickness/modes.csv).",
         "The body is the homogeneous pin of eq. (10), 56 x 16 mm, with free faces, under a rigid platen that also holds its top across the plane; "
         "half of it is computed, its middle plane being one of symmetry, so that bending out of the plane is left out. P as named, pushed as in "
         "[paper](README.md), statistics from 1 to 2 ms.",
@@ -117,8 +114,11 @@ def text(folder):
         "Bars through the thickness, seed 1 of the paper's morphologies, one layer under PBC. Both phases have Poisson's ratio 0.2, so that three entries "
         "are known from those in the plane; the pin has them from eq. (10) with 10 % of fibres, and the two shear moduli as computed:",
         table(["entry", "PBC [GPa]", "closed form [GPa]"], moduli, right=True),
+        *fibres_page.fibres(folder),
+        *fibres_page.modes(folder),
         "## Not done",
-        "Pins with every fibre in 3D, bars of finite length, modes and growth in 3D, stress across the plane, bending out of the plane, cells finer than 0.5 mm."]) + "\n"
+        "Fibres of 0.1 mm in 3D, further seeds, growth in 3D, stress across the plane, runs of homogeneous pins with bending out of the plane, cells "
+        "finer than 0.5 mm."]) + "\n"
 
 
 def write(doc):
