@@ -10,6 +10,7 @@ sys.path.insert(0, os.path.join(TOOLS, "studies", "thickness"))
 
 import run  # noqa: E402
 import thickness_page  # noqa: E402
+from glossary_links import with_links  # noqa: E402
 from pages import wrapped  # noqa: E402
 from study import Study  # noqa: E402
 
@@ -17,7 +18,8 @@ from study import Study  # noqa: E402
 def main():
     doc = os.path.join(TOP, "doc", "paper")
     with open(os.path.join(doc, "thickness.md"), encoding="utf-8") as file:
-        assert file.read() == wrapped(thickness_page.text(os.path.join(doc, "thickness"))), "the page is not that of its tables"
+        text = with_links(thickness_page.text(os.path.join(doc, "thickness")), "../", width=10**6)  # as pages.write_page
+        assert file.read() == wrapped(text), "the page is not that of its tables"
     assert os.path.isfile(os.path.join(doc, "thickness", "thickness.png"))
     study = Study(os.path.join(TOP, "results", "thickness"), PROGRAMS)
     run.add_all(study)
