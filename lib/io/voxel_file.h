@@ -23,9 +23,10 @@ struct VoxelSource
 
   unsigned int components = 1; ///< numbers a voxel: 1, or a fourth axis of so many
 
-  /** Keys, for messages. */
-  std::string dataset_key = "Microstructure/Dataset",
-              raw_keys    = "Microstructure/Raw shape or Raw type";
+  std::string dataset_key = "Microstructure/Dataset"; ///< for messages
+
+  /** For messages as well. */
+  std::string raw_keys = "Microstructure/Raw shape or Raw type";
 
   /** The kinds of files. */
   enum class Kind

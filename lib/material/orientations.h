@@ -26,8 +26,9 @@ struct OrientedPhase
   /** The stiffness @p of_phase turned by these angles (Pa). */
   VoigtMatrix<3> turned(const VoigtMatrix<3> &of_phase) const
   {
-    const double degree = 3.14159265358979323846 / 180.;
-    if (euler_angles == std::array<double, 3>())
+    constexpr double degree               = 3.14159265358979323846 / 180.;
+    constexpr std::array<double, 3> as_is = {{0., 0., 0.}};
+    if (euler_angles == as_is)
       return of_phase;
     return turn_stiffness(of_phase, bunge_rotation(degree * euler_angles[0],
                                                    degree * euler_angles[1],

@@ -15,7 +15,7 @@ MeshDiscretization<dim>::MeshDiscretization(MeshShare<dim> &&share,
   , dofs(std::move(share.dofs))
 {
   std::vector<std::array<Index, 2>> duplicates;
-  for (std::size_t k = 0; k < share.duplicates.size(); k += 2 * dim)
+  for (std::size_t k = 0; k < share.duplicates.size(); k += 2UL * dim)
     for (unsigned int c = 0; c < dim; ++c)
       duplicates.push_back({{share.duplicates[k + c], share.duplicates[k + dim + c]}});
   tie_duplicates(duplicates, distributed->relevant(), constraints);

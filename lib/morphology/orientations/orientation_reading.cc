@@ -21,11 +21,6 @@ std::string voxel_text(const std::array<std::size_t, 3> &xyz)
          std::to_string(xyz[0]) + "]";
 }
 
-std::string name_of(const std::string &path)
-{
-  return std::filesystem::path(path).filename().string();
-}
-
 /** The voxels that are cells. */
 VoxelRegion region_of_cells(const MicrostructureParameters &p)
 {
@@ -158,10 +153,12 @@ std::vector<std::string> description_of(const CellReader &cells,
   const OrientationReading &reading = p.orientation;
   std::string text                  = "Orientations: ";
   if (reading.table.empty())
-    text += "angles of " + name_of(reading.file);
+    text += "angles of " + std::filesystem::path(reading.file).filename().string();
   else
     text += std::to_string(cells.found_grains.size()) + " grains of " +
-            name_of(reading.file) + " with the angles of " + name_of(reading.table);
+            std::filesystem::path(reading.file).filename().string() +
+            " with the angles of " +
+            std::filesystem::path(reading.table).filename().string();
   text += ", " + std::to_string(cells.palette.size()) +
           " different pairs of phase and orientation";
   if (reading.step > 0.)

@@ -10,10 +10,12 @@ namespace mesoslip
 {
 double RateWeakening::fastest_growth() const
 {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  const double r            = fall / impedance;
-  double high               = std::min(delta > 0. ? (r - 1.) / delta : infinite,
-                         beta > 0. ? (r * r - 1.) / beta : infinite);
+  const double r = fall / impedance;
+  double high    = std::numeric_limits<double>::infinity();
+  if (delta > 0.)
+    high = (r - 1.) / delta;
+  if (beta > 0.)
+    high = std::min(high, (r * r - 1.) / beta);
   if (delta == 0. || beta == 0.)
     return high;
   double low = 0.;
