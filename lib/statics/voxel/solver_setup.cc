@@ -127,8 +127,9 @@ Solver::Solver(const UniformGrid<3> &the_box,
 std::size_t Solver::in_table(const unsigned int coefficient,
                              const std::size_t phase) const
 {
-  return source == Source::materials ? (phase * n_of_material + coefficient)
-                                     : (std::size_t{256} * coefficient + phase);
+  if (source == Source::materials)
+    return phase * n_of_material + coefficient;
+  return std::size_t{256} * coefficient + phase;
 }
 
 /** What phases have of each coefficient, in units, and the mean stiffness. */
