@@ -7,5 +7,5 @@ if(MESOSLIP_CPPCHECK)
                    --enable=warning,performance,portability,style --suppress=missingIncludeSystem
                    --suppressions-list=${CMAKE_CURRENT_LIST_DIR}/cppcheck_suppressions.txt
                    -I ${CMAKE_SOURCE_DIR}/lib ${CMAKE_SOURCE_DIR}/lib ${CMAKE_SOURCE_DIR}/applications)
-  set_tests_properties(lint/cppcheck PROPERTIES LABELS lint TIMEOUT 300)
+  set_tests_properties(lint/cppcheck PROPERTIES LABELS lint TIMEOUT 900)
 endif()
