@@ -19,8 +19,10 @@ struct MeshOutline
   /** Points of a side of the body. */
   struct Side
   {
-    std::vector<unsigned int> points;                 ///< in 2D along the side
-    std::vector<std::array<double, dim>> normal_area; ///< see SurfaceNodes
+    std::vector<unsigned int> points; ///< their numbers in the mesh, in 2D along the side
+
+    /** SurfaceNodes::normal_area of each of them (2D: m, 3D: m^2). */
+    std::vector<std::array<double, dim>> normal_area;
 
     /** Of boost::serialization. */
     template <class Archive>
@@ -30,14 +32,17 @@ struct MeshOutline
     }
   };
 
-  std::array<double, dim> lower   = {}; ///< corner of the bounding box (m)
-  std::array<double, dim> extents = {}; ///< of the bounding box (m)
-  double volume                   = 0.; ///< m^2, m^3
-  double mass                     = 0.; ///< kg, in 2D kg/m
-  std::uint64_t n_cells           = 0;  ///< of the mesh
-  std::vector<Side> sides;              ///< as ElasticBody has them
+  std::array<double, dim> lower   = {}; ///< lower corner of the bounding box (m)
+  std::array<double, dim> extents = {}; ///< lengths of the bounding box (m)
+  double volume                   = 0.; ///< of the body (2D: area, m^2; 3D: m^3)
+  double mass                     = 0.; ///< of the body (kg, in 2D kg/m)
+  std::uint64_t n_cells           = 0;  ///< number of cells of the whole mesh
 
-  /** Duplicates and their originals, axis after axis, one pair after the other. */
+  /** The 2 dim sides of the body, numbered as in ElasticBody::surface(). */
+  std::vector<Side> sides;
+
+  /** Numbers in the mesh of duplicate points and their originals, axis after axis, one pair
+   * after the other. */
   std::vector<unsigned int> duplicates;
 
   /** Of boost::serialization. */
