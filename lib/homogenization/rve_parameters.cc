@@ -43,9 +43,9 @@ void RveParameters::bind(Keys &keys)
       "Boundary conditions of the load cases, one or more of: KUBC, "
       "displacements of a uniform strain; SUBC, tractions of a uniform "
       "stress; PBC, periodic fluctuations about a uniform strain; MUBC, mixed "
-      "uniform conditions on grids in 2D and meshes, normal displacements "
-      "or, in shear, tangential ones, of a uniform strain without other "
-      "tractions, for axes of orthotropy along those of space. KUBC is "
+      "uniform conditions: normal displacements or, in shear, tangential "
+      "ones, of a uniform strain without other tractions, for axes of orthotropy along "
+      "those of space. KUBC is "
       "an upper and SUBC a lower bound of large volumes [-]");
     keys.bind("Solver", solver, {"multigrid", "jacobi", "ml"},
               "Preconditioner of conjugate gradients: multigrid, geometric multigrid on "
@@ -107,13 +107,6 @@ void RveParameters::check() const
     throw UserError(
       "Homogenization/Boundary conditions is empty; name KUBC, SUBC, PBC, MUBC or "
       "several of them");
-  if (mesh.files.empty() && mesh.dim == 3 &&
-      std::find(conditions.begin(), conditions.end(), BoundaryCondition::MUBC) !=
-        conditions.end())
-    throw UserError(
-      "Homogenization/Boundary conditions: the solver of voxels in 3D has no "
-      "MUBC; take PBC, which give the same of a volume that is symmetric "
-      "about its middle planes, or a mesh");
   if (effective != "mean" && std::find(conditions.begin(), conditions.end(),
                                        boundary_condition(effective)) == conditions.end())
     throw UserError("Homogenization/Effective is " + effective +

@@ -16,9 +16,21 @@ voxel::Sides sides_of(const BoundaryCondition condition)
       return voxel::Sides::held;
     case BoundaryCondition::SUBC:
       return voxel::Sides::free;
+    case BoundaryCondition::MUBC:
+      return voxel::Sides::mixed;
     default:
       return voxel::Sides::periodic;
     }
+}
+
+voxel::HeldComponents held_components(const BoundaryCondition condition,
+                                      const unsigned int k)
+{
+  voxel::HeldComponents held;
+  for (unsigned int across = 0; across < 3; ++across)
+    for (unsigned int c = 0; c < 3; ++c)
+      held[across][c] = is_prescribed<3>(condition, k, across, c);
+  return held;
 }
 
 /** Calls action(phase, strain) with the strains of the load cases, one a column, of each
@@ -71,6 +83,8 @@ VolumeSums<3> VoxelVolume::solve(const BoundaryCondition wanted,
   for (unsigned int k = 0; k < 6; ++k)
     try
       {
+        if (condition == BoundaryCondition::MUBC)
+          solver->hold(held_components(condition, k));
         reports[k] = solver->solve(k, tolerance);
         if (case_done)
           case_done();

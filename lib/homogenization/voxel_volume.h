@@ -13,7 +13,7 @@
 namespace mesoslip
 {
 /**
- * A volume element of voxels with the load cases of KUBC, SUBC and PBC: cells are
+ * A volume element of voxels with the load cases of KUBC, SUBC, PBC and MUBC: cells are
  * trilinear bricks, solved by voxel::Solver. Collective where nothing else is said.
  */
 class VoxelVolume
@@ -27,8 +27,8 @@ public:
               const MPI_Comm the_communicator);
 
   /**
-   * Solves the load cases of @p wanted: unit strains (KUBC, PBC; engineering shear)
-   * or stresses of 1 Pa (SUBC). @throws NotConverged, which names condition and load case.
+   * Solves the load cases of @p wanted: unit strains (KUBC, PBC, MUBC; engineering
+   * shear) or stresses of 1 Pa (SUBC). @throws NotConverged, which names condition and load case.
    * @p case_done, if any, is called after each load case.
    */
   VolumeSums<3> solve(const BoundaryCondition wanted,

@@ -3,6 +3,7 @@
 #include "elasticity/brick/brick_matrices.h"
 #include "grid/instruction_set.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -39,6 +40,25 @@ Cells cells_of(const VoxelGrid &grid, const unsigned int n_coefficients)
     if (std::abs(grid.ratio(axis) - 1.) > equal_edges)
       return Cells::isotropic;
   return Cells::cubes;
+}
+
+void clear_held(const VoxelGrid &grid, float *field)
+{
+  if (grid.sides != Sides::mixed)
+    return;
+  const std::size_t stride = grid.stride();
+  for (unsigned int k = 1; k <= grid.n_nodes(2); ++k)
+    for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          float *row =
+            field + ((std::size_t{grid.n_nodes(1) + 2} * k + j) * 3 + c) * stride;
+          if ((grid.held[1][c] && grid.is_on_side(1, j)) ||
+              (grid.held[2][c] && grid.is_on_side(2, k)))
+            std::fill_n(row, stride, 0.F);
+          else if (grid.held[0][c])
+            row[1] = row[grid.n_nodes(0)] = 0.F;
+        }
 }
 
 Level::Level(const VoxelGrid &the_grid, CellStiffness &&the_stiffness)
@@ -172,6 +192,7 @@ void Level::set_inverse_diagonal()
           for (unsigned int i = 1; i <= nx; ++i)
             out[i] = 1.F / out[i];
         }
+  clear_held(grid, inverse.data()); // no step moves these
 }
 
 void Level::estimate_largest_eigenvalue()

@@ -68,13 +68,14 @@ private:
   SweepArguments<float> arguments(VoxelField<float> &x);
   unsigned int n_diagonals() const
   {
-    return cells == Cells::cubes ? 1 : 3;
+    return cells == Cells::cubes && grid.sides != Sides::mixed ? 1 : 3;
   }
   void first_step(const float factor, const VoxelField<float> &b, VoxelField<float> &x);
   void set_inverse_diagonal();
   void estimate_largest_eigenvalue();
 
-  /** Equal for the three components of cubes: [z][y][n_diagonals][stride]. */
+  /** [z][y][n_diagonals][stride]; equal for the three components of cubes unless some are
+   *  held. */
   LineVector<float> inverse;
   LineVector<float> work;
   LineVector<float> table;

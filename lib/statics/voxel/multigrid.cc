@@ -30,6 +30,8 @@ long unknown(const VoxelGrid &grid,
         node[d] = (node[d] + n - 1) % n + 1;
       if (node[d] < 1 || node[d] > n)
         return -1;
+      if (grid.sides == Sides::mixed && grid.held[d][c] && grid.is_on_side(d, node[d]))
+        return -1;
       number = number * n + node[d] - 1;
     }
   return 3 * number + c;

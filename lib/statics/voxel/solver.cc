@@ -55,7 +55,12 @@ double Solver::outer(const unsigned int k,
   else
     a.strain[k] = 4.;
   const Cells cells = cells_of(voxels, n_coefficients);
-  return sum_over_ranks(voxels, sweep_of<double>(kernels().outer, source, cells)(a));
+  const double square =
+    sum_over_ranks(voxels, sweep_of<double>(kernels().outer, source, cells)(a));
+  if (voxels.sides != Sides::mixed)
+    return square;
+  clear_held(voxels, out.data());
+  return sum_over_ranks(voxels, kernels().dot(out.size(), out.data(), out.data()));
 }
 
 void Solver::residual(const unsigned int k,
@@ -108,6 +113,7 @@ Solver::solve(const unsigned int k, const double tolerance, const unsigned int l
       const double beta = report.iterations == 0 ? 0. : rz / last;
       kernels().combine(p.size(), 1.F, z.data(), static_cast<float>(beta), p.data());
       const double pq = multigrid->finest().product(p, q);
+      clear_held(voxels, q.data());
       if (!(pq > 0.) || !(rz > 0.))
         fail("broke down", NotConverged::Reason::broke_down);
       const double alpha = rz / pq;

@@ -21,8 +21,9 @@ namespace mesoslip::voxel
  * without a matrix. Conjugate gradients in single precision with a multigrid cycle; the
  * displacements and, from time to time, the residual are in double precision.
  *
- * Held and periodic sides: u = E.x + fluctuation with a unit strain E (engineering shear),
- * the fluctuation being zero at the sides (KUBC) or periodic (PBC, up to a translation).
+ * Held, periodic and mixed sides: u = E.x + fluctuation with a unit strain E (engineering
+ * shear), the fluctuation being zero at the sides (KUBC), periodic (PBC, up to a translation)
+ * or zero in some components (MUBC, see hold()).
  * Free sides: tractions S.n of a unit stress (SUBC, up to a rigid motion), and the whole
  * displacement is called fluctuation.
  *
@@ -52,6 +53,10 @@ public:
          const std::vector<VoigtMatrix<3>> &the_stiffness,
          const Sides sides,
          const MPI_Comm communicator = MPI_COMM_SELF);
+
+  /** Of mixed sides: components of the fluctuation that are zero on them from now on; to be
+   *  called before the first solve(), and between load cases that differ. */
+  void hold(const HeldComponents &held);
 
   /**
    * Solves load case @p k (Voigt) from zero until the residual is @p tolerance times that
@@ -112,7 +117,7 @@ public:
 
 private:
   void set_table();
-  void build_multigrid(const double ratio);
+  void build_multigrid();
   double outer(const unsigned int k,
                VoxelField<double> &v,
                VoxelField<float> &out,

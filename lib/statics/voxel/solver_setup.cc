@@ -120,7 +120,17 @@ Solver::Solver(const UniformGrid<3> &the_box,
   for (unsigned int d = 0; d < 3; ++d)
     if (voxels.n_all_nodes(d) == 0)
       return; // no unknowns
-  build_multigrid(stiffness_ratio(n_cells, stiffness));
+  if (sides != Sides::mixed)
+    build_multigrid();
+}
+
+void Solver::hold(const HeldComponents &held)
+{
+  if (multigrid && held == voxels.held)
+    return;
+  multigrid.reset(); // not two at once
+  voxels.held = held;
+  build_multigrid();
 }
 
 /** Place of a number of a phase in the table, see SweepArguments. */
@@ -169,7 +179,7 @@ void Solver::set_table()
       }
 }
 
-void Solver::build_multigrid(const double ratio)
+void Solver::build_multigrid()
 {
   const std::size_t stride = voxels.stride();
   CellStiffness cells;
@@ -180,7 +190,8 @@ void Solver::build_multigrid(const double ratio)
       for (std::size_t i = 0; i < stride; ++i)
         cells.numbers[(row * n_coefficients + m) * stride + i] =
           static_cast<float>(table[in_table(m, phases[row * stride + i])]);
-  multigrid = std::make_unique<Multigrid>(voxels, std::move(cells), options_for(ratio));
+  multigrid = std::make_unique<Multigrid>(
+    voxels, std::move(cells), options_for(stiffness_ratio(n_cells, stiffness)));
   multigrid->finest().take_phases(phases, source, {table.begin(), table.end()});
 }
 } // namespace mesoslip::voxel

@@ -114,6 +114,10 @@ private:
   std::size_t stride            = 0;
   LineVector<Number> numbers;
 };
+
+/** Zero for the components of @p field, the numbers of a VoxelField, that Sides::mixed hold;
+ *  for other sides nothing is done. */
+void clear_held(const VoxelGrid &grid, float *field);
 } // namespace mesoslip::voxel
 
 #endif

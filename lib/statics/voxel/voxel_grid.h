@@ -14,10 +14,15 @@ namespace mesoslip::voxel
 /** What is said about the displacement at the sides of the body. */
 enum class Sides
 {
-  held,    ///< zero, so that the nodes of the sides are no unknowns
-  free,    ///< nothing
-  periodic ///< the same on opposite ones
+  held,     ///< zero, so that the nodes of the sides are no unknowns
+  free,     ///< nothing
+  periodic, ///< the same on opposite ones
+  mixed     ///< some components are zero, see VoxelGrid::held
 };
+
+/** Whether the displacement along axis c is zero on the two sides across an axis:
+ *  [across][c]. */
+using HeldComponents = std::array<std::array<bool, 3>, 3>;
 
 /**
  * A box of cells and which of its nodes are unknowns. Planes of nodes across z may be
@@ -30,6 +35,7 @@ struct VoxelGrid
   std::array<unsigned int, 3> cells = {};          ///< numbers along x, y, z, of the box
   std::array<double, 3> spacing     = {};          ///< edges of a cell, in any unit
   Sides sides                       = Sides::held; ///< all six
+  HeldComponents held               = {};          ///< of Sides::mixed
 
   /** Planes of nodes below those of each rank and, last, of all; empty: not divided. */
   std::vector<unsigned int> planes = {};
@@ -45,7 +51,8 @@ struct VoxelGrid
   /** Number of nodes of all ranks that are unknowns along an axis. */
   unsigned int n_all_nodes(const unsigned int axis) const
   {
-    return cells[axis] + (sides == Sides::free) - (sides == Sides::held);
+    return cells[axis] + (sides == Sides::free || sides == Sides::mixed) -
+           (sides == Sides::held);
   }
 
   /** Number of those of this rank. */
@@ -80,6 +87,14 @@ struct VoxelGrid
     const unsigned int beyond = below() + n_nodes(2) + 1 - first();
     const unsigned int before = below() + first_cell_plane() - first();
     return (beyond < cells[2] ? beyond : cells[2]) - before;
+  }
+
+  /** Whether node number @p i of this rank along an axis (Sides::free or mixed) is on a side
+   *  across it. */
+  bool is_on_side(const unsigned int axis, const unsigned int i) const
+  {
+    const unsigned int number = i - 1 + (axis == 2 ? below() : 0);
+    return number == 0 || number == cells[axis];
   }
 
   /** Length of a row of nodes or cells in numbers. */
