@@ -26,16 +26,22 @@ constexpr double bytes_per_voxel = 210.;
 constexpr double anisotropic_bytes = 30.;
 /** More where orientations are read: two bytes instead of one in the solver, and on rank 0. */
 constexpr double orientation_bytes = 5.;
+/** More for MUBC, whose multigrid is made anew while load cases are kept, with three diagonals. */
+constexpr double mixed_bytes = 25.;
 
 /** What all ranks together need (bytes). */
-double bytes_of_solver(const MicrostructureParameters &microstructure)
+double bytes_of_solver(const RveParameters &parameters)
 {
-  double bytes = bytes_per_voxel;
+  const MicrostructureParameters &microstructure = parameters.microstructure;
+  double bytes                                   = bytes_per_voxel;
   for (const auto &phase : make_phases<3>(microstructure.phases))
     if (!is_isotropic(phase.stiffness))
       bytes = bytes_per_voxel + anisotropic_bytes;
   if (!microstructure.orientation.file.empty())
     bytes += orientation_bytes;
+  if (std::find(parameters.conditions.begin(), parameters.conditions.end(),
+                BoundaryCondition::MUBC) != parameters.conditions.end())
+    bytes += mixed_bytes;
   return bytes * static_cast<double>(microstructure.box.n_nodes());
 }
 
@@ -85,8 +91,7 @@ public:
     for (const std::string &line : volume.description)
       out << line << '\n';
     out << n_cases() << " load cases, about "
-        << 150 +
-             static_cast<unsigned long>(1e-6 * bytes_of_solver(parameters.microstructure))
+        << 150 + static_cast<unsigned long>(1e-6 * bytes_of_solver(parameters))
         << " MB, divided among the ranks\n";
     for (const std::vector<std::string> &sentences : {volume.warnings, slips()})
       for (const std::string &warning : sentences)
@@ -252,8 +257,8 @@ private:
 void require_voxel_memory(const RveParameters &parameters)
 {
   const MicrostructureParameters &p = parameters.microstructure;
-  const double bytes                = share_of_this_machine() * bytes_of_solver(p);
-  const double part                 = std::cbrt(memory_of_machine() / bytes);
+  const double bytes = share_of_this_machine() * bytes_of_solver(parameters);
+  const double part  = std::cbrt(memory_of_machine() / bytes);
   std::string fits;
   for (const unsigned int n : p.box.cells)
     fits += (fits.empty() ? "" : " x ") +
