@@ -1,6 +1,7 @@
 #include "localization/localization_program.h"
 
 #include "base/timer.h"
+#include "localization/mean_concentration.h"
 #include "parameters/parameters.h"
 
 #include <cmath>
@@ -10,9 +11,6 @@ namespace mesoslip
 {
 namespace
 {
-/** Largest entry of <L> - I that goes without a warning. */
-constexpr double largest_defect = 1e-6;
-
 std::vector<VoigtMatrix<2>> stiffnesses(const RveFile<2> &rve)
 {
   std::vector<VoigtMatrix<2>> result;
@@ -21,29 +19,23 @@ std::vector<VoigtMatrix<2>> stiffnesses(const RveFile<2> &rve)
   return result;
 }
 
-/**
- * Largest entry of (mean of L) - I over all cells of [..][3][3] tensors: zero, up to the
- * accuracy of the solver, for KUBC and PBC.
- */
-double mean_defect(const std::vector<double> &concentration)
+/** Over all cells of [..][3][3] tensors. */
+VoigtMatrix<2> mean_of(const std::vector<double> &concentration)
 {
   VoigtMatrix<2> sum = VoigtMatrix<2>::Zero();
   for (std::size_t k = 0; k < concentration.size(); k += 9)
     sum += Eigen::Map<const VoigtMatrix<2>>(concentration.data() + k);
-  const double n_cells = static_cast<double>(concentration.size()) / 9.;
-  return (sum / n_cells - VoigtMatrix<2>::Identity()).cwiseAbs().maxCoeff();
+  return sum * (9. / static_cast<double>(concentration.size()));
 }
 
 /** C_phase L of all cells, and a warning if L is not what it should be. */
 StressMap make_map(LocalizationInput &input)
 {
   const std::vector<double> L = std::move(input.concentration);
-  const double defect         = mean_defect(L);
-  if (!(defect <= largest_defect))
-    input.warnings.push_back(
-      input.rve.path() + ": the mean of the concentration tensors " +
-      input.parameters.concentration + " differs from the identity by " +
-      to_text(defect) + "; rve_homogenization should be run with a smaller tolerance");
+  const std::string warning   = concentration_warning<2>(
+    input.rve.path(), input.parameters.concentration, mean_of(L));
+  if (!warning.empty())
+    input.warnings.push_back(warning);
   return {input.rve.grid, input.phase_id, stiffnesses(input.rve),
           input.out_of_plane_ratio, L};
 }

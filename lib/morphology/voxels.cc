@@ -169,6 +169,8 @@ void read_orientations(VoxelMorphology &result, const MicrostructureParameters &
   result.orientations    = std::move(found.orientations);
   for (const std::string &line : found.description)
     result.description.push_back(line);
+  for (const std::string &warning : found.warnings)
+    result.warnings.push_back(warning);
 }
 
 void describe_places(VoxelMorphology &result)

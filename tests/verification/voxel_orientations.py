@@ -229,6 +229,8 @@ def check_files(folder):
     np.save(folder("fortran.npy"), np.asfortranarray(angles.astype(">f4")))
     angles.tofile(folder("plain.raw"))
     angles.astype(np.int16).tofile(folder("short.raw"))
+    angles.astype(">f4").tofile(folder("big.raw"))
+    np.save(folder("radians.npy"), np.radians(angles))
     with h5py.File(folder("plain.h5"), "w") as file:
         file["a/angles"] = angles
     all_voxels = np.zeros((6, 5, 9, 3))
@@ -246,8 +248,14 @@ def check_files(folder):
 
     expected = stiffness("plain.npy", {})
     for file, more in (("fortran.npy", {}), ("plain.raw", {}), ("short.raw", {"Microstructure/Orientation raw type": "int16"}),
+                       ("big.raw", {"Microstructure/Orientation raw type": "float32", "Microstructure/Orientation raw byte order": "big"}),
                        ("plain.h5", {"Microstructure/Orientation dataset": "a/angles"})):
         assert stiffness(file, more) == expected, file
+    folder.write("bad.prm", prm(settings | {"Microstructure/Orientation file": "big.raw", "Microstructure/Orientation raw type": "float32"}))
+    said = folder.run(2, "rve_homogenization", "bad.prm", "--output", "bad", "--quiet")
+    assert "check Orientation raw type and Orientation raw byte order" in said, said
+    folder.write("radians.prm", prm(settings | {"Microstructure/Orientation file": "radians.npy"}))
+    assert "are they radians?" in folder.run(0, "rve_homogenization", "radians.prm", "--validate")
     assert stiffness("all.npy", cropped) == stiffness("plain.npy", part) != expected
 
 
@@ -271,6 +279,8 @@ def check_refused(folder):
             (grains, heading + "2, 0, 0, 0\n", table, ["voxel [0][0][0] is of grain 1, which has no line in"]),
             (grains, heading + "1, 0, 0, 0\n1, 0, 0, 0\n", table, ["bad.csv:3", "grain 1 stands in two lines"]),
             (grains, "grain,phi1\n1,2\n", table, ["no column 'phi1 [degrees]'"]),
+            (good + 721, "", {}, ["voxel [0][0][0] has the angle 721 degrees", "two turns are 720"]),
+            (grains, heading + "1, 0, 0, 1e30\n", table, ["bad.csv:2", "beyond two turns"]),
             (good, "", {"Microstructure/Orientation dataset": "a"}, ["Orientation dataset", "does not end in .h5"]),
             (good, "", {"Microstructure/Orientation step": -1}, ["Orientation step"])):
         np.save(folder("bad.npy"), array)

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "localization/localization_program.h"
+#include "localization/mean_concentration.h"
 #include "localization/mesh/mesh_result.h"
 #include "localization/mesh/rank_work.h"
 #include "program/run_context.h"
@@ -33,10 +34,9 @@ public:
       }
   }
 
-  /** Largest entry of the mean minus I, which is zero for KUBC and PBC. */
-  double defect() const
+  VoigtMatrix<dim> mean() const
   {
-    return (sum / volume - VoigtMatrix<dim>::Identity()).cwiseAbs().maxCoeff();
+    return sum / volume;
   }
 
 private:
@@ -106,21 +106,15 @@ private:
     RankWork<dim> work;
     if (context.root())
       {
-        work = work_of_rank(0);
-        check_concentration(mean.defect());
+        work                      = work_of_rank(0);
+        const std::string warning = concentration_warning<dim>(
+          input->rve.path(), parameters.concentration, mean.mean());
+        if (!warning.empty())
+          input->warnings.push_back(warning);
       }
     else
       load_state(text, work, "the message of another process");
     return work;
-  }
-
-  void check_concentration(const double defect)
-  {
-    if (!(defect <= 1e-6))
-      input->warnings.push_back(
-        input->rve.path() + ": the mean of the concentration tensors " +
-        parameters.concentration + " differs from the identity by " + to_text(defect) +
-        "; rve_homogenization should be run with a smaller tolerance");
   }
 
   RankWork<dim> work_of(const std::size_t first, const std::size_t end) const

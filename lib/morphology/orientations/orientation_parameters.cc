@@ -6,6 +6,7 @@
 #include "program/output_folder.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mesoslip
 {
@@ -33,11 +34,16 @@ std::map<double, std::array<double, 3>> read_grains(const std::string &path)
              phi_2     = table.numbers("phi2 [degrees]");
   std::map<double, std::array<double, 3>> grains;
   for (std::size_t row = 0; row < grain.size(); ++row)
-    if (!grains
-           .emplace(grain[row], std::array<double, 3>{{phi_1[row], Phi[row], phi_2[row]}})
-           .second)
-      table.fail(row,
-                 "grain " + to_text(grain[row]) + " stands in two lines; remove one");
+    {
+      const std::array<double, 3> angles = {{phi_1[row], Phi[row], phi_2[row]}};
+      for (const double angle : angles)
+        if (!(std::abs(angle) <= largest_bunge_angle))
+          table.fail(row, "the angle " + to_text(angle) +
+                            " degrees is beyond two turns, 720; write angles in degrees");
+      if (!grains.emplace(grain[row], angles).second)
+        table.fail(row,
+                   "grain " + to_text(grain[row]) + " stands in two lines; remove one");
+    }
   return grains;
 }
 
@@ -63,20 +69,22 @@ void OrientationReading::bind(Keys &keys)
     "[degrees], Phi [degrees], phi2 [degrees]. Empty: the file has angles [-]");
   keys.bind("Orientation dataset", dataset,
             "Orientation file in HDF5: path of the dataset in the file [-]");
-  keys.bind(
-    "Orientation raw type", raw_type, number_type_names(),
-    "Orientation file that is a .raw: type of the numbers, the lowest byte first [-]");
+  keys.bind("Orientation raw type", raw_type, number_type_names(),
+            "Orientation file that is a .raw: type of the numbers [-]");
+  keys.bind("Orientation raw byte order", raw_big_endian, {"little", "big"},
+            "Orientation file that is a .raw: which end of a number comes first: little: "
+            "the lowest byte, as on PCs; big: the highest [-]");
   keys.bind(
     "Orientation step", step, Range::closed(0., 90.),
     "Angles of Orientation file are rounded to multiples of it, so that there are "
     "fewer different ones; 0: they are not [degrees]");
   keys.only_if(!file.empty(),
                {"Orientation table", "Orientation dataset", "Orientation raw type",
-                "Orientation step"},
+                "Orientation raw byte order", "Orientation step"},
                "Microstructure/Orientation file is empty", "name one");
-  keys.only_if(has_ending(file, ".raw"), {"Orientation raw type"},
-               "Microstructure/Orientation file does not end in .raw",
-               "name such a file");
+  keys.only_if(
+    has_ending(file, ".raw"), {"Orientation raw type", "Orientation raw byte order"},
+    "Microstructure/Orientation file does not end in .raw", "name such a file");
   keys.only_if(
     has_ending(file, ".h5") || has_ending(file, ".hdf5"), {"Orientation dataset"},
     "Microstructure/Orientation file does not end in .h5 or .hdf5", "name such a file");
@@ -87,11 +95,11 @@ VoxelSource OrientationReading::source(const std::array<std::size_t, 3> &voxels)
   VoxelSource source;
   source.path        = file;
   source.dataset     = dataset;
-  source.raw_type    = number_type(raw_type, false);
+  source.raw_type    = number_type(raw_type, raw_big_endian);
   source.raw_shape   = voxels;
   source.components  = table.empty() ? 3 : 1;
   source.dataset_key = of_section + "Orientation dataset";
-  source.raw_keys    = of_section + "Orientation raw type";
+  source.raw_keys    = of_section + "Orientation raw type and Orientation raw byte order";
   return source;
 }
 

@@ -5,6 +5,7 @@
 #include "morphology/microstructure_parameters.h"
 #include "morphology/orientations/palette.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -14,6 +15,11 @@ namespace mesoslip
 {
 namespace
 {
+/** Round-off leaves more, numbers whose bytes are read in the wrong order less (degrees). */
+constexpr double smallest_angle = 1e-25;
+/** A file without a larger angle is likely to have radians (degrees). */
+constexpr double full_turn_in_radians = 6.2832;
+
 /** "[2][0][7]" of a voxel of the file. */
 std::string voxel_text(const std::array<std::size_t, 3> &xyz)
 {
@@ -72,6 +78,7 @@ public:
 
   std::vector<std::uint16_t> id; ///< of the cells
   std::set<double> found_grains; ///< that cells have which turn
+  double largest = 0.;           ///< angle of a cell (degrees), without its sign
 
 private:
   std::size_t n_components() const
@@ -93,6 +100,8 @@ private:
         last_phase  = phase;
         last_angles = angles;
         seen.insert(phase);
+        for (const double angle : angles)
+          largest = std::max(largest, std::abs(angle));
       }
     id.push_back(last_number);
   }
@@ -115,6 +124,13 @@ private:
         throw UserError(reading.file + ": " + voxel_text(voxel) +
                         " has an angle that is nan or infinity; save numbers for all "
                         "voxels of anisotropic phases");
+      else if (std::abs(angle) > largest_bunge_angle ||
+               (angle != 0. && std::abs(angle) < smallest_angle))
+        throw UserError(reading.file + ": " + voxel_text(voxel) + " has the angle " +
+                        to_text(angle) + " degrees, where two turns are 720; check " +
+                        (has_ending(reading.file, ".raw")
+                           ? "Orientation raw type and Orientation raw byte order"
+                           : "what the file holds"));
     return angles;
   }
 
@@ -145,6 +161,15 @@ private:
 public:
   Palette palette;
 };
+
+/** The file that has the angles. */
+std::string reading_name(const MicrostructureParameters &p)
+{
+  const OrientationReading &reading = p.orientation;
+  return std::filesystem::path(reading.table.empty() ? reading.file : reading.table)
+    .filename()
+    .string();
+}
 
 std::vector<std::string> description_of(const CellReader &cells,
                                         const MicrostructureParameters &p,
@@ -189,7 +214,11 @@ CellOrientations read_cell_orientations(const MicrostructureParameters &p,
   CellReader cells(p, turns);
   cells.read(phase_id);
   CellOrientations result;
-  result.description            = description_of(cells, p, turns);
+  result.description = description_of(cells, p, turns);
+  if (cells.largest > 0. && cells.largest <= full_turn_in_radians)
+    result.warnings.push_back(
+      brief_text(4, "No angle of ", reading_name(p), " is larger than ", cells.largest,
+                 " degrees: are they radians? They have to be degrees"));
   result.orientations.materials = cells.palette.materials();
   result.orientations.id        = std::move(cells.id);
   return result;

@@ -15,13 +15,17 @@ namespace mesoslip
 class Keys;
 struct MicrostructureParameters;
 
+/** Bunge's angles are within a turn; some programs write them within two (degrees). */
+constexpr double largest_bunge_angle = 720.;
+
 /** Where the orientations of the cells come from; keys of section `Microstructure`. */
 struct OrientationReading
 {
   std::string file;    ///< three angles a voxel or, with a table, its grain; empty: none
   std::string table;   ///< CSV of the angles of the grains; empty: the file has angles
   std::string dataset; ///< of an HDF5 file
-  std::string raw_type = "float64"; ///< of the numbers of a .raw, the lowest byte first
+  std::string raw_type = "float64"; ///< of the numbers of a .raw
+  bool raw_big_endian  = false;     ///< the highest byte of a number comes first
   double step          = 0.; ///< multiples that angles are rounded to (degrees); 0: no
 
   /** Binds the keys of the current section. */
@@ -45,6 +49,7 @@ struct CellOrientations
 {
   Orientations orientations;            ///< of the cells
   std::vector<std::string> description; ///< lines for the log
+  std::vector<std::string> warnings;    ///< sentences for the log: angles like radians
 };
 
 /** Reads what the files say of themselves. @throws UserError unless they fit the voxels, and
@@ -54,7 +59,7 @@ void check_orientations(const MicrostructureParameters &parameters);
 /**
  * Reads the orientations of cells with the phases @p phase_id, in a byte each. Those of
  * isotropic @p phases do not count. @throws UserError naming the voxel of an angle that is no
- * number or of a grain without angles, and when there are too many different ones
+ * number or beyond 720 degrees or of a grain without angles, and when there are too many different ones
  */
 CellOrientations read_cell_orientations(const MicrostructureParameters &parameters,
                                         const std::vector<std::uint8_t> &phase_id,

@@ -1,0 +1,42 @@
+#ifndef mesoslip_localization_mean_concentration_h
+#define mesoslip_localization_mean_concentration_h
+
+#include "base/text.h"
+#include "material/engineering_constants.h"
+#include "material/voigt.h"
+
+#include <string>
+
+namespace mesoslip
+{
+/**
+ * What is wrong with concentration tensors L of @p condition, whose volume mean is @p mean;
+ * empty: nothing. The mean is I for KUBC and PBC up to the accuracy of the solver. MUBC
+ * prescribe its orthotropic part alone: the rest is zero where the axes of space are those of
+ * orthotropy (doc/theory.md). @p file is named as their source.
+ */
+template <int dim>
+std::string concentration_warning(const std::string &file,
+                                  const std::string &condition,
+                                  const VoigtMatrix<dim> &mean)
+{
+  constexpr double largest_defect = 1e-6, largest_coupling = 0.01;
+  const VoigtMatrix<dim> prescribed =
+    condition == "MUBC" ? orthotropic_part<dim>(mean) : mean;
+  const double defect = (prescribed - VoigtMatrix<dim>::Identity()).cwiseAbs().maxCoeff();
+  const std::string tensors =
+    file + ": the mean of the concentration tensors " + condition;
+  if (!(defect <= largest_defect))
+    return tensors + " differs from the identity by " + to_text(defect) +
+           "; rve_homogenization should be run with a smaller tolerance";
+  const double coupling = (mean - prescribed).cwiseAbs().maxCoeff();
+  if (!(coupling <= largest_coupling))
+    return tensors + " couples shear to other strains by " + to_text(coupling) +
+           ", so that mean strains are not those of the body; MUBC are for volumes with "
+           "the axes of orthotropy along those of space: set Concentration to PBC or "
+           "KUBC";
+  return "";
+}
+} // namespace mesoslip
+
+#endif
