@@ -90,19 +90,30 @@ class Page:
     def __init__(self, folder, parts):
         self.folder, self.parts = folder, parts
 
+    def section(self, title):
+        """What the page says under "## title" now, with this heading; None where it has none."""
+        try:
+            with open(os.path.join(self.folder, "README.md"), encoding="utf-8") as file:
+                found = [text for text in re.split(r"^(?=## )", file.read(), flags=re.MULTILINE) if text.split("\n")[0] == f"## {title}"]
+        except OSError:
+            return None
+        return found[0].rstrip() + "\n" if found else None
+
     def text(self, part, content):
         os.makedirs(self.parts, exist_ok=True)
         with open(os.path.join(self.parts, part + ".md"), "w", encoding="utf-8") as file:
             file.write(content.strip() + "\n")
 
-    def write(self, introduction, order):
-        """Returns the parts that have no text yet."""
+    def write(self, introduction, order, titles=None):
+        """Returns the parts that have no text yet. Of a part with a title in `titles` the text that the page has under it stays."""
         texts, missing = [introduction.strip() + "\n"], []
         for part in order:
             try:
                 with open(os.path.join(self.parts, part + ".md"), encoding="utf-8") as file:
                     texts.append(file.read())
             except OSError:
-                missing.append(part)
+                text = self.section((titles or {}).get(part))
+                texts += [text] if text else []
+                missing += [] if text else [part]
         write_page(self.folder, "README.md", "\n".join(texts))
         return missing
