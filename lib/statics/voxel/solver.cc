@@ -30,8 +30,9 @@ double Solver::gross_load(const unsigned int k) const
           const double stress = voxels.sides == Sides::free
                                   ? (voigt_index<3>(c, d) == k ? 1. : 0.)
                                   : stiffness[phase](voigt_index<3>(c, d), k) / modulus;
-          const double force  = stress * volume / (4. * voxels.spacing[d]);
-          sum += n_cells[phase] * 8. * force * force;
+          // On each of eight nodes, or of four that have twice as much.
+          const double force = stress * volume / (4. * voxels.spacing[d]);
+          sum += n_cells[phase] * (voxels.flat ? 16. : 8.) * force * force;
         }
   return std::sqrt(sum);
 }
@@ -51,9 +52,9 @@ double Solver::outer(const unsigned int k,
   a.table                  = table.data();
   const double volume      = voxels.spacing[0] * voxels.spacing[1] * voxels.spacing[2];
   if (voxels.sides == Sides::free)
-    a.stress[k] = volume / 4.;
+    a.stress[k] = voxels.flat ? volume / 2. : volume / 4.;
   else
-    a.strain[k] = 4.;
+    a.strain[k] = voxels.flat ? 2. : 4.;
   const Cells cells = cells_of(voxels, n_coefficients);
   return sum_over_ranks(voxels, sweep_of<double>(kernels().outer, source, cells)(a));
 }
@@ -74,7 +75,7 @@ SolverReport
 Solver::solve(const unsigned int k, const double tolerance, const unsigned int limit)
 {
   SolverReport report;
-  n_solved = k == n_solved ? k + 1 : 0;
+  n_solved = k == voxels.load_case(n_solved) ? n_solved + 1 : 0;
   if (!multigrid)
     return report;
   const FlushDenormals flush;
@@ -132,11 +133,12 @@ Solver::solve_all(const double tolerance,
                   const std::function<void(unsigned int)> &progress)
 {
   std::array<SolverReport, 6> reports;
-  for (unsigned int k = 0; k < 6; ++k)
+  for (unsigned int n = 0; n < voxels.n_load_cases(); ++n)
     {
-      reports[k] = solve(k, tolerance);
+      const unsigned int k = voxels.load_case(n);
+      reports[k]           = solve(k, tolerance);
       if (progress)
-        progress(k + 1);
+        progress(n + 1);
     }
   return reports;
 }
