@@ -171,18 +171,22 @@ Division choose_division(const RveParameters &parameters)
     throw UserError(refusal + "; set it to multigrid or leave those out");
   const double memory = memory_of_machine(), parts = bytes_here(parameters, true),
                whole = asked ? parts : bytes_here(parameters, false);
-  const bool fits    = !(memory > 0.) || whole <= memory;
-  if (fits)
+  // All ranks have to choose the same.
+  const auto fits_everywhere = [memory](const double bytes) {
+    return dealii::Utilities::MPI::min(!(memory > 0.) || bytes <= memory ? 1 : 0,
+                                       MPI_COMM_WORLD) == 1;
+  };
+  const bool whole_fits = fits_everywhere(whole), parts_fit = fits_everywhere(parts);
+  if (whole_fits)
     return {asked, {}};
-  if (refusal.empty() && parts <= memory &&
-      parameters.solver == StaticSolverKind::multigrid)
+  if (refusal.empty() && parts_fit && parameters.solver == StaticSolverKind::multigrid)
     return {true, "Homogenization/Solver: divided, as multigrid would need about " +
                     bytes_text(whole) + " on this machine, which has " +
                     bytes_text(memory) + "; divided needs about " + bytes_text(parts)};
   std::string remedy = "reduce Grid/Cells";
   if (!refusal.empty())
     remedy += " (" + refusal + ")";
-  else if (asked || !(parts <= memory))
+  else if (asked || !parts_fit)
     remedy += " or take more machines, among which Homogenization/Solver = divided "
               "divides the " +
               bytes_text(parts) + " that it needs";
@@ -214,7 +218,8 @@ std::string advice_for(const NotConverged::Reason reason, const StaticSolverKind
     return "check the moduli of Phases and Grid/Size, which are in Pa and m: forces or "
            "displacements are beyond the range of numbers";
   if (solver == StaticSolverKind::divided)
-    return "loosen Homogenization/Tolerance";
+    return "loosen Homogenization/Tolerance or set Homogenization/Solver = multigrid, "
+           "which takes more memory";
   if (solver != StaticSolverKind::multigrid)
     return "set Homogenization/Solver = multigrid";
   return reason == NotConverged::Reason::broke_down
