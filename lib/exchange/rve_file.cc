@@ -316,6 +316,9 @@ template struct RveContent<3>;
 template class RveFile<2>;
 template class RveFile<3>;
 template void reserve_concentration(const std::string &,
+                                    const UniformGrid<2> &,
+                                    const std::vector<std::string> &);
+template void reserve_concentration(const std::string &,
                                     const UniformGrid<3> &,
                                     const std::vector<std::string> &);
 template void reserve_concentration<2>(const std::string &,

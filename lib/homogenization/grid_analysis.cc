@@ -1,12 +1,15 @@
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "grid/uniform_grid.h"
+#include "homogenization/divided_members.h"
 #include "homogenization/loads/load_output.h"
 #include "homogenization/loads/volume_cells.h"
 #include "homogenization/volume_analysis.h"
 #include "material/plausibility.h"
+#include "program/machine.h"
 #include "program/run_context.h"
 
+#include <algorithm>
 #include <ostream>
 
 namespace mesoslip
@@ -47,15 +50,6 @@ EnsembleMember<2> compute_member(const RveParameters &parameters,
       solution.displacement = {};
     }
   return member;
-}
-
-void set_first(RveResults<2> &results, const Microstructure &microstructure)
-{
-  results.first.grid     = microstructure.map.grid;
-  results.first.phases   = microstructure.phases;
-  results.first.phase_id = microstructure.map.id;
-  results.rectangles     = microstructure.rectangles;
-  results.n_nodes        = microstructure.map.grid.n_nodes();
 }
 
 // A single member shares its load cases among the ranks; several are dealt out whole.
@@ -111,8 +105,18 @@ RveResults<2> compute_members(const RveParameters &parameters, RunContext &conte
   return results;
 }
 
-// Libraries, solver, displacements of all load cases, concentration tensors; as measured.
-unsigned long estimated_megabytes(const RveParameters &parameters)
+/** Bytes of libraries that every rank loads. */
+constexpr double bytes_of_rank = 150e6;
+
+/** Bytes of a rank that has a whole volume: libraries, solver, displacements of all load
+ *  cases, concentration tensors; as measured. With ml the ranks share the volume. */
+struct WholeVolume
+{
+  double solver; ///< of every rank
+  double fields; ///< of those that keep results: rank 0, or each that has members
+};
+
+WholeVolume bytes_of_whole(const RveParameters &parameters)
 {
   const double n_cells = parameters.microstructure.grid.n_cells();
   const double n       = parameters.conditions.size();
@@ -120,7 +124,74 @@ unsigned long estimated_megabytes(const RveParameters &parameters)
                          : parameters.solver == StaticSolverKind::jacobi  ? 100.
                                                                           : 4000.;
   const double fields  = n * (48. + (parameters.write_concentration ? 72. : 0.));
-  return 150 + static_cast<unsigned long>(n_cells * (solver + fields) * 1e-6);
+  return {n_cells * solver, n_cells * fields};
+}
+
+/** Bytes that all ranks on this machine need together. Collective. */
+double bytes_here(const RveParameters &parameters, const bool divided)
+{
+  const double ranks = ranks_of_this_machine();
+  if (divided)
+    return ranks * bytes_of_rank + share_of_this_machine() * bytes_of_divided(parameters);
+  const WholeVolume whole = bytes_of_whole(parameters);
+  if (parameters.solver == StaticSolverKind::ml)
+    return ranks * bytes_of_rank + share_of_this_machine() * whole.solver + whole.fields;
+  const double volumes =
+    parameters.n_members > 1 ? std::min<double>(ranks, parameters.n_members) : ranks;
+  return ranks * bytes_of_rank + volumes * whole.solver +
+         (parameters.n_members > 1 ? volumes : 1.) * whole.fields;
+}
+
+/** Why the ranks cannot divide the rows of a volume; empty if they can. */
+std::string not_divided(const RveParameters &parameters)
+{
+  if (parameters.microstructure.phases.size() > FlatVolume::most_phases)
+    return "Homogenization/Solver = divided takes up to " +
+           std::to_string(FlatVolume::most_phases) + " phases";
+  return {};
+}
+
+/** Whether the ranks divide the rows, and why if that is not what the .prm asks for. */
+struct Division
+{
+  bool divided       = false;
+  std::string reason = {};
+};
+
+/** What is asked for or, instead of multigrid, what the memory allows. Collective.
+ *  @throws UserError if nothing fits */
+Division choose_division(const RveParameters &parameters)
+{
+  const bool asked          = parameters.solver == StaticSolverKind::divided;
+  const std::string refusal = not_divided(parameters);
+  if (asked && !refusal.empty())
+    throw UserError(refusal + "; set it to multigrid or leave those out");
+  const double memory = memory_of_machine(), parts = bytes_here(parameters, true),
+               whole = asked ? parts : bytes_here(parameters, false);
+  // All ranks have to choose the same.
+  const auto fits_everywhere = [memory](const double bytes) {
+    return dealii::Utilities::MPI::min(!(memory > 0.) || bytes <= memory ? 1 : 0,
+                                       MPI_COMM_WORLD) == 1;
+  };
+  const bool whole_fits = fits_everywhere(whole), parts_fit = fits_everywhere(parts);
+  if (whole_fits)
+    return {asked, {}};
+  if (refusal.empty() && parts_fit && parameters.solver == StaticSolverKind::multigrid)
+    return {true, "Homogenization/Solver: divided, as multigrid would need about " +
+                    bytes_text(whole) + " on this machine, which has " +
+                    bytes_text(memory) + "; divided needs about " + bytes_text(parts)};
+  std::string remedy = "reduce Grid/Cells";
+  if (!refusal.empty())
+    remedy += " (" + refusal + ")";
+  else if (asked || !parts_fit)
+    remedy += " or take more machines, among which Homogenization/Solver = divided "
+              "divides the " +
+              bytes_text(parts) + " that it needs";
+  else
+    remedy +=
+      " or set Homogenization/Solver = divided, which needs about " + bytes_text(parts);
+  require_memory({whole, remedy});
+  return {};
 }
 
 // What looks like another unit.
@@ -143,6 +214,9 @@ std::string advice_for(const NotConverged::Reason reason, const StaticSolverKind
   if (reason == NotConverged::Reason::not_finite)
     return "check the moduli of Phases and Grid/Size, which are in Pa and m: forces or "
            "displacements are beyond the range of numbers";
+  if (solver == StaticSolverKind::divided)
+    return "loosen Homogenization/Tolerance or set Homogenization/Solver = multigrid, "
+           "which takes more memory";
   if (solver != StaticSolverKind::multigrid)
     return "set Homogenization/Solver = multigrid";
   return reason == NotConverged::Reason::broke_down
@@ -155,9 +229,9 @@ class GridAnalysis : public VolumeAnalysis<2>
 public:
   GridAnalysis(const RveParameters &given, const std::string &digest_of_inputs)
     : VolumeAnalysis<2>(given, digest_of_inputs)
+    , division(choose_division(given))
+    , bytes(bytes_here(given, division.divided))
   {
-    require_memory({1e6 * static_cast<double>(estimated_megabytes(parameters)),
-                    "reduce Grid/Cells or choose Homogenization/Solver = jacobi"});
   }
 
   void describe(std::ostream &out) const override
@@ -165,7 +239,10 @@ public:
     const UniformGrid<2> grid = parameters.microstructure.grid;
     out << size_text(grid) << ", " << 2 * grid.n_nodes() << " degrees of freedom\n"
         << 3 * parameters.conditions.size() * parameters.n_members
-        << " load cases, about " << estimated_megabytes(parameters) << " MB\n";
+        << " load cases, about " << static_cast<unsigned long>(1e-6 * bytes) << " MB"
+        << (division.divided ? ", rows divided among the ranks\n" : "\n");
+    if (!division.reason.empty())
+      out << division.reason << '\n';
     const Microstructure microstructure = make_microstructure(parameters.microstructure);
     for (const std::string &line : microstructure.description)
       out << line << '\n';
@@ -197,13 +274,21 @@ protected:
 
   RveResults<2> compute(RunContext &context) override
   {
-    return compute_members(parameters, context);
+    if (!division.reason.empty())
+      context.log(division.reason);
+    return division.divided ? compute_divided_members(parameters, context)
+                            : compute_members(parameters, context);
   }
 
   std::string advice(const NotConverged::Reason reason) const override
   {
-    return advice_for(reason, parameters.solver);
+    return advice_for(reason,
+                      division.divided ? StaticSolverKind::divided : parameters.solver);
   }
+
+private:
+  const Division division; ///< of the rows
+  const double bytes;      ///< that ranks on this machine need
 };
 } // namespace
 

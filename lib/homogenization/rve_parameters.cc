@@ -47,11 +47,15 @@ void RveParameters::bind(Keys &keys)
       "ones, of a uniform strain without other tractions, for axes of orthotropy along "
       "those of space. KUBC is "
       "an upper and SUBC a lower bound of large volumes [-]");
-    keys.bind("Solver", solver, {"multigrid", "jacobi", "ml"},
-              "Preconditioner of conjugate gradients: multigrid, geometric multigrid on "
-              "the grid, the fastest; jacobi, the diagonal, which takes less memory and "
-              "more iterations; ml, Trilinos' algebraic multigrid ML on a mesh of "
-              "deal.II with the same cells, which the ranks divide among themselves [-]");
+    keys.bind(
+      "Solver", solver, {"multigrid", "jacobi", "ml", "divided"},
+      "Preconditioner of conjugate gradients: multigrid, geometric multigrid on "
+      "the grid, where each rank has whole load cases; jacobi, the diagonal, "
+      "which takes more iterations; ml, Trilinos' algebraic multigrid ML on a "
+      "mesh of deal.II with the same cells, which the ranks divide among "
+      "themselves; divided, the multigrid of voxels in 2D, where all ranks divide "
+      "the rows of cells among themselves, with the least memory, which is taken "
+      "instead of multigrid if that does not fit into the memory [-]");
     keys.renamed("Solver = assembled", "ml");
     keys.bind("Tolerance", tolerance, Range::open(0., 1.),
               "Norm of the residual over that of the load at which conjugate gradients "

@@ -1,14 +1,12 @@
 #include "base/errors.h"
 #include "base/exchange.h"
-#include "exchange/rve_file.h"
-#include "homogenization/loads/load_output.h"
+#include "homogenization/divided_members.h"
 #include "homogenization/loads/volume_cells.h"
 #include "homogenization/volume_analysis.h"
-#include "homogenization/voxel_volume.h"
-#include "io/parallel_rows.h"
 #include "material/plausibility.h"
 #include "material/stiffness.h"
 #include "morphology/voxels.h"
+#include "program/machine.h"
 #include "program/run_context.h"
 
 #include <algorithm>
@@ -64,16 +62,6 @@ HomogenizedResponse<3> response_of_phases(HomogenizedResponse<3> of_materials,
       means[p] /= volumes[p];
   of_materials.phase_means = means;
   return of_materials;
-}
-
-/** Share of the ranks that runs on this machine. Collective. */
-double share_of_this_machine()
-{
-  MPI_Comm here;
-  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
-  const double n = dealii::Utilities::MPI::n_mpi_processes(here);
-  MPI_Comm_free(&here);
-  return n / dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
 }
 
 class VoxelAnalysis : public VolumeAnalysis<3>
@@ -138,21 +126,8 @@ protected:
     if (context.root() && parameters.n_members == 1) // those of several come at the end
       for (const std::string &warning : volume.warnings)
         context.warn(warning);
-    if (parameters.write_concentration)
-      {
-        for (const BoundaryCondition condition : parameters.conditions)
-          results.first.reserved.push_back(to_string(condition));
-        on_root(context.communicator(), [&]() {
-          reserve_concentration(context.file("rve.h5"), volume.map.grid,
-                                results.first.reserved);
-        });
-      }
-    const std::array<unsigned int, 3> n = parameters.microstructure.box.cells;
-    on_root(context.communicator(), [&]() {
-      loads_file =
-        reserve_loads<3>(parameters, context.file("loads.h5"), {n[2], n[1], n[0]});
-    });
-    broadcast(context.communicator(), loads_file);
+    loads_file           = reserve_fields<3>(parameters, parameters.microstructure.box,
+                                   results.first, context);
     results.first.grid   = volume.map.grid;
     results.first.phases = volume.phases;
     for (unsigned int m = 0; m < parameters.n_members; ++m)
@@ -228,25 +203,11 @@ private:
         if (!parameters.loads.loads.empty() && parameters.loads.uses(condition))
           for (LoadResult<3> &result :
                evaluate_loads(parameters.loads, member.responses.back(), loaded,
-                              VoxelCells(solver, p.box, context.communicator()),
+                              VoxelCells<3>(solver, p.box, context.communicator()),
                               m == 0 ? loads_file : std::string()))
             member.loads.push_back(std::move(result));
       }
     return member;
-  }
-
-  /** All ranks write what they have, plane by plane. */
-  static void write_concentration(const VoxelVolume &solver,
-                                  const BoundaryCondition condition,
-                                  const RunContext &context)
-  {
-    ParallelRows rows(context.file("rve.h5"), concentration_dataset(to_string(condition)),
-                      context.communicator());
-    const auto [first, n]   = solver.planes();
-    const unsigned int most = dealii::Utilities::MPI::max(n, context.communicator());
-    for (unsigned int k = 0; k < most; ++k)
-      rows.write(k < n ? first + k : 0, 0,
-                 k < n ? solver.concentration(k) : std::vector<double>());
   }
 
   VoxelMorphology volume; ///< on rank 0

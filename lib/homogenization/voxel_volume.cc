@@ -60,11 +60,13 @@ void for_each_voxel(const voxel::Solver &solver,
 VoxelVolume::VoxelVolume(const UniformGrid<3> &the_box,
                          const CellView &the_phase_id,
                          const std::vector<ElasticPhase<3>> &the_phases,
-                         const MPI_Comm the_communicator)
+                         const MPI_Comm the_communicator,
+                         const bool is_flat)
   : box(the_box)
   , phase_id(the_phase_id)
   , phases(the_phases)
   , communicator(the_communicator)
+  , flat(is_flat)
 {
 }
 
@@ -78,9 +80,9 @@ VolumeSums<3> VoxelVolume::solve(const BoundaryCondition wanted,
   for (const ElasticPhase<3> &phase : phases)
     stiffness.push_back(phase.stiffness);
   solver = std::make_unique<voxel::Solver>(box, phase_id, stiffness, sides_of(condition),
-                                           communicator);
+                                           communicator, flat);
   std::array<SolverReport, 6> reports;
-  for (unsigned int k = 0; k < 6; ++k)
+  for (unsigned int k = 0; k < 6; k += flat ? 2 : 1)
     try
       {
         if (condition == BoundaryCondition::MUBC)
@@ -91,7 +93,8 @@ VolumeSums<3> VoxelVolume::solve(const BoundaryCondition wanted,
       }
     catch (const NotConverged &error)
       {
-        throw NotConverged(to_string(condition) + " " + voigt_names<3>[k] + ": " +
+        throw NotConverged(to_string(condition) + " " +
+                             (flat ? voigt_names<2>[k / 2] : voigt_names<3>[k]) + ": " +
                              error.what(),
                            error.reason);
       }

@@ -20,11 +20,13 @@ class VoxelVolume
 {
 public:
   /** @p the_phase_id is that of rank 0, of the cells of @p the_box, x fastest; @p the_phases
-   * (stiffness in Pa) are those of its cells, or what else they are made of. */
+   * (stiffness in Pa) are those of its cells, or what else they are made of. @p is_flat: see
+   * voxel::Solver; what is not in the plane of x and z has no meaning. */
   VoxelVolume(const UniformGrid<3> &the_box,
               const CellView &the_phase_id,
               const std::vector<ElasticPhase<3>> &the_phases,
-              const MPI_Comm the_communicator);
+              const MPI_Comm the_communicator,
+              const bool is_flat = false);
 
   /**
    * Solves the load cases of @p wanted: unit strains (KUBC, PBC, MUBC; engineering
@@ -58,6 +60,7 @@ private:
   const CellView phase_id;
   const std::vector<ElasticPhase<3>> phases;
   const MPI_Comm communicator;
+  const bool flat;
   BoundaryCondition condition = BoundaryCondition::KUBC; ///< solved last
   std::unique_ptr<voxel::Solver> solver;                 ///< of it
 };

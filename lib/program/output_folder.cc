@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <optional>
@@ -165,6 +166,17 @@ std::string bytes_text(const double bytes)
 
 double memory_of_machine()
 {
+  if (const char *given = std::getenv("MESOSLIP_MEMORY"); given != nullptr)
+    {
+      char *end          = nullptr;
+      const double bytes = std::strtod(given, &end);
+      if (end == given || *end != '\0' || !(bytes > 0.))
+        throw UserError("the environment variable MESOSLIP_MEMORY is '" +
+                        std::string(given) +
+                        "'; set it to the bytes of memory that a machine offers, such "
+                        "as 16e9, or unset it");
+      return bytes;
+    }
   return static_cast<double>(std::max(0L, sysconf(_SC_PHYS_PAGES))) *
          static_cast<double>(sysconf(_SC_PAGESIZE));
 }

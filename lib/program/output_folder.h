@@ -29,7 +29,8 @@ struct ResourceNeed
 /** "1.5 GB": two or three digits with a unit of powers of 1000. */
 std::string bytes_text(const double bytes);
 
-/** Bytes of memory of this machine; 0 where it does not tell. */
+/** Bytes of memory of this machine, or as many as the environment variable MESOSLIP_MEMORY
+ * says, for who may use a part; 0 where it does not tell. @throws UserError */
 double memory_of_machine();
 
 /** @throws UserError when the machine has less memory. */

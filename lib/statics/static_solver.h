@@ -16,7 +16,8 @@ enum class StaticSolverKind
 {
   multigrid, ///< conjugate gradients with a multigrid cycle
   jacobi,    ///< conjugate gradients with the diagonal; needs no set-up
-  ml         ///< deal.II mesh, Trilinos matrix and ML; on several ranks
+  ml,        ///< deal.II mesh, Trilinos matrix and ML; on several ranks
+  divided ///< of load cases on a grid alone: voxel::Solver, rows divided among the ranks
 };
 
 /** What a solve took. */

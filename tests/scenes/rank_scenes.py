@@ -89,6 +89,8 @@ RUNS = [
     rve("rve-random", text=RANDOM),
     rve("rve-rectangles", (2,), **RECTANGLES),
     ml("rve-rectangles", "rve_homogenization", VOLUME, **RECTANGLES, **{"Homogenization/Solver": "ml"}),
+    Run("rve-rectangles-divided", "rve_homogenization", VOLUME, {**RECTANGLES, "Homogenization/Solver": "divided"}, (2, 4), ((r"", 1e-8, 1e-8),),
+        "rve-rectangles"),
     rve("rve-image", FEW, **{"Microstructure/Type": "image", "Microstructure/File": "<files>/map.txt",
                         "Homogenization/Solver": "jacobi"}),
     *(ensemble(effective) for effective in ("KUBC", "SUBC", "PBC", "mean")),

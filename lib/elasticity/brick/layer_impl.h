@@ -39,11 +39,12 @@ struct Layer
 };
 
 /** Sums and differences along x and z of a row of nodes: [component][x + 2 z]. */
-template <typename Number, bool cubes, typename Vector>
-MESOSLIP_INLINE void
-combine_nodes(const Layer<Number, cubes> &layer, const std::size_t at, Vector v[3][4])
+template <typename Number, bool cubes, typename Vector, int n_components>
+MESOSLIP_INLINE void combine_nodes(const Layer<Number, cubes> &layer,
+                                   const std::size_t at,
+                                   Vector (&v)[n_components][4])
 {
-  for (int c = 0; c < 3; ++c)
+  for (int c = 0; c < n_components; ++c)
     {
       const Number *below = layer.lower + c * layer.stride + at,
                    *above = layer.upper + c * layer.stride + at;

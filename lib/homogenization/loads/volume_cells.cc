@@ -106,34 +106,40 @@ void MeshCells<dim>::write(const std::string &path,
                   blocks.gather(own, n, dataset.first, dataset.components));
 }
 
-void VoxelCells::for_plane(const unsigned int k, const Action &action) const
+template <int dim>
+void VoxelCells<dim>::for_plane(const unsigned int k, const Action &action) const
 {
-  LocalCell<3> cell;
+  LocalCell<dim> cell;
   cell.volume       = 1.;
   std::size_t place = 0;
-  volume.for_each_cell(k, [&](const unsigned int phase, const VoigtMatrix<3> &strain) {
-    const std::array<std::size_t, 3> index = {
-      {place % grid.cells[0], place / grid.cells[0], volume.planes()[0] + k}};
-    for (unsigned int d = 0; d < 3; ++d)
-      cell.centre[d] =
-        grid.origin[d] + (static_cast<double>(index[d]) + 0.5) * grid.spacing[d];
+  volume.for_each_cell(k, [&](const unsigned int phase, const VoigtMatrix<dim> &strain) {
+    std::size_t rest = place++;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const std::size_t index =
+          d + 1 < dim ? rest % grid.cells[d] : volume.planes()[0] + k;
+        rest /= grid.cells[d];
+        cell.centre[d] =
+          grid.origin[d] + (static_cast<double>(index) + 0.5) * grid.spacing[d];
+      }
     cell.phase  = phase;
     cell.strain = strain;
     action(cell);
-    ++place;
   });
 }
 
-void VoxelCells::for_each(const Action &action) const
+template <int dim>
+void VoxelCells<dim>::for_each(const Action &action) const
 {
   for (unsigned int k = 0; k < volume.planes()[1]; ++k)
     for_plane(k, action);
 }
 
-void VoxelCells::write(const std::string &path,
-                       const std::vector<CellDataset> &datasets,
-                       const std::size_t n,
-                       const Values &values) const
+template <int dim>
+void VoxelCells<dim>::write(const std::string &path,
+                            const std::vector<CellDataset> &datasets,
+                            const std::size_t n,
+                            const Values &values) const
 {
   const auto rows           = open_datasets(path, datasets, ranks);
   const auto [first, count] = volume.planes();
@@ -143,7 +149,7 @@ void VoxelCells::write(const std::string &path,
     {
       plane.clear();
       if (k < count)
-        for_plane(k, [&](const LocalCell<3> &cell) {
+        for_plane(k, [&](const LocalCell<dim> &cell) {
           plane.resize(plane.size() + n);
           values(cell, &plane[plane.size() - n]);
         });
@@ -154,4 +160,6 @@ void VoxelCells::write(const std::string &path,
 
 template class MeshCells<2>;
 template class MeshCells<3>;
+template class VoxelCells<2>;
+template class VoxelCells<3>;
 } // namespace mesoslip

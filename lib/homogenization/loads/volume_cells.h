@@ -3,10 +3,13 @@
 
 #include "body/elastic_body.h"
 #include "grid/uniform_grid.h"
+#include "homogenization/flat_volume.h"
 #include "homogenization/load_cases.h"
 #include "homogenization/loads/volume_element_cells.h"
 #include "homogenization/mesh_volume.h"
 #include "homogenization/voxel_volume.h"
+
+#include <type_traits>
 
 namespace mesoslip
 {
@@ -63,13 +66,22 @@ private:
   const MeshVolume<dim> &volume;
 };
 
-/** The cells of voxels, of which the ranks have planes. */
-class VoxelCells : public VolumeElementCells<3>
+/** What VoxelCells has the cells of. */
+template <int dim>
+using DividedVolume = std::conditional_t<dim == 2, FlatVolume, VoxelVolume>;
+
+/** The cells of voxels, of which the ranks have planes, or of a plane grid, of which they have
+ *  rows. */
+template <int dim>
+class VoxelCells : public VolumeElementCells<dim>
 {
 public:
+  using typename VolumeElementCells<dim>::Action;
+  using typename VolumeElementCells<dim>::Values;
+
   /** Those of the condition that @p the_volume has solved last; they lie on @p the_grid. */
-  VoxelCells(const VoxelVolume &the_volume,
-             const UniformGrid<3> &the_grid,
+  VoxelCells(const DividedVolume<dim> &the_volume,
+             const UniformGrid<dim> &the_grid,
              const MPI_Comm ranks)
     : volume(the_volume)
     , grid(the_grid)
@@ -90,8 +102,8 @@ public:
 private:
   void for_plane(const unsigned int k, const Action &action) const;
 
-  const VoxelVolume &volume;
-  const UniformGrid<3> grid;
+  const DividedVolume<dim> &volume;
+  const UniformGrid<dim> grid;
   const MPI_Comm ranks;
 };
 } // namespace mesoslip

@@ -34,6 +34,8 @@ const Kernels &kernels()
 
 Cells cells_of(const VoxelGrid &grid, const unsigned int n_coefficients)
 {
+  if (grid.flat)
+    return Cells::flat;
   if (n_coefficients == n_general)
     return Cells::general;
   for (const unsigned int axis : {0U, 2U})
@@ -49,14 +51,14 @@ void clear_held(const VoxelGrid &grid, float *field)
   const std::size_t stride = grid.stride();
   for (unsigned int k = 1; k <= grid.n_nodes(2); ++k)
     for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
-      for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int c = 0; c < grid.n_components(); ++c)
         {
-          float *row =
-            field + ((std::size_t{grid.n_nodes(1) + 2} * k + j) * 3 + c) * stride;
-          if ((grid.held[1][c] && grid.is_on_side(1, j)) ||
-              (grid.held[2][c] && grid.is_on_side(2, k)))
+          float *row = field + (grid.node_row(j, k) * grid.n_components() + c) * stride;
+          const unsigned int along = grid.axis_of(c);
+          if ((grid.held[1][along] && grid.is_on_side(1, j)) ||
+              (grid.held[2][along] && grid.is_on_side(2, k)))
             std::fill_n(row, stride, 0.F);
-          else if (grid.held[0][c])
+          else if (grid.held[0][along])
             row[1] = row[grid.n_nodes(0)] = 0.F;
         }
 }
@@ -98,10 +100,8 @@ void Level::first_step(const float factor,
                        const VoxelField<float> &b,
                        VoxelField<float> &x)
 {
-  const std::size_t n_rows =
-    (std::size_t{grid.n_nodes(1)} + 2) * (std::size_t{grid.n_nodes(2)} + 2);
-  kernels().first_step(n_rows, grid.stride(), n_diagonals(), factor, inverse.data(),
-                       b.data(), x.data());
+  kernels().first_step(grid.n_node_rows(), grid.stride(), grid.n_components(),
+                       n_diagonals(), factor, inverse.data(), b.data(), x.data());
 }
 
 double Level::product(VoxelField<float> &x, VoxelField<float> &out)
@@ -163,20 +163,36 @@ void Level::smooth(const Smoothing &smoothing,
     }
 }
 
-/** The diagonal is the sum of those of the eight cells around a node. */
+std::vector<BrickMatrix> cell_matrices(const VoxelGrid &grid,
+                                       const unsigned int n_coefficients)
+{
+  if (!grid.flat)
+    return brick_matrices(grid.spacing, n_coefficients);
+  // A quarter, as the coefficients are four times those of bricks.
+  const std::vector<BrickMatrix> all = brick_matrices(grid.spacing, n_general);
+  std::vector<BrickMatrix> result;
+  for (const StiffnessEntry &entry : stiffness_entries<2>())
+    for (std::size_t m = 0; m < all.size(); ++m)
+      if (stiffness_entries<3>()[m].row == grid.load_case(entry.row) &&
+          stiffness_entries<3>()[m].column == grid.load_case(entry.column))
+        result.push_back(all[m] / 4.);
+  return result;
+}
+
+/** The diagonal is the sum of those of the cells around a node: of eight or, as both ends of
+ *  y are one node of flat ones, of four pairs. */
 void Level::set_inverse_diagonal()
 {
   const unsigned int n                    = stiffness.n_coefficients;
-  const std::vector<BrickMatrix> matrices = brick_matrices(grid.spacing, n);
+  const std::vector<BrickMatrix> matrices = cell_matrices(grid, n);
   const unsigned int nx = grid.n_nodes(0), ny = grid.n_nodes(1), nz = grid.n_nodes(2);
-  inverse.resize((std::size_t{ny} + 2) * (std::size_t{nz} + 2) * n_diagonals() *
-                 grid.stride());
+  inverse.resize(grid.n_node_rows() * n_diagonals() * grid.stride());
   for (unsigned int k = 1; k <= nz; ++k)
     for (unsigned int j = 1; j <= ny; ++j)
       for (unsigned int c = 0; c < n_diagonals(); ++c)
         {
-          float *out = &inverse[(((std::size_t{ny} + 2) * k + j) * n_diagonals() + c) *
-                                grid.stride()];
+          float *out =
+            &inverse[(grid.node_row(j, k) * n_diagonals() + c) * grid.stride()];
           for (unsigned int corner = 0; corner < 8; ++corner)
             for (unsigned int m = 0; m < n; ++m)
               {
@@ -184,10 +200,12 @@ void Level::set_inverse_diagonal()
                 const unsigned int back = corner & 1U;
                 const float *row =
                   stiffness.row(grid, m, j - (corner >> 1 & 1U), k - (corner >> 2));
-                const auto weight =
-                  static_cast<float>(matrices[m](3 * corner + c, 3 * corner + c));
+                const unsigned int at = 3 * corner + grid.axis_of(c);
+                double weight         = matrices[m](at, at);
+                if (grid.flat)
+                  weight += matrices[m](at, 3 * (corner ^ 2U) + grid.axis_of(c));
                 for (unsigned int i = 1; i <= nx; ++i)
-                  out[i] += weight * row[i - back];
+                  out[i] += static_cast<float>(weight) * row[i - back];
               }
           for (unsigned int i = 1; i <= nx; ++i)
             out[i] = 1.F / out[i];
@@ -203,7 +221,7 @@ void Level::estimate_largest_eigenvalue()
       // The same for any number of ranks.
       std::uint32_t state = 2654435761U * (grid.below() + k);
       for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
-        for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int c = 0; c < grid.n_components(); ++c)
           for (unsigned int i = 1; i <= grid.n_nodes(0); ++i)
             {
               state             = 1664525U * state + 1013904223U;

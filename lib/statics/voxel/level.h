@@ -1,6 +1,7 @@
 #ifndef mesoslip_statics_voxel_level_h
 #define mesoslip_statics_voxel_level_h
 
+#include "elasticity/brick/brick_matrices.h"
 #include "grid/cell_indices.h"
 #include "statics/voxel/kernels/kernels.h"
 #include "statics/voxel/voxel_field.h"
@@ -12,7 +13,7 @@ namespace mesoslip::voxel
 /** Coefficients of the cells of a grid, as in kernels.h: [z][y][coefficient][stride]. */
 struct CellStiffness
 {
-  unsigned int n_coefficients = 0; ///< n_isotropic or n_general
+  unsigned int n_coefficients = 0; ///< n_isotropic, n_general or n_plane
   LineVector<float> numbers;       ///< zero outside of the body
 
   /** Coefficient @p m of a row of cells. */
@@ -21,8 +22,7 @@ struct CellStiffness
              const unsigned int j,
              const unsigned int k)
   {
-    const std::size_t row = (std::size_t{grid.n_nodes(1)} + 1) * k + j;
-    return &numbers[(row * n_coefficients + m) * grid.stride()];
+    return &numbers[(grid.cell_row(j, k) * n_coefficients + m) * grid.stride()];
   }
 };
 
@@ -68,7 +68,7 @@ private:
   SweepArguments<float> arguments(VoxelField<float> &x);
   unsigned int n_diagonals() const
   {
-    return cells == Cells::cubes && grid.sides != Sides::mixed ? 1 : 3;
+    return cells == Cells::cubes && grid.sides != Sides::mixed ? 1 : grid.n_components();
   }
   void first_step(const float factor, const VoxelField<float> &b, VoxelField<float> &x);
   void set_inverse_diagonal();
@@ -84,6 +84,11 @@ private:
   Source source  = Source::stored;
   double largest = 0.;
 };
+
+/** Stiffness of a brick for each coefficient of the kernels; of a flat grid the unknowns along
+ *  x and z of both ends of y are the same, and those along y are none. */
+std::vector<BrickMatrix> cell_matrices(const VoxelGrid &grid,
+                                       const unsigned int n_coefficients);
 
 /** What the cells of a grid are, with so many coefficients. */
 Cells cells_of(const VoxelGrid &grid, const unsigned int n_coefficients);

@@ -1,6 +1,5 @@
 #include "statics/voxel/multigrid.h"
 
-#include "elasticity/brick/brick_matrices.h"
 #include "statics/flush_denormals.h"
 
 #include <Eigen/Eigenvalues>
@@ -22,11 +21,15 @@ long unknown(const VoxelGrid &grid,
              std::array<unsigned int, 3> node,
              const unsigned int c)
 {
+  if (grid.flat && c == 1)
+    return -1;
   long number = 0;
   for (unsigned int d = 3; d-- > 0;)
     {
       const unsigned int n = grid.n_nodes(d);
-      if (grid.sides == Sides::periodic)
+      if (grid.flat && d == 1)
+        node[d] = 1;
+      else if (grid.sides == Sides::periodic)
         node[d] = (node[d] + n - 1) % n + 1;
       if (node[d] < 1 || node[d] > n)
         return -1;
@@ -34,7 +37,7 @@ long unknown(const VoxelGrid &grid,
         return -1;
       number = number * n + node[d] - 1;
     }
-  return 3 * number + c;
+  return grid.n_components() * number + (grid.flat ? c / 2 : c);
 }
 } // namespace
 
@@ -76,8 +79,7 @@ void Multigrid::add_level(VoxelGrid grid, CellStiffness &&stiffness)
       grid.communicator = MPI_COMM_SELF;
       whole.numbers.resize(grid.n_cell_rows() * whole.n_coefficients * grid.stride());
       gather_planes(part, stiffness.numbers.data(), whole.numbers.data(),
-                    (std::size_t{grid.n_nodes(1)} + 1) * whole.n_coefficients *
-                      grid.stride());
+                    grid.cell_rows_in_plane() * whole.n_coefficients * grid.stride());
       stiffness = std::move(whole);
     }
   levels.emplace_back(grid, std::move(stiffness));
@@ -90,11 +92,11 @@ void Multigrid::build_bottom()
 {
   Level &level         = levels.back();
   const VoxelGrid grid = level.grid;
-  const auto n =
-    static_cast<Eigen::Index>(3) * grid.n_nodes(0) * grid.n_nodes(1) * grid.n_nodes(2);
+  const auto n = static_cast<Eigen::Index>(grid.n_components()) * grid.n_nodes(0) *
+                 grid.n_nodes(1) * grid.n_nodes(2);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
   const std::vector<BrickMatrix> matrices =
-    brick_matrices(grid.spacing, level.stiffness.n_coefficients);
+    cell_matrices(grid, level.stiffness.n_coefficients);
   for (unsigned int cell = 0; cell < grid.cells[0] * grid.cells[1] * grid.cells[2];
        ++cell)
     {
@@ -136,12 +138,12 @@ void Multigrid::solve_bottom(VoxelField<float> &solution,
 {
   const auto &n = solution.n_nodes();
   Eigen::VectorXd in(bottom_inverse.rows());
-  const auto for_each = [&n](const auto &function) {
+  const auto for_each = [&](const auto &function) {
     Eigen::Index index = 0;
     for (unsigned int k = 1; k <= n[2]; ++k)
       for (unsigned int j = 1; j <= n[1]; ++j)
         for (unsigned int i = 1; i <= n[0]; ++i)
-          for (unsigned int c = 0; c < 3; ++c, ++index)
+          for (unsigned int c = 0; c < solution.grid().n_components(); ++c, ++index)
             function(index, c, i, j, k);
   };
   for_each([&](Eigen::Index index, unsigned int c, unsigned int i, unsigned int j,

@@ -13,17 +13,17 @@ constexpr double largest_multiple = 140737488355327.; // 2^47 - 1
 }
 
 PackedField::PackedField(const VoxelField<double> &field)
-  : n_row(std::size_t{field.n_nodes()[0]} + 2)
-  , n_rows_in_plane(std::size_t{field.n_nodes()[1]} + 2)
-  , high(3 * n_row * n_rows_in_plane * (std::size_t{field.n_nodes()[2]} + 2))
+  : grid(field.grid())
+  , n_row(std::size_t{field.n_nodes()[0]} + 2)
+  , high(grid.n_components() * n_row * grid.n_node_rows())
   , low(high.size())
 {
   const auto &n      = field.n_nodes();
   const auto for_row = [&](const auto &action) {
     std::size_t first = 0;
     for (unsigned int k = 0; k <= n[2] + 1; ++k)
-      for (unsigned int j = 0; j <= n[1] + 1; ++j)
-        for (unsigned int c = 0; c < 3; ++c, first += n_row)
+      for (unsigned int j = 0; j < grid.node_rows_in_plane(); ++j)
+        for (unsigned int c = 0; c < grid.n_components(); ++c, first += n_row)
           action(field.row(c, j, k), first);
   };
   double largest = 0.;
@@ -55,7 +55,7 @@ void PackedField::read_row(const unsigned int c,
                            const unsigned int k,
                            double *out) const
 {
-  const std::size_t first = ((n_rows_in_plane * k + j) * 3 + c) * n_row;
+  const std::size_t first = (grid.node_row(j, k) * grid.n_components() + c) * n_row;
   for (std::size_t i = 0; i < n_row; ++i)
     out[i] = (high[first + i] * 65536. + low[first + i]) * unit;
 }

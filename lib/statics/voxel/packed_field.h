@@ -41,8 +41,9 @@ public:
   }
 
 private:
-  std::size_t n_row = 0, n_rows_in_plane = 0; ///< rows with ghosts
-  double unit = 0.;
+  VoxelGrid grid;
+  std::size_t n_row = 0; ///< with ghosts
+  double unit       = 0.;
   LineVector<std::int32_t> high; ///< multiples of 65536
   LineVector<std::uint16_t> low; ///< what is left
 };

@@ -27,6 +27,9 @@ namespace mesoslip::voxel
  * Free sides: tractions S.n of a unit stress (SUBC, up to a rigid motion), and the whole
  * displacement is called fluctuation.
  *
+ * A flat box (VoxelGrid::flat) has three load cases, xx, zz and xz in Voigt order: what the
+ * matrices below have in other rows and columns is neither read nor, in results, of meaning.
+ *
  * Planes across z are divided among the ranks (see VoxelGrid); a box of fewer than two a
  * rank is solved by every rank alone. All members but those that say so are collective.
  */
@@ -45,14 +48,16 @@ public:
   /**
    * Phases of the cells of a box, of which rank 0's count, x fastest, have @p the_stiffness
    * (Pa); at most 65535 of them. From 256 on they are called materials: cells take two bytes
-   * instead of one, and all count as anisotropic.
+   * instead of one, and all count as anisotropic. @p flat: see VoxelGrid; the box has one cell
+   * along y, and there are at most 255 phases.
    * @throws std::invalid_argument for a phase without a stiffness
    */
   Solver(const UniformGrid<3> &box,
          const CellView &phase_id,
          const std::vector<VoigtMatrix<3>> &the_stiffness,
          const Sides sides,
-         const MPI_Comm communicator = MPI_COMM_SELF);
+         const MPI_Comm communicator = MPI_COMM_SELF,
+         const bool flat             = false);
 
   /** Of mixed sides: components of the fluctuation that are zero on them from now on; to be
    *  called before the first solve(), and between load cases that differ. */
@@ -132,9 +137,9 @@ private:
   const std::vector<VoigtMatrix<3>> stiffness;
   VoxelGrid voxels;
   std::vector<double> n_cells;                            ///< of each phase
-  unsigned int n_coefficients   = 0;                      ///< n_isotropic or n_general
+  unsigned int n_coefficients   = 0;                      ///< as in CellStiffness
   Source source                 = Source::phases;         ///< few, many or materials
-  unsigned int n_solved         = 0;                      ///< cases 0 to n_solved - 1
+  unsigned int n_solved         = 0;                      ///< cases in order that are
   double modulus                = 0.;                     ///< unit of stress (Pa)
   double length                 = 1.;                     ///< unit of length (m)
   VoigtMatrix<3> mean_stiffness = VoigtMatrix<3>::Zero(); ///< in units of modulus

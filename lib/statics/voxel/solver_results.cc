@@ -36,7 +36,8 @@ void add_strains(const double *const at[4],
 }
 
 /** Adds those of the row @p line of plane @p plane of cells (numbers in a field), with
- *  row(corner, component, j, k) from the first ghost on for the four rows of nodes. */
+ *  row(corner, component of a field, j, k) from the first ghost on for the four rows of
+ *  nodes, of which those of a flat grid are two twice. */
 template <typename Row>
 void add_strains(const VoxelGrid &grid,
                  const unsigned int line,
@@ -47,13 +48,13 @@ void add_strains(const VoxelGrid &grid,
 {
   const double unit[3] = {0.25 / grid.spacing[0], 0.25 / grid.spacing[1],
                           0.25 / grid.spacing[2]};
-  for (unsigned int c = 0; c < 3; ++c)
+  for (unsigned int c = 0; c < grid.n_components(); ++c)
     {
       const double *at[4];
       for (unsigned int corner = 0; corner < 4; ++corner)
         at[corner] =
           row(corner, c, line + (corner & 1U), plane + (corner >> 1)) + grid.first();
-      add_strains(at, unit, factor, c, strain);
+      add_strains(at, unit, factor, grid.axis_of(c), strain);
     }
 }
 } // namespace
@@ -62,8 +63,7 @@ void add_strains(const VoxelGrid &grid,
 std::size_t Solver::first_cell_of_row(const unsigned int line,
                                       const unsigned int plane) const
 {
-  return ((std::size_t{voxels.n_nodes(1)} + 1) * plane + line) * voxels.stride() +
-         voxels.first();
+  return voxels.cell_row(line, plane) * voxels.stride() + voxels.first();
 }
 
 /** What is wanted later of the displacements u of load case @p k and their residual. */
@@ -87,7 +87,7 @@ double Solver::dot_with_kept(const unsigned int k)
   double sum = 0.;
   for (unsigned int plane = 1; plane <= voxels.n_nodes(2); ++plane)
     for (unsigned int line = 1; line <= voxels.n_nodes(1); ++line)
-      for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int c = 0; c < voxels.n_components(); ++c)
         {
           // The ghosts of the residual are zero.
           kept[k].read_row(c, line, plane, row.data());
@@ -140,7 +140,8 @@ std::vector<Solver::PhaseStrains> Solver::phase_strains() const
 
 VoigtMatrix<3> Solver::effective_stiffness() const
 {
-  AssertThrow(n_solved == 6, dealii::ExcMessage("All load cases have to be solved."));
+  AssertThrow(n_solved == voxels.n_load_cases(),
+              dealii::ExcMessage("All load cases have to be solved."));
   if (!multigrid)
     return mean_stiffness * modulus;
   // Loads are stresses that are constant in each cell: their work is that of mean strains.
@@ -156,6 +157,9 @@ VoigtMatrix<3> Solver::effective_stiffness() const
     for (unsigned int l = k; l < 6; ++l)
       work_of_load(k, l) = work_of_load(l, k) =
         work_of_load(k, l) + corrections(k, l) / (volume * cells);
+  if (voxels.flat) // so that there is an inverse
+    for (const unsigned int k : {1, 3, 5})
+      work_of_load(k, k) = 1.;
   if (voxels.sides == Sides::free)
     return work_of_load.inverse() * modulus;
   return (mean_stiffness - work_of_load) * modulus;

@@ -18,15 +18,17 @@ constexpr double strong_ratio = 400.;
 /** Largest over smallest entry of the diagonals among the phases that occur: grows with the
  *  contrast and where a phase is nearly incompressible. */
 double stiffness_ratio(const std::vector<double> &n_cells,
-                       const std::vector<VoigtMatrix<3>> &stiffness)
+                       const std::vector<VoigtMatrix<3>> &stiffness,
+                       const VoxelGrid &grid)
 {
   double smallest = 1e300, largest = 0.;
   for (std::size_t phase = 0; phase < stiffness.size(); ++phase)
     if (n_cells[phase] > 0.)
-      for (unsigned int m = 0; m < 6; ++m)
+      for (unsigned int n = 0; n < grid.n_load_cases(); ++n)
         {
-          smallest = std::min(smallest, stiffness[phase](m, m));
-          largest  = std::max(largest, stiffness[phase](m, m));
+          const unsigned int m = grid.load_case(n);
+          smallest             = std::min(smallest, stiffness[phase](m, m));
+          largest              = std::max(largest, stiffness[phase](m, m));
         }
   return largest / smallest;
 }
@@ -60,16 +62,29 @@ padded_phases(const CellView &id, const VoxelGrid &grid, const std::size_t outsi
   };
   std::size_t row = 0;
   for (std::size_t k = 0; k <= grid.n_nodes(2); ++k)
-    for (std::size_t j = 0; j <= grid.n_nodes(1); ++j, row += stride)
+    for (std::size_t j = 0; j < grid.cell_rows_in_plane(); ++j, row += stride)
       for (std::size_t i = 0; i <= grid.n_nodes(0); ++i)
         {
           const std::array<unsigned int, 3> &n = grid.cells;
           const std::array<std::size_t, 3> at  = {
-             {cell(i, 0), cell(j, 1), cell(k + grid.below(), 2)}};
+             {cell(i, 0), grid.flat ? 0 : cell(j, 1), cell(k + grid.below(), 2)}};
           if (at[0] < n[0] && at[1] < n[1] && at[2] < n[2])
             phases.set(row + i, id[(at[2] * n[1] + at[1]) * n[0] + at[0]]);
         }
   return phases;
+}
+
+/** The coefficients of a stiffness that the kernels have. */
+std::vector<double> coefficients_in(const VoxelGrid &grid,
+                                    const VoigtMatrix<3> &stiffness,
+                                    const unsigned int n_coefficients)
+{
+  if (!grid.flat)
+    return coefficients_of(stiffness, n_coefficients);
+  std::vector<double> result;
+  for (const StiffnessEntry &entry : stiffness_entries<2>())
+    result.push_back(stiffness(grid.load_case(entry.row), grid.load_case(entry.column)));
+  return result;
 }
 
 Multigrid::Options options_for(const double ratio)
@@ -84,7 +99,8 @@ Solver::Solver(const UniformGrid<3> &the_box,
                const CellView &phase_id,
                const std::vector<VoigtMatrix<3>> &the_stiffness,
                const Sides sides,
-               const MPI_Comm communicator)
+               const MPI_Comm communicator,
+               const bool flat)
   : stiffness(the_stiffness)
   , strains(the_stiffness.size(), VoigtMatrix<3>::Zero())
 {
@@ -100,6 +116,7 @@ Solver::Solver(const UniformGrid<3> &the_box,
   broadcast_object(communicator, box);
   length       = box[4];
   voxels.sides = sides;
+  voxels.flat  = flat;
   for (unsigned int d = 0; d < 3; ++d)
     {
       voxels.cells[d]   = static_cast<unsigned int>(box[d]);
@@ -155,10 +172,14 @@ void Solver::set_table()
         if (!is_isotropic(stiffness[phase]))
           n_coefficients = n_general;
       }
+  if (voxels.flat)
+    n_coefficients = n_plane;
   source =
     stiffness.size() + 1 <= kernels().few_phases ? Source::few_phases : Source::phases;
   if (CellIndices::is_wide(stiffness.size()))
     {
+      if (voxels.flat)
+        throw std::invalid_argument("A flat box has more than 255 phases.");
       source         = Source::materials;
       n_coefficients = n_general;
     }
@@ -170,7 +191,7 @@ void Solver::set_table()
     if (n_cells[phase] > 0.)
       {
         mean_stiffness += n_cells[phase] / sum * stiffness[phase] / modulus;
-        std::vector<double> c = coefficients_of(stiffness[phase], n_coefficients);
+        std::vector<double> c = coefficients_in(voxels, stiffness[phase], n_coefficients);
         if (n == n_cubes)
           c.insert(c.end(), {c[0] / 3., (c[0] + 4. * c[1]) / 9.});
         for (unsigned int m = 0; m < n; ++m)
@@ -191,7 +212,7 @@ void Solver::build_multigrid()
         cells.numbers[(row * n_coefficients + m) * stride + i] =
           static_cast<float>(table[in_table(m, phases[row * stride + i])]);
   multigrid = std::make_unique<Multigrid>(
-    voxels, std::move(cells), options_for(stiffness_ratio(n_cells, stiffness)));
+    voxels, std::move(cells), options_for(stiffness_ratio(n_cells, stiffness, voxels)));
   multigrid->finest().take_phases(phases, source, {table.begin(), table.end()});
 }
 } // namespace mesoslip::voxel

@@ -41,7 +41,7 @@ std::vector<std::vector<Share>> shares(const unsigned int n_fine,
 void complete_cells(const VoxelGrid &grid, CellStiffness &stiffness)
 {
   const std::size_t line  = stiffness.n_coefficients * grid.stride(),
-                    plane = line * (grid.n_nodes(1) + 1);
+                    plane = line * grid.cell_rows_in_plane();
   sum_shared_cells(grid, stiffness.numbers.data(), plane);
   if (grid.sides != Sides::periodic)
     return;
@@ -53,8 +53,9 @@ void complete_cells(const VoxelGrid &grid, CellStiffness &stiffness)
             float *row = stiffness.row(grid, m, j, k);
             row[0]     = row[grid.cells[0]];
           }
-      std::copy_n(stiffness.row(grid, 0, grid.cells[1], k), line,
-                  stiffness.row(grid, 0, 0, k));
+      if (!grid.flat)
+        std::copy_n(stiffness.row(grid, 0, grid.cells[1], k), line,
+                    stiffness.row(grid, 0, 0, k));
     }
   if (!grid.is_divided())
     std::copy_n(stiffness.row(grid, 0, 0, grid.cells[2]), plane,
@@ -122,10 +123,11 @@ Transfer::Transfer(const VoxelGrid &fine, const VoxelGrid &coarse)
   , n_coarse{{coarse.n_nodes(0), coarse.n_nodes(1), coarse.n_nodes(2)}}
   , fine_stride(fine.stride())
   , coarse_stride(coarse.stride())
+  , n_components(fine.n_components())
   , periodic(fine.sides == Sides::periodic)
   , first(fine.first())
   , axes{{axis(fine, coarse, 0), axis(fine, coarse, 1), axis(fine, coarse, 2)}}
-  , line(3 * std::max(fine_stride, coarse_stride))
+  , line(n_components * std::max(fine_stride, coarse_stride))
 {
 }
 
@@ -201,7 +203,7 @@ void Transfer::restrict_to(const VoxelField<float> &r, VoxelField<float> &b)
     return result;
   };
   const auto in_y = sources(1), in_z = sources(2);
-  const std::size_t n = 3 * fine_stride;
+  const std::size_t n = n_components * fine_stride;
   // What falls on a ghost plane belongs to another rank.
   const unsigned int ghosts = coarse_grid.is_divided() ? 1 : 0;
   for (unsigned int k = 1 - ghosts; k <= n_coarse[2] + ghosts; ++k)
@@ -217,7 +219,7 @@ void Transfer::restrict_to(const VoxelField<float> &r, VoxelField<float> &b)
               for (std::size_t i = 0; i < n; ++i)
                 sum[i] += weight * fine[i];
             }
-        for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
           restrict_row(sum + c * fine_stride, b.row(c, j, k));
       }
   add_ghost_planes(coarse_grid, b.data(), b.plane_size());
@@ -249,7 +251,7 @@ void Transfer::add_row(const float *coarse, float *fine) const
 
 void Transfer::add_from(const VoxelField<float> &c, VoxelField<float> &x)
 {
-  const std::size_t n = 3 * coarse_stride;
+  const std::size_t n = n_components * coarse_stride;
   float *sum          = line.data();
   for (unsigned int k = 1; k <= n_fine[2]; ++k)
     for (unsigned int j = 1; j <= n_fine[1]; ++j)
@@ -266,7 +268,7 @@ void Transfer::add_from(const VoxelField<float> &c, VoxelField<float> &x)
             for (std::size_t i = 0; i < n; ++i)
               sum[i] += y * z * coarse[i];
           }
-        for (unsigned int component = 0; component < 3; ++component)
+        for (unsigned int component = 0; component < n_components; ++component)
           add_row(sum + component * coarse_stride, x.row(component, j, k));
       }
   x.set_ghosts();

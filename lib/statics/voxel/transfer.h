@@ -40,6 +40,7 @@ private:
   VoxelGrid coarse_grid;
   std::array<unsigned int, 3> n_fine, n_coarse; ///< nodes of this rank
   std::size_t fine_stride, coarse_stride;
+  unsigned int n_components;
   bool periodic;
   unsigned int first;
   std::array<Axis, 3> axes;

@@ -8,7 +8,7 @@
 
 namespace mesoslip::voxel
 {
-/** Three components at the nodes of a grid, as in kernels.h. */
+/** Displacements or forces at the nodes of a grid, as in kernels.h. */
 template <typename Number>
 class VoxelField
 {
@@ -20,6 +20,7 @@ public:
     : voxels(std::move(the_grid))
     , n{{voxels.n_nodes(0), voxels.n_nodes(1), voxels.n_nodes(2)}}
     , stride(voxels.stride())
+    , n_components(voxels.n_components())
     , numbers(plane_size() * (n[2] + 2) + lanes<float>)
   {
   }
@@ -28,14 +29,14 @@ public:
    *  last. */
   Number *row(const unsigned int c, const unsigned int j, const unsigned int k)
   {
-    return &numbers[((std::size_t{n[1] + 2} * k + j) * 3 + c) * stride];
+    return &numbers[(voxels.node_row(j, k) * n_components + c) * stride];
   }
 
   /** The same to read. */
   const Number *
   row(const unsigned int c, const unsigned int j, const unsigned int k) const
   {
-    return &numbers[((std::size_t{n[1] + 2} * k + j) * 3 + c) * stride];
+    return &numbers[(voxels.node_row(j, k) * n_components + c) * stride];
   }
 
   /** Whole field, in whole cache lines. */
@@ -59,7 +60,7 @@ public:
   /** Numbers of a plane across z, which row(0, 0, k) begins. */
   std::size_t plane_size() const
   {
-    return 3 * stride * (std::size_t{n[1]} + 2);
+    return n_components * stride * voxels.node_rows_in_plane();
   }
 
   /** Copies of the other side of a periodic body and of the other ranks' planes; others keep
@@ -69,7 +70,7 @@ public:
     if (voxels.sides == Sides::periodic)
       for (unsigned int k = 1; k <= n[2]; ++k)
         for (unsigned int j = 1; j <= n[1]; ++j)
-          for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int c = 0; c < n_components; ++c)
             {
               Number *x   = row(c, j, k);
               x[0]        = x[n[0]];
@@ -81,7 +82,7 @@ public:
   /** Those beyond the ends of y and z only. Collective. */
   void set_ghost_rows()
   {
-    if (voxels.sides == Sides::periodic)
+    if (voxels.sides == Sides::periodic && !voxels.flat)
       for (unsigned int k = 1; k <= n[2]; ++k)
         {
           std::copy_n(row(0, n[1], k), 3 * stride, row(0, 0, k));
@@ -112,6 +113,7 @@ private:
   VoxelGrid voxels;
   std::array<unsigned int, 3> n = {};
   std::size_t stride            = 0;
+  std::size_t n_components      = 3;
   LineVector<Number> numbers;
 };
 

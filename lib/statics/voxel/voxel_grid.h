@@ -34,8 +34,12 @@ struct VoxelGrid
 {
   std::array<unsigned int, 3> cells = {};          ///< numbers along x, y, z, of the box
   std::array<double, 3> spacing     = {};          ///< edges of a cell, in any unit
-  Sides sides                       = Sides::held; ///< all six
+  Sides sides                       = Sides::held; ///< all six, of a flat grid four
   HeldComponents held               = {};          ///< of Sides::mixed
+
+  /** In plane strain: one cell along y, in fields one row of nodes for those at both of its
+   *  ends, with the components along x and z; nothing depends on the edge along y. */
+  bool flat = false;
 
   /** Planes of nodes below those of each rank and, last, of all; empty: not divided. */
   std::vector<unsigned int> planes = {};
@@ -51,6 +55,8 @@ struct VoxelGrid
   /** Number of nodes of all ranks that are unknowns along an axis. */
   unsigned int n_all_nodes(const unsigned int axis) const
   {
+    if (flat && axis == 1)
+      return 1;
     return cells[axis] + (sides == Sides::free || sides == Sides::mixed) -
            (sides == Sides::held);
   }
@@ -94,7 +100,7 @@ struct VoxelGrid
   bool is_on_side(const unsigned int axis, const unsigned int i) const
   {
     const unsigned int number = i - 1 + (axis == 2 ? below() : 0);
-    return number == 0 || number == cells[axis];
+    return !(flat && axis == 1) && (number == 0 || number == cells[axis]);
   }
 
   /** Length of a row of nodes or cells in numbers. */
@@ -103,10 +109,65 @@ struct VoxelGrid
     return whole_vectors<float>(n_nodes(0) + 2);
   }
 
+  /** Components of the displacement. */
+  unsigned int n_components() const
+  {
+    return flat ? 2 : 3;
+  }
+
+  /** Along which axis component @p c is. */
+  unsigned int axis_of(const unsigned int c) const
+  {
+    return flat ? 2 * c : c;
+  }
+
+  /** Number of unit load cases. */
+  unsigned int n_load_cases() const
+  {
+    return flat ? 3 : 6;
+  }
+
+  /** Place in Voigt order of load case @p n, which is also that of component n of the strain;
+   *  of a flat grid xx, zz, xz. */
+  unsigned int load_case(const unsigned int n) const
+  {
+    return flat ? 2 * n : n;
+  }
+
+  /** Rows of nodes in a plane of a field, with ghosts. */
+  std::size_t node_rows_in_plane() const
+  {
+    return flat ? 1 : std::size_t{n_nodes(1)} + 2;
+  }
+
+  /** Rows of cells in a plane. */
+  std::size_t cell_rows_in_plane() const
+  {
+    return flat ? 1 : std::size_t{n_nodes(1)} + 1;
+  }
+
+  /** Rows of nodes, [z][y], with ghosts. */
+  std::size_t n_node_rows() const
+  {
+    return node_rows_in_plane() * (n_nodes(2) + 2);
+  }
+
   /** Rows of cells, [z][y]. */
   std::size_t n_cell_rows() const
   {
-    return (std::size_t{n_nodes(1)} + 1) * (n_nodes(2) + 1);
+    return cell_rows_in_plane() * (n_nodes(2) + 1);
+  }
+
+  /** Number of a row of nodes among these. */
+  std::size_t node_row(const std::size_t j, const std::size_t k) const
+  {
+    return node_rows_in_plane() * k + (flat ? 0 : j);
+  }
+
+  /** Number of a row of cells among these. */
+  std::size_t cell_row(const std::size_t j, const std::size_t k) const
+  {
+    return cell_rows_in_plane() * k + (flat ? 0 : j);
   }
 
   /** 2 / h is the derivative along an axis; this is h_y / h. */
@@ -115,10 +176,11 @@ struct VoxelGrid
     return spacing[1] / spacing[axis];
   }
 
-  /** What turns a stiffness (Pa) into that of the kernels: volume / (16 h_y^2). */
+  /** What turns a stiffness (Pa) into that of the kernels: volume / (16 h_y^2), of a flat grid
+   *  volume / (4 h_y^2). */
   double factor() const
   {
-    return spacing[0] * spacing[2] / (16. * spacing[1]);
+    return spacing[0] * spacing[2] / ((flat ? 4. : 16.) * spacing[1]);
   }
 };
 } // namespace mesoslip::voxel

@@ -15,6 +15,10 @@
  * of each axis: numbers 0 and n + 1. Cell number c lies between the nodes c and c + 1, so
  * there are n + 1 of them; what lies outside of the body has no stiffness. Rows along x are
  * `stride` numbers long and start a cache line; a field is [n[2] + 2][n[1] + 2][3][stride].
+ *
+ * Of flat cells (VoxelGrid::flat) there is one row in a plane, of nodes and of cells, without
+ * ghosts along y, and the components along x and z alone: [n[2] + 2][2][stride]. Stiffness,
+ * strain and stress are then times volume / (4 h_y^2), 2 h_y and volume / (2 h_y).
  */
 namespace mesoslip::voxel
 {
@@ -23,14 +27,17 @@ enum class Cells : unsigned int
 {
   isotropic, ///< n_isotropic coefficients
   cubes,     ///< isotropic, and their edges are equal
-  general    ///< n_general coefficients
+  general,   ///< n_general coefficients
+  flat       ///< n_plane coefficients, see VoxelGrid::flat
 };
-constexpr unsigned int n_cells_kinds = 3; ///< see Cells
+constexpr unsigned int n_cells_kinds = 4; ///< see Cells
 
 /** Coefficients of a cell that are stored. */
 constexpr unsigned int n_stored(const Cells cells)
 {
-  return cells == Cells::general ? n_general : n_isotropic;
+  return cells == Cells::flat      ? n_plane
+         : cells == Cells::general ? n_general
+                                   : n_isotropic;
 }
 
 /** Coefficients of a phase in tables. */
@@ -79,7 +86,7 @@ struct SweepArguments
   const Number *table;
   const float *b;           ///< right-hand side
   const float *inverse;     ///< D^-1: [n[2] + 2][n[1] + 2][n_diagonals][stride]
-  unsigned int n_diagonals; ///< 3, or 1 if components have the same
+  unsigned int n_diagonals; ///< that of the components, or 1 if they have the same
   float *d;                 ///< last change of x
   float *out;               ///< result, zero in ghosts along x
   double *exact;            ///< the same of outer in double precision, or null
@@ -109,10 +116,11 @@ struct Kernels
   Sweeps<double> outer;    ///< see Sweep; null for those that are stored
   unsigned int few_phases; ///< numbers of them for which there is Source::few_phases
 
-  /** x = a D^-1 b, the first Chebyshev step from zero, for @p n_rows rows of three components;
-   * D^-1 as in SweepArguments. */
+  /** x = a D^-1 b, the first Chebyshev step from zero, for @p n_rows rows of
+   * @p n_components; D^-1 as in SweepArguments. */
   void (*first_step)(std::size_t n_rows,
                      std::size_t stride,
+                     unsigned int n_components,
                      unsigned int n_diagonals,
                      float a,
                      const float *inverse,

@@ -33,7 +33,7 @@ struct Stored
   Stored(const SweepArguments<Number> &a, const std::size_t row)
     : first(a.stiffness + row * n * a.stride)
     , stride(a.stride)
-    , next(next_nodes(a, row))
+    , next(cells == Cells::flat ? nullptr : next_nodes(a, row))
   {
   }
   inline __attribute__((always_inline)) Stiffness<Number, n_in_table(cells)>
@@ -102,7 +102,7 @@ struct OfPhases
     : first(a.phase + row * a.stride)
     , table(a.table)
     , stride(a.stride)
-    , next(next_nodes(a, row))
+    , next(cells == Cells::flat ? nullptr : next_nodes(a, row))
   {
   }
   inline __attribute__((always_inline)) Vector of(const unsigned int m,
@@ -186,19 +186,19 @@ MESOSLIP_INLINE T *at_row(T *field, const std::size_t first)
 }
 
 /** The forces @p f on a row of nodes are complete. What the next row needs is fetched. */
-template <Sweep kind, typename Number>
+template <Sweep kind, unsigned int n_components = 3, typename Number>
 MESOSLIP_INLINE double
 finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *__restrict f)
 {
   using Vector            = typename Simd<Number>::Vector;
-  const std::size_t first = 3 * row * a.stride, n = 3 * a.stride;
+  const std::size_t first = n_components * row * a.stride, n = n_components * a.stride;
   const float *__restrict b = at_row(a.b, first);
   float *__restrict d = at_row(a.d, first), *__restrict out = at_row(a.out, first);
   double *__restrict exact = at_row(a.exact, first);
   Number *__restrict x     = a.x + first;
   const float keep = a.keep, step = a.step;
   Vector sum = {};
-  for (int c = 0; c < 3; ++c)
+  for (unsigned int c = 0; c < n_components; ++c)
     {
       f[c * a.stride] = 0;
       for (std::size_t i = a.n[0] + 1; i < a.stride; ++i)
@@ -227,8 +227,8 @@ finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *__res
     {
       const std::size_t all = a.n_diagonals * a.stride;
       const float *inverse  = a.inverse + row * all;
-      for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t i = c * a.stride, j = a.n_diagonals == 3 ? i : 0;
+      for (std::size_t c = 0; c < n_components; ++c)
+        for (std::size_t i = c * a.stride, j = a.n_diagonals == n_components ? i : 0;
              i < (c + 1) * a.stride; i += Simd<Number>::length, j += Simd<Number>::length)
           {
             __builtin_prefetch(b + i + n);
@@ -242,7 +242,8 @@ finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *__res
             store(x + i, load(x + i) + change);
           }
     }
-  for (int c = 0; kind == Sweep::chebyshev && a.periodic && c < 3; ++c)
+  for (unsigned int c = 0; kind == Sweep::chebyshev && a.periodic && c < n_components;
+       ++c)
     {
       x[c * a.stride]              = x[c * a.stride + a.n[0]];
       x[c * a.stride + a.n[0] + 1] = x[c * a.stride + 1];

@@ -20,6 +20,7 @@ combine(const std::size_t n, const float a, const float *x, const float b, float
 
 static void first_step(const std::size_t n_rows,
                        const std::size_t stride,
+                       const unsigned int n_components,
                        const unsigned int n_diagonals,
                        const float a,
                        const float *inverse,
@@ -27,10 +28,11 @@ static void first_step(const std::size_t n_rows,
                        float *x)
 {
   for (std::size_t row = 0; row < n_rows; ++row)
-    for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t c = 0; c < n_components; ++c)
       {
-        const std::size_t first = (3 * row + c) * stride;
-        const float *diagonal   = inverse + (n_diagonals == 3 ? first : row * stride);
+        const std::size_t first = (n_components * row + c) * stride;
+        const float *diagonal =
+          inverse + (n_diagonals == n_components ? first : row * stride);
         for (std::size_t i = 0; i < stride; i += Simd<float>::length)
           store(x + first + i, a * load(diagonal + i) * load(b + first + i));
       }

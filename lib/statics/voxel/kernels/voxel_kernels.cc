@@ -17,17 +17,20 @@ namespace mesoslip::voxel::MESOSLIP_VARIANT
 //
 #include "statics/voxel/kernels/sweep_impl.h"
 //
+#include "statics/voxel/kernels/flat_impl.h"
+//
 #include "statics/voxel/kernels/vectors_impl.h"
 
-#define MESOSLIP_KINDS(Material, Number, kind, ...)                             \
-  {                                                                             \
-    sweep<Number, Material<Number, Cells::isotropic __VA_ARGS__>, Sweep::kind>, \
-      sweep<Number, Material<Number, Cells::cubes __VA_ARGS__>, Sweep::kind>,   \
-      sweep<Number, Material<Number, Cells::general __VA_ARGS__>, Sweep::kind>  \
+#define MESOSLIP_KINDS(Material, Number, kind, ...)                              \
+  {                                                                              \
+    sweep<Number, Material<Number, Cells::isotropic __VA_ARGS__>, Sweep::kind>,  \
+      sweep<Number, Material<Number, Cells::cubes __VA_ARGS__>, Sweep::kind>,    \
+      sweep<Number, Material<Number, Cells::general __VA_ARGS__>, Sweep::kind>,  \
+      flat_sweep<Number, Material<Number, Cells::flat __VA_ARGS__>, Sweep::kind> \
   }
-#define MESOSLIP_MATERIALS(Number, kind)                              \
-  {                                                                   \
-    nullptr, nullptr, sweep<Number, OfMaterials<Number>, Sweep::kind> \
+#define MESOSLIP_MATERIALS(Number, kind)                                       \
+  {                                                                            \
+    nullptr, nullptr, sweep<Number, OfMaterials<Number>, Sweep::kind>, nullptr \
   }
 #define MESOSLIP_SOURCES(kind)                                                        \
   {                                                                                   \
@@ -41,7 +44,7 @@ const Kernels &kernels()
   static const Kernels table = {MESOSLIP_SOURCES(product),
                                 MESOSLIP_SOURCES(residual),
                                 MESOSLIP_SOURCES(chebyshev),
-                                {{nullptr, nullptr, nullptr},
+                                {{nullptr, nullptr, nullptr, nullptr},
                                  MESOSLIP_KINDS(OfPhases, double, outer, , true),
                                  MESOSLIP_KINDS(OfPhases, double, outer, , false),
                                  MESOSLIP_MATERIALS(double, outer)},

@@ -1,0 +1,107 @@
+// A sweep over the nodes of a flat grid (VoxelGrid::flat), in plane strain or whatever else
+// the stiffness of the plane says: rows of cells between two rows of nodes, of which the
+// components along x and z are numbers 0 and 1. The basis is that of brick_impl.h with four
+// nodes. Included inside a namespace by voxel_kernels.cc.
+
+/** The upper triangle of the stiffness of xx, zz and xz. */
+template <typename Number>
+struct Stiffness<Number, n_plane>
+{
+  using Vector = typename Simd<Number>::Vector;
+  Vector c[n_plane];
+
+  template <typename Load>
+  MESOSLIP_INLINE Stiffness of(const Load &load_one)
+  {
+    Stiffness result;
+    for (unsigned int m = 0; m < n_plane; ++m)
+      result.c[m] = load_one(m);
+    return result;
+  }
+
+  inline __attribute__((always_inline)) void stress(const Vector e[3], Vector s[3]) const
+  {
+    s[0] = c[0] * e[0] + c[1] * e[1] + c[2] * e[2];
+    s[1] = c[1] * e[0] + c[3] * e[1] + c[4] * e[2];
+    s[2] = c[2] * e[0] + c[4] * e[1] + c[5] * e[2];
+  }
+};
+
+/** Place of the components of the plane in Voigt order. */
+constexpr int place_in_plane[3] = {0, 2, 4};
+
+/** Forces @p h on the sums and differences @p v of the nodes of neighbouring cells,
+ *  [component][x + 2 z]. */
+template <typename Number, typename Material, typename Vector>
+MESOSLIP_INLINE void flat_forces(const Layer<Number> &layer,
+                                 const Material &cells,
+                                 const std::size_t i,
+                                 const Vector v[2][4],
+                                 Vector h[2][4])
+{
+  const auto stiffness = cells.at(i);
+  Vector e[3]          = {v[0][1], v[1][2], v[0][2] + v[1][1]}, s[3];
+  if constexpr (Material::adds_stress)
+    for (int m = 0; m < 3; ++m)
+      e[m] += layer.strain[place_in_plane[m]];
+  stiffness.stress(e, s);
+  if constexpr (Material::adds_stress)
+    for (int m = 0; m < 3; ++m)
+      s[m] -= cells.inside(i) * layer.stress[place_in_plane[m]];
+  // Of the strains that change along z and of those that change along x.
+  const Vector along_z[3] = {v[0][3], Vector{}, v[1][3]},
+               along_x[3] = {Vector{}, v[1][3], v[0][3]};
+  Vector of_z[3], of_x[3];
+  stiffness.stress(along_z, of_z);
+  stiffness.stress(along_x, of_x);
+  h[0][0] = h[1][0] = Vector{};
+  h[0][1]           = s[0];
+  h[0][2] = h[1][1] = s[2];
+  h[1][2]           = s[1];
+  h[0][3]           = layer.weight[2] * of_z[0] + layer.weight[0] * of_x[2];
+  h[1][3]           = layer.weight[2] * of_z[2] + layer.weight[0] * of_x[1];
+}
+
+/** See kernels.h. */
+template <typename Number, typename Material, Sweep kind>
+double flat_sweep(const SweepArguments<Number> &a)
+{
+  using Vector        = typename Simd<Number>::Vector;
+  const std::size_t s = a.stride, line = 2 * s;
+  Layer<Number> layer = {};
+  layer.complete      = a.work;
+  layer.plane         = a.work + n_work_rows * s;
+  layer.stride        = s;
+  layer.n_vectors     = a.n[0] / Simd<Number>::length + 1;
+  layer.x             = a.ratio[0];
+  layer.z             = a.ratio[1];
+  layer.weight[0]     = 1 / (3 * layer.x * layer.x);
+  layer.weight[2]     = 1 / (3 * layer.z * layer.z);
+  for (int m = 0; m < 6; ++m)
+    {
+      layer.strain[m] = a.strain[m];
+      layer.stress[m] = a.stress[m];
+    }
+  for (std::size_t i = 0; i < 2 * line; ++i)
+    layer.plane[i] = 0;
+  double sum = 0.;
+  for (std::size_t k = 0; k <= a.n[2]; ++k)
+    {
+      layer.lower = a.x + k * line;
+      layer.upper = layer.lower + line;
+      const Material cells(a, k);
+      Vector before[2] = {};
+      for (unsigned int n = 0; n < layer.n_vectors; ++n)
+        {
+          const std::size_t i = std::size_t{n} * Simd<Number>::length;
+          Vector v[2][4], h[2][4];
+          combine_nodes(layer, i, v);
+          flat_forces(layer, cells, i, v, h);
+          for (int c = 0; c < 2; ++c)
+            complete_nodes(layer, layer.plane, c, i, h[c], before);
+        }
+      if (k > 0)
+        sum += finish_row<kind, 2>(a, k, layer.complete);
+    }
+  return sum;
+}
