@@ -5,13 +5,18 @@ what the pages say is printed is printed."""
 import importlib.util
 import os
 import re
+import sys
 import tempfile
 
 import numpy as np
 from PIL import Image
+from scipy import ndimage
 
 import first_steps
 from scenes import TOP, Folder, run_chain
+
+sys.path.insert(0, os.path.join(TOP, "applications", "tools", "python"))
+import mesoslip
 
 EXAMPLE = os.path.join(TOP, "prm", "examples", "micrograph")
 
@@ -63,6 +68,19 @@ def check_cells(text):
         assert np.allclose([float(x) for x in found], [float(d11), float(d22)], rtol=1e-3), (columns, found)
 
 
+def check_cut_grains(text, results):
+    """The table of errors in the grains that an edge cuts: as many grains and such errors."""
+    with mesoslip.open(os.path.join(results, "40-stress_localization")) as run:
+        localized, direct = np.asarray(run["mean_von_mises"]), np.asarray(run["direct/mean_von_mises"])
+    with mesoslip.open(os.path.join(results, "10-rve_homogenization")) as run:
+        grains, _ = ndimage.label(np.asarray(run["phase/id"]) == 1)
+    for edges, said in (("left and right", [grains[:, 0], grains[:, -1]]), ("lower", [grains[0]]), ("upper", [grains[-1]])):
+        cut = sorted(set(np.concatenate(said)) - {0})
+        errors = [100 * np.linalg.norm((localized - direct)[grains == k]) / np.linalg.norm(direct[grains == k]) for k in cut]
+        row = f"| {len(cut)} | {min(errors):.0f} to {max(errors):.0f} % |"
+        assert re.search(rf"^\| {edges} \| [^|]* {re.escape(row)}$", text, re.MULTILINE), (edges, row)
+
+
 def check_squeal():
     """Every quoted line of the page is printed by one of its two runs."""
     text = Folder(TOP).read("doc", "guide", "squeal.md").decode()
@@ -84,7 +102,9 @@ def main():
     check_cells(text)
     check_squeal()
     with tempfile.TemporaryDirectory() as folder:
-        first_steps.check_outputs(text, run_chain(EXAMPLE, "--output", os.path.join(folder, "results"), "--no-report"))
+        results = os.path.join(folder, "results")
+        first_steps.check_outputs(text, run_chain(EXAMPLE, "--output", results, "--no-report"))
+        check_cut_grains(text, results)
     print("ok")
 
 
