@@ -25,7 +25,7 @@ struct LocalizationParameters
   /** Compare with a direct run under other loads all the same. */
   bool allow_different_loads = false;
 
-  /** KUBC or PBC. */
+  /** KUBC, PBC or MUBC. */
   std::string concentration = "KUBC";
   /** Eq. 24: the macroscopic strain at the place. */
   bool local_strain = true;
@@ -57,6 +57,10 @@ struct LocalizationParameters
   {
     return run_probes == std::vector<std::string>{"all"};
   }
+
+  /** What to say where the mean of the concentration tensors of all cells is not the
+   * identity; `defect` is the largest difference of an entry. */
+  std::string mean_defect_warning(double defect) const;
 
   /** Binds the keys of all sections. @throws UserError naming the key. */
   void bind(Keys &keys);

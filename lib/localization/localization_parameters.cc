@@ -177,4 +177,15 @@ void LocalizationParameters::check()
       "Localization/Fields, Probes/Of the run and Probes/Further are all empty: "
       "nothing is asked for");
 }
+
+std::string LocalizationParameters::mean_defect_warning(const double defect) const
+{
+  return rve_file + ": the mean of the concentration tensors " + concentration +
+         " differs from the identity by " + to_text(defect) +
+         (concentration == "MUBC"
+            ? ", as MUBC prescribe one part of the mean strain at a time and the volume "
+              "is "
+              "not orthotropic; the means of localized strains err as much"
+            : "; rve_homogenization should be run with a smaller tolerance");
+}
 } // namespace mesoslip

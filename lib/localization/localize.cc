@@ -40,10 +40,7 @@ StressMap make_map(LocalizationInput &input)
   const std::vector<double> L = std::move(input.concentration);
   const double defect         = mean_defect(L);
   if (!(defect <= largest_defect))
-    input.warnings.push_back(
-      input.rve.path() + ": the mean of the concentration tensors " +
-      input.parameters.concentration + " differs from the identity by " +
-      to_text(defect) + "; rve_homogenization should be run with a smaller tolerance");
+    input.warnings.push_back(input.parameters.mean_defect_warning(defect));
   return {input.rve.grid, input.phase_id, stiffnesses(input.rve),
           input.out_of_plane_ratio, L};
 }

@@ -117,10 +117,7 @@ private:
   void check_concentration(const double defect)
   {
     if (!(defect <= 1e-6))
-      input->warnings.push_back(
-        input->rve.path() + ": the mean of the concentration tensors " +
-        parameters.concentration + " differs from the identity by " + to_text(defect) +
-        "; rve_homogenization should be run with a smaller tolerance");
+      input->warnings.push_back(parameters.mean_defect_warning(defect));
   }
 
   RankWork<dim> work_of(const std::size_t first, const std::size_t end) const
