@@ -184,8 +184,7 @@ std::string LocalizationParameters::mean_defect_warning(const double defect) con
          " differs from the identity by " + to_text(defect) +
          (concentration == "MUBC"
             ? ", as MUBC prescribe one part of the mean strain at a time and the volume "
-              "is "
-              "not orthotropic; the means of localized strains err as much"
+              "is not orthotropic; the means of localized strains err as much"
             : "; rve_homogenization should be run with a smaller tolerance");
 }
 } // namespace mesoslip
