@@ -1,8 +1,10 @@
 """The parts of the prediction study against exact answers; growth of steady sliding also against a run."""
 
 import os
+import re
 import sys
 import tempfile
+import types
 
 import numpy as np
 
@@ -12,8 +14,10 @@ from sliding_pin import SlidingPin, friction_factors
 sys.path[:0] = [os.path.join(TOOLS, "studies"), os.path.join(TOOLS, "studies", "prediction")]
 
 import growth  # noqa: E402
+import growth_page  # noqa: E402
 import measures  # noqa: E402
 import mixture  # noqa: E402
+import redraw  # noqa: E402
 from dispersion import Layer, isotropic_layer  # noqa: E402
 from study import Result  # noqa: E402
 
@@ -126,6 +130,31 @@ def mixtures():
     assert np.allclose(mixture.coarsen(np.array([[stiff, soft]] * 2)), [[exact]], rtol=1e-7)
 
 
+def growth_section():
+    """The section of the page, from its table: numbers of the modes and the sentence on the search, as the page has them. What is in no
+    table (the homogeneous pin's other delta, its shapes) is made up."""
+    folder = os.path.join(TOP, "doc", "paper", "prediction")
+    eigenvalue = lambda row: complex(float(row["growth [1/s]"]), 2 * np.pi * float(row["frequency [Hz]"]))
+    lines, overlaps, leading, separated = {}, {}, {}, {1: 0, 6: 0, 8: 2}
+    for row in redraw.rows_of(folder, "growth.csv"):
+        seed = int(row["seed"])
+        if row["mode"] == "fastest":
+            leading[seed] = np.array([eigenvalue(row)])
+            continue
+        lines.setdefault(seed, []).append(eigenvalue(row))
+        overlaps.setdefault(seed, []).append(float(row["overlap with the homogeneous pin's mode [-]"]))
+    page = Folder(TOP).read("doc", "paper", "prediction.md").decode()
+    rows = re.findall(r"^\| ([\d.]+) \| ([\d.]+ ± [\d.]+) \| ([\d.]+ to [\d.]+) \| (\d+) \| (\d+ ± \d+) \| (\d+) \|", page, re.MULTILINE)
+    mean = np.array([complex(float(row[3]), 2e3 * np.pi * float(row[0])) for row in rows])
+    slopes = mean * (1 - 0.1 * np.arange(-growth.AT, len(growth.DELTAS) - growth.AT))[:, None]
+    found = growth.Growth(slopes, slopes, slopes.real.max(axis=1), {s: np.array(line) for s, line in lines.items()}, overlaps, leading, {}, mean,
+                          {seed: separated.get(seed, 1) for seed in lines}, 0, 1e-12, 350e3, 2e6, 230e3)
+    _, text, table, *_ = growth_page.prediction_section(types.SimpleNamespace(growth=found), [], {})
+    assert len(rows) == 6 and all("| " + " | ".join(row) + " |" in table for row in rows), table
+    sentence = "The modes of the morphologies were " + text.split("The modes of the morphologies were ")[1]
+    assert sentence in page.replace("\n", " "), sentence
+
+
 def spectrum():
     """A line between the bins, on a drift."""
     time = np.arange(0, 1e-3, 2e-7)
@@ -139,5 +168,6 @@ if __name__ == "__main__":
     pin_converges_to_layer()
     mixtures()
     spectrum()
+    growth_section()
     search_is_complete()
     growth_of_a_run()

@@ -70,7 +70,8 @@ class Growth:
     `morphologies` {seed: the mode nearest in shape to each branch of `mean` that grows at START}, `overlaps` of these shapes,
     `leading` {seed: all growing modes}. `refined` {cells: the branches of `paper` that grow at START}, `seen` these in a run.
     `separated` {cells or seed: contact nodes that are separated in the static state}. `missing`, `residual`, `searched` and
-    `bound`: as in Modes, the worst of all."""
+    `bound`: as in Modes, the worst of all; `searched` and `bound` of `paper`. `searched_morphologies` (Hz): up to there the
+    modes of all morphologies are known."""
     paper: np.ndarray
     mean: np.ndarray
     fastest: np.ndarray
@@ -84,6 +85,7 @@ class Growth:
     residual: float
     searched: float
     bound: float
+    searched_morphologies: float
 
 
 def branches_of(result):
@@ -150,7 +152,7 @@ def collect(results):
                   np.array([rates[_nearest(rates, s)] for s in growing]),
                   {CELLS: whole["paper"].separated, **{key: found.separated for key, found in (*finer.items(), *pins.items())}},
                   sum(found.missing for found in every) + sum(case["missing_modes"] for case in swept),
-                  max(found.residual for found in every), whole["paper"].searched, whole["paper"].bound)
+                  max(found.residual for found in every), whole["paper"].searched, whole["paper"].bound, min(found.searched for found in pins.values()))
 
 
 def matching_delta(growth, mode, eigenvalue):

@@ -130,7 +130,7 @@ def prediction_section(data, keys, runs):
             "[regimes](regimes.md) says. Each morphology's mode is the one whose shape is most like that of the homogeneous pin (*overlap*: 1 for equal shapes), so that the "
             f"two modes near 124 kHz, {_apart(found.mean[AT]):.1f} kHz apart, are not mixed; the last row is the fastest mode of each, "
             "whichever it is. *δ\\**: where the homogeneous mode grows as that of the morphology (by the slope over δ at 1500 ns; for the fastest along its curve). "
-            "And Spearman's rank correlation over the morphologies of the growth rate with mu_inter:",
+            f"And Spearman's rank correlation over the morphologies of the growth rate with mu_inter. {search_of_morphologies(found)}:",
             table(["kHz, homogeneous", "kHz, morphologies", "overlap", "growth, homogeneous [1/s]", "growth, morphologies [1/s]", "deviation",
                       "δ* [ns]", "deviation"] + [f"correlation, {load.label}, {w}" for load, w in keys], rows),
             f"The fastest mode is that near {' or '.join(f'{kilohertz(found.mean[AT][k]):.0f} kHz ({n})' for k, n in near.items() if n)} (number of morphologies); "
@@ -139,6 +139,27 @@ def prediction_section(data, keys, runs):
             "within some tenths of a per cent: a growth rate is a percent or less of the angular frequency, a small difference between what friction feeds in "
             "and what is lost. Here morphologies differ that are equal in statics and in free vibration; the paper found no such difference (section 3.6.2). "
             f"With {len(lines)} morphologies a single correlation is significant at 5 % above {_significant(len(lines)):.2f}; {len(rows) * len(keys)} are shown, so that one such is to be expected."]
+
+
+def search_of_morphologies(found):
+    others = f"counts {found.missing} others in all runs" if found.missing else "counts no others there"
+    return (f"The modes of the morphologies were looked for up to {found.searched_morphologies / 1e3:.0f} kHz, and the argument principle {others}. Contact nodes that "
+            f"are separated in the static state are free: {by_seed({seed: found.separated[seed] for seed in found.morphologies})}")
+
+
+def by_seed(numbers):
+    """{seed: number of nodes} in words, the commonest number last: none in seeds 1 and 6, two in seed 8, one in each of the others."""
+    seeds_of = {}
+    for seed, count in sorted(numbers.items()):
+        seeds_of.setdefault(count, []).append(str(seed))
+    commonest = max(seeds_of, key=lambda count: (len(seeds_of[count]), -count))
+    word = lambda count: {0: "none", 1: "one", 2: "two", 3: "three"}.get(count, str(count))
+    parts = []
+    for count, names in sorted(seeds_of.items()):
+        if count != commonest:
+            of = f"seeds {', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else f"seed {names[0]}"
+            parts.append(f"{word(count)} in {'each of ' if count and len(names) > 1 else ''}{of}")
+    return ", ".join([*parts, f"{word(commonest)} in each of the others" if parts else f"{word(commonest)} in each"])
 
 
 def _apart(modes):
