@@ -29,7 +29,7 @@ def regions(run, errors):
     for phase in run.summary.get("phases") or []:
         key = next((key for key in (f"phase_{phase}", phase) if f"{key}_interior" in known), None)
         if key is not None:
-            result += [(key, escape(phase)), (f"{key}_interior", f"{escape(phase)}, interior")]
+            result += [(key, f"phase {escape(phase)}"), (f"{key}_interior", f"phase {escape(phase)}, interior")]
     return result
 
 
