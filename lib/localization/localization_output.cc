@@ -258,5 +258,10 @@ void log_key_numbers(RunContext &context)
       context.log(std::string(quantity) +
                   " against the direct run (relative L2):" + line);
     }
+  const json &errors = summary["field_errors"];
+  if (errors.contains("mean_von_mises") &&
+      error_words(errors["mean_von_mises"], "interior", "", "").empty())
+    context.warn("no cell is Comparison/Edge distance away from all edges, so that there "
+                 "is no error of the interior; set about the size of a grain, in m");
 }
 } // namespace mesoslip
