@@ -6,8 +6,8 @@ PLACES = [("all", "all cells"), ("interior", "interior"), ("surface", "surface")
 COLUMNS = ("von_mises", "sigma_yy", "sigma_xx", "sigma_zz", "sigma_xy", "sigma_xz", "sigma_yz")
 EXPLANATION = ("Relative L2 difference of the localized from the direct stress, both averaged over time. The interior lies at least the "
                "<code>Edge distance</code> of the comparison away from all edges; the surface is what lies within its <code>Surface "
-               "depth</code> of the flat. A grain that a free side cuts is not localized well, as the volume element has a prescribed "
-               "displacement there: where a row is much larger than that of its interior, look for such grains at the sides.")
+               "depth</code> of the flat. A grain that a free side cuts is not localized well by KUBC, which prescribe the displacement there: "
+               "where a row is much larger than that of its interior, look for such grains at the sides. MUBC are better for them.")
 
 
 def field_errors(run):
