@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Draws the pictures of doc/guide.md and doc/guide/squeal.md from runs of their examples.
+"""Draws the pictures of doc/guide.md, doc/guide/squeal.md and doc/loads.md from runs of their examples.
 
     /usr/bin/python3 doc/guide/pictures.py build/applications
 
-Runs prm/examples/micrograph, complex_modes.prm and squeal.prm in a folder of their own, which takes a minute.
+Runs prm/examples/micrograph, squeal.prm, complex_modes.prm and loads.prm in a folder of their own, which takes a minute. Other
+pictures of examples are those of the gallery, which `./run.sh gallery` draws.
 """
 
 import os
@@ -11,10 +12,6 @@ import subprocess
 import sys
 import tempfile
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
@@ -22,8 +19,9 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
 TOOLS = os.path.join(TOP, "applications", "tools")
 EXAMPLES = os.path.join(TOP, "prm", "examples")
-sys.path[:0] = [os.path.join(TOOLS, "python"), os.path.join(TOOLS, "studies")]
+sys.path[:0] = [os.path.join(TOOLS, name) for name in ("python", "report", "studies")]
 import mesoslip
+from figures import BLUE, GREY, ORANGE, above, panels, plt
 from report_pictures import report_figures, save
 
 WIDTH, HEIGHT = 8, 4  # mm
@@ -32,33 +30,34 @@ WIDTH, HEIGHT = 8, 4  # mm
 def draw_body(axes, phases):
     """The phases as a body on the flat, with its loads."""
     axes.imshow(phases, cmap="gray", extent=(0, WIDTH, 0, HEIGHT), vmin=-0.6, vmax=1.2)
-    axes.fill_between([-0.3, WIDTH + 0.3], -0.5, -0.05, facecolor="white", edgecolor="0.4", hatch="////", lw=0.5)
-    axes.annotate("", (WIDTH / 2 + 1.2, -0.85), (WIDTH / 2 - 1.2, -0.85), arrowprops={"arrowstyle": "-|>", "color": "C3"})
-    axes.text(WIDTH / 2 + 1.4, -0.85, "V", color="C3", va="center")
-    axes.fill_between([0, WIDTH], HEIGHT + 0.02, HEIGHT + 0.2, color="0.4")
+    axes.fill_between([-0.3, WIDTH + 0.3], -0.5, -0.05, facecolor="white", edgecolor=GREY, hatch="////", lw=0.5)
+    axes.annotate("", (WIDTH / 2 + 1.2, -0.95), (WIDTH / 2 - 1.2, -0.95), arrowprops={"arrowstyle": "-|>", "color": ORANGE})
+    axes.text(WIDTH / 2 + 1.4, -0.95, "V", color=ORANGE, va="center")
+    axes.fill_between([0, WIDTH], HEIGHT + 0.02, HEIGHT + 0.2, color=GREY)
     for x in np.linspace(0.6, WIDTH - 0.6, 6):
-        axes.annotate("", (x, HEIGHT + 0.22), (x, HEIGHT + 0.9), arrowprops={"arrowstyle": "-|>", "color": "C0"})
-    axes.text(WIDTH / 2, HEIGHT + 0.95, "P", color="C0", ha="center", va="bottom")
-    axes.set(xlim=(-0.3, WIDTH + 0.3), ylim=(-1.1, HEIGHT + 1.5))
+        axes.annotate("", (x, HEIGHT + 0.22), (x, HEIGHT + 0.9), arrowprops={"arrowstyle": "-|>", "color": BLUE})
+    axes.text(WIDTH / 2, HEIGHT + 0.95, "P", color=BLUE, ha="center", va="bottom")
+    axes.set(xlim=(-0.3, WIDTH + 0.3), ylim=(-1.3, HEIGHT + 1.6))
     axes.axis("off")
 
 
 def picture_body_stress(results):
     """A grey picture, the body that it becomes, and the stress in its phases."""
     folder = os.path.join(EXAMPLES, "micrograph")
-    figure, axes = plt.subplots(1, 3, figsize=(11, 2.7), gridspec_kw={"width_ratios": [1, 1.05, 1]}, layout="constrained")
+    figure, axes = plt.subplot_mosaic("ab;cc", figsize=(7.2, 6.3), height_ratios=(1.3, 1.7))
     box = (0, WIDTH, 0, HEIGHT)
-    axes[0].imshow(np.asarray(Image.open(os.path.join(folder, "micrograph.png"))), cmap="gray", extent=box)
-    draw_body(axes[1], np.asarray(Image.open(os.path.join(folder, "phases.png"))) > 127)
+    axes["a"].imshow(np.asarray(Image.open(os.path.join(folder, "micrograph.png"))), cmap="gray", extent=box)
+    draw_body(axes["b"], np.asarray(Image.open(os.path.join(folder, "phases.png"))) > 127)
     with mesoslip.open(os.path.join(results, "40-stress_localization")) as run:
         stress = run["mean_von_mises"].to("MPa")
-    image = axes[2].imshow(stress, origin="lower", extent=box, vmin=0, vmax=np.quantile(stress, 0.995))
-    figure.colorbar(image, ax=axes[2], label="von Mises stress in MPa", shrink=0.62, extend="max")
-    for a, title in zip(axes, ("(a) micrograph", "(b) body on the flat", "(c) stress in its phases")):
-        a.set_title(title, fontsize=10, loc="left")
-    for a in (axes[0], axes[2]):
-        a.set(xticks=range(0, 9, 2), yticks=range(0, 5, 2), xlabel="x in mm", ylabel="y in mm")
-    figure.savefig(os.path.join(HERE, "picture_body_stress.png"), dpi=110)
+    image = axes["c"].imshow(stress, origin="lower", extent=box, vmin=0, vmax=np.quantile(stress, 0.995))
+    figure.colorbar(image, ax=axes["c"], label="von Mises stress (MPa)", extend="max")
+    for name, title in (("a", "micrograph"), ("b", "body on the flat"), ("c", "stress in its phases")):
+        axes[name].set_title(f"({name}) {title}", loc="left")
+        axes[name].grid(False)
+    for name in "ac":
+        axes[name].set(xticks=range(0, 9, 2), yticks=range(0, 5, 2), xlabel="x (mm)", ylabel="y (mm)")
+    figure.savefig(os.path.join(HERE, "picture_body_stress.png"))
 
 
 def amplitude(time, force, frequency, window=2e-4):
@@ -79,15 +78,15 @@ def growth(modes, squeal):
     times, size = amplitude(time, force, mode["frequency"])
     straight = (times > 0.8e-3) & (times < 1.5e-3)
     rate = np.polyfit(times[straight], np.log(size[straight]), 1)[0]
-    figure, axes = plt.subplots(figsize=(6.5, 3), layout="constrained")
-    axes.semilogy(1e3 * times, size, label=f"transient run, at {mode['frequency'] / 1e3:.1f} kHz")
+    figure, (axes,) = panels(1, 3.4)
+    axes.semilogy(1e3 * times, size, color=BLUE, lw=1.8, label=f"transient run, at {mode['frequency'] / 1e3:.1f} kHz")
     line = np.array([0.6e-3, 2.6e-3])
     start = np.exp(np.interp(1e-3, times, np.log(size)))
-    axes.semilogy(1e3 * line, start * np.exp(mode["growth_rate"] * (line - 1e-3)), "--", color="C1",
+    axes.semilogy(1e3 * line, start * np.exp(mode["growth_rate"] * (line - 1e-3)), "--", color=ORANGE, lw=1.8,
                   label=f"mode: exp({mode['growth_rate']:.0f} t / s)")
-    axes.set(xlabel="time in ms", ylabel="amplitude of the\ntangential force in N/m", xlim=(0, 8))
-    axes.legend(frameon=False)
-    figure.savefig(os.path.join(HERE, "squeal_growth.png"), dpi=110)
+    axes.set(xlabel="time (ms)", ylabel="amplitude of the\ntangential force (N/m)", xlim=(0, 8))
+    above(axes)
+    figure.savefig(os.path.join(HERE, "squeal_growth.png"))
     return rate
 
 
@@ -108,8 +107,10 @@ def main():
             rate = growth(run.summary, os.path.join(pin, "squeal"))
         print(f"growth of the transient run: {rate:.0f} 1/s")
         figures = report_figures(pin)
-        for beginning, name in (("Modes of steady sliding", "squeal_modes"), ("The last periods of the map", "squeal_map")):
-            save(figures, beginning, os.path.join(HERE, name + ".png"))
+        save(figures, "The last periods of the map", os.path.join(HERE, "squeal_map.png"))
+        loads = os.path.join(folder, "loads")
+        subprocess.run([os.path.join(programs, "rve_homogenization"), os.path.join(EXAMPLES, "loads.prm"), "--output", loads], check=True)
+        save(report_figures(loads), "How stresses of the cells are distributed in each phase under shear under pressure", os.path.join(TOP, "doc", "loads", "histograms.png"))
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@ def run(bench):
 
 def draw(bench, rows):
     figure, axes = panels(1, width=6.5)
-    logarithmic(axes[0], "cells", "million cells a second", "one rank", percent=False)
+    logarithmic(axes[0], "cells", "million cells per second", "one rank", percent=False)
     for k, kind in enumerate(KINDS):
         own = [row for row in rows if row["kind"] == kind]
         name = {"two": "two phases"}.get(kind, kind)

@@ -10,10 +10,14 @@ import mesh_step
 import model_problem
 import pin
 import pin_diagrams
+import slab
 import static_scaling
 import statics
 import step_scaling
 import stiffness
+import voxel_cost
+import voxel_ranks
+import voxel_stiffness
 from common import read_csv
 
 
@@ -28,8 +32,12 @@ def pictures(bench):
     localization.draw(bench, kinds, list(dict.fromkeys(row["kind"] for row in kinds)))
     step_scaling.draw(bench, *(rows(name) for name in ("step-scaling", "stream", "messages", "halos")))
     for module, name in ((brick_step, "brick-step"), (fitted, "fitted"), (mesh_statics, "mesh-statics"), (mesh_step, "mesh-step"),
-                         (static_scaling, "static-scaling"), (statics, "statics")):
+                         (static_scaling, "static-scaling"), (statics, "statics"), (voxel_stiffness, "voxel-stiffness")):
         module.draw(bench, rows(name))
+    limit, = rows("slab-limit")
+    slab.draw(bench, rows("slab"), 100 * limit["standard_error"] / limit["value"])
+    voxel_cost.draw(bench, rows("voxel-step-cost"), rows("voxel-static-cost"))
+    voxel_ranks.draw(bench, *(rows(f"voxel-{name}") for name in ("step-ranks", "static-ranks", "step-1000-ranks", "static-1000-ranks")))
     pin_diagrams.errors(bench, rows("pin"))
     pin_diagrams.homogenization(bench, rows("pin"))
     if os.path.exists(os.path.join(bench.pictures, pin.HISTORY + ".csv")):

@@ -56,8 +56,8 @@ def row_of(result, n, share, beta2):
 
 def draw(bench, rows, uncertain):
     figure, (space, cost) = panels(2)
-    logarithmic(space, "cell size (mm)", "error of mu_inter (%)", "by cells")
-    logarithmic(cost, "CPU seconds (program, 3 ms)", "error of mu_inter (%)", "by time")
+    logarithmic(space, "cell size (mm)", r"error of $\mu_\mathrm{inter}$ (%)", "by cells")
+    logarithmic(cost, "CPU seconds (program, 3 ms)", r"error of $\mu_\mathrm{inter}$ (%)", "by time")
     for k, (share, beta2) in enumerate(CURVES):
         own = [row for row in rows if (row["share"], row["beta2"]) == (share, beta2)]
         errors = [100 * abs(row["mu_inter_error"]) for row in own]

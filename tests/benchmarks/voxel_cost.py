@@ -68,8 +68,8 @@ def first_of(iterations):
 
 def draw(bench, steps, statics):
     figure, (step_time, static_time, memory) = panels(3, width=15)
-    for axes, text, title in ((step_time, "ns a cell and step", "explicit step, one rank"),
-                              (static_time, "microseconds a voxel and load case", "PBC to 1e-8, contrast 8, one rank"), (memory, "bytes a voxel", "memory")):
+    for axes, text, title in ((step_time, "time per cell and step (ns)", "explicit step, one rank"),
+                              (static_time, "time per voxel and load case (µs)", "PBC to 1e-8, contrast 8, one rank"), (memory, "bytes per voxel", "memory")):
         logarithmic(axes, "voxels", text, title, percent=False)
     for k, name in enumerate(("homogeneous", "two phases")):
         own = [row for row in steps if row["phases"] == k + 1]

@@ -254,7 +254,7 @@ def bounds(bench, steps, machine, rows):
 
 def draw(bench, step_rows, static_rows, step_cluster, static_cluster):
     figure, (step, static, many) = panels(3, width=15.5)
-    for axes, rows, text, per in ((step, step_rows, "ns a cell and step", "cells"), (static, static_rows, "microseconds a voxel, six load cases", "voxels")):
+    for axes, rows, text, per in ((step, step_rows, "time per cell and step (ns)", "cells"), (static, static_rows, "time per voxel, six load cases (µs)", "voxels")):
         logarithmic(axes, per, text, "explicit step" if per == "cells" else "statics, PBC to 1e-8", percent=False)
         scale = 1e9 if per == "cells" else 1e6
         for ranks in (1, 2):

@@ -4,7 +4,7 @@ import numpy as np
 
 import mode_shapes
 from data import Missing
-from figures import BLUE, LENGTHS, ORANGE, STRESSES, above, panels, scaled
+from figures import BLUE, LENGTHS, ORANGE, STRESSES, WIDTH, above, panels, plt, scaled
 from page import escape, number, quantity, table
 
 
@@ -87,11 +87,16 @@ def contact_maps(run):
     x, y, pressure, *shear = run.need(*(f"/static_contact/{name}" for name in ("x", "y", "pressure", "shear_traction", "shear_traction_y")))
     values = (("pressure", pressure), ("|shear traction|", np.hypot(*shear)))
     factor, unit = scaled(pressure, units=STRESSES)
-    figure, axes = panels(2, 6.4)
+    below = np.ptp(x) > 2 * np.ptp(y)  # else side by side
+    figure, axes = plt.subplots(*((2, 1) if below else (1, 2)), figsize=(WIDTH, 4.6 if below else 3.6), sharex=True, sharey=True)
     for axis, (label, value) in zip(axes, values):
         colours = axis.tripcolor(1e3 * x, 1e3 * y, value / factor, shading="gouraud", vmin=0)
-        figure.colorbar(colours, ax=axis, label=f"{label} ({unit})")
-        axis.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
+        figure.colorbar(colours, ax=axis, label=f"{label} ({unit})", location="right" if below else "bottom")
+        axis.set(aspect="equal")
+    for axis in axes[-1:] if below else axes:
+        axis.set_xlabel("x (mm)")
+    for axis in axes if below else axes[:1]:
+        axis.set_ylabel("y (mm)")
     return figure
 
 

@@ -107,7 +107,7 @@ def pressure(run):
     low, high = np.percentile(mean, (0.5, 99.5)) / factor
     total = np.average(mean, weights=[area(polygon - polygon[0]) for polygon in view.polygons]) / factor
     group = Group(mean / factor, STRESS_MAP, (min(low, 0), max(high, 0)), f"mean over the surface {total:.3g} {unit}",
-                  rf"mean of $-\sigma_\mathrm{{zz}}$ in {unit}")
+                  rf"mean of $-\sigma_\mathrm{{zz}}$ ({unit})")
     return draw([view], [group]), len(steady)
 
 

@@ -9,7 +9,7 @@ from matplotlib.ticker import MaxNLocator
 
 import mesh_maps
 from data import Missing
-from figures import BLACK, DASHES, RUN_COLOURS, STRESSES, WIDTH, above_all, plt, scaled
+from figures import BLACK, DASHES, RUN_COLOURS, STRESSES, above_all, panels, scaled
 from maps import whole_view
 from page import escape, number, quantity, table
 from projections import Group, draw
@@ -119,9 +119,9 @@ def histograms(run, load):
         f"stress_{c}" for c in COMPONENTS[run.summary.get("dim")]]
     if not found:
         raise Missing(f"loads.h5 of {run.name} holds no histograms (Histogram bins = 0)")
-    figure, axes = plt.subplots(1, len(names), figsize=(1.5 * WIDTH, 3.2), squeeze=False)
+    figure, axes = panels(len(names), 2.6 * len(names))
     titles = {"von_mises": "von Mises stress", "principal_1": "largest principal stress"}
-    for axis, name in zip(axes[0], names):
+    for axis, name in zip(axes, names):
         factor, unit = scaled(*(of[name][0] for of in found.values()), units=STRESSES)
         for k, (phase, of) in enumerate(found.items()):
             edges, share = of[name]

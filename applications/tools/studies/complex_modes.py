@@ -12,6 +12,7 @@ import re
 import subprocess
 import sys
 
+from mode_participation import BLACK, COLOURS, above_all, lettered
 from mode_participation import picture as picture_of_runs
 from pages import plt, save_picture, table, wrapped
 
@@ -62,19 +63,21 @@ def curves(folder):
 
 
 def picture(found, folder):
-    figure, axes = plt.subplots(1, 2, figsize=(9, 4), constrained_layout=True)
-    for points in found.values():
+    figure, axes = plt.subplots(2, 1, figsize=(6.4, 7.2), sharex=True)
+    colours = iter(COLOURS)
+    for points in sorted(found.values(), key=lambda curve: curve[-1][1]):
         mu, frequency, growth = zip(*points)
         grows = max(growth) > 0
-        style = {"color": None if grows else "0.75", "lw": 1.6 if grows else 0.8, "marker": "." if len(mu) > 1 else "_", "ms": 3}
-        line, = axes[0].plot(mu, frequency, **style)
-        axes[1].plot(mu, [1e-3 * g for g in growth], **{**style, "color": line.get_color()},
-                     label=f"{frequency[-1]:.1f} kHz" if grows else None)
-    axes[0].set(xlabel="friction coefficient", ylabel="frequency (kHz)")
-    axes[1].set(xlabel="friction coefficient", ylabel="growth rate in 1/ms")
-    axes[1].axhline(0, color="k", lw=0.6)
-    axes[1].legend(fontsize=8, frameon=False)
-    return save_picture(figure, folder, "sweep.png", 32, dpi=110)
+        style = {"color": next(colours) if grows else "0.75", "lw": 1.6 if grows else 0.8, "marker": "." if len(mu) > 1 else "_", "ms": 3,
+                 "zorder": 3 if grows else 2}
+        axes[0].plot(mu, frequency, **style, label=f"{frequency[-1]:.1f} kHz" if grows else None)
+        axes[1].plot(mu, [1e-3 * g for g in growth], **style)
+    axes[0].set(ylabel="frequency (kHz)")
+    axes[1].set(xlabel="friction coefficient", ylabel="growth rate (1/ms)")
+    axes[1].axhline(0, color=BLACK, lw=0.8)
+    lettered(axes)
+    above_all(figure, axes[0].get_legend_handles_labels()[0], 4)
+    return save_picture(figure, folder, "sweep.png", 128, dpi=110)
 
 
 def page(programs, runs, folder):

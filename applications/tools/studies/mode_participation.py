@@ -8,15 +8,17 @@ import numpy as np
 
 from pages import plt, save_picture
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "python"))
+sys.path += [os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", name) for name in ("python", "report")]
 import mesoslip  # noqa: E402
+from figures import BLACK, RUN_COLOURS, above_all, lettered  # noqa: E402
 from mesoslip.participation import participation  # noqa: E402
 
 WINDOW = 1e-4  # s
 # What is not set is the paper's pin by default.
 RUN = {"Analysis": "transient", "Time/End time": 4e-3, "Snapshots/Interval": 1e-6, "Observation/Energy interval": 0}
 STARTS = {"smooth": {"Top/Ramp": "smooth", "Top/Ramp time": 2e-4}, "at-once": {}}
-TITLES = {"smooth": "pressure that grows smoothly within 0.2 ms", "at-once": "pressure at once"}
+COLOURS = [*RUN_COLOURS, BLACK]  # of modes that grow, by frequency
+TITLES = {"smooth": "pressure that grows within 0.2 ms", "at-once": "pressure at once"}
 
 
 def transient(programs, folder, name, cells):
@@ -41,21 +43,22 @@ def first_change(run, after):
 
 def draw(axes, found, modes, change):
     frequency, growth = (np.asarray(modes[f"complex_modes/{name}"]) for name in ("frequency", "growth_rate"))
-    for k in np.argsort(growth):
+    colours = iter(COLOURS)
+    for k in np.argsort(frequency):
         grows = growth[k] > 0
-        axes[0].semilogy(1e3 * found.time, 1e6 * found.amplitude[:, k], lw=1.6 if grows else 0.7, color=None if grows else "0.75",
-                         label=f"{1e-3 * frequency[k]:.1f} kHz" if grows else None)
+        axes[0].semilogy(1e3 * found.time, 1e6 * found.amplitude[:, k], lw=1.6 if grows else 0.7, color=next(colours) if grows else "0.75",
+                         zorder=3 if grows else 2, label=f"{1e-3 * frequency[k]:.1f} kHz" if grows else None)
     axes[1].plot(1e3 * found.time, found.explained, color="0.3")
     for axis in axes:
         if change is not None:
-            axis.axvline(1e3 * change, color="k", lw=0.7, ls=":")
-    axes[1].set(xlabel="time in ms", ylim=(0, 1.05))
+            axis.axvline(1e3 * change, color=BLACK, lw=1, ls=":")
+    axes[1].set(xlabel="time (ms)", ylim=(0, 1.05))
 
 
 def picture(programs, runs, modes_folder, cells, folder):
     """The name of the picture, and of each start {start: (when nodes first stick or leave the flat, growth rate of the fastest mode up to
     then, largest modes at the end [(Hz, m)], explained share at the end)}."""
-    figure, axes = plt.subplots(2, len(STARTS), figsize=(9, 5.5), constrained_layout=True, sharex=True, sharey="row",
+    figure, axes = plt.subplots(2, len(STARTS), figsize=(8.2, 6.4), sharex=True, sharey="row",
                                 gridspec_kw={"height_ratios": (3, 1)})
     facts = {}
     with mesoslip.open(modes_folder) as modes:
@@ -64,12 +67,13 @@ def picture(programs, runs, modes_folder, cells, folder):
                 found = participation(run, modes, WINDOW)
                 change = first_change(run, 3e-4) if start == "smooth" else None  # else from the beginning on
             draw(column, found, modes, change)
-            column[0].set_title(TITLES[start], fontsize=10)
+            column[0].set_title(TITLES[start], loc="left")
             facts[start] = (change, growth_before(found, change) if change else None, *at_the_end(found, modes))
-    axes[0, 0].set(ylabel="amplitude in µm", ylim=(1e-7, 20))
+    axes[0, 0].set(ylabel="amplitude (µm)", ylim=(1e-7, 20))
     axes[1, 0].set(ylabel="explained share")
-    axes[0, 0].legend(fontsize=8, frameon=False, ncols=2, loc="lower right")
-    return save_picture(figure, folder, "participation.png", 48, dpi=110), facts
+    lettered(axes[0])
+    above_all(figure, axes[0, 0].get_legend_handles_labels()[0], 6)
+    return save_picture(figure, folder, "participation.png", 128, dpi=110), facts
 
 
 def growth_before(found, change):

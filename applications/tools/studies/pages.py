@@ -9,7 +9,9 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
 from PIL import Image  # noqa: E402
+from scipy.spatial import cKDTree  # noqa: E402
 
 from glossary_links import with_links  # noqa: E402
 
@@ -43,8 +45,22 @@ def save_picture(figure, folder, name, colours=None, **options):
     plt.close(figure)
     if colours:
         with Image.open(path) as image:
-            image.convert("RGB").quantize(colours).save(path, optimize=True)
+            with_palette(image.convert("RGB"), colours).save(path, optimize=True)
     return name
+
+
+def with_palette(image, number):
+    """The image in white, black and other colours, `number` in all. For the choice of these each of its colours counts by the fourth
+    root of its pixels, so that those of a colour bar are kept which few cells have, as well as those of large areas."""
+    pixels = np.asarray(image).reshape(-1, 3)
+    colours, inverse, counts = np.unique(pixels, axis=0, return_inverse=True, return_counts=True)
+    weighted = np.repeat(colours, np.ceil(counts ** 0.25).astype(int), axis=0)
+    found = Image.fromarray(weighted[:, None].astype(np.uint8)).quantize(number - 2, kmeans=2).getpalette()[:3 * (number - 2)]
+    palette = np.array([255] * 3 + [0] * 3 + found).reshape(-1, 3)
+    nearest = cKDTree(palette).query(colours)[1]  # Pillow's own search is not exact
+    result = Image.fromarray(nearest[inverse.ravel()].reshape(image.height, image.width).astype(np.uint8), mode="P")
+    result.putpalette(palette.ravel().tolist())
+    return result
 
 
 def wrapped(text, width=120):
@@ -74,19 +90,30 @@ class Page:
     def __init__(self, folder, parts):
         self.folder, self.parts = folder, parts
 
+    def section(self, title):
+        """What the page says under "## title" now, with this heading; None where it has none."""
+        try:
+            with open(os.path.join(self.folder, "README.md"), encoding="utf-8") as file:
+                found = [text for text in re.split(r"^(?=## )", file.read(), flags=re.MULTILINE) if text.split("\n")[0] == f"## {title}"]
+        except OSError:
+            return None
+        return found[0].rstrip() + "\n" if found else None
+
     def text(self, part, content):
         os.makedirs(self.parts, exist_ok=True)
         with open(os.path.join(self.parts, part + ".md"), "w", encoding="utf-8") as file:
             file.write(content.strip() + "\n")
 
-    def write(self, introduction, order):
-        """Returns the parts that have no text yet."""
+    def write(self, introduction, order, titles=None):
+        """Returns the parts that have no text yet. Of a part with a title in `titles` the text that the page has under it stays."""
         texts, missing = [introduction.strip() + "\n"], []
         for part in order:
             try:
                 with open(os.path.join(self.parts, part + ".md"), encoding="utf-8") as file:
                     texts.append(file.read())
             except OSError:
-                missing.append(part)
+                text = self.section((titles or {}).get(part))
+                texts += [text] if text else []
+                missing += [] if text else [part]
         write_page(self.folder, "README.md", "\n".join(texts))
         return missing

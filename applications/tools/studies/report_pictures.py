@@ -10,6 +10,8 @@ import sys
 
 from PIL import Image
 
+from pages import with_palette
+
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
 WIDTH = 900  # pixels
 
@@ -30,4 +32,4 @@ def save(figures, beginning, path):
     assert data is not None, f"no figure begins with {beginning!r}: {[text[:60] for text, _ in figures]}"
     image = Image.open(io.BytesIO(data)).convert("RGB")
     image.thumbnail((WIDTH, 4 * WIDTH), Image.LANCZOS)
-    image.quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
+    with_palette(image, 256).save(path, optimize=True)

@@ -21,9 +21,17 @@ if len(sys.argv) > 1:
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
+    from matplotlib.patches import Patch
 
-    figure, axes = plt.subplots(1, 3, figsize=(8, 2.6), constrained_layout=True)
-    for axis, plane, names in zip(axes, (voxels[NZ // 2], voxels[:, 5], voxels[:, :, 14]), ("xy", "xz", "yz")):
-        axis.imshow(plane, origin="lower", cmap="cividis", interpolation="nearest")
-        axis.set(xlabel=names[0] + " (voxels)", ylabel=names[1] + " (voxels)")
-    figure.savefig(sys.argv[1], dpi=80)
+    figure, axes = plt.subplots(1, 3, figsize=(7, 2.5), gridspec_kw={"width_ratios": (NX, NX, NY)})
+    figure.subplots_adjust(left=0.08, right=0.99, bottom=0.14, top=0.84, wspace=0.32)
+    sections = (("z = 6", "x", "y", voxels[6]), ("y = 5", "x", "z", voxels[:, 5]), ("x = 14", "y", "z", voxels[:, :, 14]))
+    for axis, (title, across, up, plane) in zip(axes, sections):
+        ny, nx = plane.shape
+        axis.imshow(plane, origin="lower", cmap="cividis", interpolation="nearest", extent=(0, nx, 0, ny), vmin=0, vmax=1)
+        axis.set(xlabel=f"{across} (voxels)", ylabel=f"{up} (voxels)", xticks=range(0, nx + 1, 4), yticks=range(0, ny + 1, 4))
+        axis.set_title(title, loc="left", fontsize=11)
+    colours = plt.get_cmap("cividis")
+    figure.legend(handles=[Patch(color=colours(0.0), label="0, matrix"), Patch(color=colours(1.0), label="1, fibre")], loc="upper left",
+                  ncols=2, frameon=False)
+    figure.savefig(sys.argv[1], dpi=110)

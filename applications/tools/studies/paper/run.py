@@ -74,7 +74,7 @@ def make(study, keys, doc, extra=None):
             missing.append(f"{key}: {reason}")
             continue
         fragment.save()
-    missing += [f"{key}: not run yet" for key in page.write(INTRODUCTION, PARTS) if key not in keys]
+    missing += [f"{key}: not run yet" for key in page.write(INTRODUCTION, PARTS, {key: part.title for key, part in PARTS.items()}) if key not in keys]
     return missing
 
 

@@ -92,8 +92,8 @@ def _change(regimes):
 
 
 def by_phase_runs(table, cases):
-    rows = [Row("heterogeneous 1, 0.3 and 0.12, 1500 ns", paper.BY_PHASE, cases.heterogeneous(PUSHED, P1, 1, by_phase=True))]
-    return rows + [Row(f"homogeneous, {mu_homo:g}, {delta} ns", value, cases.homogeneous(PUSHED, P1, delta, mu_homo))
+    rows = [Row("heterogeneous 1, μ = 0.3 and 0.12, δ = 1500 ns", paper.BY_PHASE, cases.heterogeneous(PUSHED, P1, 1, by_phase=True))]
+    return rows + [Row(f"homogeneous, μ = {mu_homo:g}, δ = {delta} ns", value, cases.homogeneous(PUSHED, P1, delta, mu_homo))
                    for (mu_homo, delta), value in table.items()]
 
 

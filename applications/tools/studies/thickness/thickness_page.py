@@ -1,14 +1,16 @@
 """The page doc/paper/thickness.md and its picture, from the tables in doc/paper/thickness alone."""
 
 import os
+import sys
 
-import matplotlib.pyplot as plt
+from matplotlib.lines import Line2D
 
 import fibres_page
 from fibres_page import read
 from pages import save_picture, table, write_page
 
-BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#6b7280"
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "report"))
+from figures import BLUE, GREEN, GREY, ORANGE, WIDTH, above, plt  # noqa: E402
 
 
 def of(rows, body, cells, load, start=None, thickness=None):
@@ -28,27 +30,28 @@ def span(rows, column="mu_inter [-]", digits=3):
 
 
 def picture(folder, rows, profiles):
-    plt.rcParams.update({"font.size": 11, "axes.grid": True, "grid.color": "#e3e7eb", "axes.spines.top": False, "axes.spines.right": False,
-                         "legend.frameon": False, "figure.constrained_layout.use": True})
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.4, 3.7))
+    figure, (left, right) = plt.subplots(2, 1, figsize=(WIDTH, 6.8))
     for load, colour in ((0.5, BLUE), (0.4, ORANGE)):
         free = of(rows, "free faces", 1, load)
         left.semilogx([float(r["thickness [mm]"]) for r in free], [float(r["mu_inter [-]"]) for r in free], "o", ms=4, color=colour, base=2,
                       label=f"{load:g} MPa")
         for body, dash in (("plane strain", "-"), ("plane stress", "--")):
             left.axhline(mean(of(rows, body, 1, load, 0.5)), color=colour, ls=dash, lw=1.2)
-    left.set(xlabel="thickness (mm)", ylabel=r"$\mu_\mathrm{inter}$", title="lines: plane strain (dashed: stress)")
+    left.set(xlabel="thickness (mm)", ylabel=r"$\mu_\mathrm{inter}$")
     ticks = sorted({float(r["thickness [mm]"]) for r in of(rows, "free faces", 1, 0.5)})
     left.set_xticks(ticks, [f"{t:g}" for t in ticks])
-    left.legend(loc="center left")
+    lines = [Line2D([], [], color=GREY, ls=dash, lw=1.2, label=body) for body, dash in (("plane strain", "-"), ("plane stress", "--"))]
+    above(left, [*left.get_legend_handles_labels()[0], *lines], 4)
     for thickness, colour in zip(sorted({float(r["thickness [mm]"]) for r in profiles}), (BLUE, ORANGE, GREEN)):
         line = [r for r in profiles if float(r["thickness [mm]"]) == thickness]
         (_, at, value) = line[0].keys()
-        right.plot([float(r[at]) for r in line], [float(r[value]) for r in line], "-o", ms=4, color=colour, label=f"{thickness:g} mm")
+        right.plot([float(r[at]) for r in line], [float(r[value]) for r in line], "-o", ms=4, color=colour, label=f"{thickness:g} mm thick")
     right.axhline(1, color=GREY, lw=0.8)
-    right.set(xlabel="distance from the middle plane / half thickness", ylabel="mean pressure / P", title="0.5 MPa, cells of 0.5 mm")
-    right.legend(title="thickness")
-    return save_picture(figure, folder, "thickness.png", colours=96, dpi=100)
+    right.set(xlabel="distance from the middle plane / half thickness", ylabel="mean pressure / P")
+    above(right)
+    for letter, axis in zip("ab", (left, right)):
+        axis.text(0.99, 0.96 if letter == "b" else 0.5, f"({letter})", transform=axis.transAxes, ha="right", va="top")
+    return save_picture(figure, folder, "thickness.png", colours=96)
 
 
 def bodies(rows, cells, load):
@@ -104,7 +107,7 @@ def text(folder):
         f"and {float(means[1]['main frequency [kHz]']):.3f} kHz.",
         "## From plane strain to plane stress",
         "![mu_inter over the thickness, and the mean contact pressure across it](thickness/thickness.png)",
-        "*Left: cells of 1 mm, three starts each; lines: start of 0.5 m/s. Right: mean over x and over 1 ms.*",
+        "*(a) Cells of 1 mm, three starts each; lines: start of 0.5 m/s. (b) 0.5 MPa, cells of 0.5 mm: mean over x and over 1 ms.*",
         "Cells of 0.5 mm, pushed at 0.5 m/s; the half width is that of the mean in time:", table(heading, bodies(rows, 0.5, 0.5), right=True),
         "Cells of 1 mm, pushed at 0.45, 0.5 and 0.55 m/s (smallest to largest of three runs, largest half width):",
         table(heading, bodies(rows, 1, 0.5) + bodies(rows, 1, 0.4), right=True),
