@@ -6,6 +6,7 @@ import os
 
 import numpy as np
 from PIL import Image, ImageFilter
+from scipy import ndimage
 
 THRESHOLDS = [127]    # ascending, between the peaks of the histogram of grey values: one less than phases
 UNEVEN_LIGHT = False  # True: the picture is darker at one side
@@ -39,4 +40,6 @@ if __name__ == "__main__":
     found = segment(np.asarray(Image.open("micrograph.png").convert("L")))
     shades = np.array([255 * k // len(THRESHOLDS) for k in range(len(THRESHOLDS) + 1)], dtype=np.uint8)
     Image.fromarray(shades[found]).save("phases.png")
-    print("Image values:", ", ".join(f"{shade} ({np.mean(found == k):.1%} of the pixels)" for k, shade in enumerate(shades)))
+    print("Image values:", ", ".join(map(str, shades)))
+    for k, shade in enumerate(shades):
+        print(f"{shade}: {np.mean(found == k):.1%} of the pixels, pieces: {ndimage.label(found == k)[1]}")

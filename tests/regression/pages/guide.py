@@ -77,7 +77,7 @@ def check_three_phases(text):
     drawn = sum(ndimage.label(phases == k)[1] for k in (1, 2))
     assert grains[2] == drawn == 40 < min(grains[:2]), (grains, drawn, wrong)
     said = re.search(r"thresholds alone\s+give (\S+ %) of.*?light (\S+ %), and without rims (\S+ %)", text, re.DOTALL).groups()
-    assert list(said) == wrong and "{}, {} and {}: count".format(*grains) in " ".join(text.split()), (said, wrong, grains)
+    assert list(said) == wrong and "found are {}, {} and {}.".format(*grains) in " ".join(text.split()), (said, wrong, grains)
 
 
 def check_refusal(text):
