@@ -25,7 +25,7 @@ struct LocalizationParameters
   /** Compare with a direct run under other loads all the same. */
   bool allow_different_loads = false;
 
-  /** KUBC or PBC. */
+  /** KUBC, PBC or MUBC. */
   std::string concentration = "KUBC";
   /** Eq. 24: the macroscopic strain at the place. */
   bool local_strain = true;

@@ -5,6 +5,7 @@
 #include "program/run_context.h"
 
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace mesoslip
@@ -206,6 +207,31 @@ void summarize_localization(const LocalizationOrigin &origin,
     summary["points"].push_back({{"name", point.name}, {"position", point.position}});
 }
 
+namespace
+{
+/** "surface 5 % (without its ends 3 %)": the error of a region and of its part away from the
+ * sides, "" without a number. */
+std::string error_words(const json &errors,
+                        const std::string &region,
+                        const std::string &inner,
+                        const char *what)
+{
+  const auto percent = [&](const std::string &name) -> std::string {
+    const auto error = errors.find(name);
+    if (error == errors.end() || !error->is_number())
+      return "";
+    std::ostringstream text;
+    text << std::setprecision(3) << 100. * error->get<double>() << " %";
+    return text.str();
+  };
+  const std::string whole = percent(region), part = percent(inner);
+  if (whole.empty())
+    return "";
+  return region + ' ' + whole +
+         (part.empty() ? "" : std::string(" (") + what + ' ' + part + ')');
+}
+} // namespace
+
 void log_key_numbers(RunContext &context)
 {
   const json &summary = context.summary();
@@ -219,16 +245,23 @@ void log_key_numbers(RunContext &context)
       const auto field = summary["field_errors"].find(quantity);
       if (field == summary["field_errors"].end())
         continue;
-      std::ostringstream line;
-      line.precision(3);
-      line << quantity << " against the direct run (relative L2):";
-      std::vector<std::string> regions = {"interior", "surface"};
-      for (const auto &phase : summary["phases"])
-        regions.push_back(phase);
+      // Free sides may spoil the grains that they cut, and those only.
+      std::vector<std::string> regions = {
+        error_words(*field, "interior", "", ""),
+        error_words(*field, "surface", "surface_inner", "without its ends")};
+      for (const std::string phase : summary["phases"])
+        regions.push_back(error_words(*field, phase, phase + "_interior", "interior"));
+      std::string line;
       for (const std::string &region : regions)
-        if (field->contains(region) && (*field)[region].is_number())
-          line << ' ' << region << ' ' << 100. * (*field)[region].get<double>() << " %";
-      context.log(line.str());
+        if (!region.empty())
+          line += (line.empty() ? " " : ", ") + region;
+      context.log(std::string(quantity) +
+                  " against the direct run (relative L2):" + line);
     }
+  const json &errors = summary["field_errors"];
+  if (errors.contains("mean_von_mises") &&
+      error_words(errors["mean_von_mises"], "interior", "", "").empty())
+    context.warn("no cell is Comparison/Edge distance away from all edges, so that there "
+                 "is no error of the interior; set about the size of a grain, in m");
 }
 } // namespace mesoslip

@@ -88,22 +88,43 @@ std::string value_text(const Image &image, const long value)
   return std::string(colour) + " (" + std::to_string(value) + ")";
 }
 
+/** Every value of the image has to be one of `values`. */
+void require_phases(const std::set<int> &found,
+                    const Image &image,
+                    const std::vector<long> &values,
+                    const std::string &source)
+{
+  const auto stray = std::find_if(found.begin(), found.end(), [&](const int value) {
+    return std::count(values.begin(), values.end(), value) == 0;
+  });
+  if (stray == found.end())
+    return;
+  constexpr std::size_t most = 8; // values that one reads at a glance
+  if (found.size() > most)
+    throw UserError(source + ": the image has " + std::to_string(found.size()) +
+                    " different values, and " + value_text(image, *stray) +
+                    " belongs to no phase; use an image without smoothed edges, "
+                    "segmented if it is a photograph, or add what is missing to "
+                    "Microstructure/Image values");
+  std::string listed;
+  for (const int value : found)
+    listed += (listed.empty() ? "" : ", ") + value_text(image, value);
+  throw UserError(source + ": the image has the value" +
+                  (found.size() == 1 ? " " : "s ") + listed + ", and " +
+                  value_text(image, *stray) +
+                  " belongs to no phase; set Microstructure/Image values to those of "
+                  "the image, one for each phase");
+}
+
 /** Value of each phase. */
 std::vector<long> values_of_phases(const Image &image,
                                    const ImageReading &reading,
                                    const std::string &source)
 {
   const std::set<int> found(image.values.begin(), image.values.end());
-  const auto has = [&](const int value) {
-    return std::count(reading.values.begin(), reading.values.end(), value) > 0;
-  };
   if (!reading.values.empty())
     {
-      for (const int value : found)
-        if (!has(value))
-          throw UserError(source + ": the image has the value " +
-                          value_text(image, value) +
-                          ", which belongs to no phase; add it to the image values");
+      require_phases(found, image, reading.values, source);
       return reading.values;
     }
   const std::string numbers = source + ": the image has " + std::to_string(found.size()) +

@@ -240,7 +240,11 @@ TEST(ImageMap, Errors)
   expect_contains(sizes, "Grid/Cells = 3, 1");
   const UniformGrid<2> grid = make_grid(3, 1, 1.);
   expect_contains(error(grid, image, {{}, 2, false}), "3 different values");
-  expect_contains(error(grid, image, {{1, 2}, 2, false}), "value 3");
+  expect_contains(error(grid, image, {{1, 2}, 2, false}),
+                  "the values 1, 2, 3, and 3 belongs");
+  const Image grey = make_image(9, {1, 2, 3, 4, 5, 6, 7, 8, 9});
+  expect_contains(error(make_grid(9, 1, 1.), grey, {{1, 2}, 2, false}),
+                  "9 different values, and 3 belongs to no phase; use an image without");
   expect_contains(
     error(grid, image, {{}, 4, false}),
     "3 different values and there are 4 phases; say with "

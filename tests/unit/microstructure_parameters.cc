@@ -257,7 +257,7 @@ TEST(MicrostructureParameters, ImageFromAFile)
   values.back() = "Microstructure/Image values=255";
   expect_contains(error_of(values), "1 different values for 2 phases");
   values.back() = "Microstructure/Image values=255, 1";
-  expect_contains(error_of(values), "value 0");
+  expect_contains(error_of(values), "the values 0, 255, and 0 belongs");
   write_file(folder / "a.txt", "0 255 1\n0 0 1\n");
   expect_contains(error_of(settings), "3 x 2 pixels");
 }

@@ -29,6 +29,11 @@ def main():
         error = float(errors["mean_sigma_yy", "interior"])
         print(f"sigma_yy, interior: {100 * error:.2f} %", folder.summary("heterogeneous")["phase_contact_pressures"])
         assert error < 0.01
+        # Twice the height of the pin: there is no interior, and no error of it.
+        said = folder.run(0, "stress_localization", "localized.prm", "--quiet", "--set", "Comparison/Edge distance=32e-3", "--output", "cramped")
+        assert said.count("no cell is Comparison/Edge distance away") == 1, said
+        assert folder.summary("cramped")["field_errors"]["mean_von_mises"]["interior"] is None
+        assert not folder.summary("localized")["warnings"], folder.summary("localized")["warnings"]
 
 
 if __name__ == "__main__":

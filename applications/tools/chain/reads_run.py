@@ -1,11 +1,12 @@
 """What a localization can be told about runs that have not been made: whether its window, its probes and its concentration tensors will be in
-the results of the steps that it reads, by the parameters of these steps."""
+the results of the steps that it reads, and whether two runs have the same load, by the parameters of these steps."""
 
 import os
 
 from chain.inputs import ChainError, output_named
 
 RUNS = ("Input/Homogeneous run", "Input/Direct run")
+LOADS = ("Top/Kind", "Top/Pressure", "Top/Expression", "Flat/Velocity", "Flat/Expression")  # those that no default of the run replaces
 
 
 def parameters(printed):
@@ -42,6 +43,8 @@ def check(step, own, others, folder):
     for key in RUNS:
         if maker(key):
             _check_window(step, maker(key), others[maker(key)], begin, end, fields=bool(own["Localization/Fields"]))
+    if all(map(maker, RUNS)) and own["Input/Allow different loads"] == "false":
+        _check_loads(step, *((maker(key), others[maker(key)]) for key in RUNS))
     if maker(RUNS[0]):
         _check_probes(step, own["Probes/Of the run"], maker(RUNS[0]), others[maker(RUNS[0])])
     if maker("Input/RVE file"):
@@ -68,6 +71,15 @@ def _check_window(step, name, run, begin, end, fields):
     if high < low - 0.5 * interval:
         raise ChainError(f"{step.name}.prm: no snapshot of {name} lies in the window, which goes {_span(begin, end)}: they are from {first:g} to {last:g} s; "
                          "change Window/From and To, or the Snapshots there")
+
+
+def _check_loads(step, homogeneous, direct):
+    """Of pairs of a name and its parameters."""
+    for key in LOADS:
+        one, two = homogeneous[1][key], direct[1][key]
+        if one != two and (number(one) is None or number(one) != number(two)):
+            raise ChainError(f"{step.name}.prm compares runs under different loads: {key} is {one or 'empty'} in {homogeneous[0]} and {two or 'empty'} in "
+                             f"{direct[0]}; give both the same, or set Input/Allow different loads = true")
 
 
 def _span(begin, end):

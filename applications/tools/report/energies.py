@@ -94,6 +94,7 @@ def _residual_scale(run, count):
 def _energies(axes, time, parts, name, units):
     factor, unit = scaled(*[values for _, values, _ in parts], units=units)
     for label, values, c in parts:
-        axes.plot(*rescaled(*thinned(time, values), 1e3, 1 / factor), color=c, label=label)
+        wide = {"lw": 3.2, "alpha": 0.45} if c == BLACK else {}  # the work of the flat, which friction covers else
+        axes.plot(*rescaled(*thinned(time, values), 1e3, 1 / factor), color=c, label=label, **wide)
     axes.set_ylabel(f"{name}\n({unit})")
     above(axes, columns=4)

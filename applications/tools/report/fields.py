@@ -62,8 +62,8 @@ def _stress_of_volume(page, run, chain, draw, load):
     """`draw(run, pressure)` gives the figure and the boundary condition that it shows."""
     pressure, which = pressure_of(chain)
     figure, condition = draw(run, pressure)
-    return page.figure(figure, f"Von Mises stress in {escape(run.name)} under {escape(condition)} with a strain whose mean stress is "
-                               f"{quantity(pressure, 'Pa')} ({which}) of {load}. {PERCENTILE}")
+    return page.figure(figure, f"Von Mises stress in the volume element of {escape(run.name)} under {escape(condition)}, which does not slide: "
+                               f"its mean strain is the one whose mean stress is {quantity(pressure, 'Pa')} ({which}) of {load}. {PERCENTILE}")
 
 
 def mesh_morphology(page, run):

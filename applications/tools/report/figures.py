@@ -107,8 +107,9 @@ def apparent_friction(runs, paper_value=None):
         mean = run.number("mean_apparent_friction_coefficient")
         start = run.steady_from()
         if mean is not None:
-            whole.plot([1e3 * start, 1e3 * time[-1]], [mean, mean], color=c, lw=3, alpha=0.9,
-                       solid_capstyle="butt", path_effects=_halo())
+            first = run is series[0][0]
+            whole.plot([1e3 * start, 1e3 * time[-1]], [mean, mean], color=c, lw=3, ls="-" if first else DASHES[1],
+                       solid_capstyle="butt", path_effects=_halo() if first else None)
         begin, stop = np.searchsorted(time, [zoom_window(run, end), np.nextafter(end, np.inf)])
         x, y = thinned(time[begin:stop], friction[begin:stop])
         zoom.plot(1e3 * x, y, **style(runs, run), label=run.label)
@@ -118,8 +119,11 @@ def apparent_friction(runs, paper_value=None):
         axes.set_ylabel(r"$\mu_\mathrm{app}$")
         axes.margins(x=0)
     zoom.set_xlabel("time (ms)")
-    zoom.set_title("last periods" if len(series) == 1 else "last periods of the shorter run", loc="left", color=GREY)
+    differ = any(time[-1] > 1.001 * end for _, time, _ in series)
+    zoom.set_title(f"last periods{' of the shortest run' if differ else ''}", loc="left", color=GREY)
     above(whole)
+    for line in whole.get_legend().get_lines():
+        line.set(alpha=1, linewidth=2)
     return figure
 
 

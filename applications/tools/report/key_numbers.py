@@ -142,6 +142,15 @@ def entry(value, scale):
     return f"{round(value / factor, decimals) + 0.0:.{decimals}f}".replace("-", "−")
 
 
+def apart(matrices):
+    """How far KUBC lies above SUBC on the diagonal."""
+    if not {"KUBC", "SUBC"} <= set(matrices):
+        return ""
+    gaps = 100 * (np.diag(matrices["KUBC"]) / np.diag(matrices["SUBC"]) - 1)
+    listed = ", ".join(f"{number(float(gap), 2)} % in D<sub>{i}{i}</sub>" for i, gap in enumerate(gaps, 1))
+    return f"; here KUBC lies above SUBC by {listed}. The closer they are, the better this piece stands for the material"
+
+
 def stiffness_table(page, run):
     matrices = stiffness_matrices(run)
     if not matrices:
@@ -162,7 +171,7 @@ def stiffness_table(page, run):
         if run.number(key) is not None:
             extra.append(f"{words} {number(run.number(key), 2)}")
     order = "1 is xx, 2 is yy, 3 is the shear xy" if len(next(iter(matrices.values()))) == 3 else "1 to 6 are xx, yy, zz, yz, xz, xy"
-    extra.insert(0, f"{order} (engineering strain). Theory orders SUBC ≤ PBC ≤ KUBC")
+    extra.insert(0, f"{order} (engineering strain). On the diagonal theory orders SUBC ≤ PBC ≤ KUBC{apart(matrices)}")
     if compared:
         extra.insert(0, "In brackets: difference from eq. (10)")
     return (f"<h3>{escape(run.name)}</h3>" + table([scale[1]] + ["paper, eq. (10)"] * compared + list(matrices), rows) +

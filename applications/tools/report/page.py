@@ -46,10 +46,10 @@ def quantity(value, unit="", digits=4):
 
 
 def difference(ours, paper):
-    """Relative difference in per cent, signed."""
+    """Relative difference in per cent; positive if ours is larger in the direction of the paper's, also of negative numbers."""
     if ours is None or paper is None or not paper:
         return "n/a"
-    percent = round(100 * (ours - paper) / abs(paper), 1) + 0.0
+    percent = round(100 * (ours - paper) / paper, 1) + 0.0
     return f"{percent:+.1f} %".replace("-", "−")
 
 

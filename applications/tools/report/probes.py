@@ -20,7 +20,7 @@ def localization(page, run):
     if rows:
         html += table(["probe", "stress", "mean, localized", "mean, direct", "error of the mean", "std, localized", "std, direct",
                        "error of the std", "error over time"], rows, (0, 1))
-        html += '<p class="lead">Errors are those of the localized stress, relative to the direct one. Mean and standard deviation (std) '\
+        html += '<p class="lead">Errors are those of the localized stress, relative to the direct one: a positive error says that the localized stress is larger, in compression and tension alike. Mean and standard deviation (std) '\
                 "over time do not depend on the phase of the vibration: what differs there is wrong, or the two runs vibrate differently. "\
                 "The error over time (relative L2 difference of the signals as they stand) also counts a difference of phase, which alone "\
                 "can bring it to 141 % of the part that vibrates."

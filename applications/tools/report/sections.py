@@ -5,6 +5,7 @@ import complex_modes
 import contact_states
 import contact_surface
 import energies
+import field_errors
 import fields
 import figures
 import key_numbers
@@ -75,8 +76,8 @@ def apparent_friction(page, runs, regime):
     value, _ = paper.APPARENT_FRICTION.get(regime, (None, None))
     dashed = f" Dashed: the mean of the paper’s figure 6, {value}, regime {regime}." if value is not None else ""
     return page.figure(figures.apparent_friction(runs, value),
-                       "Apparent friction coefficient: tangential over normal force on the top. Thick: mean over the "
-                       f"steady part.{dashed}")
+                       "Apparent friction coefficient: tangential over normal force on the top, which vibrates with the body. Thick: mean over "
+                       f"the steady part.{dashed}")
 
 
 def friction_energy(page, runs):
@@ -98,14 +99,16 @@ def energy_balance(page, run):
 
 def phase_diagram(page, runs):
     return page.figure(figures.phase_diagram(runs),
-                       "Mean phase diagram of the tangential motion of the reference node.")
+                       "Phase diagram of the reference node, in the middle of the contact: its velocity along the flat over its displacement along the "
+                       "flat, mean over the periods of the steady part. A vibration at one frequency draws an ellipse.")
 
 
 def spectrum(page, runs, regime):
     value, source = paper.MAIN_FREQUENCY.get(regime, (None, None))
     dashed = f" Dashed: the paper’s main frequency ({source})." if value is not None else ""
     return page.figure(figures.spectrum(runs, value),
-                       f"Amplitude spectrum of the tangential displacement of the reference node over the steady part.{dashed}")
+                       "Amplitude spectrum of the displacement of the reference node along the flat, over the steady part. The highest peak is "
+                       f"the main frequency of the key numbers.{dashed}")
 
 
 def node_statistics(page, runs):
@@ -148,10 +151,10 @@ def mean_von_mises(page, run):
 
 def whole_body(page, run, module):
     figure, error = module.mean_von_mises(run)
-    words = f" Relative L2 difference: {100 * error:.1f} %." if error is not None else \
+    words = f" Relative L2 difference over all cells: {100 * error:.1f} %." if error is not None else \
         " No direct run was compared."
     where = fields.sections_of(run)
-    return page.figure(figure, f"Von Mises stress averaged over time{where}{of_runs(run)}.{words}")
+    return page.figure(figure, f"Von Mises stress averaged over time{where}{of_runs(run)}.{words}") + field_errors.field_errors(run)
 
 
 def of_runs(run):

@@ -23,6 +23,7 @@ WRONG = [  # file, text in it, what it is replaced by, words of the only sentenc
     ("40-stress_localization.prm", "subsection Comparison", "subsection Window\n  set From = 1e-4\n  set To = 3e-4\nend\nsubsection Comparison", "they are from 0.0004 to 0.0005 s"),
     ("40-stress_localization.prm", "subsection Comparison", "subsection Localization\n  set Concentration = PBC\nend\nsubsection Comparison", "but 10-rve_homogenization solves KUBC, SUBC"),
     ("40-stress_localization.prm", "subsection Comparison", "subsection Probes\n  set Of the run = contakt\nend\nsubsection Comparison", "names contakt, but 20-contact_dynamics-homogeneous observes contact, bulk"),
+    ("20-contact_dynamics-homogeneous.prm", "Pressure = 5e6", "Pressure = 4e6", "Top/Pressure is 4e6 in 20-contact_dynamics-homogeneous and 5e6 in 30-"),
     # The volume is 8 x 4 mm: that is in file 10 alone.
     ("30-contact_dynamics-heterogeneous.prm", "0.00405, 0.00205", "0.00405, 0.02", "Observation/bulk"),
     ("20-contact_dynamics-homogeneous.prm", "10-rve_homogenization/", "11-rve_homogenization/", "there is no file 11-rve_homogenization/rve.h5"),

@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 import numpy as np
-from PIL import Image
+from PIL import Image, ImageFilter
 from scipy import ndimage
 
 import first_steps
@@ -34,17 +34,50 @@ def check_pictures():
         grey = np.asarray(file)
     assert np.abs(script(os.path.join(EXAMPLE, "micrograph.py")).draw().astype(int) - grey).max() <= 1
     lines = re.findall(r"^ {4}(grey = Image.*\n {4}grey\.point.*)$", Folder(TOP).read("doc", "guide.md").decode(), re.MULTILINE)
-    own = Folder(EXAMPLE).read("segment.py").decode()
     assert len(lines) == 1
-    from PIL import ImageFilter
     names = {"Image": Image, "ImageFilter": ImageFilter}
     with tempfile.TemporaryDirectory() as folder:
         code = lines[0].replace("    ", "").replace('"micrograph.png"', repr(os.path.join(EXAMPLE, "micrograph.png")))
         exec(code.replace('"phases.png"', repr(os.path.join(folder, "phases.png"))), names)
         with Image.open(os.path.join(folder, "phases.png")) as made, Image.open(os.path.join(EXAMPLE, "phases.png")) as kept:
             assert np.array_equal(np.asarray(made), np.asarray(kept))
-    threshold = re.search(r"g > (\d+)", lines[0])[1]
-    assert f"THRESHOLD = {threshold} " in own and "MedianFilter(5)" in own, "segment.py is not what the guide says"
+            own = script(os.path.join(EXAMPLE, "segment.py")).segment(grey)
+            assert np.array_equal(255 * own, np.asarray(kept)), "segment.py does not make phases.png"
+
+
+def three_phases():
+    """Grey values of 20 + 20 round grains in a matrix, with smoothed edges, noise, and light that falls by a third; and their phases."""
+    random, height, width = np.random.default_rng(5), 240, 400
+    y, x = np.mgrid[:height, :width]
+    phases, taken = np.zeros((height, width), dtype=int), np.zeros((height, width), dtype=bool)
+    for kind, radius in [(1, 15.0)] * 20 + [(2, 10.0)] * 20:
+        while True:
+            distance = np.hypot(x - random.uniform(0, width), y - random.uniform(0, height))
+            if not taken[distance < radius + 5].any():
+                break
+        phases[distance < radius] = kind
+        taken |= distance < radius
+    smooth = np.asarray(Image.fromarray(np.array([70, 130, 195], dtype=np.uint8)[phases]).filter(ImageFilter.GaussianBlur(1)))
+    lit = smooth * np.linspace(1.2, 0.8, width) + random.normal(0, 10, phases.shape)
+    return np.clip(lit, 0, 255).astype(np.uint8), phases
+
+
+def check_three_phases(text):
+    """What even light and the removal of rims are worth."""
+    grey, phases = three_phases()
+    segment = script(os.path.join(EXAMPLE, "segment.py"))
+    segment.THRESHOLDS = [int(x) for x in re.search(r"THRESHOLDS = \[(\d+), (\d+)\]", text).groups()]
+    filtered = np.asarray(Image.fromarray(grey).filter(ImageFilter.MedianFilter(5)))
+    thresholds = np.searchsorted(segment.THRESHOLDS, filtered)
+    evened = np.searchsorted(segment.THRESHOLDS, segment.evened(filtered))
+    segment.UNEVEN_LIGHT = True
+    both = segment.segment(grey)
+    wrong = [f"{100 * np.mean(found != phases):.1f} %" for found in (thresholds, evened, both)]
+    grains = [sum(ndimage.label(found == k)[1] for k in (1, 2)) for found in (thresholds, evened, both)]
+    drawn = sum(ndimage.label(phases == k)[1] for k in (1, 2))
+    assert grains[2] == drawn == 40 < min(grains[:2]), (grains, drawn, wrong)
+    said = re.search(r"thresholds alone\s+give (\S+ %) of.*?light (\S+ %), and without rims (\S+ %)", text, re.DOTALL).groups()
+    assert list(said) == wrong and "found are {}, {} and {}.".format(*grains) in " ".join(text.split()), (said, wrong, grains)
 
 
 def check_refusal(text):
@@ -52,7 +85,7 @@ def check_refusal(text):
     said = re.search(r"^ {4}rve_homogenization: micrograph\.png: (.*)$", text, re.MULTILINE)[1]
     with tempfile.TemporaryDirectory() as folder:
         printed = Folder(folder).run(2, "rve_homogenization", os.path.join(EXAMPLE, "10-rve_homogenization.prm"), "--set", "Microstructure/File="
-                                     + os.path.join(EXAMPLE, "micrograph.png"), "--set", "Microstructure/Image values=")
+                                     + os.path.join(EXAMPLE, "micrograph.png"))
     assert said in printed, printed
 
 
@@ -69,16 +102,27 @@ def check_cells(text):
 
 
 def check_cut_grains(text, results):
-    """The table of errors in the grains that an edge cuts: as many grains and such errors."""
-    with mesoslip.open(os.path.join(results, "40-stress_localization")) as run:
-        localized, direct = np.asarray(run["mean_von_mises"]), np.asarray(run["direct/mean_von_mises"])
+    """The table of errors in the grains that an edge cuts, with the tensors of KUBC and of MUBC: as many grains and such errors."""
+    made = Folder(results)
+    made.run(0, "rve_homogenization", "10-rve_homogenization.prm", "--set", "Homogenization/Boundary conditions=KUBC, SUBC, MUBC", "--output", "mixed")
+    made.run(0, "stress_localization", "40-stress_localization.prm", "--set", "Input/RVE file=mixed/rve.h5", "--set",
+             "Localization/Concentration=MUBC", "--output", "localized")
+    fields = []
+    for name in ("40-stress_localization", "localized"):
+        with mesoslip.open(os.path.join(results, name)) as run:
+            fields.append(np.asarray(run["mean_von_mises"]))
+            direct = np.asarray(run["direct/mean_von_mises"])
     with mesoslip.open(os.path.join(results, "10-rve_homogenization")) as run:
         grains, _ = ndimage.label(np.asarray(run["phase/id"]) == 1)
     for edges, said in (("left and right", [grains[:, 0], grains[:, -1]]), ("lower", [grains[0]]), ("upper", [grains[-1]])):
         cut = sorted(set(np.concatenate(said)) - {0})
-        errors = [100 * np.linalg.norm((localized - direct)[grains == k]) / np.linalg.norm(direct[grains == k]) for k in cut]
-        row = f"| {len(cut)} | {min(errors):.0f} to {max(errors):.0f} % |"
+        row = f"| {len(cut)} |"
+        for localized in fields:
+            errors = [100 * np.linalg.norm((localized - direct)[grains == k]) / np.linalg.norm(direct[grains == k]) for k in cut]
+            row += f" {min(errors):.0f} to {max(errors):.0f} % |"
         assert re.search(rf"^\| {edges} \| [^|]* {re.escape(row)}$", text, re.MULTILINE), (edges, row)
+    whole = [f"{100 * np.linalg.norm(localized - direct) / np.linalg.norm(direct):.0f} %" for localized in fields]
+    assert f"| all cells | | | {whole[0]} | {whole[1]} |" in text, whole
 
 
 def check_squeal():
@@ -99,6 +143,7 @@ def main():
     check_pictures()
     check_refusal(text)
     first_steps.check_validation(text)
+    check_three_phases(text)
     check_cells(text)
     check_squeal()
     with tempfile.TemporaryDirectory() as folder:

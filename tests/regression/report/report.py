@@ -134,8 +134,24 @@ def write_localization(folder, ids):
     data["/mean_von_mises"], data["/direct/mean_von_mises"] = field, field * (1 + 0.03 * random.standard_normal((NY, NX)))
     write(folder, "localization.h5",
           {"program": "stress_localization", "version": "0.2.0", "cells": [NX, NY], "seconds": {"total": 2.2},
-           "peak_memory_bytes": 1.1e8, "probes": [{"name": "A", "phase": "fibre"}, {"name": "B", "phase": "matrix"}]},
+           "peak_memory_bytes": 1.1e8, "probes": [{"name": "A", "phase": "fibre"}, {"name": "B", "phase": "matrix"}],
+           "phases": ["matrix", "surface"], "field_errors": FIELD_ERRORS},
           data, positions)
+
+
+# A phase that is called as a region is.
+FIELD_ERRORS = {"mean_von_mises": {"all": 0.25, "interior": 0.031, "surface": 0.48, "surface_inner": 0.11, "matrix": 0.058, "matrix_interior": 0.033,
+                                   "phase_surface": 0.55, "phase_surface_interior": None}}
+
+
+def check_localization(page):
+    """Errors of a stress that is 2 % too large have a plus, though it is compression; regions in words, with what is not known left out."""
+    row = re.search(r"<tr><td class=\"text\">A</td><td class=\"text\">σ<sub>yy</sub></td>(.*?)</tr>", page)[1]
+    mean, direct, error = re.findall("<td>(.*?)</td>", row)[:3]
+    assert mean.startswith("−") and direct.startswith("−") and error == "+2.0 %", row
+    rows = re.findall(r'<td class="text">([^<]*)</td><td>([^<]*)</td></tr>', page[page.index("<th>von Mises</th>"):])
+    assert rows[:7] == [("all cells", "25 %"), ("interior", "3.10 %"), ("surface", "48 %"), ("surface without its ends", "11 %"),
+                        ("phase matrix", "5.80 %"), ("phase matrix, interior", "3.30 %"), ("phase surface", "55.0 %")], rows
 
 
 def write_analyses(root):
@@ -271,6 +287,7 @@ def main():
         assert "0.2190" in page and "−0.5 %" in page, "mu_inter 0.219 against 0.220"
         assert "36.90" in page and "(+1.0 %)" in page, "stiffness against eq. (10)"
         assert "Beside the paper" in page
+        check_localization(page)
         own = os.path.join(root, "own")
         write_foreign_body(os.path.dirname(folders[0]), own)
         page = report(root, own)

@@ -41,5 +41,5 @@ class Array(np.ndarray):
         try:
             factor = factor_to(self.unit, unit)
         except ValueError as error:
-            raise ValueError(f"{self.name or 'the array'} is in {self.unit or 'no unit'}, which is not a multiple of {unit}: {error}") from None
+            raise ValueError(f"{self.name or 'the array'}: {error}") from None
         return np.asarray(self) * factor

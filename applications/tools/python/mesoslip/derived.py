@@ -101,7 +101,10 @@ class Derived:
 
     def phase_id(self):
         """Phase of each cell, [ny][nx] or [cells]. Raises KeyError where the file has none."""
-        return self["phase/id" if "phase/id" in self else "material/phase_id"]
+        for name in ("phase/id", "material/phase_id"):
+            if name in self:
+                return self[name]
+        raise KeyError(f"{self.path} holds no phases of cells; rve.h5 does: open it and give it as `volume`")
 
     def phase_names(self):
         """Names of the phases, in the order of their numbers."""

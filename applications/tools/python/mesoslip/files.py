@@ -111,8 +111,8 @@ class ResultFile(Closing, Derived):
         if isinstance(item, types):
             return item
         group = item if isinstance(item, h5py.Group) else self.hdf5.get(os.path.dirname(name.rstrip("/")) or "/")
-        there = ", ".join(group) if isinstance(group, h5py.Group) else "no such group"
-        raise KeyError(f"{self.path} has no {kind} '{name}'; there is: {there}")
+        there = f"there is: {', '.join(group)}" if isinstance(group, h5py.Group) else f"there is no group '{os.path.dirname(name)}' either"
+        raise KeyError(f"{self.path} has no {kind} '{name}'; {there}")
 
     def unit(self, name):
         """Unit of a dataset, "" for pure numbers, without reading it."""
