@@ -251,7 +251,7 @@ def check_ranks(folder):
     first = {}
     for kind, settings in KINDS.items():
         dim = dimension(kind)
-        conditions = "KUBC, SUBC, PBC" + ("" if kind == "voxels" else ", MUBC")
+        conditions = "KUBC, SUBC, PBC, MUBC"
         text = f"set Dimension = {dim}\n" + prm({**PHASES, **settings, **loads, "Homogenization/Boundary conditions": conditions})
         for ranks in (1, 3) if kind in ("gridml", "tetrahedra") else (1, 2, 3):
             found = run(folder, kind, text, ranks)["loads"]
