@@ -80,15 +80,18 @@ json ensemble_json(const RveParameters &parameters, const RveResults<dim> &resul
 }
 
 /** A line of the table on the console: a name and entries, or their names; in 3D those of
- * an orthotropic stiffness. */
+ * an orthotropic stiffness, or the others, which couple a shear to anything else. */
 template <int dim, typename Entry>
-std::string row_text(const std::string &name, const int digits, const Entry &entry)
+std::string row_text(const std::string &name,
+                     const int digits,
+                     const bool couplings,
+                     const Entry &entry)
 {
   std::ostringstream line;
   line << std::left << std::setw(22) << name << std::right << std::fixed
        << std::setprecision(digits);
   for (const StiffnessEntry &place : stiffness_entries<dim>())
-    if (dim == 2 || !place.couples_shear(dim))
+    if (dim == 2 || place.couples_shear(dim) == couplings)
       {
         line << std::setw(9);
         entry(line, place);
@@ -97,22 +100,23 @@ std::string row_text(const std::string &name, const int digits, const Entry &ent
 }
 
 template <int dim>
-std::string stiffness_text(const std::string &name, const json &D)
+std::string stiffness_text(const std::string &name, const bool couplings, const json &D)
 {
-  return row_text<dim>(name, 3, [&](std::ostream &line, const StiffnessEntry &place) {
-    // Whole MPa; what rounds to zero loses its sign.
-    line << std::round(D[place.row][place.column].get<double>() * 1e-6) * 1e-3 + 0.;
-  });
+  return row_text<dim>(
+    name, 3, couplings, [&](std::ostream &line, const StiffnessEntry &place) {
+      // Whole MPa; what rounds to zero loses its sign.
+      line << std::round(D[place.row][place.column].get<double>() * 1e-6) * 1e-3 + 0.;
+    });
 }
 
 template <int dim>
-std::string difference_text(const json &effective, const json &reference)
+std::string difference_text(const bool couplings, const json &D, const json &reference)
 {
   return row_text<dim>(
-    "difference (%)", 2, [&](std::ostream &line, const StiffnessEntry &place) {
+    "difference (%)", 2, couplings, [&](std::ostream &line, const StiffnessEntry &place) {
       const double ref = reference[place.row][place.column].get<double>();
       if (ref != 0.)
-        line << 100. * (effective[place.row][place.column].get<double>() / ref - 1.);
+        line << 100. * (D[place.row][place.column].get<double>() / ref - 1.);
       else
         line << "-";
     });
@@ -246,34 +250,45 @@ void write_rve_tables(const RveParameters &parameters,
     write_rectangles(context.file("rectangles.csv"), results.rectangles);
 }
 
+/** Entries that couple a shear to anything else, in 3D, or all others. */
 template <int dim>
-void log_stiffness(RunContext &context)
+void log_entries(RunContext &context, const bool couplings)
 {
   const json &summary = context.summary();
+  const auto log      = [&](const std::string &name, const json &D) {
+    context.log(stiffness_text<dim>(name, couplings, D));
+  };
   context.log(row_text<dim>(
-    "Stiffness (GPa)", 3,
+    couplings ? "Couplings (GPa)" : "Stiffness (GPa)", 3, couplings,
     [](std::ostream &line, const StiffnessEntry &place) { line << place.name; }));
   const bool several = summary.contains("ensemble");
-  for (const char *name : {"KUBC", "SUBC", "PBC", "MUBC"})
+  for (const std::string name : {"KUBC", "SUBC", "PBC", "MUBC"})
     if (several && summary["ensemble"].contains(name))
       {
-        const json &entry = summary["ensemble"][name];
-        context.log(stiffness_text<dim>(std::string(name) + " mean", entry["mean"]));
-        context.log(stiffness_text<dim>(std::string(name) + " deviation",
-                                        entry["standard_deviation"]));
+        log(name + " mean", summary["ensemble"][name]["mean"]);
+        log(name + " deviation", summary["ensemble"][name]["standard_deviation"]);
       }
     else if (!several && !summary["stiffness"].value(name, json()).is_null())
       {
-        context.log(stiffness_text<dim>(name, summary["stiffness"][name]));
-        context.log(stiffness_text<dim>(std::string(name) + " from mean",
-                                        summary["stiffness_from_mean"][name]));
+        log(name, summary["stiffness"][name]);
+        log(name + " from mean", summary["stiffness_from_mean"][name]);
       }
   const json &effective = summary["stiffness"]["effective"];
-  context.log(stiffness_text<dim>("effective", effective));
+  log("effective", effective);
   if (!summary.contains("reference_stiffness"))
     return;
-  context.log(stiffness_text<dim>("reference", summary["reference_stiffness"]));
-  context.log(difference_text<dim>(effective, summary["reference_stiffness"]));
+  log("reference", summary["reference_stiffness"]);
+  context.log(difference_text<dim>(couplings, effective, summary["reference_stiffness"]));
+}
+
+template <int dim>
+void log_stiffness(RunContext &context)
+{
+  log_entries<dim>(context, false);
+  const json &D = context.summary()["stiffness"]["effective"];
+  for (const StiffnessEntry &place : stiffness_entries<dim>())
+    if (dim == 3 && place.couples_shear(dim) && D[place.row][place.column] != 0.)
+      return log_entries<dim>(context, true);
 }
 
 template <int dim>

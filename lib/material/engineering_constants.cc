@@ -97,6 +97,27 @@ Constants axis_constants(const VoigtMatrix<3> &S)
       constants.push_back({"G_" + planes[i], "Pa", 1. / S(3 + i, 3 + i),
                            "shear modulus in the plane " + planes[i]});
     }
+  for (unsigned int p = 0; p < 3; ++p)
+    {
+      const unsigned int row   = 3 + p;
+      const std::string &shear = planes[p];
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          constants.push_back({"eta_" + shear + "_" + axes[i], "1", S(row, i) / S(i, i),
+                               "mutual influence: shear " + shear +
+                                 " over extension, load along " + axes[i]});
+          constants.push_back({"eta_" + axes[i] + "_" + shear, "1",
+                               S(i, row) / S(row, row),
+                               "mutual influence: extension along " + axes[i] +
+                                 " over shear, shear load " + shear});
+        }
+      for (unsigned int q = 0; q < 3; ++q)
+        if (p != q)
+          constants.push_back({"eta_" + planes[q] + "_" + shear, "1",
+                               S(3 + q, row) / S(row, row),
+                               "Chentsov's coefficient: shear " + planes[q] +
+                                 " over shear, shear load " + shear});
+    }
   constants.push_back({"k", "Pa", 1. / S.topLeftCorner<3, 3>().sum(),
                        "bulk modulus, equal stress along all axes"});
   return constants;

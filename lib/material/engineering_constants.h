@@ -30,7 +30,9 @@ struct EngineeringConstant
  * the closest orthotropic solid with the angle of its axes and its distance (0: is
  * isotropic, orthotropic).
  *
- * 3D: E, nu and G along the axes, bulk modulus, closest isotropic solid.
+ * 3D: E, nu and G along the axes, coefficients of mutual influence (eta_xy_z = S63 / S33,
+ * eta_z_xy = S36 / S66), Chentsov's coefficients (eta_xz_yz = S54 / S44), bulk modulus,
+ * closest isotropic solid.
  *
  * Throws std::invalid_argument when the stiffness is not positive definite.
  */

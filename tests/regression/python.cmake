@@ -40,7 +40,7 @@ mesoslip_python_tests(regression 2 chains/chain chains/chain_validation chains/p
 mesoslip_python_tests(verification 1 independent_finite_elements static_localization stability hexagonal_cell mesh_inclusions mesh_friction_vector
                       hertz spence incremental_friction)
 mesoslip_python_tests(verification 1 oblique_modes voxel_files)
-mesoslip_python_tests(verification 2 divided_plane large_strains mesh_ranks voxel_orientations voxel_random voxels macroscopic_loads mixed_conditions)
+mesoslip_python_tests(verification 2 divided_plane large_strains mesh_ranks voxel_extremes voxel_orientations voxel_random voxels macroscopic_loads mixed_conditions)
 if(MESOSLIP_DOXYGEN)
   mesoslip_python_tests(regression 1 pages/doxygen)
 else()

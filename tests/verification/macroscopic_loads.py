@@ -251,7 +251,7 @@ def check_ranks(folder):
     first = {}
     for kind, settings in KINDS.items():
         dim = dimension(kind)
-        conditions = "KUBC, SUBC, PBC" + ("" if kind == "voxels" else ", MUBC")
+        conditions = "KUBC, SUBC, PBC, MUBC"
         text = f"set Dimension = {dim}\n" + prm({**PHASES, **settings, **loads, "Homogenization/Boundary conditions": conditions})
         for ranks in (1, 3) if kind in ("gridml", "tetrahedra") else (1, 2, 3):
             found = run(folder, kind, text, ranks)["loads"]
@@ -285,7 +285,7 @@ def same_numbers(a, b, what, ranks):
 
 
 def check_constants(folder):
-    """Uniaxial stresses and shears give the engineering constants of the stiffness, in 2D and 3D, and KUBC those of KUBC."""
+    """Strains under uniaxial stresses and shears are the engineering constants of the stiffness, in 2D and 3D, and KUBC those of KUBC."""
     axes = {2: ("xx", "yy", "xy"), 3: ("xx", "yy", "zz", "yz", "xz", "xy")}
     names = {"xx": "E_x", "yy": "E_y", "zz": "E_z", "yz": "G_yz", "xz": "G_xz", "xy": "G_xy"}
     for kind, dim in (("grid", 2), ("voxels", 3)):
@@ -296,7 +296,14 @@ def check_constants(folder):
         summary = run(folder, kind + "constants", text)
         for load in summary["loads"]:
             c = load["name"][-2:]
-            close(load["stress"][c] / load["strain"][c], summary["engineering_constants"][names[c]], 1e-12, f"{kind} {names[c]}")
+            constants = summary["engineering_constants"]
+            close(load["stress"][c] / load["strain"][c], constants[names[c]], 1e-12, f"{kind} {names[c]}")
+            for d in axes[dim]:  # the strain d that the load c makes: Poisson's ratios, mutual influence, Chentsov's coefficients
+                if c != d:
+                    normal = c[0] == c[1] and d[0] == d[1]
+                    short = [e[0] if e[0] == e[1] else e for e in (d, c)]
+                    name, sign = (f"nu_{short[1]}{short[0]}", -1) if normal else (f"eta_{short[0]}_{short[1]}", 1)
+                    close(sign * load["strain"][d] / load["strain"][c], constants[name], 1e-12, f"{kind} {name}", 1.0)
 
 
 def check_ensemble(folder):

@@ -1,13 +1,14 @@
-"""States of the contact nodes: their shares of time, and how they change along the contact over time."""
+"""States of the contact nodes: their shares of time, their numbers over time, and how they change along the contact over time."""
 
 import matplotlib
 import numpy as np
 from matplotlib.patches import Patch
 
-from data import Missing
+from data import Missing, thinned
 from figures import GREY, SEPARATED, SLIP, STICK, above, panels, zoom_window
 
 LEAST_BLOCKS = 8  # in a period
+MOST_STRETCHES, FEW_PERIODS = 400, 40  # of a curve over time
 
 STATES = [Patch(facecolor=SLIP, label="slip"), Patch(facecolor=STICK, label="stick"),
           Patch(facecolor=SEPARATED, edgecolor="#adb5bd", label="separated")]
@@ -47,6 +48,49 @@ def node_statistics(runs):
     axes[-1].set_xlabel("x (mm)")
     above(axes[0], STATES)
     return figure
+
+
+def fractions_of_nodes(run):
+    """Times (s) of the history, and {state: share (%) of the contact nodes}."""
+    names = ("slipping", "sticking", "separated")
+    time, *numbers = run.need("/history/time", *(f"/history/{name}_nodes" for name in names))
+    total = sum(numbers)
+    if any(array.shape != time.shape for array in numbers) or not np.all(total > 0):
+        raise Missing(f"/history of {run.name} does not tell the state of the contact nodes")
+    return time, {state: 100 * array / total for state, array in zip(("slip", "stick", "separated"), numbers)}
+
+
+def averaged(run, time, values):
+    """Means over stretches of a long series, of a period or more where the run has many: parts of a period would beat with it."""
+    n, frequency = len(time), run.number("main_frequency")
+    periods = frequency * (time[-1] - time[0]) if frequency else 0
+    most = min(MOST_STRETCHES, int(periods)) if periods > FEW_PERIODS else MOST_STRETCHES
+    starts = np.unique(np.linspace(0, n, min(n, most), endpoint=False).astype(int))
+    count = np.diff(np.append(starts, n))
+    return np.add.reduceat(time, starts) / count, np.add.reduceat(values, starts) / count
+
+
+def fractions(run):
+    """Shares of the nodes in each state over the time of the run, and over the last periods; (figure, length (s) of the stretches whose
+    means the first shows, None if it shows all samples)."""
+    time, shares = fractions_of_nodes(run)
+    begin = int(np.searchsorted(time, zoom_window(run, time[-1])))
+    windows = [0] + ([begin] if begin > 0 and len(time) - begin >= 12 else [])
+    figure, axes = panels(len(windows), 1.2 + 2.0 * len(windows))
+    stretch = None
+    for axis, start in zip(axes, windows):
+        for (state, share), colour in zip(shares.items(), (SLIP, STICK, GREY)):
+            x, y = averaged(run, time, share) if start == 0 else thinned(time[start:], share[start:])
+            if start == 0 and len(x) < len(time):
+                stretch = (time[-1] - time[0]) / len(x)
+            axis.plot(1e3 * x, y, color=colour, lw=1.4, label=state)
+        axis.set(ylim=(-2, 102), ylabel="share of nodes\n(%)")
+        axis.margins(x=0)
+    if len(windows) > 1:
+        axes[1].set_title("last periods", loc="left", color=GREY)
+    axes[-1].set_xlabel("time (ms)")
+    above(axes[0])
+    return figure, stretch
 
 
 def in_order(x, *shares):

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """One report.html, with its pictures and their data in it, from the result folders of a chain.
 
-    make_report.py [--output report.html] folder...
+    make_report.py [--output report.html] [--surface-times 1e-3,2e-3] folder...
 
 Each folder is the output of rve_homogenization, contact_dynamics or stress_localization (recognised by
 "program" in summary.json), or holds such folders. Any subset works: what is missing is named and left out.
@@ -24,6 +24,7 @@ import figures
 import sections
 from data import Chain, Missing, without_folders
 from page import Page, escape, note
+from space_time import has_surface_map
 
 
 def attempt(page, make, *arguments):
@@ -47,13 +48,13 @@ def processor():
     return f"{model}, {os.cpu_count()} processors"
 
 
-def build(chain, title, folder="."):
-    """The Page of a chain that will stand in a folder."""
+def build(chain, title, folder=".", surface_times=()):
+    """The Page of a chain that will stand in a folder; `surface_times` (s) are those of the pictures of contact surfaces in 3D."""
     what = f"{len(chain.runs)} result folder{'s' if len(chain.runs) != 1 else ''}"
     page = Page(title, f"From the composite’s microstructure to its sliding contact and back: {what}. "
                        "Tension is positive; contact pressures are positive, too. " + thickness(chain) +
                 f"Written on {datetime.datetime.now():%Y-%m-%d %H:%M} by make_report.py on a machine with {escape(processor())}.", folder)
-    for heading, parts in sections.plan(chain):
+    for heading, parts in sections.plan(chain, surface_times):
         page.section(heading, "".join(attempt(page, *part) for part in parts))
     notes = chain.all_notes()
     if notes:
@@ -78,11 +79,25 @@ def title_of(folders):
     return os.path.basename(common) or "mesoslip report"
 
 
+def times_of(text):
+    """Times (s) from the words of an option."""
+    try:
+        times = [float(word) for word in text.split(",")]
+    except ValueError:
+        times = [-1.0]
+    if not all(0 <= time < float("inf") for time in times):
+        raise argparse.ArgumentTypeError(f'"{text}" are not times in seconds; write them as 1e-3,2e-3')
+    return times
+
+
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folders", nargs="+", metavar="folder", help="result folder(s) of a chain")
     parser.add_argument("--output", default="report.html", help="file to write (default: %(default)s)")
     parser.add_argument("--title", help="title (default: the name of the folder that holds all of them)")
+    parser.add_argument("--surface-times", type=times_of, default=(), metavar="T,...",
+                        help="times (s) at which the contact surfaces of bodies in 3D are shown, from their maps of the contact "
+                             "(default: four of the last periods)")
     options = parser.parse_args(arguments)
 
     chain = Chain(options.folders)
@@ -91,7 +106,10 @@ def main(arguments=None):
             print(f"make_report.py: {text}", file=sys.stderr)
         print("make_report.py: nothing to report; give at least one result folder", file=sys.stderr)
         return 2
-    text = build(chain, options.title or title_of(options.folders), os.path.dirname(os.path.abspath(options.output))).html()
+    if options.surface_times and not any(has_surface_map(run) for run in chain.transient):
+        print("make_report.py: --surface-times has no effect: no run has a map of a contact surface in 3D (Contact map/Interval)")
+    text = build(chain, options.title or title_of(options.folders), os.path.dirname(os.path.abspath(options.output)),
+                 options.surface_times).html()
     part = options.output + ".part"
     try:
         with open(part, "w", encoding="utf-8") as stream:

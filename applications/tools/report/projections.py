@@ -56,13 +56,23 @@ class Group:
     label: str = ""
 
 
+def labels_in_turn(views, groups):
+    """How many labels the groups of one view have if each label comes in turn, twice or more often; else 0."""
+    labels = [group.label for group in groups]
+    n = len(set(labels))
+    return n if len(views) == 1 and 1 < n < len(labels) and labels == labels[:n] * (len(labels) // n) else 0
+
+
 class Layout:
-    """Places (in) of the panels: fields one below the other, each a technical drawing, or in columns; four and more of one view in pairs."""
+    """Places (in) of the panels: fields one below the other, each a technical drawing, or in columns; four and more of one view in pairs.
+    Fields of one view whose labels return in turn, as those at several times, have a column each with one colour bar below it."""
 
     def __init__(self, views, groups, in_columns):
         self.views, self.groups, self.in_columns = views, groups, in_columns
-        self.side_by_side = 2 if len(views) == 1 and len(groups) > 3 and len({group.label for group in groups}) == len(groups) else 1
-        self.bars = [bool(group.label) and (k + 1 == len(groups) or groups[k + 1].label != group.label)
+        turn = labels_in_turn(views, groups)
+        self.side_by_side = turn or (2 if len(views) == 1 and len(groups) > 3 and len({group.label for group in groups}) == len(groups) else 1)
+        self.stride = turn or 1  # from a field to the next one of its label
+        self.bars = [bool(group.label) and (k + self.stride >= len(groups) or groups[k + self.stride].label != group.label)
                      for k, group in enumerate(groups)]
         self.places = {(v, g): (g, v) if in_columns else self._below(views[v], g)
                        for v in range(len(views)) for g in range(len(groups))}
@@ -91,7 +101,8 @@ class Layout:
         return not self.in_columns or column == 0
 
     def labelled_across(self, row):
-        return self.in_columns or len(self.views) > 1 or row + 1 == len(self.groups) or self.bars[row]
+        first = row * self.stride
+        return self.in_columns or len(self.views) > 1 or first + self.stride >= len(self.groups) or self.bars[first]
 
     def _sizes(self, scale):
         title = LETTER * max(len(group.title) for group in self.groups) if self.in_columns else 0
@@ -127,18 +138,20 @@ class Layout:
 
     def first_of_bar(self, g):
         """The first field that shares the bar of field g."""
-        return max((k + 1 for k in range(g) if self.bars[k]), default=0)
+        before = range(g % self.stride, g, self.stride)
+        return max((k + self.stride for k in before if self.bars[k]), default=g % self.stride)
 
     def bar(self, g):
         """Left, bottom, width and height of the colour bar that ends below a field."""
         left, (_, right, _, bottom) = self.frame(self.first_of_bar(g) if self.in_columns else g)[0], self.frame(g)
-        room = right - left if self.in_columns else max(right - left, SHORTEST)
+        room = right - left if self.in_columns or self.stride > 1 else max(right - left, SHORTEST)
         return left, bottom + BELOW + BAR_WIDTH, min(BAR_LENGTH, room), BAR_WIDTH
 
 
 def draw(views, groups, entries=()):
     """Figure of the groups, with a legend above."""
-    arrangements = [Layout(views, groups, in_columns) for in_columns in (False, True)[: len(groups)]]
+    ways = (False,) if labels_in_turn(views, groups) else (False, True)[: len(groups)]
+    arrangements = [Layout(views, groups, in_columns) for in_columns in ways]
     layout = max(arrangements, key=lambda arrangement: arrangement.scale)
     columns = legend_columns(entries, 3)
     legend = LEGEND * -(-len(entries) // columns)
@@ -153,7 +166,7 @@ def draw(views, groups, entries=()):
         left, _, top, _ = layout.frame(g)
         figure.text(left / wide, 1 - (legend + top + 0.05) / high, group.title, va="top")
         if layout.bars[g]:
-            _bar(add_axes(layout.bar(g)), groups[layout.first_of_bar(g) : g + 1])
+            _bar(add_axes(layout.bar(g)), groups[layout.first_of_bar(g) : g + 1 : layout.stride])
     return figure
 
 

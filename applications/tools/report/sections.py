@@ -19,8 +19,9 @@ import what_was_run
 from page import escape, quantity
 
 
-def plan(chain):
-    """(heading, [(function, arguments...)]) of every section that the runs of the chain call for."""
+def plan(chain, surface_times=()):
+    """(heading, [(function, arguments...)]) of every section that the runs of the chain call for; contact surfaces in 3D are shown at
+    `surface_times` (s), of the last periods if there are none."""
     result = [("What was run", [(what_was_run.runs_table, chain)])]
     if chain.transient:
         result.append(("Key numbers", [(key_numbers.side_by_side, chain.transient)]))
@@ -36,7 +37,7 @@ def plan(chain):
     if loaded:
         result.append(("Macroscopic loads", loads.parts(loaded)))
     if chain.transient:
-        result += transient_sections(chain.transient)
+        result += transient_sections(chain.transient, surface_times)
     for heading, make, runs in [("Modes of vibration", analyses.modes, chain.modal),
                                 ("Modes of steady sliding", complex_modes.complex_modes, chain.complex),
                                 ("Static contact", analyses.static_contact, chain.static),
@@ -53,23 +54,24 @@ def plan(chain):
     return result
 
 
-def transient_sections(runs):
+def transient_sections(runs, surface_times):
     regime = paper.regime(runs[0]) if all(paper.is_pin(run) for run in runs) else None
     return [
         ("Apparent friction", [(apparent_friction, runs, regime)]),
         ("Energy", [(friction_energy, runs)] + [(energy_balance, run) for run in runs]),
         ("Phase diagram", [(phase_diagram, runs)]),
         ("Spectrum", [(spectrum, runs, regime)]),
-        ("The contact, node by node", contact_parts(runs)),
+        ("The contact, node by node", contact_parts(runs, surface_times)),
     ]
 
 
-def contact_parts(runs):
+def contact_parts(runs, surface_times):
     solid = [run for run in runs if run.has_surface()]
     plane = [run for run in runs if run not in solid]
     pressed = [run for run in solid if run.members("/snapshots") and run.get("/contact/pressure") is None]
     return ([(node_statistics, plane)] if plane else []) + [(contact_shares, run) for run in solid] + \
-        [(contact_pressure, run) for run in pressed] + [(contact_map, run) for run in runs] + waves.parts(runs)
+        [(contact_pressure, run) for run in pressed] + [(contact_map, run) for run in runs] + \
+        [(node_fractions, run) for run in runs if "sticking_nodes" in run.members("/history")] + waves.parts(runs, surface_times)
 
 
 def apparent_friction(page, runs, regime):
@@ -139,6 +141,12 @@ def contact_map(page, run):
                        f"Contact states of the {escape(run.label)} run: {what} over time; colours "
                        "mix where a node changes its state within a block of steps" +
                        (" or the nodes of a strip differ." if run.has_surface() else "."))
+
+
+def node_fractions(page, run):
+    figure, stretch = contact_states.fractions(run)
+    means = f" Over the whole run the curves are means over {quantity(stretch, 's', 3)}." if stretch else ""
+    return page.figure(figure, f"Shares of the contact nodes of the {escape(run.label)} run that slip, stick and are separated, over time.{means}")
 
 
 def mean_von_mises(page, run):

@@ -170,19 +170,39 @@ def surface_means(run):
     return draw([contact_surface.nodes_view(run)], groups)
 
 
-def surface_at_times(run):
-    """Pressure on the contact surface of a body in 3D at four times of the last periods; (figure, times)."""
-    time, _ = samples(run)
-    if "pressure" not in run.members("/contact_map"):
-        raise Missing(f"the map of the contact of {run.name} has no pressure")
-    begin = min(np.searchsorted(time, zoom_window(run, time[-1])), len(time) - 4)
-    rows = np.unique(np.linspace(max(begin, 0), len(time) - 1, 4).astype(int))
-    fields = [run.get("/contact_map/pressure", int(row)) for row in rows]
-    factor, unit = scaled(np.percentile(fields, SHOWN[1]), units=STRESSES)
-    limits = limits_of("pressure", np.array(fields), factor)
-    groups = [Group(values / factor, STRESS_MAP, limits, f"t = {1e3 * time[row]:.5g} ms", f"pressure ({unit})")
-              for row, values in zip(rows, fields)]
-    return draw([contact_surface.nodes_view(run)], groups), time[rows]
+def has_surface_map(run):
+    """Whether the map is that of a surface and has a field that surface_at_times shows."""
+    return run.has_surface() and any(name in run.members("/contact_map") for name, *_ in FIELDS[:3])
+
+
+def rows_at(run, time, times):
+    """Numbers of the samples at given times (s), or else of four in the last periods."""
+    if not times:
+        begin = min(np.searchsorted(time, zoom_window(run, time[-1])), len(time) - 4)
+        return np.unique(np.linspace(max(begin, 0), len(time) - 1, 4).astype(int))
+    half = 0.5 * (time[1] - time[0])
+    outside = [t for t in times if not time[0] - half <= t <= time[-1] + half]
+    if outside:
+        raise Missing(f"the map of the contact of {run.name} is that from {time[0]:.6g} s to {time[-1]:.6g} s, without the time "
+                      f"{outside[0]:.6g} s of --surface-times")
+    return np.unique([np.abs(time - t).argmin() for t in times])
+
+
+def surface_at_times(run, times=()):
+    """Pressure, shear traction and slip velocity, as far as the map has them, side by side on the contact surface of a body in 3D, time by
+    time; (figure, names of the fields)."""
+    time, names = samples(run)
+    rows = rows_at(run, time, times)
+    columns = []
+    for name, label, units in [entry for entry in names if entry in FIELDS[:3]]:
+        fields = [run.get(f"/contact_map/{name}", int(row)) for row in rows]
+        fields = np.array([values @ direction_of_flat(run) if values.ndim == 2 else values for values in fields])
+        factor, unit = scaled(np.percentile(np.abs(fields), SHOWN[1]), units=units)
+        limits = limits_of(name, fields, factor)
+        columns.append((fields / factor, SIGNED_MAP if limits[0] == -limits[1] else STRESS_MAP, limits, f"{label} ({unit})"))
+    groups = [Group(fields[k], colours, limits, f"t = {1e3 * time[row]:.5g} ms", label)
+              for k, row in enumerate(rows) for fields, colours, limits, label in columns]
+    return draw([contact_surface.nodes_view(run)], groups), [name for name, *_ in names[:len(columns)]]
 
 
 def spectrogram(run):

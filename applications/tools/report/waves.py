@@ -4,14 +4,17 @@ import space_time
 from page import escape, quantity
 
 
-def parts(runs):
-    """(function, arguments...) of the parts that the runs call for."""
+def parts(runs, times):
+    """(function, arguments...) of the parts that the runs call for; contact surfaces are shown at `times` (s), of the last periods if
+    there are none."""
     result = []
     for run in runs:
         if run.members("/contact_map"):
             result += [(whole_map, run), (last_periods, run)]
-            result += [(surface_at_times, run)] if run.has_surface() and "pressure" in run.members("/contact_map") else []
-            result += [(spectrogram, run)]
+        if space_time.has_surface_map(run):
+            result.append((surface_at_times, run, times))
+        if run.members("/reference"):
+            result.append((spectrogram, run))
         if run.get("/contact/pressure") is not None:
             result.append((means, run))
     return result
@@ -41,10 +44,14 @@ def last_periods(page, run):
                                f"the slope, position over time.{' Reduced as above.' if reduced else ''}")
 
 
-def surface_at_times(page, run):
-    figure, _ = space_time.surface_at_times(run)
-    return page.figure(figure, f"Pressure on the contact surface of the {escape(run.label)} run at times of the last periods, each node with "
-                               "its part of the faces around it. The colour scale ends at the 2.5th and 97.5th percentiles.")
+def surface_at_times(page, run, times):
+    figure, shown = space_time.surface_at_times(run, times)
+    words = [{"traction": "shear traction on the body", "slip_velocity": "slip velocity"}.get(name, name) for name in shown]
+    what = words[0] if len(words) == 1 else ", ".join(words[:-1]) + " and " + words[-1]
+    motion = " Shear traction and slip velocity are those along the motion of the flat." if len(words) > 1 else ""
+    when = "the samples nearest to the times that were asked for" if times else "times of the last periods"
+    return page.figure(figure, f"{what[0].upper()}{what[1:]} on the contact surface of the {escape(run.label)} run at {when}, each node with "
+                               f"its part of the faces around it.{motion} The colour scales end at the 2.5th and 97.5th percentiles.")
 
 
 def means(page, run):

@@ -241,7 +241,7 @@ def run_box(folder):
     homogenize = PHASES + prm({"Grid/Cells": "12, 4, 5", "Grid/Size": "12e-4, 4e-4, 5e-4", "Microstructure/Type": "voxels",
                                "Microstructure/File": "voxels.npy"})
     slide = prm({"Body/RVE file": "rve/rve.h5", "Time/Time step": 5e-9, "Time/End time": 2e-6, "Top/Kind": "platen", "Top/Pressure": 5e6,
-                 "Snapshots/Interval": 2e-7})
+                 "Snapshots/Interval": 2e-7, "Observation/History interval": 1})
     localize = prm({"Input/RVE file": "rve/rve.h5", "Input/Homogeneous run": "homogeneous/dynamics.h5",
                     "Input/Direct run": "heterogeneous/dynamics.h5"})
     solid = "set Dimension = 3\n"
@@ -265,6 +265,7 @@ def check_box(root):
                             ("Von Mises stress of the last snapshot", 2), ("Pressure on the contact surface of the", 2),
                             ("Von Mises stress averaged over time, in the planes through the middle: localized", 1),
                             ("Pressure on the contact surface, seen along z", 1), ("means of strips of the contact surface across", 2),
+                            ("Shares of the contact nodes of the", 2), ("Spectrogram of the tangential velocity", 2),
                             ("Shares of time each contact node", 0)]:
         assert captions.count(expected) == count, f"{expected}: {captions.count(expected)} instead of {count}"
     page = report(root, folders[2])

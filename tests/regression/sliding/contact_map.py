@@ -227,7 +227,7 @@ def check_tools(folder):
     sys.path.insert(0, os.path.join(TOOLS, "python"))
     import mesoslip
     for name, figures in (("grid", ("Map of the contact of", "Spectrogram of", "friction power and friction work")),
-                          ("solid", ("Map of the contact of", "Pressure on the contact surface", "Spectrogram of", "Pressure and friction work"))):
+                          ("solid", ("Map of the contact of", "Pressure, shear traction on the body and slip velocity", "Spectrogram of", "Pressure and friction work"))):
         done = subprocess.run([sys.executable, "-B", os.path.join(TOOLS, "report", "make_report.py"), folder(name), "--output",
                                folder("report.html")], text=True, capture_output=True)
         page = folder.read("report.html").decode()
@@ -247,9 +247,37 @@ def check_tools(folder):
         assert set(file.contact_map) == {"friction_work", "pressure", "slip_velocity", "state", "traction"}
 
 
+def check_pictures(folder):
+    """Shares of the nodes over time are those of the map; the surface is shown at the times that are asked for, field by field."""
+    import contact_states
+    import space_time
+    from data import Chain, Missing
+    run, = Chain([folder("solid")]).runs
+    found = read(folder, "solid")
+    times, shares = contact_states.fractions_of_nodes(run)
+    same(times, found["contact_map/time"], 1e-15, "times of the shares")
+    for state, name in enumerate(("separated", "stick", "slip")):
+        same(shares[name], 100 * (found["contact_map/state"] == state).mean(axis=1), 1e-13, name)
+    rows, step = [60, 100], times[1] - times[0]
+    figure, names = space_time.surface_at_times(run, [times[rows[1]] - 0.4 * step, times[rows[0]] + 0.4 * step])
+    panels = [axes for axes in figure.axes if not hasattr(axes, "_colorbar")]
+    assert names == ["pressure", "traction", "slip_velocity"] and len(panels) == 6 and len(figure.axes) == 9, (names, len(panels))
+    direction = np.array([1.5, 0.5]) / np.hypot(1.5, 0.5)
+    for panel, axes in enumerate(panels):
+        values = found["contact_map/" + names[panel % 3]][rows[panel // 3]]
+        expected, shown = values @ direction if values.ndim == 2 else values, np.asarray(axes.collections[0].get_array())
+        expected, shown = expected / np.abs(expected).max(), shown / np.abs(shown).max()  # each node colours several polygons
+        distance = np.abs(expected[:, None] - shown)
+        assert max(distance.min(axis=0).max(), distance.min(axis=1).max()) < 1e-12, (panel, names[panel % 3])
+    try:
+        space_time.surface_at_times(run, [1.0])
+        raise AssertionError("a time beyond the map is shown")
+    except Missing as missing:
+        assert "without the time 1 s of --surface-times" in str(missing), missing
+
+
 def check_reduction():
     """A long map is reduced for its picture without losing what is short."""
-    sys.path.insert(0, os.path.join(TOOLS, "report"))
     import space_time
     values = np.full((5000, 3), 1.0)
     values[1234, 1], values[4321, 2] = 9.0, -7.0
@@ -258,10 +286,11 @@ def check_reduction():
 
 
 def main():
+    sys.path.insert(0, os.path.join(TOOLS, "report"))
     check_reduction()
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
-        for check in (check_uniform, check_bodies, check_laws, check_window, check_resume, check_refused, check_tools):
+        for check in (check_uniform, check_bodies, check_laws, check_window, check_resume, check_refused, check_tools, check_pictures):
             check(folder)
             print(check.__name__, "passed", flush=True)
 
