@@ -5,6 +5,7 @@
 #include "exchange/mesh_datasets.h"
 #include "exchange/orientation_datasets.h"
 #include "exchange/xdmf.h"
+#include "io/drafts.h"
 
 #include <deal.II/base/bounding_box.h>
 
@@ -223,11 +224,10 @@ RveContent<dim>::constituents() const
 template <int dim>
 std::string RveFile<dim>::change_note() const
 {
-  if (digest == rve_draft)
-    return path() +
-           " is a draft for --validate: its stiffness is Hill's mean of the phases "
-           "(the mean of Voigt's and Reuss' bounds), it was not computed";
-  return file.change_note(rve_program);
+  return file.change_note(rve_program) +
+         (digest == draft_digest ? ": its stiffness is Hill's mean of the phases (the mean "
+                                   "of Voigt's and Reuss' bounds)"
+                                 : "");
 }
 
 template <int dim>
@@ -315,6 +315,9 @@ template struct RveContent<2>;
 template struct RveContent<3>;
 template class RveFile<2>;
 template class RveFile<3>;
+template void reserve_concentration(const std::string &,
+                                    const UniformGrid<2> &,
+                                    const std::vector<std::string> &);
 template void reserve_concentration(const std::string &,
                                     const UniformGrid<3> &,
                                     const std::vector<std::string> &);

@@ -165,7 +165,8 @@ public:
     const UniformGrid<2> grid = parameters.microstructure.grid;
     out << size_text(grid) << ", " << 2 * grid.n_nodes() << " degrees of freedom\n"
         << 3 * parameters.conditions.size() * parameters.n_members
-        << " load cases, about " << estimated_megabytes(parameters) << " MB\n";
+        << " load cases, about " << estimated_megabytes(parameters) << " MB\n"
+        << bytes_text(need().bytes) << " on the disk\n";
     const Microstructure microstructure = make_microstructure(parameters.microstructure);
     for (const std::string &line : microstructure.description)
       out << line << '\n';

@@ -283,6 +283,29 @@ void LocalizationInput::complete(PlannedProbe &probe)
     probe.direct = direct->probe(name, "stress", window);
 }
 
+ResourceNeed LocalizationInput::need() const
+{
+  const bool with_direct = direct.has_value();
+  LocalizationExtent extent;
+  extent.n_cells      = static_cast<double>(rve.grid.n_cells());
+  extent.n_field_sets = with_direct ? 1. : 0.;
+  for (const bool of_place : {true, false})
+    if (of_place ? parameters.local_strain : parameters.mean_strain)
+      {
+        extent.n_field_sets += with_direct ? 2. : 1.;
+        for (const PlannedProbe &probe : probes)
+          {
+            const bool recorded = probe.recorded && of_place,
+                       compared = probe.recorded ? !probe.direct.time.empty() : with_direct;
+            extent.n_series += 1.;
+            extent.n_numbers +=
+              (compared ? 7. : 4.) * static_cast<double>(recorded ? probe.strain.time.size()
+                                                                  : snapshots.count);
+          }
+      }
+  return need_of<2>(extent, parameters.fields);
+}
+
 void LocalizationInput::describe(std::ostream &out) const
 {
   const auto tell = [&](const DynamicsFile &run, const char *role,
@@ -301,7 +324,8 @@ void LocalizationInput::describe(std::ostream &out) const
   const double numbers = 9. + 7. * n_variants + (direct ? 20. + 63. : 10. + 21.);
   const double n_cells = static_cast<double>(rve.grid.n_cells());
   out << n_cells << " cells of the RVE, " << probes.size() << " probes, about "
-      << std::ceil(numbers * 8e-6 * n_cells) + 128. << " MB of memory\n";
+      << std::ceil(numbers * 8e-6 * n_cells) + 128. << " MB of memory\n"
+      << bytes_text(need().bytes) << " on the disk\n";
   for (const std::string &warning : warnings)
     out << "warning: " << warning << '\n';
 }

@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "base/version.h"
+#include "io/drafts.h"
 #include "io/hdf5_file.h"
 #include "parameters/keys.h"
 #include "program/command_line.h"
@@ -21,6 +22,8 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -207,10 +210,7 @@ void validate(const Analysis &analysis,
   std::ostringstream report;
   analysis.describe(report);
   if (!line.draft.empty())
-    {
-      analysis.write_draft(line.draft);
-      report << bytes_text(analysis.need().bytes) << " on the disk\n";
-    }
+    analysis.write_draft(line.draft);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0 || line.quiet)
     return;
   std::cout << line.prm_file << ": the parameters are valid; the results would go to "
@@ -235,6 +235,11 @@ void run(Analysis &analysis,
   print_parameters(keys, effective);
 
   RunContext context(program.name, options, communicator, original, effective.str());
+  if (line.trial)
+    {
+      context.summary()["draft"] = true;
+      context.warn("--try: what this run reads may be drafts, what it writes are drafts");
+    }
   if (line.resume && !options.resume)
     context.log("--resume: a run of this kind keeps no checkpoints, it starts from the "
                 "beginning");
@@ -266,7 +271,8 @@ void do_what_is_asked(const CommandLine &line,
     {
       if (root)
         std::cout << (line.help
-                        ? CommandLine::help_text(program.name, program.description)
+                        ? CommandLine::help_text(program.name, program.description,
+                                                 program.draft)
                         : program.name + " (mesoslip) " + version + "\n");
       return require_printed();
     }
@@ -288,7 +294,17 @@ void do_what_is_asked(const CommandLine &line,
       return require_printed();
     }
   const std::string folder = choose_output_folder(line, keys);
-  on_root(communicator, [&]() { check_output_folder(folder, program.name, keys); });
+  on_root(communicator, [&]() {
+    check_output_folder(folder, program.name, keys);
+    if (line.trial && std::filesystem::exists(folder))
+      throw UserError("--try: there is a folder " + folder +
+                      " already; name a new one with --output");
+  });
+  if (line.validate || line.trial)
+    accept_drafts();
+  std::optional<DraftMark> mark;
+  if (line.trial)
+    mark.emplace(true);
   const std::unique_ptr<Analysis> analysis = program.build(keys);
   if (!line.resume) // a run to be resumed has had its place on the disk
     on_root(communicator, [&]() { require_disk(folder, analysis->need()); });
@@ -298,6 +314,12 @@ void do_what_is_asked(const CommandLine &line,
     run(*analysis, program, keys, line, text, communicator);
 }
 } // namespace
+
+void Analysis::write_draft(const std::string & /*folder*/) const
+{
+  throw UserError("--draft: no later run checks itself with what this one computes; leave "
+                  "--draft out");
+}
 
 int run_program(int argc, char **argv, const Application &program)
 {
@@ -315,7 +337,8 @@ int run_program(int argc, char **argv, const Application &program)
       Outcome outcome;
       try
         {
-          do_what_is_asked(CommandLine::parse(argc, argv), program, MPI_COMM_WORLD);
+          do_what_is_asked(CommandLine::parse(argc, argv, program.draft), program,
+                           MPI_COMM_WORLD);
         }
       catch (...)
         {
