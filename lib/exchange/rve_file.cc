@@ -225,9 +225,10 @@ template <int dim>
 std::string RveFile<dim>::change_note() const
 {
   return file.change_note(rve_program) +
-         (digest == draft_digest ? ": its stiffness is Hill's mean of the phases (the mean "
-                                   "of Voigt's and Reuss' bounds)"
-                                 : "");
+         (digest == draft_digest
+            ? ": its stiffness is Hill's mean of the phases (the mean "
+              "of Voigt's and Reuss' bounds)"
+            : "");
 }
 
 template <int dim>

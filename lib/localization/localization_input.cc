@@ -270,8 +270,8 @@ void LocalizationInput::complete(PlannedProbe &probe)
       probe.strain = homogeneous.probe(probe.name, "strain", window);
       if (probe.strain.time.empty())
         throw UserError(homogeneous.path() + ": the probe " + probe.name +
-                        " has no sample between " + to_text(window.begin) + " and " +
-                        to_text(window.end) + " s; change Window/From and To");
+                        " has no sample " + window_text(window) +
+                        "; change Window/From and To");
     }
   if (!direct)
     return;
@@ -296,11 +296,12 @@ ResourceNeed LocalizationInput::need() const
         for (const PlannedProbe &probe : probes)
           {
             const bool recorded = probe.recorded && of_place,
-                       compared = probe.recorded ? !probe.direct.time.empty() : with_direct;
+                       compared =
+                         probe.recorded ? !probe.direct.time.empty() : with_direct;
             extent.n_series += 1.;
             extent.n_numbers +=
-              (compared ? 7. : 4.) * static_cast<double>(recorded ? probe.strain.time.size()
-                                                                  : snapshots.count);
+              (compared ? 7. : 4.) *
+              static_cast<double>(recorded ? probe.strain.time.size() : snapshots.count);
           }
       }
   return need_of<2>(extent, parameters.fields);

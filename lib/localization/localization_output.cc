@@ -131,12 +131,13 @@ json variant_json(const VariantResult &variant)
 template <int dim>
 ResourceNeed need_of(const LocalizationExtent &extent, const FieldSelection &fields)
 {
-  // Of the file itself, and of the names, units and places of a probe; as measured.
-  constexpr double of_file = 10e3, of_series = 5e3;
-  const double numbers = (fields.von_mises ? 1. : 0.) +
-                         n_voigt<dim> * ((fields.mean ? 1. : 0.) +
-                                         (fields.deviation ? 1. : 0.));
-  return {of_file + extent.mesh_bytes + of_series * extent.n_series +
+  // Names, units and the like of the file, a set of fields and a probe; as measured.
+  constexpr double of_file = 6e3, of_set = 1.5e3, of_series = 3e3;
+  const double numbers =
+    (fields.von_mises ? 1. : 0.) +
+    n_voigt<dim> * ((fields.mean ? 1. : 0.) + (fields.deviation ? 1. : 0.));
+  return {of_file + extent.mesh_bytes + of_set * extent.n_field_sets +
+            of_series * extent.n_series +
             sizeof(double) *
               (extent.n_numbers + numbers * extent.n_cells * extent.n_field_sets),
           "name fewer Localization/Fields or Volume element/Points"};

@@ -30,7 +30,7 @@ GridProbes::GridProbes(const std::vector<ProbePoint> &points,
     {
       const Vector position = place_of_probe(point, material.grid());
       const Place place     = locate(position);
-      const bool owned  = rows.begin <= place.j && place.j < rows.end;
+      const bool owned      = rows.begin <= place.j && place.j < rows.end;
       places.push_back(place);
       add({point.name, position, place.phase}, owned);
       if (owned && place.j + 1 == rows.end && rows.has_upper_ghost())

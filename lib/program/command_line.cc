@@ -17,7 +17,8 @@ po::options_description visible_options(CommandLine &line, const std::string &dr
 {
   const std::string writes_draft =
     "with --validate: write to the folder DIR what the --validate of later runs has to "
-    "read, " + draft;
+    "read, " +
+    draft;
   po::options_description options("Options", 96, 66);
   // clang-format off
   options.add_options()
@@ -74,8 +75,9 @@ CommandLine CommandLine::parse(int argc, char **argv, const std::string &draft)
       if (found.count("draft") && (line.draft.empty() || !line.validate))
         throw UserError("--draft needs the name of a folder, and --validate");
       if (line.trial && (line.validate || line.resume))
-        throw UserError("--try begins a run in a new folder: it goes neither with --validate "
-                        "nor with --resume");
+        throw UserError(
+          "--try begins a run in a new folder: it goes neither with --validate "
+          "nor with --resume");
     }
   catch (const po::error &error)
     {

@@ -270,10 +270,9 @@ void do_what_is_asked(const CommandLine &line,
   if (line.help || line.version)
     {
       if (root)
-        std::cout << (line.help
-                        ? CommandLine::help_text(program.name, program.description,
-                                                 program.draft)
-                        : program.name + " (mesoslip) " + version + "\n");
+        std::cout << (line.help ? CommandLine::help_text(
+                                    program.name, program.description, program.draft)
+                                : program.name + " (mesoslip) " + version + "\n");
       return require_printed();
     }
   std::string text, output;
@@ -317,8 +316,9 @@ void do_what_is_asked(const CommandLine &line,
 
 void Analysis::write_draft(const std::string & /*folder*/) const
 {
-  throw UserError("--draft: no later run checks itself with what this one computes; leave "
-                  "--draft out");
+  throw UserError(
+    "--draft: no later run checks itself with what this one computes; leave "
+    "--draft out");
 }
 
 int run_program(int argc, char **argv, const Application &program)

@@ -228,17 +228,16 @@ template <int dim>
 ResourceNeed MeshLocalizationInput<dim>::need() const
 {
   const double with_direct = direct ? 1. : 0.;
-  const double n_variants  = !is_body() ? 0.
-                                        : (parameters.local_strain ? 1. : 0.) +
-                                           (parameters.mean_strain ? 1. : 0.);
+  const double n_variants =
+    !is_body() ? 0.
+               : (parameters.local_strain ? 1. : 0.) + (parameters.mean_strain ? 1. : 0.);
   LocalizationExtent extent;
   extent.n_cells = static_cast<double>(volume.cells.size());
   if (dim == 3 || rve.is_mesh())
-    extent.mesh_bytes =
-      static_cast<double>(sizeof(double) * dim * volume.points.size() +
-                          sizeof(unsigned int) * topology_size(volume));
-  extent.n_field_sets = n_variants * (1. + with_direct) + with_direct +
-                        static_cast<double>(points.size());
+    extent.mesh_bytes = static_cast<double>(sizeof(double) * dim * volume.points.size() +
+                                            sizeof(unsigned int) * topology_size(volume));
+  extent.n_field_sets =
+    n_variants * (1. + with_direct) + with_direct + static_cast<double>(points.size());
   extent.n_series  = n_variants * static_cast<double>(probes.size());
   extent.n_numbers = extent.n_series * static_cast<double>(snapshots.count) *
                      (1. + n_voigt<dim> * (1. + with_direct));

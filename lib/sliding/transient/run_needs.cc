@@ -98,13 +98,13 @@ std::vector<std::uint64_t> snapshot_steps(const ContactParameters &parameters,
   // Beyond the last step there is none to be seen, nor between two steps.
   const double dt = time.step.dt, from = o.snapshots_from,
                spacing = std::max(o.snapshots_interval, dt),
-               to      = std::isnan(o.snapshots_to)
-                           ? parameters.time.end_time
-                           : std::min(o.snapshots_to,
-                                      static_cast<double>(time.n_steps + 1) * dt);
+               to =
+                 std::isnan(o.snapshots_to)
+                   ? parameters.time.end_time
+                   : std::min(o.snapshots_to, static_cast<double>(time.n_steps + 1) * dt);
   if (!(to >= from))
     return steps;
-  const auto n    = static_cast<std::uint64_t>(std::floor((to - from) / spacing + 1e-6));
+  const auto n = static_cast<std::uint64_t>(std::floor((to - from) / spacing + 1e-6));
   for (std::uint64_t k = 0; k <= n; ++k)
     {
       const auto step = static_cast<std::uint64_t>(

@@ -73,13 +73,13 @@ def check_content(folder):
                 assert np.array_equal(value, found.attrs[key]), (here, key, value, found.attrs[key])
         if name == "run":
             assert set(drafted.attrs) == set(found.attrs), here
-        if not isinstance(drafted, h5py.Dataset):
+        if not isinstance(drafted, h5py.Dataset) or name == "summary":  # the program's text for itself
             return
         assert drafted.shape == found.shape and drafted.dtype == found.dtype, (here, drafted.shape, found.shape)
         if drafted.id.get_storage_size() == 0:
             empty.append(name)
             assert not drafted[...].any(), here
-        elif not name.startswith("stiffness") and name != "summary":
+        elif not name.startswith("stiffness"):
             assert np.array_equal(drafted[...], found[...]), here
 
     for run, (program, _) in RUNS.items():
@@ -93,6 +93,15 @@ def check_content(folder):
         fields = {"concentration/KUBC", "stress_concentration/SUBC"} if name == "rve.h5" else {"snapshots/displacement"}
         fields |= {f"probes/{probe}/{of}" for probe in "AB" for of in ("strain", "stress")} if run in ("grid", "grains") else set()
         assert set(empty) == fields, (run, empty)
+
+
+def check_ranks(folder):
+    """The same file, whatever the number of ranks."""
+    for name, ranks in (("rve", 3), ("rve-box", 2), ("grains", 2), ("grains", 3), ("mesh", 2), ("mesh", 3), ("box", 2)):
+        program, here = RUNS[name][0], f"ranks/{name}-{ranks}"
+        folder.run(0, program, name + ".prm", "--validate", "--draft", here, ranks=ranks)
+        file = "rve.h5" if program.startswith("rve") else "dynamics.h5"
+        assert folder.read(here, file) == folder.read("drafts", name, file), here
 
 
 def check_localizations(folder):
@@ -111,7 +120,7 @@ def check_localizations(folder):
         number, unit = re.search(r"^([\d.]+) ([kM]?)B? on the disk$|^([\d.]+) bytes", "\n".join(said[0]), re.M).groups()[:2]
         told, found = float(number) * {"k": 1e3, "M": 1e6}[unit], os.path.getsize(folder(name, "localization.h5"))
         print(f"{name}: {told:.3g} bytes told, {found} written")
-        assert abs(told - found) < max(0.03 * found, 8e3), (name, told, found)
+        assert abs(told - found) < max(0.03 * found, 3e3), (name, told, found)
 
 
 def check_refused(folder):
@@ -123,6 +132,8 @@ def check_refused(folder):
         assert sorted(os.listdir(folder.path)) == before, "something was written"
 
     draft = "is a draft for --validate, in which nothing was computed"
+    folder.write("begun/dynamics.h5.part", "snapshots")
+    folder.write("modes.prm", prm({"Analysis": "modal", **BODY}))
     folder.write("l.prm", prm({"Input/RVE file": "rve", "Input/Homogeneous run": "drafts/grid", **WINDOW}))
     refused("drafts/grid/dynamics.h5: " + draft, "stress_localization", "l.prm")
     refused("drafts/rve/rve.h5: " + draft, "stress_localization", "l.prm", "--set=Input/RVE file=drafts/rve", "--set=Input/Homogeneous run=grid")
@@ -133,11 +144,10 @@ def check_refused(folder):
     kept = folder.read("grid", "dynamics.h5")
     refused("there is a file grid/dynamics.h5 already", "contact_dynamics", "grid.prm", "--validate", "--draft", "grid")
     assert folder.read("grid", "dynamics.h5") == kept
-    folder.write("begun/dynamics.h5.part", "snapshots")
     refused("there is a file begun/dynamics.h5.part already", "contact_dynamics", "grid.prm", "--validate", "--draft", "begun")
     refused("there is a folder grid already", "contact_dynamics", "grid.prm", "--try", "--output", "grid")
     # Where there is nothing to be drafted.
-    refused("leave --draft out", "contact_dynamics", "grid.prm", "--set=Analysis=modal", "--validate", "--draft", "new")
+    refused("leave --draft out", "contact_dynamics", "modes.prm", "--validate", "--draft", "new")
     refused("unrecognised option '--draft'", "stress_localization", "l.prm", "--validate", "--draft", "new")
     for program, words in (("rve_homogenization", "an rve.h5"), ("contact_dynamics", "a dynamics.h5"), ("stress_localization", None)):
         said = folder.run(0, program, "--help")
@@ -179,7 +189,7 @@ def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
         prepare(folder)
-        for check in (check_content, check_localizations, check_refused, check_examples):
+        for check in (check_content, check_ranks, check_localizations, check_refused, check_examples):
             check(folder)
             print(f"{check.__name__}: ok", flush=True)
 
