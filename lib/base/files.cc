@@ -17,6 +17,29 @@ std::string system_message()
   return std::strerror(errno);
 }
 
+namespace
+{
+/** What to do where @p path is a result of another file of a chain, NAME/rve.h5 beside NAME.prm, or
+ * the folder NAME: it is made in the results folder of the chain. Else empty. */
+std::string hint_in_chain(const std::string &path)
+{
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  for (const fs::path &folder : {fs::path(path).parent_path(), fs::path(path)})
+    if (const fs::path maker = folder.string() + ".prm";
+        folder.has_filename() && fs::is_regular_file(maker, ignored))
+      {
+        const std::string chain =
+          maker.has_parent_path() ? maker.parent_path().string() : ".";
+        return "; " + maker.filename().string() +
+               " makes it, in the results of a chain: './run.sh --validate " + chain +
+               "' checks all its files, './run.sh " + chain +
+               "' runs copies of them, which find what the others have made";
+      }
+  return "";
+}
+} // namespace
+
 void require_readable_file(const std::string &what,
                            const std::string &path,
                            const std::string &hint)
@@ -28,7 +51,11 @@ void require_readable_file(const std::string &what,
   std::error_code code;
   const auto status = fs::status(path, code);
   if (!fs::exists(status))
-    throw UserError(what + "there is no file " + path + after);
+    {
+      const std::string in_chain = hint_in_chain(path);
+      throw UserError(what + "there is no file " + path +
+                      (in_chain.empty() ? after : in_chain));
+    }
   if (fs::is_directory(status))
     throw UserError(what + path + " is a folder, but a file is needed" + after);
   errno = 0;

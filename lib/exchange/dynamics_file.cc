@@ -55,6 +55,11 @@ IndexRange entries_in(const std::vector<double> &times, const TimeWindow &window
           static_cast<std::size_t>(to - from)};
 }
 
+Shape nodes_shape(const UniformGrid<2> &grid)
+{
+  return {std::size_t(grid.cells[1]) + 1, std::size_t(grid.cells[0]) + 1, 2};
+}
+
 std::vector<double> interleaved(const NodalField<double> &u)
 {
   std::vector<double> values;
@@ -109,7 +114,9 @@ DynamicsFile DynamicsFile::open(const std::string &path, const std::string &hint
 
 Shape DynamicsFile::snapshot_shape(const std::size_t n) const
 {
-  return {n, std::size_t(grid.cells[1]) + 1, std::size_t(grid.cells[0]) + 1, 2};
+  Shape shape = nodes_shape(grid);
+  shape.insert(shape.begin(), n);
+  return shape;
 }
 
 void DynamicsFile::reserve_snapshots(const std::size_t n)

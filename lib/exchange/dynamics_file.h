@@ -48,6 +48,9 @@ struct ProbeSeries
   std::vector<double> values; ///< [k][3]: xx, yy, xy
 };
 
+/** Extents of a displacement of the nodes: [ny + 1][nx + 1][2]. */
+Shape nodes_shape(const UniformGrid<2> &grid);
+
 /** Values [rows][columns][components] of a nodal field. */
 std::vector<double> interleaved(const NodalField<double> &u);
 

@@ -5,6 +5,7 @@
 #include "exchange/mesh_datasets.h"
 #include "exchange/orientation_datasets.h"
 #include "exchange/xdmf.h"
+#include "io/drafts.h"
 
 #include <deal.II/base/bounding_box.h>
 
@@ -223,11 +224,11 @@ RveContent<dim>::constituents() const
 template <int dim>
 std::string RveFile<dim>::change_note() const
 {
-  if (digest == rve_draft)
-    return path() +
-           " is a draft for --validate: its stiffness is Hill's mean of the phases "
-           "(the mean of Voigt's and Reuss' bounds), it was not computed";
-  return file.change_note(rve_program);
+  return file.change_note(rve_program) +
+         (digest == draft_digest
+            ? ": its stiffness is Hill's mean of the phases (the mean "
+              "of Voigt's and Reuss' bounds)"
+            : "");
 }
 
 template <int dim>

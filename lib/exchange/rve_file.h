@@ -20,9 +20,6 @@ inline constexpr char rve_format[] = "mesoslip-rve";
 inline constexpr int newest_rve_version =
   2; ///< of files with orientations of cells; else 1
 
-/** Digest of a draft (--draft), in which a guess stands for the stiffness. */
-inline constexpr char rve_draft[] = "draft";
-
 /** What rve_homogenization leaves in rve.h5. */
 template <int dim>
 struct RveContent

@@ -240,7 +240,8 @@ public:
     out << size_text(grid) << ", " << 2 * grid.n_nodes() << " degrees of freedom\n"
         << 3 * parameters.conditions.size() * parameters.n_members
         << " load cases, about " << static_cast<unsigned long>(1e-6 * bytes) << " MB"
-        << (division.divided ? ", rows divided among the ranks\n" : "\n");
+        << (division.divided ? ", rows divided among the ranks\n" : "\n")
+        << bytes_text(need().bytes) << " on the disk\n";
     if (!division.reason.empty())
       out << division.reason << '\n';
     const Microstructure microstructure = make_microstructure(parameters.microstructure);

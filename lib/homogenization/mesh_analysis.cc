@@ -50,7 +50,8 @@ public:
     out << n_cases() * volumes.size() << " load cases, about "
         << static_cast<unsigned long>(150 + 1e-6 * bytes_per_node<dim> *
                                               static_cast<double>(sizes[0]))
-        << " MB, divided among the ranks\n";
+        << " MB, divided among the ranks\n"
+        << bytes_text(this->need().bytes) << " on the disk\n";
     for (const std::string &warning : slips())
       out << "Warning: " << warning << '\n';
   }

@@ -8,6 +8,7 @@
 #include "exchange/rve_file.h"
 #include "homogenization/loads/load_output.h"
 #include "homogenization/volume_analysis.h"
+#include "io/drafts.h"
 #include "io/hdf5_file.h"
 #include "material/bounds.h"
 #include "material/engineering_constants.h"
@@ -81,25 +82,28 @@ ResourceNeed VolumeAnalysis<dim>::need() const
           "set Homogenization/Write concentration = false, or take fewer cells"};
 }
 
-/** rve.h5 without concentration tensors; the stiffness is Hill's mean, between the bounds. */
+/** rve.h5 with empty concentration tensors; the stiffness is Hill's mean, between the bounds. */
 template <int dim>
 void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
 {
   on_root(MPI_COMM_WORLD, [&]() {
-    const std::string path = folder + "/rve.h5";
-    if (std::filesystem::exists(path))
-      throw UserError("--draft: there is a file " + path +
-                      " already; name a folder without one");
+    const std::string path = path_of_draft(folder, "rve.h5");
+    const DraftMark mark(false);
     RveContent<dim> content        = morphology();
-    content.digest                 = rve_draft;
     const auto [phases, fractions] = content.constituents();
     const VoigtMatrix<dim> hill =
       0.5 * (voigt_bound<dim>(phases, fractions) + reuss_bound<dim>(phases, fractions));
     content.stiffness["effective"] = hill;
     for (const BoundaryCondition condition : parameters.conditions)
-      content.stiffness[to_string(condition)] = hill;
-    std::error_code ignored; // writing tells what is wrong
-    std::filesystem::create_directories(folder, ignored);
+      {
+        content.stiffness[to_string(condition)] = hill;
+        if (parameters.write_concentration)
+          content.reserved.push_back(to_string(condition));
+      }
+    if (content.mesh != nullptr)
+      reserve_concentration<dim>(path, content.phase_id.size(), content.reserved);
+    else
+      reserve_concentration(path, content.grid, content.reserved);
     write_rve_file(path, content);
   });
 }
@@ -181,7 +185,8 @@ Application rve_homogenization_program()
 {
   return {"rve_homogenization",
           "Effective stiffness and concentration tensors of a representative volume.",
-          [](Keys &keys) { RveParameters().bind(keys); }, make_volume_analysis};
+          [](Keys &keys) { RveParameters().bind(keys); }, make_volume_analysis,
+          "an rve.h5 with a guess of the stiffness"};
 }
 
 template class VolumeAnalysis<2>;

@@ -80,7 +80,8 @@ public:
       out << line << '\n';
     out << n_cases() << " load cases, about "
         << 150 + static_cast<unsigned long>(1e-6 * bytes_of_solver(parameters))
-        << " MB, divided among the ranks\n";
+        << " MB, divided among the ranks\n"
+        << bytes_text(need().bytes) << " on the disk\n";
     for (const std::vector<std::string> &sentences : {volume.warnings, slips()})
       for (const std::string &warning : sentences)
         out << "Warning: " << warning << '\n';

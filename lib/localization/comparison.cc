@@ -132,6 +132,15 @@ double steady_from(const RunSource &run)
   return *from;
 }
 
+std::string window_text(const TimeWindow &window)
+{
+  if (!std::isfinite(window.end))
+    return "after " + to_text(window.begin) + " s";
+  if (!std::isfinite(window.begin))
+    return "before " + to_text(window.end) + " s";
+  return "between " + to_text(window.begin) + " and " + to_text(window.end) + " s";
+}
+
 IndexRange snapshots_in(const RunSnapshots &run, const TimeWindow &window)
 {
   const auto &times      = run.times;
@@ -140,8 +149,7 @@ IndexRange snapshots_in(const RunSnapshots &run, const TimeWindow &window)
     throw UserError(run.path + ": /snapshots is empty; run contact_dynamics until "
                                "after Snapshots/From");
   if (range.count == 0)
-    throw UserError(run.path + ": no snapshot lies between " + to_text(window.begin) +
-                    " and " + to_text(window.end) + " s, its " +
+    throw UserError(run.path + ": no snapshot lies " + window_text(window) + ", its " +
                     std::to_string(times.size()) + " go from " + to_text(times.front()) +
                     " to " + to_text(times.back()) + " s; change Window/From and To");
   return range;

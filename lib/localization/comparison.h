@@ -53,6 +53,9 @@ TimeWindow shared_snapshots(const RunSnapshots &one,
                             const RunSnapshots &other,
                             const TimeWindow &window);
 
+/** "between 0.1 and 0.2 s", for a sentence. */
+std::string window_text(const TimeWindow &window);
+
 /** Snapshots of a run in the window. @throws UserError when there are none. */
 IndexRange snapshots_in(const RunSnapshots &run, const TimeWindow &window);
 

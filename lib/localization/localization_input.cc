@@ -270,8 +270,8 @@ void LocalizationInput::complete(PlannedProbe &probe)
       probe.strain = homogeneous.probe(probe.name, "strain", window);
       if (probe.strain.time.empty())
         throw UserError(homogeneous.path() + ": the probe " + probe.name +
-                        " has no sample between " + to_text(window.begin) + " and " +
-                        to_text(window.end) + " s; change Window/From and To");
+                        " has no sample " + window_text(window) +
+                        "; change Window/From and To");
     }
   if (!direct)
     return;
@@ -281,6 +281,30 @@ void LocalizationInput::complete(PlannedProbe &probe)
                        " has no probe at the place of " + probe.name);
   else
     probe.direct = direct->probe(name, "stress", window);
+}
+
+ResourceNeed LocalizationInput::need() const
+{
+  const bool with_direct = direct.has_value();
+  LocalizationExtent extent;
+  extent.n_cells      = static_cast<double>(rve.grid.n_cells());
+  extent.n_field_sets = with_direct ? 1. : 0.;
+  for (const bool of_place : {true, false})
+    if (of_place ? parameters.local_strain : parameters.mean_strain)
+      {
+        extent.n_field_sets += with_direct ? 2. : 1.;
+        for (const PlannedProbe &probe : probes)
+          {
+            const bool recorded = probe.recorded && of_place,
+                       compared =
+                         probe.recorded ? !probe.direct.time.empty() : with_direct;
+            extent.n_series += 1.;
+            extent.n_numbers +=
+              (compared ? 7. : 4.) *
+              static_cast<double>(recorded ? probe.strain.time.size() : snapshots.count);
+          }
+      }
+  return need_of<2>(extent, parameters.fields);
 }
 
 void LocalizationInput::describe(std::ostream &out) const
@@ -301,7 +325,8 @@ void LocalizationInput::describe(std::ostream &out) const
   const double numbers = 9. + 7. * n_variants + (direct ? 20. + 63. : 10. + 21.);
   const double n_cells = static_cast<double>(rve.grid.n_cells());
   out << n_cells << " cells of the RVE, " << probes.size() << " probes, about "
-      << std::ceil(numbers * 8e-6 * n_cells) + 128. << " MB of memory\n";
+      << std::ceil(numbers * 8e-6 * n_cells) + 128. << " MB of memory\n"
+      << bytes_text(need().bytes) << " on the disk\n";
   for (const std::string &warning : warnings)
     out << "warning: " << warning << '\n';
 }

@@ -4,6 +4,7 @@
 #include "exchange/rve_file.h"
 #include "localization/snapshot_pass.h"
 #include "localization/stress_statistics.h"
+#include "program/output_folder.h"
 
 #include <iosfwd>
 #include <limits>
@@ -77,6 +78,20 @@ template <int dim>
 std::vector<double> out_of_plane_ratios(const LocalizationParameters &parameters,
                                         const RveFile<dim> &rve);
 
+/** What takes the place in localization.h5. */
+struct LocalizationExtent
+{
+  double n_cells      = 0.; ///< of the volume
+  double mesh_bytes   = 0.; ///< of its points and cells; a grid takes none
+  double n_field_sets = 0.; ///< of variants, direct run, differences and points
+  double n_series     = 0.; ///< probes in all variants
+  double n_numbers    = 0.; ///< in these
+};
+
+/** Bytes of localization.h5 with these fields. */
+template <int dim>
+ResourceNeed need_of(const LocalizationExtent &extent, const FieldSelection &fields);
+
 /** A probe, without series yet, and where they come from. */
 struct PlannedProbe : LocalizedProbe
 {
@@ -102,8 +117,11 @@ public:
    */
   explicit LocalizationInput(const LocalizationParameters &p);
 
-  /** Files, snapshots and memory, for --validate. */
+  /** Files, snapshots, memory and disk, for --validate. */
   void describe(std::ostream &out) const;
+
+  /** What localization.h5 takes. */
+  ResourceNeed need() const;
 
   /** Number of the cell of a probe, row by row. */
   std::size_t number_of_cell(const LocalizedProbe &probe) const

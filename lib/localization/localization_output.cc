@@ -129,6 +129,24 @@ json variant_json(const VariantResult &variant)
 }
 } // namespace
 
+template <int dim>
+ResourceNeed need_of(const LocalizationExtent &extent, const FieldSelection &fields)
+{
+  // Names, units and the like of the file, a set of fields and a probe; as measured.
+  constexpr double of_file = 6e3, of_set = 1.5e3, of_series = 3e3;
+  const double numbers =
+    (fields.von_mises ? 1. : 0.) +
+    n_voigt<dim> * ((fields.mean ? 1. : 0.) + (fields.deviation ? 1. : 0.));
+  return {of_file + extent.mesh_bytes + of_set * extent.n_field_sets +
+            of_series * extent.n_series +
+            sizeof(double) *
+              (extent.n_numbers + numbers * extent.n_cells * extent.n_field_sets),
+          "name fewer Localization/Fields or Volume element/Points"};
+}
+
+template ResourceNeed need_of<2>(const LocalizationExtent &, const FieldSelection &);
+template ResourceNeed need_of<3>(const LocalizationExtent &, const FieldSelection &);
+
 LocalizationOrigin origin_of(const LocalizationInput &input)
 {
   LocalizationOrigin origin;

@@ -7,6 +7,14 @@
 
 namespace mesoslip
 {
+std::array<double, 3> place_of_probe(const ProbePoint &point, const UniformGrid<2> &grid)
+{
+  std::array<double, 3> position = point.position;
+  for (unsigned int d = 0; d < 2 && point.nearest_node; ++d)
+    position[d] = std::round(position[d] / grid.spacing[d]) * grid.spacing[d];
+  return position;
+}
+
 GridProbes::GridProbes(const std::vector<ProbePoint> &points,
                        const UniformMaterial &material,
                        const Stepper &stepper,
@@ -17,16 +25,14 @@ GridProbes::GridProbes(const std::vector<ProbePoint> &points,
   , rows(stepper.rows)
   , contact(contact)
 {
-  int between   = 0;
-  const auto &h = material.grid().spacing;
-  for (ProbePoint point : points)
+  int between = 0;
+  for (const ProbePoint &point : points)
     {
-      for (unsigned int d = 0; d < 2 && point.nearest_node; ++d)
-        point.position[d] = std::round(point.position[d] / h[d]) * h[d];
-      const Place place = locate(point.position);
-      const bool owned  = rows.begin <= place.j && place.j < rows.end;
+      const Vector position = place_of_probe(point, material.grid());
+      const Place place     = locate(position);
+      const bool owned      = rows.begin <= place.j && place.j < rows.end;
       places.push_back(place);
-      add({point.name, point.position, place.phase}, owned);
+      add({point.name, position, place.phase}, owned);
       if (owned && place.j + 1 == rows.end && rows.has_upper_ghost())
         between = 1;
     }

@@ -7,6 +7,9 @@
 
 namespace mesoslip
 {
+/** Where a probe is: a node, if it is to be moved to the nearest one. */
+std::array<double, 3> place_of_probe(const ProbePoint &point, const UniformGrid<2> &grid);
+
 /** Probes on a grid: Q1 interpolation, the strain at a cell's centre is the cell mean. */
 class GridProbes : public ProbeRecorder
 {

@@ -13,8 +13,12 @@ namespace
 namespace po = boost::program_options;
 
 /** The options of --help, which parsing stores in @p line. */
-po::options_description visible_options(CommandLine &line)
+po::options_description visible_options(CommandLine &line, const std::string &draft)
 {
+  const std::string writes_draft =
+    "with --validate: write to the folder DIR what the --validate of later runs has to "
+    "read, " +
+    draft;
   po::options_description options("Options", 96, 66);
   // clang-format off
   options.add_options()
@@ -25,10 +29,11 @@ po::options_description visible_options(CommandLine &line)
                  "syntax; with a file, its values")
     ("validate", po::bool_switch(&line.validate),
                  "read and check the parameters, estimate memory and steps; run and create "
-                 "nothing")
-    ("draft",    po::value(&line.draft)->value_name("DIR"),
-                 "with --validate: write to the folder DIR what the --validate of later runs "
-                 "has to read, an rve.h5 with a guess of the stiffness")
+                 "nothing");
+  if (!draft.empty())
+    options.add_options()
+    ("draft",    po::value(&line.draft)->value_name("DIR"), writes_draft.c_str());
+  options.add_options()
     ("set",      po::value(&line.assignments)->value_name("'Section/Key=value'"),
                  "override a parameter of the file; may be repeated")
     ("output,o", po::value(&line.output)->value_name("DIR"),
@@ -36,6 +41,9 @@ po::options_description visible_options(CommandLine &line)
                  "'Output folder'")
     ("resume",   po::bool_switch(&line.resume),
                  "continue from the checkpoint in the output folder, if there is one")
+    ("try",      po::bool_switch(&line.trial),
+                 "run where inputs may be drafts, to see how long it takes; the results, in "
+                 "a new folder, are drafts, too, which no other run takes")
     ("quiet,q",  po::bool_switch(&line.quiet), "print nothing but warnings and errors")
     ("profile",  po::bool_switch(&line.profile), "print at the end where the time went");
   // clang-format on
@@ -43,11 +51,11 @@ po::options_description visible_options(CommandLine &line)
 }
 } // namespace
 
-CommandLine CommandLine::parse(int argc, char **argv)
+CommandLine CommandLine::parse(int argc, char **argv, const std::string &draft)
 {
   CommandLine line;
   std::vector<std::string> files;
-  po::options_description all = visible_options(line);
+  po::options_description all = visible_options(line, draft);
   all.add_options()("file", po::value(&files));
   po::positional_options_description positional;
   positional.add("file", -1);
@@ -66,6 +74,10 @@ CommandLine CommandLine::parse(int argc, char **argv)
         throw UserError("--output needs the name of a folder");
       if (found.count("draft") && (line.draft.empty() || !line.validate))
         throw UserError("--draft needs the name of a folder, and --validate");
+      if (line.trial && (line.validate || line.resume))
+        throw UserError(
+          "--try begins a run in a new folder: it goes neither with --validate "
+          "nor with --resume");
     }
   catch (const po::error &error)
     {
@@ -82,13 +94,14 @@ CommandLine CommandLine::parse(int argc, char **argv)
 }
 
 std::string CommandLine::help_text(const std::string &program,
-                                   const std::string &description)
+                                   const std::string &description,
+                                   const std::string &draft)
 {
   CommandLine unused;
   std::ostringstream text;
   text << "Usage: " << program << " [options] file.prm\n\n"
        << description << "\n\n"
-       << visible_options(unused) << '\n'
+       << visible_options(unused, draft) << '\n'
        << "Relative paths of input files in a .prm start at the folder of that .prm, "
           "those of\n"
           "--set and all output folders at the current folder. Without --output and "

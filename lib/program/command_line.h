@@ -14,6 +14,7 @@ struct CommandLine
   bool print_parameters = false; ///< --print-parameters
   bool validate         = false; ///< --validate: check, but do not run
   bool resume           = false; ///< --resume: go on from the checkpoint
+  bool trial            = false; ///< --try: run on drafts, too, and make drafts
   bool quiet            = false; ///< --quiet
   bool profile          = false; ///< --profile: print the timings
   std::string output;            ///< folder after --output; empty: that of the .prm
@@ -21,13 +22,15 @@ struct CommandLine
   std::string draft;             ///< folder after --draft; empty: no draft
   std::vector<std::string> assignments; ///< 'Section/Key=value' after each --set
 
-  /** @throws UserError for unknown options, several files, or none where one is needed.
+  /** @p draft: what --draft writes; empty: there is no such option. @throws UserError for
+   * unknown options, several files, or none where one is needed.
    */
-  static CommandLine parse(int argc, char **argv);
+  static CommandLine parse(int argc, char **argv, const std::string &draft);
 
   /** What --help prints. */
   static std::string help_text(const std::string &program,
-                               const std::string &description);
+                               const std::string &description,
+                               const std::string &draft);
 };
 } // namespace mesoslip
 

@@ -5,156 +5,29 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "base/version.h"
+#include "io/drafts.h"
 #include "io/hdf5_file.h"
 #include "parameters/keys.h"
 #include "program/command_line.h"
+#include "program/outcome.h"
 #include "program/output_folder.h"
 #include "program/run_context.h"
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
-#include <deal.II/lac/solver_control.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <new>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
-#include <thread>
 
 namespace mesoslip
 {
 namespace
 {
-/** How a run ended: status for the shell and sentence for the user. */
-struct Outcome
-{
-  ExitStatus status = ExitStatus::done; ///< for the shell
-  std::string message;                  ///< empty when all went well
-};
-
-/** deal.II's banner of many lines as one sentence. */
-std::string one_line(const dealii::ExceptionBase &error)
-{
-  std::ostringstream info;
-  error.print_info(info);
-  std::istringstream words(info.str());
-  std::string text, word;
-  while (words >> word)
-    text += (text.empty() ? "" : " ") + word;
-  const std::string location = error.what();
-  const auto begin           = location.find("An error occurred in line");
-  if (begin == std::string::npos)
-    return text;
-  return text + " (" + location.substr(begin, location.find('\n', begin) - begin) + ")";
-}
-
-void print(const std::string &program, const Outcome &outcome)
-{
-  std::cerr << program << ": " << outcome.message << std::endl;
-}
-
-/** Whether @p request completes in time. */
-bool completes(MPI_Request &request, const std::chrono::seconds limit)
-{
-  const auto deadline = std::chrono::steady_clock::now() + limit;
-  int done            = 0;
-  while (true)
-    {
-      MPI_Test(&request, &done, MPI_STATUS_IGNORE);
-      if (done != 0 || std::chrono::steady_clock::now() > deadline)
-        return done != 0;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-}
-
-/** Translates the exception being handled; call it in a catch block. */
-Outcome describe_current_exception()
-{
-  try
-    {
-      throw;
-    }
-  catch (const UserError &error)
-    {
-      return {ExitStatus::user_error, error.what()};
-    }
-  catch (const NumericalFailure &error)
-    {
-      return {ExitStatus::numerical_failure, error.what()};
-    }
-  catch (const Interrupted &error)
-    {
-      return {ExitStatus::interrupted, error.what()};
-    }
-  catch (const dealii::SolverControl::NoConvergence &error)
-    {
-      return {ExitStatus::numerical_failure,
-              "a linear solver did not converge: residual " +
-                to_text(error.last_residual) + " after " +
-                std::to_string(error.last_step) + " iterations"};
-    }
-  catch (const dealii::ExceptionBase &error)
-    {
-      return {ExitStatus::unexpected, "internal error: " + one_line(error)};
-    }
-  catch (const std::bad_alloc &)
-    {
-      return {ExitStatus::unexpected,
-              "there is not enough memory; --validate estimates what a run needs"};
-    }
-  catch (const std::exception &error)
-    {
-      return {ExitStatus::unexpected, std::string("internal error: ") + error.what()};
-    }
-  catch (...)
-    {
-      return {ExitStatus::unexpected, "internal error of unknown kind"};
-    }
-}
-
-/**
- * Prints an error once and returns the exit status, the same on all ranks. If some ranks
- * fail and others do not get here within ten seconds, they wait for the failed ones
- * forever: then the failed rank prints its error and ends the whole run.
- */
-int conclude(const MPI_Comm communicator,
-             const std::string &program,
-             const Outcome &outcome)
-{
-  int rank = 0, n_ranks = 1;
-  MPI_Comm_rank(communicator, &rank);
-  MPI_Comm_size(communicator, &n_ranks);
-  const int status  = static_cast<int>(outcome.status);
-  const bool failed = outcome.status != ExitStatus::done;
-  if (n_ranks == 1)
-    {
-      if (failed)
-        print(program, outcome);
-      return status;
-    }
-
-  // The first rank in trouble speaks for all.
-  int mine = failed ? rank : n_ranks, speaker = n_ranks;
-  MPI_Request request;
-  MPI_Iallreduce(&mine, &speaker, 1, MPI_INT, MPI_MIN, communicator, &request);
-  if (!failed)
-    MPI_Wait(&request, MPI_STATUS_IGNORE);
-  else if (!completes(request, std::chrono::seconds(10)))
-    {
-      print(program + " (process " + std::to_string(rank) + ")", outcome);
-      MPI_Abort(communicator, status);
-    }
-  if (rank == speaker)
-    print(program, outcome);
-  int shared = status;
-  if (speaker < n_ranks)
-    broadcast_object(communicator, shared, speaker);
-  return shared;
-}
-
 constexpr char output_key[] = "Output folder";
 
 /** The .prm, of which the text goes to @p text, and the --set options; on all ranks. */
@@ -207,10 +80,7 @@ void validate(const Analysis &analysis,
   std::ostringstream report;
   analysis.describe(report);
   if (!line.draft.empty())
-    {
-      analysis.write_draft(line.draft);
-      report << bytes_text(analysis.need().bytes) << " on the disk\n";
-    }
+    analysis.write_draft(line.draft);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0 || line.quiet)
     return;
   std::cout << line.prm_file << ": the parameters are valid; the results would go to "
@@ -235,6 +105,11 @@ void run(Analysis &analysis,
   print_parameters(keys, effective);
 
   RunContext context(program.name, options, communicator, original, effective.str());
+  if (line.trial)
+    {
+      context.summary()["draft"] = true;
+      context.warn("--try: what this run reads may be drafts, what it writes are drafts");
+    }
   if (line.resume && !options.resume)
     context.log("--resume: a run of this kind keeps no checkpoints, it starts from the "
                 "beginning");
@@ -265,9 +140,9 @@ void do_what_is_asked(const CommandLine &line,
   if (line.help || line.version)
     {
       if (root)
-        std::cout << (line.help
-                        ? CommandLine::help_text(program.name, program.description)
-                        : program.name + " (mesoslip) " + version + "\n");
+        std::cout << (line.help ? CommandLine::help_text(
+                                    program.name, program.description, program.draft)
+                                : program.name + " (mesoslip) " + version + "\n");
       return require_printed();
     }
   std::string text, output;
@@ -288,7 +163,17 @@ void do_what_is_asked(const CommandLine &line,
       return require_printed();
     }
   const std::string folder = choose_output_folder(line, keys);
-  on_root(communicator, [&]() { check_output_folder(folder, program.name, keys); });
+  on_root(communicator, [&]() {
+    check_output_folder(folder, program.name, keys);
+    if (line.trial && std::filesystem::exists(folder))
+      throw UserError("--try: there is a folder " + folder +
+                      " already; name a new one with --output");
+  });
+  if (line.validate || line.trial)
+    accept_drafts();
+  std::optional<DraftMark> mark;
+  if (line.trial)
+    mark.emplace(true);
   const std::unique_ptr<Analysis> analysis = program.build(keys);
   if (!line.resume) // a run to be resumed has had its place on the disk
     on_root(communicator, [&]() { require_disk(folder, analysis->need()); });
@@ -298,6 +183,13 @@ void do_what_is_asked(const CommandLine &line,
     run(*analysis, program, keys, line, text, communicator);
 }
 } // namespace
+
+void Analysis::write_draft(const std::string & /*folder*/) const
+{
+  throw UserError(
+    "--draft: no later run checks itself with what this one computes; leave "
+    "--draft out");
+}
 
 int run_program(int argc, char **argv, const Application &program)
 {
@@ -315,7 +207,8 @@ int run_program(int argc, char **argv, const Application &program)
       Outcome outcome;
       try
         {
-          do_what_is_asked(CommandLine::parse(argc, argv), program, MPI_COMM_WORLD);
+          do_what_is_asked(CommandLine::parse(argc, argv, program.draft), program,
+                           MPI_COMM_WORLD);
         }
       catch (...)
         {

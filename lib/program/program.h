@@ -38,13 +38,11 @@ public:
 
   /**
    * Writes to the folder @p folder what runs that read the results of this one have to
-   * find for their own --validate: files like the results, with a guess in the place of
-   * what is to be computed. Called on every rank. @throws UserError
+   * find for their own --validate: files like the results, with a guess or nothing in the
+   * place of what is to be computed (io/drafts.h). Called on every rank. @throws UserError
+   * also where no later run reads the results
    */
-  virtual void write_draft(const std::string &folder) const
-  {
-    (void)folder;
-  }
+  virtual void write_draft(const std::string &folder) const;
 
   /**
    * Whether it writes checkpoints, so that run() has to heed RunContext::resume(). Others
@@ -76,6 +74,9 @@ struct Application
    * anything is created. @throws UserError
    */
   std::function<std::unique_ptr<Analysis>(Keys &keys)> build;
+
+  /** What Analysis::write_draft() writes, for --help; empty: there is no --draft. */
+  std::string draft = {};
 };
 
 /**

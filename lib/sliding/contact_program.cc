@@ -45,6 +45,7 @@ Application contact_dynamics_program()
 {
   return {"contact_dynamics",
           "Explicit dynamics of an elastic body that rubs on a moving rigid flat.",
-          [](Keys &keys) { ContactParameters().bind(keys); }, build};
+          [](Keys &keys) { ContactParameters().bind(keys); }, build,
+          "a dynamics.h5 without displacements (transient, static contact)"};
 }
 } // namespace mesoslip

@@ -148,7 +148,7 @@ TEST(Localize, OnlyTheWindowCounts)
   EXPECT_EQ(n_snapshots(), 4u);
   parameters.from = 5.;
   const auto text = user_error([&]() { n_snapshots(); });
-  expect_contains(text, "no snapshot lies between 5");
+  expect_contains(text, "no snapshot lies after 5");
   expect_contains(text, "Window/From");
 }
 

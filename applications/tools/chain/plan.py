@@ -1,9 +1,9 @@
 """Checks a whole chain before anything runs, and tells what it will take.
 
 The check goes on in a folder of links to the inputs, where each step has the results of those before it: the finished ones, or
-a draft of rve.h5 that `rve_homogenization --validate --draft` writes. So contact_dynamics knows grid and phases of a volume that has not
-been computed. A step that reads what no draft can tell has its keys and values checked, the names of the files that it reads, and against
-the parameters of the steps before it (`reads_run.py`) its window, probes and concentration tensors.
+drafts of rve.h5 and dynamics.h5 that `PROGRAM --validate --draft` writes. So contact_dynamics knows grid and phases of a volume that has
+not been computed, and stress_localization the bodies, snapshots and probes of runs that have not been made. A step that reads what has no
+draft has its keys and values checked, and the names of the files that it reads.
 """
 
 import os
@@ -12,7 +12,6 @@ import shutil
 import signal
 import subprocess
 
-from chain import reads_run
 from chain.inputs import ChainError, output_named, settings, values
 from chain.runner import STOPPING
 from chain.speed import measure
@@ -21,6 +20,7 @@ from chain.step import Step
 BYTES = {"bytes": 1, "kB": 1e3, "MB": 1e6, "GB": 1e9, "TB": 1e12, "PB": 1e15, "EB": 1e18}
 SIZE = rf"([\d.e+]+) ({'|'.join(BYTES)})"
 LIBRARIES = 170e6  # bytes, which contact_dynamics leaves out of what it says; as measured
+DRAFTED = {"rve.h5", "dynamics.h5"}  # what `--validate --draft` writes
 MADE = {"rve_homogenization": {"": ("rve.h5", "loads.h5")}, "stress_localization": {"": ("localization.h5",)},
         "contact_dynamics": {"transient": ("dynamics.h5",), "static contact": ("dynamics.h5",), "modal": ("modal.h5",),
                              "complex modes": ("complex_modes.h5",)}}
@@ -106,9 +106,11 @@ class Plan:
                 and not self._can_read_draft(step, value)]
 
     def _can_read_draft(self, step, value):
-        """A run of the body reads stiffness, phases and grid of rve.h5; those who read a run as well compare more of it."""
-        return (step.program.endswith("contact_dynamics") and os.path.dirname(os.path.normpath(value)) in self.drafted
-                and all(need.program.endswith("rve_homogenization") for need in step.needs))
+        """A localization; or a run of the body, of rve.h5. The homogenization of friction needs numbers of a run."""
+        path = os.path.normpath(value)
+        return ((path in self.drafted or os.path.dirname(path) in self.drafted) and not step.program.endswith("rve_homogenization")
+                and (step.program.endswith("stress_localization")
+                     or all(need.program.endswith("rve_homogenization") for need in step.needs)))
 
     def check(self, step, resume=False):
         """The Estimate of a step of `to_run`, and what its program says for the user. Raises ChainError."""
@@ -121,21 +123,22 @@ class Plan:
             for value in values(step.prm):
                 if value.endswith(".h5") and value not in missing and not os.path.exists(os.path.join(self.folder, value)):
                     raise ChainError(f"{step.name}.prm: there is no file {value}, and no step before makes it")
-            own = reads_run.parameters(self._ask(step, "--print-parameters"))
-            if step.program.endswith("stress_localization"):
-                others = {need.name: reads_run.parameters(self._ask(need, "--print-parameters")) for need in step.needs}
-                reads_run.check(step, own, others, self.folder)
+            self._ask(step, "--print-parameters")
             return Estimate(), [f"the rest is checked when it runs, as it reads {', '.join(missing)}"]
         words = ["--validate", "--output", output]
-        if step.program.endswith("rve_homogenization"):
-            words += ["--draft", step.output]
-        said = self._ask(step, *words, *(["--resume"] if begun else []))
-        if os.path.exists(os.path.join(step.output, "rve.h5")):
+        draft = DRAFTED & set(made_by(step))
+        said = self._ask(step, *words, *(["--draft", step.output] if draft else []), *(["--resume"] if begun else []))
+        if draft:
             self.drafted.add(step.name)
         lines = [line for line in said.splitlines() if line.lower().startswith("warning: ") and "is a draft for" not in line]
-        if set(need.name for need in step.needs) & self.drafted:
-            lines.insert(0, f"Hill's mean of the phases stands for the stiffness that {', '.join(n.name for n in step.needs)} will compute")
+        guessed = [need.name for need in step.needs if need.name in self.drafted]
+        if guessed:
+            lines.insert(0, f"{self._stand_in(step)} that {', '.join(guessed)} will compute")
         return Estimate(said, LIBRARIES if step.program.endswith("contact_dynamics") else 0.0), lines
+
+    @staticmethod
+    def _stand_in(step):
+        return "drafts stand for the results" if step.program.endswith("stress_localization") else "Hill's mean of the phases stands for the stiffness"
 
     def _ask(self, step, *words):
         """What the program says. Raises ChainError with its sentence or the signal that ended it, KeyboardInterrupt when that was one to

@@ -20,10 +20,10 @@ def remaining_seconds(line):
 
 
 def measure(step, folder, environment):
-    """Seconds on one core of a step, of which the results go to `folder`: until it ended, or what it has taken and what it says that
-    remains. None if it says nothing in time or does not run."""
+    """Seconds on one core of a step, which may read drafts, and of which the results go to `folder`: until it ended, or what it has taken
+    and what it says that remains. None if it says nothing in time or does not run."""
     begin, said, total = time.monotonic(), None, None
-    child = subprocess.Popen([step.program, step.prm, "--output", os.path.join(folder, step.name)], env=environment, text=True,
+    child = subprocess.Popen([step.program, step.prm, "--try", "--output", os.path.join(folder, step.name)], env=environment, text=True,
                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     limit = threading.Timer(PATIENCE, child.terminate)
     limit.start()

@@ -236,6 +236,9 @@ class Chain:
         if summary.get("program") not in HDF5_NAMES:
             self.notes.append(f'{path}: program "{summary.get("program")}" is not of this project')
             return
+        if summary.get("draft"):
+            self.notes.append(f"{folder} was made with --try from drafts, in which nothing was computed; it is left out")
+            return
         self.runs.append(Run(folder, summary))
 
     def all_notes(self):

@@ -1,4 +1,5 @@
 #include "base/text.h"
+#include "io/drafts.h"
 #include "io/hdf5/internal.h"
 
 #include <cstring>
@@ -197,11 +198,18 @@ std::string Hdf5File::check_header(const std::string &format,
     fail("is " + std::to_string(file_dim) + "D, but the run is " + std::to_string(dim) +
            "D",
          hint);
-  return read_attribute<std::string>("/", "digest");
+  const auto digest = read_attribute<std::string>("/", "digest");
+  if (digest == draft_digest && !drafts_are_accepted())
+    fail("is a draft for --validate, in which nothing was computed; do the run that "
+         "makes the result, or name its file");
+  return digest;
 }
 
 std::string Hdf5File::change_note(const std::string &program) const
 {
+  if (has_attribute("/", "digest") &&
+      read_attribute<std::string>("/", "digest") == draft_digest)
+    return file_path + " is a draft for --validate, in which nothing was computed";
   if (signature == Signature::valid)
     return "";
   if (signature == Signature::broken)

@@ -1,5 +1,6 @@
 #include "base/errors.h"
 #include "base/version.h"
+#include "io/drafts.h"
 #include "io/hdf5/internal.h"
 
 #include <deal.II/base/exceptions.h>
@@ -151,8 +152,9 @@ void Hdf5File::reserve_rows(const std::string &name,
                                           hdf5::dims(shape).data(), limits.data()));
   const Hdf5Handle links = link_properties(), properties = creation_properties();
   H5Pset_chunk(properties, static_cast<int>(chunk.size()), hdf5::dims(chunk).data());
-  H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
-  H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
+  const bool empty = DraftMark::leaves_empty();
+  H5Pset_alloc_time(properties, empty ? H5D_ALLOC_TIME_INCR : H5D_ALLOC_TIME_EARLY);
+  H5Pset_fill_time(properties, empty ? H5D_FILL_TIME_IFSET : H5D_FILL_TIME_NEVER);
   Hdf5Handle dataset(
     H5Dcreate2(file, name.c_str(),
                stored == StoredNumber::byte ? H5T_NATIVE_UINT8 : H5T_NATIVE_DOUBLE, space,
@@ -194,7 +196,7 @@ void Hdf5File::write_header(const std::string &format,
   write_attribute("/", "format_version", format_version);
   write_attribute("/", "dim", dim);
   write_attribute("/", "program_version", std::string(version));
-  write_attribute("/", "digest", digest);
+  write_attribute("/", "digest", DraftMark::is_set() ? draft_digest : digest);
 }
 
 #define MESOSLIP_INSTANTIATE(T)                                                        \

@@ -1,6 +1,7 @@
 #include "localization/mesh/mesh_input.h"
 
 #include "base/errors.h"
+#include "exchange/mesh_datasets.h"
 #include "localization/comparison.h"
 #include "mesh/cell_gradients.h"
 #include "mesh/cell_locator.h"
@@ -67,6 +68,7 @@ MeshLocalizationInput<dim>::MeshLocalizationInput(const LocalizationParameters &
       centroids.push_back(measure.centroid);
       measures.push_back(measure.volume);
     }
+  rve.concentration(p.concentration, 0, 1); // tells what is wrong with them
   check_homogeneous();
   compare_boxes();
   find_places();
@@ -223,6 +225,26 @@ void MeshLocalizationInput<dim>::choose_snapshots()
 }
 
 template <int dim>
+ResourceNeed MeshLocalizationInput<dim>::need() const
+{
+  const double with_direct = direct ? 1. : 0.;
+  const double n_variants =
+    !is_body() ? 0.
+               : (parameters.local_strain ? 1. : 0.) + (parameters.mean_strain ? 1. : 0.);
+  LocalizationExtent extent;
+  extent.n_cells = static_cast<double>(volume.cells.size());
+  if (dim == 3 || rve.is_mesh())
+    extent.mesh_bytes = static_cast<double>(sizeof(double) * dim * volume.points.size() +
+                                            sizeof(unsigned int) * topology_size(volume));
+  extent.n_field_sets =
+    n_variants * (1. + with_direct) + with_direct + static_cast<double>(points.size());
+  extent.n_series  = n_variants * static_cast<double>(probes.size());
+  extent.n_numbers = extent.n_series * static_cast<double>(snapshots.count) *
+                     (1. + n_voigt<dim> * (1. + with_direct));
+  return need_of<dim>(extent, parameters.fields);
+}
+
+template <int dim>
 void MeshLocalizationInput<dim>::describe(std::ostream &out) const
 {
   out << "Homogeneous run: " << body.cells.size() << " cells, " << snapshots.count
@@ -235,7 +257,8 @@ void MeshLocalizationInput<dim>::describe(std::ostream &out) const
       << (is_body() ? "which is the body, " : "smaller than the body, ") << probes.size()
       << " probes, " << points.size() << " points, about "
       << std::ceil(per_cell * static_cast<double>(volume.cells.size())) + 128.
-      << " MB of memory, divided among the ranks but for the meshes\n";
+      << " MB of memory, divided among the ranks but for the meshes\n"
+      << bytes_text(need().bytes) << " on the disk\n";
   for (const std::string &warning : warnings)
     out << "warning: " << warning << '\n';
 }

@@ -27,8 +27,11 @@ public:
    */
   explicit MeshLocalizationInput(const LocalizationParameters &p);
 
-  /** Files, snapshots and memory, for --validate. */
+  /** Files, snapshots, memory and disk, for --validate. */
   void describe(std::ostream &out) const;
+
+  /** What localization.h5 takes. */
+  ResourceNeed need() const;
 
   /** Whether the body is the volume, so that the strain at a place counts there. */
   bool is_body() const

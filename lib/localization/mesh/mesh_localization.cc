@@ -63,6 +63,11 @@ public:
       input->describe(out);
   }
 
+  ResourceNeed need() const override
+  {
+    return input ? input->need() : ResourceNeed();
+  }
+
   void run(RunContext &context) override
   {
     context.remove_results(

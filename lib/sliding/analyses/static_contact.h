@@ -49,6 +49,7 @@ public:
     check_static_contact(parameters, body);
   }
 
+  void write_draft(const std::string &folder) const override;
   void run(RunContext &context) override;
 
 private:

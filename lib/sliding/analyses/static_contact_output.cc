@@ -1,13 +1,16 @@
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "dynamics/stepper.h"
 #include "exchange/datasets.h"
 #include "exchange/dynamics_file.h"
+#include "io/drafts.h"
 #include "io/json.h"
 #include "io/table.h"
 #include "material/plausibility.h"
 #include "program/run_context.h"
 #include "sliding/analyses/static_contact.h"
 #include "sliding/run_plan.h"
+#include "sliding/transient/run_draft.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +53,16 @@ void StaticContactAnalysis::write_table(const RunContext &context) const
       to_text(s.displacement.row(0, 0)[i]), to_text(s.displacement.row(1, 0)[i]),
       to_string(s.state[i])});
   table.flush();
+}
+
+void StaticContactAnalysis::write_draft(const std::string &folder) const
+{
+  on_root(MPI_COMM_WORLD, [&]() {
+    const DraftMark mark(false);
+    DynamicsFile file = DynamicsFile::create(path_of_draft(folder, "dynamics.h5"), body);
+    write_static_draft(file, parameters, nodes_shape(body.grid));
+    file.close();
+  });
 }
 
 void StaticContactAnalysis::write_file(const RunContext &context) const

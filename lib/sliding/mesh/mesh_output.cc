@@ -4,6 +4,7 @@
 #include "exchange/datasets.h"
 #include "sliding/mesh/mesh_file.h"
 #include "sliding/transient/result_file.h"
+#include "sliding/transient/run_needs.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -16,28 +17,6 @@ namespace mesoslip
 namespace
 {
 const char mesh_snapshots[] = "/snapshots/displacement";
-
-/** Steps nearest to From, From + Interval, ... up to To or the end. */
-std::vector<std::uint64_t> snapshot_steps(const ObservationParameters &o,
-                                          const TimeStepChoice &time)
-{
-  std::vector<std::uint64_t> steps;
-  if (!(o.snapshots_interval > 0.))
-    return steps;
-  const double dt = time.step.dt, spacing = std::max(o.snapshots_interval, dt),
-               end = static_cast<double>(time.n_steps) * dt,
-               to  = std::isnan(o.snapshots_to) ? end : std::min(o.snapshots_to, end);
-  double next      = o.snapshots_from;
-  while (next <= to + 1e-6 * spacing)
-    {
-      steps.push_back(static_cast<std::uint64_t>(std::llround(next / dt)));
-      next = o.snapshots_from + static_cast<double>(steps.size()) * spacing;
-    }
-  while (!steps.empty() && steps.back() >= time.n_steps)
-    steps.pop_back();
-  return steps;
-}
-
 } // namespace
 
 template <int dim>
@@ -52,7 +31,7 @@ MeshOutput<dim>::MeshOutput(RunContext &context,
   , body(body)
   , time(time)
   , part(part)
-  , steps(snapshot_steps(parameters.observation, time))
+  , steps(snapshot_steps(parameters, time))
 {
 }
 

@@ -4,10 +4,13 @@
 #include "base/exchange.h"
 #include "base/version.h"
 #include "dynamics/critical_time_step.h"
+#include "io/drafts.h"
 #include "parameters/keys.h"
 #include "parameters/parameters.h"
 #include "sliding/mesh/mesh_analysis.h"
+#include "sliding/mesh/mesh_file.h"
 #include "sliding/mesh/mesh_run.h"
+#include "sliding/transient/run_draft.h"
 #include "sliding/transient/run_needs.h"
 
 #include <deal.II/base/mpi.h>
@@ -86,6 +89,18 @@ public:
   bool resumable() const override
   {
     return true;
+  }
+
+  void write_draft(const std::string &folder) const override
+  {
+    on_root(MPI_COMM_WORLD, [&]() {
+      const DraftMark mark(false);
+      Hdf5File file = create_mesh_file(path_of_draft(folder, "dynamics.h5"),
+                                       "mesoslip-dynamics", this->morphology, this->body);
+      write_transient_draft(file, this->parameters, time,
+                            vectors_shape(this->morphology));
+      file.close();
+    });
   }
 
   void run(RunContext &context) override;

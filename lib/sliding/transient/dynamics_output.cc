@@ -5,6 +5,7 @@
 #include "grid/row_partition.h"
 #include "program/run_context.h"
 #include "sliding/transient/result_file.h"
+#include "sliding/transient/run_needs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@
 
 namespace mesoslip
 {
-// The steps nearest to From, From + Interval, ... up to To, or every step.
 DynamicsOutput::DynamicsOutput(RunContext &context,
                                const ContactParameters &parameters,
                                const BodyDescription &body,
@@ -20,24 +20,8 @@ DynamicsOutput::DynamicsOutput(RunContext &context,
   : context(context)
   , body(body)
   , time(time)
+  , steps(snapshot_steps(parameters, time))
 {
-  const double dt                = time.step.dt;
-  const ObservationParameters &o = parameters.observation;
-  if (!(o.snapshots_interval > 0.))
-    return;
-  // Beyond the last step there is none to be seen, nor between two steps.
-  const double from = o.snapshots_from, spacing = std::max(o.snapshots_interval, dt),
-               to = std::isnan(o.snapshots_to)
-                      ? parameters.time.end_time
-                      : std::min(o.snapshots_to, (time.n_steps + 1) * dt);
-  const auto n    = static_cast<std::uint64_t>(std::floor((to - from) / spacing + 1e-6));
-  for (std::uint64_t k = 0; k <= n && to >= from; ++k)
-    {
-      const auto step =
-        static_cast<std::uint64_t>(std::llround((from + k * spacing) / dt));
-      if (steps.empty() || step > steps.back())
-        steps.push_back(step);
-    }
 }
 
 void DynamicsOutput::begin(const Stepper &of_stepper,

@@ -209,15 +209,27 @@ void write_motion(Hdf5File &file, const TransientResult &run)
 }
 } // namespace
 
+RunConditions conditions_of_result(const ContactParameters &parameters,
+                                   const double dt,
+                                   const double steady_from,
+                                   const double steady_to,
+                                   const bool limit_cycle_reached)
+{
+  RunConditions conditions          = parameters.stated_conditions();
+  conditions["time_step"]           = dt;
+  conditions["steady_from"]         = steady_from;
+  conditions["steady_to"]           = steady_to;
+  conditions["limit_cycle_reached"] = limit_cycle_reached ? "yes" : "no";
+  return conditions;
+}
+
 void write_result(Hdf5File &file, const TransientResult &run, const RunContext &context)
 {
-  const double dt                   = run.time.step.dt;
-  RunConditions conditions          = run.parameters.stated_conditions();
-  conditions["time_step"]           = dt;
-  conditions["steady_from"]         = run.steady_from;
-  conditions["steady_to"]           = static_cast<double>(run.steps_done) * dt;
-  conditions["limit_cycle_reached"] = run.limit_cycle_reached ? "yes" : "no";
-  write_run_conditions(file, conditions);
+  const double dt = run.time.step.dt;
+  write_run_conditions(file,
+                       conditions_of_result(run.parameters, dt, run.steady_from,
+                                            static_cast<double>(run.steps_done) * dt,
+                                            run.limit_cycle_reached));
   write_history(file, run, context);
   if (!run.energy.time.empty())
     write_energy(file, run, context);

@@ -12,6 +12,14 @@ namespace mesoslip
  * and energy.csv beside it. On rank 0.
  */
 void write_result(Hdf5File &file, const TransientResult &run, const RunContext &context);
+
+/** What /run tells of a transient run of the time step @p dt with its steady part from
+ * @p steady_from to @p steady_to (s). */
+RunConditions conditions_of_result(const ContactParameters &parameters,
+                                   const double dt,
+                                   const double steady_from,
+                                   const double steady_to,
+                                   const bool limit_cycle_reached);
 } // namespace mesoslip
 
 #endif

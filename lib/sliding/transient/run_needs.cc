@@ -88,6 +88,33 @@ std::string RunNeeds::text() const
                              : "");
 }
 
+std::vector<std::uint64_t> snapshot_steps(const ContactParameters &parameters,
+                                          const TimeStepChoice &time)
+{
+  std::vector<std::uint64_t> steps;
+  const ObservationParameters &o = parameters.observation;
+  if (!(o.snapshots_interval > 0.))
+    return steps;
+  // Beyond the last step there is none to be seen, nor between two steps.
+  const double dt = time.step.dt, from = o.snapshots_from,
+               spacing = std::max(o.snapshots_interval, dt),
+               to =
+                 std::isnan(o.snapshots_to)
+                   ? parameters.time.end_time
+                   : std::min(o.snapshots_to, static_cast<double>(time.n_steps + 1) * dt);
+  if (!(to >= from))
+    return steps;
+  const auto n = static_cast<std::uint64_t>(std::floor((to - from) / spacing + 1e-6));
+  for (std::uint64_t k = 0; k <= n; ++k)
+    {
+      const auto step = static_cast<std::uint64_t>(
+        std::llround((from + static_cast<double>(k) * spacing) / dt));
+      if (step < time.n_steps && (steps.empty() || step > steps.back()))
+        steps.push_back(step);
+    }
+  return steps;
+}
+
 RunNeeds run_needs(const ContactParameters &parameters,
                    const BodyScales &scales,
                    const double n_steps,

@@ -30,6 +30,11 @@ RunNeeds run_needs(const ContactParameters &parameters,
                    const unsigned int statistics_interval,
                    const double n_dofs,
                    const double n_contact);
+
+/** The steps, before the last one, nearest to Snapshots/From, From + Interval, ... up to To, or
+ * every step where the interval is shorter. */
+std::vector<std::uint64_t> snapshot_steps(const ContactParameters &parameters,
+                                          const TimeStepChoice &time);
 } // namespace mesoslip
 
 #endif

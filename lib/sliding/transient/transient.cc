@@ -4,10 +4,13 @@
 #include "base/exchange.h"
 #include "base/version.h"
 #include "grid/row_partition.h"
+#include "io/drafts.h"
 #include "material/plausibility.h"
+#include "observation/grid_probes.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
 #include "sliding/transient/dynamics_output.h"
+#include "sliding/transient/run_draft.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -94,6 +97,23 @@ void TransientAnalysis::describe(std::ostream &out) const
       << " of memory\n";
   for (const std::string &warning : warnings())
     out << "Warning: " << warning << '\n';
+}
+
+void TransientAnalysis::write_draft(const std::string &folder) const
+{
+  on_root(MPI_COMM_WORLD, [&]() {
+    const TimeStepChoice time = choose_time_step(parameters, material);
+    const DraftMark mark(false);
+    DynamicsFile file = DynamicsFile::create(path_of_draft(folder, "dynamics.h5"), body);
+    write_transient_draft(file, parameters, time, nodes_shape(body.grid));
+    for (const ProbePoint &probe : parameters.observation.probes)
+      {
+        const std::array<double, 3> position = place_of_probe(probe, body.grid);
+        add_draft_probe(file, probe.name, {position[0], position[1]},
+                        parameters.observation.probe_interval, time);
+      }
+    file.close();
+  });
 }
 
 void TransientAnalysis::run(RunContext &context)

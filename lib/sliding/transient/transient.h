@@ -123,6 +123,8 @@ public:
     return true;
   }
 
+  void write_draft(const std::string &folder) const override;
+
   /**
    * @throws Interrupted after a checkpoint and what was observed so far have been written
    * @throws NumericalFailure when the run blows up; the last checkpoint stays

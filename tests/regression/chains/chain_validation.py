@@ -15,15 +15,24 @@ from scenes import ENVIRONMENT, PROGRAMS, TOOLS, TOP, Folder, prm
 
 IMAGE = os.path.join(TOP, "prm", "examples", "image")
 RUNS = ("10-rve_homogenization", "20-contact_dynamics-homogeneous", "30-contact_dynamics-heterogeneous")
+LAST = "40-stress_localization"
 WRONG = [  # file, text in it, what it is replaced by, words of the only sentence
     ("40-stress_localization.prm", "Edge distance", "Edge distanc", "run.sh: 40-stress_localization.prm:11: there is no key"),
     ("40-stress_localization.prm", "homogeneous/dynamics.h5", "homogeneous/rve.h5", "but 20-contact_dynamics-homogeneous makes dynamics.h5"),
-    # What the runs before will not have, by their parameters.
-    ("40-stress_localization.prm", "subsection Comparison", "subsection Window\n  set From = 6e-4\nend\nsubsection Comparison", "lies after the end of 20-contact_dynamics-homogeneous"),
-    ("40-stress_localization.prm", "subsection Comparison", "subsection Window\n  set From = 1e-4\n  set To = 3e-4\nend\nsubsection Comparison", "they are from 0.0004 to 0.0005 s"),
-    ("40-stress_localization.prm", "subsection Comparison", "subsection Localization\n  set Concentration = PBC\nend\nsubsection Comparison", "but 10-rve_homogenization solves KUBC, SUBC"),
-    ("40-stress_localization.prm", "subsection Comparison", "subsection Probes\n  set Of the run = contakt\nend\nsubsection Comparison", "names contakt, but 20-contact_dynamics-homogeneous observes contact, bulk"),
-    ("20-contact_dynamics-homogeneous.prm", "Pressure = 5e6", "Pressure = 4e6", "Top/Pressure is 4e6 in 20-contact_dynamics-homogeneous and 5e6 in 30-"),
+    # What the drafts of the runs before do not have.
+    ("40-stress_localization.prm", "subsection Comparison", "subsection Window\n  set From = 6e-4\nend\nsubsection Comparison",
+     "20-contact_dynamics-homogeneous/dynamics.h5: the probe bulk has no sample after 6e-04 s"),
+    ("40-stress_localization.prm", "subsection Comparison", "subsection Window\n  set From = 1e-4\n  set To = 3e-4\nend\nsubsection Comparison",
+     "20-contact_dynamics-homogeneous/dynamics.h5: no snapshot lies between 1e-04 and 3e-04 s"),
+    ("40-stress_localization.prm", "subsection Comparison", "subsection Localization\n  set Concentration = PBC\nend\nsubsection Comparison",
+     "run rve_homogenization with PBC among its boundary conditions"),
+    ("10-rve_homogenization.prm", "set Boundary conditions = KUBC, SUBC", "set Boundary conditions = KUBC, SUBC\n  set Write concentration = false",
+     "and its concentration tensors written"),
+    ("40-stress_localization.prm", "subsection Comparison", "subsection Probes\n  set Of the run = contakt\nend\nsubsection Comparison",
+     "names 'contakt', but the probes of 20-contact_dynamics-homogeneous/dynamics.h5 are: bulk, contact"),
+    ("40-stress_localization.prm", "subsection Comparison", "subsection Probes\n  set Further = far\n  subsection far\n    set Position = 1, 1\n  end\n"
+     "end\nsubsection Comparison", "the probe far at (1, 1) m lies outside the body"),
+    ("30-contact_dynamics-heterogeneous.prm", "set Pressure = 5e6", "set Pressure = 6e6", "were made under different conditions (pressure is"),
     # The volume is 8 x 4 mm: that is in file 10 alone.
     ("30-contact_dynamics-heterogeneous.prm", "0.00405, 0.00205", "0.00405, 0.02", "Observation/bulk"),
     ("20-contact_dynamics-homogeneous.prm", "10-rve_homogenization/", "11-rve_homogenization/", "there is no file 11-rve_homogenization/rve.h5"),
@@ -67,42 +76,52 @@ def check_draft(folder):
     assert folder.read("rve", "rve.h5") == kept
     folder.run(2, "rve_homogenization", volume, "--draft", "elsewhere")
     body = os.path.join(IMAGE, "20-contact_dynamics-homogeneous.prm")
-    said = folder.run(0, "contact_dynamics", body, "--set=Body/RVE file=draft/rve.h5", "--set=Time/End time=1e-6", "--set=Snapshots/From=0",
-                      "--output", "con")
+    said = folder.run(0, "contact_dynamics", body, "--set=Body/RVE file=draft/rve.h5", "--validate", "--output", "con")
     assert "is a draft for --validate" in said, said
     folder.run(0, "rve_homogenization", volume, "--quiet", "--output", "draft")
     with h5py.File(folder("draft", "rve.h5")) as made:
         assert "concentration/KUBC" in made, "the draft was taken for the result"
 
 
+def disk_told(line):
+    """Bytes."""
+    number, unit = re.search(r"([\d.]+) ([kM])B on the disk", line).groups()
+    return float(number) * {"k": 1e3, "M": 1e6}[unit]
+
+
 def check_told(folder):
     """--validate leaves nothing; disk and steps are those of the runs, up to the guess of the stiffness. A step that fails as it runs
     leaves a report of those before it."""
-    source, last = shutil.copytree(IMAGE, folder("case")), "case/40-stress_localization.prm"
+    source, last, run = shutil.copytree(IMAGE, folder("case")), f"case/{LAST}.prm", f"case/{RUNS[2]}.prm"
     done = run_chain(source, folder("out"), "--validate")
     assert done.returncode == 0 and not os.path.exists(folder("out")), done.stdout
     lines = done.stdout.splitlines()
-    for name in RUNS:
+    for name in (*RUNS, LAST):
         assert any(re.match(rf"{name}: valid; \d+ MB of memory, [\d.]+ [kM]B on the disk, about \d+ s on one core$", line) for line in lines), lines
-    assert "40-stress_localization: keys and values are valid" in lines, lines
-    assert re.match(r"In sum: about \d+ s on one core \(1 of 4 not known\)", lines[-1]), lines
-    text = folder.read(last).decode()
-    folder.write(last, text + prm({"Probes/Further": "far", "Probes/far/Position": "1, 1"}))  # of which no draft knows
+    assert re.fullmatch(r"In sum: about \d+ s on one core, [\d.]+ MB on the disk, \d+ MB of memory with \d+ side by side", lines[-1]), lines
+    text, of_run = folder.read(last).decode(), folder.read(run).decode()
+    folder.write(run, of_run + prm({"Time/Time step": 1e-7, "Time/Check time step": "false"}))  # it blows up
     done = run_chain(source, folder("out"), "--jobs", "1")
-    assert done.returncode == 2 and "probe far" in done.stdout and "Report so far: " in done.stdout, done.stdout
-    assert os.path.getsize(folder("out", "report.html")) > 1e5 and done.stdout.count(": done in") == 3
+    assert done.returncode == 3 and "blew up" in done.stdout and "Report so far: " in done.stdout, done.stdout
+    assert os.path.getsize(folder("out", "report.html")) > 1e5 and done.stdout.count(": done in") == 2, done.stdout
+    folder.write(run, of_run)
+    done = run_chain(source, folder("out"), "--no-report")
+    assert done.returncode == 0, done.stdout
     told = {line.split(":")[0]: line for line in lines}
     for name in RUNS:
-        number, unit = re.search(r"([\d.]+) ([kM])B on the disk", told[name]).groups()
-        said = float(number) * {"k": 1e3, "M": 1e6}[unit]
+        said = disk_told(told[name])
         found = sum(os.path.getsize(folder("out", name, file)) for file in os.listdir(folder("out", name)))
         assert 0.5 * found < said < 2 * found, (name, said, found)
-    # With the results there the last file is checked as a whole, before it runs.
+    found = os.path.getsize(folder("out", LAST, "localization.h5"))
+    assert abs(disk_told(told[LAST]) - found) < 0.05 * found, (told[LAST], found)
+    # With the results there the last file is checked with them.
+    os.remove(folder("out", LAST, "localization.h5"))
+    folder.write(last, text + prm({"Probes/Further": "far", "Probes/far/Position": "1, 1"}))
     done = run_chain(source, folder("out"))
     assert done.returncode == 2 and done.stdout.count("\n") == 1 and "probe far" in done.stdout, done.stdout
     folder.write(last, text)
     again = run_chain(source, folder("out"), "--validate").stdout
-    assert again.count("up to date") == 3 and re.search(r"40-stress_localization: valid; \d+ MB of memory, about \d+ s", again), again
+    assert again.count("up to date") == 3 and re.search(rf"{LAST}: valid; \d+ MB of memory, [\d.]+ kB on the disk, about \d+ s", again), again
     assert run_chain(source, folder("out"), "--no-report").returncode == 0
     assert run_chain(source, folder("out"), "--validate").stdout.count("up to date") == 4
     os.remove(folder("out", RUNS[0], "rve.h5"))  # it is made again; those after it are as good as before

@@ -188,14 +188,19 @@ class ResultFile(Closing, Derived):
             yield float(times[k]), Array(data[k], self.unit("snapshots/displacement"), f"snapshots/displacement[{k}]")
 
     def _check_format(self):
-        found = self.hdf5.attrs.get("format", "")
-        found = found.decode() if isinstance(found, bytes) else str(found)
+        found, digest = (self._text_of(name) for name in ("format", "digest"))
         if found not in FORMATS:
             raise FormatError(f"{self.path} is not a file of mesoslip: its attribute 'format' is '{found}'")
         version = int(self.hdf5.attrs.get("format_version", 0))
         if version not in VERSIONS:
             raise FormatError(f"{self.path} has format_version {version}, but this module reads {VERSIONS[0]} to {VERSIONS[-1]}")
+        if digest == "draft":
+            raise FormatError(f"{self.path} is a draft for --validate, in which nothing was computed; do the run that makes the result")
         return found
+
+    def _text_of(self, attribute):
+        found = self.hdf5.attrs.get(attribute, "")
+        return found.decode() if isinstance(found, bytes) else str(found)
 
 
 class ContactMap:

@@ -5,6 +5,7 @@
 #include "exchange/datasets.h"
 #include "exchange/dynamics_file.h"
 #include "exchange/xdmf.h"
+#include "io/drafts.h"
 #include "io/table.h"
 #include "material/plausibility.h"
 #include "program/run_context.h"
@@ -13,6 +14,7 @@
 #include "sliding/mesh/mesh_file.h"
 #include "sliding/mesh/statics/mesh_pressures.h"
 #include "sliding/mesh/statics/mesh_static_load.h"
+#include "sliding/transient/run_draft.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +39,17 @@ public:
     : MeshAnalysis<dim>(given)
   {
     check_mesh_static<dim>(this->parameters, this->body.friction);
+  }
+
+  void write_draft(const std::string &folder) const override
+  {
+    on_root(MPI_COMM_WORLD, [&]() {
+      const DraftMark mark(false);
+      Hdf5File file = create_mesh_file(path_of_draft(folder, "dynamics.h5"),
+                                       "mesoslip-dynamics", this->morphology, this->body);
+      write_static_draft(file, this->parameters, vectors_shape(this->morphology));
+      file.close();
+    });
   }
 
   void run(RunContext &context) override;
