@@ -265,31 +265,18 @@ void check_analysis(const Keys &keys)
                              const std::vector<std::string> &paths) {
     keys.only_with("Analysis", analyses, paths);
   };
-  only_with({"transient"}, {"Body/Initial velocity",
-                            "Time/End time",
-                            "Time/Time step",
-                            "Time/Safety factor",
-                            "Time/Beta2",
-                            "Time/Check time step",
-                            "Flat/Ramp",
-                            "Flat/Ramp time",
-                            "Flat/Expression",
-                            "Top/Ramp",
-                            "Top/Ramp time",
-                            "Top/Expression",
-                            "Friction/Normal stress",
-                            "Friction/Normal stress time",
-                            "Friction/Normal stress length",
-                            "Friction/Normal stress velocity",
-                            "Observation/",
-                            "Snapshots/",
-                            "Contact map/",
-                            "Checkpoints/",
-                            "Performance/Temporal blocking",
-                            "Performance/Instruction set"});
+  only_with({"transient"},
+            {"Body/Initial velocity", "Time/End time", "Time/Time step",
+             "Time/Safety factor", "Time/Beta2", "Time/Check time step", "Flat/Ramp",
+             "Flat/Ramp time", "Flat/Expression", "Top/Ramp", "Top/Ramp time",
+             "Top/Expression", "Observation/", "Snapshots/", "Contact map/",
+             "Checkpoints/", "Performance/Temporal blocking",
+             "Performance/Instruction set"});
   only_with({"transient", "complex modes"},
             {"Time/Rayleigh beta", "Friction/Law", "Friction/Regularization time",
-             "Friction/Length", "Friction/Reference velocity"});
+             "Friction/Length", "Friction/Reference velocity", "Friction/Normal stress",
+             "Friction/Normal stress time", "Friction/Normal stress length",
+             "Friction/Normal stress velocity"});
   only_with({"transient", "static contact", "complex modes"},
             {"Friction/Coefficient law"});
   only_with({"transient", "modal", "complex modes"},

@@ -67,10 +67,11 @@ PROBLEMS = [
      [_COMPLEX + "ComplexModes." + name for name in ("OfTheLayerWithCoulombFriction", "OfTheRegularizedAndDampedLayer",
                                                      "GrowthIsThePowerOfFrictionLessDamping")]),
     ("Friction laws", "every formula and its slopes; velocity weakening and rate and state of order 2 in dt; a step of velocity; slip weakening turns kinetic energy into "
-     "work; a block on a spring sticks and slips; Prakash and Clifton's normal stress after a step",
+     "work; a block on a spring sticks and slips; Prakash and Clifton's normal stress after a step; each with every regularization of friction and normal stress "
+     "against Runge and Kutta's method",
      [_CONTACT + "SlipLaw." + name for name in ("Formulas", "SlopesAndTheirBounds", "VelocityWeakeningIsOfOrderTwo", "SlipWeakeningTurnsKineticEnergyIntoWork",
                                                 "RateAndStateAfterAStepOfVelocity", "RateAndStateIsOfOrderTwo", "SpringAndBlockStickAndSlip")]
-     + [_CONTACT + "NormalStressMemory.RelaxesAfterAStepOfTheNormalForce"]),
+     + [_CONTACT + "NormalStressMemory.RelaxesAfterAStepOfTheNormalForce", _CONTACT + "LawRegularization.EveryLawWithEveryRegularization"]),
     ("Maps of the contact", "a wave travels through the map as the dispersion relation says; a map changes no step",
      [_SLIDING + "ContactMap." + name for name in ("WavesTravelAsTheDispersionRelationSays", "TakesPartInNoStep")]),
     ("Meshes: waves of the sliding layer", "growth on distorted quadrilaterals and triangles of order 2; in 3D waves across the motion and oblique to it, at 30, 45 and 60 degrees",

@@ -10,7 +10,8 @@ from data import Missing
 from figures import BLUE, GREY, ORANGE, panels
 from page import escape, number, quantity, table
 
-LABELS = {"friction_coefficient [-]": "friction coefficient", "regularization_time [s]": "regularization time (s)",
+LABELS = {"friction_coefficient [-]": "friction coefficient", "friction_coefficient_factor [-]": "factor of all friction coefficients",
+          "regularization_time [s]": "regularization time (s)",
           "velocity [m/s]": "velocity (m/s)", "pressure [Pa]": "pressure (Pa)"}
 
 

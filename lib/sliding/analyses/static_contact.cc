@@ -125,9 +125,11 @@ void check_static_contact(const ContactParameters &parameters,
           "Flat/Gap is " + to_text(parameters.contact.gap) +
             " m; a static contact analysis starts from a body that touches the flat, "
             "set it to 0");
-  require(!platen || !pulled,
-          "Body/Acceleration is not zero, which a static contact analysis under a "
-          "platen does not take; use Top/Kind = pressure");
+  require(
+    !platen || !pulled,
+    "Body/Acceleration is not zero, which a static contact analysis under a "
+    "platen does not take; set it to 0, or Top/Kind = pressure, which loads each node "
+    "by itself");
   require(platen || top.lateral_held || held_x || !(*largest > 0.) || !slides,
           "Nothing holds the body against the friction of the sliding flat: set "
           "Top/Lateral held, hold a side in u_x, use a platen, Friction/Coefficient = 0 "

@@ -89,6 +89,15 @@ void warn_of_weakening(const RateWeakening &friction,
                      "listed; use a regularization (Friction/Law)")));
 }
 
+/** The factor of the coefficients at a value of the sweep, which by phase scales all of them. */
+double friction_factor(const ContactParameters &parameters, const double value)
+{
+  return parameters.complex_modes.sweep == ModeSweep::coefficient &&
+             parameters.friction.coefficient_by_phase
+           ? value
+           : 1.;
+}
+
 /** What one rank throws ends all of them. Collective. */
 void agree(const std::exception_ptr &problem,
            const bool interrupted,
@@ -166,7 +175,9 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
     {
       parameters_of.push_back(k == 0 ? parameters
                                      : with_swept(parameters, keys.values[k - 1]));
-      states.push_back(at_rest(parameters_of.back()));
+      states.push_back(
+        at_rest(parameters_of.back(),
+                k == 0 ? 1. : friction_factor(parameters, keys.values[k - 1])));
       free.emplace_back(body, states.back().held, modal_options(parameters).platen_mass);
       if (free.back().size() < fewest_unknowns)
         throw UserError("Analysis: complex modes are sought among " +

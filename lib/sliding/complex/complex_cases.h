@@ -68,8 +68,10 @@ struct ComplexCases
   double highest_frequency = 0.;   ///< up to which modes were looked for (Hz)
 };
 
-/** Static states for parameters that a sweep may have changed. Collective. */
-using StateAtRest = std::function<SlidingState(const ContactParameters &)>;
+/** Static states for parameters that a sweep may have changed, the coefficients of all nodes
+ * times @p friction_factor. Collective. */
+using StateAtRest =
+  std::function<SlidingState(const ContactParameters &, const double friction_factor)>;
 
 /** Highest frequency (Hz) that is asked for; @p wave_speed (m/s) and @p height (m) are the
  * body's. */

@@ -118,8 +118,8 @@ void log_complex_modes(const ComplexCases<dim> &cases,
   for (const ComplexCase &of_case : cases.sweep)
     {
       warn_of_missing(of_case, brief_text(6, " at ", of_case.value), context);
-      context.log(brief_text(6, "  ", swept_column(parameters.complex_modes.sweep), " = ",
-                             of_case.value, ": ", of_case.modes.size(), " modes",
+      context.log(brief_text(6, "  ", swept_column(parameters), " = ", of_case.value,
+                             ": ", of_case.modes.size(), " modes",
                              of_case.modes.empty()
                                ? std::string()
                                : brief_text(6, ", fastest ", of_case.modes[0].growth_rate,

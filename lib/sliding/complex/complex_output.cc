@@ -71,12 +71,12 @@ void write_modes_table(const ComplexCase &base,
 }
 
 void write_sweep_table(const std::vector<ComplexCase> &sweep,
-                       const ModeSweep what,
+                       const std::string &swept,
                        const std::string &path)
 {
-  TableWriter table(path, {swept_column(what), "curve [-]", "frequency [Hz]",
-                           "growth_rate [1/s]", "residual [-]", "sliding_nodes [-]",
-                           "separated_nodes [-]", "missing_modes [-]"});
+  TableWriter table(path, {swept, "curve [-]", "frequency [Hz]", "growth_rate [1/s]",
+                           "residual [-]", "sliding_nodes [-]", "separated_nodes [-]",
+                           "missing_modes [-]"});
   const auto branches = mode_branches(sweep);
   for (std::size_t k = 0; k < sweep.size(); ++k)
     for (std::size_t m = 0; m < sweep[k].modes.size(); ++m)
@@ -128,12 +128,15 @@ parts_of(const ComplexMode &mode, const FreeDofs<dim> &dofs, const ElasticBody<d
 }
 } // namespace
 
-std::string swept_column(const ModeSweep sweep)
+std::string swept_column(const ContactParameters &parameters)
 {
-  return sweep == ModeSweep::coefficient           ? "friction_coefficient [-]"
-         : sweep == ModeSweep::regularization_time ? "regularization_time [s]"
-         : sweep == ModeSweep::velocity            ? "velocity [m/s]"
-                                                   : "pressure [Pa]";
+  const ModeSweep sweep = parameters.complex_modes.sweep;
+  if (sweep == ModeSweep::coefficient)
+    return parameters.friction.coefficient_by_phase ? "friction_coefficient_factor [-]"
+                                                    : "friction_coefficient [-]";
+  return sweep == ModeSweep::regularization_time ? "regularization_time [s]"
+         : sweep == ModeSweep::velocity          ? "velocity [m/s]"
+                                                 : "pressure [Pa]";
 }
 
 std::vector<std::string> complex_modes_files()
@@ -180,7 +183,8 @@ void write_complex_tables(const ComplexCases<dim> &cases,
   json["bytes_of_factors"] = cases.modes.factor_bytes;
   if (keys.sweep == ModeSweep::none)
     return;
-  write_sweep_table(cases.sweep, keys.sweep, context.file("complex_modes_sweep.csv"));
+  write_sweep_table(cases.sweep, swept_column(parameters),
+                    context.file("complex_modes_sweep.csv"));
   for (const ComplexCase &of_case : cases.sweep)
     json["sweep"].push_back({{"value", of_case.value},
                              {"separated_nodes", of_case.n_separated},

@@ -14,7 +14,7 @@ namespace mesoslip
 std::vector<std::string> complex_modes_files();
 
 /** Name of what is swept, with its unit, as a column has it. */
-std::string swept_column(const ModeSweep sweep);
+std::string swept_column(const ContactParameters &parameters);
 
 /** Lines and warnings on modes, completeness and the static state. */
 template <int dim>

@@ -45,7 +45,8 @@ void ComplexModesParameters::bind(Keys &keys)
     "that it has elsewhere");
   keys.bind_list(
     "Sweep values", values, Range::any(),
-    "Values of what Sweep names, in its unit: Friction/Coefficient [-], "
+    "Values of what Sweep names, in its unit: Friction/Coefficient [-], with "
+    "Coefficient from = phases a factor of the coefficients of all phases [-]; "
     "Friction/Regularization time [s], Flat/Velocity [m/s] or Top/Pressure [Pa]; curves "
     "of modes are followed in this order",
     0, 10000);
@@ -111,10 +112,11 @@ void check_complex_modes(const ContactParameters &p)
     throw UserError(
       "Flat/Velocity is 0; complex modes are those of steady sliding, set it "
       "to the velocity of the flat");
-  if (sweep == ModeSweep::coefficient && p.friction.coefficient_by_phase)
-    throw UserError(
-      "Complex modes/Sweep is friction coefficient, but the coefficients are "
-      "those of the phases; set Friction/Coefficient from = constant");
+  if (p.contact.law.normal_stress.is_given())
+    throw UserError("Friction/Normal stress is " + p.friction.normal_stress +
+                    ", a memory which changes the vibrations of steady sliding and is "
+                    "not among what complex modes linearize; use a transient run, or set "
+                    "it to instant for the modes without the memory");
   if (p.contact.law.slip_law)
     {
       SlipPoint at;
@@ -123,8 +125,8 @@ void check_complex_modes(const ContactParameters &p)
       steady_friction(*p.contact.law.slip_law, at);
       if (sweep == ModeSweep::coefficient)
         throw UserError("Complex modes/Sweep is friction coefficient, but there is a "
-                        "Friction/Coefficient law; sweep the velocity, or set the law to "
-                        "constant");
+                        "Friction/Coefficient law, whose coefficient is not that key; "
+                        "sweep the velocity, or set the law to constant");
       if (top_at_start(p).kind == TopSetup::Kind::held)
         throw UserError(
           "Friction/Coefficient law is not constant, but the top is held and "

@@ -61,11 +61,14 @@ void ComplexModesAnalysis::run(RunContext &context)
   const BodyScales scales(material);
   StaticContactOptions options = parameters.static_contact;
   options.before_iteration     = stop_or_report(context, "iteration");
-  const auto at_rest           = [&](const ContactParameters &of_case) {
+  const auto at_rest           = [&](const ContactParameters &of_case,
+                           const double friction_factor) {
     BodyDescription described = body;
     if (!of_case.friction.coefficient_by_phase)
       described.node_friction.assign(described.node_friction.size(),
                                                of_case.friction.coefficient);
+    for (double &mu : described.node_friction)
+      mu *= friction_factor;
     StaticContact solve;
     if (top.kind != TopSetup::Kind::held)
       solve = [&](const std::vector<double> &friction) {

@@ -50,18 +50,23 @@ private:
     return top_at_start(this->parameters).kind != TopSetup::Kind::held;
   }
 
-  SlidingState
-  at_rest(const ContactParameters &of_case, MeshBody<dim> &elastic, RunContext &context);
+  SlidingState at_rest(const ContactParameters &of_case,
+                       const double friction_factor,
+                       MeshBody<dim> &elastic,
+                       RunContext &context);
 };
 
 template <int dim>
 SlidingState MeshComplex<dim>::at_rest(const ContactParameters &of_case,
+                                       const double friction_factor,
                                        MeshBody<dim> &elastic,
                                        RunContext &context)
 {
   MeshBodyDescription described = this->body;
   if (!of_case.friction.coefficient_by_phase)
     described.friction.assign(described.friction.size(), of_case.friction.coefficient);
+  for (double &mu : described.friction)
+    mu *= friction_factor;
   const DofMask held           = this->held_by_mesh(top_at_start(of_case), elastic);
   StaticContactOptions options = of_case.static_contact;
   options.before_iteration     = stop_or_report(context, "iteration");
@@ -102,7 +107,9 @@ void MeshComplex<dim>::run(RunContext &context)
     *elastic, this->parameters,
     highest_frequency_of(this->parameters, this->body.scales.wave_speed,
                          elastic->extent(dim - 1)),
-    [&](const ContactParameters &of_case) { return at_rest(of_case, *elastic, context); },
+    [&](const ContactParameters &of_case, const double friction_factor) {
+      return at_rest(of_case, friction_factor, *elastic, context);
+    },
     {parts.first, parts.second}, this->body.scales.shear_impedance, context);
   if (!context.root())
     return;

@@ -198,7 +198,50 @@ def check_sweep(folder):
     expect_same(found(folder, "rate"), found(folder, "sweep1"), 1e-9, "slip rate")
 
 
+def check_sweep_by_phase(folder):
+    """The coefficients of the phases are swept by a factor: each value as a run whose phases have that multiple, on a grid and a mesh."""
+    coefficients, factors = {"matrix": 0.1, "fibre": 0.3}, (0.5, 1.5)
+    common = {**COMMON, "Friction/Coefficient from": "phases", "Complex modes/Highest frequency": 5e5}
+    del common["Friction/Coefficient"]
+    sweep = {"Complex modes/Sweep": "friction coefficient", "Complex modes/Sweep values": ", ".join(map(str, factors))}
+
+    def times(factor):
+        return {f"Phases/{name}/Friction coefficient": factor * mu for name, mu in coefficients.items()}
+
+    def on_grid(factor, settings):
+        folder.write("rve.prm", PHASES + prm({"Grid/Cells": "24, 8", "Grid/Size": "0.012, 0.004", "Microstructure/Random fibres/Fibre width": 1e-3,
+                                             "Microstructure/Random fibres/Minimum height": 1e-3, "Microstructure/Random fibres/Maximum height": 1.5e-3,
+                                             "Microstructure/Random fibres/Seed": 2, **times(factor)}))
+        folder.run(0, "rve_homogenization", "rve.prm", "--output", f"rve-{factor}")
+        return prm({**common, **settings, "Body/RVE file": f"rve-{factor}/rve.h5", "Body/Material": "heterogeneous"})
+
+    def on_mesh(factor, settings):
+        box = Box([12, 4], [24, 8], lambda x: ("matrix", "fibre")[int(x[0]) % 3 == 1])
+        box.name_side("Contact", 1, False).name_side("Top", 1, True).write(folder("halves.msh"))
+        solids = {f"Phases/{name}/{key}": value for name, modulus in (("matrix", 30e9), ("fibre", 240e9))
+                  for key, value in (("Young modulus", modulus), ("Density", DENSITY))}
+        return prm({**common, **settings, "Mesh/File": "halves.msh", "Mesh/Scale": 0.001, "Phases/Names": "matrix, fibre", **solids, **times(factor)})
+
+    for body in (on_grid, on_mesh):
+        folder.write("phases.prm", body(1, sweep))
+        for ranks in (1, 2):
+            folder.run(0, "contact_dynamics", "phases.prm", "--output", f"phases{ranks}", ranks=ranks)
+        with open(folder("phases1", "complex_modes_sweep.csv"), encoding="ascii") as file:
+            assert {float(row["friction_coefficient_factor [-]"]) for row in csv.DictReader(file)} == set(factors)
+        cases = [(1, *(eigenvalues(folder.summary(f"phases{ranks}")["complex_modes"]) for ranks in (1, 2)))]
+        cases += [(one["value"], eigenvalues(one["complex_modes"]), eigenvalues(other["complex_modes"]))
+                  for one, other in zip(*(folder.summary(f"phases{ranks}")["sweep"] for ranks in (1, 2)))]
+        assert [case[0] for case in cases] == [1, *factors], cases
+        for factor, swept, on_ranks in cases:
+            folder.write("alone.prm", body(factor, {}))
+            folder.run(0, "contact_dynamics", "alone.prm", "--output", "alone")
+            expect_same(swept, eigenvalues(folder.summary("alone")["complex_modes"]), 1e-9, (body.__name__, factor))
+            expect_same(on_ranks, swept, 1e-9, (body.__name__, factor, "ranks"))
+        assert max(cases[-1][1].real) > 1.2 * max(cases[0][1].real) > 0, cases
+
+
 def check_refused(folder):
+    memory = {"Friction/Normal stress": "slip rate"}
     for settings, words in (({"Flat/Velocity": 0}, ["Flat/Velocity is 0"]),
                             ({"Top/Pressure": -1}, ["Top/Pressure", "static"]),
                             ({"Complex modes/Sweep": "velocity"}, ["Sweep values", "empty"]),
@@ -206,6 +249,10 @@ def check_refused(folder):
                             ({"Complex modes/Sweep": "regularization time", "Complex modes/Sweep values": "1e-6", "Friction/Law": "coulomb",
                               "Friction/Regularization time": None}, ["Friction/Law is coulomb"]),
                             ({"Time/End time": 1e-3}, ["Time/End time"]),
+                            (memory, ["Friction/Normal stress is slip rate", "linearize", "transient"]),
+                            ({**memory, "Analysis": "static contact", "Friction/Regularization time": None, "Complex modes/Highest frequency": None,
+                              "Complex modes/Fastest decay": None}, ["Friction/Normal stress has no effect"]),
+                            ({"Body/Acceleration": "0, -9.81"}, ["Body/Acceleration", "set it to 0", "each node"]),
                             ({"Body/Cells": "200000, 100000"}, ["GB", "Body/Cells"])):
         text = {key: value for key, value in {**COMMON, **BODY, **settings}.items() if value is not None}
         folder.write("bad.prm", prm(text))
@@ -219,3 +266,4 @@ with tempfile.TemporaryDirectory() as path:
     check_heterogeneous(scene)
     check_meshes(scene)
     check_sweep(scene)
+    check_sweep_by_phase(scene)

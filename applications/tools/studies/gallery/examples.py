@@ -1,18 +1,23 @@
 """What the gallery shows of each example."""
 
 import dataclasses
+import typing
+
+import laws
 
 
 @dataclasses.dataclass(frozen=True)
 class Example:
     """`targets`: files or folders of prm/examples that run one after the other, files with `program`. `figure`: how the text of the
-    picture in the report begins; `pictured`: the folder of the run that has it, where it is not the first one."""
+    picture in the report begins; `pictured`: the folder of the run that has it, where it is not the first one. `draw(folder of the runs,
+    path)` draws a picture that no report has."""
     title: str
     text: str
     targets: tuple
     figure: str
     program: str = ""
     pictured: str = ""
+    draw: typing.Callable = None
 
 
 RVE, CONTACT = "rve_homogenization", "contact_dynamics"
@@ -44,6 +49,11 @@ EXAMPLES = (
             ("friction_laws/rupture.prm",), "Contact states", CONTACT),
     Example("A step of velocity under rate-and-state friction", "The friction of a block in 3D jumps and falls as the velocity of the flat rises tenfold.",
             ("friction_laws/rate_and_state.prm",), "Apparent friction", CONTACT),
+    Example("Five more laws of friction",
+            "A pad that sticks and slips, one on a film of oil, slide, hold and slide again, a brake pad from a table, and flash "
+            "heating as an expression ([theory](theory.md), section 3). Traction over pressure of nodes that slip, beside the formula of the law.",
+            tuple(f"friction_laws/{name}.prm" for name in ("static_and_kinetic", "stribeck", "slip_weakening", "table", "expression")), "", CONTACT,
+            draw=laws.draw),
     Example("A pin with bevelled edges", "A mesh of Gmsh whose gap opens towards both ends ([meshes](meshes.md)).", ("mesh/chamfered_pin.prm",),
             "Von Mises stress of the last snapshot", CONTACT),
     Example("A cylindrical pin in 3D", "Sliding, modes and static contact of a mesh of hexahedra. The picture shows pressure and shear traction of the static contact.",

@@ -8,7 +8,7 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.normpath(os.path.join(HERE, "..", "..", "..", ".."))
-sys.path[:0] = [HERE, os.path.join(HERE, "..")]
+sys.path[:0] = [HERE, os.path.join(HERE, ".."), os.path.join(HERE, "..", ".."), os.path.join(HERE, "..", "..", "report")]
 
 from examples import EXAMPLES  # noqa: E402
 from pages import write_page  # noqa: E402
@@ -22,7 +22,8 @@ and its report is made by
 
     /usr/bin/python3 applications/tools/report/make_report.py FOLDER --output report.html
 
-Times are by the clock on one core, chains without the report. `./run.sh gallery` runs all of them and writes this page. All pictures are from the reports.
+Times are by the clock on one core, chains without the report. `./run.sh gallery` runs all of them and writes this page. Pictures are from the reports, but for
+that of the five laws.
 
 {examples}
 """
@@ -48,6 +49,14 @@ def commands(example):
             for target in example.targets]
 
 
+def drawn(example, folder):
+    """The picture of an example that draws its own, as report_figures() has those of a report."""
+    path = os.path.join(folder, "picture.png")
+    example.draw(folder, path)
+    with open(path, "rb") as file:
+        return [("", file.read())]
+
+
 def entry(arguments, example):
     """The text of an example; its picture goes to doc/gallery."""
     name = os.path.splitext(os.path.basename(example.targets[0]))[0]
@@ -56,7 +65,8 @@ def entry(arguments, example):
     pictured = os.path.join(folder, example.pictured) if example.pictured else folder
     if example.program and not example.pictured:
         pictured = os.path.join(folder, name)
-    save(report_figures(pictured), example.figure, os.path.join(TOP, "doc", "gallery", name + ".png"))
+    figures = drawn(example, folder) if example.draw else report_figures(pictured)
+    save(figures, example.figure, os.path.join(TOP, "doc", "gallery", name + ".png"))
     print(f"{name}: {seconds:.1f} s", file=sys.stderr, flush=True)
     return "\n".join([f"## {example.title}", "", f"{example.text} {'About ' if seconds >= 1 else 'Less than '}{max(1, round(seconds))} s.", "",
                       *("    " + command for command in commands(example)), "", f"![{example.title}](gallery/{name}.png)", ""])

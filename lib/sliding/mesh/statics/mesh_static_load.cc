@@ -33,7 +33,8 @@ void check_mesh_static(const ContactParameters &p, const std::vector<double> &mu
                     "platen or pressure for a static contact analysis");
   if (platen && p.step.is_heavy())
     throw UserError("Body/Acceleration is not zero, which a static contact analysis "
-                    "under a platen does not take; use Top/Kind = pressure");
+                    "under a platen does not take; set it to 0, or Top/Kind = "
+                    "pressure, which loads each node by itself");
   if (!(p.top.pressure.amplitude() > 0.))
     throw UserError("Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
                     " Pa; a static contact analysis needs a positive one");
