@@ -12,8 +12,12 @@ import numpy as np
 from mesh_files import Box
 from scenes import TOOLS, Folder, prm
 
-sys.path.append(os.path.join(TOOLS, "python"))
+sys.path += [os.path.join(TOOLS, "python"), os.path.join(TOOLS, "report")]
+import data  # noqa: E402
+import mesh_maps  # noqa: E402
 import mesoslip  # noqa: E402
+import page  # noqa: E402
+import probes  # noqa: E402
 
 CELLS, SIZE = (7, 4, 5), (0.0035, 0.0024, 0.002)  # no cubes
 PHASES = {"Phases/Names": "matrix, fibre", "Phases/matrix/Young modulus": "30e9", "Phases/matrix/Poisson ratio": 0.2,
@@ -144,7 +148,7 @@ def check_points(folder):
 
 
 def check_readers(folder):
-    """Python gives [z][y][x], XDMF a grid."""
+    """Python gives [z][y][x], XDMF a grid; the report has all components by their names, and the maps of a mesh."""
     with mesoslip.open(folder("localized1")) as file, mesoslip.open(folder("rve-grid")) as rve:
         assert file.grid == rve.grid and file.grid.cells == CELLS
         assert file["mean_stress"].shape == (*rve.phase_id().shape, 6) == (*CELLS[::-1], 6)
@@ -156,6 +160,13 @@ def check_readers(folder):
     assert 'TopologyType="3DCoRectMesh" Dimensions="6 5 8"' in xdmf and "/mesh/" not in xdmf, xdmf
     # 13 numbers a cell: localized, direct, difference, and from the mean strain twice.
     assert xdmf.count('Center="Cell"') == 5 * 13 and 'Name="mean_stress_zz"' in xdmf, xdmf.count('Center="Cell"')
+    run = data.Run(folder("localized1"), folder.summary("localized1"))
+    rows = {row[1]: row for row in probes.probe_errors(run, "A")}
+    mean = run.get("/probes/A/stress").mean(axis=0)
+    for component, name in enumerate(("xx", "yy", "zz", "yz", "xz", "xy")):
+        assert rows[f"σ<sub>{name}</sub>"][2] == page.quantity(float(mean[component]), "Pa", 3), (name, rows)
+    error = mesh_maps.mean_von_mises(run)[1]
+    assert abs(error - folder.summary("localized1")["field_errors"]["mean_von_mises"]["all"]) < 1e-10, error
 
 
 def check_memory(folder):
