@@ -192,7 +192,7 @@ def check_memory(folder):
     for ranks in (1, 2):
         more, measured = (of[40, ranks] - of[12, ranks] for of in (told, taken))
         print(f"memory on {ranks} rank(s): {told} told, {taken} taken (MB)")
-        assert 0.75 < more / measured < 1.3, (ranks, more, measured)
+        assert 0.8 < more / measured < 1.25, (ranks, more, measured)
 
 
 if __name__ == "__main__":
