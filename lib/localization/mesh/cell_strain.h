@@ -19,7 +19,7 @@ namespace mesoslip
  * these do not span the space, as in a corner of simplices, also of those that share a
  * face with them. Linear fields of mean strain are continued exactly; at the centroid the
  * strain is that of the cell, whatever is around it. Where nothing else is asked for, G_c is
- * left out, which is most of the time to find it and a third of the memory.
+ * left out: its fits take more time than the rest, and memory.
  */
 template <int dim>
 class CellStrain
