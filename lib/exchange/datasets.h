@@ -51,6 +51,13 @@ void write_dataset(Hdf5File &file,
   file.write_unit(name, unit);
 }
 
+/** Extents of a dataset of one number a cell: [ny][nx] or [nz][ny][nx]. */
+template <int dim>
+Shape shape_of_cells(const UniformGrid<dim> &grid)
+{
+  return {grid.cells.rbegin(), grid.cells.rend()};
+}
+
 /** Reads the attributes of /grid. @throws UserError */
 template <int dim>
 UniformGrid<dim> read_grid(const Hdf5File &file, const std::string &program);

@@ -51,12 +51,6 @@ const std::vector<StressField> &fields_in()
      component_names<dim>("deviation_sigma_")}};
   return all;
 }
-
-/** Extents of a field of one number a cell. */
-Shape cells_of(const UniformGrid<2> &grid)
-{
-  return {grid.cells[1], grid.cells[0]};
-}
 } // namespace
 
 const std::vector<StressField> &stress_fields(const unsigned int dim)
@@ -73,12 +67,13 @@ Shape LocalizationFile::shape_of_field(const std::size_t n) const
   return shape;
 }
 
+template <int dim>
 LocalizationFile LocalizationFile::create(const std::string &path,
                                           const std::string &digest,
-                                          const UniformGrid<2> &grid)
+                                          const UniformGrid<dim> &grid)
 {
-  LocalizationFile file(Hdf5File::create(path), 2, cells_of(grid));
-  file.write_header(localization_format, newest_localization_version, 2, digest);
+  LocalizationFile file(Hdf5File::create(path), dim, shape_of_cells(grid));
+  file.write_header(localization_format, newest_localization_version, dim, digest);
   write_grid(file, grid);
   file.write_shown = [grid](const std::string &xdmf, const std::string &h5,
                             const std::vector<XdmfField> &fields) {
@@ -108,7 +103,7 @@ LocalizationFile LocalizationFile::open(const std::string &path)
   opened.check_header(localization_format, newest_localization_version, 2,
                       localization_program);
   const UniformGrid<2> grid = read_grid<2>(opened, localization_program);
-  return {std::move(opened), 2, cells_of(grid)};
+  return {std::move(opened), 2, shape_of_cells(grid)};
 }
 
 void LocalizationFile::write_fields(const StressFields &fields, const std::string &group)
@@ -179,6 +174,12 @@ LocalizedProbe LocalizationFile::probe(const std::string &name,
   return probe;
 }
 
+template LocalizationFile LocalizationFile::create(const std::string &,
+                                                   const std::string &,
+                                                   const UniformGrid<2> &);
+template LocalizationFile LocalizationFile::create(const std::string &,
+                                                   const std::string &,
+                                                   const UniformGrid<3> &);
 template LocalizationFile
 LocalizationFile::create(const std::string &, const std::string &, const Mesh<2> &);
 template LocalizationFile

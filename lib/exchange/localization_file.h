@@ -11,8 +11,8 @@
 
 namespace mesoslip
 {
-/** Statistics over time for each cell, on a grid [ny][nx], on a mesh [n], stresses with
- * their Voigt components behind; what was not asked for is empty. */
+/** Statistics over time for each cell, on a grid [ny][nx] or [nz][ny][nx], on a mesh [n],
+ * stresses with their Voigt components behind; what was not asked for is empty. */
 struct StressFields
 {
   std::vector<double> mean_von_mises; ///< mean von Mises stress (Pa)
@@ -39,7 +39,7 @@ struct LocalizedProbe
   std::string name; ///< name of its group
   /** On a grid from the lower left corner, on a mesh in its coordinates (m). */
   std::vector<double> position   = {};
-  std::vector<unsigned int> cell = {}; ///< that holds it: column and row, or its number
+  std::vector<unsigned int> cell = {}; ///< that holds it: along each axis, or its number
   unsigned int phase             = 0;  ///< number of the phase of the cell
   std::string phase_name         = {}; ///< name of that phase
   std::vector<double> time       = {}; ///< s
@@ -57,15 +57,17 @@ class LocalizationFile : public Hdf5File
 {
 public:
   /** Begins a file. @p digest is that of all that determines its content. */
-  static LocalizationFile
-  create(const std::string &path, const std::string &digest, const UniformGrid<2> &grid);
+  template <int dim>
+  static LocalizationFile create(const std::string &path,
+                                 const std::string &digest,
+                                 const UniformGrid<dim> &grid);
 
   /** The same for fields on a mesh, which must outlive the file. */
   template <int dim>
   static LocalizationFile
   create(const std::string &path, const std::string &digest, const Mesh<dim> &mesh);
 
-  /** Opens for reading, if the fields are on a grid. @throws UserError */
+  /** Opens for reading, if the fields are on a plane grid. @throws UserError */
   static LocalizationFile open(const std::string &path);
 
   /** Writes the fields that are not empty to @p group. */

@@ -50,13 +50,6 @@ UniformGrid<dim> read_extent(const Hdf5File &file)
   return box;
 }
 
-/** [ny][nx] or [nz][ny][nx] */
-template <int dim>
-Shape cells_of(const UniformGrid<dim> &grid)
-{
-  return {grid.cells.rbegin(), grid.cells.rend()};
-}
-
 /** Begins the file with room for the tensors of cells of that @p shape. */
 template <int dim>
 void reserve(const std::string &path,
@@ -80,7 +73,7 @@ void reserve_concentration(const std::string &path,
                            const UniformGrid<dim> &grid,
                            const std::vector<std::string> &conditions)
 {
-  reserve<dim>(path, cells_of(grid), 1, conditions);
+  reserve<dim>(path, shape_of_cells(grid), 1, conditions);
 }
 
 template <int dim>
@@ -118,7 +111,7 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
     }
   else
     {
-      cells = cells_of(content.grid);
+      cells = shape_of_cells(content.grid);
       write_grid(file, content.grid);
     }
   write_phases(file, "/phase", content.phases, true);
@@ -192,7 +185,7 @@ void RveFile<dim>::require_grid(const std::string &nothing) const
 template <int dim>
 Shape RveFile<dim>::cells() const
 {
-  return is_mesh() ? Shape{any_extent} : Shape(grid.cells.rbegin(), grid.cells.rend());
+  return is_mesh() ? Shape{any_extent} : shape_of_cells(grid);
 }
 
 template <int dim>

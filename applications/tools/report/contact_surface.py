@@ -120,14 +120,14 @@ def nominal_pressure(run):
 
 
 def localized_pressure(run, dynamics):
-    """Localized and direct −σ_zz in the cells at the contact, which a run on the same mesh tells; (figure, L2 difference)."""
+    """Localized and direct −σ_zz in the cells at the contact, which a run on the same cells tells; (figure, L2 difference)."""
     points = points_of(run)
     same = lambda other: other.shape == points.shape and np.allclose(other, points, atol=1e-9 * np.ptp(points))
     source = next((other for other in dynamics if other.has_surface() and same(points_of(other))), None)
     if source is None:
-        raise Missing(f"no run of contact_dynamics on the mesh of {run.name} tells its contact surface")
+        raise Missing(f"no run of contact_dynamics on the cells of {run.name} tells its contact surface")
     view = cells_view(source)
     localized, direct = run.need("/mean_stress"), run.get("/direct/mean_stress")
-    take = lambda stress: None if stress is None else -stress[view.numbers, 2]
+    take = lambda stress: None if stress is None else -stress.reshape(-1, 6)[view.numbers, 2]
     seen = View(view.bounds, None, view.polygons, np.arange(len(view.numbers)))
     return compared([seen], take(localized), take(direct), r"mean of $-\sigma_\mathrm{zz}$")

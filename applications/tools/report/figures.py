@@ -191,17 +191,25 @@ def spectrum(runs, paper_frequency=None):
     return figure
 
 
+def shown_components(n):
+    """Numbers and names of n stress components, 3 of a plane body or 6, that along the normal of the flat first."""
+    names = ("xx", "yy", "xy") if n == 3 else ("xx", "yy", "zz", "yz", "xz", "xy")
+    order = (1, 0, 2) if n == 3 else (2, 0, 1, 3, 4, 5)
+    return [(component, names[component]) for component in order]
+
+
 def localized_stress(run, probe):
-    """sigma_yy, sigma_xx, sigma_xy over the last periods: localized, and direct where there is one."""
+    """The stress components over the last periods: localized, and direct where there is one."""
     time, stress = run.need(f"/probes/{probe}/time", f"/probes/{probe}/stress")
-    if stress.ndim != 2 or stress.shape[1] < 3 or len(stress) != len(time):
+    if stress.ndim != 2 or stress.shape[1] not in (3, 6) or len(stress) != len(time):
         raise Missing(f"/probes/{probe}/stress of {run.name} has an unexpected shape")
     direct = run.get(f"/probes/{probe}/direct_stress")
     direct = direct if direct is not None and direct.shape == stress.shape else None
     shown = time >= max(time[0], zoom_window(run, time[-1]))
     factor, unit = scaled(stress[shown], units=STRESSES)
-    figure, axes = panels(3, 6.0, sharex=True)
-    for axis, (component, name) in zip(axes, [(1, "yy"), (0, "xx"), (2, "xy")]):
+    components = shown_components(stress.shape[1])
+    figure, axes = panels(len(components), 2.0 * len(components), sharex=True)
+    for axis, (component, name) in zip(axes, components):
         if direct is not None:
             axis.plot(1e3 * time[shown], direct[shown, component] / factor, color=BLACK, lw=2.6,
                       alpha=0.35, label="direct (heterogeneous run)")

@@ -31,7 +31,7 @@ def localization(page, run):
         where = f", in the {escape(phase)}" if isinstance(phase, str) else ""
         position = run.probe_position(name)
         if position is not None:
-            where += f", at x = {1e3 * position[0]:.2f} mm, y = {1e3 * position[1]:.2f} mm"
+            where += ", at " + ", ".join(f"{axis} = {1e3 * x:.2f} mm" for axis, x in zip("xyz", position))
         try:
             compared = run.get(f"/probes/{name}/direct_stress") is not None
             html += page.figure(figures.localized_stress(run, name),
@@ -44,14 +44,15 @@ def localization(page, run):
 
 def probe_errors(run, name):
     stress, direct = run.get(f"/probes/{name}/stress"), run.get(f"/probes/{name}/direct_stress")
-    if stress is None or direct is None or stress.shape != direct.shape or stress.ndim != 2:
+    if stress is None or direct is None or stress.shape != direct.shape or stress.ndim != 2 or stress.shape[1] not in (3, 6):
         return []
     time = run.get(f"/probes/{name}/time")
     begin = run.number("steady_from")
     if time is not None and begin is not None and len(time) == len(stress) and time[-1] > begin:
         stress, direct = stress[time >= begin], direct[time >= begin]
     rows = []
-    for component, label in [(1, "σ<sub>yy</sub>"), (0, "σ<sub>xx</sub>"), (2, "σ<sub>xy</sub>")]:
+    for component, of in figures.shown_components(stress.shape[1]):
+        label = f"σ<sub>{of}</sub>"
         ours, theirs = stress[:, component], direct[:, component]
         means, deviations = (ours.mean(), theirs.mean()), (ours.std(), theirs.std())
         shown = lambda pair: [quantity(float(value), "Pa", 3) for value in pair]

@@ -44,7 +44,7 @@ def plan(chain, surface_times=()):
                                 ("Homogenized friction law", analyses.friction_law, chain.friction_law)]:
         if runs:
             result.append((heading, [(make, run) for run in runs]))
-    probed = [run for run in chain.localization if run.members("/probes") or not run.members("/mesh")]  # probes are of grids
+    probed = [run for run in chain.localization if run.members("/probes") or not run.is_mesh_like()]  # plane grids have them
     if probed:
         result.append(("Localization", [(probes.localization, run) for run in probed]))
     if chain.localization:

@@ -79,8 +79,19 @@ struct Fit
 
 template <int dim>
 CellStrain<dim>::CellStrain(const Mesh<dim> &mesh,
-                            const std::vector<unsigned int> &wanted)
-  : n_wanted(wanted.size())
+                            const std::vector<unsigned int> &wanted,
+                            const bool only_means)
+{
+  const std::vector<unsigned int> cells =
+    only_means ? wanted : add_neighbours(mesh, wanted);
+  add_corners(mesh, cells);
+  mean.resize(cells.size());
+}
+
+template <int dim>
+std::vector<unsigned int>
+CellStrain<dim>::add_neighbours(const Mesh<dim> &mesh,
+                                const std::vector<unsigned int> &wanted)
 {
   const FaceNeighbours<dim> face_neighbours(mesh);
   const auto centroid_of = [&mesh](const unsigned int cell) {
@@ -88,7 +99,7 @@ CellStrain<dim>::CellStrain(const Mesh<dim> &mesh,
   };
   std::vector<unsigned int> cells = wanted;
   std::map<unsigned int, std::size_t> number;
-  for (std::size_t k = 0; k < n_wanted; ++k)
+  for (std::size_t k = 0; k < wanted.size(); ++k)
     number.emplace(wanted[k], k);
   for (const unsigned int cell : wanted)
     {
@@ -120,15 +131,19 @@ CellStrain<dim>::CellStrain(const Mesh<dim> &mesh,
         }
     }
   first_neighbour.push_back(neighbours.size());
-  add_corners(mesh, cells);
-  mean.resize(cells.size());
-  slope.resize(n_wanted);
+  slope.resize(wanted.size());
+  return cells;
 }
 
 template <int dim>
 void CellStrain<dim>::add_corners(const Mesh<dim> &mesh,
                                   const std::vector<unsigned int> &cells)
 {
+  std::size_t n_corners = 0;
+  for (const unsigned int cell : cells)
+    n_corners += mesh.cells[cell].vertices.size();
+  corners.reserve(n_corners);
+  first_corner.reserve(cells.size() + 1);
   for (const unsigned int cell : cells)
     {
       const auto &vertices  = mesh.cells[cell].vertices;
@@ -154,7 +169,7 @@ void CellStrain<dim>::set_displacement(const std::vector<double> &u)
               corners[k].gradient[d] * u[corners[k].point * dim + c];
       mean[cell] = strain;
     }
-  for (std::size_t cell = 0; cell < n_wanted; ++cell)
+  for (std::size_t cell = 0; cell < slope.size(); ++cell)
     {
       auto &of_cell = slope[cell];
       of_cell.fill(VoigtVector<dim>::Zero());

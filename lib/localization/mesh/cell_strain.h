@@ -18,15 +18,18 @@ namespace mesoslip
  * the differences from E_c of the means of the cells that share a face with c; where
  * these do not span the space, as in a corner of simplices, also of those that share a
  * face with them. Linear fields of mean strain are continued exactly; at the centroid the
- * strain is that of the cell, whatever is around it.
+ * strain is that of the cell, whatever is around it. Where nothing else is asked for, G_c is
+ * left out: its fits take more time than the rest, and memory.
  */
 template <int dim>
 class CellStrain
 {
 public:
-  /** For the cells @p wanted of @p mesh, which are asked for by their place in that list.
-   * The mesh is not needed later. */
-  CellStrain(const Mesh<dim> &mesh, const std::vector<unsigned int> &wanted);
+  /** For the cells @p wanted of @p mesh, which are asked for by their place in that list,
+   * with @p only_means at their centroids alone. The mesh is not needed later. */
+  CellStrain(const Mesh<dim> &mesh,
+             const std::vector<unsigned int> &wanted,
+             const bool only_means = false);
 
   /** Evaluates the displacement of all points (m) [n_points][dim]. */
   void set_displacement(const std::vector<double> &u);
@@ -34,8 +37,10 @@ public:
   /** Strain in wanted cell @p k at @p place. */
   VoigtVector<dim> at(const std::size_t k, const dealii::Point<dim> &place) const
   {
+    VoigtVector<dim> strain = mean[k];
+    if (slope.empty())
+      return strain;
     const dealii::Tensor<1, dim> from_centroid = place - centroid[k];
-    VoigtVector<dim> strain                    = mean[k];
     for (unsigned int d = 0; d < dim; ++d)
       strain += from_centroid[d] * slope[k][d];
     return strain;
@@ -58,16 +63,21 @@ private:
     Tensor weight; ///< 1/m
   };
 
+  /** Fits the slopes of the wanted cells, and returns these and then the others that the
+   * fits take the means of. */
+  std::vector<unsigned int> add_neighbours(const Mesh<dim> &mesh,
+                                           const std::vector<unsigned int> &wanted);
+
   void add_corners(const Mesh<dim> &mesh, const std::vector<unsigned int> &cells);
 
-  std::size_t n_wanted;
   std::vector<Corner> corners;
   std::vector<std::size_t> first_corner; ///< of each cell, the wanted ones first
   std::vector<Neighbour> neighbours;
-  std::vector<std::size_t> first_neighbour;             ///< of each wanted cell
-  std::vector<dealii::Point<dim>> centroid;             ///< of the wanted cells (m)
-  std::vector<VoigtVector<dim>> mean;                   ///< strain of all cells
-  std::vector<std::array<VoigtVector<dim>, dim>> slope; ///< of the wanted cells (1/m)
+  std::vector<std::size_t> first_neighbour; ///< of each wanted cell
+  std::vector<dealii::Point<dim>> centroid; ///< of cells with a slope (m)
+  std::vector<VoigtVector<dim>> mean;       ///< strain of all cells
+  std::vector<std::array<VoigtVector<dim>, dim>>
+    slope; ///< of the wanted cells or none (1/m)
 };
 
 /**

@@ -3,9 +3,12 @@
 #include "base/errors.h"
 #include "exchange/mesh_datasets.h"
 #include "localization/comparison.h"
+#include "localization/mesh/memory_need.h"
 #include "mesh/cell_gradients.h"
 #include "mesh/cell_locator.h"
 #include "parameters/parameters.h"
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +43,21 @@ bool same_box(const dealii::BoundingBox<dim> &a, const dealii::BoundingBox<dim> 
   return p.first.distance(q.first) <= slack && p.second.distance(q.second) <= slack;
 }
 
+/** The cell @p number as localization.h5 has it: its places along the axes of a grid. */
+template <int dim>
+std::vector<unsigned int> cell_in_file(const RveFile<dim> &rve, unsigned int number)
+{
+  if (rve.is_mesh())
+    return {number};
+  std::vector<unsigned int> places;
+  for (const unsigned int n : rve.grid.cells)
+    {
+      places.push_back(number % n);
+      number /= n;
+    }
+  return places;
+}
+
 /** The times of @p all in the range. */
 std::vector<double> times_of(const std::vector<double> &all, const IndexRange &range)
 {
@@ -62,6 +80,8 @@ MeshLocalizationInput<dim>::MeshLocalizationInput(const LocalizationParameters &
   for (const std::string &note : {rve.change_note(), homogeneous.change_note()})
     if (!note.empty())
       warnings.push_back(note);
+  centroids.reserve(volume.cells.size());
+  measures.reserve(volume.cells.size());
   for (const auto &cell : volume.cells)
     {
       const CellMeasure<dim> measure = cell_measure(volume, cell.vertices);
@@ -117,6 +137,7 @@ template <int dim>
 void MeshLocalizationInput<dim>::find_cells()
 {
   const CellLocator<dim> locator(body);
+  body_cell.reserve(centroids.size());
   for (const dealii::Point<dim> &centroid : centroids)
     {
       const auto cell = locator.find(centroid);
@@ -159,7 +180,7 @@ void MeshLocalizationInput<dim>::find_places()
     {
       add(probe, "Probes", volume, probes);
       LocalizedProbe &found = probes.back().probe;
-      found.cell            = {probes.back().cell};
+      found.cell            = cell_in_file(rve, probes.back().cell);
       found.phase           = volume.cells[probes.back().cell].material_id;
       found.phase_name      = rve.phases[found.phase].name;
     }
@@ -252,13 +273,15 @@ void MeshLocalizationInput<dim>::describe(std::ostream &out) const
   if (direct)
     out << "Direct run: " << direct_body.cells.size() << " cells, "
         << direct_snapshots.count << " snapshots\n";
-  const double per_cell = 8e-6 * (2. * n_voigt<dim> * n_voigt<dim> + 40.);
+  const RankMemory memory =
+    memory_need(*this, dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
   out << volume.cells.size() << " cells of the RVE, "
       << (is_body() ? "which is the body, " : "smaller than the body, ") << probes.size()
       << " probes, " << points.size() << " points, about "
-      << std::ceil(per_cell * static_cast<double>(volume.cells.size())) + 128.
-      << " MB of memory, divided among the ranks but for the meshes\n"
-      << bytes_text(need().bytes) << " on the disk\n";
+      << std::ceil(1e-6 * memory.root) << " MB of memory";
+  if (memory.other > 0.)
+    out << ", " << std::ceil(1e-6 * memory.other) << " MB on each other rank";
+  out << '\n' << bytes_text(need().bytes) << " on the disk\n";
   for (const std::string &warning : warnings)
     out << "warning: " << warning << '\n';
 }

@@ -8,6 +8,7 @@
 #include "localization/mesh/rank_work.h"
 #include "program/run_context.h"
 
+#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -83,7 +84,7 @@ private:
   /** The RankResult of this rank, saved. */
   std::string localize(RunContext &context)
   {
-    const RankWork<dim> work = distribute_work(context);
+    RankWork<dim> work = distribute_work(context);
     tell(context);
     RankResult mine;
     const auto scope = context.timer().scope("Localization");
@@ -182,15 +183,21 @@ private:
     context.progress().finish();
   }
 
-  void pass_homogeneous(const RankWork<dim> &work, RankResult &mine, RunContext &context)
+  /** Uses up the concentration tensors of @p work. */
+  void pass_homogeneous(RankWork<dim> &work, RankResult &mine, RunContext &context)
   {
     const LocalCells<dim> cells = work.cells(true);
-    StrainSource<dim> source(input ? input->body : Mesh<dim>(), work.in_body,
+    std::vector<double>().swap(work.concentration);
+    StrainSource<dim> source(input ? input->body : no_mesh, work.in_body,
                              context.communicator());
     const std::size_t n_points   = parameters.points.size(),
                       n_places   = work.in_body.at.size() - n_points;
     const FieldSelection &fields = parameters.fields;
-    StressRecord<dim> local(cells, fields, work.probes), mean(cells, fields, work.probes);
+    std::optional<StressRecord<dim>> local, mean;
+    if (work.is_body && parameters.local_strain)
+      local.emplace(cells, fields, work.probes);
+    if (work.is_body && parameters.mean_strain)
+      mean.emplace(cells, fields, work.probes);
     std::vector<StressRecord<dim>> points;
     const std::vector<std::size_t> none;
     for (std::size_t p = 0; p < n_points; ++p)
@@ -199,10 +206,10 @@ private:
       input ? &input->homogeneous : nullptr, input ? input->snapshots : IndexRange(),
       "homogeneous run", source,
       [&]() {
-        if (work.is_body && parameters.local_strain)
-          local.add([&](const std::size_t k) { return source.at(k); });
-        if (work.is_body && parameters.mean_strain)
-          mean.add([&](const std::size_t) { return source.mean(); });
+        if (local)
+          local->add([&](const std::size_t k) { return source.at(k); });
+        if (mean)
+          mean->add([&](const std::size_t) { return source.mean(); });
         for (std::size_t p = 0; p < n_points; ++p)
           {
             const VoigtVector<dim> strain = source.at(n_places + p);
@@ -212,16 +219,17 @@ private:
       context);
     for (const auto &point : points)
       point.append_to(mine);
-    if (work.is_body && parameters.local_strain)
-      local.append_to(mine);
-    if (work.is_body && parameters.mean_strain)
-      mean.append_to(mine);
+    if (local)
+      local->append_to(mine);
+    local.reset();
+    if (mean)
+      mean->append_to(mine);
   }
 
   void pass_direct(const RankWork<dim> &work, RankResult &mine, RunContext &context)
   {
     const LocalCells<dim> cells = work.cells(false);
-    StrainSource<dim> source(input ? input->direct_body : Mesh<dim>(), work.in_direct,
+    StrainSource<dim> source(input ? input->direct_body : no_mesh, work.in_direct,
                              context.communicator());
     StressRecord<dim> record(cells, parameters.fields, work.probes);
     for_each_snapshot(
@@ -256,6 +264,7 @@ private:
   const LocalizationParameters parameters;
   const std::string canonical;
   std::unique_ptr<MeshLocalizationInput<dim>> input; ///< on rank 0
+  const Mesh<dim> no_mesh;                           ///< that of a run on the other ranks
 };
 } // namespace
 

@@ -149,9 +149,8 @@ LocalizationOrigin origin_of(const MeshLocalizationInput<dim> &input)
   origin.direct_snapshots = input.direct_snapshots.count;
   origin.differences      = input.differences;
   origin.create_file      = [&input](const std::string &path, const std::string &digest) {
-    if constexpr (dim == 2)
-      if (!input.rve.is_mesh())
-        return LocalizationFile::create(path, digest, input.rve.grid);
+    if (!input.rve.is_mesh())
+      return LocalizationFile::create(path, digest, input.rve.grid);
     return LocalizationFile::create(path, digest, input.volume);
   };
   return origin;

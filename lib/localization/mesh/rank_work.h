@@ -35,6 +35,8 @@ struct RankWork
   {
     constexpr std::size_t n = n_voigt<dim> * n_voigt<dim>;
     LocalCells<dim> result;
+    result.stiffness.reserve(phase.size());
+    result.ratio.reserve(phase.size());
     for (std::size_t k = 0; k < phase.size(); ++k)
       {
         VoigtMatrix<dim> product = phase_stiffness[phase[k]];

@@ -1,8 +1,10 @@
 #include "localization/mesh/strain_source.h"
 
 #include "base/exchange.h"
+#include "mesh/cell_gradients.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace mesoslip
@@ -70,6 +72,22 @@ Neighbourhood<dim> neighbourhood(const Mesh<dim> &body,
   return part;
 }
 
+/** Whether each place is the centroid of its cell, which is cell @p number [k] of the mesh. */
+template <int dim>
+bool are_centroids(const std::vector<dealii::Point<dim>> &places,
+                   const std::vector<std::size_t> &number,
+                   const Neighbourhood<dim> &own)
+{
+  for (std::size_t k = 0; k < places.size(); ++k)
+    {
+      const CellMeasure<dim> cell =
+        cell_measure(own.mesh, own.mesh.cells[own.wanted[number[k]]].vertices);
+      if (!(places[k].distance(cell.centroid) <= 1e-9 * std::pow(cell.volume, 1. / dim)))
+        return false;
+    }
+  return true;
+}
+
 /** The bytes of the displacement of @p points, dim numbers each. */
 template <int dim>
 std::string displacement_of(const std::vector<unsigned int> &points,
@@ -112,7 +130,8 @@ StrainSource<dim>::StrainSource(const Mesh<dim> &of_root,
     own = make(0);
   else
     load_state(message, own, "the cells around the places of this process");
-  strain = std::make_unique<CellStrain<dim>>(own.mesh, own.wanted);
+  strain = std::make_unique<CellStrain<dim>>(own.mesh, own.wanted,
+                                             are_centroids(places, wanted_cell, own));
   displacement.resize(own.points.size() * dim);
   if (is_root)
     mean_of_body = std::make_unique<MeanStrain<dim>>(of_root);

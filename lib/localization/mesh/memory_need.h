@@ -1,0 +1,25 @@
+#ifndef mesoslip_localization_mesh_memory_need_h
+#define mesoslip_localization_mesh_memory_need_h
+
+#include "localization/mesh/mesh_input.h"
+
+namespace mesoslip
+{
+/** Most memory at a time of the ranks of a localization (bytes). */
+struct RankMemory
+{
+  double root;  ///< of rank 0, which has the meshes and puts the results together
+  double other; ///< of each other rank; 0 without any
+};
+
+/**
+ * From the numbers of cells and points, of what is kept of each, and of the libraries. Rank
+ * 0 has all meshes; the cells with their tensors, places, gradients and statistics are
+ * divided.
+ */
+template <int dim>
+RankMemory memory_need(const MeshLocalizationInput<dim> &input,
+                       const unsigned int n_ranks);
+} // namespace mesoslip
+
+#endif
