@@ -1,8 +1,4 @@
-// From the corners of a batch of cells to strains at their Gauss points, and from stresses back
-// to forces. Included by the kernels of general cells only, inside their namespace, after simd.h.
-
-/** Distance of the Gauss points from the nearer end of [0, 1]: (1 - 1/sqrt(3)) / 2. */
-constexpr double gauss_distance = 0.21132486540518711775;
+// From derivatives along reference axes to strains, and from stresses back to forces. Included by the kernels of general cells only, inside their namespace, after simd.h.
 
 template <int dim>
 constexpr int n_components = dim *(dim + 1) / 2;
@@ -12,48 +8,6 @@ template <int dim>
 constexpr int voigt_index(const int i, const int j)
 {
   return i == j ? i : dim == 2 ? 2 : 6 - i - j;
-}
-
-/** The lower end of edge @p e along axis @p d of a quadrilateral or hexahedron. */
-constexpr int lower_corner(const int d, const int e)
-{
-  return (e & ((1 << d) - 1)) | ((e >> d) << (d + 1));
-}
-
-/** Interpolates from the ends of [0, 1] to the Gauss points in place; also the transpose
- * of this. */
-MESOSLIP_INLINE void interpolate(vdouble &a, vdouble &b)
-{
-  const vdouble difference = b - a;
-  a                        = fma(splat(gauss_distance), difference, a);
-  b                        = fnma(splat(gauss_distance), difference, b);
-}
-
-/** interpolate() along all axes but one of the values at the edges along this one. */
-template <int dim>
-MESOSLIP_INLINE void interpolate_edges(vdouble (&edge)[1 << (dim - 1)])
-{
-  for (int axis = 0; axis < dim - 1; ++axis)
-    for (int e = 0; e < 1 << (dim - 1); ++e)
-      if (!(e & (1 << axis)))
-        interpolate(edge[e], edge[e | (1 << axis)]);
-}
-
-/** Derivatives along the reference axes: [axis][component][Gauss point of the others]. */
-template <int dim>
-MESOSLIP_INLINE void reference_gradients(const vdouble (&corner)[1 << dim][dim],
-                                         vdouble (&gradient)[dim][dim][1 << (dim - 1)])
-{
-  for (int d = 0; d < dim; ++d)
-    for (int c = 0; c < dim; ++c)
-      {
-        for (int e = 0; e < 1 << (dim - 1); ++e)
-          {
-            const int lower   = lower_corner(d, e);
-            gradient[d][c][e] = corner[lower | (1 << d)][c] - corner[lower][c];
-          }
-        interpolate_edges<dim>(gradient[d][c]);
-      }
 }
 
 /** adj(J) with adj(J) J = det(J), which is returned; J[c][d] = dx_c / dxi_d. */
@@ -134,21 +88,4 @@ MESOSLIP_INLINE void multiply_stiffness(const double *C,
       else
         stress[i] = i < dim ? sum_of_products<dim>(row, e) : row(i) * e(i);
     }
-}
-
-/** From reference gradients [axis][component] of the displacement to the forces along
- * them, @p weight times sigma adj(J)^T, in place. */
-template <int dim, bool anisotropic>
-MESOSLIP_INLINE void gradient_to_force(const double *C,
-                                       const double weight,
-                                       const vdouble (&J)[dim][dim],
-                                       vdouble (&gradient)[dim][dim])
-{
-  vdouble A[dim][dim], strain[n_components<dim>], stress[n_components<dim>];
-  const vdouble scale = splat(weight) / adjugate(J, A);
-  strain_from_gradients<dim>(gradient, A, strain);
-  for (vdouble &component : strain)
-    component *= scale;
-  multiply_stiffness<dim, anisotropic>(C, strain, stress);
-  forces_from_stress<dim>(stress, A, gradient);
 }

@@ -2,14 +2,13 @@
 // once for each set, see kernel_variants.h.
 #include "elasticity/element_kernel.h"
 
-#include <cstring>
-
 #ifdef __x86_64__
 #  include <immintrin.h>
 #endif
 
 // GCC 12 warns about its own headers, where halves of vectors are left open on purpose.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wuninitialized"
 
 namespace mesoslip::kernels::MESOSLIP_VARIANT
 {
@@ -17,181 +16,124 @@ namespace mesoslip::kernels::MESOSLIP_VARIANT
 //
 #include "elasticity/node_transpose.h"
 //
+#include "elasticity/cell_stream.h"
+//
 #include "elasticity/element_gradients.h"
+//
+#include "elasticity/element_modes.h"
+//
+#include "elasticity/hexahedron.h"
+//
+#include "elasticity/quadrilateral.h"
 
-/** The nodes of corner @p i of a batch. */
-MESOSLIP_INLINE const std::uint32_t *corner(const std::uint32_t *nodes,
-                                            const std::size_t i)
-{
-  return nodes + i * n_lanes;
-}
-
-/** See SimplexFunction: adj(J) / det(J) times the root of the volume, det(J) / dim!. */
+/** See ShapeFunction: adj(J) / det(J) times the root of the volume, det(J) / dim!. */
 template <int dim>
-static void
-simplex_gradients(const CellBatches &cells, const double *points, double *gradients)
+static void simplex_shapes(const CellBatches &cells, const double *points, double *shapes)
 {
   constexpr double volume = dim == 2 ? 1. / 2. : 1. / 6.;
   for (std::size_t k = 0; k < cells.n; ++k)
     {
-      const std::uint32_t *node = cells.nodes + k * (dim + 1) * n_lanes;
-      vdouble first[dim], x[dim], J[dim][dim], A[dim][dim];
-      load_nodes(points, node, first);
+      vdouble x[dim + 1][dim], J[dim][dim], A[dim][dim];
+      for (int i = 0; i < dim + 1; ++i)
+        load_nodes(points, corner(cells.nodes, k * (dim + 1) + i), x[i]);
+      to_modes<dim>(x);
       for (int d = 0; d < dim; ++d)
-        {
-          load_nodes(points, corner(node, d + 1), x);
-          for (int c = 0; c < dim; ++c)
-            J[c][d] = x[c] - first[c];
-        }
+        for (int c = 0; c < dim; ++c)
+          J[c][d] = x[d + 1][c];
       const vdouble determinant = adjugate(J, A);
       const vdouble scale       = square_root(splat(volume) / determinant);
       for (int d = 0; d < dim; ++d)
-        for (int c = 0; c < dim; ++c)
-          store(gradients + ((k * dim + d) * dim + c) * n_lanes, scale * A[d][c]);
+        for (int c = 0; c < dim; ++c, shapes += n_lanes)
+          store(shapes, scale * A[d][c]);
+    }
+}
+
+/** See ShapeFunction. */
+template <int dim>
+static void tensor_shapes(const CellBatches &cells, const double *points, double *shapes)
+{
+  constexpr int n_corners = 1 << dim;
+  for (std::size_t k = 0; k < cells.n; ++k)
+    {
+      vdouble x[n_corners][dim];
+      for (int i = 0; i < n_corners; ++i)
+        load_nodes(points, corner(cells.nodes, k * n_corners + i), x[i]);
+      to_modes<dim>(x);
+      scale_modes<dim>(x);
+      for (int i = 1; i < n_corners; ++i)
+        for (int c = 0; c < dim; ++c, shapes += n_lanes)
+          store(shapes, x[i][c]);
     }
 }
 
 /** Triangles and tetrahedra. */
 template <int dim, bool anisotropic>
-static void
-multiply_simplex(const CellBatches &cells, const double *, const double *u, double *f)
+static void multiply_simplex(const CellBatches &cells, const double *u, double *f)
 {
+  CellStream<dim, dim + 1> stream(cells, u, f);
   for (std::size_t k = 0; k < cells.n; ++k)
     {
-      const std::uint32_t *node = cells.nodes + k * (dim + 1) * n_lanes;
-      const double *gradients   = cells.gradients + k * dim * dim * n_lanes;
-      vdouble first[dim], v[dim][dim], A[dim][dim];
-      load_nodes(u, node, first);
-      for (int d = 0; d < dim; ++d)
-        {
-          load_nodes(u, corner(node, d + 1), v[d]);
-          for (int c = 0; c < dim; ++c)
-            {
-              v[d][c] -= first[c];
-              A[d][c] = load(gradients + std::size_t(d * dim + c) * n_lanes);
-            }
-        }
-      const double *C =
-        cells.stiffness + cells.material[k] * n_components<dim> * n_components<dim>;
-      vdouble strain[n_components<dim>], stress[n_components<dim>], opposite[dim] = {};
-      strain_from_gradients<dim>(v, A, strain);
-      multiply_stiffness<dim, anisotropic>(C, strain, stress);
-      forces_from_stress<dim>(stress, A, v);
-      for (int d = 0; d < dim; ++d)
-        {
-          for (int c = 0; c < dim; ++c)
-            opposite[c] -= v[d][c];
-          put_nodes<true>(f, corner(node, d + 1), v[d]);
-        }
-      put_nodes<true>(f, node, opposite);
-    }
-}
-
-/** Quadrilaterals and hexahedra. */
-template <int dim, bool anisotropic>
-static void multiply_tensor(const CellBatches &cells,
-                            const double *points,
-                            const double *u,
-                            double *f)
-{
-  constexpr int n_corners = 1 << dim, n_edges = n_corners / 2;
-  for (std::size_t k = 0; k < cells.n; ++k)
-    {
-      const std::uint32_t *node = cells.nodes + k * n_corners * n_lanes;
-      vdouble value[n_corners][dim];
-      vdouble x[dim][dim][n_edges], v[dim][dim][n_edges], force[dim][dim][n_edges] = {};
-      for (int i = 0; i < n_corners; ++i)
-        load_nodes(points, corner(node, i), value[i]);
-      reference_gradients<dim>(value, x);
-      for (int i = 0; i < n_corners; ++i)
-        load_nodes(u, corner(node, i), value[i]);
-      reference_gradients<dim>(value, v);
-
-      const double *C =
-        cells.stiffness + cells.material[k] * n_components<dim> * n_components<dim>;
-#pragma GCC unroll 8
-      for (int q = 0; q < n_corners; ++q)
-        {
-          vdouble J[dim][dim], g[dim][dim];
-          const auto edge = [&](const int d) {
-            return (q & ((1 << d) - 1)) | ((q >> (d + 1)) << d);
-          };
-          for (int d = 0; d < dim; ++d)
-            for (int c = 0; c < dim; ++c)
-              {
-                J[c][d] = x[d][c][edge(d)];
-                g[d][c] = v[d][c][edge(d)];
-              }
-          gradient_to_force<dim, anisotropic>(C, 1. / n_corners, J, g);
-          for (int d = 0; d < dim; ++d)
-            for (int c = 0; c < dim; ++c)
-              force[d][c][edge(d)] += g[d][c];
-        }
-
-      for (int i = 0; i < n_corners; ++i)
-        for (int c = 0; c < dim; ++c)
-          value[i][c] = vdouble{};
+      vdouble value[dim + 1][dim], gradient[dim][dim], A[dim][dim];
+      stream.start(k, value);
+      to_modes<dim>(value);
       for (int d = 0; d < dim; ++d)
         for (int c = 0; c < dim; ++c)
           {
-            interpolate_edges<dim>(force[d][c]);
-            for (int e = 0; e < n_edges; ++e)
-              {
-                const int lower = lower_corner(d, e);
-                value[lower][c] -= force[d][c][e];
-                value[lower | (1 << d)][c] += force[d][c][e];
-              }
+            gradient[d][c] = value[d + 1][c];
+            A[d][c]        = stream.shape(d + 1, c);
           }
-      for (int i = 0; i < n_corners; ++i)
-        put_nodes<true>(f, corner(node, i), value[i]);
+      const double *C =
+        cells.stiffness + cells.material[k] * n_components<dim> * n_components<dim>;
+      vdouble strain[n_components<dim>], stress[n_components<dim>];
+      strain_from_gradients<dim>(gradient, A, strain);
+      stream.move(0);
+      multiply_stiffness<dim, anisotropic>(C, strain, stress);
+      stream.move(1);
+      forces_from_stress<dim>(stress, A, gradient);
+      for (int i = 2; i < dim + 1; ++i)
+        stream.move(i);
+      for (int d = 0; d < dim; ++d)
+        for (int c = 0; c < dim; ++c)
+          value[d + 1][c] = gradient[d][c];
+      from_modes<dim>(value);
+      stream.finish(value);
     }
+  stream.end();
 }
 
-/** Congruent cells: the element matrix times displacements relative to the first corner,
- * on which the opposite of the other forces acts; as many rows at once as registers hold.
- */
+/** Congruent cells, see mode_block(). */
 template <int dim, int n_corners>
-static void
-multiply_matrix(const CellBatches &cells, const double *, const double *u, double *f)
+static void multiply_matrix(const CellBatches &cells, const double *u, double *f)
 {
-  constexpr int n_dofs = dim * (n_corners - 1);
-  constexpr int n_rows = n_dofs > 12 && n_lanes < 8 ? 7 : n_dofs;
-  static_assert(n_dofs % n_rows == 0, "rows are taken in equal groups");
+  constexpr bool simplex = is_simplex<dim, n_corners>;
+  CellStream<dim, n_corners, false> stream(cells, u, f);
   for (std::size_t k = 0; k < cells.n; ++k)
     {
-      const std::uint32_t *node = cells.nodes + k * n_corners * n_lanes;
-      vdouble first[dim], v[n_corners - 1][dim], force[n_corners - 1][dim],
-        rest[dim] = {};
-      load_nodes(u, node, first);
-      for (int i = 0; i < n_corners - 1; ++i)
-        {
-          load_nodes(u, corner(node, i + 1), v[i]);
-          for (int c = 0; c < dim; ++c)
-            v[i][c] -= first[c];
-        }
+      vdouble value[n_corners][dim], force[n_corners][dim] = {};
+      stream.start(k, value);
+      to_modes<dim>(value);
       const double *K =
-        &cells.stiffness[std::size_t{n_dofs} * n_dofs * cells.material[k]];
-      for (int row = 0; row < n_dofs; row += n_rows)
-        {
-          vdouble sum[n_rows] = {};
-          for (int j = 0; j < n_dofs; ++j)
+        &cells.stiffness[n_matrix_numbers<dim>(n_corners) * cells.material[k]];
+      stream.move(0);
+#pragma GCC unroll 8
+      for (int block = 1; block <= (simplex ? 1 : dim); ++block)
+#pragma GCC unroll 8
+        for (int j = 1; j < n_corners; ++j)
+          if (mode_block(simplex, j) == block)
             {
-#pragma GCC unroll 32
-              for (int i = 0; i < n_rows; ++i)
-                sum[i] = fma(splat(K[j * n_dofs + row + i]), v[j / dim][j % dim], sum[i]);
+#pragma GCC unroll 4
+              for (int c = 0; c < dim; ++c)
+#pragma GCC unroll 8
+                for (int i = 1; i < n_corners; ++i)
+                  if (mode_block(simplex, i) == block)
+                    for (int d = 0; d < dim; ++d)
+                      force[i][d] = fma(splat(*K++), value[j][c], force[i][d]);
+              stream.move(j);
             }
-#pragma GCC unroll 32
-          for (int i = 0; i < n_rows; ++i)
-            force[(row + i) / dim][(row + i) % dim] = sum[i];
-        }
-      for (int i = 0; i < n_corners - 1; ++i)
-        {
-          for (int c = 0; c < dim; ++c)
-            rest[c] -= force[i][c];
-          put_nodes<true>(f, corner(node, i + 1), force[i]);
-        }
-      put_nodes<true>(f, node, rest);
+      from_modes<dim>(force);
+      stream.finish(force);
     }
+  stream.end();
 }
 
 template <int dim>
@@ -199,11 +141,8 @@ static void advance_nodes(const NodeArrays &nodes, const NodeStep &step)
 {
   for (std::size_t first = 0; first < nodes.n; first += n_lanes)
     {
-      std::uint32_t node[n_lanes];
-      for (unsigned int l = 0; l < n_lanes; ++l)
-        node[lane_order<dim>[l]] = static_cast<std::uint32_t>(first + l);
       vdouble force[dim], z[dim];
-      load_nodes(nodes.force, node, force);
+      load_row(nodes.force + node_stride<dim> * first, force);
       const vdouble mass = nodes.mass == nullptr ? vdouble{} : load(nodes.mass + first);
       for (int c = 0; c < dim; ++c)
         {
@@ -217,30 +156,29 @@ static void advance_nodes(const NodeArrays &nodes, const NodeStep &step)
           z[c]     = fma(splat(step.beta), w_new, u);
           force[c] = splat(-step.acceleration[c]) * mass;
         }
-      put_nodes<false>(nodes.z, node, z);
-      put_nodes<false>(nodes.force, node, force);
+      store_row(nodes.z + node_stride<dim> * first, z);
+      store_row(nodes.force + node_stride<dim> * first, force);
     }
-}
-
-template <int dim>
-static CellKernels cell_kernels()
-{
-  return {&advance_nodes<dim>,
-          &simplex_gradients<dim>,
-          {&multiply_simplex<dim, false>, &multiply_simplex<dim, true>,
-           &multiply_matrix<dim, dim + 1>},
-          {&multiply_tensor<dim, false>, &multiply_tensor<dim, true>,
-           &multiply_matrix<dim, 1 << dim>},
-          n_lanes};
 }
 
 CellKernels plane_cell_kernels()
 {
-  return cell_kernels<2>();
+  return {
+    &advance_nodes<2>,
+    {&simplex_shapes<2>, &tensor_shapes<2>},
+    {&multiply_simplex<2, false>, &multiply_simplex<2, true>, &multiply_matrix<2, 3>},
+    {&multiply_quadrilateral<false>, &multiply_quadrilateral<true>,
+     &multiply_matrix<2, 4>},
+    n_lanes};
 }
 
 CellKernels solid_cell_kernels()
 {
-  return cell_kernels<3>();
+  return {
+    &advance_nodes<3>,
+    {&simplex_shapes<3>, &tensor_shapes<3>},
+    {&multiply_simplex<3, false>, &multiply_simplex<3, true>, &multiply_matrix<3, 4>},
+    {&multiply_hexahedron<false>, &multiply_hexahedron<true>, &multiply_matrix<3, 8>},
+    n_lanes};
 }
 } // namespace mesoslip::kernels::MESOSLIP_VARIANT

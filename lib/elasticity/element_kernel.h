@@ -10,13 +10,10 @@
  * Interface between the ordinary sources and the kernels of general cells, which are
  * compiled once for each instruction set (see row_kernel.h for why it is so plain).
  *
- * The mathematics. Of multilinear cells all reference gradients at the 2^dim Gauss points
- * have 2^(dim-1) distinct values an axis and component: the differences along the edges,
- * interpolated along the other axes. With J = dx/dxi from the coordinates in the same way,
- * the force is the transpose of this applied to sigma adj(J)^T, where the strain is that
- * of du/dxi adj(J) / det(J): one division a point, and nothing stored but coordinates.
- * In triangles and tetrahedra gradients are constant, and stored: to load and transpose the
- * coordinates of all corners again would take longer than to read them.
+ * What the kernels need to know of the shape of a cell is computed once and read with the
+ * batch: to load and transpose the coordinates of all corners again would take longer. Of
+ * triangles and tetrahedra these are the gradients, which are constant; of quadrilaterals and
+ * hexahedra the coefficients of the coordinates, with which Gauss points are summed up.
  */
 namespace mesoslip::kernels
 {
@@ -33,36 +30,57 @@ enum class CellMaterial
   matrix       ///< phase and shape, thus the element matrix
 };
 
+/**
+ * Element matrices are stored for modes (element_modes.h). Those of a parallelogram or
+ * parallelepiped with one, two and three coordinates are orthogonal, so that there is a block for each
+ * number; simplices have one block.
+ */
+constexpr int mode_block(const bool simplex, const int mode)
+{
+  int n = 0;
+  for (int bit = 1; bit <= mode; bit *= 2)
+    n += (mode & bit) != 0;
+  return simplex ? 1 : n;
+}
+
+/** Numbers in an element matrix: [block][mode][component] of the displacement, [mode of the
+ * same block][component] of the force. */
+template <int dim>
+constexpr std::size_t n_matrix_numbers(const std::size_t n_corners)
+{
+  return n_corners == dim + 1 ? dim * dim * dim * dim : dim == 2 ? 16 + 4 : 81 + 81 + 9;
+}
+
 /** Cells of one kind, as many in a batch as a vector has numbers. */
 struct CellBatches
 {
   std::size_t n = 0; ///< number of batches
 
-  /** Nodes: [batch][corner in the order of deal.II][cell of the batch]. */
+  /** Where the numbers of nodes begin in fields, node_stride times the node: [batch][corner
+   * in the order of deal.II][cell of the batch]. */
   const std::uint32_t *nodes = nullptr;
 
   /** Phase, or element matrix, of each batch. */
   const std::uint32_t *material = nullptr;
 
-  /** Voigt stiffness (Pa) of the phases, one after the other, or the element matrices,
-   * without rows and columns of the first corner, all components of a corner together. */
+  /** Voigt stiffness (Pa) of the phases, or the element matrices, one after the other. */
   const double *stiffness = nullptr;
 
-  /** Of triangles and tetrahedra without a common matrix: see SimplexFunction. */
-  const double *gradients = nullptr;
+  /** Without a common matrix: see ShapeFunction. */
+  const double *shapes = nullptr;
 };
 
-/** Gradients of the shape functions of all corners of simplices but the first, times the root of the
- * volume: [batch][corner - 1][axis][cell], aligned as vectors. */
-using SimplexFunction = void (*)(const CellBatches &cells,
-                                 const double *points,
-                                 double *gradients);
+/**
+ * [batch][corner or mode but the first][axis][cell], aligned as vectors: of simplices
+ * gradients of shape functions times the root of the volume, of other cells modes of the
+ * coordinates with gauss_scale.
+ */
+using ShapeFunction = void (*)(const CellBatches &cells,
+                               const double *points,
+                               double *shapes);
 
-/** f += K u of the cells; coordinates in @p points. */
-using CellFunction = void (*)(const CellBatches &cells,
-                              const double *points,
-                              const double *u,
-                              double *f);
+/** f += K u of the cells. */
+using CellFunction = void (*)(const CellBatches &cells, const double *u, double *f);
 
 /** Constants of the beta2 scheme. */
 struct NodeStep
@@ -98,7 +116,7 @@ struct CellKernels
 {
   NodeFunction advance; ///< of nodes
 
-  SimplexFunction simplex_gradients; ///< what the kernels of simplices read
+  ShapeFunction shapes[2]; ///< of triangles or tetrahedra, and of others
 
   /** By CellMaterial, for triangles or tetrahedra. */
   CellFunction simplex[3];

@@ -1,9 +1,6 @@
 #include "elasticity/element_operator.h"
 
 #include "material/stiffness.h"
-#include "mesh/linear_shape.h"
-
-#include <deal.II/base/quadrature.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +27,32 @@ kernels::CellKernels cell_kernels(const InstructionSet isa)
   return (dim == 2 ? variant(planes, isa) : variant(solids, isa))();
 }
 
+bool is_simplex(const unsigned int dim, const std::size_t n_corners)
+{
+  return n_corners == dim + 1;
+}
+
+/** Whether that can be a shape that congruent cells share: not of quadrilaterals and hexahedra
+ * other than parallelograms and parallelepipeds. */
+bool can_be_shared(const unsigned int dim, const std::vector<std::int64_t> &shape)
+{
+  const std::size_t n_corners = (shape.size() - 1) / dim;
+  const auto corner           = [&](const std::size_t v, const unsigned int d) {
+    return shape[1 + v * dim + d];
+  };
+  for (std::size_t v = 3; v < n_corners && !is_simplex(dim, n_corners); ++v)
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        std::int64_t sum = 0;
+        for (std::size_t bit = 1; bit <= v; bit *= 2)
+          sum += (v & bit) != 0 ? corner(bit, d) : 0;
+        // Each corner is rounded.
+        if (std::abs(corner(v, d) - sum) > 2)
+          return false;
+      }
+  return true;
+}
+
 /** Corners relative to the first one, in units of @p length. */
 template <int dim>
 std::vector<std::int64_t> shape_of(const std::vector<dealii::Point<dim>> &points,
@@ -44,6 +67,45 @@ std::vector<std::int64_t> shape_of(const std::vector<dealii::Point<dim>> &points
   return shape;
 }
 
+/**
+ * Much in their order, but each simplex behind others that share a point with it as far as
+ * some candidates allow: many share a point, and to add to a number that has just been
+ * written takes a processor longer. Other cells gain nothing.
+ */
+template <int dim>
+std::vector<std::size_t> spread_out(const std::vector<dealii::CellData<dim>> &cells,
+                                    const std::size_t n_points)
+{
+  constexpr std::size_t n_candidates = 64, far_enough = 2 * lanes<double>;
+  std::vector<std::size_t> order, candidates, last_use(n_points, 0);
+  const auto distance = [&](const std::size_t k) {
+    std::size_t last = 0;
+    for (const unsigned int v : cells[k].vertices)
+      last = std::max(last, last_use[v]);
+    return last == 0 || !is_simplex(dim, cells[k].vertices.size())
+             ? far_enough
+             : order.size() + 1 - last;
+  };
+  for (std::size_t k = 0; order.size() < cells.size();)
+    {
+      while (candidates.size() < n_candidates && k < cells.size())
+        candidates.push_back(k++);
+      auto best          = candidates.begin();
+      std::size_t so_far = 0;
+      for (auto c = candidates.begin(); c != candidates.end() && so_far < far_enough; ++c)
+        if (const std::size_t d = distance(*c); d > so_far)
+          {
+            so_far = d;
+            best   = c;
+          }
+      for (const unsigned int v : cells[*best].vertices)
+        last_use[v] = order.size() + 1;
+      order.push_back(*best);
+      candidates.erase(best);
+    }
+  return order;
+}
+
 template <int dim>
 double mean_diagonal(const std::vector<dealii::Point<dim>> &points,
                      const std::vector<dealii::CellData<dim>> &cells)
@@ -52,11 +114,6 @@ double mean_diagonal(const std::vector<dealii::Point<dim>> &points,
   for (const auto &cell : cells)
     sum += points[cell.vertices.front()].distance(points[cell.vertices.back()]);
   return sum / static_cast<double>(cells.size());
-}
-
-bool is_simplex(const unsigned int dim, const std::size_t n_corners)
-{
-  return n_corners == dim + 1;
 }
 } // namespace
 
@@ -69,8 +126,9 @@ ElementOperator<dim>::ElementOperator(const std::vector<dealii::Point<dim>> &poi
   , first_dummy(static_cast<std::uint32_t>(points.size()))
   , phase_material(Material::orthotropic)
 {
-  Assert(points.size() < std::numeric_limits<std::uint32_t>::max() - (1 << dim),
-         dealii::ExcMessage("indices of nodes have 32 bits"));
+  Assert(points.size() + lanes<double> <
+           std::numeric_limits<std::uint32_t>::max() / kernels::node_stride<dim>,
+         dealii::ExcMessage("indices into fields have 32 bits"));
   for (const ElasticPhase<dim> &phase : phases)
     {
       const double *C = phase.stiffness.data();
@@ -108,7 +166,7 @@ void ElementOperator<dim>::add_product(const unsigned int part,
 {
   AssertIndexRange(part, parts.size());
   for (const Group &group : parts[part])
-    function(group)(batches(group), coordinates.data(), u, f);
+    function(group)(batches(group), u, f);
 }
 
 template <int dim>
@@ -117,16 +175,18 @@ kernels::CellBatches ElementOperator<dim>::batches(const Group &group) const
   const bool shared = group.common == Material::matrix;
   const double *K   = (shared ? matrices[group.kind] : stiffness).data();
   return {group.material.size(), group.nodes.data(), group.material.data(), K,
-          group.gradients.data()};
+          group.shapes.data()};
 }
 
 template <int dim>
-void ElementOperator<dim>::set_gradients(Group &group, const double *points) const
+void ElementOperator<dim>::set_shapes(Group &group, const double *points) const
 {
-  if (group.kind != 0 || group.common == Material::matrix)
+  if (group.common == Material::matrix)
     return;
-  group.gradients.resize(group.material.size() * dim * dim * kernels.cells_at_once);
-  kernels.simplex_gradients(batches(group), points, group.gradients.data());
+  const std::size_t n_corners = group.kind == 0 ? dim + 1 : 1 << dim;
+  group.shapes.resize(group.material.size() * dim * (n_corners - 1) *
+                      kernels.cells_at_once);
+  kernels.shapes[group.kind](batches(group), points, group.shapes.data());
 }
 
 template <int dim>
@@ -140,7 +200,7 @@ ElementOperator<dim>::find_congruent(const std::vector<dealii::Point<dim>> &poin
   for (std::size_t k = 0; k < cells.size(); ++k)
     shapes[shape_of(points, cells[k], length)].push_back(k);
   for (const auto &[shape, members] : shapes)
-    if (members.size() >= least_congruent)
+    if (members.size() >= least_congruent && can_be_shared(dim, shape))
       {
         const auto &cell             = cells[members[0]];
         const auto K                 = element_matrix(cell);
@@ -160,31 +220,50 @@ ElementOperator<dim>::element_matrix(const dealii::CellData<dim> &cell) const
 {
   // A batch of the cell and of cells of no account, each with nodes of its own.
   constexpr unsigned int stride = kernels::node_stride<dim>;
-  const unsigned int lanes      = kernels.cells_at_once;
-  const std::size_t n_corners = cell.vertices.size(), n = (n_corners - 1) * dim;
-  Group group{is_simplex(dim, n_corners) ? 0U : 1U, phase_material, {}, {}, {}};
+  const unsigned int lanes = kernels.cells_at_once, n_corners = cell.vertices.size();
+  const bool simplex = is_simplex(dim, n_corners);
+  Group group{simplex ? 0U : 1U, phase_material, {}, {}, {}};
   group.material = {cell.material_id};
-  LineVector<double> points(n_corners * lanes * stride), u = points, f = points;
+  LineVector<double> points(std::size_t{n_corners} * lanes * stride), u = points,
+                                                                      f = points;
   for (unsigned int k = 0; k < n_corners * lanes; ++k)
     {
-      group.nodes.push_back(k);
+      group.nodes.push_back(k * stride);
       std::copy_n(&coordinates[std::size_t(cell.vertices[k / lanes]) * stride], stride,
                   &points[std::size_t(k) * stride]);
     }
-  const auto dof = [&](const std::size_t i) {
-    return (1 + i / dim) * lanes * stride + i % dim;
+  set_shapes(group, points.data());
+
+  // The value at a corner of what has that mode alone.
+  const auto shape = [&](const unsigned int mode, const unsigned int v) {
+    if (simplex)
+      return v == mode ? 1. : 0.;
+    return (kernels::mode_block(false, mode & ~v) % 2 == 0 ? 1. : -1.) / n_corners;
   };
-  set_gradients(group, points.data());
-  std::vector<double> K(n * n);
-  for (std::size_t j = 0; j < n; ++j)
-    {
-      std::fill(u.begin(), u.end(), 0.);
-      std::fill(f.begin(), f.end(), 0.);
-      u[dof(j)] = 1.;
-      function(group)(batches(group), points.data(), u.data(), f.data());
-      for (std::size_t i = 0; i < n; ++i)
-        K[j * n + i] = f[dof(i)];
-    }
+  std::vector<double> K;
+  const auto add_forces = [&](const int block) {
+    for (unsigned int mode = 1; mode < n_corners; ++mode)
+      for (unsigned int c = 0; c < dim && kernels::mode_block(simplex, mode) == block;
+           ++c)
+        {
+          double sum = 0.;
+          for (unsigned int v = 0; v < n_corners; ++v)
+            sum += shape(mode, v) * f[v * lanes * stride + c];
+          K.push_back(sum);
+        }
+  };
+  for (int block = 1; block <= (simplex ? 1 : dim); ++block)
+    for (unsigned int mode = 1; mode < n_corners; ++mode)
+      for (unsigned int c = 0; c < dim && kernels::mode_block(simplex, mode) == block;
+           ++c)
+        {
+          std::fill(u.begin(), u.end(), 0.);
+          std::fill(f.begin(), f.end(), 0.);
+          for (unsigned int v = 0; v < n_corners; ++v)
+            u[v * lanes * stride + c] = shape(mode, v);
+          function(group)(batches(group), u.data(), f.data());
+          add_forces(block);
+        }
   return K;
 }
 
@@ -198,7 +277,7 @@ ElementOperator<dim>::make_groups(const std::vector<dealii::Point<dim>> &points,
   std::array<std::array<Group, 3>, 2> groups;
   std::array<std::array<std::map<std::uint32_t, std::vector<std::uint32_t>>, 3>, 2>
     waiting;
-  for (std::size_t k = 0; k < cells.size(); ++k)
+  for (const std::size_t k : spread_out(cells, points.size()))
     {
       const auto &vertices   = cells[k].vertices;
       const bool shared      = matrix[k] >= 0;
@@ -232,7 +311,7 @@ ElementOperator<dim>::make_groups(const std::vector<dealii::Point<dim>> &points,
           continue;
         group.kind   = static_cast<unsigned int>(kind);
         group.common = static_cast<Material>(material);
-        set_gradients(group, coordinates.data());
+        set_shapes(group, coordinates.data());
         result.push_back(std::move(group));
       }
   return result;
@@ -250,66 +329,13 @@ void ElementOperator<dim>::finish_batch(const unsigned int n_corners,
       {
         // Of a simplex the corners 0, e_x, e_y, e_z.
         const unsigned int corner = n_corners == dim + 1 && v > 0 ? 1U << (v - 1) : v;
-        group.nodes.push_back(l < n ? cells[l * n_corners + v] : first_dummy + corner);
+        const std::uint32_t node =
+          l < n ? cells[l * n_corners + v] : first_dummy + corner;
+        group.nodes.push_back(node * kernels::node_stride<dim>);
       }
   cells.clear();
 }
 
-namespace
-{
-/** Shape functions of one kind of cells at the points of a quadrature rule. */
-template <int dim>
-struct ShapeTable
-{
-  explicit ShapeTable(const std::size_t n_corners)
-  {
-    const dealii::ReferenceCell shape = reference_cell<dim>(n_corners);
-    const auto quadrature             = shape.template get_gauss_type_quadrature<dim>(2);
-    weights                           = quadrature.get_weights();
-    for (const auto &point : quadrature.get_points())
-      for (unsigned int v = 0; v < n_corners; ++v)
-        {
-          value.push_back(shape.template d_linear_shape_function<dim>(point, v));
-          gradient.push_back(linear_shape_gradient<dim>(shape, point, v));
-        }
-  }
-
-  std::vector<double> weights, value; ///< value: [point][corner]
-  std::vector<dealii::Tensor<1, dim>> gradient;
-};
-} // namespace
-
-template <int dim>
-std::vector<double> lumped_mass(const std::vector<dealii::Point<dim>> &points,
-                                const std::vector<dealii::CellData<dim>> &cells,
-                                const std::vector<ElasticPhase<dim>> &phases)
-{
-  std::vector<double> mass(points.size());
-  std::map<std::size_t, ShapeTable<dim>> tables; // by the number of corners
-  for (const auto &cell : cells)
-    {
-      const std::size_t n  = cell.vertices.size();
-      const auto &table    = tables.try_emplace(n, n).first->second;
-      const double density = phases[cell.material_id].density;
-      for (std::size_t q = 0; q < table.weights.size(); ++q)
-        {
-          dealii::Tensor<2, dim> J;
-          for (unsigned int v = 0; v < n; ++v)
-            J += outer_product(points[cell.vertices[v]], table.gradient[q * n + v]);
-          for (unsigned int v = 0; v < n; ++v)
-            mass[cell.vertices[v]] +=
-              density * determinant(J) * table.weights[q] * table.value[q * n + v];
-        }
-    }
-  return mass;
-}
-
 template class ElementOperator<2>;
 template class ElementOperator<3>;
-template std::vector<double> lumped_mass(const std::vector<dealii::Point<2>> &,
-                                         const std::vector<dealii::CellData<2>> &,
-                                         const std::vector<ElasticPhase<2>> &);
-template std::vector<double> lumped_mass(const std::vector<dealii::Point<3>> &,
-                                         const std::vector<dealii::CellData<3>> &,
-                                         const std::vector<ElasticPhase<3>> &);
 } // namespace mesoslip

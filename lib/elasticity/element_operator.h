@@ -17,8 +17,8 @@ namespace mesoslip
 /**
  * The stiffness matrix of a mesh without being assembled: linear triangles and tetrahedra,
  * bilinear quadrilaterals and trilinear hexahedra, fully integrated, also mixed. Cells of
- * which many are congruent share their element matrix; of other quadrilaterals and hexahedra coordinates alone are
- * read (see element_kernel.h).
+ * which many are congruent, simplices, parallelograms and parallelepipeds, share their element
+ * matrix; of others their shape is stored (see element_kernel.h).
  *
  * Fields hold the components of a node together, kernels::node_stride<dim> numbers each,
  * in the order of the points, and some zeros behind them: see zero_field().
@@ -69,11 +69,11 @@ private:
     unsigned int kind = 0;                   ///< 0: simplices, 1: others
     Material common = Material::orthotropic; ///< what the cells of a batch have in common
     std::vector<std::uint32_t> nodes, material;
-    LineVector<double> gradients; ///< see CellBatches
+    LineVector<double> shapes; ///< see CellBatches
   };
 
-  /** Computes the gradients of a complete group, if its kernel reads them. */
-  void set_gradients(Group &group, const double *points) const;
+  /** Computes the shapes of a complete group, if its kernel reads them. */
+  void set_shapes(Group &group, const double *points) const;
   kernels::CellBatches batches(const Group &group) const;
 
   kernels::CellFunction function(const Group &group) const;

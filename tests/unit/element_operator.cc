@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 using namespace mesoslip;
@@ -30,7 +31,7 @@ struct TestMesh
   std::vector<dealii::CellData<dim>> cells;
 };
 
-/** A brick of n^dim cells with two phases; @p shift moves the points at random. */
+/** A sheared brick of n^dim cells with two phases; @p shift moves the points at random. */
 template <int dim>
 TestMesh<dim> make_mesh(const unsigned int n, const bool simplices, const double shift)
 {
@@ -45,8 +46,11 @@ TestMesh<dim> make_mesh(const unsigned int n, const bool simplices, const double
   std::mt19937 generator(3);
   std::uniform_real_distribution<> random(-shift / n, shift / n);
   for (auto &p : mesh.points)
-    for (unsigned int d = 0; d < dim; ++d)
-      p[d] += random(generator);
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        p[d] += random(generator);
+      p[0] += 0.3 * p[dim - 1];
+    }
   for (std::size_t k = 0; k < mesh.cells.size(); ++k)
     mesh.cells[k].material_id = k % 3 == 0;
   return mesh;
@@ -192,6 +196,29 @@ void compare(const unsigned int n)
         }
 }
 } // namespace
+
+// Every second point of every second row moved: four shapes, each of many congruent cells.
+TEST(ElementOperator, SharesNoMatrixOfCongruentCellsThatAreNoParallelograms)
+{
+  constexpr unsigned int n = 40;
+  auto mesh                = make_mesh<2>(n, false, 0.);
+  for (auto &p : mesh.points)
+    {
+      const auto row    = std::lround(p[1] * n);
+      const auto column = std::lround((p[0] - 0.3 * p[1]) * n);
+      p[0] += row % 2 == 1 && column % 2 == 1 ? 0.2 / n : 0.;
+    }
+  const auto phases = make_phases<2>(true);
+  std::vector<double> u(mesh.points.size() * 2), expected, mass;
+  for (std::size_t k = 0; k < u.size(); ++k)
+    u[k] = std::sin(static_cast<double>(k * k));
+  assemble(mesh, phases, u, expected, mass);
+  std::size_t n_congruent = 0;
+  const auto f = product(mesh, phases, u, InstructionSet::automatic, n_congruent);
+  EXPECT_EQ(n_congruent, 0U);
+  for (std::size_t k = 0; k < f.size(); ++k)
+    ASSERT_NEAR(f[k], expected[k], 1e-13);
+}
 
 TEST(ElementOperator, EqualsAssembledMatrixInThePlane)
 {

@@ -172,17 +172,22 @@ void cell_kernels(const kernels::CellKernels &cells)
   // No node twice in a cell, whose volume is not 0 then: the sign of a NaN differs.
   for (std::size_t k = 0; k < nodes.size(); ++k)
     nodes[k] = static_cast<std::uint32_t>(
-      (k / cells.cells_at_once * 3 + k % cells.cells_at_once * 5) % n_nodes);
+      (k / cells.cells_at_once * 3 + k % cells.cells_at_once * 5) % n_nodes *
+      kernels::node_stride<dim>);
   for (unsigned int kind = 0; kind < 2; ++kind)
     for (unsigned int common = 0; common < 3; ++common)
       {
         Numbers<double> stiffness(24 * 24), points(2 * n), u(2 * n), f(2 * n),
-          gradients(n_batches * dim * dim * cells.cells_at_once);
+          shapes(n_batches * dim * 7 * cells.cells_at_once);
         const kernels::CellBatches batches = {n_batches, nodes.data(), material.data(),
-                                              stiffness.data(), gradients.data()};
-        (kind == 0 ? cells.simplex : cells.tensor)[common](batches, points.data(),
-                                                           u.data(), f.data());
-        f.digest(in_space + " cells " + std::to_string(kind) + std::to_string(common));
+                                              stiffness.data(), shapes.data()};
+        if (kind == 1) // of simplices it would take roots of negative volumes
+          cells.shapes[kind](batches, points.data(), shapes.data());
+        (kind == 0 ? cells.simplex : cells.tensor)[common](batches, u.data(), f.data());
+        const std::string name = std::to_string(kind) + std::to_string(common);
+        f.digest(in_space + " cells " + name);
+        if (kind == 1 && common == 0)
+          shapes.digest(in_space + " shapes " + name);
       }
   Numbers<double> x(14 * 2 * n);
   kernels::NodeArrays a = {};
