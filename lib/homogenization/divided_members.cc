@@ -91,6 +91,8 @@ std::string reserve_fields(const RveParameters &parameters,
   if (parameters.write_concentration)
     for (const BoundaryCondition condition : parameters.conditions)
       content.reserved.push_back(to_string(condition));
+  // As those that rank 0 writes alone.
+  std::sort(content.reserved.begin(), content.reserved.end());
   std::string loads_file;
   on_root(context.communicator(), [&]() {
     if (parameters.write_concentration)
