@@ -20,9 +20,9 @@ using namespace contact_testing;
 
 namespace
 {
-constexpr double block_mass = 0.03, block_area = 2e-6; // kg/m, m
-constexpr double speed_of_flat = 2., duration = 0.01;  // m/s, s
-constexpr double largest_force = 12.;                  // N/m
+constexpr double mass_on_flat = 0.03, block_area = 2e-6; // kg/m, m
+constexpr double speed_of_flat = 2., duration = 0.01;    // m/s, s
+constexpr double largest_force = 12.;                    // N/m
 
 /** Pressing force (N/m), which begins with next to nothing: so nothing jumps. */
 double pressing_at(const double time)
@@ -141,7 +141,7 @@ Motion rates(const WrittenLaw &law,
 {
   const double V = speed_of_flat - y[0], target = target_of(law, memory, t, y),
                delta = friction.at(V), t_pc = memory.at(V);
-  return {{(delta > 0. ? y[1] : target) / block_mass,
+  return {{(delta > 0. ? y[1] : target) / mass_on_flat,
            delta > 0. ? (target - y[1]) / delta : 0., law.state_rate(V, y[2]),
            t_pc > 0. ? (pressing_at(t) - y[3]) / t_pc : 0.}};
 }
@@ -187,7 +187,7 @@ advanced(const WrittenLaw &law, const Lag &friction, const Lag &memory, const in
     setup.law.node_law =
       std::make_shared<SlipRateRegularization>(friction.length, friction.reference);
   setup.law.normal_stress = {memory.time, memory.length, memory.reference};
-  Points block(setup, step_of(dt), {block_mass});
+  Points block(setup, step_of(dt), {mass_on_flat});
   for (int n = 0; n <= steps; ++n)
     {
       block.load(0, 0., pressing_at(n * dt));
