@@ -34,18 +34,17 @@ double bytes_of_fields(const FieldSelection &fields)
   return of_number * ((fields.von_mises ? 1. : 0.) + means + squares);
 }
 
-/** Of CellStrain and StrainSource for one cell of @p n_corners. */
+/** Of CellStrain for one cell of @p n_corners of a body. */
 template <int dim>
 double bytes_of_strain(const double n_corners, const bool at_centroids)
 {
   constexpr double v = n_voigt<dim>, vector = of_number * dim;
-  const double places = 2. * vector + 16.;
   const double gradients =
     n_corners * (of_number + vector) + of_number * (v + 1.) + vector;
   // Slopes and their neighbours across faces, in lists that grow.
   const double slopes =
     vector * (1. + v) + of_number + 1.5 * (n_corners + 2. * dim) * (of_number + vector);
-  return places + gradients + (at_centroids ? 0. : slopes);
+  return gradients + (at_centroids ? 0. : slopes);
 }
 } // namespace
 
@@ -63,14 +62,16 @@ RankMemory memory_need(const MeshLocalizationInput<dim> &input,
                n_fields           = n_points + n_variants + (input.direct ? 1. : 0.);
   const double statistics         = bytes_of_fields<dim>(p.fields);
   const double tensor             = of_number * (v * v + 1.) + 4.;
-  const double strain =
-    input.is_body() || input.direct
-      ? bytes_of_strain<dim>(static_cast<double>(input.body.cells[0].vertices.size()),
-                             input.volume.cells.size() == input.body.cells.size() &&
-                               p.points.empty())
-      : 0.;
+  const double place = input.is_body() || input.direct ? 2. * vector + 16. : 0.;
+  const double n_strained =
+    input.direct      ? n_cells
+    : input.is_body() ? std::min(n_cells, static_cast<double>(input.body.cells.size()))
+                      : 0.;
+  const double strain = bytes_of_strain<dim>(
+    static_cast<double>(input.body.cells[0].vertices.size()),
+    input.volume.cells.size() == input.body.cells.size() && p.points.empty());
   // The fields are taken from the statistics, of points from all at once.
-  const double pass = tensor + strain + (n_fields + std::max(1., n_points)) * statistics;
+  const double pass = tensor + place + (n_fields + std::max(1., n_points)) * statistics;
 
   const double meshes = bytes_of(input.volume) + bytes_of(input.body) +
                         bytes_of(input.direct_body) +
@@ -78,7 +79,7 @@ RankMemory memory_need(const MeshLocalizationInput<dim> &input,
                         3. * vector * static_cast<double>(input.body.points.size());
   // Texts of the ranks, results from them, and the fields of the whole volume.
   const double output = 2.5 * n_fields * statistics * n_cells;
-  const double share  = n_cells / n_ranks * pass;
+  const double share  = (n_cells * pass + n_strained * strain) / n_ranks;
   return {of_libraries + meshes + std::max(share, output),
           n_ranks > 1 ? of_libraries + share : 0.};
 }
