@@ -18,6 +18,7 @@ template <int dim, int n_corners, bool has_shapes = true>
 class CellStream
 {
 public:
+  /** From the displacements @p u to the forces @p f, which are added to. */
   CellStream(const CellBatches &cells, const double *u, double *f)
     : cells(cells)
     , u(u)

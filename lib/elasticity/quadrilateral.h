@@ -13,13 +13,13 @@
 /** Modes of a component or coordinate, with gauss_scale. */
 struct QuadrilateralModes
 {
-  vdouble a1, a2, a3;
+  vdouble a1, a2, a3; ///< of xi, eta and xi eta
 };
 
 /** Coefficients of 1, xi and eta; those of xi and eta over sqrt(3). */
 struct LinearFunction
 {
-  vdouble of[3];
+  vdouble of[3]; ///< 1, xi and eta
 };
 
 /** [a, b] + sum */
@@ -36,7 +36,7 @@ MESOSLIP_INLINE LinearFunction bracket(const QuadrilateralModes &a,
  * modes are four times coefficients. */
 struct GaussSums
 {
-  vdouble one, xi, eta, both;
+  vdouble one, xi, eta, both; ///< of 1, sign(xi), sign(eta), sign(xi eta)
 };
 
 MESOSLIP_INLINE GaussSums gauss_sums(const LinearFunction &det)
