@@ -1,4 +1,5 @@
-// From derivatives along reference axes to strains, and from stresses back to forces. Included by the kernels of general cells only, inside their namespace, after simd.h.
+// From derivatives along reference axes to strains, and from stresses back to forces. Included
+// by the kernels of general cells only, inside their namespace, after simd.h.
 
 template <int dim>
 constexpr int n_components = dim *(dim + 1) / 2;

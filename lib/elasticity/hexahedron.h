@@ -74,7 +74,7 @@ static void multiply_hexahedron(const CellBatches &cells, const double *u, doubl
       constexpr auto edge = [](const int d, const int q) {
         return (q & ((1 << d) - 1)) | ((q >> (d + 1)) << d);
       };
-      vdouble A[3][3], next_A[3][3], scale, next_scale;
+      vdouble next_A[3][3], next_scale;
       const auto prepare = [&](const int q) {
         vdouble J[3][3];
         for (int c = 0; c < 3; ++c)
@@ -86,7 +86,8 @@ static void multiply_hexahedron(const CellBatches &cells, const double *u, doubl
 #pragma GCC unroll 8
       for (int q = 0; q < 8; ++q)
         {
-          scale = next_scale;
+          const vdouble scale = next_scale;
+          vdouble A[3][3];
           for (int d = 0; d < 3; ++d)
             for (int c = 0; c < 3; ++c)
               A[d][c] = next_A[d][c];
