@@ -37,7 +37,7 @@ public:
       for (int c = 0; c < dim; ++c)
         value[i][c] = next[i][c];
     here  = cells.nodes + k * n_corners * n_lanes;
-    after = k + 1 < cells.n ? here + n_corners * n_lanes : here;
+    after = k + 1 < cells.n ? here + std::size_t{n_corners} * n_lanes : here;
     if (has_shapes)
       shapes = cells.shapes + k * n_shape * n_lanes;
   }
@@ -45,7 +45,7 @@ public:
   /** Component @p c of number @p i, from 1 on, of the shapes of the batch. */
   vdouble shape(const int i, const int c) const
   {
-    return load(shapes + ((i - 1) * dim + c) * n_lanes);
+    return load(shapes + std::size_t((i - 1) * dim + c) * n_lanes);
   }
 
   /** For each corner @p i once between start() and finish(). */
@@ -56,7 +56,8 @@ public:
     constexpr int n_ahead = 8, n_lines = (n_shape + n_corners - 1) / n_corners;
     if (has_shapes)
       for (int l = 0; l < n_lines; ++l)
-        __builtin_prefetch(shapes + (n_ahead * n_shape + i * n_lines + l) * n_lanes);
+        __builtin_prefetch(shapes +
+                           std::size_t(n_ahead * n_shape + i * n_lines + l) * n_lanes);
   }
 
   /** The forces of the batch. */

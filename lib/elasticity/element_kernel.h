@@ -32,8 +32,8 @@ enum class CellMaterial
 
 /**
  * Element matrices are stored for modes (element_modes.h). Those of a parallelogram or
- * parallelepiped with one, two and three coordinates are orthogonal, so that there is a block for each
- * number; simplices have one block.
+ * parallelepiped with one, two and three coordinates are orthogonal, so that there is a block for
+ * each number; simplices have one block.
  */
 constexpr int mode_block(const bool simplex, const int mode)
 {

@@ -76,7 +76,7 @@ template <int dim>
 std::vector<std::size_t> spread_out(const std::vector<dealii::CellData<dim>> &cells,
                                     const std::size_t n_points)
 {
-  constexpr std::size_t n_candidates = 64, far_enough = 2 * lanes<double>;
+  constexpr std::size_t n_candidates = 64, far_enough = std::size_t{2} * lanes<double>;
   std::vector<std::size_t> order, candidates, last_use(n_points, 0);
   const auto distance = [&](const std::size_t k) {
     std::size_t last = 0;

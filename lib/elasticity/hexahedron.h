@@ -100,8 +100,8 @@ static void multiply_hexahedron(const CellBatches &cells, const double *u, doubl
           strain_from_gradients<3>(gradient, A, strain);
           for (vdouble &component : strain)
             component *= scale;
-          multiply_stiffness<3, anisotropic>(cells.stiffness + cells.material[k] * 36,
-                                             strain, stress);
+          multiply_stiffness<3, anisotropic>(
+            cells.stiffness + std::size_t{36} * cells.material[k], strain, stress);
           forces_from_stress<3>(stress, A, gradient);
           for (int c = 0; c < 3; ++c)
             for (int d = 0; d < 3; ++d)

@@ -90,8 +90,8 @@ static void multiply_quadrilateral(const CellBatches &cells, const double *u, do
           vdouble e[3], s[3];
           for (int i = 0; i < 3; ++i)
             e[i] = strain[i].of[m];
-          multiply_stiffness<2, anisotropic>(cells.stiffness + cells.material[k] * 9, e,
-                                             s);
+          multiply_stiffness<2, anisotropic>(
+            cells.stiffness + std::size_t{9} * cells.material[k], e, s);
           for (int i = 0; i < 3; ++i)
             stress[i].of[m] = s[i];
         }

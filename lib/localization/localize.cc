@@ -20,7 +20,7 @@ std::vector<VoigtMatrix<2>> stiffnesses(const RveFile<2> &rve)
 }
 
 /** Over all cells of [..][3][3] tensors. */
-VoigtMatrix<2> mean_of(const std::vector<double> &concentration)
+VoigtMatrix<2> mean_concentration(const std::vector<double> &concentration)
 {
   VoigtMatrix<2> sum = VoigtMatrix<2>::Zero();
   for (std::size_t k = 0; k < concentration.size(); k += 9)
@@ -33,7 +33,7 @@ StressMap make_map(LocalizationInput &input)
 {
   const std::vector<double> L = std::move(input.concentration);
   const std::string warning   = concentration_warning<2>(
-    input.rve.path(), input.parameters.concentration, mean_of(L));
+    input.rve.path(), input.parameters.concentration, mean_concentration(L));
   if (!warning.empty())
     input.warnings.push_back(warning);
   return {input.rve.grid, input.phase_id, stiffnesses(input.rve),

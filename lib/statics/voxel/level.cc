@@ -175,7 +175,7 @@ std::vector<BrickMatrix> cell_matrices(const VoxelGrid &grid,
     for (std::size_t m = 0; m < all.size(); ++m)
       if (stiffness_entries<3>()[m].row == grid.load_case(entry.row) &&
           stiffness_entries<3>()[m].column == grid.load_case(entry.column))
-        result.push_back(all[m] / 4.);
+        result.emplace_back(all[m] / 4.);
   return result;
 }
 
