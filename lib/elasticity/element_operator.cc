@@ -126,9 +126,9 @@ ElementOperator<dim>::ElementOperator(const std::vector<dealii::Point<dim>> &poi
   , first_dummy(static_cast<std::uint32_t>(points.size()))
   , phase_material(Material::orthotropic)
 {
-  Assert(points.size() + lanes<double> <
-           std::numeric_limits<std::uint32_t>::max() / kernels::node_stride<dim>,
-         dealii::ExcMessage("indices into fields have 32 bits"));
+  AssertThrow(points.size() + lanes<double> <
+                std::numeric_limits<std::uint32_t>::max() / kernels::node_stride<dim>,
+              dealii::ExcMessage("indices into fields have 32 bits"));
   for (const ElasticPhase<dim> &phase : phases)
     {
       const double *C = phase.stiffness.data();

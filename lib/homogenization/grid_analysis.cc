@@ -132,7 +132,9 @@ double bytes_here(const RveParameters &parameters, const bool divided)
 {
   const double ranks = ranks_of_this_machine();
   if (divided)
-    return ranks * bytes_of_rank + share_of_this_machine() * bytes_of_divided(parameters);
+    return ranks * bytes_of_rank +
+           copies_on_this_machine(parameters.microstructure.grid.cells[1]) *
+             bytes_of_divided(parameters);
   const WholeVolume whole = bytes_of_whole(parameters);
   if (parameters.solver == StaticSolverKind::ml)
     return ranks * bytes_of_rank + share_of_this_machine() * whole.solver + whole.fields;
@@ -191,7 +193,8 @@ Division choose_division(const RveParameters &parameters)
     remedy +=
       " or set Homogenization/Solver = divided, which needs about " + bytes_text(parts);
   require_memory({whole, remedy});
-  return {};
+  throw UserError(
+    "another machine of these ranks has too little memory for the volume; " + remedy);
 }
 
 // What looks like another unit.

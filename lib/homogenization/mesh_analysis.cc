@@ -7,6 +7,7 @@
 #include "homogenization/volume_analysis.h"
 #include "io/parallel_rows.h"
 #include "material/plausibility.h"
+#include "program/machine.h"
 #include "program/run_context.h"
 
 #include <algorithm>
@@ -31,9 +32,9 @@ public:
   {
     on_root(MPI_COMM_WORLD, [this]() { read_all(); });
     broadcast_object(MPI_COMM_WORLD, sizes);
-    require_memory({bytes_per_node<dim> * static_cast<double>(sizes[0]) /
-                      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
-                    "take a coarser mesh or more ranks"});
+    require_memory(
+      {share_of_this_machine() * bytes_per_node<dim> * static_cast<double>(sizes[0]),
+       "take a coarser mesh or more machines"});
   }
 
   void describe(std::ostream &out) const override

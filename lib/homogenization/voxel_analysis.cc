@@ -219,8 +219,9 @@ private:
 void require_voxel_memory(const RveParameters &parameters)
 {
   const MicrostructureParameters &p = parameters.microstructure;
-  const double bytes = share_of_this_machine() * bytes_of_solver(parameters);
-  const double part  = std::cbrt(memory_of_machine() / bytes);
+  const double bytes =
+    copies_on_this_machine(p.box.cells[2]) * bytes_of_solver(parameters);
+  const double part = std::cbrt(memory_of_machine() / bytes);
   std::string fits;
   for (const unsigned int n : p.box.cells)
     fits += (fits.empty() ? "" : " x ") +

@@ -1,6 +1,8 @@
 #include "homogenization/voxel_volume.h"
 
 #include "base/exchange.h"
+#include "program/machine.h"
+#include "statics/voxel/planes.h"
 
 #include <Eigen/LU>
 
@@ -152,5 +154,14 @@ std::vector<double> VoxelVolume::concentration(const unsigned int k) const
     tensors.insert(tensors.end(), tensor.data(), tensor.data() + 36);
   });
   return tensors;
+}
+
+double copies_on_this_machine(const unsigned int n_cells)
+{
+  // KUBC have the fewest planes of nodes that are unknowns.
+  const auto n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  return n_ranks == 1 || voxel::is_divided_among(n_cells - 1, n_ranks)
+           ? share_of_this_machine()
+           : ranks_of_this_machine();
 }
 } // namespace mesoslip

@@ -64,6 +64,10 @@ private:
   BoundaryCondition condition = BoundaryCondition::KUBC; ///< solved last
   std::unique_ptr<voxel::Solver> solver;                 ///< of it
 };
+
+/** How often the ranks of this machine hold a volume of so many cells along its last axis:
+ *  their share of it or, if that is too few to divide them, each of them all. Collective. */
+double copies_on_this_machine(const unsigned int n_cells);
 } // namespace mesoslip
 
 #endif

@@ -1,6 +1,7 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "io/drafts.h"
 #include "io/hdf5/internal.h"
 
 #include <algorithm>
@@ -195,7 +196,11 @@ Hdf5File Hdf5File::resume(const std::string &path, const std::string &hint)
                     ": its program was killed while it wrote the file, which "
                     "cannot be gone on with; " +
                     hint);
-  return Hdf5File(path, open_file(part, H5F_ACC_RDWR), true);
+  Hdf5File file(path, open_file(part, H5F_ACC_RDWR), true);
+  if (!DraftMark::is_set() && file.has_attribute("/", "digest") &&
+      file.read_attribute<std::string>("/", "digest") == draft_digest)
+    throw UserError(part + " is a draft, which no run goes on with; " + hint);
+  return file;
 }
 
 bool Hdf5File::writing_has_failed()

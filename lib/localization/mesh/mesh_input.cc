@@ -254,7 +254,7 @@ ResourceNeed MeshLocalizationInput<dim>::need() const
                : (parameters.local_strain ? 1. : 0.) + (parameters.mean_strain ? 1. : 0.);
   LocalizationExtent extent;
   extent.n_cells = static_cast<double>(volume.cells.size());
-  if (dim == 3 || rve.is_mesh())
+  if (rve.is_mesh())
     extent.mesh_bytes = static_cast<double>(sizeof(double) * dim * volume.points.size() +
                                             sizeof(unsigned int) * topology_size(volume));
   extent.n_field_sets =

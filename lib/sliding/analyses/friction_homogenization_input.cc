@@ -2,6 +2,7 @@
 #include "base/files.h"
 #include "exchange/dynamics_file.h"
 #include "exchange/rve_file.h"
+#include "io/drafts.h"
 #include "material/engineering_constants.h"
 #include "sliding/analyses/friction_homogenization.h"
 #include "sliding/analyses/static_contact.h"
@@ -188,6 +189,10 @@ RunSummary::RunSummary(const std::string &key, const std::string &given)
   json = nlohmann::json::parse(read_file(name), nullptr, false);
   if (!json.is_object())
     throw UserError(key + ": " + name + " is no JSON object; run contact_dynamics again");
+  if (json.value("draft", false) && !drafts_are_accepted())
+    throw UserError(key + ": " + folder +
+                    " holds drafts, in which nothing was computed; run contact_dynamics "
+                    "without --try");
 }
 
 std::string RunSummary::file(const std::string &name) const

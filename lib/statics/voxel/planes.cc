@@ -85,7 +85,7 @@ void divide(VoxelGrid &grid, const MPI_Comm communicator)
   MPI_Comm_size(communicator, &n_ranks);
   const std::size_t n_planes = grid.n_all_nodes(2);
   const auto n               = static_cast<unsigned int>(n_ranks);
-  if (n == 1 || n_planes < std::size_t{2} * n)
+  if (n == 1 || !is_divided_among(n_planes, n))
     return;
   for (unsigned int r = 0; r <= n; ++r)
     grid.planes.push_back(static_cast<unsigned int>(n_planes * r / n));

@@ -13,8 +13,13 @@ namespace mesoslip::voxel
  * @{
  */
 
-/** Divides planes of nodes among the ranks of @p communicator, if there are at least two
- *  for each. */
+/** Whether so many planes of nodes are enough for @p n_ranks: at least two for each. */
+inline bool is_divided_among(const std::size_t n_planes, const unsigned int n_ranks)
+{
+  return n_planes >= std::size_t{2} * n_ranks;
+}
+
+/** Divides planes of nodes among the ranks of @p communicator, if they are enough. */
 void divide(VoxelGrid &grid, const MPI_Comm communicator);
 
 /** The planes of @p coarse as those of @p fine lie: nodes before the first of a rank are

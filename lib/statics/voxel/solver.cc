@@ -84,6 +84,9 @@ void Solver::residual(const unsigned int k,
 SolverReport
 Solver::solve(const unsigned int k, const double tolerance, const unsigned int limit)
 {
+  AssertThrow(
+    voxels.sides != Sides::mixed || multigrid,
+    dealii::ExcMessage("hold() has to be called before mixed sides are solved."));
   SolverReport report;
   n_solved = k == voxels.load_case(n_solved) ? n_solved + 1 : 0;
   if (!multigrid)

@@ -78,7 +78,8 @@ public:
 
   /**
    * Effective stiffness (Pa) from the energies, which is of second order in the error of
-   * the solutions. Only after solve_all().
+   * the solutions; entries of two load cases that hold() other components say nothing. Only
+   * after solve_all().
    */
   VoigtMatrix<3> effective_stiffness() const;
 

@@ -20,18 +20,21 @@ struct Share
   float share;
 };
 
-std::vector<std::vector<Share>> shares(const unsigned int n_fine,
-                                       const unsigned int n_coarse)
+/** Products of the numbers of cells do not fit into 32 bits. */
+std::vector<std::vector<Share>> shares(const std::size_t n_fine,
+                                       const std::size_t n_coarse)
 {
   std::vector<std::vector<Share>> result(n_coarse);
   // In units of 1 / (n_fine n_coarse) of the box, which are whole.
-  for (unsigned int i = 0; i < n_coarse; ++i)
-    for (unsigned int f = i * n_fine / n_coarse;
+  for (std::size_t i = 0; i < n_coarse; ++i)
+    for (std::size_t f = i * n_fine / n_coarse;
          f < n_fine && f * n_coarse < (i + 1) * n_fine; ++f)
       {
-        const unsigned int begin = std::max(i * n_fine, f * n_coarse),
-                           end   = std::min((i + 1) * n_fine, (f + 1) * n_coarse);
-        result[i].push_back({f, static_cast<float>(end - begin) / n_fine});
+        const std::size_t begin = std::max(i * n_fine, f * n_coarse),
+                          end   = std::min((i + 1) * n_fine, (f + 1) * n_coarse);
+        result[i].push_back(
+          {static_cast<unsigned int>(f),
+           static_cast<float>(end - begin) / static_cast<float>(n_fine)});
       }
   return result;
 }
