@@ -124,6 +124,7 @@ def check_ensemble(folder):
 def check_memory(folder):
     """The grid below is estimated to need more than the environment grants, whole, and less, divided."""
     settings = {**MIXED, **image(folder, (300, 200), (3e-3, 2e-3), 4), "Homogenization/Tolerance": 1e-3,
+                "Homogenization/Boundary conditions": "KUBC, SUBC, PBC",
                 "Homogenization/Write concentration": "false"}
     said = run(folder, "auto", "multigrid", 1, memory=165e6, **settings)
     assert "Homogenization/Solver: divided, as multigrid would need about 17" in said, said

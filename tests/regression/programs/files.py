@@ -40,10 +40,10 @@ def run_chain(folder):
     study.add("local", "stress_localization", os.path.join(CHAIN, "40-stress_localization.prm"),
               {"Input/RVE file": "{rve}/rve.h5", "Input/Homogeneous run": "{homogeneous}/dynamics.h5",
                "Input/Direct run": "{heterogeneous}/dynamics.h5", "Window/From": 1e-6})
-    study.add("mixed rve", "rve_homogenization", os.path.join(CHAIN, "10-rve_homogenization.prm"),
+    study.add("mixed_rve", "rve_homogenization", os.path.join(CHAIN, "10-rve_homogenization.prm"),
               {"Homogenization/Boundary conditions": "MUBC", "Homogenization/Effective": "MUBC"})
     study.add("mixed", "stress_localization", os.path.join(CHAIN, "40-stress_localization.prm"),
-              {"Input/RVE file": "{mixed rve}/rve.h5", "Input/Homogeneous run": "{homogeneous}/dynamics.h5", "Input/Direct run": "",
+              {"Input/RVE file": "{mixed_rve}/rve.h5", "Input/Homogeneous run": "{homogeneous}/dynamics.h5", "Input/Direct run": "",
                "Localization/Concentration": "MUBC", "Window/From": 1e-6})
     results = study.run()
     for name, result in results.items():
@@ -107,7 +107,7 @@ def check_localization(results):
 
 def check_mixed_conditions(results):
     """MUBC prescribe the orthotropic part of the mean of L alone: a smaller tolerance does not change the rest."""
-    with h5py.File(os.path.join(results["mixed rve"].folder, "rve.h5")) as file:
+    with h5py.File(os.path.join(results["mixed_rve"].folder, "rve.h5")) as file:
         defect = np.abs(file["concentration/MUBC"][()].mean(axis=(0, 1)) - np.eye(3))
     coupling = max(defect[2, :2].max(), defect[:2, 2].max())
     assert defect[:2, :2].max() < 1e-6 and defect[2, 2] < 1e-6 < coupling, defect
