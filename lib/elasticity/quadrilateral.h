@@ -13,7 +13,9 @@
 /** Modes of a component or coordinate, with gauss_scale. */
 struct QuadrilateralModes
 {
-  vdouble a1, a2, a3; ///< of xi, eta and xi eta
+  vdouble a1; ///< of xi
+  vdouble a2; ///< of eta
+  vdouble a3; ///< of xi eta
 };
 
 /** Coefficients of 1, xi and eta; those of xi and eta over sqrt(3). */
@@ -36,7 +38,10 @@ MESOSLIP_INLINE LinearFunction bracket(const QuadrilateralModes &a,
  * modes are four times coefficients. */
 struct GaussSums
 {
-  vdouble one, xi, eta, both; ///< of 1, sign(xi), sign(eta), sign(xi eta)
+  vdouble one;  ///< of 1
+  vdouble xi;   ///< of sign(xi)
+  vdouble eta;  ///< of sign(eta)
+  vdouble both; ///< of sign(xi eta)
 };
 
 MESOSLIP_INLINE GaussSums gauss_sums(const LinearFunction &det)
