@@ -36,8 +36,9 @@ public:
     for (int i = 0; i < n_corners; ++i)
       for (int c = 0; c < dim; ++c)
         value[i][c] = next[i][c];
-    here  = cells.nodes + k * n_corners * n_lanes;
-    after = k + 1 < cells.n ? here + std::size_t{n_corners} * n_lanes : here;
+    constexpr std::size_t step = std::size_t(n_corners) * n_lanes;
+    here                       = cells.nodes + k * step;
+    after                      = k + 1 == cells.n ? here : here + step;
     if (has_shapes)
       shapes = cells.shapes + k * n_shape * n_lanes;
   }

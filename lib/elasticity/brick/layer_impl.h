@@ -87,7 +87,7 @@ MESOSLIP_INLINE void complete_nodes(const Layer<Number, cubes> &layer,
                                     const int c,
                                     const std::size_t i,
                                     const Vector h[4],
-                                    Vector before[3])
+                                    Vector &before)
 {
   const std::size_t s = layer.stride;
   Number *sums = plane + std::size_t(2 * c) * s + i, *differences = sums + s;
@@ -97,8 +97,8 @@ MESOSLIP_INLINE void complete_nodes(const Layer<Number, cubes> &layer,
   store(differences, h[1] + layer.times_z(h[3]));
   const Vector right = sum + layer.times_x(other);
   store(layer.complete + c * s + i,
-        sum - layer.times_x(other) + left_neighbours(before[c], right));
-  before[c] = right;
+        sum - layer.times_x(other) + left_neighbours(before, right));
+  before = right;
 }
 
 /** Row @p j of cells: completes the forces on row j of the nodes of the lower plane. */
@@ -155,7 +155,7 @@ MESOSLIP_INLINE void row_of_cells(const Layer<Number, cubes> &layer,
                   store(place, g[c][set[m]] + along);
                 }
             }
-          complete_nodes(layer, layer.plane + 6 * j * s, c, i, h, before);
+          complete_nodes(layer, layer.plane + 6 * j * s, c, i, h, before[c]);
         }
     }
 }
@@ -177,7 +177,7 @@ end_of_cells(const Layer<Number, cubes> &layer, const bool has_cells, const std:
           Vector h[4] = {};
           for (int m = 0; has_cells && m < 4; ++m)
             h[m] = load(layer.forces + (4 * c + m) * s + i);
-          complete_nodes(layer, layer.plane + 6 * j * s, c, i, h, before);
+          complete_nodes(layer, layer.plane + 6 * j * s, c, i, h, before[c]);
         }
     }
 }

@@ -98,7 +98,7 @@ double flat_sweep(const SweepArguments<Number> &a)
           combine_nodes(layer, i, v);
           flat_forces(layer, cells, i, v, h);
           for (int c = 0; c < 2; ++c)
-            complete_nodes(layer, layer.plane, c, i, h[c], before);
+            complete_nodes(layer, layer.plane, c, i, h[c], before[c]);
         }
       if (k > 0)
         sum += finish_row<kind, 2>(a, k, layer.complete);
