@@ -13,9 +13,9 @@
 /** Modes of a component or coordinate, with gauss_scale. */
 struct QuadrilateralModes
 {
-  vdouble a1; ///< of xi
-  vdouble a2; ///< of eta
-  vdouble a3; ///< of xi eta
+  vdouble a1; ///< four times the coefficient of xi, of each cell of the batch
+  vdouble a2; ///< the same of eta
+  vdouble a3; ///< the same of xi eta
 };
 
 /** Coefficients of 1, xi and eta; those of xi and eta over sqrt(3). */

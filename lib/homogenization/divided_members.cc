@@ -1,6 +1,7 @@
 #include "homogenization/divided_members.h"
 
 #include "base/exchange.h"
+#include "exchange/datasets.h"
 #include "homogenization/loads/load_output.h"
 #include "homogenization/loads/volume_cells.h"
 #include "io/parallel_rows.h"
@@ -97,8 +98,8 @@ std::string reserve_fields(const RveParameters &parameters,
   on_root(context.communicator(), [&]() {
     if (parameters.write_concentration)
       reserve_concentration(context.file("rve.h5"), grid, content.reserved);
-    loads_file = reserve_loads<dim>(parameters, context.file("loads.h5"),
-                                    {grid.cells.rbegin(), grid.cells.rend()});
+    loads_file =
+      reserve_loads<dim>(parameters, context.file("loads.h5"), shape_of_cells(grid));
   });
   broadcast(context.communicator(), loads_file);
   return loads_file;

@@ -66,25 +66,11 @@ MESOSLIP_INLINE void flat_forces(const Layer<Number> &layer,
 template <typename Number, typename Material, Sweep kind>
 double flat_sweep(const SweepArguments<Number> &a)
 {
-  using Vector        = typename Simd<Number>::Vector;
-  const std::size_t s = a.stride, line = 2 * s;
-  Layer<Number> layer = {};
-  layer.complete      = a.work;
-  layer.plane         = a.work + n_work_rows * s;
-  layer.stride        = s;
-  layer.n_vectors     = a.n[0] / Simd<Number>::length + 1;
-  layer.x             = a.ratio[0];
-  layer.z             = a.ratio[1];
-  layer.weight[0]     = 1 / (3 * layer.x * layer.x);
-  layer.weight[2]     = 1 / (3 * layer.z * layer.z);
-  for (int m = 0; m < 6; ++m)
-    {
-      layer.strain[m] = a.strain[m];
-      layer.stress[m] = a.stress[m];
-    }
-  for (std::size_t i = 0; i < 2 * line; ++i)
-    layer.plane[i] = 0;
-  double sum = 0.;
+  using Vector           = typename Simd<Number>::Vector;
+  const std::size_t line = 2 * a.stride;
+  auto layer             = first_layer<Layer<Number>>(a, 2 * line);
+  layer.complete         = a.work;
+  double sum             = 0.;
   for (std::size_t k = 0; k <= a.n[2]; ++k)
     {
       layer.lower = a.x + k * line;

@@ -254,31 +254,40 @@ finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *__res
   return total;
 }
 
-/** See kernels.h. */
-template <typename Number, typename Material, Sweep kind>
-double sweep(const SweepArguments<Number> &a)
+/** What the layers of all sweeps have from the arguments; forces of the plane begin with zero. */
+template <typename Layer, typename Number>
+MESOSLIP_INLINE Layer first_layer(const SweepArguments<Number> &a,
+                                  const std::size_t n_in_plane)
 {
-  const std::size_t s = a.stride, line = 3 * s, plane = (a.n[1] + 2) * line;
-  Layer<Number, Material::cubes> layer = {};
-  layer.combined                       = a.work;
-  layer.forces                         = a.work + 12 * s;
-  layer.complete                       = a.work + 24 * s;
-  layer.plane                          = a.work + n_work_rows * s;
-  layer.stride                         = s;
-  layer.n_vectors                      = a.n[0] / Simd<Number>::length + 1;
-  layer.x                              = a.ratio[0];
-  layer.z                              = a.ratio[1];
-  layer.weight[0]                      = 1 / (3 * layer.x * layer.x);
-  layer.weight[1]                      = Number(1) / 3;
-  layer.weight[2]                      = 1 / (3 * layer.z * layer.z);
+  Layer layer     = {};
+  layer.plane     = a.work + n_work_rows * a.stride;
+  layer.stride    = a.stride;
+  layer.n_vectors = a.n[0] / Simd<Number>::length + 1;
+  layer.x         = a.ratio[0];
+  layer.z         = a.ratio[1];
+  layer.weight[0] = 1 / (3 * layer.x * layer.x);
+  layer.weight[1] = Number(1) / 3;
+  layer.weight[2] = 1 / (3 * layer.z * layer.z);
   for (int m = 0; m < 6; ++m)
     {
       layer.strain[m] = a.strain[m];
       layer.stress[m] = a.stress[m];
     }
-  for (std::size_t i = 0; i < (a.n[1] + 1) * 6 * s; ++i)
+  for (std::size_t i = 0; i < n_in_plane; ++i)
     layer.plane[i] = 0;
-  double sum = 0.;
+  return layer;
+}
+
+/** See kernels.h. */
+template <typename Number, typename Material, Sweep kind>
+double sweep(const SweepArguments<Number> &a)
+{
+  const std::size_t s = a.stride, line = 3 * s, plane = (a.n[1] + 2) * line;
+  auto layer     = first_layer<Layer<Number, Material::cubes>>(a, (a.n[1] + 1) * 6 * s);
+  layer.combined = a.work;
+  layer.forces   = a.work + 12 * s;
+  layer.complete = a.work + 24 * s;
+  double sum     = 0.;
   for (std::size_t k = 0; k <= a.n[2]; ++k)
     {
       layer.lower = a.x + k * plane;
