@@ -8,9 +8,9 @@
  * gives one line of CSV; cpu_s is that of the time loop alone, without observers:
  * median, lowest and highest of the repetitions.
  */
-#include "../verification/impact_bar.h"
-#include "../verification/oblique_layer.h"
-#include "../verification/rectangle_mode.h"
+#include "../verification/dynamics/impact_bar.h"
+#include "../verification/sliding/oblique_layer.h"
+#include "../verification/dynamics/rectangle_mode.h"
 #include "box_run.h"
 #include "measuring.h"
 

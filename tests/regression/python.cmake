@@ -37,10 +37,11 @@ mesoslip_python_tests(regression 2 chains/chain chains/chain_validation chains/d
                       programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/contact_map sliding/mesh_dynamics
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/oriented_boxes
                       sliding/resume sliding/steady_part)
-mesoslip_python_tests(verification 1 independent_finite_elements static_localization stability hexagonal_cell mesh_inclusions mesh_friction_vector
-                      hertz spence incremental_friction)
-mesoslip_python_tests(verification 1 oblique_modes voxel_files)
-mesoslip_python_tests(verification 2 divided_plane large_strains mesh_ranks voxel_extremes voxel_orientations voxel_random voxels macroscopic_loads mixed_conditions)
+mesoslip_python_tests(verification 1 stability contact/hertz contact/incremental_friction contact/mesh_friction_vector contact/oblique_modes
+                      contact/spence contact/static_localization volumes/hexagonal_cell volumes/independent_finite_elements
+                      volumes/mesh_inclusions voxels/voxel_files)
+mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks volumes/divided_plane volumes/macroscopic_loads
+                      volumes/mixed_conditions voxels/voxel_extremes voxels/voxel_orientations voxels/voxel_random voxels/voxels)
 if(MESOSLIP_DOXYGEN)
   mesoslip_python_tests(regression 1 pages/doxygen)
 else()

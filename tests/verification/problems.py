@@ -140,17 +140,17 @@ CPU time; `regression/programs/ranks` does the same with smaller bodies.
 * Predicted and observed limit of the time step, settings under stress, a million steps, refinement, sensitivity: [stability](stability/README.md).
 * Error over cost, with extrapolated limits: [work and precision](performance/work_precision.md).
 * Numbers of the paper: [paper](paper/README.md).
-* Localized stress of the statically compressed pin against the direct solution, below 1 % in the interior: `verification/static_localization`.
+* Localized stress of the statically compressed pin against the direct solution, below 1 % in the interior: `verification/contact/static_localization`.
 * Stiffness and modes of random phase maps, under every kind of condition and top, against a dense finite element code
-  written apart in Python, to 1e-8: `verification/independent_finite_elements`.
-* Largest strains against those of a column that is compressed alone and of a free body in equilibrium: `verification/large_strains`.
-* Meshes of round bodies: the hexagonal cell of code_aster's HPLV106 (`verification/hexagonal_cell`), one round or spherical inclusion
-  (`verification/mesh_inclusions`), Hertz in 2D and 3D (`verification/hertz`), Spence's indenter with friction (`verification/spence`).
-* Boxes of voxels against a finite element code in scipy (`verification/voxels`), every kind of voxel file against NumPy (`verification/voxel_files`), ensembles
-  and turned phases (`verification/voxel_random`), orientations by cell (`verification/voxel_orientations`, `regression/sliding/oriented_boxes`).
-* Macroscopic loads and mixed uniform conditions against dense NumPy: `verification/macroscopic_loads`, `verification/mixed_conditions`.
+  written apart in Python, to 1e-8: `verification/volumes/independent_finite_elements`.
+* Largest strains against those of a column that is compressed alone and of a free body in equilibrium: `verification/contact/large_strains`.
+* Meshes of round bodies: the hexagonal cell of code_aster's HPLV106 (`verification/volumes/hexagonal_cell`), one round or spherical inclusion
+  (`verification/volumes/mesh_inclusions`), Hertz in 2D and 3D (`verification/contact/hertz`), Spence's indenter with friction (`verification/contact/spence`).
+* Boxes of voxels against a finite element code in scipy (`verification/voxels/voxels`), every kind of voxel file against NumPy (`verification/voxels/voxel_files`), ensembles
+  and turned phases (`verification/voxels/voxel_random`), orientations by cell (`verification/voxels/voxel_orientations`, `regression/sliding/oriented_boxes`).
+* Macroscopic loads and mixed uniform conditions against dense NumPy: `verification/volumes/macroscopic_loads`, `verification/volumes/mixed_conditions`.
 * Complex modes of heterogeneous pins against scipy, and their growth in runs: `regression/sliding/complex_modes`, `regression/pages/prediction`;
-  at an angle to the sliding in 3D against a closed form and numpy: `verification/oblique_modes`.
+  at an angle to the sliding in 3D against a closed form and numpy: `verification/contact/oblique_modes`.
 
 ## Not covered
 

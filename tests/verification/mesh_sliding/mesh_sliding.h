@@ -1,0 +1,194 @@
+#ifndef mesoslip_tests_verification_mesh_sliding_h
+#define mesoslip_tests_verification_mesh_sliding_h
+
+#include "mesh/boundary.h"
+#include "mesh/mesh_part.h"
+#include "mesh/periodic_points.h"
+#include "sliding/mesh/sliding_mesh.h"
+#include "../sliding/sliding_body.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace verification
+{
+/** What the cells of a brick are. */
+struct Cells
+{
+  bool simplices = false; ///< instead of quadrilaterals and hexahedra
+  double shift   = 0.;    ///< of inner points, as a part of the cell before it is cut
+};
+
+/** A brick of equal cells from the origin on, or one of cut or distorted ones. */
+template <int dim>
+Mesh<dim> brick(const std::array<unsigned int, dim> &n,
+                const std::array<double, dim> &size,
+                const Cells &kind = {})
+{
+  dealii::Triangulation<dim> tria, simplex;
+  dealii::Point<dim> corner;
+  std::copy(size.begin(), size.end(), corner.begin_raw());
+  dealii::GridGenerator::subdivided_hyper_rectangle(
+    tria, std::vector<unsigned int>(n.begin(), n.end()), dealii::Point<dim>(), corner);
+  if (kind.simplices)
+    dealii::GridGenerator::convert_hypercube_to_simplex_mesh(tria, simplex);
+  Mesh<dim> mesh;
+  dealii::SubCellData faces;
+  std::tie(mesh.points, mesh.cells, faces) =
+    dealii::GridTools::get_coarse_mesh_description(kind.simplices ? simplex : tria);
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<> random(-kind.shift, kind.shift);
+  for (auto &p : mesh.points)
+    {
+      bool inside = true;
+      for (unsigned int d = 0; d < dim; ++d)
+        inside = inside && p[d] > 1e-9 * size[d] && p[d] < (1. - 1e-9) * size[d];
+      for (unsigned int d = 0; d < dim && inside; ++d)
+        p[d] += random(generator) * size[d] / n[d];
+    }
+  for (auto &cell : mesh.cells)
+    cell.material_id = 0;
+  return mesh;
+}
+
+/** A mesh with all that makes it a body on the flat. */
+template <int dim>
+struct MeshCase
+{
+  Mesh<dim> mesh;
+  std::vector<ElasticPhase<dim>> phases;
+  SlidingSetup setup;
+  double friction = 0.;
+  std::vector<HeldComponent> held;
+  std::map<unsigned int, MeshBoundary>
+    sides; ///< of a box that does not lie along the axes
+
+  /** The boundary on a side of the box, numbered as deal.II does. */
+  MeshBoundary side(const unsigned int number) const
+  {
+    if (const auto known = sides.find(number); known != sides.end())
+      return known->second;
+    return mesh_boundary(mesh, faces_of_box(mesh, boundary_faces(mesh))[number]);
+  }
+
+  /** Makes it periodic along @p axis. */
+  void join(const unsigned int axis)
+  {
+    const auto faces = faces_of_box(mesh, boundary_faces(mesh));
+    join_sides(mesh, boundary_points(mesh, faces[2 * axis]).points,
+               boundary_points(mesh, faces[2 * axis + 1]).points, axis, 1e-6);
+  }
+
+  void hold(const unsigned int side_number, const unsigned int component)
+  {
+    for (const unsigned int p : side(side_number).points)
+      held.push_back({p, component});
+  }
+};
+
+/** Such a body, its fields from functions and as a whole. */
+template <int dim>
+class MeshRun
+{
+public:
+  MeshRun(const MeshCase<dim> &c, const MPI_Comm communicator)
+    : n_points(c.mesh.points.size())
+    , held(c.held)
+    , part(distribute(
+        c.mesh,
+        partition_cells(c.mesh, dealii::Utilities::MPI::n_mpi_processes(communicator)),
+        communicator))
+    , op(part, c.phases, communicator)
+    , contact(c.side(2 * (dim - 1)))
+    , body(op, contact, c.side(2 * dim - 1), c.held, completed(c))
+  {
+  }
+
+  /** What is held does not move at the start either. */
+  void set_w(const std::function<double(const dealii::Point<dim> &, unsigned int)> &f)
+  {
+    for (unsigned int c = 0; c < dim; ++c)
+      for (std::size_t i = 0; i < part.points.size(); ++i)
+        {
+          const auto is_here = [&](const HeldComponent &h) {
+            return h.point == part.original_in_mesh[i] && h.component == c;
+          };
+          const bool held_here = std::any_of(held.begin(), held.end(), is_here);
+          body.w.row(c, 0)[i]  = held_here ? 0. : f(part.points[i], c);
+        }
+  }
+
+  void run(const std::uint64_t n_steps)
+  {
+    std::vector<StepObserver *> observers;
+    if (body.energy)
+      observers.push_back(body.energy.get());
+    run_time_loop(body.stepper, observers, body.stepper.step_number() + n_steps, 1U << 20,
+                  [](const std::uint64_t) { return true; });
+  }
+
+  /** [point of the mesh][component], on all ranks. */
+  std::vector<double> whole(const NodalField<double> &field) const
+  {
+    std::vector<double> own(n_points * dim), all(n_points * dim);
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int i = 0; i < part.n_owned; ++i)
+        own[std::size_t(part.point_in_mesh[i]) * dim + c] = field.row(c, 0)[i];
+    dealii::Utilities::MPI::sum(own, op.communicator, all);
+    return all;
+  }
+
+private:
+  const std::size_t n_points;
+  const std::vector<HeldComponent> held;
+  const MeshPart<dim> part;
+
+public:
+  const MeshOperator<dim> op;
+
+private:
+  const MeshBoundary contact;
+
+  SlidingSetup completed(const MeshCase<dim> &c) const
+  {
+    SlidingSetup s = c.setup;
+    s.contact.friction_coefficient.assign(contact.points.size(), c.friction);
+    if (!(s.step.dt > 0.))
+      s.step.dt =
+        0.95 * critical_time_step(largest_frequency(op).upper, s.step.beta2, s.step.beta);
+    return s;
+  }
+
+public:
+  SlidingMesh<dim> body;
+};
+
+/** Two phases, the same in two and three dimensions (plane strain). */
+template <int dim>
+std::vector<ElasticPhase<dim>> two_phases()
+{
+  const double G = 1900. * 2560. * 2560.;
+  return {{isotropic_stiffness<dim>(2.4 * G, 0.2), 1900.},
+          {isotropic_stiffness<dim>(1.2e11, 0.25), 2600.}};
+}
+
+/** The largest difference of two vectors over the largest value of the first. */
+inline double relative_difference(const std::vector<double> &a,
+                                  const std::vector<double> &b)
+{
+  std::vector<double> difference(a.size());
+  for (std::size_t k = 0; k < a.size(); ++k)
+    difference[k] = a[k] - b[k];
+  return largest(difference) / largest(a);
+}
+} // namespace verification
+
+#endif
