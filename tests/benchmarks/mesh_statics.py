@@ -1,8 +1,8 @@
-"""Static solves on meshes against unknowns: iterations of conjugate gradients with ML, time and memory."""
+"""Static solves on meshes against unknowns: iterations of conjugate gradients with ML, time and memory, on one and two ranks."""
 
 import os
 
-from common import TOP, add_repeated, repeated
+from common import require_ended
 from plots import curve, legend, logarithmic, panels
 
 from mesh_files import Box
@@ -11,9 +11,10 @@ from mesh_files import Box
 SIDES = {2: [223, 387, 707], 3: [31, 46, 68]}
 INCLUSIONS = 4  # along each axis
 RADIUS = 0.3  # of the distance of two inclusions
-REPETITIONS = 3
+RANKS = (1, 2)
+CONDITIONS = ("KUBC", "SUBC", "PBC")
 SETTINGS = {"Phases/Names": "matrix, inclusion", "Phases/matrix/Young modulus": "1e9", "Phases/matrix/Poisson ratio": 0.3,
-            "Phases/inclusion/Young modulus": "8e9", "Phases/inclusion/Poisson ratio": 0.3, "Homogenization/Boundary conditions": "KUBC, PBC",
+            "Phases/inclusion/Young modulus": "8e9", "Phases/inclusion/Poisson ratio": 0.3, "Homogenization/Boundary conditions": ", ".join(CONDITIONS),
             "Homogenization/Effective": "PBC", "Homogenization/Reuse": False, "Homogenization/Write concentration": False,
             "Homogenization/Tolerance": 1e-8, "Mesh/Scale": 0.001}
 
@@ -31,11 +32,13 @@ def run(bench):
         path = os.path.join(folder, f"box-{dim}-{n}.msh")
         if not os.path.exists(path):
             Box([1.0] * dim, [n] * dim, phase_at).write(path)
-        add_repeated(study, f"{dim}d-{n}", REPETITIONS, "rve_homogenization", job, {**SETTINGS, "Dimension": dim, "Mesh/File": path})
+        for ranks in RANKS:
+            study.add(f"{dim}d-{n}-ranks-{ranks}", "rve_homogenization", job, {**SETTINGS, "Dimension": dim, "Mesh/File": path}, ranks)
     results = study.run()
-    rows = [row_of(*repeated(results, f"{dim}d-{n}", REPETITIONS), dim, n) for dim, n in cases]
+    require_ended(results)
+    rows = [row_of(results[f"{dim}d-{n}-ranks-{ranks}"], dim, n, ranks) for dim, n in cases for ranks in RANKS]
     bench.write("mesh-statics", rows, f"{INCLUSIONS} round inclusions an axis, contrast 8, on quadrilaterals and hexahedra to 1e-8; seconds: those of "
-                "the program on one rank, of all load cases of a condition with its matrix and hierarchy", repetitions=REPETITIONS)
+                "the program's clock, of all load cases of a condition with its matrix and hierarchy; CPU seconds of all ranks; memory of rank 0", ranks="1 and 2")
     draw(bench, rows)
 
 
@@ -44,13 +47,13 @@ def phase_at(middle):
     return "inclusion" if sum(x * x for x in offset) < RADIUS**2 else "matrix"
 
 
-def row_of(result, cost, dim, n):
-    row = {"dim": dim, "cells": n**dim, "unknowns": result.summary["dofs"]}
-    for condition in ("KUBC", "PBC"):
+def row_of(result, dim, n, ranks):
+    row = {"dim": dim, "cells": n**dim, "unknowns": result.summary["dofs"], "ranks": ranks}
+    for condition in CONDITIONS:
         row[f"least_iterations_{condition}"] = min(result.summary["iterations"][condition])
         row[f"most_iterations_{condition}"] = max(result.summary["iterations"][condition])
         row[f"seconds_{condition}"] = result.summary["seconds"][f"Load cases/{condition}"]
-    return {**row, **cost, "peak_memory_bytes": result.summary["peak_memory_bytes"]}
+    return {**row, "cpu_s": result.cpu_seconds, "peak_memory_bytes": result.summary["peak_memory_bytes"]}
 
 
 def draw(bench, rows):
@@ -58,8 +61,8 @@ def draw(bench, rows):
     iterations.set_xscale("log")
     iterations.set(xlabel="unknowns", ylabel="iterations of a load case, most", title="conjugate gradients with ML, contrast 8")
     logarithmic(time, "unknowns", "seconds", "all load cases of a condition, one rank", percent=False)
-    for k, (dim, condition) in enumerate((dim, condition) for dim in SIDES for condition in ("KUBC", "PBC")):
-        own = [row for row in rows if row["dim"] == dim]
+    for k, (dim, condition) in enumerate((dim, condition) for dim in SIDES for condition in CONDITIONS):
+        own = [row for row in rows if row["dim"] == dim and row["ranks"] == 1]
         unknowns = [row["unknowns"] for row in own]
         curve(iterations, k, unknowns, [row[f"most_iterations_{condition}"] for row in own], f"{dim}D, {condition}")
         curve(time, k, unknowns, [row[f"seconds_{condition}"] for row in own], f"{dim}D, {condition}")
