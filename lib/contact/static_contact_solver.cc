@@ -1,5 +1,6 @@
 #include "contact/static_contact_solver.h"
 
+#include "body/rigid_motions.h"
 #include "contact/anderson_acceleration.h"
 #include "contact/equilibrium_solver.h"
 #include "contact/incremental_friction.h"
@@ -83,7 +84,11 @@ public:
         else
           {
             change   = friction_change();
-            friction = acceleration.next(friction, friction_of_pressure());
+            friction = turns_on_springs
+                         ? friction_of_pressure()
+                         : acceleration.next(friction, friction_of_pressure());
+            if (turns_on_springs)
+              hold_contact();
           }
       }
 
@@ -108,7 +113,8 @@ private:
 
   /** Of the scale in the direction of friction, which in 3D turns: nodes that slip together
    * are softer than one, and with 1 friction turns too far. Between 0.03 and 0.3 a pressed
-   * cylinder needs 30 to 140 iterations, with 0.1 at most 56, with 3 there is no end. */
+   * cylinder needs 30 to 140 iterations without springs(), with 0.1 at most 56, with 3 there is no
+   * end. */
   static constexpr double turning = dim == 3 ? 0.1 : 1.;
   static constexpr unsigned int hasty_changes =
     10; ///< of states, before friction is exact
@@ -183,7 +189,35 @@ private:
     });
     body.copy_duplicates(constrained);
     body.copy_duplicates(u);
-    solver.set_constrained(constrained);
+    turns_on_springs =
+      dim == 3 && problem.sliding == 0 && free_rigid_motions(body, constrained).empty();
+    solver.set_constrained(constrained, springs());
+  }
+
+  /**
+   * Newton's method for friction g n that turns (g: its size, n its direction, that of the trial f - c v):
+   * it then is g n - D v, D = g c / (|f - c v| - g) (1 - n n^T), of a spring across n. Nodes near sticking
+   * have stiff springs, up to 10 c.
+   */
+  std::vector<SpringEntry> springs() const
+  {
+    std::vector<SpringEntry> entries;
+    if (!turns_on_springs || displaced.empty())
+      return entries;
+    for_each_node([&](const NodeIndex &node, const unsigned int i) {
+      const double g = problem.friction_coefficient[i] * std::max(0., normal[i]);
+      if (solution.state[i] != ContactState::slip || !(g > 0.))
+        return;
+      const double beyond = std::max(0.1 * g, tangential.size_of_trial(displaced, i) - g);
+      const auto &n       = tangential.direction[i];
+      for (unsigned int c = 0; c < n_tangents; ++c)
+        for (unsigned int d = 0; d < n_tangents; ++d)
+          entries.push_back(
+            {node, c, d,
+             g * turning * scale / beyond * ((c == d ? 1. : 0.) - n[c] * n[d]),
+             tangential.sticks_at(i, d)});
+    });
+    return entries;
   }
 
   void set_forces()
@@ -207,10 +241,15 @@ private:
       {
         normal[i] = touches(i) ? reaction(i, normal_axis) : 0.;
         for (unsigned int c = 0; c < n_tangents; ++c)
-          tangential.force[index(i, c)] = !touches(i) || side_carries(i, c) ? 0.
-                                          : solution.state[i] == ContactState::stick
-                                            ? reaction(i, c)
-                                            : friction[index(i, c)];
+          {
+            double &f = tangential.force[index(i, c)];
+            f         = !touches(i) || side_carries(i, c) ? 0.
+                        : solution.state[i] == ContactState::stick || turns_on_springs
+                          ? reaction(i, c)
+                          : friction[index(i, c)];
+            if (turns_on_springs && solution.state[i] == ContactState::slip)
+              friction[index(i, c)] = f;
+          }
       }
   }
 
@@ -322,6 +361,9 @@ private:
    * problem.constrained holds them, the displacement. */
   const std::vector<double> given_force, held;
   std::vector<double> displaced;
+
+  /** Whether friction turns by Newton's method, which takes a body that cannot move as a whole. */
+  bool turns_on_springs = false;
 
   NodalField<double> force;
   Eigen::VectorXd friction, normal;
