@@ -26,6 +26,12 @@ namespace mesoslip
  */
 void on_root(const MPI_Comm communicator, const std::function<void()> &work);
 
+/**
+ * Runs @p work on every rank; what one of them throws, of several the lowest, is thrown on
+ * all as by on_root(). Within @p work ranks may need each other only where none can have failed.
+ */
+void on_all_ranks(const MPI_Comm communicator, const std::function<void()> &work);
+
 /** Gives every rank the text of rank @p owner. */
 void broadcast(const MPI_Comm communicator, std::string &text, const int owner = 0);
 

@@ -61,7 +61,7 @@ RankMemory memory_need(const MeshLocalizationInput<dim> &input,
                                                                       : 1.,
                n_fields           = n_points + n_variants + (input.direct ? 1. : 0.);
   const double statistics         = bytes_of_fields<dim>(p.fields);
-  const double tensor             = of_number * (v * v + 1.) + 4.;
+  const double tensor             = of_number * (v * v + 2.) + 4.;
   const double place = input.is_body() || input.direct ? 2. * vector + 16. : 0.;
   const double n_strained =
     input.direct      ? n_cells
