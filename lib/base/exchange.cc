@@ -161,6 +161,24 @@ void sum_over_ranks(std::vector<double> &values, const MPI_Comm communicator)
                   MPI_DOUBLE, MPI_SUM, communicator);
 }
 
+void in_order_of_ranks(double *values,
+                       const std::size_t n,
+                       const std::function<void()> &add,
+                       const MPI_Comm communicator)
+{
+  namespace mpi     = dealii::Utilities::MPI;
+  const int n_ranks = static_cast<int>(mpi::n_mpi_processes(communicator)),
+            rank    = static_cast<int>(mpi::this_mpi_process(communicator)),
+            length  = static_cast<int>(n);
+  if (rank > 0)
+    MPI_Recv(values, length, MPI_DOUBLE, rank - 1, 0, communicator, MPI_STATUS_IGNORE);
+  add();
+  if (rank + 1 < n_ranks)
+    MPI_Send(values, length, MPI_DOUBLE, rank + 1, 0, communicator);
+  if (n_ranks > 1)
+    MPI_Bcast(values, length, MPI_DOUBLE, n_ranks - 1, communicator);
+}
+
 void wait_for_all(std::vector<MPI_Request> &requests)
 {
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);

@@ -54,6 +54,16 @@ std::string scatter(const MPI_Comm communicator,
 /** Replaces @p values, as many on all ranks, by their sums over the ranks. */
 void sum_over_ranks(std::vector<double> &values, const MPI_Comm communicator);
 
+/**
+ * Lets the ranks, one after the other, @p add what they have to @p values, so that a sum has the same
+ * bits on any number of ranks; then all have what the last one made. @p n values, whose start is that
+ * of rank 0. Collective.
+ */
+void in_order_of_ranks(double *values,
+                       const std::size_t n,
+                       const std::function<void()> &add,
+                       const MPI_Comm communicator);
+
 /** Waits for @p requests and forgets them. */
 void wait_for_all(std::vector<MPI_Request> &requests);
 

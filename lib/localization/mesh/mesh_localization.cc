@@ -153,10 +153,9 @@ private:
     return work;
   }
 
-  /** Calls @p treat for each snapshot of a run, which rank 0 reads. */
+  /** Calls @p treat for each snapshot of a run. */
   template <typename Treat>
-  void for_each_snapshot(const BodySnapshots<dim> *run,
-                         const IndexRange &of_root,
+  void for_each_snapshot(const IndexRange &of_root,
                          const std::string &role,
                          StrainSource<dim> &source,
                          const Treat &treat,
@@ -167,9 +166,7 @@ private:
     context.progress().start("snapshots of the " + role, range[1]);
     for (std::size_t k = 0; k < range[1]; ++k)
       {
-        std::vector<double> u;
-        on_root(context.communicator(), [&]() { u = run->displacement(range[0] + k); });
-        source.set_displacement(u);
+        source.set_snapshot(range[0] + k);
         treat();
         context.progress().update(k + 1);
         if (context.stop_requested())
@@ -183,8 +180,8 @@ private:
   {
     const LocalCells<dim> cells = work.cells(true);
     std::vector<double>().swap(work.concentration);
-    StrainSource<dim> source(input ? input->body : no_mesh, work.in_body,
-                             context.communicator());
+    StrainSource<dim> source(parameters.homogeneous_run, input ? input->body : no_mesh,
+                             work.in_body, context.communicator());
     const std::size_t n_points   = parameters.points.size(),
                       n_places   = work.in_body.at.size() - n_points;
     const FieldSelection &fields = parameters.fields;
@@ -198,8 +195,7 @@ private:
     for (std::size_t p = 0; p < n_points; ++p)
       points.emplace_back(cells, fields, none);
     for_each_snapshot(
-      input ? &input->homogeneous : nullptr, input ? input->snapshots : IndexRange(),
-      "homogeneous run", source,
+      input ? input->snapshots : IndexRange(), "homogeneous run", source,
       [&]() {
         if (local)
           local->add([&](const std::size_t k) { return source.at(k); });
@@ -224,11 +220,10 @@ private:
   void pass_direct(const RankWork<dim> &work, RankResult &mine, RunContext &context)
   {
     const LocalCells<dim> cells = work.cells(false);
-    StrainSource<dim> source(input ? input->direct_body : no_mesh, work.in_direct,
-                             context.communicator());
+    StrainSource<dim> source(parameters.direct_run, input ? input->direct_body : no_mesh,
+                             work.in_direct, context.communicator());
     StressRecord<dim> record(cells, parameters.fields, work.probes);
     for_each_snapshot(
-      input ? input->direct.get() : nullptr,
       input ? input->direct_snapshots : IndexRange(), "direct run", source,
       [&]() { record.add([&](const std::size_t k) { return source.at(k); }); }, context);
     record.append_to(mine);

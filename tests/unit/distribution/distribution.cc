@@ -1,7 +1,9 @@
 // A mesh divided among ranks: who has what, sums at points of several ranks. Runs on any
 // number of ranks.
 
+#include "base/exchange.h"
 #include "distribution_testing.h"
+#include "mesh/point_blocks.h"
 #include "mesh/shared_points.h"
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -111,6 +113,46 @@ TEST(Distribution, GivesAwayEverythingOnce)
 {
   expect_whole_mesh<2>();
   expect_whole_mesh<3>();
+}
+
+// Every rank reads a block of groups of three, and needs some things of all blocks.
+TEST(Distribution, BringsWhatWasReadInBlocks)
+{
+  const unsigned int rank = mpi::this_mpi_process(MPI_COMM_WORLD);
+  const std::size_t n_all = 3 * 19;
+  std::vector<unsigned int> needed;
+  for (unsigned int k = 0; k < n_all; ++k)
+    if ((k * 5 + rank) % 3 != 0)
+      needed.push_back(k);
+  const NumbersFromBlocks numbers(needed, n_all, MPI_COMM_WORLD, 3);
+  EXPECT_EQ(numbers.first() % 3, 0U);
+  EXPECT_EQ(mpi::sum(numbers.size(), MPI_COMM_WORLD), n_all);
+  std::vector<double> block;
+  for (std::size_t k = numbers.first(); k < numbers.first() + numbers.size(); ++k)
+    block.insert(block.end(), {10. * k, 10. * k + 1.});
+  const std::vector<double> found = numbers.bring(block, 2);
+  ASSERT_EQ(found.size(), 2 * needed.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_EQ(found[i], 10. * needed[i / 2] + i % 2);
+}
+
+// A sum of numbers in their order, whatever the ranks, bit for bit.
+TEST(Distribution, SumsInTheOrderOfTheRanks)
+{
+  const std::size_t n_all = 1000;
+  const auto term         = [](const std::size_t k) { return std::sqrt(1. + k) / 3.; };
+  double expected = 0., found = 0.;
+  for (std::size_t k = 0; k < n_all; ++k)
+    expected += term(k);
+  const auto [begin, end] = block_of_rank(n_all, MPI_COMM_WORLD);
+  in_order_of_ranks(
+    &found, 1,
+    [&found, &term, first = begin, last = end]() {
+      for (std::size_t k = first; k < last; ++k)
+        found += term(k);
+    },
+    MPI_COMM_WORLD);
+  EXPECT_EQ(found, expected);
 }
 
 TEST(Distribution, SumsAreTheSameBitsOnAllRanks)
