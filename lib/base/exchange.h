@@ -26,6 +26,12 @@ namespace mesoslip
  */
 void on_root(const MPI_Comm communicator, const std::function<void()> &work);
 
+/**
+ * Runs @p work on every rank; what one of them throws, of several the lowest, is thrown on
+ * all as by on_root(). Within @p work ranks may need each other only where none can have failed.
+ */
+void on_all_ranks(const MPI_Comm communicator, const std::function<void()> &work);
+
 /** Gives every rank the text of rank @p owner. */
 void broadcast(const MPI_Comm communicator, std::string &text, const int owner = 0);
 
@@ -47,6 +53,16 @@ std::string scatter(const MPI_Comm communicator,
 
 /** Replaces @p values, as many on all ranks, by their sums over the ranks. */
 void sum_over_ranks(std::vector<double> &values, const MPI_Comm communicator);
+
+/**
+ * Lets the ranks, one after the other, @p add what they have to @p values, so that a sum has the same
+ * bits on any number of ranks; then all have what the last one made. @p n values, whose start is that
+ * of rank 0. Collective.
+ */
+void in_order_of_ranks(double *values,
+                       const std::size_t n,
+                       const std::function<void()> &add,
+                       const MPI_Comm communicator);
 
 /** Waits for @p requests and forgets them. */
 void wait_for_all(std::vector<MPI_Request> &requests);

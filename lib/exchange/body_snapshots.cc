@@ -33,7 +33,19 @@ std::string rve_digest_of(const Hdf5File &file)
 
 template <int dim>
 BodySnapshots<dim>::BodySnapshots(const std::string &path, const std::string &hint)
-  : file(Hdf5File::open(path, hint))
+  : BodySnapshots(Hdf5File::open(path, hint))
+{
+}
+
+template <int dim>
+BodySnapshots<dim>::BodySnapshots(const std::string &path, const MPI_Comm communicator)
+  : BodySnapshots(Hdf5File::open_together(path, communicator))
+{
+}
+
+template <int dim>
+BodySnapshots<dim>::BodySnapshots(Hdf5File &&opened)
+  : file(std::move(opened))
   , is_grid(!file.exists("/mesh"))
   , digest(check_body_header<dim>(file, is_grid))
   , rve_digest(rve_digest_of(file))
@@ -57,11 +69,30 @@ std::vector<double> BodySnapshots<dim>::times() const
 template <int dim>
 std::vector<double> BodySnapshots<dim>::displacement(const std::size_t k) const
 {
+  return displacement(k, 0, rows_of_points()[0]);
+}
+
+template <int dim>
+std::array<std::size_t, 2> BodySnapshots<dim>::rows_of_points() const
+{
   const Shape shape = file.shape(displacement_name, snapshots_hint);
-  Shape first(shape.size(), 0), count = shape;
-  first[0] = k;
-  count[0] = 1;
-  return file.read_block<double>(displacement_name, first, count, snapshots_hint);
+  std::size_t n     = 1;
+  for (std::size_t axis = 2; axis + 1 < shape.size(); ++axis)
+    n *= shape[axis];
+  return {{shape.at(1), n}};
+}
+
+template <int dim>
+std::vector<double> BodySnapshots<dim>::displacement(const std::size_t k,
+                                                     const std::size_t first,
+                                                     const std::size_t n_rows) const
+{
+  Shape count  = file.shape(displacement_name, snapshots_hint), offset(count.size(), 0);
+  offset[0]    = k;
+  offset.at(1) = first;
+  count[0]     = 1;
+  count.at(1)  = n_rows;
+  return file.read_block<double>(displacement_name, offset, count, snapshots_hint);
 }
 
 template <int dim>

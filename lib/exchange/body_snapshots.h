@@ -5,6 +5,8 @@
 #include "io/hdf5_file.h"
 #include "mesh/mesh.h"
 
+#include <array>
+#include <mpi.h>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +24,10 @@ class BodySnapshots
 public:
   /** @throws UserError; @p hint follows where the file is missing */
   BodySnapshots(const std::string &path, const std::string &hint);
+
+  /** Opens for reading by all ranks of @p communicator together, see
+   * Hdf5File::open_together(). Collective. @throws UserError */
+  BodySnapshots(const std::string &path, const MPI_Comm communicator);
 
   /** The path given. */
   const std::string &path() const
@@ -41,6 +47,16 @@ public:
   /** Displacement of all points in snapshot number @p k (m) [n_points][dim]. */
   std::vector<double> displacement(const std::size_t k) const;
 
+  /** In which rows the file has the points: how many there are, of how many points. */
+  std::array<std::size_t, 2> rows_of_points() const;
+
+  /** Displacement of the points of @p n_rows rows from row @p first on in snapshot number @p k (m)
+   * [n_points][dim]; only these are read. With ranks that have opened the file together, others
+   * on each of them: collective. */
+  std::vector<double> displacement(const std::size_t k,
+                                   const std::size_t first,
+                                   const std::size_t n_rows) const;
+
   /** Points and cells, with their phases as material_id, or what materials() has of them. */
   Mesh<dim> mesh() const;
 
@@ -48,6 +64,8 @@ public:
   std::vector<Phase<dim>> materials() const;
 
 private:
+  explicit BodySnapshots(Hdf5File &&opened);
+
   const Hdf5File file;
 
 public:

@@ -158,7 +158,19 @@ unsigned int dimension_of_file(const std::string &path, const std::string &hint)
 
 template <int dim>
 RveFile<dim>::RveFile(const std::string &path)
-  : file(Hdf5File::open(path, "run rve_homogenization first"))
+  : RveFile(Hdf5File::open(path, "run rve_homogenization first"))
+{
+}
+
+template <int dim>
+RveFile<dim>::RveFile(const std::string &path, const MPI_Comm communicator)
+  : RveFile(Hdf5File::open_together(path, communicator))
+{
+}
+
+template <int dim>
+RveFile<dim>::RveFile(Hdf5File &&opened)
+  : file(std::move(opened))
   , digest(file.check_header(rve_format, newest_rve_version, dim, rve_program))
   , grid(read_extent<dim>(file))
   , phases(read_phases<dim>(file, "/phase", true, rve_program))

@@ -98,6 +98,10 @@ public:
   /** Opens for reading. @throws UserError */
   explicit RveFile(const std::string &path);
 
+  /** Opens for reading by all ranks of @p communicator together, see
+   * Hdf5File::open_together(). Collective. @throws UserError */
+  RveFile(const std::string &path, const MPI_Comm communicator);
+
   /** The path given. */
   const std::string &path() const
   {
@@ -133,7 +137,8 @@ public:
    * them */
   std::vector<double> concentration(const std::string &name) const;
 
-  /** Those of @p count cells from cell @p first on; only these are read. */
+  /** Those of @p count cells from cell @p first on; only these are read. With ranks that have
+   * opened the file together, others on each of them: collective. */
   std::vector<double> concentration(const std::string &name,
                                     const std::size_t first,
                                     const std::size_t count) const;
@@ -142,6 +147,8 @@ public:
   Mesh<dim> mesh() const;
 
 private:
+  explicit RveFile(Hdf5File &&opened);
+
   Shape cells() const;
 
   Hdf5File file;

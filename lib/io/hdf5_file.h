@@ -2,6 +2,7 @@
 #define mesoslip_io_hdf5_file_h
 
 #include <cstdint>
+#include <mpi.h>
 #include <string>
 #include <utility>
 #include <vector>
@@ -81,7 +82,7 @@ private:
 /**
  * One HDF5 file. A file being written has the name `<path>.part` until close() (or the
  * destructor, unless an exception is under way) gives it its name, so that a file of the
- * right name is complete. Only rank 0 opens files.
+ * right name is complete. Only rank 0 opens files, but for open_together().
  *
  * Types of values: double, float, int, unsigned int, std::int64_t, std::uint64_t,
  * std::uint8_t and std::string. Reading converts between number types, except floating
@@ -105,6 +106,14 @@ public:
 
   /** Opens for reading. */
   static Hdf5File open(const std::string &path, const std::string &hint = "");
+
+  /**
+   * Opens for reading by all ranks of @p communicator together, through MPI-IO (on one rank
+   * as open() does). Each reads the same small data; read_block() is collective, with another
+   * block on each rank, and what it throws on one of them is thrown on all. The checksum is not
+   * compared: change_note() is for files of open(). Collective.
+   */
+  static Hdf5File open_together(const std::string &path, const MPI_Comm communicator);
 
   /**
    * Opens a file for more to be written: `<path>.part` as flush() or an interruption has
@@ -222,7 +231,7 @@ public:
                       const Shape &expected   = {},
                       const std::string &hint = "") const;
 
-  /** Part of a dataset: @p count values from @p offset along each axis. */
+  /** Part of a dataset: @p count values from @p offset along each axis. See open_together(). */
   template <typename T>
   std::vector<T> read_block(const std::string &name,
                             const Shape &offset,
@@ -274,6 +283,7 @@ private:
   /** What the checksum said of a file that was opened for reading. */
   Signature signature    = Signature::valid;
   int pending_exceptions = 0;
+  MPI_Comm readers       = MPI_COMM_SELF; ///< the ranks that read blocks together
 };
 } // namespace mesoslip
 

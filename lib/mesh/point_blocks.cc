@@ -3,26 +3,43 @@
 #include <deal.II/base/mpi_noncontiguous_partitioner.templates.h>
 
 #include <numeric>
+#include <tuple>
 
 namespace mesoslip
 {
+namespace
+{
+using Index = dealii::types::global_dof_index;
+
+std::vector<Index> numbers_between(const std::size_t begin, const std::size_t end)
+{
+  std::vector<Index> numbers(end - begin);
+  std::iota(numbers.begin(), numbers.end(), static_cast<Index>(begin));
+  return numbers;
+}
+} // namespace
+
+std::pair<std::size_t, std::size_t> block_of_rank(const std::size_t n_all,
+                                                  const MPI_Comm communicator,
+                                                  const std::size_t n_together)
+{
+  namespace mpi              = dealii::Utilities::MPI;
+  const std::size_t rank     = mpi::this_mpi_process(communicator),
+                    n_ranks  = mpi::n_mpi_processes(communicator);
+  const std::size_t n_groups = n_all / n_together;
+  return {rank * n_groups / n_ranks * n_together,
+          (rank + 1) * n_groups / n_ranks * n_together};
+}
+
 NumberedBlocks::NumberedBlocks(const std::vector<std::uint64_t> &numbers,
                                const std::size_t n_all,
                                const MPI_Comm communicator,
                                const std::size_t n_together)
   : n_owned(numbers.size())
 {
-  namespace mpi              = dealii::Utilities::MPI;
-  const std::size_t rank     = mpi::this_mpi_process(communicator),
-                    n_rank   = mpi::n_mpi_processes(communicator);
-  const std::size_t n_groups = n_all / n_together;
-  begin                      = rank * n_groups / n_rank * n_together;
-  end                        = (rank + 1) * n_groups / n_rank * n_together;
-  using Index                = dealii::types::global_dof_index;
-  const std::vector<Index> owned(numbers.begin(), numbers.end());
-  std::vector<Index> block(end - begin);
-  std::iota(block.begin(), block.end(), static_cast<Index>(begin));
-  exchange.reinit(owned, block, communicator);
+  std::tie(begin, end) = block_of_rank(n_all, communicator, n_together);
+  exchange.reinit(std::vector<Index>(numbers.begin(), numbers.end()),
+                  numbers_between(begin, end), communicator);
 }
 
 void NumberedBlocks::gather(const double *owned, std::vector<double> &block) const
@@ -48,6 +65,34 @@ std::vector<double> NumberedBlocks::gather(const std::vector<double> &owned,
         block[k * count + c] = in_block[k];
     }
   return block;
+}
+
+NumbersFromBlocks::NumbersFromBlocks(const std::vector<unsigned int> &needed,
+                                     const std::size_t n_all,
+                                     const MPI_Comm communicator,
+                                     const std::size_t n_together)
+  : n_needed(needed.size())
+{
+  std::tie(begin, end) = block_of_rank(n_all, communicator, n_together);
+  exchange.reinit(numbers_between(begin, end),
+                  std::vector<Index>(needed.begin(), needed.end()), communicator);
+}
+
+std::vector<double> NumbersFromBlocks::bring(const std::vector<double> &block,
+                                             const std::size_t n) const
+{
+  std::vector<double> values(n_needed * n), one(size()), brought(n_needed);
+  for (std::size_t c = 0; c < n; ++c)
+    {
+      for (std::size_t k = 0; k < one.size(); ++k)
+        one[k] = block[k * n + c];
+      exchange.export_to_ghosted_array<double>(
+        dealii::ArrayView<const double>(one.data(), one.size()),
+        dealii::ArrayView<double>(brought.data(), brought.size()));
+      for (std::size_t k = 0; k < n_needed; ++k)
+        values[k * n + c] = brought[k];
+    }
+  return values;
 }
 
 template <int dim>

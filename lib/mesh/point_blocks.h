@@ -6,14 +6,20 @@
 #include <deal.II/base/mpi_noncontiguous_partitioner.h>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace mesoslip
 {
+/** The first number in the block of a rank of @p n_all numbered things, @p n_together of them in a
+ * group, and the one behind its last: from r N / n to (r + 1) N / n of the groups. */
+std::pair<std::size_t, std::size_t> block_of_rank(const std::size_t n_all,
+                                                  const MPI_Comm communicator,
+                                                  const std::size_t n_together = 1);
+
 /**
  * What ranks have of numbered things, such as points or cells, brought into the order of
- * their numbers so that no rank has all: rank r of n gets those from r N / n to
- * (r + 1) N / n, as files have them, or where they come in equal groups the groups likewise.
+ * their numbers so that no rank has all: each gets its block_of_rank(), as files have them.
  */
 class NumberedBlocks
 {
@@ -50,6 +56,39 @@ public:
 private:
   const std::size_t n_owned;
   std::size_t begin = 0, end = 0;
+  dealii::Utilities::MPI::NoncontiguousPartitioner exchange;
+};
+
+/** The way back: what ranks have read in blocks, brought to those that need it. */
+class NumbersFromBlocks
+{
+public:
+  /** Of @p n_all things this rank needs those called @p needed, each once, which others may need as
+   * well; @p n_together of them in a group. Collective. */
+  NumbersFromBlocks(const std::vector<unsigned int> &needed,
+                    const std::size_t n_all,
+                    const MPI_Comm communicator,
+                    const std::size_t n_together = 1);
+
+  /** The first number in the block of this rank. */
+  std::size_t first() const
+  {
+    return begin;
+  }
+
+  /** How many are in the block of this rank. */
+  std::size_t size() const
+  {
+    return end - begin;
+  }
+
+  /** @p n values of each that is needed, from those in the @p block of this rank [size()][n].
+   * Collective. */
+  std::vector<double> bring(const std::vector<double> &block, const std::size_t n) const;
+
+private:
+  std::size_t begin = 0, end = 0;
+  const std::size_t n_needed;
   dealii::Utilities::MPI::NoncontiguousPartitioner exchange;
 };
 

@@ -16,6 +16,8 @@ PROBLEMS = [
       _STATICS + "Modes.OfTheRectangleConvergeWithOrderTwo"]),
     ("Bar on a rigid wall", "contact from 0.5 to 1.1667, pressure rho c v, leaves as it came (Doyen, Ern, Piperno 2011); energy lost O(h) at beta2 = 1/2, O(sqrt h) at 1",
      [_DYNAMICS + "Bar.HitsTheWallAndLeaves", _DYNAMICS + "Bar.EnergyLossOfOneImpact"]),
+    ("Box of bricks on a rigid wall", "the same bar in 3D, with the orders of that in the plane: impact, energy lost, first bounce under gravity",
+     [_DYNAMICS + "BoxBar." + name for name in ("HitsTheWallAndLeaves", "EnergyLossOfOneImpact", "FirstBounceUnderGravity")]),
     ("Bar bouncing under gravity", "pressure rho c (v + g t) and impulse of the first bounce; later bounces gain no energy",
      [_DYNAMICS + "Bar.FirstBounceUnderGravity", _DYNAMICS + "Bar.BouncingUnderGravityGainsNoEnergy"]),
     ("Friction at a point", "step of the normal stress (figure 2), ramp and the mean of eq. (11) exact; harmonic force of order 2 in dt; plain Coulomb; block thrown on a plane stops after v^2/(2 mu g)",
@@ -28,6 +30,10 @@ PROBLEMS = [
      "discrete in time says", [_SLIDING + "Growth." + name for name in ("Coulomb", "RegularizedAndDamped", "OfOrderTwoInTheTimeStep")]),
     ("Sliding with neither damping nor regularization", "grows on the grid itself at the eigenvalue of its surface wave, at a rate proportional to 1/h; beta or delta of the "
      "paper stop it", [_SLIDING + "Growth.OfTheGridWithoutDampingAndRegularization"]),
+    ("Sliding boxes of bricks", "the column, thrown at an angle to the axes, and the growth of the layer, with the orders of those in the plane; a wave at 45 degrees to the "
+     "motion, refined along all three axes: order 2",
+     [_SLIDING + "BoxColumn.BrakesInStepsAndSticks"] + [_SLIDING + "BoxGrowth." + name for name in ("Coulomb", "RegularizedAndDamped", "OfOrderTwoInTheTimeStep")]
+     + [_MESH + "waves: BoxWaves.AtAnAngleToTheMotionOfTheFlat"]),
     ("Energy balance", "closes to 1e-12 of the largest energy with every term from its own formula: tops, stops, damping, gravity, free vibration; below 1e-3 of the "
      "friction work in a coarse pin at 5 MPa sampled every 50 steps",
      [_DYNAMICS + "Energy." + name for name in ("ClosesUnderEveryTop", "ClosesWhenTheTopIsStopped", "ClosesWithEverythingElse",

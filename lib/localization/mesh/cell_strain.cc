@@ -196,14 +196,21 @@ MeanStrain<dim>::MeanStrain(const Mesh<dim> &mesh)
 }
 
 template <int dim>
-VoigtVector<dim> MeanStrain<dim>::operator()(const std::vector<double> &u) const
+MeanStrain<dim> MeanStrain<dim>::part(const std::size_t first, const std::size_t n) const
 {
-  VoigtVector<dim> strain = VoigtVector<dim>::Zero();
+  const auto begin = gradient.begin() + static_cast<std::ptrdiff_t>(first);
+  MeanStrain some;
+  some.gradient.assign(begin, begin + static_cast<std::ptrdiff_t>(n));
+  return some;
+}
+
+template <int dim>
+void MeanStrain<dim>::add(const std::vector<double> &u, VoigtVector<dim> &strain) const
+{
   for (std::size_t k = 0; k < gradient.size(); ++k)
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)
         strain(voigt_index<dim>(c, d)) += gradient[k][d] * u[k * dim + c];
-  return strain;
 }
 
 template class CellStrain<2>;

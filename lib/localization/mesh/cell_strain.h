@@ -82,17 +82,30 @@ private:
 
 /**
  * Mean strain over a whole body, as a linear function of the displacement of its points
- * (m) [n_points][dim].
+ * (m) [n_points][dim], or what some of them add to it.
  */
 template <int dim>
 class MeanStrain
 {
 public:
+  /** Of no points. */
+  MeanStrain() = default;
+
   /** The mesh is not needed later. */
   explicit MeanStrain(const Mesh<dim> &mesh);
 
-  /** Of the displacement @p u. */
-  VoigtVector<dim> operator()(const std::vector<double> &u) const;
+  /** That of @p n points from point @p first on. */
+  MeanStrain part(const std::size_t first, const std::size_t n) const;
+
+  /** Adds to @p strain, point after point, what comes of the displacement @p u. */
+  void add(const std::vector<double> &u, VoigtVector<dim> &strain) const;
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &gradient;
+  }
 
 private:
   std::vector<dealii::Tensor<1, dim>> gradient; ///< of each point (1/m)

@@ -61,7 +61,7 @@ RankMemory memory_need(const MeshLocalizationInput<dim> &input,
                                                                       : 1.,
                n_fields           = n_points + n_variants + (input.direct ? 1. : 0.);
   const double statistics         = bytes_of_fields<dim>(p.fields);
-  const double tensor             = of_number * (v * v + 1.) + 4.;
+  const double tensor             = of_number * (v * v + 2.) + 4.;
   const double place = input.is_body() || input.direct ? 2. * vector + 16. : 0.;
   const double n_strained =
     input.direct      ? n_cells
@@ -76,10 +76,12 @@ RankMemory memory_need(const MeshLocalizationInput<dim> &input,
   const double meshes = bytes_of(input.volume) + bytes_of(input.body) +
                         bytes_of(input.direct_body) +
                         n_cells * (vector + of_number + 4.) +
-                        3. * vector * static_cast<double>(input.body.points.size());
+                        vector * static_cast<double>(input.body.points.size());
   // Texts of the ranks, results from them, and the fields of the whole volume.
   const double output = 2.5 * n_fields * statistics * n_cells;
-  const double share  = (n_cells * pass + n_strained * strain) / n_ranks;
+  // What a rank reads, its mean strain, and what it needs of all.
+  const double snapshot = 3. * vector * static_cast<double>(input.body.points.size());
+  const double share    = (n_cells * pass + n_strained * strain + snapshot) / n_ranks;
   return {of_libraries + meshes + std::max(share, output),
           n_ranks > 1 ? of_libraries + share : 0.};
 }

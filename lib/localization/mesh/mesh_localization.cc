@@ -16,34 +16,25 @@ namespace mesoslip
 {
 namespace
 {
-/** The volume mean of L, from parts of the volume. */
+/** The volume mean of L, from the cells of all ranks. Collective. */
 template <int dim>
-class MeanConcentration
+VoigtMatrix<dim> mean_concentration(const RankWork<dim> &work,
+                                    const MPI_Comm communicator)
 {
-public:
-  /** Cells of the volumes @p volumes [first] and so on. */
-  void add(const std::vector<double> &concentration,
-           const std::vector<double> &volumes,
-           const std::size_t first)
-  {
-    constexpr std::size_t n = n_voigt<dim> * n_voigt<dim>;
-    for (std::size_t k = 0; k * n < concentration.size(); ++k)
-      {
-        const Eigen::Map<const VoigtMatrix<dim>> L(&concentration[n * k]);
-        sum += volumes[first + k] * L;
-        volume += volumes[first + k];
-      }
-  }
-
-  VoigtMatrix<dim> mean() const
-  {
-    return sum / volume;
-  }
-
-private:
-  VoigtMatrix<dim> sum = VoigtMatrix<dim>::Zero();
-  double volume        = 0.;
-};
+  constexpr std::size_t n = n_voigt<dim> * n_voigt<dim>;
+  VoigtMatrix<dim> sum    = VoigtMatrix<dim>::Zero();
+  double volume           = 0.;
+  for (std::size_t k = 0; k < work.measure.size(); ++k)
+    {
+      const Eigen::Map<const VoigtMatrix<dim>> L(&work.concentration[n * k]);
+      sum += work.measure[k] * L;
+      volume += work.measure[k];
+    }
+  std::vector<double> sums(sum.data(), sum.data() + n);
+  sums.push_back(volume);
+  sum_over_ranks(sums, communicator);
+  return Eigen::Map<const VoigtMatrix<dim>>(sums.data()) / sums[n];
+}
 
 template <int dim>
 class MeshLocalization : public Analysis
@@ -96,41 +87,45 @@ private:
 
   RankWork<dim> distribute_work(const RunContext &context)
   {
-    const auto n_ranks = static_cast<std::size_t>(context.n_ranks());
-    MeanConcentration<dim> mean;
+    const auto n_ranks      = static_cast<std::size_t>(context.n_ranks());
     const auto work_of_rank = [&](const std::size_t r) {
-      const std::size_t first = input->first_cell(r, n_ranks),
-                        end   = input->first_cell(r + 1, n_ranks);
-      RankWork<dim> work      = work_of(first, end);
-      mean.add(work.concentration, input->measures, first);
-      return work;
+      return work_of(input->first_cell(r, n_ranks), input->first_cell(r + 1, n_ranks));
     };
-    // Of all cells but those of one rank nothing is kept.
     const std::string text = scatter(context.communicator(), [&](const unsigned int r) {
       return save_state(work_of_rank(r));
     });
     RankWork<dim> work;
     if (context.root())
-      {
-        work                      = work_of_rank(0);
-        const std::string warning = concentration_warning<dim>(
-          input->rve.path(), parameters.concentration, mean.mean());
-        if (!warning.empty())
-          input->warnings.push_back(warning);
-      }
+      work = work_of_rank(0);
     else
       load_state(text, work, "the message of another process");
+    read_concentration(work, context.communicator());
     return work;
+  }
+
+  /** Each rank reads the tensors of its cells, all at once. */
+  void read_concentration(RankWork<dim> &work, const MPI_Comm communicator)
+  {
+    const RveFile<dim> rve(parameters.rve_file, communicator);
+    work.concentration =
+      rve.concentration(parameters.concentration, work.first_cell, work.phase.size());
+    const VoigtMatrix<dim> mean = mean_concentration(work, communicator);
+    if (!input)
+      return;
+    const std::string warning =
+      concentration_warning<dim>(rve.path(), parameters.concentration, mean);
+    if (!warning.empty())
+      input->warnings.push_back(warning);
   }
 
   RankWork<dim> work_of(const std::size_t first, const std::size_t end) const
   {
     RankWork<dim> work;
-    work.is_body = input->is_body();
-    work.concentration =
-      input->rve.concentration(parameters.concentration, first, end - first);
+    work.is_body    = input->is_body();
+    work.first_cell = first;
     for (std::size_t k = first; k < end; ++k)
       {
+        work.measure.push_back(input->measures[k]);
         work.phase.push_back(input->material_of(k));
         if (input->is_body())
           {
@@ -158,10 +153,9 @@ private:
     return work;
   }
 
-  /** Calls @p treat for each snapshot of a run, which rank 0 reads. */
+  /** Calls @p treat for each snapshot of a run. */
   template <typename Treat>
-  void for_each_snapshot(const BodySnapshots<dim> *run,
-                         const IndexRange &of_root,
+  void for_each_snapshot(const IndexRange &of_root,
                          const std::string &role,
                          StrainSource<dim> &source,
                          const Treat &treat,
@@ -172,9 +166,7 @@ private:
     context.progress().start("snapshots of the " + role, range[1]);
     for (std::size_t k = 0; k < range[1]; ++k)
       {
-        std::vector<double> u;
-        on_root(context.communicator(), [&]() { u = run->displacement(range[0] + k); });
-        source.set_displacement(u);
+        source.set_snapshot(range[0] + k);
         treat();
         context.progress().update(k + 1);
         if (context.stop_requested())
@@ -188,8 +180,8 @@ private:
   {
     const LocalCells<dim> cells = work.cells(true);
     std::vector<double>().swap(work.concentration);
-    StrainSource<dim> source(input ? input->body : no_mesh, work.in_body,
-                             context.communicator());
+    StrainSource<dim> source(parameters.homogeneous_run, input ? input->body : no_mesh,
+                             work.in_body, context.communicator());
     const std::size_t n_points   = parameters.points.size(),
                       n_places   = work.in_body.at.size() - n_points;
     const FieldSelection &fields = parameters.fields;
@@ -203,8 +195,7 @@ private:
     for (std::size_t p = 0; p < n_points; ++p)
       points.emplace_back(cells, fields, none);
     for_each_snapshot(
-      input ? &input->homogeneous : nullptr, input ? input->snapshots : IndexRange(),
-      "homogeneous run", source,
+      input ? input->snapshots : IndexRange(), "homogeneous run", source,
       [&]() {
         if (local)
           local->add([&](const std::size_t k) { return source.at(k); });
@@ -229,11 +220,10 @@ private:
   void pass_direct(const RankWork<dim> &work, RankResult &mine, RunContext &context)
   {
     const LocalCells<dim> cells = work.cells(false);
-    StrainSource<dim> source(input ? input->direct_body : no_mesh, work.in_direct,
-                             context.communicator());
+    StrainSource<dim> source(parameters.direct_run, input ? input->direct_body : no_mesh,
+                             work.in_direct, context.communicator());
     StressRecord<dim> record(cells, parameters.fields, work.probes);
     for_each_snapshot(
-      input ? input->direct.get() : nullptr,
       input ? input->direct_snapshots : IndexRange(), "direct run", source,
       [&]() { record.add([&](const std::size_t k) { return source.at(k); }); }, context);
     record.append_to(mine);

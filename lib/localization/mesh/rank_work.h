@@ -13,8 +13,10 @@ namespace mesoslip
 template <int dim>
 struct RankWork
 {
-  bool is_body = true;               ///< whether the volume is the body
-  std::vector<double> concentration; ///< L of each cell [n][v][v]
+  bool is_body           = true;     ///< whether the volume is the body
+  std::size_t first_cell = 0;        ///< number of the first of these cells in the volume
+  std::vector<double> concentration; ///< L of each cell [n][v][v], which the rank reads
+  std::vector<double> measure;       ///< of each cell (m^dim)
   std::vector<unsigned int> phase;   ///< of each cell, or its material
   PlacesInCells<dim> in_body;        ///< centroids, if the volume is the body; points
   PlacesInCells<dim> in_direct;      ///< centroids, if there is a direct run
@@ -26,8 +28,8 @@ struct RankWork
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &is_body &concentration &phase &in_body &in_direct &probes;
-    archive &phase_stiffness &phase_ratio;
+    archive &is_body &first_cell &concentration &measure &phase;
+    archive &in_body &in_direct &probes &phase_stiffness &phase_ratio;
   }
 
   /** C_phase L of the cells, or C_phase alone. */

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace mesoslip
 {
@@ -87,29 +86,29 @@ bool are_centroids(const std::vector<dealii::Point<dim>> &places,
     }
   return true;
 }
-
-/** The bytes of the displacement of @p points, dim numbers each. */
-template <int dim>
-std::string displacement_of(const std::vector<unsigned int> &points,
-                            const std::vector<double> &u)
-{
-  constexpr std::size_t size = dim * sizeof(double);
-  std::string bytes(points.size() * size, '\0');
-  for (std::size_t i = 0; i < points.size(); ++i)
-    std::memcpy(&bytes[i * size], &u[std::size_t{points[i]} * dim], size);
-  return bytes;
-}
 } // namespace
 
 template <int dim>
-StrainSource<dim>::StrainSource(const Mesh<dim> &of_root,
+StrainSource<dim>::StrainSource(const std::string &path,
+                                const Mesh<dim> &of_root,
                                 const PlacesInCells<dim> &given,
                                 const MPI_Comm the_communicator)
   : communicator(the_communicator)
+  , run(path, communicator)
   , places(given.at)
+  , rows(run.rows_of_points())
+  , points(distribute_cells(of_root, given), rows[0] * rows[1], communicator, rows[1])
+{
+  distribute_mean(of_root);
+}
+
+/** Makes the strain in the cells of the places; the points of the body that it looks at. */
+template <int dim>
+std::vector<unsigned int>
+StrainSource<dim>::distribute_cells(const Mesh<dim> &of_root,
+                                    const PlacesInCells<dim> &given)
 {
   namespace mpi                    = dealii::Utilities::MPI;
-  const bool is_root               = mpi::this_mpi_process(communicator) == 0;
   std::vector<unsigned int> wanted = given.cell;
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
@@ -117,39 +116,47 @@ StrainSource<dim>::StrainSource(const Mesh<dim> &of_root,
     wanted_cell.push_back(std::lower_bound(wanted.begin(), wanted.end(), cell) -
                           wanted.begin());
   const auto wanted_of_rank = mpi::gather(communicator, wanted);
-  points_of_rank.resize(wanted_of_rank.size());
-  const auto make = [&](const unsigned int rank) {
-    Neighbourhood<dim> part = neighbourhood(of_root, wanted_of_rank[rank]);
-    points_of_rank[rank]    = part.points;
-    return part;
-  };
-  const std::string message = scatter(
-    communicator, [&](const unsigned int rank) { return save_state(make(rank)); });
+  const std::string message = scatter(communicator, [&](const unsigned int rank) {
+    return save_state(neighbourhood(of_root, wanted_of_rank[rank]));
+  });
   Neighbourhood<dim> own;
-  if (is_root)
-    own = make(0);
+  if (mpi::this_mpi_process(communicator) == 0)
+    own = neighbourhood(of_root, wanted_of_rank[0]);
   else
     load_state(message, own, "the cells around the places of this process");
   strain = std::make_unique<CellStrain<dim>>(own.mesh, own.wanted,
                                              are_centroids(places, wanted_cell, own));
-  displacement.resize(own.points.size() * dim);
-  if (is_root)
-    mean_of_body = std::make_unique<MeanStrain<dim>>(of_root);
+  return own.points;
 }
 
 template <int dim>
-void StrainSource<dim>::set_displacement(const std::vector<double> &u)
+void StrainSource<dim>::distribute_mean(const Mesh<dim> &of_root)
 {
-  std::vector<std::string> parts;
-  for (const std::vector<unsigned int> &points : points_of_rank)
-    parts.push_back(displacement_of<dim>(points, u));
-  if (mean_of_body)
-    mean_strain = (*mean_of_body)(u);
-  const std::string part = scatter(communicator, parts);
-  std::memcpy(displacement.data(), part.data(), part.size());
-  dealii::Utilities::MPI::broadcast(
-    mean_strain.data(), static_cast<std::size_t>(mean_strain.size()), 0, communicator);
-  strain->set_displacement(displacement);
+  namespace mpi = dealii::Utilities::MPI;
+  using Block   = std::array<std::size_t, 2>;
+  const std::vector<Block> blocks =
+    mpi::gather(communicator, Block{{points.first(), points.size()}});
+  const MeanStrain<dim> whole =
+    blocks.empty() ? MeanStrain<dim>() : MeanStrain<dim>(of_root);
+  const std::string message = scatter(communicator, [&](const unsigned int rank) {
+    return save_state(whole.part(blocks[rank][0], blocks[rank][1]));
+  });
+  if (mpi::this_mpi_process(communicator) == 0)
+    mean_of_block = whole.part(0, points.size());
+  else
+    load_state(message, mean_of_block, "the message of another process");
+}
+
+template <int dim>
+void StrainSource<dim>::set_snapshot(const std::size_t k)
+{
+  const std::vector<double> u =
+    run.displacement(k, points.first() / rows[1], points.size() / rows[1]);
+  mean_strain.setZero();
+  in_order_of_ranks(
+    mean_strain.data(), static_cast<std::size_t>(mean_strain.size()),
+    [&]() { mean_of_block.add(u, mean_strain); }, communicator);
+  strain->set_displacement(points.bring(u, dim));
 }
 
 template class StrainSource<2>;

@@ -1,10 +1,13 @@
 #ifndef mesoslip_localization_mesh_strain_source_h
 #define mesoslip_localization_mesh_strain_source_h
 
+#include "exchange/body_snapshots.h"
 #include "localization/mesh/cell_strain.h"
+#include "mesh/point_blocks.h"
 
 #include <memory>
 #include <mpi.h>
+#include <string>
 
 namespace mesoslip
 {
@@ -25,20 +28,21 @@ struct PlacesInCells
 
 /**
  * The strain of a run at some places, different ones on each rank, and its mean over the
- * body, from snapshots that rank 0 has. Of the body each rank gets what is around its places.
+ * body. Each rank reads a block of the points of each snapshot, and gets what is around its places.
  */
 template <int dim>
 class StrainSource
 {
 public:
-  /** @p of_root is the mesh of the run on rank 0; @p given are those of this rank.
-   * Collective. */
-  StrainSource(const Mesh<dim> &of_root,
+  /** @p path is the file of the run, @p of_root its mesh on rank 0; @p given are the places of this
+   * rank. Collective. @throws UserError */
+  StrainSource(const std::string &path,
+               const Mesh<dim> &of_root,
                const PlacesInCells<dim> &given,
                const MPI_Comm the_communicator);
 
-  /** Evaluates the displacement @p u of all points on rank 0. Collective. */
-  void set_displacement(const std::vector<double> &u);
+  /** Reads snapshot number @p k and evaluates it. Collective. @throws UserError */
+  void set_snapshot(const std::size_t k);
 
   /** At place number @p k of this rank. */
   VoigtVector<dim> at(const std::size_t k) const
@@ -53,15 +57,19 @@ public:
   }
 
 private:
+  std::vector<unsigned int> distribute_cells(const Mesh<dim> &of_root,
+                                             const PlacesInCells<dim> &given);
+  void distribute_mean(const Mesh<dim> &of_root);
+
   const MPI_Comm communicator;
+  const BodySnapshots<dim> run;
   std::vector<dealii::Point<dim>> places;
   std::vector<std::size_t> wanted_cell; ///< place among those of CellStrain
-
-  /** On rank 0: the points of the body that each rank needs the displacement of. */
-  std::vector<std::vector<unsigned int>> points_of_rank;
-  std::vector<double> displacement; ///< of those of this rank, [point][dim]
   std::unique_ptr<CellStrain<dim>> strain;
-  std::unique_ptr<MeanStrain<dim>> mean_of_body; ///< on rank 0
+  const std::array<std::size_t, 2>
+    rows;                         ///< in which the file has the points: number, length
+  const NumbersFromBlocks points; ///< those around the places
+  MeanStrain<dim> mean_of_block;  ///< what the points that this rank reads add
   VoigtVector<dim> mean_strain = VoigtVector<dim>::Zero();
 };
 } // namespace mesoslip

@@ -6,12 +6,22 @@
 using namespace verification;
 using namespace verification::impact_bar;
 
-TEST(Bar, HitsTheWallAndLeaves)
+namespace
+{
+/** What the numbers of a test are called. */
+template <int dim>
+std::string named(const std::string &name)
+{
+  return dim == 2 ? name : name + ", box";
+}
+
+template <int dim>
+void expect_impact()
 {
   const unsigned int n = 400;
-  Body body(bar(n, 0.5, 0.9));
+  BodyIn<dim> body     = bar_in<dim>(bar(n, 0.5, 0.9));
   throw_down(body);
-  const double dt = body.setup.step.dt, width = body.setup.spacing[0];
+  const double dt = body.setup.step.dt, width = body.setup.spacing[0] * body.depth;
   body.run(std::lround(2. / dt));
   const ContactHistory &h = body.contact_recorder.history();
 
@@ -32,23 +42,26 @@ TEST(Bar, HitsTheWallAndLeaves)
         ++n_samples;
       }
   EXPECT_NEAR(pressure / n_samples, c * v, 0.3);
-  measured::number("pressure", c * v, pressure / n_samples);
-  measured::number("end of the contact", 0.5 + 2. * length / c, last);
+  measured::number(named<dim>("pressure"), c * v, pressure / n_samples);
+  measured::number(named<dim>("end of the contact"), 0.5 + 2. * length / c, last);
 
   double velocity = 0.;
   for (unsigned int j = 0; j <= n; ++j)
-    velocity += body.w.row(1, j)[0] / (n + 1);
+    velocity += body.at(body.w, 1, 0, j) / (n + 1);
   EXPECT_NEAR(velocity, v, 0.02 * v);
-  measured::number("velocity after", v, velocity);
-  EXPECT_LT(std::abs(body.u.row(0, n / 2)[0]), 1e-10); // no lateral motion with nu = 0
+  measured::number(named<dim>("velocity after"), v, velocity);
+  // No lateral motion with nu = 0.
+  EXPECT_LT(std::abs(body.at(body.u, 0, 0, n / 2)), 1e-10);
 }
 
-TEST(Bar, EnergyLossOfOneImpact)
+template <int dim>
+void expect_energy_loss()
 {
   std::vector<double> loss, damped_loss;
   for (const unsigned int n : {100, 200, 400})
     {
-      const Impact plain = impact(bar(n, 0.5, 0.5)), damped = impact(bar(n, 1., 0.5));
+      const Impact plain  = impact<dim>(bar(n, 0.5, 0.5)),
+                   damped = impact<dim>(bar(n, 1., 0.5));
       for (const Impact &i : {plain, damped})
         {
           EXPECT_LT(i.residual, 1e-12);
@@ -56,8 +69,8 @@ TEST(Bar, EnergyLossOfOneImpact)
         }
       loss.push_back(1. - plain.natural);
       damped_loss.push_back(1. - damped.balanced);
-      measured::error("loss of an impact, beta2 = 0.5", n, loss.back());
-      measured::error("loss of an impact, beta2 = 1", n, damped_loss.back());
+      measured::error(named<dim>("loss of an impact, beta2 = 0.5"), n, loss.back());
+      measured::error(named<dim>("loss of an impact, beta2 = 1"), n, damped_loss.back());
       std::printf("n = %u: b = 1/2 %.6f %.5f, b = 1 %.5f\n", n, plain.balanced,
                   plain.natural, damped.balanced);
       // What is lost is the kinetic energy of the nodes that land.
@@ -66,8 +79,9 @@ TEST(Bar, EnergyLossOfOneImpact)
   EXPECT_NEAR(1. - loss[0], 0.9953, 2e-4);
   EXPECT_NEAR(1. - loss[2], 0.9988, 1e-4);
   EXPECT_NEAR(orders(loss).back(), 1., 0.05);
-  measured::number("energy kept, n = 400, beta2 = 0.5", 0.9988, 1. - loss[2]);
-  measured::number("energy kept, n = 400, beta2 = 1", 0.953, 1. - damped_loss[2]);
+  measured::number(named<dim>("energy kept, n = 400, beta2 = 0.5"), 0.9988, 1. - loss[2]);
+  measured::number(named<dim>("energy kept, n = 400, beta2 = 1"), 0.953,
+                   1. - damped_loss[2]);
   EXPECT_NEAR(1. - damped_loss[0], 0.905, 1e-3);
   EXPECT_NEAR(1. - damped_loss[2], 0.953, 1e-3);
   EXPECT_NEAR(orders(damped_loss).back(), 0.5, 0.05);
@@ -76,7 +90,8 @@ TEST(Bar, EnergyLossOfOneImpact)
 // In the falling frame the flat pushes the lower end by v t + g t^2 / 2, which sends up a
 // wave with the pressure rho c (v + g t); its echo comes back at T = 2 L / c, when the
 // bar would be pulled: contact from 1 to 1 + T with the impulse rho c (v T + g T^2 / 2).
-TEST(Bar, FirstBounceUnderGravity)
+template <int dim>
+void expect_first_bounce()
 {
   constexpr double g = 10., T = exact_duration;
   std::vector<double> impulse_errors, pressure_errors;
@@ -84,8 +99,8 @@ TEST(Bar, FirstBounceUnderGravity)
     {
       BodySetup setup         = bar(n, 0.5, 0.9);
       setup.step.acceleration = {{0., -g}};
-      Body body(setup);
-      const double dt = setup.step.dt, width = setup.spacing[0];
+      BodyIn<dim> body        = bar_in<dim>(setup);
+      const double dt = setup.step.dt, width = setup.spacing[0] * body.depth;
       body.run(std::lround(2.2 / dt));
       const ContactHistory &h = body.contact_recorder.history();
       double impulse = 0., squares = 0., n_samples = 0., after = 0.;
@@ -103,7 +118,7 @@ TEST(Bar, FirstBounceUnderGravity)
       EXPECT_EQ(after, 0.);
       impulse_errors.push_back(impulse - c * (v * T + 0.5 * g * T * T));
       pressure_errors.push_back(std::sqrt(squares / n_samples));
-      measured::error("pressure of a bounce under gravity", n,
+      measured::error(named<dim>("pressure of a bounce under gravity"), n,
                       pressure_errors.back() / (c * v));
       EXPECT_NEAR(impulse_errors.back() / (c * (v * T + 0.5 * g * T * T)), 0., 1e-3);
     }
@@ -111,6 +126,38 @@ TEST(Bar, FirstBounceUnderGravity)
     EXPECT_NEAR(order, 1., 0.05);
   EXPECT_LT(pressure_errors.back(), 1e-3 * c * v);
   EXPECT_LT(std::abs(impulse_errors.back()), 0.1 * std::abs(impulse_errors.front()));
+}
+
+} // namespace
+
+TEST(Bar, HitsTheWallAndLeaves)
+{
+  expect_impact<2>();
+}
+
+TEST(Bar, EnergyLossOfOneImpact)
+{
+  expect_energy_loss<2>();
+}
+
+TEST(Bar, FirstBounceUnderGravity)
+{
+  expect_first_bounce<2>();
+}
+
+TEST(BoxBar, HitsTheWallAndLeaves)
+{
+  expect_impact<3>();
+}
+
+TEST(BoxBar, EnergyLossOfOneImpact)
+{
+  expect_energy_loss<3>();
+}
+
+TEST(BoxBar, FirstBounceUnderGravity)
+{
+  expect_first_bounce<3>();
 }
 
 TEST(Bar, BouncingUnderGravityGainsNoEnergy)

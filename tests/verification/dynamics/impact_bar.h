@@ -1,7 +1,7 @@
 #ifndef mesoslip_tests_verification_impact_bar_h
 #define mesoslip_tests_verification_impact_bar_h
 
-#include "../sliding/sliding_body.h"
+#include "../sliding/box_body.h"
 
 namespace verification
 {
@@ -10,13 +10,19 @@ namespace impact_bar
 // Doyen, Ern, Piperno, SIAM J. Sci. Comput. 33 (2011): E = 900, rho = 1, c = 30.
 constexpr double length = 10., c = 30., v = 10., exact_duration = 2. * length / c;
 
+template <int dim>
+ElasticPhase<dim> bar_material()
+{
+  return {isotropic_stiffness<dim>(900., 0.), 1.};
+}
+
 /** The bar as one column of cells without lateral contraction. */
 inline BodySetup bar(const unsigned int n_cells, const double beta2, const double courant)
 {
   BodySetup s;
   s.cells           = {{1, n_cells}};
   s.spacing         = {{length / n_cells, length / n_cells}};
-  s.classes         = {{isotropic_stiffness<2>(900., 0.), 1.}};
+  s.classes         = {bar_material<2>()};
   s.step.beta2      = beta2;
   s.step.dt         = courant * s.spacing[1] / c;
   s.contact.gap     = 5.;
@@ -26,7 +32,15 @@ inline BodySetup bar(const unsigned int n_cells, const double beta2, const doubl
   return s;
 }
 
-inline void throw_down(Body &body)
+/** The bar in the plane, or in space, then two columns of cells deep. */
+template <int dim>
+BodyIn<dim> bar_in(const BodySetup &setup)
+{
+  return make_body<dim>(setup, {bar_material<3>(), 2});
+}
+
+template <class AnyBody>
+void throw_down(AnyBody &body)
 {
   body.set_w([](double, double, const unsigned int k) { return k == 1 ? -v : 0.; });
 }
@@ -56,32 +70,44 @@ struct Impact
   bool separated;  ///< at the end
 };
 
-/** Two seconds of @p setup, a bar() with an audit in each step. */
-inline Impact impact(const BodySetup &setup)
+/** 1/2 v.M v of the velocity at the instant of u, @p before being w of the step before. */
+template <class AnyBody>
+double kinetic_energy(const AnyBody &body, const NodalField<double> &before)
 {
-  Body body(setup);
+  const double beta2 = body.setup.step.beta2;
+  double energy      = 0.;
+  std::vector<double> mass(before.n_columns());
+  for (unsigned int j = 0; j < before.n_rows(); ++j)
+    {
+      body.stepper.mass_row(j, mass.data());
+      for (unsigned int c = 0; c < before.n_components(); ++c)
+        for (unsigned int i = 0; i < before.n_columns(); ++i)
+          {
+            const double velocity =
+              (1. - beta2) * before.row(c, j)[i] + beta2 * body.w.row(c, j)[i];
+            energy += 0.5 * mass[i] * velocity * velocity;
+          }
+    }
+  return energy;
+}
+
+/** Two seconds of @p setup, a bar() with an audit in each step. */
+template <int dim = 2>
+Impact impact(const BodySetup &setup)
+{
+  BodyIn<dim> body = bar_in<dim>(setup);
   throw_down(body);
   body.run(std::lround(2. / body.setup.step.dt));
   const EnergyHistory e           = body.energy->reduce();
   const ContactHistory &h         = body.contact_recorder.history();
   const auto [first, last]        = contact_span(h);
-  const double beta2              = setup.step.beta2;
   const NodalField<double> before = body.w;
   double natural                  = body.stepper.elastic_energy();
   body.stepper.step();
-  std::vector<double> mass(2);
-  for (unsigned int j = 0; j <= setup.cells[1]; ++j)
-    {
-      body.material.mass_row(j, mass.data());
-      for (const unsigned int i : {0u, 1u})
-        {
-          const double vy =
-            (1. - beta2) * before.row(1, j)[i] + beta2 * body.w.row(1, j)[i];
-          natural += 0.5 * mass[i] * vy * vy;
-        }
-    }
+  natural += kinetic_energy(body, before);
   return {mechanical(e, e.time.size() - 1) / e.initial, natural / e.initial,
-          largest(e.residual()) / e.initial, last - first, h.separated.back() == 2.};
+          largest(e.residual()) / e.initial, last - first,
+          h.separated.back() == 2. * body.nodes_deep};
 }
 } // namespace impact_bar
 } // namespace verification

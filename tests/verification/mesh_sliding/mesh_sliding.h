@@ -1,11 +1,12 @@
 #ifndef mesoslip_tests_verification_mesh_sliding_h
 #define mesoslip_tests_verification_mesh_sliding_h
 
+#include "../sliding/sliding_body.h"
+#include "exchange/mesh_datasets.h"
 #include "mesh/boundary.h"
 #include "mesh/mesh_part.h"
 #include "mesh/periodic_points.h"
 #include "sliding/mesh/sliding_mesh.h"
-#include "../sliding/sliding_body.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
@@ -15,6 +16,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -69,7 +71,8 @@ struct MeshCase
   double friction = 0.;
   std::vector<HeldComponent> held;
   std::map<unsigned int, MeshBoundary>
-    sides; ///< of a box that does not lie along the axes
+    sides;                          ///< of a box that does not lie along the axes
+  std::optional<BrickBox> box = {}; ///< the cells as bricks, if they are to be that
 
   /** The boundary on a side of the box, numbered as deal.II does. */
   MeshBoundary side(const unsigned int number) const
@@ -85,12 +88,69 @@ struct MeshCase
     const auto faces = faces_of_box(mesh, boundary_faces(mesh));
     join_sides(mesh, boundary_points(mesh, faces[2 * axis]).points,
                boundary_points(mesh, faces[2 * axis + 1]).points, axis, 1e-6);
+    if (box)
+      box->periodic[axis] = true;
   }
 
   void hold(const unsigned int side_number, const unsigned int component)
   {
     for (const unsigned int p : side(side_number).points)
       held.push_back({p, component});
+  }
+};
+
+/** A box of equal bricks from the origin on, with edges @p h. */
+inline MeshCase<3> box_of_bricks(const std::array<unsigned int, 3> &n,
+                                 const std::array<double, 3> &h)
+{
+  MeshCase<3> c;
+  c.box  = BrickBox{{n, h, {}}, {}};
+  c.mesh = mesh_of_cells(c.box->grid);
+  for (auto &cell : c.mesh.cells)
+    cell.material_id = 0;
+  return c;
+}
+
+/** What SlidingMesh needs of such a body: bricks in one sweep, or cells. */
+template <int dim>
+struct BodyParts
+{
+  BodyParts(const MeshCase<dim> &c, const MPI_Comm communicator)
+    : case_setup(c.setup)
+    , held(c.held)
+    , contact_boundary(c.side(2 * (dim - 1)))
+    , top_boundary(c.side(2 * dim - 1))
+    , distributed(distribute(c, contact_boundary.points, communicator))
+  {
+  }
+
+  /** The setup with the friction coefficient of all nodes. */
+  SlidingSetup with_friction(const double friction) const
+  {
+    SlidingSetup s = case_setup;
+    s.contact.friction_coefficient.assign(contact_boundary.points.size(), friction);
+    return s;
+  }
+
+  const SlidingSetup case_setup;
+  const std::vector<HeldComponent> held;
+  const MeshBoundary contact_boundary, top_boundary;
+  const std::unique_ptr<DistributedBody<dim>> distributed;
+
+private:
+  static std::unique_ptr<DistributedBody<dim>>
+  distribute(const MeshCase<dim> &c,
+             const std::vector<unsigned int> &contact,
+             const MPI_Comm communicator)
+  {
+    MeshMorphology<dim> morphology;
+    morphology.mesh = c.mesh;
+    if constexpr (dim == 3)
+      morphology.box = c.box;
+    for (const auto &cell : c.mesh.cells)
+      morphology.phase_id.push_back(static_cast<std::uint8_t>(cell.material_id));
+    return distribute_body(morphology, contact, {}, c.phases, InstructionSet::automatic,
+                           communicator);
   }
 };
 

@@ -12,14 +12,6 @@ namespace verification
 {
 namespace sliding_layer
 {
-/** The layer's material: c_T = 2560 m/s, nu = 0.2. */
-template <int dim>
-ElasticPhase<dim> layer_material()
-{
-  const double density = 1900.;
-  return {isotropic_stiffness<dim>(2.4 * density * c_T * c_T, 0.2), density};
-}
-
 /** A displacement or velocity at a point, by component. */
 template <int dim>
 using Field = std::function<double(const dealii::Point<dim> &, unsigned int)>;
@@ -32,21 +24,18 @@ MeshCase<dim> joined(MeshCase<dim> c)
   return c;
 }
 
-/** A body on a mesh that is periodic along x, on one rank. */
+/** A body on a mesh or of bricks that is periodic along x, on one rank. */
 template <int dim>
-class LayerRun
+class LayerRun : BodyParts<dim>
 {
 public:
   /** With so much of the critical time step. */
   explicit LayerRun(const MeshCase<dim> &open, const double share = 0.9)
-    : c(joined(open))
-    , part(
-        distribute(c.mesh, std::vector<unsigned int>(c.mesh.cells.size()), MPI_COMM_SELF))
-    , op(part, c.phases, MPI_COMM_SELF)
-    , contact_boundary(c.side(2 * (dim - 1)))
-    , top_boundary(c.side(2 * dim - 1))
-    , setup(completed(share))
-    , body(op, contact_boundary, top_boundary, c.held, setup)
+    : BodyParts<dim>(joined(open), MPI_COMM_SELF)
+    , part(this->distributed->part())
+    , setup(completed(open.friction, share))
+    , body(
+        *this->distributed, this->contact_boundary, this->top_boundary, this->held, setup)
   {
   }
 
@@ -66,8 +55,8 @@ public:
     for (unsigned int n = 0; n < n_steps; ++n)
       {
         body.stepper.advance(1);
-        slipping =
-          slipping && body.contact.sums().slipping == contact_boundary.points.size();
+        slipping = slipping &&
+                   body.contact.sums().slipping == this->contact_boundary.points.size();
       }
   }
 
@@ -75,10 +64,7 @@ public:
   bool slipping = true;
 
 private:
-  const MeshCase<dim> c;
-  const MeshPart<dim> part;
-  const MeshOperator<dim> op;
-  const MeshBoundary contact_boundary, top_boundary;
+  const MeshPart<dim> &part;
 
 public:
   const SlidingSetup setup;
@@ -86,12 +72,11 @@ public:
 private:
   SlidingMesh<dim> body;
 
-  SlidingSetup completed(const double share) const
+  SlidingSetup completed(const double friction, const double share) const
   {
-    SlidingSetup s = c.setup;
-    s.contact.friction_coefficient.assign(contact_boundary.points.size(), c.friction);
-    s.step.dt =
-      share * critical_time_step(largest_frequency(op).upper, s.step.beta2, s.step.beta);
+    SlidingSetup s = this->with_friction(friction);
+    s.step.dt = share * critical_time_step(this->distributed->largest_frequency().upper,
+                                           s.step.beta2, s.step.beta);
     return s;
   }
 
@@ -101,8 +86,8 @@ public:
   auto sum_below(const unsigned int component, const Weight &weight) const
   {
     decltype(weight(part.points[0])) sum = 0.;
-    const std::set<unsigned int> below(contact_boundary.points.begin(),
-                                       contact_boundary.points.end());
+    const std::set<unsigned int> below(this->contact_boundary.points.begin(),
+                                       this->contact_boundary.points.end());
     for (std::size_t i = 0; i < part.n_distinct; ++i)
       if (below.count(part.point_in_mesh[i]) > 0)
         sum += body.u.row(component, 0)[i] * weight(part.points[i]);

@@ -11,8 +11,10 @@ using namespace verification::sliding_layer;
 
 namespace
 {
-/** @p n cells over the height; half as many to a length along the flat. */
-MeshCase<3> oblique_case(const ObliqueLayer &layer, const unsigned int n)
+/** @p n cells over the height, as @p bricks or of a mesh; half as many to a length along the
+ * flat. */
+MeshCase<3>
+oblique_case(const ObliqueLayer &layer, const unsigned int n, const bool bricks = false)
 {
   const double length   = 2. * M_PI / (layer.k() * layer.along());
   const bool plane      = layer.angle == 0.;
@@ -20,8 +22,11 @@ MeshCase<3> oblique_case(const ObliqueLayer &layer, const unsigned int n)
   const unsigned int nx = std::lround(length / H * n / 2.),
                      ny = std::lround(width / H * n / 2.);
   MeshCase<3> c;
-  c.mesh                        = brick<3>({{nx, ny, n}}, {{length, width, H}},
-                    {false, plane || layer.delta > 0. ? 0. : 0.15});
+  if (bricks)
+    c = box_of_bricks({{nx, ny, n}}, {{length / nx, width / ny, H / n}});
+  else
+    c.mesh = brick<3>({{nx, ny, n}}, {{length, width, H}},
+                      {false, plane || layer.delta > 0. ? 0. : 0.15});
   c.phases                      = {layer_material<3>()};
   c.friction                    = layer.mu;
   c.setup.contact.flat_velocity = LoadHistory(layer.flat_velocity);
@@ -119,4 +124,29 @@ TEST(MeshWaves, AtAnAngleUnderFrictionThatLags)
   layer.flat_velocity         = 4.;
   // The friction memory that the seed lacks has to fade.
   expect_growth_at_angles(layer, {45}, 8, 150e-6, 300e-6);
+}
+
+// Bricks refined along all three axes.
+TEST(BoxWaves, AtAnAngleToTheMotionOfTheFlat)
+{
+  ObliqueLayer layer;
+  static_cast<Layer &>(layer) = {1., 0.4, 0., 2e-8};
+  layer.flat_velocity         = 4.;
+  layer.angle                 = 0.25 * M_PI;
+  const Complex s             = fastest_oblique(layer);
+  std::vector<double> errors;
+  for (const unsigned int n : {6, 12, 24})
+    {
+      LayerRun<3> run(oblique_case(layer, n, true));
+      ObliqueLayer discrete = layer;
+      discrete.dt = discrete.scheme_dt = run.setup.step.dt;
+      const Complex due                = discrete.root_oblique(s),
+                    found              = observed_rate(discrete, run, due, 5e-6, 50e-6);
+      errors.push_back(std::abs(found - due) / std::abs(s));
+      measured::error("growth of a wave at 45 degrees, box", n, errors.back());
+      std::printf("box, H/%u: growth %.1f (exact %.1f) 1/s, error %.4f %% of s\n", n,
+                  found.real(), s.real(), 100. * errors.back());
+    }
+  EXPECT_LT(errors.back(), 1e-3);
+  EXPECT_NEAR(orders(errors).back(), 2., 0.2);
 }

@@ -52,6 +52,21 @@ struct OwnMaterial
   const UniformMaterial own_material;
 };
 
+/** Time steps with the energy balance, if there is one, and an observer or none. */
+inline void run_steps(Stepper &stepper,
+                      EnergyAudit *energy,
+                      const std::uint64_t n_steps,
+                      StepObserver *other)
+{
+  std::vector<StepObserver *> observers;
+  if (other != nullptr)
+    observers.push_back(other);
+  if (energy != nullptr)
+    observers.push_back(energy);
+  run_time_loop(stepper, observers, stepper.step_number() + n_steps, 1u << 20,
+                [](const std::uint64_t) { return true; });
+}
+
 /** A body with its material, and fields from functions. */
 class Body : OwnMaterial, public SlidingBody<2>
 {
@@ -97,14 +112,20 @@ public:
 
   void run(const std::uint64_t n_steps, StepObserver *other = nullptr)
   {
-    std::vector<StepObserver *> observers;
-    if (other != nullptr)
-      observers.push_back(other);
-    if (energy)
-      observers.push_back(energy.get());
-    run_time_loop(stepper, observers, stepper.step_number() + n_steps, 1u << 20,
-                  [](const std::uint64_t) { return true; });
+    run_steps(stepper, energy.get(), n_steps, other);
   }
+
+  /** A component of a field at a node. */
+  double at(const NodalField<double> &field,
+            const unsigned int c,
+            const unsigned int i,
+            const unsigned int j) const
+  {
+    return field.row(c, j)[i];
+  }
+
+  static constexpr double depth = 1.;           ///< forces are those on so much of it (m)
+  static constexpr unsigned int nodes_deep = 1; ///< nodes across the plane
 };
 
 /** Bottom row that keeps u_y and is free along x. */

@@ -12,17 +12,23 @@ namespace
 {
 const Layer damped_layer = {1., 0.25, 1.5e-6, 4.4e-9};
 
-void expect_growth(const Layer &layer, const double growth, const double frequency)
+/** With @p sizes cells over the height. */
+template <int dim>
+void expect_growth(const Layer &layer,
+                   const double growth,
+                   const double frequency,
+                   const std::vector<unsigned int> &sizes,
+                   const std::string &what = "")
 {
   const Complex s = layer.fastest();
   EXPECT_NEAR(s.real(), growth, 2e-3);
   EXPECT_NEAR(std::abs(s.imag()) / (2. * M_PI), frequency, 2e-3);
 
   std::vector<double> errors, law_errors;
-  for (const unsigned int n : {20, 40, 80})
+  for (const unsigned int n : sizes)
     {
       const BodySetup setup = layer_setup(layer, n);
-      const Growth seen     = observed(setup, layer, s);
+      const Growth seen     = observed<dim>(setup, layer, s);
       EXPECT_TRUE(seen.slipping);
       const Complex found = seen.rate;
       Layer discrete      = layer;
@@ -30,19 +36,20 @@ void expect_growth(const Layer &layer, const double growth, const double frequen
       const Complex exact = discrete.root(s);
       errors.push_back(std::abs(found - exact));
       law_errors.push_back(std::abs(exact - s));
-      const std::string law = layer.delta > 0. ? "regularized" : "Coulomb";
+      const std::string law = (layer.delta > 0. ? "regularized" : "Coulomb") + what;
       measured::error("growth, " + law, n, errors.back() / std::abs(s));
-      if (layer.delta > 0.)
+      if (dim == 2 && layer.delta > 0.)
         measured::error("growth, the law in time", n, law_errors.back() / std::abs(s));
       std::printf(
         "H/%u: growth %.1f 1/s at %.2f Hz; error %.5f %% of s, of the law %.5f %%\n", n,
         found.real(), std::abs(found.imag()) / (2. * M_PI),
         100. * errors.back() / std::abs(s), 100. * law_errors.back() / std::abs(s));
-      if (n == 80)
+      if (n == sizes.back())
         {
+          const std::string size = ", H/" + std::to_string(n) + what;
           EXPECT_NEAR(found.real(), s.real(), 0.01 * s.real());
-          measured::number("growth (1/s), H/80", growth, found.real());
-          measured::number("frequency (Hz), H/80", frequency,
+          measured::number("growth (1/s)" + size, growth, found.real());
+          measured::number("frequency (Hz)" + size, frequency,
                            std::abs(found.imag()) / (2. * M_PI));
           EXPECT_NEAR(found.imag(), s.imag(), 1e-3 * std::abs(s.imag()));
         }
@@ -56,6 +63,7 @@ void expect_growth(const Layer &layer, const double growth, const double frequen
 
 /** Order of the growth rate's change with the time step on one grid, each change being
  *  that of the discrete relation. */
+template <int dim>
 double order_in_dt(const Layer &layer)
 {
   const Complex s = layer.fastest();
@@ -66,12 +74,12 @@ double order_in_dt(const Layer &layer)
       setup.step.dt  = dt;
       Layer discrete = layer;
       discrete.dt = discrete.scheme_dt = dt;
-      found.push_back(observed(setup, layer, s).rate);
+      found.push_back(observed<dim>(setup, layer, s).rate);
       predicted.push_back(discrete.root(s));
     }
   const Complex limit = found[2] + s - predicted[2]; // of this grid
   for (const unsigned int n : {0u, 1u, 2u})
-    if (layer.beta == 0.)
+    if (dim == 2 && layer.beta == 0.)
       measured::error("growth, time step", 1u << n,
                       std::abs(found[n] - limit) / std::abs(s));
   for (const unsigned int n : {0u, 1u})
@@ -125,12 +133,29 @@ Complex grid_wave(const BodySetup &setup)
 
 TEST(Growth, Coulomb)
 {
-  expect_growth({1.15, 0.25, 0., 0.}, 30030.410, 49264.050);
+  expect_growth<2>({1.15, 0.25, 0., 0.}, 30030.410, 49264.050, {20, 40, 80});
 }
 
 TEST(Growth, RegularizedAndDamped)
 {
-  expect_growth(damped_layer, 23574.532, 45632.343);
+  expect_growth<2>(damped_layer, 23574.532, 45632.343, {20, 40, 80});
+}
+
+TEST(BoxGrowth, Coulomb)
+{
+  expect_growth<3>({1.15, 0.25, 0., 0.}, 30030.410, 49264.050, {20, 40}, ", box");
+}
+
+TEST(BoxGrowth, RegularizedAndDamped)
+{
+  expect_growth<3>(damped_layer, 23574.532, 45632.343, {20, 40}, ", box");
+}
+
+TEST(BoxGrowth, OfOrderTwoInTheTimeStep)
+{
+  Layer layer = damped_layer;
+  layer.beta  = 0.;
+  EXPECT_NEAR(order_in_dt<3>(layer), 2., 0.05);
 }
 
 TEST(Growth, OfOrderTwoInTheTimeStep)
@@ -138,7 +163,7 @@ TEST(Growth, OfOrderTwoInTheTimeStep)
   // One grid, so that what changes is the time step; the discrete relation predicts it.
   Layer layer = damped_layer;
   layer.beta  = 0.;
-  EXPECT_NEAR(order_in_dt(layer), 2., 0.05);
+  EXPECT_NEAR(order_in_dt<2>(layer), 2., 0.05);
 
   // Damping acts half a step early: a stiffness larger by beta omega^2 dt / 2.
   const Complex s = damped_layer.fastest();
@@ -149,7 +174,7 @@ TEST(Growth, OfOrderTwoInTheTimeStep)
       EXPECT_NEAR(shift, estimate, 0.05 * estimate);
       EXPECT_LT(shift, 4e-6);
     }
-  EXPECT_GT(order_in_dt(damped_layer), 1.8);
+  EXPECT_GT(order_in_dt<2>(damped_layer), 1.8);
 }
 
 TEST(Growth, OfTheGridWithoutDampingAndRegularization)
