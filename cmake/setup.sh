@@ -79,7 +79,20 @@ is_built() {
   done
 }
 
-# build <folder> <target>... : configures once, then builds; prints only what goes wrong. In a checkout that may not be written the
+# with_progress <log>: what ninja prints goes to the log; each tenth of its steps that is done is a line.
+with_progress() {
+  local line tenth last=0
+  while IFS= read -r line; do
+    printf '%s\n' "$line" >&3
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] || continue
+    tenth=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2]))
+    [ "$tenth" -gt "$last" ] || continue
+    last=$tenth
+    say "  ${tenth}0 %: ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]} steps"
+  done 3>"$1"
+}
+
+# build <folder> <target>... : configures once, then builds; prints how far it is and what goes wrong. In a checkout that may not be written the
 # programs that are there are used.
 build() {
   local folder=$1 log="$1/build.log"
@@ -96,6 +109,6 @@ build() {
   if [ -t 1 ]; then
     cmake --build "$folder" --target "$@" || fail "the build failed"
   else
-    cmake --build "$folder" --target "$@" >"$log" 2>&1 || { grep -E 'error|FAILED' "$log" >&2 || tail -n 30 "$log" >&2; fail "the build failed, see $log"; }
+    (set -o pipefail; NINJA_STATUS='[%f/%t] ' cmake --build "$folder" --target "$@" 2>&1 | with_progress "$log") || { grep -E 'error|FAILED' "$log" >&2 || tail -n 30 "$log" >&2; fail "the build failed, see $log"; }
   fi
 }

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Draws the pictures of doc/guide.md, doc/guide/squeal.md and doc/loads.md from runs of their examples.
+"""Draws the pictures of doc/guide.md, doc/guide/tomogram.md, doc/guide/squeal.md and doc/loads.md from runs of their examples.
 
     /usr/bin/python3 doc/guide/pictures.py build/applications
 
-Runs prm/examples/micrograph, squeal.prm, complex_modes.prm and loads.prm in a folder of their own, which takes a minute. Other
-pictures of examples are those of the gallery, which `./run.sh gallery` draws.
+Runs prm/examples/micrograph, tomogram, squeal.prm, complex_modes.prm and loads.prm in a folder of their own, which takes some minutes.
+Other pictures of examples are those of the gallery, which `./run.sh gallery` draws.
 """
 
 import os
@@ -60,6 +60,32 @@ def picture_body_stress(results):
     figure.savefig(os.path.join(HERE, "picture_body_stress.png"))
 
 
+def picture_tomogram(results):
+    """The plane y = 0.625 mm of the body in the scan, of its phases and of the mean stress in them, localized and direct."""
+    h, rim, row = 0.05, 6, 12  # mm a voxel, voxels cut off, voxel along y in the body
+    grey = np.load(os.path.join(EXAMPLES, "tomogram", "tomogram.npy"))[:, rim + row]
+    with mesoslip.open(os.path.join(results, "10-rve_homogenization")) as run:
+        phases = np.asarray(run["phase/id"])[:, row]
+    with mesoslip.open(os.path.join(results, "40-stress_localization")) as run:
+        localized, direct = (run[name].to("MPa")[:, row] for name in ("mean_von_mises", "direct/mean_von_mises"))
+    figure, axes = plt.subplot_mosaic("ab;cd", figsize=(7.2, 5.6))
+    nz, nx = phases.shape
+    whole, body = (-rim * h, (grey.shape[1] - rim) * h, -rim * h, (grey.shape[0] - rim) * h), (0, nx * h, 0, nz * h)
+    axes["a"].imshow(grey, origin="lower", cmap="gray", extent=whole)
+    axes["a"].add_patch(plt.Rectangle((0, 0), nx * h, nz * h, fill=False, color=ORANGE, lw=1.5))
+    axes["b"].imshow(phases, origin="lower", cmap="gray", extent=body, vmin=-0.6, vmax=1.2)
+    top = np.quantile(direct, 0.995)
+    for name, stress in (("c", localized), ("d", direct)):
+        image = axes[name].imshow(stress, origin="lower", extent=body, vmin=0, vmax=top)
+    titles = {"a": "scan and what is cut out", "b": "phases", "c": "von Mises stress, localized", "d": "with every grain"}
+    for name, title in titles.items():
+        axes[name].set(xticks=range(0, 3), yticks=range(0, 2), xlabel="x (mm)", ylabel="z (mm)")
+        axes[name].set_title(f"({name}) {title}", loc="left")
+        axes[name].grid(False)
+    figure.colorbar(image, ax=[axes["c"], axes["d"]], label="MPa", extend="max")
+    figure.savefig(os.path.join(HERE, "tomogram.png"))
+
+
 def amplitude(time, force, frequency, window=2e-4):
     """Times and the amplitude of `force` at `frequency` in Hann windows [s] that overlap by half."""
     n = int(window / (time[1] - time[0]))
@@ -95,10 +121,11 @@ def main():
         sys.exit(__doc__.strip())
     programs = os.path.abspath(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
-        chain = os.path.join(folder, "micrograph")
-        subprocess.run([sys.executable, os.path.join(TOOLS, "run_chain.py"), os.path.join(EXAMPLES, "micrograph"), "--programs", programs,
-                        "--output", chain, "--no-report"], check=True)
-        picture_body_stress(chain)
+        for name, draw in (("micrograph", picture_body_stress), ("tomogram", picture_tomogram)):
+            chain = os.path.join(folder, name)
+            subprocess.run([sys.executable, os.path.join(TOOLS, "run_chain.py"), os.path.join(EXAMPLES, name), "--programs", programs,
+                            "--output", chain, "--no-report"], check=True)
+            draw(chain)
         pin = os.path.join(folder, "pin")
         for prm, name in (("complex_modes", "modes"), ("squeal", "squeal")):
             subprocess.run([os.path.join(programs, "contact_dynamics"), os.path.join(EXAMPLES, prm + ".prm"), "--output",

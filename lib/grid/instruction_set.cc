@@ -1,9 +1,10 @@
 #include "grid/instruction_set.h"
 
+#include "base/errors.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
-#include <stdexcept>
 
 namespace mesoslip
 {
@@ -49,8 +50,7 @@ InstructionSet instruction_set(const std::string &name)
         return static_cast<InstructionSet>(k);
       names += (k == 0 ? "" : ", ") + std::string(set_names[k]);
     }
-  throw std::runtime_error("there is no instruction set '" + name + "'; use one of " +
-                           names);
+  throw UserError("there is no instruction set '" + name + "'; use one of " + names);
 }
 
 InstructionSet resolve(const InstructionSet requested)
@@ -63,15 +63,15 @@ InstructionSet resolve(const InstructionSet requested)
       {
         isa = instruction_set(name);
       }
-    catch (const std::runtime_error &e)
+    catch (const UserError &e)
       {
-        throw std::runtime_error(std::string("MESOSLIP_ISA: ") + e.what());
+        throw UserError(std::string("MESOSLIP_ISA: ") + e.what());
       }
   if (isa == InstructionSet::automatic)
     return available.back();
   if (std::find(available.begin(), available.end(), isa) == available.end())
-    throw std::runtime_error("this processor cannot run the instruction set " +
-                             to_string(isa));
+    throw UserError("this processor cannot run the instruction set " + to_string(isa) +
+                    "; use auto (Performance/Instruction set, MESOSLIP_ISA)");
   return isa;
 }
 } // namespace mesoslip

@@ -33,13 +33,13 @@ std::string to_string(const InstructionSet isa);
 /** What this processor can run, baseline first. */
 std::vector<InstructionSet> available_instruction_sets();
 
-/** By name; "auto" is `automatic`. Throws std::runtime_error when there is none of this
- *  name on processors of this family. */
+/** By name; "auto" is `automatic`. @throws UserError when there is none of this name on
+ *  processors of this family. */
 InstructionSet instruction_set(const std::string &name);
 
 /**
- * Replace `automatic` by a definite instruction set. Throws std::runtime_error when the
- * requested one (argument or MESOSLIP_ISA) is unknown or not available here.
+ * Replace `automatic` by a definite instruction set. @throws UserError when the requested one
+ * (argument or MESOSLIP_ISA) is unknown or not available here.
  */
 InstructionSet resolve(const InstructionSet requested);
 

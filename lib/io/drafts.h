@@ -9,11 +9,17 @@ namespace mesoslip
  * @name Drafts
  * Files like results, in which nothing was computed, for the --validate of later runs. Their
  * header says so; hence Hdf5File::check_header() refuses them, unless they are accepted.
+ * The tables (CSV) of a run with --try begin with a line that says it, and CsvTable::read()
+ * refuses them.
  * @{
  */
 
 /** Digest in the header of a draft. */
 inline constexpr char draft_digest[] = "draft";
+
+/** First line of a CSV file that is a draft. */
+inline constexpr char draft_line[] =
+  "# draft: made with --try, whose inputs may be drafts in which nothing was computed";
 
 /** From now on this process reads drafts as well. */
 void accept_drafts();

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "io/drafts.h"
 #include "parameters/parameters.h"
 
 #include <deal.II/base/exceptions.h>
@@ -58,6 +59,8 @@ TableWriter::TableWriter(const std::string &file_path,
 {
   if (!out)
     throw UserError(path + ": cannot be created (" + system_message() + ")");
+  if (DraftMark::is_set())
+    out << draft_line << '\n';
   write_line(columns);
 }
 
@@ -107,6 +110,10 @@ CsvTable CsvTable::read(const std::string &path)
   const std::string text = plain_lines(read_file(path));
   if (text.find('\0') != std::string::npos)
     throw UserError(path + " is not a text file, but a CSV table is needed");
+  if (text.rfind(draft_line, 0) == 0 && !drafts_are_accepted())
+    throw UserError(path +
+                    " is a draft, made with --try from what may be drafts, in which "
+                    "nothing was computed; do the run that makes the result");
 
   std::istringstream in(text);
   std::string line;

@@ -9,7 +9,8 @@ namespace mesoslip
 {
 /**
  * A CSV file written row by row. The first line names the columns with their units,
- * "time [s]"; numbers have the fewest digits that read back unchanged.
+ * "time [s]"; numbers have the fewest digits that read back unchanged. Under a DraftMark
+ * the line draft_line stands before it.
  */
 class TableWriter
 {
@@ -45,7 +46,8 @@ class CsvTable
 public:
   /**
    * Reads a file with a heading line. Empty lines and lines beginning with # are
-   * skipped. @throws UserError naming file, line and column.
+   * skipped. @throws UserError naming file, line and column; also for a draft, unless
+   * drafts are accepted (io/drafts.h).
    */
   static CsvTable read(const std::string &path);
 

@@ -9,6 +9,7 @@
 #include "io/hdf5_file.h"
 #include "parameters/keys.h"
 #include "program/command_line.h"
+#include "program/other_program.h"
 #include "program/outcome.h"
 #include "program/output_folder.h"
 #include "program/run_context.h"
@@ -146,7 +147,9 @@ void do_what_is_asked(const CommandLine &line,
       return require_printed();
     }
   std::string text, output;
-  Keys keys(read_parameter_file(line, communicator, text));
+  const RawParameters raw = read_parameter_file(line, communicator, text);
+  refuse_file_of_other_program(raw, program.name);
+  Keys keys(raw);
   keys.bind(output_key, output,
             "Folder for the results, relative to the current folder; empty: "
             "output/<name of the .prm>");

@@ -27,7 +27,8 @@ def prm(name):
 
 @dataclasses.dataclass
 class Bench:
-    """One call of the benchmarks. `pictures` is where diagrams and CSV go, `earlier` the build folder of an earlier commit."""
+    """One call of the benchmarks. `pictures` is where diagrams and CSV go, `earlier` the build folder of an earlier commit,
+    `fans` the program of that name."""
     runs: str
     programs: str
     pictures: str
@@ -35,6 +36,7 @@ class Bench:
     keep: bool
     quick: bool
     earlier: str = ""
+    fans: str = ""
 
     def study(self, name):
         return Study(os.path.join(self.runs, name), self.programs, jobs=self.jobs, keep=self.keep)

@@ -22,7 +22,7 @@ from study import parse_arguments  # noqa: E402
 PARTS = {**dict.fromkeys(("modes", "bar", "sliding_growth", "oblique_growth"), "model_problem"), **{name: name for name in (
     "stiffness", "localization", "pin", "step_scaling", "static_scaling", "statics", "mesh_statics", "mesh_step", "brick_step", "fitted", "localization_speed", "skips", "two_ranks",
     "voxel_stiffness", "slab", "voxel_cost", "voxel_ranks", "earlier")}}
-ON_REQUEST = {"pictures": "redraw"}
+ON_REQUEST = {"pictures": "redraw", "fans": "fans"}
 
 
 def main():
@@ -30,11 +30,12 @@ def main():
         parser.add_argument("--quick", action="store_true",
                             help="small cases only; the diagrams go beside the runs instead of to doc/performance")
         parser.add_argument("--earlier", metavar="DIR", help="part earlier: the build folder of an earlier commit")
+        parser.add_argument("--fans", metavar="FILE", default="", help="part fans: the program FANS, which is built apart")
 
     arguments = parse_arguments(__doc__, "benchmarks", list(PARTS), options, tuple(ON_REQUEST))
     runs = os.path.join(arguments.output, "quick") if arguments.quick else arguments.output
     pictures = os.path.join(runs, "diagrams") if arguments.quick else os.path.join(TOP, "doc", "performance")
-    bench = Bench(runs, arguments.programs, pictures, arguments.jobs, arguments.keep, arguments.quick, arguments.earlier)
+    bench = Bench(runs, arguments.programs, pictures, arguments.jobs, arguments.keep, arguments.quick, arguments.earlier, arguments.fans)
     for part in arguments.parts:
         print(f"{part}", file=sys.stderr, flush=True)
         module = importlib.import_module({**PARTS, **ON_REQUEST}[part])

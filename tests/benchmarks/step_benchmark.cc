@@ -139,11 +139,9 @@ std::string processor()
       return line.substr(line.find(':') + 2);
   return "unknown processor";
 }
-} // namespace
 
-int main(int argc, char **argv)
+int run(const int argc, char **argv)
 {
-  MPI_Init(&argc, &argv);
   int n_ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
   const unsigned int repetitions = argc > 1 ? std::max(1, std::atoi(argv[1])) : 15;
@@ -180,6 +178,11 @@ int main(int argc, char **argv)
           options.steps_at_once = depth;
           fused({{4480, 1280}}, n_classes, std::max(3u, repetitions / 3), options);
         }
-  MPI_Finalize();
   return 0;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  return mesoslip::guarded_main(argc, argv, "step_benchmark", run);
 }

@@ -9,6 +9,7 @@
  * after six load cases.
  */
 #include "material/stiffness.h"
+#include "measuring.h"
 #include "statics/voxel/solver.h"
 
 #include <deal.II/base/mpi.h>
@@ -74,11 +75,9 @@ double memory()
       return std::atof(line.c_str() + 6) / 1024.;
   return 0.;
 }
-} // namespace
 
-int main(int argc, char **argv)
+int run(const int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
   const auto n            = static_cast<unsigned int>(argc > 1 ? std::atoi(argv[1]) : 64);
   const double contrast   = argc > 2 ? std::atof(argv[2]) : 8.;
@@ -121,4 +120,10 @@ int main(int argc, char **argv)
                 n_ranks, n, contrast, sides.c_str(), n_cases, nu, aspect,
                 iterations.c_str(), set_up, all, cpu, most, C11, C44);
   return 0;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  return mesoslip::guarded_main(argc, argv, "voxel_benchmark", run);
 }

@@ -33,7 +33,7 @@ mesoslip_python_tests(regression 1 chains/chain_inputs chains/python_module chai
                       programs/disk programs/earlier_results programs/profile_rows programs/terminal report/browser report/report
                       report/report_layout report/report_modes sliding/complex_modes_growth sliding/complex_modes_laws)
 mesoslip_python_tests(regression 2 chains/chain chains/chain_validation chains/drafts chains/package homogenization/mesh localization/mesh_localization localization/voxels
-                      pages/first_steps pages/guide pages/paper programs/command_line programs/files programs/other_processors
+                      pages/first_steps pages/guide pages/paper pages/tomogram programs/command_line programs/files programs/other_processors
                       programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/contact_map sliding/mesh_dynamics
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/oriented_boxes
                       sliding/resume sliding/steady_part)

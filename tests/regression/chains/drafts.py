@@ -10,7 +10,7 @@ import h5py
 import numpy as np
 
 from mesh_files import Box
-from scenes import PHASES, SMALL_RVE, TOOLS, TOP, Folder, prm
+from scenes import PHASES, SMALL_GRID, SMALL_RVE, TOOLS, TOP, Folder, prm
 
 sys.path[:0] = [TOOLS, os.path.join(TOOLS, "python"), os.path.join(TOOLS, "report")]
 
@@ -156,13 +156,22 @@ def check_refused(folder):
     said = folder.run(0, "contact_dynamics", "grid.prm", "--set=Body/RVE file=drafts/rve/rve.h5", "--try", "--output", "tried")
     assert "what it writes are drafts" in said and folder.summary("tried")["draft"] is True, said
     refused("tried/dynamics.h5: " + draft, "stress_localization", "l.prm", "--set=Input/Homogeneous run=tried")
+    for table in ("history.csv", "energy.csv"):
+        assert folder.read("tried", table).startswith(b"# draft: made with --try") and folder.read("grid", table).startswith(b"time [s]"), table
+    # A table of a run is read where rectangles are.
+    folder.run(0, "rve_homogenization", "rve.prm", "--try", "--output", "tried-rve")
+    folder.write("listed.prm", PHASES + SMALL_GRID + prm({"Microstructure/Type": "rectangles", "Microstructure/File": "tried-rve/rectangles.csv"}))
+    refused("tried-rve/rectangles.csv is a draft", "rve_homogenization", "listed.prm", "--output", "new")
     import mesoslip
-    for path in ("drafts/rve/rve.h5", "tried/dynamics.h5"):
+    friction = {"summary.json": '{"draft": true}', "friction_homogenization.csv": "x\n1\n"}  # no HDF5
+    for name, text in friction.items():
+        folder.write("tried-friction/" + name, text)
+    for path in ("drafts/rve/rve.h5", "tried/dynamics.h5", "tried-friction"):
         try:
             mesoslip.open(folder(path))
             raise AssertionError(f"{path} was opened")
         except mesoslip.FormatError as error:
-            assert draft in str(error), error
+            assert "in which nothing was computed" in str(error), error
     from data import Chain
     read = Chain([folder("tried"), folder("grid")])
     assert [run.name for run in read.runs] == ["grid"] and any("made with --try" in note for note in read.all_notes()), read.all_notes()

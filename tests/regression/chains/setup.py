@@ -1,6 +1,7 @@
 """What cmake/setup.sh does with a checkout that was moved or copied, or that may not be written, on a project of one script."""
 
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -12,6 +13,14 @@ project(one NONE)
 file(WRITE ${CMAKE_BINARY_DIR}/program "#!/bin/sh\\n")
 execute_process(COMMAND chmod +x ${CMAKE_BINARY_DIR}/program)
 add_custom_target(program)
+"""
+STEPS = """cmake_minimum_required(VERSION 3.18)
+project(steps NONE)
+foreach(k RANGE 1 20)
+  add_custom_command(OUTPUT ${k}.txt COMMAND ${CMAKE_COMMAND} -E touch ${k}.txt)
+  list(APPEND made ${k}.txt)
+endforeach()
+add_custom_target(program DEPENDS ${made})
 """
 BUILD = "cmake_options=(); . cmake/setup.sh; build build program"
 
@@ -27,6 +36,21 @@ def expect(folder, status, words="", **how):
     found, said = build(folder, **how)
     assert found == status and words in said, (folder, found, said)
     assert status == 0 or said.count("\n") <= 2, said
+
+
+def progress(path):
+    """A build of twenty steps tells each tenth, one without anything to do nothing; a step that fails is named."""
+    folder = Folder(path)
+    folder.write("CMakeLists.txt", STEPS)
+    folder.write("cmake/setup.sh", Folder(TOP).read("cmake", "setup.sh").decode())
+    status, said = build(path)
+    assert status == 0 and re.findall(r"^  (\d+) %: \d+ of 20 steps$", said, re.M) == [str(k) for k in range(10, 101, 10)], said
+    assert folder.read("build", "build.log").count(b"\n") >= 20
+    status, said = build(path)
+    assert status == 0 and "%" not in said, said
+    folder.write("CMakeLists.txt", STEPS.replace("-E touch", "-E no_such_command"))
+    status, said = build(path)
+    assert status == 2 and "the build failed, see build/build.log" in said, said
 
 
 def moved_or_copied(path):
@@ -71,6 +95,7 @@ def main():
         first.write("CMakeLists.txt", PROJECT)
         first.write("cmake/setup.sh", Folder(TOP).read("cmake", "setup.sh").decode())
         not_writable(moved_or_copied(path))
+        progress(os.path.join(path, "steps"))
     print("ok")
 
 

@@ -1,9 +1,10 @@
 """Bad input ends with exit status 2 and one sentence that names what is wrong."""
 
 import os
+import re
 import tempfile
 
-from scenes import PHASES, SMALL_GRID, SMALL_RVE as RVE, Folder, prm, sets
+from scenes import PHASES, SMALL_GRID, SMALL_RVE as RVE, TOP, Folder, prm, sets
 
 IMAGE = PHASES + SMALL_GRID + prm({"Microstructure/Type": "image"})
 HOMOGENEOUS = PHASES + SMALL_GRID + prm({"Microstructure/Type": "homogeneous"})
@@ -83,6 +84,15 @@ CASES = [
     ("contact_dynamics", "subsection Time\n", [], ["case.prm"]),
     ("contact_dynamics", "", [], ["case.prm"]),
     ("stress_localization", "subsection Input\n set RVE file = no.h5\nend\n", [], ["RVE file", "no.h5"]),
+    # Files of another program. One that has sections of its own as well is not.
+    ("contact_dynamics", RVE, [], ["case.prm:", "file of rve_homogenization", "'Grid'", "run rve_homogenization"]),
+    ("stress_localization", RVE, ["--print-parameters"], ["file of rve_homogenization"]),
+    ("rve_homogenization", CONTACT, ["--validate"], ["case.prm:1: ", "file of contact_dynamics", "'Body'"]),
+    ("stress_localization", CONTACT, [], ["file of contact_dynamics"]),
+    ("contact_dynamics", LOCAL, [], ["file of stress_localization", "'Input'"]),
+    ("rve_homogenization", LOCAL, [], ["file of stress_localization"]),
+    ("contact_dynamics", CONTACT + SMALL_GRID, [], ["there is no subsection 'Grid'"]),
+    ("contact_dynamics", SMALL_GRID + LOCAL, [], ["there is no subsection 'Grid'"]),
     # More than the machine has, found before anything is computed.
     ("rve_homogenization", RVE, ["Grid/Cells=40000, 40000"], ["memory", "Grid/Cells"]),
     ("contact_dynamics", CONTACT, ["Body/Cells=1000000, 1000000"], ["memory", "Body/Cells"]),
@@ -259,6 +269,18 @@ def morphology_against_body():
                 yield f"{settings}: exit status {status}, lacks {lacks(words, err)} in: {err}, or files were created"
 
 
+def sections_of_one_program():
+    """Those in lib/program/other_program.cc are those that doc/parameters has for one program alone; but for Phases, which contact_dynamics has on meshes."""
+    programs = ("rve_homogenization", "contact_dynamics", "stress_localization")
+    has = {program: set(re.findall("^subsection (.+)$", Folder(TOP).read("doc", "parameters", program + ".prm").decode(), re.M)) for program in programs}
+    source = Folder(TOP).read("lib", "program", "other_program.cc").decode().split("own_sections()")[1].split("return all")[0]
+    for program in programs:
+        alone = has[program] - {"Phases"}.union(*(has[other] for other in programs if other != program))
+        said = set(re.findall('"([^"]+)"', re.search(rf'"{program}",\s*{{(.*?)}}', source, re.S)[1]))
+        if said != alone:
+            yield f"{program} alone has {sorted(alone)}; other_program.cc says {sorted(said)}"
+
+
 def command_lines():
     """A file with all keys, as every run leaves it, is accepted, though some of them have no effect; arguments that are wrong."""
     for program, text in (("rve_homogenization", RVE), ("contact_dynamics", CONTACT), ("contact_dynamics", MODAL)):
@@ -273,7 +295,7 @@ def command_lines():
 
 def main():
     problems = [p for check, table in ((refused, CASES + UNUSED), (asked, ASKED), (validated, VALIDATED)) for case in table for p in check(*case)]
-    problems += [*morphology_against_body(), *command_lines()]
+    problems += [*morphology_against_body(), *command_lines(), *sections_of_one_program()]
     assert not problems, "\n".join(problems)
 
 

@@ -252,6 +252,6 @@ TEST(InstructionSet, NamedByEnvironment)
   setenv("MESOSLIP_ISA", "x86-64", 1);
   EXPECT_EQ(resolve(InstructionSet::automatic), InstructionSet::baseline);
   setenv("MESOSLIP_ISA", "itanium", 1);
-  EXPECT_THROW(resolve(InstructionSet::automatic), std::runtime_error);
+  EXPECT_THROW(resolve(InstructionSet::automatic), UserError);
   setenv("MESOSLIP_ISA", saved.c_str(), 1);
 }

@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "exchange/xdmf.h"
 #include "io/checkpoint.h"
+#include "io/drafts.h"
 #include "io/table.h"
 
 #include <boost/property_tree/ptree.hpp>
@@ -39,6 +40,22 @@ TEST(Tables, ReadBackUnchanged)
   EXPECT_EQ(read_file(path), "time [s],\"a, \"\"b\"\" [m]\"\n7,\n");
   expect_error("t.csv:2: column 'a, \"b\" [m]' holds ''",
                [&] { CsvTable::read(path).numbers("a, \"b\" [m]"); });
+}
+
+TEST(Tables, DraftsAreRefused)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "d.csv";
+  {
+    const DraftMark mark(true);
+    TableWriter table(path, {"x [m]"});
+    table.add_row(std::vector<double>{1.});
+    table.flush();
+  }
+  EXPECT_EQ(read_file(path), std::string(draft_line) + "\nx [m]\n1\n");
+  expect_error("d.csv is a draft, made with --try", [&] { CsvTable::read(path); });
+  write_file(path, "# draft: mine\nx [m]\n1\n");
+  EXPECT_EQ(CsvTable::read(path).numbers("x [m]"), std::vector<double>{1.});
 }
 
 TEST(Tables, NameWhatIsWrong)

@@ -7,7 +7,7 @@ import os
 import numpy as np
 
 from .closing import Closing
-from .files import NAMES, ResultFile
+from .files import NAMES, FormatError, ResultFile
 
 
 def open_folder(path):
@@ -42,6 +42,8 @@ class RunFolder(Closing):
         self.path = path
         with open(os.path.join(path, "summary.json"), encoding="utf-8") as file:
             self.summary = json.load(file)
+        if self.summary.get("draft"):
+            raise FormatError(f"{path} was made with --try from what may be drafts, in which nothing was computed; do the run that makes the result")
         self.tables = [name for name in sorted(os.listdir(path)) if name.endswith(".csv")]
 
     def table(self, name):

@@ -68,4 +68,7 @@ EXAMPLES = (
     Example("An ensemble of random fibres in 3D", "Four seeds of periodic continuous fibres along z.", ("voxels/random_fibres.prm",), "Phases of", RVE),
     Example("A pad of short fibres in 3D", "From the microstructure over sliding to localized stresses, all in boxes of voxels.", ("voxels/pad",),
             "Pressure on the contact surface, seen"),
+    Example("From a tomogram to localized stress",
+            "A grey scan, its phases, and the sample cut out of it that slides on the flat ([guide](guide/tomogram.md)).", ("tomogram",),
+            "Pressure on the contact surface, seen"),
 )

@@ -36,7 +36,7 @@ def normal(fragment, runs, names):
                      f"{1e6 * run.number('mean_contact_duration'):.2f}"])
     axes[1].set_xlabel("time (µs)")
     lettered(axes)
-    fragment.table(["", "paper: highest frequency above 10 % of the main one, kHz (section 3.2)", "ours, kHz", "T_G, µs"], rows)
+    fragment.table(["", "paper: highest frequency above 10 % of the main one [kHz] (section 3.2)", "ours [kHz]", "T_G [µs]"], rows)
     fragment.reading("Homogeneous pin, δ = 1500 ns, pressures as printed, pushed at 0.5 m/s. T_G is the mean duration of a contact, over all nodes; the paper prints none. "
                      "It counts every short touch, of which a period has many.")
     fragment.figure(figure, f"Normal contact stress at node M over the last {1e6 * shown:.0f} µs, {PERIODS} periods of the faster motion.")
@@ -72,9 +72,9 @@ def sweep(fragment, runs, names):
         rows = [["mu_inter", *map(fixed, inter)]]
         for whose, duration in times.items():
             rows += [[f"eq. (13), T_G of {whose}", *map(fixed, mean_friction(mu_local, deltas, duration))],
-                     [f"T_G of {whose} in µs", *[fixed(1e6 * t, 1) for t in duration]]]
-        fragment.table([f"{LABELS[pressure]}: δ in ns", *[f"{1e9 * d:.0f}" for d in deltas]],
-                       [*rows, ["M slips, %", *[f"{100 * slip(run):.0f}" for run in found]]])
+                     [f"T_G of {whose} [µs]", *[fixed(1e6 * t, 1) for t in duration]]]
+        fragment.table([f"{LABELS[pressure]}: δ [ns]", *[f"{1e9 * d:.0f}" for d in deltas]],
+                       [*rows, ["M slips [%]", *[f"{100 * slip(run):.0f}" for run in found]]])
     axes[1].set_xlabel(r"$\delta$ (ns)")
     above(axes[0], columns=2)
     fragment.reading("Homogeneous pin, pressures as printed, pushed at 0.5 m/s; each point is a run of its own of 3 ms, of which the latter half counts. The paper says of its curve "

@@ -25,7 +25,7 @@ def regimes(fragment, runs, names):
     for what, reference, ours in (
             ("mean apparent friction", paper.MEAN_APPARENT_FRICTION,
              lambda run: run.number("mean_apparent_friction_coefficient")),
-            ("main frequency in Hz", paper.MAIN_FREQUENCY, frequency)):
+            ("main frequency [Hz]", paper.MAIN_FREQUENCY, frequency)):
         digits = 0 if "Hz" in what else 3
         for number, run in zip((1, 2), found):
             rows.append((f"{what}, regime {number}", fixed(reference[number], digits), fixed(ours(run), digits),

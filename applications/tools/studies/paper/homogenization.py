@@ -28,7 +28,7 @@ def stiffness(fragment, runs, names):
         everything = np.concatenate(list(values[entry].values()))
         deviation = everything.std(ddof=1) / everything.mean()
         largest = max(largest, deviation)
-        rows.append([f"{entry} in GPa", fixed(reference / 1e9), fixed(everything.mean() / 1e9),
+        rows.append([f"{entry} [GPa]", fixed(reference / 1e9), fixed(everything.mean() / 1e9),
                      relative(everything.mean(), reference),
                      *[f"{values[entry][c].mean() / 1e9:.3f}" for c in CONDITIONS], f"{100 * deviation:.1f} %"])
     covered = [runs[name].summary["phases"][1]["volume_fraction"] for name in names]
@@ -64,7 +64,7 @@ def modes(fragment, runs, names):
         reference, ours = paper.MODES[bottom], first(homogeneous, bottom)
         rows.append([label, f"{reference:.0f}", f"{ours:.0f}", relative(ours, reference),
                      f"{first(heterogeneous, bottom):.0f}", f"{first(free_top, bottom):.0f}"])
-    fragment.table(["first mode in Hz", "paper", "ours, eq. (10)", "difference", "heterogeneous (1)",
+    fragment.table(["first mode [Hz]", "paper", "ours, eq. (10)", "difference", "heterogeneous (1)",
                     "eq. (10), top free in y"], rows)
     fragment.reading(
         "Under a rigid platen, which these modes leave at rest; the last column is the literal reading, u_x = 0 and the top free "

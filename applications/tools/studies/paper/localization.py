@@ -47,7 +47,7 @@ def _element(fragment, run, name, label):
         rows.append([component, f"< {100 * bound:.0f} %",
                      *[f"{values[key] / 1e6:.2f}" for key in ("mean", "direct_mean")], _percent(values["error_mean"]),
                      *[f"{values[key] / 1e6:.2f}" for key in ("std", "direct_std")], _percent(values["error_std"])])
-    fragment.table(["stress in MPa", "paper", "mean, localized", "direct", "difference", "deviation, localized", "direct", "difference"], rows)
+    fragment.table(["stress [MPa]", "paper", "mean, localized", "direct", "difference", "deviation, localized", "direct", "difference"], rows)
     fragment.reading(READING)
     figure, (axes,) = panels(1, 3.2)
     time, stress, direct = run.need(f"/probes/{name}/time", f"/probes/{name}/stress", f"/probes/{name}/direct_stress")

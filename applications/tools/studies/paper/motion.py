@@ -20,7 +20,7 @@ LABELS = ("0.5 MPa, homogeneous", "0.5 MPa, heterogeneous 1", "0.4 MPa, homogene
 
 def trajectory(fragment, runs, names):
     found = [runs[name] for name in names]
-    rows = [["distance from the flat in µm, largest of a period, on average", fixed(1e6 * paper.SEPARATION, 1),
+    rows = [["distance from the flat [µm], largest of a period, on average", fixed(1e6 * paper.SEPARATION, 1),
              *[f"{1e6 * height(run):.2f} ({relative(height(run), paper.SEPARATION)})" for run in found]]]
     fragment.table(["", "paper", *LABELS], rows)
     fragment.reading("Node M in the middle of the contact, the last periods; pressures as printed, the pin pushed at 0.5 m/s. The paper shows regime 1.")
@@ -45,8 +45,8 @@ def convergence(fragment, runs, names):
     coarse, fine = (runs[name] for name in names)
     labels = ("h = 0.1 mm, Δt = 5 ns", "h = 0.08 mm, Δt = 2.5 ns")
     velocities = [relative_velocity(run) for run in (coarse, fine)]
-    rows = [["main frequency in kHz", "40", *[f"{frequency(run) / 1e3:.2f}" for run in (coarse, fine)]],
-            ["relative velocity of the flat, mean cycle, in m/s", "1.2 to 2.8",
+    rows = [["main frequency [kHz]", "40", *[f"{frequency(run) / 1e3:.2f}" for run in (coarse, fine)]],
+            ["relative velocity of the flat, mean cycle [m/s]", "1.2 to 2.8",
              *[f"{low:.2f} to {high:.2f}" for low, high in velocities]],
             ["mu_inter", "-", *[mu_text(run) for run in (coarse, fine)]],
             ["slip of node M", "70 %", *[f"{100 * run.number('reference_node', 'slip'):.0f} %" for run in (coarse, fine)]]]

@@ -52,12 +52,12 @@ def _table(fragment, found):
     percent = lambda value: fixed(100 * value, 0) + " %"
     fragment.table(["", "paper, regime 1 / 2", *[label for label, *_ in COLUMNS]], [
         ["mu_inter", both(paper.INTERFACE_FRICTION), *[mu_text(run) for run in found]],
-        ["main frequency in kHz", both(paper.MAIN_FREQUENCY, 1e-3, 1), *[fixed(frequency(run) / 1e3, 1) for run in found]],
+        ["main frequency [kHz]", both(paper.MAIN_FREQUENCY, 1e-3, 1), *[fixed(frequency(run) / 1e3, 1) for run in found]],
         ["node M slips", f"{percent(paper.SLIP[1])} / {percent(paper.SLIP[2])}", *[percent(slip(run)) for run in found]],
         ["node M is separated", f"{percent(1 - paper.SLIP[1])} / {percent(1 - paper.SLIP[2])}",
          *[percent(separation(run)) for run in found]],
-        ["it leaves the flat by, µm (largest of a period)", f"{fixed(1e6 * paper.SEPARATION, 1)} / -", *[fixed(1e6 * height(run), 2) for run in found]],
-        ["flat relative to M, m/s", "{} to {} / -".format(*paper.RELATIVE_VELOCITY),
+        ["it leaves the flat by [µm] (largest of a period)", f"{fixed(1e6 * paper.SEPARATION, 1)} / -", *[fixed(1e6 * height(run), 2) for run in found]],
+        ["flat relative to M [m/s]", "{} to {} / -".format(*paper.RELATIVE_VELOCITY),
          *["{:.2f} to {:.2f}".format(*relative_velocity(run)) for run in found]]])
 
 

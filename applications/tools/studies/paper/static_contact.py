@@ -51,7 +51,7 @@ def table(fragment, results, names):
     rows = []
     for method, ours in (("SPR", {**spr, "mu_homo": homogenized(paper.FIBRE_SHARE, spr, pressure)}),
                          ("SCA", {**at_ten, "mu_homo": homogenized(paper.FIBRE_SHARE, at_ten, pressure)})):
-        for key, label, unit in (("fibre", "P_h (MPa)", 1e6), ("matrix", "P_m (MPa)", 1e6), ("mu_homo", "mu_homo", 1.0)):
+        for key, label, unit in (("fibre", "P_h [MPa]", 1e6), ("matrix", "P_m [MPa]", 1e6), ("mu_homo", "mu_homo", 1.0)):
             value = paper.TABLE_4[method][key]
             everything = {**measured, "mu_homo": coefficients}[key] / unit
             spread = f"{everything.mean():.3f} ± {everything.std(ddof=1):.3f}" if method == "SCA" else "-"

@@ -21,8 +21,8 @@ class Row:
 
 def _write(fragment, runs, rows, caption):
     found = [runs[row.name] for row in rows]
-    fragment.table(["mu_inter", "paper", "ours", "difference", "M slips", "main frequency in kHz", "regime"],
-                   [[row.label, fixed(row.value), mu_text(run), relative(mu(run), row.value), f"{100 * slip(run):.0f} %",
+    fragment.table(["mu_inter", "paper", "ours", "difference", "M slips [%]", "main frequency [kHz]", "regime"],
+                   [[row.label, fixed(row.value), mu_text(run), relative(mu(run), row.value), f"{100 * slip(run):.0f}",
                      fixed(frequency(run) / 1e3, 1), regime(run)] for row, run in zip(rows, found)])
     figure, (axes,) = panels(1, 1.1 + 0.3 * len(rows))
     y = -np.arange(len(rows))
@@ -42,9 +42,9 @@ def _spread(fragment, runs, rows, reference):
 
 
 def _models(cases, table, pressure):
-    rows = [Row(f"heterogeneous {seed}, 1500 ns", value, cases.heterogeneous(PUSHED, pressure, seed))
+    rows = [Row(f"heterogeneous {seed}, δ = 1500 ns", value, cases.heterogeneous(PUSHED, pressure, seed))
             for seed, value in table["heterogeneous"].items()]
-    return rows + [Row(f"homogeneous, {delta} ns", value, cases.homogeneous(PUSHED, pressure, delta))
+    return rows + [Row(f"homogeneous, δ = {delta} ns", value, cases.homogeneous(PUSHED, pressure, delta))
                    for delta, value in table["homogeneous"].items()]
 
 
@@ -80,7 +80,7 @@ def table_3(fragment, runs, names):
     fragment.text("Which regime a model comes to changes with the push" + (
         f", {changes.pop()} for all of them: no push tried parts the four as in the paper." if len(changes) == 1 else f": {'; '.join(sorted(changes))}.")
         + f" Regime (and mu_inter from {1e3 * pushed(0).steady_from:g} to {1e3 * pushed(0).end:g} ms; the last column as above) of the same four:")
-    fragment.table(["push in m/s", *[f"{v:g}" for v in pushes]],
+    fragment.table(["push [m/s]", *[f"{v:g}" for v in pushes]],
                    [[row.label, *[f"{regime(runs[members[k]])} ({mu(runs[members[k]]):.3f})" for members in pushes.values()]]
                     for k, row in enumerate(rows)])
 
