@@ -85,33 +85,43 @@ std::string scatter(const MPI_Comm communicator, const std::vector<std::string> 
 
 void on_root(const MPI_Comm communicator, const std::function<void()> &work)
 {
-  using dealii::Utilities::MPI::broadcast;
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+  on_all_ranks(communicator, [&]() {
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      work();
+  });
+}
+
+void on_all_ranks(const MPI_Comm communicator, const std::function<void()> &work)
+{
+  namespace mpi            = dealii::Utilities::MPI;
+  const unsigned int ranks = mpi::n_mpi_processes(communicator),
+                     rank  = mpi::this_mpi_process(communicator);
+  if (ranks == 1)
     return work();
 
   std::exception_ptr failure;
   auto status = ExitStatus::done;
   std::string message;
-  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    try
-      {
-        work();
-      }
-    catch (const std::exception &error)
-      {
-        failure = std::current_exception();
-        message = error.what();
-        status  = dynamic_cast<const UserError *>(&error) ? ExitStatus::user_error
-                  : dynamic_cast<const NumericalFailure *>(&error)
-                    ? ExitStatus::numerical_failure
-                  : dynamic_cast<const Interrupted *>(&error) ? ExitStatus::interrupted
-                                                              : ExitStatus::unexpected;
-      }
-  status = broadcast(communicator, status);
-  if (status == ExitStatus::done)
+  try
+    {
+      work();
+    }
+  catch (const std::exception &error)
+    {
+      failure = std::current_exception();
+      message = error.what();
+      status  = dynamic_cast<const UserError *>(&error) ? ExitStatus::user_error
+                : dynamic_cast<const NumericalFailure *>(&error)
+                  ? ExitStatus::numerical_failure
+                : dynamic_cast<const Interrupted *>(&error) ? ExitStatus::interrupted
+                                                            : ExitStatus::unexpected;
+    }
+  const unsigned int failed = mpi::min(failure ? rank : ranks, communicator);
+  if (failed == ranks)
     return;
-  message = broadcast(communicator, message);
-  if (failure)
+  status  = mpi::broadcast(communicator, status, failed);
+  message = mpi::broadcast(communicator, message, failed);
+  if (rank == failed)
     std::rethrow_exception(failure);
   switch (status)
     {

@@ -26,6 +26,12 @@ namespace mesoslip
  */
 void on_root(const MPI_Comm communicator, const std::function<void()> &work);
 
+/**
+ * Runs @p work on every rank; what one of them throws, of several the lowest, is thrown on
+ * all as by on_root(). No rank may need another one within @p work.
+ */
+void on_all_ranks(const MPI_Comm communicator, const std::function<void()> &work);
+
 /** Gives every rank the text of rank @p owner. */
 void broadcast(const MPI_Comm communicator, std::string &text, const int owner = 0);
 
@@ -97,6 +103,20 @@ void load_state(const std::string &bytes, T &object, const std::string &source)
       throw UserError(source + " is damaged: the state in it cannot be read (" +
                       error.what() + ")");
     }
+}
+
+/** Gives each rank the object that @p make (its number) returns on rank 0, made one after the
+ * other so that rank 0 never has all of them. */
+template <typename Make>
+auto scatter_objects(const MPI_Comm communicator, const Make &make)
+{
+  const std::string text = scatter(
+    communicator, [&](const unsigned int rank) { return save_state(make(rank)); });
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    return make(0U);
+  decltype(make(0U)) object;
+  load_state(text, object, "the message of another process");
+  return object;
 }
 
 /**

@@ -3,7 +3,6 @@
 #include "base/errors.h"
 #include "exchange/datasets.h"
 #include "exchange/mesh_datasets.h"
-#include "exchange/orientation_datasets.h"
 
 #include <algorithm>
 
@@ -32,14 +31,36 @@ std::string rve_digest_of(const Hdf5File &file)
 } // namespace
 
 template <int dim>
-BodySnapshots<dim>::BodySnapshots(const std::string &path, const std::string &hint)
-  : file(Hdf5File::open(path, hint))
+BodySnapshots<dim>::BodySnapshots(Hdf5File &&opened)
+  : file(std::move(opened))
   , is_grid(!file.exists("/mesh"))
   , digest(check_body_header<dim>(file, is_grid))
   , rve_digest(rve_digest_of(file))
   , phases(read_phases<dim>(file, "/material", false, snapshots_program))
+  , materials(file, snapshot_phases, phases.size(), snapshots_program)
+  , grid(is_grid ? read_grid<dim>(file, snapshots_program) : UniformGrid<dim>())
   , conditions(read_run_conditions(file))
 {
+  if (!is_grid)
+    return;
+  Shape nodes = shape_of_cells(grid);
+  for (std::size_t &n : nodes)
+    ++n;
+  nodes.push_back(dim);
+  require_sizes(shape_of_cells(grid), nodes);
+}
+
+/** @throws UserError unless the fields have these extents, without the number of snapshots */
+template <int dim>
+void BodySnapshots<dim>::require_sizes(const Shape &cells,
+                                       const Shape &displacement) const
+{
+  Shape expected = {times().size()};
+  expected.insert(expected.end(), displacement.begin(), displacement.end());
+  if ((!materials.shape.empty() && materials.shape != cells) ||
+      file.shape(displacement_name, snapshots_hint) != expected)
+    throw UserError(path() + ": phases or displacements are not those of the cells and "
+                             "nodes of the body; run contact_dynamics again");
 }
 
 template <int dim>
@@ -65,36 +86,37 @@ std::vector<double> BodySnapshots<dim>::displacement(const std::size_t k) const
 }
 
 template <int dim>
-std::vector<Phase<dim>> BodySnapshots<dim>::materials() const
+std::vector<double> BodySnapshots<dim>::displacement(const std::size_t k,
+                                                     const CellBlock<dim> &block) const
 {
-  return oriented_phases(
-    phases,
-    read_orientations(file, snapshot_phases, phases.size(), snapshots_program).materials);
+  if (block.n_cells() == 0)
+    return {};
+  Shape first = {k}, count = {1};
+  for (unsigned int d = dim; d-- > 0;)
+    {
+      first.push_back(block.first[d]);
+      count.push_back(block.cells[d] + std::size_t{1});
+    }
+  first.push_back(0);
+  count.push_back(dim);
+  return file.read_block<double>(displacement_name, first, count, snapshots_hint);
 }
 
 template <int dim>
 Mesh<dim> BodySnapshots<dim>::mesh() const
 {
-  Mesh<dim> mesh = is_grid ? mesh_of_cells(read_grid<dim>(file, snapshots_program))
-                           : read_mesh_cells<dim>(file, snapshots_program);
-  std::vector<std::uint8_t> id(mesh.cells.size());
-  if (file.exists(snapshot_phases))
-    id = file.read<std::uint8_t>(snapshot_phases);
-  std::size_t n_values = 1;
-  for (const std::size_t n : file.shape(displacement_name, snapshots_hint))
-    n_values *= n;
-  if (id.size() != mesh.cells.size() ||
-      n_values != times().size() * dim * mesh.points.size())
-    throw UserError(path() + ": phases or displacements are not those of the cells and "
-                             "nodes of the body; run contact_dynamics again");
-  require_phases(file, snapshot_phases, id, phases.size(), snapshots_program);
-  for (std::size_t cell = 0; cell < id.size(); ++cell)
-    mesh.cells[cell].material_id = id[cell];
-  const Orientations turned =
-    read_orientations(file, snapshot_phases, phases.size(), snapshots_program);
-  for (std::size_t cell = 0; cell < turned.id.size(); ++cell)
-    mesh.cells[cell].material_id = turned.id[cell];
+  Mesh<dim> mesh = read_mesh_cells<dim>(file, snapshots_program);
+  require_sizes({mesh.cells.size()}, {mesh.points.size(), dim});
   return mesh;
+}
+
+template <int dim>
+std::vector<std::uint16_t>
+BodySnapshots<dim>::constituent_ids(const std::size_t first,
+                                    const std::size_t count) const
+{
+  return materials.shape.empty() ? std::vector<std::uint16_t>(count)
+                                 : materials.of_cells(file, first, count);
 }
 
 template class BodySnapshots<2>;

@@ -81,7 +81,7 @@ private:
 /**
  * One HDF5 file. A file being written has the name `<path>.part` until close() (or the
  * destructor, unless an exception is under way) gives it its name, so that a file of the
- * right name is complete. Only rank 0 opens files.
+ * right name is complete. Only rank 0 writes files, but for ParallelRows.
  *
  * Types of values: double, float, int, unsigned int, std::int64_t, std::uint64_t,
  * std::uint8_t and std::string. Reading converts between number types, except floating
@@ -105,6 +105,9 @@ public:
 
   /** Opens for reading. */
   static Hdf5File open(const std::string &path, const std::string &hint = "");
+
+  /** Opens for reading what rank 0 has opened, without comparing the checksum once more. */
+  static Hdf5File open_too(const std::string &path);
 
   /**
    * Opens a file for more to be written: `<path>.part` as flush() or an interruption has
@@ -196,6 +199,9 @@ public:
   /** Writes @p data, as many values as the shape says; replaces one of the same name. */
   template <typename T>
   void write(const std::string &name, const Shape &shape, const std::vector<T> &data);
+
+  /** Creates a dataset of numbers of this shape for ParallelRows to fill. */
+  void reserve(const std::string &name, const Shape &shape);
 
   /**
    * Creates a dataset of numbers to be filled with write_row(), or gives one that exists

@@ -183,6 +183,11 @@ Hdf5File Hdf5File::open(const std::string &path, const std::string &hint)
   return file;
 }
 
+Hdf5File Hdf5File::open_too(const std::string &path)
+{
+  return Hdf5File(path, open_file(path, H5F_ACC_RDONLY), false);
+}
+
 Hdf5File Hdf5File::resume(const std::string &path, const std::string &hint)
 {
   const std::string part = path + ".part";

@@ -1,69 +1,75 @@
 #ifndef mesoslip_localization_mesh_strain_source_h
 #define mesoslip_localization_mesh_strain_source_h
 
-#include "localization/mesh/cell_strain.h"
+#include "exchange/body_snapshots.h"
+#include "material/voigt.h"
 
 #include <memory>
 #include <mpi.h>
 
 namespace mesoslip
 {
-/** Places and the cells of a body that hold them. */
+/** Where the strain of a run is wanted. */
 template <int dim>
-struct PlacesInCells
+struct StrainPlaces
 {
-  std::vector<dealii::Point<dim>> at; ///< m
-  std::vector<unsigned int> cell;     ///< of each place
+  const std::vector<dealii::Point<dim>> &middles; ///< of the cells of this rank (m)
+  const std::vector<dealii::Point<dim>> points;   ///< the same on all ranks (m)
+  const bool mean; ///< whether that over the body is wanted
 
-  /** Of boost::serialization. */
-  template <class Archive>
-  void serialize(Archive &archive, const unsigned int)
+  /** Place number @p k, the points behind the middles. */
+  const dealii::Point<dim> &operator[](const std::size_t k) const
   {
-    archive &at &cell;
+    return k < middles.size() ? middles[k] : points[k - middles.size()];
+  }
+
+  /** Number of places. */
+  std::size_t size() const
+  {
+    return middles.size() + points.size();
   }
 };
 
-/**
- * The strain of a run at some places, different ones on each rank, and its mean over the
- * body, from snapshots that rank 0 has. Of the body each rank gets what is around its places.
- */
+/** The strain of a run at some places. */
 template <int dim>
 class StrainSource
 {
 public:
-  /** @p of_root is the mesh of the run on rank 0; @p given are those of this rank.
-   * Collective. */
-  StrainSource(const Mesh<dim> &of_root,
-               const PlacesInCells<dim> &given,
-               const MPI_Comm the_communicator);
+  virtual ~StrainSource() = default;
 
-  /** Evaluates the displacement @p u of all points on rank 0. Collective. */
-  void set_displacement(const std::vector<double> &u);
+  /** Reads snapshot number @p k of the run and evaluates it. Collective. @throws UserError */
+  virtual void set_snapshot(const std::size_t k) = 0;
 
-  /** At place number @p k of this rank. */
-  VoigtVector<dim> at(const std::size_t k) const
-  {
-    return strain->at(wanted_cell[k], places[k]);
-  }
+  /** At place number @p k. */
+  virtual VoigtVector<dim> at(const std::size_t k) const = 0;
 
-  /** Over the body. */
+  /** Over the body, if it is wanted. */
   const VoigtVector<dim> &mean() const
   {
     return mean_strain;
   }
 
-private:
-  const MPI_Comm communicator;
-  std::vector<dealii::Point<dim>> places;
-  std::vector<std::size_t> wanted_cell; ///< place among those of CellStrain
-
-  /** On rank 0: the points of the body that each rank needs the displacement of. */
-  std::vector<std::vector<unsigned int>> points_of_rank;
-  std::vector<double> displacement; ///< of those of this rank, [point][dim]
-  std::unique_ptr<CellStrain<dim>> strain;
-  std::unique_ptr<MeanStrain<dim>> mean_of_body; ///< on rank 0
-  VoigtVector<dim> mean_strain = VoigtVector<dim>::Zero();
+protected:
+  VoigtVector<dim> mean_strain = VoigtVector<dim>::Zero(); ///< over the body
 };
+
+/** Of a body on a grid: each rank reads the nodes around its places. Collective. */
+template <int dim>
+std::unique_ptr<StrainSource<dim>> make_grid_source(const BodySnapshots<dim> &run,
+                                                    const StrainPlaces<dim> &places,
+                                                    const MPI_Comm communicator);
+
+/**
+ * Of a body on a mesh, whose cells @p cell hold the places of this rank: rank 0, where the
+ * whole mesh is @p of_root, reads the snapshots and gives each rank those of the points
+ * around its places. Collective.
+ */
+template <int dim>
+std::unique_ptr<StrainSource<dim>> make_mesh_source(const BodySnapshots<dim> &run,
+                                                    const Mesh<dim> &of_root,
+                                                    const StrainPlaces<dim> &places,
+                                                    const std::vector<unsigned int> &cell,
+                                                    const MPI_Comm communicator);
 } // namespace mesoslip
 
 #endif
