@@ -115,6 +115,20 @@ void load_state(const std::string &bytes, T &object, const std::string &source)
     }
 }
 
+/** Gives each rank the object that @p make (its number) returns on rank 0, made one after the
+ * other so that rank 0 never has all of them. */
+template <typename Make>
+auto scatter_objects(const MPI_Comm communicator, const Make &make)
+{
+  const std::string text = scatter(
+    communicator, [&](const unsigned int rank) { return save_state(make(rank)); });
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    return make(0U);
+  decltype(make(0U)) object;
+  load_state(text, object, "the message of another process");
+  return object;
+}
+
 /**
  * Gives every rank the @p object of rank @p owner. Objects travel whole, so that no
  * member can be left behind: their serialize() is best made of serialize_members().

@@ -3,7 +3,6 @@
 #include "base/errors.h"
 #include "exchange/datasets.h"
 #include "exchange/mesh_datasets.h"
-#include "exchange/orientation_datasets.h"
 
 #include <algorithm>
 
@@ -32,26 +31,36 @@ std::string rve_digest_of(const Hdf5File &file)
 } // namespace
 
 template <int dim>
-BodySnapshots<dim>::BodySnapshots(const std::string &path, const std::string &hint)
-  : BodySnapshots(Hdf5File::open(path, hint))
-{
-}
-
-template <int dim>
-BodySnapshots<dim>::BodySnapshots(const std::string &path, const MPI_Comm communicator)
-  : BodySnapshots(Hdf5File::open_together(path, communicator))
-{
-}
-
-template <int dim>
 BodySnapshots<dim>::BodySnapshots(Hdf5File &&opened)
   : file(std::move(opened))
   , is_grid(!file.exists("/mesh"))
   , digest(check_body_header<dim>(file, is_grid))
   , rve_digest(rve_digest_of(file))
   , phases(read_phases<dim>(file, "/material", false, snapshots_program))
+  , materials(file, snapshot_phases, phases.size(), snapshots_program)
+  , grid(is_grid ? read_grid<dim>(file, snapshots_program) : UniformGrid<dim>())
   , conditions(read_run_conditions(file))
 {
+  if (!is_grid)
+    return;
+  Shape nodes = shape_of_cells(grid);
+  for (std::size_t &n : nodes)
+    ++n;
+  nodes.push_back(dim);
+  require_sizes(shape_of_cells(grid), nodes);
+}
+
+/** @throws UserError unless the fields have these extents, without the number of snapshots */
+template <int dim>
+void BodySnapshots<dim>::require_sizes(const Shape &cells,
+                                       const Shape &displacement) const
+{
+  Shape expected = {times().size()};
+  expected.insert(expected.end(), displacement.begin(), displacement.end());
+  if ((!materials.shape.empty() && materials.shape != cells) ||
+      file.shape(displacement_name, snapshots_hint) != expected)
+    throw UserError(path() + ": phases or displacements are not those of the cells and "
+                             "nodes of the body; run contact_dynamics again");
 }
 
 template <int dim>
@@ -67,65 +76,52 @@ std::vector<double> BodySnapshots<dim>::times() const
 }
 
 template <int dim>
-std::vector<double> BodySnapshots<dim>::displacement(const std::size_t k) const
+std::size_t BodySnapshots<dim>::n_points() const
 {
-  return displacement(k, 0, rows_of_points()[0]);
-}
-
-template <int dim>
-std::array<std::size_t, 2> BodySnapshots<dim>::rows_of_points() const
-{
-  const Shape shape = file.shape(displacement_name, snapshots_hint);
-  std::size_t n     = 1;
-  for (std::size_t axis = 2; axis + 1 < shape.size(); ++axis)
-    n *= shape[axis];
-  return {{shape.at(1), n}};
+  return file.shape(displacement_name, snapshots_hint).at(1);
 }
 
 template <int dim>
 std::vector<double> BodySnapshots<dim>::displacement(const std::size_t k,
                                                      const std::size_t first,
-                                                     const std::size_t n_rows) const
+                                                     const std::size_t count) const
 {
-  Shape count  = file.shape(displacement_name, snapshots_hint), offset(count.size(), 0);
-  offset[0]    = k;
-  offset.at(1) = first;
-  count[0]     = 1;
-  count.at(1)  = n_rows;
-  return file.read_block<double>(displacement_name, offset, count, snapshots_hint);
+  return file.read_block<double>(displacement_name, {k, first, 0}, {1, count, dim},
+                                 snapshots_hint);
 }
 
 template <int dim>
-std::vector<Phase<dim>> BodySnapshots<dim>::materials() const
+std::vector<double> BodySnapshots<dim>::displacement(const std::size_t k,
+                                                     const CellBlock<dim> &block) const
 {
-  return oriented_phases(
-    phases,
-    read_orientations(file, snapshot_phases, phases.size(), snapshots_program).materials);
+  if (block.n_cells() == 0)
+    return {};
+  Shape first = {k}, count = {1};
+  for (unsigned int d = dim; d-- > 0;)
+    {
+      first.push_back(block.first[d]);
+      count.push_back(block.cells[d] + std::size_t{1});
+    }
+  first.push_back(0);
+  count.push_back(dim);
+  return file.read_block<double>(displacement_name, first, count, snapshots_hint);
 }
 
 template <int dim>
 Mesh<dim> BodySnapshots<dim>::mesh() const
 {
-  Mesh<dim> mesh = is_grid ? mesh_of_cells(read_grid<dim>(file, snapshots_program))
-                           : read_mesh_cells<dim>(file, snapshots_program);
-  std::vector<std::uint8_t> id(mesh.cells.size());
-  if (file.exists(snapshot_phases))
-    id = file.read<std::uint8_t>(snapshot_phases);
-  std::size_t n_values = 1;
-  for (const std::size_t n : file.shape(displacement_name, snapshots_hint))
-    n_values *= n;
-  if (id.size() != mesh.cells.size() ||
-      n_values != times().size() * dim * mesh.points.size())
-    throw UserError(path() + ": phases or displacements are not those of the cells and "
-                             "nodes of the body; run contact_dynamics again");
-  require_phases(file, snapshot_phases, id, phases.size(), snapshots_program);
-  for (std::size_t cell = 0; cell < id.size(); ++cell)
-    mesh.cells[cell].material_id = id[cell];
-  const Orientations turned =
-    read_orientations(file, snapshot_phases, phases.size(), snapshots_program);
-  for (std::size_t cell = 0; cell < turned.id.size(); ++cell)
-    mesh.cells[cell].material_id = turned.id[cell];
+  Mesh<dim> mesh = read_mesh_cells<dim>(file, snapshots_program);
+  require_sizes({mesh.cells.size()}, {mesh.points.size(), dim});
   return mesh;
+}
+
+template <int dim>
+std::vector<std::uint16_t>
+BodySnapshots<dim>::constituent_ids(const std::size_t first,
+                                    const std::size_t count) const
+{
+  return materials.shape.empty() ? std::vector<std::uint16_t>(count)
+                                 : materials.of_cells(file, first, count);
 }
 
 template class BodySnapshots<2>;

@@ -1,12 +1,12 @@
 #ifndef mesoslip_exchange_body_snapshots_h
 #define mesoslip_exchange_body_snapshots_h
 
+#include "exchange/orientation_datasets.h"
 #include "exchange/run_description.h"
+#include "grid/cell_block.h"
 #include "io/hdf5_file.h"
 #include "mesh/mesh.h"
 
-#include <array>
-#include <mpi.h>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,20 +14,24 @@
 namespace mesoslip
 {
 /**
- * dynamics.h5 of a body on a grid or on a mesh, opened for reading both alike: the nodes
- * and cells of a grid are those of a mesh, x fastest. Errors name the file, the dataset
- * and what to run.
+ * dynamics.h5 of a body on a grid or on a mesh, opened for reading. Errors name the file,
+ * the dataset and what to run.
  */
 template <int dim>
 class BodySnapshots
 {
 public:
   /** @throws UserError; @p hint follows where the file is missing */
-  BodySnapshots(const std::string &path, const std::string &hint);
+  BodySnapshots(const std::string &path, const std::string &hint)
+    : BodySnapshots(Hdf5File::open(path, hint))
+  {
+  }
 
-  /** Opens for reading by all ranks of @p communicator together, see
-   * Hdf5File::open_together(). Collective. @throws UserError */
-  BodySnapshots(const std::string &path, const MPI_Comm communicator);
+  /** Opens what rank 0 has opened. @throws UserError */
+  static BodySnapshots open_too(const std::string &path)
+  {
+    return BodySnapshots(Hdf5File::open_too(path));
+  }
 
   /** The path given. */
   const std::string &path() const
@@ -44,35 +48,47 @@ public:
   /** Times of the snapshots, ascending (s). @throws UserError without any */
   std::vector<double> times() const;
 
-  /** Displacement of all points in snapshot number @p k (m) [n_points][dim]. */
-  std::vector<double> displacement(const std::size_t k) const;
+  /** Points of a mesh. */
+  std::size_t n_points() const;
 
-  /** In which rows the file has the points: how many there are, of how many points. */
-  std::array<std::size_t, 2> rows_of_points() const;
-
-  /** Displacement of the points of @p n_rows rows from row @p first on in snapshot number @p k (m)
-   * [n_points][dim]; only these are read. With ranks that have opened the file together, others
-   * on each of them: collective. */
+  /** Displacement of @p count points of a mesh from number @p first on in snapshot number @p k (m)
+   * [count][dim]; nothing else is read. */
   std::vector<double> displacement(const std::size_t k,
                                    const std::size_t first,
-                                   const std::size_t n_rows) const;
+                                   const std::size_t count) const;
 
-  /** Points and cells, with their phases as material_id, or what materials() has of them. */
+  /** Displacement of the nodes of a block of the cells of a grid (m) [n_nodes][dim]; nothing
+   * else is read. */
+  std::vector<double> displacement(const std::size_t k,
+                                   const CellBlock<dim> &block) const;
+
+  /** Points and cells of a mesh. @throws UserError */
   Mesh<dim> mesh() const;
 
   /** What the cells are made of: the phases, or these in all their orientations. */
-  std::vector<Phase<dim>> materials() const;
+  std::vector<Phase<dim>> constituents() const
+  {
+    return oriented_phases(phases, materials.oriented);
+  }
+
+  /** Which of the constituents @p count cells from number @p first on are made of. @throws
+   * UserError */
+  std::vector<std::uint16_t> constituent_ids(const std::size_t first,
+                                             const std::size_t count) const;
 
 private:
   explicit BodySnapshots(Hdf5File &&opened);
+  void require_sizes(const Shape &cells, const Shape &displacement) const;
 
-  const Hdf5File file;
+  Hdf5File file;
 
 public:
   const bool is_grid;           ///< whether the body is one
   const std::string digest;     ///< of what determines the content
   const std::string rve_digest; ///< of the rve.h5 of its material; empty when unknown
   const std::vector<Phase<dim>> phases; ///< by index, without friction
+  const CellMaterials materials;        ///< of the cells
+  const UniformGrid<dim> grid;          ///< the cells, if the body is a grid
 
   /** Under what the run was made; nothing if the file does not tell. */
   const std::optional<RunConditions> conditions;

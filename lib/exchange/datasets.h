@@ -58,6 +58,35 @@ Shape shape_of_cells(const UniformGrid<dim> &grid)
   return {grid.cells.rbegin(), grid.cells.rend()};
 }
 
+/**
+ * Of a dataset of the cells, [nz][ny][nx] or [n], with @p n_axes axes of the values of a cell
+ * behind: those of @p count cells from number @p first on. Whole rows of the first axis are
+ * read. @throws UserError
+ */
+template <typename T>
+std::vector<T> read_cells(const Hdf5File &file,
+                          const std::string &dataset,
+                          const std::size_t first,
+                          const std::size_t count,
+                          const std::string &hint  = "",
+                          const std::size_t n_axes = 0)
+{
+  if (count == 0)
+    return {};
+  Shape extent      = file.shape(dataset, hint);
+  std::size_t cells = 1, values = 1;
+  for (std::size_t axis = 1; axis < extent.size(); ++axis)
+    (axis + n_axes < extent.size() ? cells : values) *= extent[axis];
+  Shape offset(extent.size(), 0);
+  offset[0]             = first / cells;
+  extent[0]             = (first + count + cells - 1) / cells - offset[0];
+  std::vector<T> result = file.read_block<T>(dataset, offset, extent, hint);
+  const auto begin = static_cast<std::ptrdiff_t>((first - offset[0] * cells) * values);
+  result.erase(result.begin(), result.begin() + begin);
+  result.resize(count * values);
+  return result;
+}
+
 /** Reads the attributes of /grid. @throws UserError */
 template <int dim>
 UniformGrid<dim> read_grid(const Hdf5File &file, const std::string &program);

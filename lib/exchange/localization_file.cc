@@ -2,6 +2,7 @@
 
 #include "exchange/datasets.h"
 #include "exchange/mesh_datasets.h"
+#include "io/parallel_rows.h"
 
 #include <filesystem>
 
@@ -42,20 +43,27 @@ std::vector<std::string> component_names(const std::string &prefix)
 }
 
 template <int dim>
-const std::vector<StressField> &fields_in()
+std::vector<StressField> fields_in()
 {
-  static const std::vector<StressField> all = {
-    {"mean_von_mises", &StressFields::mean_von_mises, {"mean_von_mises"}},
-    {"mean_stress", &StressFields::mean_stress, component_names<dim>("mean_sigma_")},
-    {"deviation_stress", &StressFields::deviation_stress,
-     component_names<dim>("deviation_sigma_")}};
-  return all;
+  return {{"mean_von_mises",
+           &FieldSelection::von_mises,
+           &StressFields::mean_von_mises,
+           {"mean_von_mises"}},
+          {"mean_stress", &FieldSelection::mean, &StressFields::mean_stress,
+           component_names<dim>("mean_sigma_")},
+          {"deviation_stress", &FieldSelection::deviation,
+           &StressFields::deviation_stress, component_names<dim>("deviation_sigma_")}};
 }
 } // namespace
 
-const std::vector<StressField> &stress_fields(const unsigned int dim)
+std::vector<StressField> stress_fields(const unsigned int dim,
+                                       const FieldSelection &fields)
 {
-  return dim == 2 ? fields_in<2>() : fields_in<3>();
+  std::vector<StressField> selected;
+  for (const StressField &field : dim == 2 ? fields_in<2>() : fields_in<3>())
+    if (fields.*field.is_wanted)
+      selected.push_back(field);
+  return selected;
 }
 
 /** Extents of a field of @p n components; none of one. */
@@ -106,17 +114,31 @@ LocalizationFile LocalizationFile::open(const std::string &path)
   return {std::move(opened), 2, shape_of_cells(grid)};
 }
 
-void LocalizationFile::write_fields(const StressFields &fields, const std::string &group)
+void LocalizationFile::reserve_fields(const FieldSelection &fields,
+                                      const std::string &group)
 {
-  for (const StressField &field : stress_fields(dimension))
-    if (const auto &values = fields.*field.values; !values.empty())
-      {
-        const std::size_t n    = field.quantities.size();
-        const std::string name = group + "/" + field.name;
-        write_dataset(*this, name, shape_of_field(n), values, "Pa");
-        shown.push_back(
-          {name.substr(1), name, XdmfField::Values::cells, n > 1 ? Shape{n} : Shape{}});
-      }
+  for (const StressField &field : stress_fields(dimension, fields))
+    {
+      const std::size_t n    = field.quantities.size();
+      const std::string name = group + "/" + field.name;
+      reserve(name, shape_of_field(n));
+      write_unit(name, "Pa");
+      shown.push_back(
+        {name.substr(1), name, XdmfField::Values::cells, n > 1 ? Shape{n} : Shape{}});
+    }
+}
+
+void write_fields(const std::string &path,
+                  const unsigned int dim,
+                  const FieldSelection &selection,
+                  const StressFields &fields,
+                  const std::string &group,
+                  const std::size_t first_row,
+                  const MPI_Comm communicator)
+{
+  for (const StressField &field : stress_fields(dim, selection))
+    ParallelRows(path, group + "/" + field.name, communicator)
+      .write_rows(first_row, fields.*field.values);
 }
 
 void LocalizationFile::write_probe(const LocalizedProbe &probe, const std::string &in)
@@ -134,7 +156,7 @@ void LocalizationFile::write_probe(const LocalizedProbe &probe, const std::strin
 
 void LocalizationFile::complete()
 {
-  close();
+  Hdf5File::resume(path()).close();
   if (!shown.empty())
     write_shown(path().substr(0, path().rfind('.')) + ".xdmf",
                 std::filesystem::path(path()).filename(), shown);

@@ -6,6 +6,7 @@
 #include "mesh/mesh.h"
 
 #include <functional>
+#include <mpi.h>
 #include <string>
 #include <vector>
 
@@ -22,16 +23,32 @@ struct StressFields
   std::vector<double> deviation_stress;
 };
 
+/** Which of the StressFields are wanted. */
+struct FieldSelection
+{
+  bool von_mises = true; ///< mean over time
+  bool mean      = true; ///< of each stress component
+  bool deviation = true; ///< standard deviation of each component
+
+  /** Whether there is anything to compute. */
+  bool any() const
+  {
+    return von_mises || mean || deviation;
+  }
+};
+
 /** One of the StressFields, for whoever treats all of them alike. */
 struct StressField
 {
   const char *name;                          ///< in localization.h5
+  bool FieldSelection::*is_wanted;           ///< whether it is asked for
   std::vector<double> StressFields::*values; ///< the field
   std::vector<std::string> quantities;       ///< its components in field_errors.csv
 };
 
-/** All StressFields, in two or three dimensions. */
-const std::vector<StressField> &stress_fields(const unsigned int dim);
+/** Those of the StressFields, in two or three dimensions, that are selected. */
+std::vector<StressField> stress_fields(const unsigned int dim,
+                                       const FieldSelection &fields = {});
 
 /** Localized stress at the place of a probe over time. */
 struct LocalizedProbe
@@ -70,13 +87,14 @@ public:
   /** Opens for reading, if the fields are on a plane grid. @throws UserError */
   static LocalizationFile open(const std::string &path);
 
-  /** Writes the fields that are not empty to @p group. */
-  void write_fields(const StressFields &fields, const std::string &group);
+  /** Makes place for the fields in @p group, which write_fields() fills. */
+  void reserve_fields(const FieldSelection &fields, const std::string &group);
 
   /** Writes a probe below "probes" in group @p in. */
   void write_probe(const LocalizedProbe &probe, const std::string &in);
 
-  /** Closes the file and writes `NAME.xdmf` with all fields, if there are any. */
+  /** Completes the file after leave(), and writes `NAME.xdmf` with all fields, if there are
+   * any. */
   void complete();
 
   /** The fields in @p group; empty where the file has none. @throws UserError */
@@ -109,6 +127,19 @@ private:
     const std::string &, const std::string &, const std::vector<XdmfField> &)>
     write_shown;
 };
+
+/**
+ * Fills the places of LocalizationFile::reserve_fields() in the file @p path that rank 0 has
+ * left: each rank has the values of other cells, whole rows from @p first_row on. Collective.
+ * @throws UserError, NumericalFailure on all ranks
+ */
+void write_fields(const std::string &path,
+                  const unsigned int dim,
+                  const FieldSelection &selection,
+                  const StressFields &fields,
+                  const std::string &group,
+                  const std::size_t first_row,
+                  const MPI_Comm communicator);
 } // namespace mesoslip
 
 #endif

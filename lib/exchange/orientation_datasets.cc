@@ -4,15 +4,22 @@
 #include "exchange/datasets.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace mesoslip
 {
 namespace
 {
-const char of_cells[]  = "/orientation/id";
-const char of_phases[] = "/orientation/phase";
-const char angles[]    = "/orientation/euler_angles";
+const char of_cells_name[] = "/orientation/id";
+const char of_phases[]     = "/orientation/phase";
+const char angles[]        = "/orientation/euler_angles";
+
+UserError misfit(const Hdf5File &file, const std::string &program)
+{
+  return UserError(file.path() +
+                   ": /orientation does not give each cell an orientation of its phase; "
+                   "run " +
+                   program + " again");
+}
 } // namespace
 
 void write_orientations(Hdf5File &file,
@@ -32,37 +39,60 @@ void write_orientations(Hdf5File &file,
     }
   write_dataset(file, of_phases, {n}, phases);
   write_dataset(file, angles, {n, 3}, euler, "degree");
-  write_dataset(file, of_cells, cells, orientations.id);
+  write_dataset(file, of_cells_name, cells, orientations.id);
 }
 
-Orientations read_orientations(const Hdf5File &file,
-                               const std::string &phases_of_cells,
-                               const std::size_t n_phases,
-                               const std::string &program)
+CellMaterials::CellMaterials(const Hdf5File &file,
+                             const std::string &phases_of_cells,
+                             const std::size_t n,
+                             const std::string &of_program)
+  : phases(phases_of_cells)
+  , n_phases(n)
+  , program(of_program)
 {
-  Orientations found;
+  if (file.exists(phases))
+    shape = file.shape(phases);
   if (!file.exists("/orientation"))
-    return found;
+    return;
   const std::string hint = program + " writes it";
-  const auto phases      = file.read<std::uint8_t>(of_phases, {any_extent}, hint);
-  const auto euler       = file.read<double>(angles, {phases.size(), 3}, hint);
-  found.id               = file.read<std::uint16_t>(of_cells);
-  const auto phase_id    = file.read<std::uint8_t>(phases_of_cells, {}, hint);
-  for (std::size_t m = 0; m < phases.size(); ++m)
-    found.materials.push_back(
-      {phases[m], {{euler[3 * m], euler[3 * m + 1], euler[3 * m + 2]}}});
-  bool fits =
-    !phases.empty() && found.id.size() == phase_id.size() &&
-    std::all_of(phases.begin(), phases.end(),
-                [n_phases](const std::uint8_t phase) { return phase < n_phases; });
-  for (std::size_t k = 0; fits && k < phase_id.size(); ++k)
-    fits = found.id[k] < phases.size() && phases[found.id[k]] == phase_id[k];
-  if (!fits || !std::all_of(euler.begin(), euler.end(),
-                            [](const double angle) { return std::isfinite(angle); }))
-    throw UserError(file.path() +
-                    ": /orientation does not give each cell an orientation "
-                    "of its phase; run " +
-                    program + " again");
-  return found;
+  const auto phase       = file.read<std::uint8_t>(of_phases, {any_extent}, hint);
+  const auto euler       = file.read<double>(angles, {phase.size(), 3}, hint);
+  for (std::size_t m = 0; m < phase.size(); ++m)
+    oriented.push_back({phase[m], {{euler[3 * m], euler[3 * m + 1], euler[3 * m + 2]}}});
+  const bool fits = !phase.empty() &&
+                    file.shape(of_cells_name, hint) == file.shape(phases, hint) &&
+                    std::all_of(phase.begin(), phase.end(),
+                                [this](const std::uint8_t p) { return p < n_phases; });
+  if (!fits)
+    throw misfit(file, program);
+}
+
+std::vector<std::uint16_t> CellMaterials::of_cells(const Hdf5File &file,
+                                                   const std::size_t first,
+                                                   const std::size_t count) const
+{
+  const auto phase =
+    read_cells<std::uint8_t>(file, phases, first, count, program + " writes it");
+  require_phases(file, phases, phase, n_phases, program);
+  if (oriented.empty())
+    return {phase.begin(), phase.end()};
+  auto id = read_cells<std::uint16_t>(file, of_cells_name, first, count);
+  for (std::size_t k = 0; k < count; ++k)
+    if (id[k] >= oriented.size() || oriented[id[k]].phase != phase[k])
+      throw misfit(file, program);
+  return id;
+}
+
+Orientations CellMaterials::orientations(const Hdf5File &file) const
+{
+  Orientations all;
+  if (oriented.empty())
+    return all;
+  std::size_t n = 1;
+  for (const std::size_t extent : shape)
+    n *= extent;
+  all.materials = oriented;
+  all.id        = of_cells(file, 0, n);
+  return all;
 }
 } // namespace mesoslip

@@ -3,7 +3,6 @@
 #include "base/errors.h"
 #include "exchange/datasets.h"
 #include "exchange/mesh_datasets.h"
-#include "exchange/orientation_datasets.h"
 #include "exchange/xdmf.h"
 #include "io/drafts.h"
 
@@ -157,23 +156,12 @@ unsigned int dimension_of_file(const std::string &path, const std::string &hint)
 }
 
 template <int dim>
-RveFile<dim>::RveFile(const std::string &path)
-  : RveFile(Hdf5File::open(path, "run rve_homogenization first"))
-{
-}
-
-template <int dim>
-RveFile<dim>::RveFile(const std::string &path, const MPI_Comm communicator)
-  : RveFile(Hdf5File::open_together(path, communicator))
-{
-}
-
-template <int dim>
 RveFile<dim>::RveFile(Hdf5File &&opened)
   : file(std::move(opened))
   , digest(file.check_header(rve_format, newest_rve_version, dim, rve_program))
   , grid(read_extent<dim>(file))
   , phases(read_phases<dim>(file, "/phase", true, rve_program))
+  , materials(file, "/phase/id", phases.size(), rve_program)
 {
 }
 
@@ -206,12 +194,6 @@ std::vector<std::uint8_t> RveFile<dim>::phase_id() const
   auto id = file.read<std::uint8_t>("/phase/id", cells(), "rve_homogenization writes it");
   require_phases(file, "/phase/id", id, phases.size(), rve_program);
   return id;
-}
-
-template <int dim>
-Orientations RveFile<dim>::orientations() const
-{
-  return read_orientations(file, "/phase/id", phases.size(), rve_program);
 }
 
 template <int dim>
@@ -277,43 +259,27 @@ std::vector<double> RveFile<dim>::concentration(const std::string &name) const
   return file.read<double>(concentration_dataset(name), shape, concentration_hint(name));
 }
 
-// Of a grid whole lines (2D) or layers are read, in which these cells are.
 template <int dim>
 std::vector<double> RveFile<dim>::concentration(const std::string &name,
                                                 const std::size_t first,
                                                 const std::size_t count) const
 {
   const std::string dataset = concentration_dataset(name);
-  Shape extent              = file.shape("/phase/id", "rve_homogenization writes it");
-  const Shape found         = file.shape(dataset, concentration_hint(name));
-  std::size_t layer         = 1;
-  for (std::size_t axis = 1; axis < extent.size(); ++axis)
-    layer *= extent[axis];
+  Shape extent              = materials.shape;
   extent.insert(extent.end(), {n_voigt<dim>, n_voigt<dim>});
-  if (found != extent)
+  if (file.shape(dataset, concentration_hint(name)) != extent)
     throw UserError(path() + ": concentration tensors and cells differ in number; run "
                              "rve_homogenization again");
-  Shape offset(extent.size(), 0);
-  offset[0] = first / layer;
-  extent[0] = (first + count + layer - 1) / layer - offset[0];
-  const std::vector<double> read =
-    file.read_block<double>(dataset, offset, extent, concentration_hint(name));
-  constexpr auto n = std::ptrdiff_t{n_voigt<dim>} * n_voigt<dim>;
-  const auto begin = read.begin() + n * static_cast<std::ptrdiff_t>(first % layer);
-  return {begin, begin + n * static_cast<std::ptrdiff_t>(count)};
+  return read_cells<double>(file, dataset, first, count, concentration_hint(name), 2);
 }
 
 template <int dim>
 Mesh<dim> RveFile<dim>::mesh() const
 {
-  Mesh<dim> mesh =
-    is_mesh() ? read_mesh_cells<dim>(file, rve_program) : mesh_of_cells(grid);
-  const std::vector<std::uint8_t> id = phase_id();
-  if (id.size() != mesh.cells.size())
+  Mesh<dim> mesh = read_mesh_cells<dim>(file, rve_program);
+  if (materials.shape != Shape{mesh.cells.size()})
     throw UserError(path() + ": /phase/id and /mesh have different numbers of cells; run "
                              "rve_homogenization again");
-  for (std::size_t k = 0; k < id.size(); ++k)
-    mesh.cells[k].material_id = id[k];
   return mesh;
 }
 

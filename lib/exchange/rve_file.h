@@ -1,6 +1,7 @@
 #ifndef mesoslip_exchange_rve_file_h
 #define mesoslip_exchange_rve_file_h
 
+#include "exchange/orientation_datasets.h"
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
 #include "material/orientations.h"
@@ -96,11 +97,16 @@ class RveFile
 {
 public:
   /** Opens for reading. @throws UserError */
-  explicit RveFile(const std::string &path);
+  explicit RveFile(const std::string &path)
+    : RveFile(Hdf5File::open(path, "run rve_homogenization first"))
+  {
+  }
 
-  /** Opens for reading by all ranks of @p communicator together, see
-   * Hdf5File::open_together(). Collective. @throws UserError */
-  RveFile(const std::string &path, const MPI_Comm communicator);
+  /** Opens what rank 0 has opened. @throws UserError */
+  static RveFile open_too(const std::string &path)
+  {
+    return RveFile(Hdf5File::open_too(path));
+  }
 
   /** The path given. */
   const std::string &path() const
@@ -125,7 +131,24 @@ public:
   std::vector<std::uint8_t> phase_id() const;
 
   /** Orientations of the cells; empty where they are those of the phases. */
-  Orientations orientations() const;
+  Orientations orientations() const
+  {
+    return materials.orientations(file);
+  }
+
+  /** What the cells are made of: the phases, or these in all their orientations. */
+  std::vector<Phase<dim>> constituents() const
+  {
+    return oriented_phases(phases, materials.oriented);
+  }
+
+  /** Which of the constituents @p count cells from number @p first on are made of. @throws
+   * UserError */
+  std::vector<std::uint16_t> constituent_ids(const std::size_t first,
+                                             const std::size_t count) const
+  {
+    return materials.of_cells(file, first, count);
+  }
 
   /** Volume mean of the density (kg/m^3). */
   double mean_density() const;
@@ -137,18 +160,16 @@ public:
    * them */
   std::vector<double> concentration(const std::string &name) const;
 
-  /** Those of @p count cells from cell @p first on; only these are read. With ranks that have
-   * opened the file together, others on each of them: collective. */
+  /** Those of @p count cells from cell @p first on; only these are read. */
   std::vector<double> concentration(const std::string &name,
                                     const std::size_t first,
                                     const std::size_t count) const;
 
-  /** The cells, those of a grid as quadrilaterals or hexahedra, with their phases as material_id. */
+  /** The points and cells of a mesh. @throws UserError */
   Mesh<dim> mesh() const;
 
 private:
   explicit RveFile(Hdf5File &&opened);
-
   Shape cells() const;
 
   Hdf5File file;
@@ -157,6 +178,7 @@ public:
   const std::string digest;    ///< of the inputs that determine the content
   const UniformGrid<dim> grid; ///< of the morphology; of a mesh its box as one cell
   const std::vector<Phase<dim>> phases; ///< by index
+  const CellMaterials materials;        ///< of the cells
 };
 } // namespace mesoslip
 

@@ -2,7 +2,6 @@
 #define mesoslip_io_hdf5_file_h
 
 #include <cstdint>
-#include <mpi.h>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,7 +81,7 @@ private:
 /**
  * One HDF5 file. A file being written has the name `<path>.part` until close() (or the
  * destructor, unless an exception is under way) gives it its name, so that a file of the
- * right name is complete. Only rank 0 opens files, but for open_together().
+ * right name is complete. Only rank 0 writes files, but for ParallelRows.
  *
  * Types of values: double, float, int, unsigned int, std::int64_t, std::uint64_t,
  * std::uint8_t and std::string. Reading converts between number types, except floating
@@ -107,13 +106,8 @@ public:
   /** Opens for reading. */
   static Hdf5File open(const std::string &path, const std::string &hint = "");
 
-  /**
-   * Opens for reading by all ranks of @p communicator together, through MPI-IO (on one rank
-   * as open() does). Each reads the same small data; read_block() is collective, with another
-   * block on each rank, and what it throws on one of them is thrown on all. The checksum is not
-   * compared: change_note() is for files of open(). Collective.
-   */
-  static Hdf5File open_together(const std::string &path, const MPI_Comm communicator);
+  /** Opens for reading what rank 0 has opened, without comparing the checksum once more. */
+  static Hdf5File open_too(const std::string &path);
 
   /**
    * Opens a file for more to be written: `<path>.part` as flush() or an interruption has
@@ -206,6 +200,9 @@ public:
   template <typename T>
   void write(const std::string &name, const Shape &shape, const std::vector<T> &data);
 
+  /** Creates a dataset of numbers of this shape for ParallelRows to fill. */
+  void reserve(const std::string &name, const Shape &shape);
+
   /**
    * Creates a dataset of numbers to be filled with write_row(), or gives one that exists
    * another number of rows; its first axis counts the rows. All its
@@ -231,7 +228,7 @@ public:
                       const Shape &expected   = {},
                       const std::string &hint = "") const;
 
-  /** Part of a dataset: @p count values from @p offset along each axis. See open_together(). */
+  /** Part of a dataset: @p count values from @p offset along each axis. */
   template <typename T>
   std::vector<T> read_block(const std::string &name,
                             const Shape &offset,
@@ -283,7 +280,6 @@ private:
   /** What the checksum said of a file that was opened for reading. */
   Signature signature    = Signature::valid;
   int pending_exceptions = 0;
-  MPI_Comm readers       = MPI_COMM_SELF; ///< the ranks that read blocks together
 };
 } // namespace mesoslip
 

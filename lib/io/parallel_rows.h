@@ -8,7 +8,7 @@
 namespace mesoslip
 {
 /**
- * A dataset of Hdf5File::reserve_rows() into which all ranks write together, each a piece
+ * A dataset of Hdf5File::reserve() or reserve_rows() into which all ranks write together, each a piece
  * of a row or some rows, through MPI-IO (on one rank through the file as it is). Rank 0 has left the
  * file with Hdf5File::leave() and takes it back with Hdf5File::resume() when this object is
  * gone. Nothing but the rows changes in the file, so it stays one that resume() takes.

@@ -1,10 +1,12 @@
 #include "localization/comparison.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -55,33 +57,43 @@ double relative(const double value, const double reference)
   return reference != 0. ? (value - reference) / reference : ComponentStatistics::unknown;
 }
 
-/** Component @p c of @p components of a field, over a region. */
-FieldError compare(const std::vector<double> &localized,
-                   const std::vector<double> &direct,
-                   const std::size_t components,
-                   const std::size_t c,
-                   const CellRegion &region,
-                   const std::vector<double> &volume)
+/** Sums over cells: their number, squares of two fields and of their difference, weights. */
+using Sums = std::array<double, 5>;
+
+/** Of component @p c of @p components of a field, over a region. */
+Sums sums_over(const std::vector<double> &localized,
+               const std::vector<double> &direct,
+               const std::size_t components,
+               const std::size_t c,
+               const CellRegion &region,
+               const std::vector<double> &volume)
 {
-  double ours = 0., theirs = 0., squares = 0., sum = 0.;
+  Sums sums = {{static_cast<double>(region.cells.size())}};
   for (const std::size_t cell : region.cells)
     {
       const double a      = localized[cell * components + c];
       const double b      = direct[cell * components + c];
       const double weight = volume.empty() ? 1. : volume[cell];
-      ours += weight * (a * a);
-      theirs += weight * (b * b);
-      squares += weight * ((a - b) * (a - b));
-      sum += weight;
+      sums[1] += weight * (a * a);
+      sums[2] += weight * (b * b);
+      sums[3] += weight * ((a - b) * (a - b));
+      sums[4] += weight;
     }
-  const double n = sum > 0. ? sum : 1.;
-  return {"",
-          region.name,
-          region.cells.size(),
-          std::sqrt(ours / n),
-          std::sqrt(theirs / n),
-          theirs > 0. ? std::sqrt(squares / theirs)
-                      : std::numeric_limits<double>::quiet_NaN()};
+  return sums;
+}
+
+/** The error of these sums, an array of five. */
+FieldError
+error_of(const std::string &quantity, const std::string &region, const double *sums)
+{
+  const double n = sums[4] > 0. ? sums[4] : 1.;
+  return {quantity,
+          region,
+          static_cast<std::size_t>(sums[0]),
+          std::sqrt(sums[1] / n),
+          std::sqrt(sums[2] / n),
+          sums[2] > 0. ? std::sqrt(sums[3] / sums[2])
+                       : std::numeric_limits<double>::quiet_NaN()};
 }
 } // namespace
 
@@ -279,23 +291,28 @@ std::vector<CellRegion> comparison_regions(const std::vector<dealii::Point<dim>>
 }
 
 std::vector<FieldError> field_errors(const unsigned int dim,
+                                     const FieldSelection &fields,
                                      const StressFields &localized,
                                      const StressFields &direct,
                                      const std::vector<CellRegion> &regions,
-                                     const std::vector<double> &volume)
+                                     const std::vector<double> &volume,
+                                     const MPI_Comm communicator)
 {
+  std::vector<std::array<std::string, 2>> names;
+  std::vector<double> all;
+  for (const StressField &field : stress_fields(dim, fields))
+    for (std::size_t c = 0; c < field.quantities.size(); ++c)
+      for (const CellRegion &region : regions)
+        {
+          const Sums sums = sums_over(localized.*field.values, direct.*field.values,
+                                      field.quantities.size(), c, region, volume);
+          names.push_back({{field.quantities[c], region.name}});
+          all.insert(all.end(), sums.begin(), sums.end());
+        }
+  sum_over_ranks(all, communicator);
   std::vector<FieldError> errors;
-  for (const StressField &field : stress_fields(dim))
-    {
-      const auto &ours = localized.*field.values, &theirs = direct.*field.values;
-      const std::size_t n = field.quantities.size();
-      for (std::size_t c = 0; c < n && !ours.empty() && !theirs.empty(); ++c)
-        for (const CellRegion &region : regions)
-          {
-            errors.push_back(compare(ours, theirs, n, c, region, volume));
-            errors.back().quantity = field.quantities[c];
-          }
-    }
+  for (std::size_t k = 0; k < names.size(); ++k)
+    errors.push_back(error_of(names[k][0], names[k][1], &all[k * Sums().size()]));
   return errors;
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <limits>
+#include <mpi.h>
 #include <string>
 #include <vector>
 
@@ -131,13 +132,15 @@ struct FieldError
   double relative = 0.;
 };
 
-/** Every quantity that both have, in every region; @p volume is that of each cell, empty
- * if all are equal. */
+/** Every quantity of the @p fields in every region; @p volume is that of each cell, empty
+ * if all are equal. Each rank has other cells; over all of them. Collective. */
 std::vector<FieldError> field_errors(const unsigned int dim,
+                                     const FieldSelection &fields,
                                      const StressFields &localized,
                                      const StressFields &direct,
                                      const std::vector<CellRegion> &regions,
-                                     const std::vector<double> &volume = {});
+                                     const std::vector<double> &volume = {},
+                                     const MPI_Comm communicator       = MPI_COMM_SELF);
 
 /** localized - direct, of what both have. */
 StressFields difference(const StressFields &localized, const StressFields &direct);

@@ -1,3 +1,4 @@
+#include "base/exchange.h"
 #include "io/json.h"
 #include "io/table.h"
 #include "localization/localization_program.h"
@@ -6,6 +7,7 @@
 
 #include <cmath>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 
 namespace mesoslip
@@ -40,14 +42,49 @@ const Comparison comparisons[] = {
   {"error_std", "error of standard deviation [-]", &ComponentStatistics::error_deviation},
   {"rms_difference", "rms difference [-]", &ComponentStatistics::rms_difference}};
 
-void write_variant(LocalizationFile &file,
-                   const VariantResult &variant,
-                   const std::string &group)
+/** Fields that are written together. */
+struct FieldGroup
 {
-  file.write_fields(variant.fields, group);
-  file.write_fields(variant.difference, group + "/difference");
-  for (const ProbeResult &probe : variant.probes)
-    file.write_probe(probe, group);
+  std::string name;           ///< of the group in localization.h5
+  const StressFields *fields; ///< of this rank
+};
+
+/** The same ones on all ranks, in their order. */
+std::vector<FieldGroup> field_groups(const LocalizationResult &result)
+{
+  std::vector<FieldGroup> groups;
+  for (std::size_t v = 0; v < result.variants.size(); ++v)
+    {
+      const std::string name = v == 0 ? "" : "/mean_strain_variant";
+      groups.push_back({name, &result.variants[v].fields});
+      if (result.is_compared)
+        groups.push_back({name + "/difference", &result.variants[v].difference});
+      if (v == 0 && result.is_compared)
+        groups.push_back({"/direct", &result.direct});
+    }
+  for (const PointResult &point : result.points)
+    groups.push_back({"/points/" + point.name, &point.fields});
+  return groups;
+}
+
+/** Everything but the numbers of the fields. */
+void write_frame(LocalizationFile &file,
+                 const LocalizationOrigin &origin,
+                 const LocalizationResult &result)
+{
+  file.write_attribute("/", "concentration", origin.concentration);
+  if (std::isfinite(result.window.begin))
+    file.write_attribute("/", "window",
+                         std::array<double, 2>{{result.window.begin, result.window.end}});
+  if (!result.variants.empty())
+    file.write_attribute("/", "variant", result.variants[0].name);
+  for (const PointResult &point : result.points)
+    file.write_attribute("/points/" + point.name, "position", point.position);
+  for (const FieldGroup &group : field_groups(result))
+    file.reserve_fields(result.fields, group.name);
+  for (std::size_t v = 0; v < result.variants.size(); ++v)
+    for (const ProbeResult &probe : result.variants[v].probes)
+      file.write_probe(probe, v == 0 ? "" : "/mean_strain_variant");
 }
 
 void write_probe_table(const unsigned int dim,
@@ -173,31 +210,22 @@ void write_localization(const LocalizationOrigin &origin,
                         const std::string &parameters,
                         const std::string &folder)
 {
-  LocalizationFile file = origin.create_file(folder + "/localization.h5",
-                                             Digest(origin.digest).add(parameters).hex());
-  file.write_attribute("/", "concentration", origin.concentration);
-  if (std::isfinite(result.window.begin))
-    file.write_attribute("/", "window",
-                         std::array<double, 2>{{result.window.begin, result.window.end}});
-  if (!result.variants.empty())
-    {
-      file.write_attribute("/", "variant", result.variants[0].name);
-      write_variant(file, result.variants[0], "");
-      file.write_fields(result.direct, "/direct");
-    }
-  if (result.variants.size() > 1)
-    write_variant(file, result.variants[1], "/mean_strain_variant");
-  for (const PointResult &point : result.points)
-    {
-      const std::string group = "/points/" + point.name;
-      file.create_group(group);
-      file.write_attribute(group, "position", point.position);
-      file.write_fields(point.fields, group);
-    }
-  file.complete();
-  write_probe_table(origin.dim, result, folder + "/probes.csv");
-  if (!result.variants.empty() && !result.variants[0].errors.empty())
-    write_error_table(result, folder + "/field_errors.csv");
+  const std::string path = folder + "/localization.h5";
+  std::optional<LocalizationFile> file;
+  on_root(result.communicator, [&]() {
+    file.emplace(origin.create_file(path, Digest(origin.digest).add(parameters).hex()));
+    write_frame(*file, origin, result);
+    file->leave();
+  });
+  for (const FieldGroup &group : field_groups(result))
+    write_fields(path, origin.dim, result.fields, *group.fields, group.name,
+                 result.first_row, result.communicator);
+  on_root(result.communicator, [&]() {
+    file->complete();
+    write_probe_table(origin.dim, result, folder + "/probes.csv");
+    if (!result.variants.empty() && !result.variants[0].errors.empty())
+      write_error_table(result, folder + "/field_errors.csv");
+  });
 }
 
 void summarize_localization(const LocalizationOrigin &origin,

@@ -26,7 +26,7 @@ struct ProbeResult : LocalizedProbe
 struct VariantResult
 {
   std::string name;                ///< "local strain" or "mean strain"
-  StressFields fields;             ///< averages over time
+  StressFields fields;             ///< averages over time in the cells of this rank
   StressFields difference;         ///< localized minus direct; empty without a direct run
   std::vector<FieldError> errors;  ///< against the direct run
   std::vector<ProbeResult> probes; ///< as LocalizationInput::probes
@@ -40,11 +40,15 @@ struct PointResult
   StressFields fields;          ///< averages over time in the volume element
 };
 
-/** Everything that localize() found. */
+/** Everything that localize() found. Of the fields each rank has those of its cells. */
 struct LocalizationResult
 {
-  TimeWindow window;                   ///< first and last time used (s)
-  StressFields direct;                 ///< empty without a direct run
+  MPI_Comm communicator = MPI_COMM_SELF; ///< of the ranks that have cells
+  std::size_t first_row = 0; ///< of the cells of this rank, along the first axis
+  FieldSelection fields;     ///< those that there are
+  bool is_compared = false;  ///< whether there is a direct run
+  TimeWindow window;         ///< first and last time used (s)
+  StressFields direct;       ///< empty without a direct run
   std::vector<VariantResult> variants; ///< local strain first when both were asked for
   std::vector<PointResult> points;     ///< those asked for
 };
@@ -89,7 +93,8 @@ LocalizationOrigin origin_of(const LocalizationInput &input);
 /**
  * localization.h5, localization.xdmf, probes.csv and field_errors.csv in @p folder. With
  * two variants, that of the mean strain is under /mean_strain_variant. @p parameters is
- * the text of what determines the result besides the files, for the digest.
+ * the text of what determines the result besides the files, for the digest. Collective over
+ * the result's communicator; of the @p origin ranks other than 0 need the dimension alone.
  */
 void write_localization(const LocalizationOrigin &origin,
                         const LocalizationResult &result,

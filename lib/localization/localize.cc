@@ -74,6 +74,8 @@ public:
 
   LocalizationResult run()
   {
+    result.fields      = parameters.fields;
+    result.is_compared = input.direct.has_value();
     if (input.direct)
       pass_direct();
     pass_homogeneous();
@@ -218,7 +220,8 @@ private:
     if (input.direct && parameters.fields.any())
       {
         variant.difference = difference(fields, result.direct);
-        variant.errors     = field_errors(2, fields, result.direct, regions());
+        variant.errors =
+          field_errors(2, parameters.fields, fields, result.direct, regions());
       }
     variant.fields = std::move(fields);
     result.variants.push_back(std::move(variant));

@@ -73,20 +73,6 @@ private:
   NodalField<double> data;
 };
 
-/** Which fields are wanted. */
-struct FieldSelection
-{
-  bool von_mises = true; ///< mean over time
-  bool mean      = true; ///< of each stress component
-  bool deviation = true; ///< standard deviation of each component
-
-  /** Whether there is anything to compute. */
-  bool any() const
-  {
-    return von_mises || mean || deviation;
-  }
-};
-
 /**
  * Averages over time of the stresses of all cells, fed row by row; the memory does not
  * depend on the number of samples. The map must outlive the object.

@@ -1,5 +1,4 @@
 #include "base/errors.h"
-#include "base/exchange.h"
 #include "base/files.h"
 #include "base/text.h"
 #include "io/drafts.h"
@@ -42,10 +41,9 @@ Hdf5Handle access_properties()
   return access;
 }
 
-hid_t open_file(const std::string &path,
-                const unsigned int mode,
-                const Hdf5Handle &access = access_properties())
+hid_t open_file(const std::string &path, const unsigned int mode)
 {
+  const Hdf5Handle access = access_properties();
   if (H5Fis_hdf5(path.c_str()) == 0)
     throw UserError(path + " is not an HDF5 file");
   const hid_t file = H5Fopen(path.c_str(), mode, access);
@@ -185,17 +183,9 @@ Hdf5File Hdf5File::open(const std::string &path, const std::string &hint)
   return file;
 }
 
-Hdf5File Hdf5File::open_together(const std::string &path, const MPI_Comm communicator)
+Hdf5File Hdf5File::open_too(const std::string &path)
 {
-  const Hdf5Handle access = access_properties();
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-    H5Pset_fapl_mpio(access, communicator, MPI_INFO_NULL);
-  hid_t identifier = -1;
-  on_all_ranks(communicator,
-               [&]() { identifier = open_file(path, H5F_ACC_RDONLY, access); });
-  Hdf5File file(path, identifier, false);
-  file.readers = communicator;
-  return file;
+  return Hdf5File(path, open_file(path, H5F_ACC_RDONLY), false);
 }
 
 Hdf5File Hdf5File::resume(const std::string &path, const std::string &hint)

@@ -1,4 +1,3 @@
-#include "base/exchange.h"
 #include "base/text.h"
 #include "io/drafts.h"
 #include "io/hdf5/internal.h"
@@ -11,15 +10,6 @@ using hdf5::attribute_text, hdf5::dataset_text;
 
 namespace
 {
-/** How a block is read: by all @p readers at once, or by the only one of them. */
-Hdf5Handle transfer_properties(const MPI_Comm readers)
-{
-  Hdf5Handle transfer(H5Pcreate(H5P_DATASET_XFER));
-  if (dealii::Utilities::MPI::n_mpi_processes(readers) > 1)
-    H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
-  return transfer;
-}
-
 bool same_shape(const Shape &shape, const Shape &expected)
 {
   return std::equal(
@@ -80,13 +70,10 @@ std::vector<T> Hdf5File::read_values(const Hdf5Handle &object,
   // number by itself.
   const Hdf5Handle memory = hdf5::make_space(shape);
   const auto read_as      = [&](const hid_t memory_type, void *values) {
-    const bool is_block       = selection != nullptr;
-    const hid_t space         = is_block ? static_cast<hid_t>(*selection) : H5S_ALL;
-    const Hdf5Handle transfer = transfer_properties(is_block ? readers : MPI_COMM_SELF);
-    // A rank whose block is empty takes part in the reading of the others.
-    if ((n > 0 || is_block) && (is_attribute ? H5Aread(object, memory_type, values)
-                                                  : H5Dread(object, memory_type, memory, space,
-                                                            transfer, values)) < 0)
+    const hid_t space = selection == nullptr ? H5S_ALL : static_cast<hid_t>(*selection);
+    if (n > 0 && (is_attribute ? H5Aread(object, memory_type, values)
+                                    : H5Dread(object, memory_type, memory, space, H5P_DEFAULT,
+                                              values)) < 0)
       fail(text + " cannot be read: the file is truncated or damaged");
   };
   std::vector<T> values(n);
@@ -143,19 +130,13 @@ std::vector<T> Hdf5File::read_block(const std::string &name,
   bool inside = offset.size() == extents.size() && count.size() == extents.size();
   for (std::size_t axis = 0; inside && axis < extents.size(); ++axis)
     inside = offset[axis] <= extents[axis] && count[axis] <= extents[axis] - offset[axis];
-  on_all_ranks(readers, [&]() {
-    if (!inside)
-      fail(dataset_text(name) + " has the shape " + to_text(extents) +
-             ", which does not hold " + to_text(count) + " values from position " +
-             to_text(offset),
-           hint);
-  });
+  if (!inside)
+    fail(dataset_text(name) + " has the shape " + to_text(extents) +
+           ", which does not hold " + to_text(count) + " values from position " +
+           to_text(offset),
+         hint);
   const Hdf5Handle selection = hdf5::select_block(dataset, offset, count);
-  std::vector<T> values;
-  on_all_ranks(readers, [&]() {
-    values = read_values<T>(dataset, dataset_text(name), count, &selection);
-  });
-  return values;
+  return read_values<T>(dataset, dataset_text(name), count, &selection);
 }
 
 bool Hdf5File::has_attribute(const std::string &object, const std::string &name) const

@@ -130,6 +130,19 @@ void Hdf5File::write_attribute(const std::string &object,
     write_them({}, &value);
 }
 
+void Hdf5File::reserve(const std::string &name, const Shape &shape)
+{
+  remove(name);
+  const Hdf5Handle space = hdf5::make_space(shape), links = link_properties(),
+                   properties = creation_properties();
+  H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
+  H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
+  Hdf5Handle dataset(H5Dcreate2(file, name.c_str(), H5T_NATIVE_DOUBLE, space, links,
+                                properties, H5P_DEFAULT));
+  if (!dataset.valid() || !dataset.close())
+    fail_writing(dataset_text(name) + " cannot be created");
+}
+
 void Hdf5File::reserve_rows(const std::string &name,
                             const Shape &shape,
                             const std::size_t n_together,

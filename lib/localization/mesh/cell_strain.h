@@ -14,11 +14,8 @@ namespace mesoslip
  * points: the mean over each cell, and a linear continuation from it.
  *
  * At a place in cell c it is E(x) = E_c + G_c (x - x_c), E_c being the mean strain and x_c
- * the centroid. G_c is the linear least-squares fit, with weights 1 / distance^2, to
- * the differences from E_c of the means of the cells that share a face with c; where
- * these do not span the space, as in a corner of simplices, also of those that share a
- * face with them. Linear fields of mean strain are continued exactly; at the centroid the
- * strain is that of the cell, whatever is around it. Where nothing else is asked for, G_c is
+ * the centroid. G_c is that of SlopeFits. Linear fields of mean strain are continued exactly;
+ * at the centroid the strain is that of the cell, whatever is around it. Where nothing else is asked for, G_c is
  * left out: its fits take more time than the rest, and memory.
  */
 template <int dim>

@@ -8,14 +8,13 @@ namespace mesoslip
 /** Most memory at a time of the ranks of a localization (bytes). */
 struct RankMemory
 {
-  double root;  ///< of rank 0, which has the meshes and puts the results together
+  double root;  ///< of rank 0, which has the meshes
   double other; ///< of each other rank; 0 without any
 };
 
 /**
  * From the numbers of cells and points, of what is kept of each, and of the libraries. Rank
- * 0 has all meshes; the cells with their tensors, places, gradients and statistics are
- * divided.
+ * 0 has all meshes; of the rest, and of grids everything, each rank has its share.
  */
 template <int dim>
 RankMemory memory_need(const MeshLocalizationInput<dim> &input,

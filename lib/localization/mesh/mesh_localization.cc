@@ -4,38 +4,20 @@
 #include "base/exchange.h"
 #include "localization/localization_program.h"
 #include "localization/mean_concentration.h"
-#include "localization/mesh/mesh_result.h"
-#include "localization/mesh/rank_work.h"
+#include "localization/mesh/mesh_input.h"
+#include "localization/mesh/strain_source.h"
+#include "localization/mesh/stress_record.h"
+#include "localization/mesh/volume_share.h"
 #include "program/run_context.h"
 
+#include <numeric>
 #include <optional>
 #include <ostream>
-#include <utility>
 
 namespace mesoslip
 {
 namespace
 {
-/** The volume mean of L, from the cells of all ranks. Collective. */
-template <int dim>
-VoigtMatrix<dim> mean_concentration(const RankWork<dim> &work,
-                                    const MPI_Comm communicator)
-{
-  constexpr std::size_t n = n_voigt<dim> * n_voigt<dim>;
-  VoigtMatrix<dim> sum    = VoigtMatrix<dim>::Zero();
-  double volume           = 0.;
-  for (std::size_t k = 0; k < work.measure.size(); ++k)
-    {
-      const Eigen::Map<const VoigtMatrix<dim>> L(&work.concentration[n * k]);
-      sum += work.measure[k] * L;
-      volume += work.measure[k];
-    }
-  std::vector<double> sums(sum.data(), sum.data() + n);
-  sums.push_back(volume);
-  sum_over_ranks(sums, communicator);
-  return Eigen::Map<const VoigtMatrix<dim>>(sums.data()) / sums[n];
-}
-
 template <int dim>
 class MeshLocalization : public Analysis
 {
@@ -45,7 +27,9 @@ public:
     , canonical(canonical_text)
   {
     on_root(MPI_COMM_WORLD, [this]() {
-      input = std::make_unique<MeshLocalizationInput<dim>>(parameters);
+      files = std::make_unique<LocalizationFiles<dim>>(parameters, true);
+      input = std::make_unique<MeshLocalizationInput<dim>>(parameters, *files);
+      plan  = input->plan;
     });
   }
 
@@ -64,109 +48,77 @@ public:
   {
     context.remove_results(
       {"localization.h5", "localization.xdmf", "probes.csv", "field_errors.csv"});
-    auto texts       = gather(context.communicator(), localize(context));
-    const auto scope = context.timer().scope("Output");
-    on_root(context.communicator(), [&]() { write(texts, context); });
-    if (context.root())
-      log_key_numbers(context);
+    on_all_ranks(context.communicator(), [this]() {
+      if (!files)
+        files = std::make_unique<LocalizationFiles<dim>>(parameters, false);
+    });
+    broadcast_object(context.communicator(), plan);
+    const LocalizationResult result = localize(context);
+    const auto scope                = context.timer().scope("Output");
+    const LocalizationOrigin origin = this->origin();
+    write_localization(origin, result, canonical, context.output_folder());
+    if (!context.root())
+      return;
+    summarize_localization(origin, result, context.summary());
+    log_key_numbers(context);
   }
 
 private:
-  /** The RankResult of this rank, saved. */
-  std::string localize(RunContext &context)
+  LocalizationResult localize(RunContext &context)
   {
-    RankWork<dim> work = distribute_work(context);
-    tell(context);
-    RankResult mine;
-    const auto scope = context.timer().scope("Localization");
-    pass_homogeneous(work, mine, context);
-    if (!parameters.direct_run.empty())
-      pass_direct(work, mine, context);
-    return save_state(mine);
+    const MPI_Comm ranks = context.communicator();
+    const auto scope     = context.timer().scope("Localization");
+    const auto share     = make_share(*files, plan, volume(), ranks);
+    LocalizationResult result;
+    result.communicator = ranks;
+    result.first_row    = share.first_row;
+    result.fields       = parameters.fields;
+    result.is_compared  = files->direct != nullptr;
+    result.window       = {plan.times.front(), plan.times.back()};
+    pass_homogeneous(share, result, context);
+    if (result.is_compared)
+      compare(share, pass_direct(share, result, context), result);
+    return result;
   }
 
-  RankWork<dim> distribute_work(const RunContext &context)
+  /** On rank 0; on the others nothing. */
+  const CellSet<dim> &volume() const
   {
-    const auto n_ranks      = static_cast<std::size_t>(context.n_ranks());
-    const auto work_of_rank = [&](const std::size_t r) {
-      return work_of(input->first_cell(r, n_ranks), input->first_cell(r + 1, n_ranks));
-    };
-    const std::string text = scatter(context.communicator(), [&](const unsigned int r) {
-      return save_state(work_of_rank(r));
-    });
-    RankWork<dim> work;
-    if (context.root())
-      work = work_of_rank(0);
-    else
-      load_state(text, work, "the message of another process");
-    read_concentration(work, context.communicator());
-    return work;
+    return input ? input->volume : nothing;
   }
 
-  /** Each rank reads the tensors of its cells, all at once. */
-  void read_concentration(RankWork<dim> &work, const MPI_Comm communicator)
+  /** C L of each cell; tells what the input and L are like. */
+  LocalCells<dim> localized_cells(const VolumeShare<dim> &share,
+                                  RunContext &context) const
   {
-    const RveFile<dim> rve(parameters.rve_file, communicator);
-    work.concentration =
-      rve.concentration(parameters.concentration, work.first_cell, work.phase.size());
-    const VoigtMatrix<dim> mean = mean_concentration(work, communicator);
+    LocalCells<dim> cells       = plain_cells(*files, parameters, share);
+    const VoigtMatrix<dim> mean = multiply_by_concentration(
+      cells, *files, parameters.concentration, share, context.communicator());
     if (!input)
-      return;
+      return cells;
+    for (const std::string &warning : input->warnings)
+      context.warn(warning);
     const std::string warning =
-      concentration_warning<dim>(rve.path(), parameters.concentration, mean);
+      concentration_warning<dim>(files->rve.path(), parameters.concentration, mean);
     if (!warning.empty())
-      input->warnings.push_back(warning);
-  }
-
-  RankWork<dim> work_of(const std::size_t first, const std::size_t end) const
-  {
-    RankWork<dim> work;
-    work.is_body    = input->is_body();
-    work.first_cell = first;
-    for (std::size_t k = first; k < end; ++k)
-      {
-        work.measure.push_back(input->measures[k]);
-        work.phase.push_back(input->material_of(k));
-        if (input->is_body())
-          {
-            work.in_body.at.push_back(input->centroids[k]);
-            work.in_body.cell.push_back(input->body_cell[k]);
-          }
-        if (input->direct)
-          {
-            work.in_direct.at.push_back(input->centroids[k]);
-            work.in_direct.cell.push_back(static_cast<unsigned int>(k));
-          }
-      }
-    for (const auto &point : input->points)
-      {
-        work.in_body.at.push_back(point.at);
-        work.in_body.cell.push_back(point.cell);
-      }
-    for (const auto &probe : input->probes)
-      if (probe.cell >= first && probe.cell < end)
-        work.probes.push_back(probe.cell - first);
-    for (const Phase<dim> &phase : input->materials)
-      work.phase_stiffness.push_back(phase.stiffness);
-    work.phase_ratio = input->out_of_plane_ratio;
-    work.phase_ratio.resize(input->materials.size()); // in 3D they do not count
-    return work;
+      context.warn(warning);
+    for (const std::string &note : input->notes)
+      context.log(note);
+    return cells;
   }
 
   /** Calls @p treat for each snapshot of a run. */
   template <typename Treat>
-  void for_each_snapshot(const IndexRange &of_root,
+  void for_each_snapshot(const IndexRange &range,
                          const std::string &role,
                          StrainSource<dim> &source,
                          const Treat &treat,
-                         RunContext &context)
+                         RunContext &context) const
   {
-    std::array<std::size_t, 2> range = {{of_root.first, of_root.count}};
-    dealii::Utilities::MPI::broadcast(range.data(), 2, 0, context.communicator());
-    context.progress().start("snapshots of the " + role, range[1]);
-    for (std::size_t k = 0; k < range[1]; ++k)
+    context.progress().start("snapshots of the " + role, range.count);
+    for (std::size_t k = 0; k < range.count; ++k)
       {
-        source.set_snapshot(range[0] + k);
+        source.set_snapshot(range.first + k);
         treat();
         context.progress().update(k + 1);
         if (context.stop_requested())
@@ -175,86 +127,195 @@ private:
     context.progress().finish();
   }
 
-  /** Uses up the concentration tensors of @p work. */
-  void pass_homogeneous(RankWork<dim> &work, RankResult &mine, RunContext &context)
+  /** The cells of the body that hold the places of this rank; of a mesh rank 0 knows them. */
+  std::vector<unsigned int> cells_of_body(const MPI_Comm ranks) const
   {
-    const LocalCells<dim> cells = work.cells(true);
-    std::vector<double>().swap(work.concentration);
-    StrainSource<dim> source(parameters.homogeneous_run, input ? input->body : no_mesh,
-                             work.in_body, context.communicator());
-    const std::size_t n_points   = parameters.points.size(),
-                      n_places   = work.in_body.at.size() - n_points;
-    const FieldSelection &fields = parameters.fields;
+    const auto n_ranks = dealii::Utilities::MPI::n_mpi_processes(ranks);
+    std::vector<unsigned int> cells;
+    if (plan.is_body)
+      cells = scatter_objects(ranks, [&](const unsigned int rank) {
+        const auto *all = input->body_cell.data();
+        return std::vector<unsigned int>(all + files->first_cell(rank, n_ranks),
+                                         all + files->first_cell(rank + 1, n_ranks));
+      });
+    cells.insert(cells.end(), plan.point_cells.begin(), plan.point_cells.end());
+    return cells;
+  }
+
+  void pass_homogeneous(const VolumeShare<dim> &share,
+                        LocalizationResult &result,
+                        RunContext &context) const
+  {
+    const MPI_Comm ranks          = context.communicator();
+    const LocalCells<dim> cells   = localized_cells(share, context);
+    const bool by_mean            = plan.is_body && parameters.mean_strain;
+    const StrainPlaces<dim> where = {share.middles, plan.points, by_mean};
+    const BodySnapshots<dim> &run = files->homogeneous;
+    const auto source             = run.is_grid
+                                      ? make_grid_source(run, where, ranks)
+                                      : make_mesh_source(run, input ? input->body.mesh : nothing.mesh,
+                                                         where, cells_of_body(ranks), ranks);
     std::optional<StressRecord<dim>> local, mean;
-    if (work.is_body && parameters.local_strain)
-      local.emplace(cells, fields, work.probes);
-    if (work.is_body && parameters.mean_strain)
-      mean.emplace(cells, fields, work.probes);
+    if (plan.is_body && parameters.local_strain)
+      local.emplace(cells, parameters.fields, share.probes);
+    if (by_mean)
+      mean.emplace(cells, parameters.fields, share.probes);
     std::vector<StressRecord<dim>> points;
     const std::vector<std::size_t> none;
-    for (std::size_t p = 0; p < n_points; ++p)
-      points.emplace_back(cells, fields, none);
+    for (std::size_t p = 0; p < plan.points.size(); ++p)
+      points.emplace_back(cells, parameters.fields, none);
     for_each_snapshot(
-      input ? input->snapshots : IndexRange(), "homogeneous run", source,
+      plan.snapshots, "homogeneous run", *source,
       [&]() {
         if (local)
-          local->add([&](const std::size_t k) { return source.at(k); });
+          local->add([&](const std::size_t k) { return source->at(k); });
         if (mean)
-          mean->add([&](const std::size_t) { return source.mean(); });
-        for (std::size_t p = 0; p < n_points; ++p)
+          mean->add([&](const std::size_t) { return source->mean(); });
+        for (std::size_t p = 0; p < points.size(); ++p)
           {
-            const VoigtVector<dim> strain = source.at(n_places + p);
+            const VoigtVector<dim> strain = source->at(where.middles.size() + p);
             points[p].add([&](const std::size_t) { return strain; });
           }
       },
       context);
-    for (const auto &point : points)
-      point.append_to(mine);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      result.points.push_back(
+        {parameters.points[p].name, parameters.points[p].position, points[p].fields()});
     if (local)
-      local->append_to(mine);
+      result.variants.push_back(variant("local strain", *local, ranks));
     local.reset();
     if (mean)
-      mean->append_to(mine);
+      result.variants.push_back(variant("mean strain", *mean, ranks));
   }
 
-  void pass_direct(const RankWork<dim> &work, RankResult &mine, RunContext &context)
+  VariantResult variant(const std::string &name,
+                        const StressRecord<dim> &record,
+                        const MPI_Comm ranks) const
   {
-    const LocalCells<dim> cells = work.cells(false);
-    StrainSource<dim> source(parameters.direct_run, input ? input->direct_body : no_mesh,
-                             work.in_direct, context.communicator());
-    StressRecord<dim> record(cells, parameters.fields, work.probes);
+    VariantResult found;
+    found.name   = name;
+    found.fields = record.fields();
+    for (std::size_t p = 0; p < plan.probes.size(); ++p)
+      {
+        ProbeResult probe = {input ? input->probes[p] : LocalizedProbe(), {}};
+        probe.time        = plan.times;
+        probe.stress      = record.series()[p];
+        sum_over_ranks(probe.stress, ranks);
+        probe.statistics = compare_series(probe.stress, {}, {}, n_voigt<dim>);
+        found.probes.push_back(probe);
+      }
+    return found;
+  }
+
+  /** Sets the direct fields; the stresses of the probes over time. */
+  std::vector<ProbeSeries> pass_direct(const VolumeShare<dim> &share,
+                                       LocalizationResult &result,
+                                       RunContext &context) const
+  {
+    const MPI_Comm ranks          = context.communicator();
+    const LocalCells<dim> cells   = plain_cells(*files, parameters, share);
+    const StrainPlaces<dim> where = {share.middles, {}, false};
+    const BodySnapshots<dim> &run = *files->direct;
+    std::vector<unsigned int> own(share.n_cells);
+    std::iota(own.begin(), own.end(), static_cast<unsigned int>(share.first));
+    const auto source =
+      run.is_grid ? make_grid_source(run, where, ranks)
+                  : make_mesh_source(run, input ? input->direct_body.mesh : nothing.mesh,
+                                     where, own, ranks);
+    StressRecord<dim> record(cells, parameters.fields, share.probes);
     for_each_snapshot(
-      input ? input->direct_snapshots : IndexRange(), "direct run", source,
-      [&]() { record.add([&](const std::size_t k) { return source.at(k); }); }, context);
-    record.append_to(mine);
+      plan.direct_snapshots, "direct run", *source,
+      [&]() { record.add([&](const std::size_t k) { return source->at(k); }); }, context);
+    result.direct = record.fields();
+    std::vector<ProbeSeries> probes;
+    for (std::vector<double> series : record.series())
+      {
+        sum_over_ranks(series, ranks);
+        probes.push_back({plan.direct_times, series});
+      }
+    return probes;
   }
 
-  void tell(RunContext &context)
+  /** Fields and @p probes of the direct run with those of the variants. */
+  void compare(const VolumeShare<dim> &share,
+               const std::vector<ProbeSeries> &probes,
+               LocalizationResult &result) const
   {
+    const std::vector<CellRegion> in_regions = regions(share);
+    for (VariantResult &variant : result.variants)
+      {
+        variant.difference = difference(variant.fields, result.direct);
+        variant.errors =
+          field_errors(dim, parameters.fields, variant.fields, result.direct, in_regions,
+                       share.measures, result.communicator);
+        for (std::size_t p = 0; p < probes.size(); ++p)
+          {
+            ProbeResult &probe  = variant.probes[p];
+            probe.direct_stress = resample(probes[p], probe.time);
+            probe.statistics    = compare_series(probe.stress, probes[p].values,
+                                                 probe.direct_stress, n_voigt<dim>);
+          }
+      }
+  }
+
+  std::vector<CellRegion> regions(const VolumeShare<dim> &share) const
+  {
+    const RveFile<dim> &rve = files->rve;
+    dealii::Point<dim> origin, size;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        origin[d] = rve.grid.origin[d];
+        size[d]   = rve.grid.extent(d);
+      }
+    std::vector<dealii::Point<dim>> centres;
+    for (const dealii::Point<dim> &middle : share.middles)
+      centres.emplace_back(middle - origin);
+    std::vector<std::uint8_t> phase;
+    for (const std::uint16_t material : share.material)
+      phase.push_back(static_cast<std::uint8_t>(rve.materials.phase_of(material)));
+    return comparison_regions<dim>(centres, size, phase, names_of_phases(),
+                                   parameters.surface_depth, parameters.edge_distance);
+  }
+
+  std::vector<std::string> names_of_phases() const
+  {
+    std::vector<std::string> names;
+    for (const Phase<dim> &phase : files->rve.phases)
+      names.push_back(phase.name);
+    return names;
+  }
+
+  /** What the results say of the input; on ranks other than 0 the dimension. */
+  LocalizationOrigin origin() const
+  {
+    LocalizationOrigin origin;
+    origin.dim = dim;
     if (!input)
-      return;
-    for (const std::string &warning : input->warnings)
-      context.warn(warning);
-    for (const std::string &note : input->notes)
-      context.log(note);
-  }
-
-  void write(std::vector<std::string> &texts, RunContext &context) const
-  {
-    std::vector<RankResult> of_ranks(texts.size());
-    for (std::size_t r = 0; r < texts.size(); ++r)
-      load_state(std::exchange(texts[r], {}), of_ranks[r],
-                 "the message of another process");
-    const LocalizationOrigin origin = origin_of(*input);
-    const LocalizationResult result = put_together(*input, of_ranks);
-    write_localization(origin, result, canonical, context.output_folder());
-    summarize_localization(origin, result, context.summary());
+      return origin;
+    origin.digest.add(files->rve.digest)
+      .add(files->homogeneous.digest)
+      .add(files->direct ? files->direct->digest : "");
+    origin.n_cells          = input->volume.n_cells();
+    origin.n_dofs           = dim * input->body.n_points();
+    origin.phases           = names_of_phases();
+    origin.concentration    = parameters.concentration;
+    origin.snapshots        = plan.snapshots.count;
+    origin.direct_snapshots = plan.direct_snapshots.count;
+    origin.differences      = input->differences;
+    origin.create_file      = [this](const std::string &path, const std::string &digest) {
+      if (!files->rve.is_mesh())
+        return LocalizationFile::create(path, digest, files->rve.grid);
+      return LocalizationFile::create(path, digest, input->volume.mesh);
+    };
+    return origin;
   }
 
   const LocalizationParameters parameters;
   const std::string canonical;
+  std::unique_ptr<LocalizationFiles<dim>> files;     ///< on rank 0, in a run on all
   std::unique_ptr<MeshLocalizationInput<dim>> input; ///< on rank 0
-  const Mesh<dim> no_mesh;                           ///< that of a run on the other ranks
+  LocalizationPlan<dim> plan;                        ///< of rank 0, in a run of all
+  const CellSet<dim> nothing;                        ///< what other ranks have of meshes
 };
 } // namespace
 

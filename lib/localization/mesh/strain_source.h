@@ -2,76 +2,74 @@
 #define mesoslip_localization_mesh_strain_source_h
 
 #include "exchange/body_snapshots.h"
-#include "localization/mesh/cell_strain.h"
-#include "mesh/point_blocks.h"
+#include "material/voigt.h"
 
 #include <memory>
 #include <mpi.h>
-#include <string>
 
 namespace mesoslip
 {
-/** Places and the cells of a body that hold them. */
+/** Where the strain of a run is wanted. */
 template <int dim>
-struct PlacesInCells
+struct StrainPlaces
 {
-  std::vector<dealii::Point<dim>> at; ///< m
-  std::vector<unsigned int> cell;     ///< of each place
+  const std::vector<dealii::Point<dim>> &middles; ///< of the cells of this rank (m)
+  const std::vector<dealii::Point<dim>> points;   ///< the same on all ranks (m)
+  const bool mean; ///< whether that over the body is wanted
 
-  /** Of boost::serialization. */
-  template <class Archive>
-  void serialize(Archive &archive, const unsigned int)
+  /** Place number @p k, the points behind the middles. */
+  const dealii::Point<dim> &operator[](const std::size_t k) const
   {
-    archive &at &cell;
+    return k < middles.size() ? middles[k] : points[k - middles.size()];
+  }
+
+  /** Number of places. */
+  std::size_t size() const
+  {
+    return middles.size() + points.size();
   }
 };
 
-/**
- * The strain of a run at some places, different ones on each rank, and its mean over the
- * body. Each rank reads a block of the points of each snapshot, and gets what is around its places.
- */
+/** The strain of a run at some places. */
 template <int dim>
 class StrainSource
 {
 public:
-  /** @p path is the file of the run, @p of_root its mesh on rank 0; @p given are the places of this
-   * rank. Collective. @throws UserError */
-  StrainSource(const std::string &path,
-               const Mesh<dim> &of_root,
-               const PlacesInCells<dim> &given,
-               const MPI_Comm the_communicator);
+  virtual ~StrainSource() = default;
 
-  /** Reads snapshot number @p k and evaluates it. Collective. @throws UserError */
-  void set_snapshot(const std::size_t k);
+  /** Reads snapshot number @p k of the run and evaluates it. Collective. @throws UserError */
+  virtual void set_snapshot(const std::size_t k) = 0;
 
-  /** At place number @p k of this rank. */
-  VoigtVector<dim> at(const std::size_t k) const
-  {
-    return strain->at(wanted_cell[k], places[k]);
-  }
+  /** At place number @p k. */
+  virtual VoigtVector<dim> at(const std::size_t k) const = 0;
 
-  /** Over the body. */
+  /** Over the body, if it is wanted. */
   const VoigtVector<dim> &mean() const
   {
     return mean_strain;
   }
 
-private:
-  std::vector<unsigned int> distribute_cells(const Mesh<dim> &of_root,
-                                             const PlacesInCells<dim> &given);
-  void distribute_mean(const Mesh<dim> &of_root);
-
-  const MPI_Comm communicator;
-  const BodySnapshots<dim> run;
-  std::vector<dealii::Point<dim>> places;
-  std::vector<std::size_t> wanted_cell; ///< place among those of CellStrain
-  std::unique_ptr<CellStrain<dim>> strain;
-  const std::array<std::size_t, 2>
-    rows;                         ///< in which the file has the points: number, length
-  const NumbersFromBlocks points; ///< those around the places
-  MeanStrain<dim> mean_of_block;  ///< what the points that this rank reads add
-  VoigtVector<dim> mean_strain = VoigtVector<dim>::Zero();
+protected:
+  VoigtVector<dim> mean_strain = VoigtVector<dim>::Zero(); ///< over the body
 };
+
+/** Of a body on a grid: each rank reads the nodes around its places. Collective. */
+template <int dim>
+std::unique_ptr<StrainSource<dim>> make_grid_source(const BodySnapshots<dim> &run,
+                                                    const StrainPlaces<dim> &places,
+                                                    const MPI_Comm communicator);
+
+/**
+ * Of a body on a mesh, whose cells @p cell hold the places of this rank. Rank 0, where the whole mesh
+ * is @p of_root, gives each rank the cells around its places; of each snapshot a rank reads a block
+ * of the points, and gets those that it needs from the others. Collective.
+ */
+template <int dim>
+std::unique_ptr<StrainSource<dim>> make_mesh_source(const BodySnapshots<dim> &run,
+                                                    const Mesh<dim> &of_root,
+                                                    const StrainPlaces<dim> &places,
+                                                    const std::vector<unsigned int> &cell,
+                                                    const MPI_Comm communicator);
 } // namespace mesoslip
 
 #endif

@@ -1,5 +1,6 @@
-"""stress_localization on a box of voxels: fields [z][y][x] on the grid, as in numpy and as on a mesh of the same cells, on 1, 2 and 3 ranks;
-fields at a point of a larger body; the file in Python and in XDMF; the memory that --validate tells."""
+"""stress_localization on a box of voxels: fields [z][y][x] on the grid, as in numpy and as on a mesh of the same cells, on 1, 2 and 3 ranks
+and on more than there are planes; bodies of other cells as meshes of them; fields at a point of a larger body; the file in Python and in
+XDMF; the memory, as --validate tells it and divided among the ranks; what is refused."""
 
 import os
 import re
@@ -96,7 +97,7 @@ def expected_fields(folder):
 def check_fields(folder):
     """On the grid: shapes, and values as in numpy on any number of ranks."""
     expected, probe = expected_fields(folder)
-    for ranks in (1, 2, 3):
+    for ranks in (1, 2, 3, CELLS[2] + 1):
         localize(folder, "grid", f"localized{ranks}", ranks)
         with h5py.File(folder(f"localized{ranks}", "localization.h5")) as file:
             grid = file["grid"].attrs
@@ -126,6 +127,25 @@ def check_as_mesh(folder):
     for quantity, regions in others.items():
         for region, error in regions.items():
             assert abs(errors[quantity][region] - error) < 1e-6 * max(1, error), (quantity, region)
+
+
+def check_other_cells(folder):
+    """Bodies of finer and coarser cells, one of a single layer: as with a mesh of the same cells, on any number of ranks."""
+    for cells in ((9, 4, 7), (3, 5, 2), (4, 1, 3)):
+        Box(SIZE, cells, lambda _: "body").name_side("Contact", 2, False).name_side("Top", 2, True).write(folder("body.msh"))
+        for name, settings in (("grid", {"Body/Cells": "%d, %d, %d" % cells}), ("mesh", {"Mesh/File": "body.msh"})):
+            folder.write("other.prm", prm({"Body/RVE file": "rve-grid/rve.h5", **settings, **RUN}))
+            folder.run(0, "contact_dynamics", "other.prm", "--output", "other-" + name)
+            folder.write(f"other-{name}.prm", prm({"Input/RVE file": "rve-grid", "Input/Homogeneous run": "other-" + name, **ASKED,
+                                                   "Probes/Further": "A", "Probes/A/Position": "%g, %g, %g" % PLACE,
+                                                   "Volume element/Points": "P", "Volume element/P/Position": "0.0012, 0.0011, 0.0013"}))
+        folder.run(0, "stress_localization", "other-mesh.prm", "--output", "by-mesh")
+        for ranks in (1, 2, 4):
+            folder.run(0, "stress_localization", "other-grid.prm", "--output", "by-grid", ranks=ranks)
+            with h5py.File(folder("by-grid", "localization.h5")) as grid, h5py.File(folder("by-mesh", "localization.h5")) as mesh:
+                for name in [group + name for group in ("", "mean_strain_variant/", "points/P/") for name in FIELDS] + ["probes/A/stress"]:
+                    ours, theirs = grid[name][()], mesh[name][()]
+                    assert ours.shape == theirs.shape and np.abs(ours - theirs).max() < 1e-8 * np.abs(theirs).max() > 0, (cells, ranks, name)
 
 
 def check_points(folder):
@@ -193,6 +213,27 @@ def check_memory(folder):
         more, measured = (of[40, ranks] - of[12, ranks] for of in (told, taken))
         print(f"memory on {ranks} rank(s): {told} told, {taken} taken (MB)")
         assert 0.8 < more / measured < 1.25, (ranks, more, measured)
+    # Of all ranks together: nothing that grows with the cells is on two of them.
+    alone, together = (taken[40, ranks] - taken[12, ranks] for ranks in (1, 2))
+    assert together < 1.15 * alone, (alone, together)
+
+
+def check_refused(folder):
+    """What is found in a part of a file that another rank than the first reads stops all."""
+    for name, dataset, value, words in (("rve-grid", "phase/id", 7, "/phase/id"), ("rve-grid", "concentration/KUBC", np.nan, "concentration/KUBC"),
+                                        ("homogeneous", "snapshots/displacement", np.nan, "snapshots/displacement")):
+        path = folder(name, "rve.h5" if name.startswith("rve") else "dynamics.h5")
+        with open(path, "rb") as file:
+            before = file.read()
+        with h5py.File(path, "r+") as file:
+            last = (-1,) * len(file[dataset].shape)
+            file[dataset][last] = value
+        for ranks in (1, 3):
+            folder.write("refused.prm", prm({"Input/RVE file": "rve-grid", "Input/Homogeneous run": "homogeneous", **ASKED}))
+            said = folder.run(2, "stress_localization", "refused.prm", "--output", "refused", ranks=ranks)
+            assert words in said and not os.path.exists(folder("refused", "localization.h5")), (dataset, ranks, said)
+        with open(path, "wb") as file:
+            file.write(before)
 
 
 if __name__ == "__main__":
@@ -201,7 +242,9 @@ if __name__ == "__main__":
         prepare(here)
         check_fields(here)
         check_as_mesh(here)
+        check_other_cells(here)
         check_points(here)
         check_readers(here)
+        check_refused(here)
         check_memory(here)
-    print("localization on voxels: on their grid, as in numpy and on a mesh, on several ranks; at points; memory as told")
+    print("localization on voxels: on their grid, as in numpy and on a mesh, on several ranks; bodies of other cells; at points; memory as told")

@@ -313,7 +313,8 @@ TEST(FieldErrors, RegionsAndErrorsByConstruction)
       direct.mean_stress.insert(direct.mean_stress.end(), {3., -1., 1.});
       localized.mean_stress.insert(localized.mean_stress.end(), {3., -1., 0.});
     }
-  for (const FieldError &error : field_errors(2, localized, direct, regions))
+  for (const FieldError &error :
+       field_errors(2, {true, true, false}, localized, direct, regions))
     {
       double expected = 0.;
       if (error.quantity == "mean_von_mises" && error.region.substr(0, 7) == "surface")

@@ -1,6 +1,9 @@
 // Strains and cells of meshes, as localization uses them.
+#include "exchange/mesh_datasets.h"
+#include "localization/mesh/cell_set.h"
 #include "localization/mesh/cell_statistics.h"
 #include "localization/mesh/cell_strain.h"
+#include "localization/mesh/grid_strain.h"
 #include "mesh/cell_gradients.h"
 #include "mesh/cell_locator.h"
 
@@ -8,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 using namespace mesoslip;
@@ -142,6 +146,86 @@ double order(const unsigned int n, const bool simplices, const double distortion
     shear_error<dim>(box<dim>(n, simplices, distortion), f, derivative) /
     shear_error<dim>(box<dim>(2 * n, simplices, distortion), f, derivative));
 }
+
+/** Somewhere in the grid, now and then on a face or outside by a tenth of a cell. */
+template <int dim>
+dealii::Point<dim> random_place(const UniformGrid<dim> &grid, std::mt19937 &generator)
+{
+  dealii::Point<dim> place;
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      const double n = grid.cells[d];
+      double x       = std::uniform_real_distribution<double>(-0.1, n + 0.1)(generator);
+      if (generator() % 4 == 0)
+        x = std::round(x);
+      place[d] = grid.origin[d] + x * grid.spacing[d];
+    }
+  return place;
+}
+
+/** The displacement of the nodes of @p block, from that of all nodes. */
+template <int dim>
+std::vector<double> part_of(const std::vector<double> &u,
+                            const UniformGrid<dim> &grid,
+                            const CellBlock<dim> &block)
+{
+  std::vector<double> part;
+  for (unsigned int k = 0; k < grid.n_nodes(); ++k)
+    {
+      bool inside       = true;
+      unsigned int rest = k;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const unsigned int at = rest % (grid.cells[d] + 1);
+          inside                = inside && at >= block.first[d] &&
+                   at <= block.first[d] + block.cells[d];
+          rest /= grid.cells[d] + 1;
+        }
+      if (inside)
+        part.insert(part.end(), &u[k * dim], &u[k * dim] + dim);
+    }
+  return part;
+}
+
+/** Strains at places in a grid as CellLocator and CellStrain find them in a mesh of its cells. */
+template <int dim>
+void check_grid(const std::array<unsigned int, dim> &cells, const unsigned int seed)
+{
+  std::mt19937 generator(seed);
+  UniformGrid<dim> grid = {cells, {}, {}};
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      grid.spacing[d] = 0.5 + 0.25 * d;
+      grid.origin[d]  = -1. + d;
+    }
+  const Mesh<dim> mesh = mesh_of_cells(grid);
+  std::vector<double> u(mesh.points.size() * dim);
+  for (double &value : u)
+    value = std::uniform_real_distribution<double>(-1., 1.)(generator);
+  std::vector<unsigned int> all(mesh.cells.size());
+  std::iota(all.begin(), all.end(), 0U);
+  CellStrain<dim> expected(mesh, all);
+  expected.set_displacement(u);
+  const CellLocator<dim> locator(mesh);
+  for (unsigned int k = 0; k < 200; ++k)
+    {
+      const auto place  = random_place(grid, generator);
+      const auto cell   = cell_at(grid, place);
+      const auto number = locator.find(place);
+      ASSERT_TRUE(cell && number) << place << " seed " << seed;
+      ASSERT_EQ((CellBlock<dim>{{}, grid.cells}.number_of(*cell)), *number)
+        << place << " seed " << seed;
+      GridStrain<dim> strain(grid, block_around<dim>(grid, *cell, *cell, 2));
+      strain.set_displacement(part_of(u, grid, strain.block()));
+      const VoigtVector<dim> found = strain.at(strain.block().number_of(*cell), place);
+      ASSERT_LT((found - expected.at(*number, place)).norm(), 1e-12)
+        << place << " seed " << seed;
+    }
+  auto outside = middle_of<dim>(grid, std::array<unsigned int, dim>());
+  outside[0]   = grid.origin[0] - dim * grid.spacing[dim - 1];
+  EXPECT_FALSE(cell_at(grid, outside));
+  EXPECT_FALSE(locator.find(outside));
+}
 } // namespace
 
 TEST(CellMeasures, VolumesAndCentroids)
@@ -219,6 +303,19 @@ TEST(CellStrains, OrderTwoOnQuadrilateralsAndOneOnSimplices)
   EXPECT_GT(order<3>(8, false, 0.), 1.6);
   EXPECT_GT(order<2>(16, true, 0.), 0.8);
   EXPECT_GT(order<3>(6, true, 0.), 0.7);
+}
+
+TEST(GridStrains, AreThoseOfAMeshOfTheSameCells)
+{
+  for (unsigned int seed = 1; seed < 4; ++seed)
+    {
+      check_grid<3>({{7, 6, 8}}, seed);
+      check_grid<3>({{5, 4, 3}}, seed);
+      check_grid<3>({{6, 1, 2}}, seed); // one layer: slopes also from second neighbours
+      check_grid<3>({{1, 1, 1}}, seed);
+      check_grid<2>({{9, 4}}, seed);
+      check_grid<2>({{1, 7}}, seed);
+    }
 }
 
 TEST(CellStrains, MeanOverTheBodyIsThatOfItsBoundary)
