@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The paper's homogeneous pin as a body of finite thickness with free faces against plane strain and plane stress: runs prm/thickness
 in some settings and writes doc/paper/thickness.md with its picture and tables. The part `fine`, on request, has the paper's fibres of
-0.1 mm in a thin pin: three quarters of an hour."""
+0.1 mm in a thin pin: about an hour on one core."""
 
 import os
 import sys
