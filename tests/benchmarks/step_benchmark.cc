@@ -11,6 +11,7 @@
 #include "body/grid_body.h"
 #include "body/mesh/mesh_body.h"
 #include "body/mesh/mesh_discretization.h"
+#include "body/mesh/mesh_share.h"
 #include "dynamics/explicit_stepper.h"
 #include "grid/halo.h"
 #include "grid/row_partition.h"
@@ -104,7 +105,8 @@ double baseline(const std::array<unsigned int, 2> cells, const unsigned int repe
 {
   const UniformMaterial material = make_material(cells, 1);
   const GridBody<2> layout(material);
-  const MeshDiscretization<2> mesh(whole_share(mesh_of_grid(material), MPI_COMM_WORLD), layout);
+  const MeshDiscretization<2> mesh(whole_share(mesh_of_grid(material), MPI_COMM_WORLD),
+                                   layout);
   MeshDiscretization<2>::Vector u(mesh.lumped_mass());
   u = 0.;
   MeshDiscretization<2>::Vector w(u), z(u), f(u), factor(u);

@@ -152,6 +152,9 @@ CPU time; `regression/programs/ranks` does the same with smaller bodies.
 * Largest strains against those of a column that is compressed alone and of a free body in equilibrium: `verification/contact/large_strains`.
 * Meshes of round bodies: the hexagonal cell of code_aster's HPLV106 (`verification/volumes/hexagonal_cell`), one round or spherical inclusion
   (`verification/volumes/mesh_inclusions`), Hertz in 2D and 3D (`verification/contact/hertz`), Spence's indenter with friction (`verification/contact/spence`).
+* Stiffness of voxels against [FANS](https://github.com/DataAnalyticsEngineering/FANS) 0.6.2 (commit d3ff337), the solver by Fourier transforms of another group, with the
+  same trilinear elements (HEX8), periodic: all 21 entries of spheres of contrast 8 and 100 and of three phases at random differ by 5e-14 to 4e-12 of the largest one,
+  and each entry by at most 2e-10 of itself ([table](performance/fans.csv), [entries](performance/fans-entries.csv)); `./run.sh benchmarks fans --fans FANS` repeats it.
 * Boxes of voxels against a finite element code in scipy (`verification/voxels/voxels`), every kind of voxel file against NumPy (`verification/voxels/voxel_files`), ensembles
   and turned phases (`verification/voxels/voxel_random`), orientations by cell (`verification/voxels/voxel_orientations`, `regression/sliding/oriented_boxes`).
 * Macroscopic loads and mixed uniform conditions against dense NumPy: `verification/volumes/macroscopic_loads`, `verification/volumes/mixed_conditions`.

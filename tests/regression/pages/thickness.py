@@ -23,6 +23,7 @@ def main():
     assert os.path.isfile(os.path.join(doc, "thickness", "thickness.png"))
     study = Study(os.path.join(TOP, "results", "thickness"), PROGRAMS)
     run.add_all(study)
+    run.fibres.add_fine_runs(study)
     for case in {(case.prm, *case.settings): case for case in study.cases.values()}.values():
         done = subprocess.run([os.path.join(PROGRAMS, case.program), case.prm, "--print-parameters", *sets(case.settings)],
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)

@@ -1,3 +1,4 @@
+#include "base/errors.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "elasticity_testing.h"
 

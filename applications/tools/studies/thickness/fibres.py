@@ -13,6 +13,9 @@ FIBRE_COLUMNS = ["body", "material", "cells [mm]", "P [MPa]", "start [m/s]"]
 BODIES = {"plane strain": (PLANE, "21-contact_dynamics-plane_fibres", 2, {}),
           "long bars": ("long_bars-rve", "31-contact_dynamics-short_bars", 3, {"Sides/Front": "u_y"}),
           "short bars": ("short_bars-rve", "31-contact_dynamics-short_bars", 3, {})}
+FINE_LAYERS = 2  # cells of 0.1 mm across half the pin
+FINE_BODIES = {"plane strain": (PAPER, "21-contact_dynamics-plane_fibres", 2, {}),
+               "long bars": ("fine_bars-rve", "31-contact_dynamics-short_bars", 3, {"Sides/Front": "u_y"})}
 
 
 def add_plane_morphologies(study):
@@ -34,13 +37,24 @@ def add_runs(study):
     study.add("long_bars-rve", "rve_homogenization", prm("10-rve_homogenization-long_bars"), {
         "Grid/Cells": (112, 2, 32), "Grid/Size": (56e-3, 1e-3, 16e-3), "Microstructure/File": f"{{{PLANE}}}/long_bars.npy"})
     study.add("short_bars-rve", "rve_homogenization", prm("12-rve_homogenization-short_bars"))
+    return _add(study, BODIES, "", 0.5, LOADS, STARTS)
+
+
+def add_fine_runs(study):
+    """The paper's fibres, 0.1 mm wide, as bars through a thin pin, one load and start; as add_runs."""
+    study.add("fine_bars-rve", "rve_homogenization", prm("10-rve_homogenization-long_bars"), {
+        "Grid/Cells": (560, FINE_LAYERS, 160), "Grid/Size": (56e-3, FINE_LAYERS * 1e-4, 16e-3), "Microstructure/File": f"{{{PAPER}}}/long_bars.npy"})
+    return _add(study, FINE_BODIES, "fine_", 0.1, LOADS[:1], STARTS[1:2])
+
+
+def _add(study, bodies, prefix, spacing, loads, starts):
     runs = {}
-    for body, (rve, file, dimension, settings) in BODIES.items():
+    for body, (rve, file, dimension, settings) in bodies.items():
         for material in ("heterogeneous", "homogeneous"):
-            for load in LOADS:
-                for start in STARTS:
-                    name = f"{body.replace(' ', '_')}-{material}-{load:g}MPa-{start:g}"
+            for load in loads:
+                for start in starts:
+                    name = f"{prefix}{body.replace(' ', '_')}-{material}-{load:g}MPa-{start:g}"
                     study.add(name, "contact_dynamics", prm(file), {
                         **settings, "Body/RVE file": f"{{{rve}}}/rve.h5", "Body/Material": material, **loading(load, start, dimension)})
-                    runs[name] = (body, material, 0.5, load, start)
+                    runs[name] = (body, material, spacing, load, start)
     return runs

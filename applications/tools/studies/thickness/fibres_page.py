@@ -71,6 +71,19 @@ def fibres(folder):
               fibre_table(rows, 0.5, 0.5) + fibre_table(rows, 0.5, 0.4), right=True)]
 
 
+def fine(folder):
+    """The paper's fibres in a thin pin, where `./run.sh thickness fine` has been run."""
+    if not os.path.exists(os.path.join(folder, "fine.csv")):
+        return []
+    rows = read(folder, "fine.csv")
+    return [
+        "## Fibres of 0.1 mm",
+        "The paper's fibres, seed 1, on the paper's cells of 0.1 mm: in plane strain, and as bars through a pin of 0.4 mm with free faces, of which one half is "
+        "computed. Homogenized by PBC, pushed at 0.5 m/s.",
+        table(["P [MPa]", "cells [mm]", "body", "mu_inter", "half width", "minus homogeneous", "kHz", "slip [%]", "stick [%]", "separated [%]"],
+              fibre_table(rows, 0.1, 0.5), right=True)]
+
+
 def modes_verdict(folder):
     rows = read(folder, "modes.csv")
     thick, plane = rows[:-1], rows[-1]

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The paper's homogeneous pin as a body of finite thickness with free faces against plane strain and plane stress: runs prm/thickness
-in some settings and writes doc/paper/thickness.md with its picture and tables."""
+in some settings and writes doc/paper/thickness.md with its picture and tables. The part `fine`, on request, has the paper's fibres of
+0.1 mm in a thin pin: about an hour on one core."""
 
 import os
 import sys
@@ -69,29 +70,51 @@ def extruded(study):
     study.run()
     fibres.extrude(study.path(fibres.PAPER), os.path.join(TOP, "prm", "thickness", "long_bars.npy"), 1)
     fibres.extrude(study.path(fibres.PLANE), os.path.join(study.path(fibres.PLANE), "long_bars.npy"), 2)
+    fibres.extrude(study.path(fibres.PAPER), os.path.join(study.path(fibres.PAPER), "long_bars.npy"), fibres.FINE_LAYERS)
 
 
-def main():
-    arguments = parse_arguments(__doc__, "thickness", ("all",))
-    options = arguments.output, arguments.programs, arguments.jobs, arguments.keep
-    extruded(Study(*options))
-    study = Study(*options)
-    runs, with_fibres = add_all(study)
+def results_of(study):
+    """Of all its runs, which have to end well."""
     results = study.run()
     failed = [name for name in study.cases if name not in results or results[name].status != 0]
     if failed:
         sys.exit(f"run.sh thickness: {', '.join(failed)} did not end well")
-    doc = os.path.join(TOP, "doc", "paper")
-    folder = os.path.join(doc, "thickness")
+    return results
+
+
+def write_fine(study, folder):
+    """The paper's fibres in a thin pin."""
+    fibres.add_plane_morphologies(study)
+    runs = fibres.add_fine_runs(study)
+    results = results_of(study)
+    write_fibres(folder, "fine.csv", runs, results)
+
+
+def write_fibres(folder, name, runs, results):
+    write_csv(folder, name, fibres.FIBRE_COLUMNS + RUN_COLUMNS[5:], [[*of, *row(results[run])] for run, of in runs.items()])
+
+
+def write_all(study, folder):
+    runs, with_fibres = add_all(study)
+    results = results_of(study)
     write_csv(folder, "runs.csv", RUN_COLUMNS, [[body, *rest, *row(results[name])] for name, (body, *rest) in runs.items()])
     write_csv(folder, "layer.csv", COLUMNS_OF_LAYER, difference(results["plane-same_step"].folder, results["layer-same_step"].folder))
     write_csv(folder, "layer_means.csv", RUN_COLUMNS[5:], [row(results[name]) for name in ("plane-same_step", "layer-same_step")])
     write_csv(folder, "profile.csv", COLUMNS_OF_PROFILE, [
         [t, *line] for t in THICKNESSES[2:5] for line in profile(results[f"thick-{t:g}mm-0.5mm-0.5MPa-0.5"].folder, 0.5e6)])
-    write_csv(folder, "fibres.csv", fibres.FIBRE_COLUMNS + RUN_COLUMNS[5:], [[*of, *row(results[name])] for name, of in with_fibres.items()])
+    write_fibres(folder, "fibres.csv", with_fibres, results)
     write_csv(folder, "modes.csv", modes.MODE_COLUMNS, modes.mode_rows(results))
     write_csv(folder, "moduli.csv", ["entry", "PBC [GPa]", "closed form [GPa]"], moduli(results["moduli"].summary))
     write_csv(folder, "cost.csv", ["runs", "processor time [s]"], [[len(results), round(sum(r.cpu_seconds for r in results.values()))]])
+
+
+def main():
+    arguments = parse_arguments(__doc__, "thickness", ("all",), on_request=("fine",))
+    options = arguments.output, arguments.programs, arguments.jobs, arguments.keep
+    doc = os.path.join(TOP, "doc", "paper")
+    extruded(Study(*options))
+    for part in arguments.parts:
+        {"all": write_all, "fine": write_fine}[part](Study(*options), os.path.join(doc, "thickness"))
     thickness_page.write(doc)
     print("doc/paper/thickness.md")
 

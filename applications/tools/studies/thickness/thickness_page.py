@@ -118,10 +118,11 @@ def text(folder):
         "are known from those in the plane; the pin has them from eq. (10) with 10 % of fibres, and the two shear moduli as computed:",
         table(["entry", "PBC [GPa]", "closed form [GPa]"], moduli, right=True),
         *fibres_page.fibres(folder),
+        *fibres_page.fine(folder),
         *fibres_page.modes(folder),
         "## Not done",
-        "Fibres of 0.1 mm in 3D, further seeds, growth in 3D, stress across the plane, runs of homogeneous pins with bending out of the plane, cells "
-        "finer than 0.5 mm."]) + "\n"
+        ("Short bars of 0.1 mm" if fibres_page.fine(folder) else "Fibres of 0.1 mm in 3D (`./run.sh thickness fine` runs them)")
+        + ", further seeds, growth in 3D, stress across the plane, runs of homogeneous pins with bending out of the plane."]) + "\n"
 
 
 def write(doc):
