@@ -9,8 +9,8 @@
  * median, lowest and highest of the repetitions.
  */
 #include "../verification/dynamics/impact_bar.h"
-#include "../verification/sliding/oblique_layer.h"
 #include "../verification/dynamics/rectangle_mode.h"
+#include "../verification/sliding/oblique_layer.h"
 #include "box_run.h"
 #include "measuring.h"
 

@@ -73,7 +73,7 @@ template struct CellSet<3>;
 template class CellFinder<2>;
 template class CellFinder<3>;
 template std::optional<std::array<unsigned int, 2>> cell_at<2>(const UniformGrid<2> &,
-                                                            const dealii::Point<2> &);
+                                                               const dealii::Point<2> &);
 template std::optional<std::array<unsigned int, 3>> cell_at<3>(const UniformGrid<3> &,
-                                                            const dealii::Point<3> &);
+                                                               const dealii::Point<3> &);
 } // namespace mesoslip

@@ -70,11 +70,11 @@ private:
   {
     const double least =
       *std::min_element(run.grid.spacing.begin(), run.grid.spacing.end());
-    return std::all_of(places.middles.begin(), places.middles.end(),
-                       [&](const dealii::Point<dim> &place) {
-                         const auto cell = cell_around(run.grid, place);
-                         return place.distance(middle_of<dim>(run.grid, cell)) <= 1e-9 * least;
-                       });
+    return std::all_of(
+      places.middles.begin(), places.middles.end(), [&](const dealii::Point<dim> &place) {
+        const auto cell = cell_around(run.grid, place);
+        return place.distance(middle_of<dim>(run.grid, cell)) <= 1e-9 * least;
+      });
   }
 
   /** Planes of the body of which this rank takes the mean. */

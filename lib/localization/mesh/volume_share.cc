@@ -64,7 +64,8 @@ VolumeShare<dim> make_share(const LocalizationFiles<dim> &files,
     }
   else if (plan.is_body)
     for (std::size_t k = share.first; k < share.first + share.n_cells; ++k)
-      share.middles.push_back(middle_of<dim>(files.rve.grid, places_of(files.rve.grid, k)));
+      share.middles.push_back(
+        middle_of<dim>(files.rve.grid, places_of(files.rve.grid, k)));
   for (const std::size_t cell : plan.probes)
     share.probes.push_back(cell >= share.first && cell < share.first + share.n_cells
                              ? cell - share.first

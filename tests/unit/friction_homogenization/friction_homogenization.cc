@@ -2,11 +2,11 @@
 // said about results that do not fit.
 
 #include "sliding/analyses/friction_homogenization.h"
+#include "../io/io_testing.h"
 #include "base/files.h"
 #include "exchange/datasets.h"
 #include "exchange/dynamics_file.h"
 #include "exchange/rve_file.h"
-#include "../io/io_testing.h"
 #include "material/stiffness.h"
 
 #include <gtest/gtest.h>

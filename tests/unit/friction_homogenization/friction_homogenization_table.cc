@@ -1,7 +1,7 @@
 // Tables of friction, and laws in the parameters.
 
-#include "base/errors.h"
 #include "../io/io_testing.h"
+#include "base/errors.h"
 #include "parameters/keys.h"
 #include "sliding/friction/friction_parameters.h"
 

@@ -1,11 +1,11 @@
 #ifndef mesoslip_tests_unit_localization_testing_h
 #define mesoslip_tests_unit_localization_testing_h
 
+#include "../io/io_testing.h"
 #include "exchange/datasets.h"
 #include "exchange/rve_file.h"
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
-#include "../io/io_testing.h"
 #include "localization/localization_program.h"
 #include "material/stiffness.h"
 

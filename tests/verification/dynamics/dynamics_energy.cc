@@ -1,7 +1,7 @@
+#include "../sliding/sliding_body.h"
 #include "contact/laws/rate_and_state.h"
 #include "contact/laws/slip_weakening.h"
 #include "contact/laws/stribeck.h"
-#include "../sliding/sliding_body.h"
 
 #include "../../measured.h"
 #include "../../unit/elasticity/elasticity_testing.h"

@@ -1,7 +1,7 @@
+#include "../sliding/sliding_body.h"
 #include "base/errors.h"
 #include "dynamics/stability_monitor.h"
 #include "dynamics/stepper.h"
-#include "../sliding/sliding_body.h"
 
 #include <gtest/gtest.h>
 

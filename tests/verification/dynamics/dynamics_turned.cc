@@ -1,6 +1,6 @@
 #include "../../unit/elasticity/elasticity_testing.h"
-#include "material/stiffness.h"
 #include "../sliding/sliding_body.h"
+#include "material/stiffness.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Fields that are divided among the ranks against whole ones: products, modes under a platen
 // and static contact. Runs on any number of ranks.
 
+#include "../mesh_sliding/mesh_sliding.h"
 #include "base/exchange.h"
 #include "body/mesh/mesh_body.h"
 #include "contact/static_contact_solver.h"
 #include "divided_body.h"
 #include "eigenvalues/vibration_modes.h"
-#include "../mesh_sliding/mesh_sliding.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -1,13 +1,13 @@
 // Statics and modes of layers on meshes whose opposite points move together. Runs on any
 // number of ranks.
 
+#include "../mesh_sliding/mesh_sliding.h"
 #include "base/exchange.h"
 #include "body/mesh/mesh_body.h"
 #include "body/rigid_motions.h"
 #include "contact/static_contact_solver.h"
 #include "divided_body.h"
 #include "eigenvalues/vibration_modes.h"
-#include "../mesh_sliding/mesh_sliding.h"
 
 #include <gtest/gtest.h>
 

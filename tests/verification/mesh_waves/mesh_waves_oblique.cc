@@ -1,8 +1,8 @@
 // Waves at an angle to the sliding of a layer in three dimensions: growth and frequency.
 
 #include "../../measured.h"
-#include "mesh_layer.h"
 #include "../sliding/oblique_layer.h"
+#include "mesh_layer.h"
 
 #include <gtest/gtest.h>
 
