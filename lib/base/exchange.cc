@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
+#include <new>
 
 namespace mesoslip
 {
@@ -100,7 +101,8 @@ void on_all_ranks(const MPI_Comm communicator, const std::function<void()> &work
     return work();
 
   std::exception_ptr failure;
-  auto status = ExitStatus::done;
+  bool lacks_memory = false;
+  auto status       = ExitStatus::done;
   std::string message;
   try
     {
@@ -108,19 +110,21 @@ void on_all_ranks(const MPI_Comm communicator, const std::function<void()> &work
     }
   catch (const std::exception &error)
     {
-      failure = std::current_exception();
-      message = error.what();
-      status  = dynamic_cast<const UserError *>(&error) ? ExitStatus::user_error
-                : dynamic_cast<const NumericalFailure *>(&error)
-                  ? ExitStatus::numerical_failure
-                : dynamic_cast<const Interrupted *>(&error) ? ExitStatus::interrupted
-                                                            : ExitStatus::unexpected;
+      failure      = std::current_exception();
+      message      = error.what();
+      lacks_memory = dynamic_cast<const std::bad_alloc *>(&error) != nullptr;
+      status       = dynamic_cast<const UserError *>(&error) ? ExitStatus::user_error
+                     : dynamic_cast<const NumericalFailure *>(&error)
+                       ? ExitStatus::numerical_failure
+                     : dynamic_cast<const Interrupted *>(&error) ? ExitStatus::interrupted
+                                                                 : ExitStatus::unexpected;
     }
   const unsigned int failed = mpi::min(failure ? rank : ranks, communicator);
   if (failed == ranks)
     return;
-  status  = mpi::broadcast(communicator, status, failed);
-  message = mpi::broadcast(communicator, message, failed);
+  status       = mpi::broadcast(communicator, status, failed);
+  message      = mpi::broadcast(communicator, message, failed);
+  lacks_memory = mpi::broadcast(communicator, lacks_memory, failed);
   if (rank == failed)
     std::rethrow_exception(failure);
   switch (status)
@@ -132,6 +136,8 @@ void on_all_ranks(const MPI_Comm communicator, const std::function<void()> &work
     case ExitStatus::interrupted:
       throw Interrupted(message);
     default:
+      if (lacks_memory)
+        throw std::bad_alloc();
       throw std::runtime_error(message);
     }
 }

@@ -51,8 +51,7 @@ public:
     hold_contact();
     double change = 1.;
     bool changed  = true;
-    while (changed || !(change <= options.tolerance) ||
-           !(solution.residual <= options.tolerance))
+    while (changed || !is_solved(change))
       {
         if (solution.iterations == options.max_iterations)
           fail("no equilibrium was found; ",
@@ -87,7 +86,7 @@ public:
             friction = turns_on_springs
                          ? friction_of_pressure()
                          : acceleration.next(friction, friction_of_pressure());
-            if (turns_on_springs)
+            if (turns_on_springs && !is_solved(change))
               hold_contact();
           }
       }
@@ -127,6 +126,12 @@ private:
     for (unsigned int c = 0; c < n_tangents; ++c)
       direction[c] = problem.sliding * problem.flat_direction[c];
     return direction;
+  }
+
+  /** Whether friction that changes by @p change, and the equilibrium, are as wanted. */
+  bool is_solved(const double change) const
+  {
+    return change <= options.tolerance && solution.residual <= options.tolerance;
   }
 
   static Eigen::Index index(const unsigned int i, const unsigned int c)
@@ -316,8 +321,8 @@ private:
   {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(friction.size());
     for (unsigned int i = 0; i < n_nodes; ++i)
-      if (solution.state[i] == ContactState::slip)
-        for (unsigned int c = 0; c < n_tangents; ++c)
+      for (unsigned int c = 0; c < n_tangents; ++c)
+        if (solution.state[i] == ContactState::slip && !side_carries(i, c))
           result[index(i, c)] = tangential.direction[i][c] *
                                 problem.friction_coefficient[i] * std::max(0., normal[i]);
     return result;

@@ -73,7 +73,11 @@ std::vector<T> read_cells(const Hdf5File &file,
 {
   if (count == 0)
     return {};
-  Shape extent      = file.shape(dataset, hint);
+  Shape extent = file.shape(dataset, hint);
+  if (extent.size() <= n_axes)
+    throw UserError(file.path() + ": " + dataset + " has " +
+                    std::to_string(extent.size()) + " axes, and cells need " +
+                    std::to_string(n_axes + 1) + " or more; " + hint);
   std::size_t cells = 1, values = 1;
   for (std::size_t axis = 1; axis < extent.size(); ++axis)
     (axis + n_axes < extent.size() ? cells : values) *= extent[axis];

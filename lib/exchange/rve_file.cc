@@ -163,6 +163,9 @@ RveFile<dim>::RveFile(Hdf5File &&opened)
   , phases(read_phases<dim>(file, "/phase", true, rve_program))
   , materials(file, "/phase/id", phases.size(), rve_program)
 {
+  if (!is_mesh() && !materials.shape.empty() && materials.shape != shape_of_cells(grid))
+    throw UserError(path() + ": /phase/id does not have the cells of /grid; run " +
+                    rve_program + " again");
 }
 
 std::string read_rve_summary(const std::string &path)

@@ -6,6 +6,7 @@
 #include "base/version.h"
 #include "exchange/loads_file.h"
 #include "exchange/rve_file.h"
+#include "grid/instruction_set.h"
 #include "homogenization/loads/load_output.h"
 #include "homogenization/volume_analysis.h"
 #include "io/drafts.h"
@@ -165,6 +166,7 @@ namespace
 {
 std::unique_ptr<Analysis> make_volume_analysis(Keys &keys)
 {
+  resolve(InstructionSet::automatic); // tells what is wrong with MESOSLIP_ISA
   RveParameters parameters;
   parameters.bind(keys);
   parameters.check();

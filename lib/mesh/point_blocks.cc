@@ -69,11 +69,10 @@ std::vector<double> NumberedBlocks::gather(const std::vector<double> &owned,
 
 NumbersFromBlocks::NumbersFromBlocks(const std::vector<unsigned int> &needed,
                                      const std::size_t n_all,
-                                     const MPI_Comm communicator,
-                                     const std::size_t n_together)
+                                     const MPI_Comm communicator)
   : n_needed(needed.size())
 {
-  std::tie(begin, end) = block_of_rank(n_all, communicator, n_together);
+  std::tie(begin, end) = block_of_rank(n_all, communicator, 1);
   exchange.reinit(numbers_between(begin, end),
                   std::vector<Index>(needed.begin(), needed.end()), communicator);
 }

@@ -64,11 +64,10 @@ class NumbersFromBlocks
 {
 public:
   /** Of @p n_all things this rank needs those called @p needed, each once, which others may need as
-   * well; @p n_together of them in a group. Collective. */
+   * well. Collective. */
   NumbersFromBlocks(const std::vector<unsigned int> &needed,
                     const std::size_t n_all,
-                    const MPI_Comm communicator,
-                    const std::size_t n_together = 1);
+                    const MPI_Comm communicator);
 
   /** The first number in the block of this rank. */
   std::size_t first() const

@@ -1,5 +1,6 @@
 #include "sliding/contact_program.h"
 
+#include "grid/instruction_set.h"
 #include "sliding/analyses/friction_homogenization.h"
 #include "sliding/analyses/modal.h"
 #include "sliding/analyses/static_contact.h"
@@ -15,6 +16,7 @@ namespace
 {
 std::unique_ptr<Analysis> build(Keys &keys)
 {
+  resolve(InstructionSet::automatic); // tells what is wrong with MESOSLIP_ISA
   ContactParameters parameters;
   parameters.bind(keys);
   switch (parameters.analysis)

@@ -78,8 +78,9 @@ public:
   /** Which degrees of freedom are held from now on; the costly part of the set-up. */
   virtual void set_constrained(const DofMask &mask) = 0;
 
-  /** The same for K with the stiffness of @p springs, which is positive semidefinite. Solvers that know
-   * no springs leave them out. */
+  /** The same for K with the stiffness of @p springs, which is positive semidefinite; solve() then has to
+   * begin with u = 0. Solvers that know no springs leave them out, so that their solutions are only
+   * corrections towards those with springs. */
   virtual void set_constrained_on_springs(const DofMask &mask,
                                           const std::vector<SpringEntry> & /*springs*/)
   {

@@ -178,7 +178,8 @@ void MlSolver<dim>::add_springs(const std::vector<SpringEntry> &springs)
     {
       const auto row    = discretization.dof(spring.c, spring.node),
                  column = discretization.dof(spring.d, spring.node);
-      if (body.is_counted(spring.node) && !fixed[owned.index_within_set(row)] &&
+      if (body.is_counted(spring.node) && owned.is_element(row) &&
+          owned.is_element(column) && !fixed[owned.index_within_set(row)] &&
           !fixed[owned.index_within_set(column)])
         constrained.add(row, column, spring.stiffness);
     }

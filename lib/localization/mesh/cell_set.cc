@@ -58,14 +58,17 @@ CellFinder<dim>::CellFinder(const CellSet<dim> &of_cells)
 }
 
 template <int dim>
-std::optional<unsigned int> CellFinder<dim>::find(const dealii::Point<dim> &point) const
+std::optional<std::size_t> CellFinder<dim>::find(const dealii::Point<dim> &point) const
 {
   if (locator)
-    return locator->find(point);
+    {
+      const auto cell = locator->find(point);
+      return cell ? std::optional<std::size_t>(*cell) : std::nullopt;
+    }
   const auto at = cell_at(cells.grid, point);
   if (!at)
     return std::nullopt;
-  return static_cast<unsigned int>(CellBlock<dim>{{}, cells.grid.cells}.number_of(*at));
+  return CellBlock<dim>{{}, cells.grid.cells}.number_of(*at);
 }
 
 template struct CellSet<2>;

@@ -110,7 +110,7 @@ public:
   explicit CellFinder(const CellSet<dim> &of_cells);
 
   /** Number of the cell that holds @p point; nothing if there is none. */
-  std::optional<unsigned int> find(const dealii::Point<dim> &point) const;
+  std::optional<std::size_t> find(const dealii::Point<dim> &point) const;
 
 private:
   const CellSet<dim> &cells;

@@ -35,17 +35,11 @@ public:
     : run(of_run)
     , places(given)
     , communicator(the_communicator)
-    , at_middles(are_middles())
   {
-    strains.emplace_back(run.grid, block_of_rank());
-    for (const dealii::Point<dim> &point : places.points)
-      {
-        const auto cell = cell_around(run.grid, point);
-        strains.emplace_back(run.grid, block_around<dim>(run.grid, cell, cell, n_layers));
-      }
-    for (std::size_t k = 0; k < places.size(); ++k)
-      cells.push_back(static_cast<unsigned int>(
-        strain_at(k).block().number_of(cell_around(run.grid, places[k]))));
+    bool own_middles = false;
+    on_all_ranks(communicator, [&]() { own_middles = are_middles(); });
+    at_middles = dealii::Utilities::MPI::min(own_middles ? 1 : 0, communicator) == 1;
+    on_all_ranks(communicator, [&]() { prepare(); });
   }
 
   void set_snapshot(const std::size_t k) override
@@ -66,6 +60,19 @@ public:
   }
 
 private:
+  /** The blocks, and where the places lie in them. */
+  void prepare()
+  {
+    strains.emplace_back(run.grid, block_of_rank());
+    for (const dealii::Point<dim> &point : places.points)
+      {
+        const auto cell = cell_around(run.grid, point);
+        strains.emplace_back(run.grid, block_around<dim>(run.grid, cell, cell, n_layers));
+      }
+    for (std::size_t k = 0; k < places.size(); ++k)
+      cells.push_back(strain_at(k).block().number_of(cell_around(run.grid, places[k])));
+  }
+
   bool are_middles() const
   {
     const double least =
@@ -141,10 +148,10 @@ private:
   const BodySnapshots<dim> &run;
   const StrainPlaces<dim> &places;
   const MPI_Comm communicator;
-  const bool at_middles; ///< whether the middles are those of cells of the body
+  bool at_middles = false; ///< whether all middles are those of cells of the body
   std::array<unsigned int, 2> own_planes = {};
   std::vector<GridStrain<dim>> strains; ///< of the blocks
-  std::vector<unsigned int> cells;      ///< of the places, numbers in their blocks
+  std::vector<std::size_t> cells;       ///< of the places, numbers in their blocks
 };
 } // namespace
 

@@ -1,6 +1,7 @@
 #include "localization/mesh/memory_need.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mesoslip
 {
@@ -85,8 +86,10 @@ RankMemory memory_need(const MeshLocalizationInput<dim> &input,
   const double meshes =
     bytes_of(input.volume) + bytes_of(input.body) + bytes_of(input.direct_body) +
     sizeof(unsigned int) * static_cast<double>(input.body_cell.size());
-  const double share =
-    n_cells / n_ranks * (place + std::max({homogeneous, direct, comparison}));
+  // Whole rows of the first axis.
+  const double n_own = std::ceil(static_cast<double>(input.files.shape()[0]) / n_ranks) *
+                       static_cast<double>(input.files.cells_in_row());
+  const double share = n_own * (place + std::max({homogeneous, direct, comparison}));
   return {of_libraries + meshes + share, n_ranks > 1 ? of_libraries + share : 0.};
 }
 

@@ -44,10 +44,10 @@ bool same_box(const dealii::BoundingBox<dim> &a, const dealii::BoundingBox<dim> 
 /** The cell @p number as localization.h5 has it: its places along the axes of a grid. */
 template <int dim>
 std::vector<unsigned int> cell_in_file(const CellSet<dim> &cells,
-                                       const unsigned int number)
+                                       const std::size_t number)
 {
   if (!cells.is_grid)
-    return {number};
+    return {static_cast<unsigned int>(number)};
   const auto places = places_of(cells.grid, number);
   return {places.begin(), places.end()};
 }
@@ -92,8 +92,8 @@ MeshLocalizationInput<dim>::MeshLocalizationInput(const LocalizationParameters &
   , files(the_files)
   , volume(files.rve, !files.rve.is_mesh())
   , body(files.homogeneous, files.homogeneous.is_grid)
-  , out_of_plane_ratio(out_of_plane_ratios(p, files.rve))
 {
+  out_of_plane_ratios(p, files.rve); // tells what is wrong with them
   for (const std::string &note :
        {files.rve.change_note(), files.homogeneous.change_note()})
     if (!note.empty())
@@ -186,7 +186,7 @@ void MeshLocalizationInput<dim>::find_cells()
                         files.homogeneous.path() +
                         "; both have to be meshes of the same body");
       if (!body.is_grid)
-        body_cell.push_back(*cell);
+        body_cell.push_back(static_cast<unsigned int>(*cell));
     }
 }
 
@@ -222,7 +222,7 @@ void MeshLocalizationInput<dim>::find_places()
     }
   for (const LocalizedProbe &probe : parameters.further_probes)
     {
-      const unsigned int cell = find(probe, "Probes", volume).second;
+      const std::size_t cell = find(probe, "Probes", volume).second;
       plan.probes.push_back(cell);
       LocalizedProbe &found = probes.emplace_back(probe);
       found.cell            = cell_in_file(volume, cell);

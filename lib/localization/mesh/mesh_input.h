@@ -52,7 +52,7 @@ struct LocalizationPlan
     false; ///< whether the volume is the body, so that the strain at a place counts
   std::vector<std::size_t> probes;        ///< their cells in the volume
   std::vector<dealii::Point<dim>> points; ///< of the body (m)
-  std::vector<unsigned int> point_cells;  ///< that hold them
+  std::vector<std::size_t> point_cells;   ///< that hold them
   IndexRange snapshots;                   ///< of the homogeneous run, used
   IndexRange direct_snapshots;            ///< of the direct run, used
   std::vector<double> times;              ///< of the snapshots used (s)
@@ -95,7 +95,6 @@ public:
   const CellSet<dim> volume;                    ///< cells of the RVE file
   const CellSet<dim> body;                      ///< cells of the homogeneous run
   CellSet<dim> direct_body;                     ///< cells of the direct run
-  std::vector<double> out_of_plane_ratio;       ///< by phase
   std::vector<unsigned int> body_cell;          ///< of a mesh that holds each centroid
   std::vector<LocalizedProbe> probes;           ///< in the volume, without series
   LocalizationPlan<dim> plan;                   ///< for all ranks

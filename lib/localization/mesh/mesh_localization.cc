@@ -138,7 +138,8 @@ private:
         return std::vector<unsigned int>(all + files->first_cell(rank, n_ranks),
                                          all + files->first_cell(rank + 1, n_ranks));
       });
-    cells.insert(cells.end(), plan.point_cells.begin(), plan.point_cells.end());
+    for (const std::size_t cell : plan.point_cells)
+      cells.push_back(static_cast<unsigned int>(cell)); // of a mesh
     return cells;
   }
 
@@ -216,7 +217,7 @@ private:
     const LocalCells<dim> cells   = plain_cells(*files, parameters, share);
     const StrainPlaces<dim> where = {share.middles, {}, false};
     const BodySnapshots<dim> &run = *files->direct;
-    std::vector<unsigned int> own(share.n_cells);
+    std::vector<unsigned int> own(run.is_grid ? 0 : share.n_cells);
     std::iota(own.begin(), own.end(), static_cast<unsigned int>(share.first));
     const auto source =
       run.is_grid ? make_grid_source(run, where, ranks)

@@ -137,8 +137,7 @@ TEST(Distribution, AllRanksWriteOneFile)
   expect_one_file<3>();
 }
 
-// Each rank reads another block, the last one none; what is wrong with the block of one rank all
-// ranks tell.
+// Each rank reads another block, the last one none.
 TEST(Distribution, AllRanksReadOneFile)
 {
   const std::string path  = file_of_all_ranks();
@@ -155,7 +154,8 @@ TEST(Distribution, AllRanksReadOneFile)
     file.write("/names", {2}, std::vector<std::string>{"a", "longer"});
   });
   {
-    const Hdf5File file = Hdf5File::open_together(path, MPI_COMM_WORLD);
+    on_root(MPI_COMM_WORLD, [&]() { Hdf5File::open(path); });
+    const Hdf5File file = Hdf5File::open_too(path);
     EXPECT_EQ(file.read<std::string>("/names")[1], "longer");
     const std::size_t count = n > 1 && r == n - 1 ? 0 : n_of_rank;
     for (const std::string name : {"/in pieces", "/as one"})
@@ -169,7 +169,8 @@ TEST(Distribution, AllRanksReadOneFile)
       }
   }
   on_root(MPI_COMM_WORLD, [&]() { std::filesystem::remove(path); });
-  EXPECT_THROW(Hdf5File::open_together(path, MPI_COMM_WORLD), UserError);
+  EXPECT_THROW(on_all_ranks(MPI_COMM_WORLD, [&]() { Hdf5File::open_too(path); }),
+               UserError);
 }
 
 TEST(Distribution, WhatOneRankFindsWrongStopsAll)
