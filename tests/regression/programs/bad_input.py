@@ -4,7 +4,7 @@ import os
 import re
 import tempfile
 
-from scenes import PHASES, SMALL_GRID, SMALL_RVE as RVE, TOP, Folder, prm, sets
+from scenes import ENVIRONMENT, PHASES, SMALL_GRID, SMALL_RVE as RVE, TOP, Folder, prm, sets
 
 IMAGE = PHASES + SMALL_GRID + prm({"Microstructure/Type": "image"})
 HOMOGENEOUS = PHASES + SMALL_GRID + prm({"Microstructure/Type": "homogeneous"})
@@ -293,9 +293,18 @@ def command_lines():
                     yield f"{program} {arguments}: exit status {status}, {err}, created {os.listdir(path)}"
 
 
+def unknown_kernels():
+    """An instruction set that does not exist is refused before anything runs."""
+    for program, text in (("rve_homogenization", RVE), ("contact_dynamics", CONTACT)):
+        with tempfile.TemporaryDirectory() as path:
+            status, _, err = Folder(path, {"a": text}).end(program, "a.prm", "--validate", env={**ENVIRONMENT, "MESOSLIP_ISA": "fast"})
+            if status != 2 or "MESOSLIP_ISA" not in err or "'fast'" not in err:
+                yield f"{program} with MESOSLIP_ISA=fast: exit status {status}, {err}"
+
+
 def main():
     problems = [p for check, table in ((refused, CASES + UNUSED), (asked, ASKED), (validated, VALIDATED)) for case in table for p in check(*case)]
-    problems += [*morphology_against_body(), *command_lines(), *sections_of_one_program()]
+    problems += [*morphology_against_body(), *command_lines(), *sections_of_one_program(), *unknown_kernels()]
     assert not problems, "\n".join(problems)
 
 
