@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 #include "material/engineering_constants.h"
+#include "material/plausibility.h"
 #include "material/voigt.h"
 
 #include <string>
@@ -31,10 +32,12 @@ std::string concentration_warning(const std::string &file,
            "; rve_homogenization should be run with a smaller tolerance";
   const double coupling = (mean - prescribed).cwiseAbs().maxCoeff();
   if (!(coupling <= largest_coupling))
-    return tensors + " couples shear to other strains by " + to_text(coupling) +
-           ", so that mean strains are not those of the body; MUBC are for volumes with "
-           "the axes of orthotropy along those of space: set Concentration to PBC or "
-           "KUBC";
+    return tensors + " couples shear to other strains by " + brief_text(2, coupling) +
+           ", so that mean strains differ from those of the body by about this share; "
+           "MUBC "
+           "are for volumes with the axes of orthotropy along those of space. PBC and "
+           "KUBC "
+           "have no such error, but a larger one in grains that free sides cut";
   return "";
 }
 } // namespace mesoslip
