@@ -82,6 +82,20 @@ def energy_balance(run):
     return figure, [label for label, *_ in left_out]
 
 
+ROWS_A_PERIOD = 8  # elastic and kinetic energy oscillate twice in a period
+
+
+def note_on_sampling(run):
+    """A sentence if the rows of energy.csv are too far apart for the vibration; else nothing."""
+    frequency, time = run.number("main_frequency"), run.need("/energy/time")
+    if not frequency or len(time) < 3:
+        return ""
+    rows = 1 / (frequency * float(np.median(np.diff(time))))
+    return "" if rows >= ROWS_A_PERIOD else (
+        f" Energies are recorded {rows:.1f} times in a period of the vibration: irregular oscillations or slow beats of the elastic and the kinetic energy "
+        "come from that; a smaller Observation/Energy interval shows them as they are.")
+
+
 def _residual_scale(run, count):
     """What the log and summary.json relate the residual to (J, in 2D J/m), and its name: frictional energy unless there is hardly any."""
     friction, kinetic, elastic = (run.get(f"/energy/{name}") for name in ("friction", "kinetic", "elastic"))
