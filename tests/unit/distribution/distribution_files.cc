@@ -137,7 +137,8 @@ TEST(Distribution, AllRanksWriteOneFile)
   expect_one_file<3>();
 }
 
-// Each rank reads another block, the last one none.
+// Each rank reads another block, the last one none; what is wrong with the block of one rank all
+// ranks tell.
 TEST(Distribution, AllRanksReadOneFile)
 {
   const std::string path  = file_of_all_ranks();
@@ -164,8 +165,10 @@ TEST(Distribution, AllRanksReadOneFile)
         ASSERT_EQ(found.size(), 3 * count);
         for (std::size_t k = 0; k < found.size(); ++k)
           ASSERT_EQ(found[k], 3. * r * n_of_rank + k);
-        EXPECT_THROW(file.read_block<double>(name, {r + 1 == n ? n_all : 0, 0}, {1, 3}),
-                     UserError);
+        const auto read_badly_on_one = [&]() {
+          file.read_block<double>(name, {r + 1 == n ? n_all : 0, 0}, {1, 3});
+        };
+        EXPECT_THROW(on_all_ranks(MPI_COMM_WORLD, read_badly_on_one), UserError);
       }
   }
   on_root(MPI_COMM_WORLD, [&]() { std::filesystem::remove(path); });
