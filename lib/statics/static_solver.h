@@ -25,7 +25,7 @@ enum class StaticSolverKind
  * matrix are listed. */
 struct SpringEntry
 {
-  NodeIndex node;
+  NodeIndex node;        ///< that it holds
   unsigned int c   = 0;  ///< row: component of the force
   unsigned int d   = 0;  ///< column: component of the displacement
   double stiffness = 0.; ///< N/m
