@@ -16,6 +16,7 @@ template <int dim>
 class ActiveSetIteration
 {
 public:
+  /** Of @p given; @p body and @p options must outlive it. */
   ActiveSetIteration(const ElasticBody<dim> &body,
                      StaticContactProblem &&given,
                      const StaticContactOptions &options)
@@ -43,6 +44,7 @@ public:
           friction[index(i, c)] = problem.friction[index(i, c)];
   }
 
+  /** The solution; once. @throws NotConverged */
   StaticContactSolution run();
 
 private:
