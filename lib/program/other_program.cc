@@ -39,10 +39,14 @@ bool has(const std::vector<std::string> &sections, const std::string &name)
 
 void refuse_file_of_other_program(const RawParameters &raw, const std::string &program)
 {
+  const auto &known = own_sections();
+  if (std::none_of(known.begin(), known.end(),
+                   [&](const OwnSections &own) { return own.program == program; }))
+    return; // a program with sections that are not listed
   const OwnSections *other          = nullptr;
   const RawParameters::Entry *where = nullptr;
   for (const RawParameters::Entry &section : raw.subsections())
-    for (const OwnSections &own : own_sections())
+    for (const OwnSections &own : known)
       if (has(own.sections, section.path))
         {
           if (own.program == program || (other != nullptr && other != &own))
