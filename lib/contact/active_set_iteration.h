@@ -114,6 +114,13 @@ private:
         action(bottom.nodes[k], static_cast<unsigned int>(bottom.place(k)));
   }
 
+  /** Whether sides of the body are one, on any rank. */
+  bool is_periodic() const
+  {
+    return dealii::Utilities::MPI::max(body.duplicate_nodes().empty() ? 0 : 1,
+                                       body.communicator()) == 1;
+  }
+
   /** Holds what touches and sticks, and adds the springs. */
   void hold_contact();
 
@@ -177,7 +184,8 @@ private:
   const std::vector<double> given_force, held;
   std::vector<double> displaced;
 
-  /** Whether friction turns by Newton's method, which takes a body that cannot move as a whole. */
+  /** Whether friction turns by Newton's method, which takes a body that cannot move as a whole; with
+   * periodic sides it did not converge. */
   bool turns_on_springs = false;
 
   NodalField<double> force;

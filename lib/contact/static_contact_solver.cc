@@ -89,8 +89,8 @@ void ActiveSetIteration<dim>::hold_contact()
   });
   body.copy_duplicates(constrained);
   body.copy_duplicates(u);
-  turns_on_springs =
-    dim == 3 && problem.sliding == 0 && free_rigid_motions(body, constrained).empty();
+  turns_on_springs = dim == 3 && problem.sliding == 0 && !is_periodic() &&
+                     free_rigid_motions(body, constrained).empty();
   solver.set_constrained(constrained, springs());
 }
 
