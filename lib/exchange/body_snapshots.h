@@ -87,7 +87,7 @@ public:
   const std::string digest;     ///< of what determines the content
   const std::string rve_digest; ///< of the rve.h5 of its material; empty when unknown
   const std::vector<Phase<dim>> phases; ///< by index, without friction
-  const CellMaterials materials;        ///< of the cells
+  const CellMaterials materials;        ///< which phase, in which orientation, cells are
   const UniformGrid<dim> grid;          ///< the cells, if the body is a grid
 
   /** Under what the run was made; nothing if the file does not tell. */

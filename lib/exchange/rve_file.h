@@ -178,7 +178,7 @@ public:
   const std::string digest;    ///< of the inputs that determine the content
   const UniformGrid<dim> grid; ///< of the morphology; of a mesh its box as one cell
   const std::vector<Phase<dim>> phases; ///< by index
-  const CellMaterials materials;        ///< of the cells
+  const CellMaterials materials;        ///< which phase, in which orientation, cells are
 };
 } // namespace mesoslip
 

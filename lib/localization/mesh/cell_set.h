@@ -114,7 +114,7 @@ public:
 
 private:
   const CellSet<dim> &cells;
-  std::optional<CellLocator<dim>> locator; ///< of a mesh
+  std::optional<CellLocator<dim>> locator; ///< finds cells of a mesh; none of a grid
 };
 } // namespace mesoslip
 
