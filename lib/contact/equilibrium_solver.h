@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 namespace mesoslip
 {
@@ -43,18 +44,21 @@ public:
     , Ku(body.zero_field())
     , residual(Ku)
     , correction(Ku)
+    , left(Ku)
   {
   }
 
-  /** From now on @p mask is held at the values that the displacements have there. */
-  void set_constrained(const DofMask &mask)
+  /** From now on @p mask is held at the values that the displacements have there, and the body stands
+   * on springs, on all ranks that have their nodes. */
+  void set_constrained(const DofMask &mask, const std::vector<SpringEntry> &on = {})
   {
     constrained = mask;
-    solver->set_constrained(mask);
+    springs     = on;
+    solver->set_constrained_on_springs(mask, springs);
   }
 
   /**
-   * Improves @p u until the forces on free degrees of freedom that @p force leaves are a
+   * Improves @p u until the forces on free degrees of freedom that @p force and springs leave are a
    * share of @p tolerance of all internal nodal forces, or hardly improve any more. The
    * share that is reached. Collective on a distributed body.
    */
@@ -64,7 +68,7 @@ public:
     for (unsigned int k = 0;; ++k)
       {
         body.vmult(Ku, u);
-        const double share = residual_share(force);
+        const double share = residual_share(with_springs(force, u));
         if (share <= tolerance || k == 4)
           return share;
         correction.set_zero();
@@ -89,6 +93,18 @@ public:
   }
 
 private:
+  /** @p force without what stretches the springs. Collective, as springs may be of one rank only. */
+  const NodalField<double> &with_springs(const NodalField<double> &force,
+                                         const NodalField<double> &u)
+  {
+    left = force;
+    for (const SpringEntry &spring : springs)
+      left(spring.c, spring.node) -=
+        spring.stiffness * (u(spring.d, spring.node) - spring.rest);
+    body.copy_duplicates(left);
+    return left;
+  }
+
   double residual_share(const NodalField<double> &force)
   {
     double free = 0., all = 0.;
@@ -114,7 +130,8 @@ private:
   const ElasticBody<dim> &body;
   std::unique_ptr<StaticSolver> solver;
   DofMask constrained;
-  NodalField<double> Ku, residual, correction;
+  NodalField<double> Ku, residual, correction, left;
+  std::vector<SpringEntry> springs;
   unsigned int n_iterations = 0;
 };
 } // namespace mesoslip

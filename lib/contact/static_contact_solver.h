@@ -103,7 +103,8 @@ struct StaticContactSolution
 /**
  * Unilateral contact with Coulomb friction by an active-set iteration: contact nodes are
  * held along the normal, those that stick along the flat as well, those that slip carry mu times their
- * normal reaction of the iteration before, accelerated after Anderson. The states follow
+ * normal reaction of the iteration before, accelerated after Anderson, or, where friction turns on a
+ * flat at rest, found by Newton's method. The states follow
  * the signs of reactions and penetrations until nothing changes.
  *
  * @throws NotConverged, also when the body lifts off or tips over

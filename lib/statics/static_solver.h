@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace mesoslip
 {
@@ -18,6 +19,17 @@ enum class StaticSolverKind
   jacobi,    ///< conjugate gradients with the diagonal; needs no set-up
   ml,        ///< deal.II mesh, Trilinos matrix and ML; on several ranks
   divided ///< of load cases on a grid alone: voxel::Solver, rows divided among the ranks
+};
+
+/** Entry (c, d) of the stiffness (N/m) of a spring that holds a node. Both triangles of its symmetric
+ * matrix are listed. */
+struct SpringEntry
+{
+  NodeIndex node;        ///< that it holds
+  unsigned int c   = 0;  ///< row: component of the force
+  unsigned int d   = 0;  ///< column: component of the displacement
+  double stiffness = 0.; ///< N/m
+  double rest      = 0.; ///< displacement of d without force (m)
 };
 
 /** What a solve took. */
@@ -65,6 +77,15 @@ public:
 
   /** Which degrees of freedom are held from now on; the costly part of the set-up. */
   virtual void set_constrained(const DofMask &mask) = 0;
+
+  /** The same for K with the stiffness of @p springs, which is positive semidefinite; solve() then has to
+   * begin with u = 0. Solvers that know no springs leave them out, so that their solutions are only
+   * corrections towards those with springs. */
+  virtual void set_constrained_on_springs(const DofMask &mask,
+                                          const std::vector<SpringEntry> & /*springs*/)
+  {
+    set_constrained(mask);
+  }
 
   /**
    * Solves for the free entries of @p u; the held ones are prescribed values on entry.

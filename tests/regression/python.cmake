@@ -40,7 +40,7 @@ mesoslip_python_tests(regression 2 chains/chain chains/chain_validation chains/d
 mesoslip_python_tests(verification 1 stability contact/hertz contact/incremental_friction contact/mesh_friction_vector contact/oblique_modes
                       contact/spence contact/static_localization volumes/hexagonal_cell volumes/independent_finite_elements
                       volumes/mesh_inclusions voxels/voxel_files)
-mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks volumes/divided_plane
+mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks contact/resting_flat volumes/divided_plane
                       volumes/macroscopic_loads volumes/macroscopic_loads_kinds volumes/mixed_conditions voxels/voxel_extremes voxels/voxel_orientations
                       voxels/voxel_random voxels/voxels)
 if(MESOSLIP_DOXYGEN)

@@ -91,7 +91,8 @@ MlSolver<dim>::MlSolver(const ElasticBody<dim> &the_body,
 }
 
 template <int dim>
-void MlSolver<dim>::set_constrained(const DofMask &mask)
+void MlSolver<dim>::set_constrained_on_springs(const DofMask &mask,
+                                               const std::vector<SpringEntry> &springs)
 {
   is_ready         = true;
   constrained_dofs = mask;
@@ -113,6 +114,7 @@ void MlSolver<dim>::set_constrained(const DofMask &mask)
   if (!motions.empty())
     support();
   copy_without_fixed();
+  add_springs(springs);
   set_up_preconditioner();
 }
 
@@ -165,6 +167,23 @@ void MlSolver<dim>::copy_without_fixed()
             (of_rows[i] != 0. || of_columns[columns[k]] != 0.))
           values[k] = 0.;
     }
+}
+
+// A rank adds those of the nodes whose rows it owns.
+template <int dim>
+void MlSolver<dim>::add_springs(const std::vector<SpringEntry> &springs)
+{
+  const auto owned = discretization.lumped_mass().locally_owned_elements();
+  for (const SpringEntry &spring : springs)
+    {
+      const auto row    = discretization.dof(spring.c, spring.node),
+                 column = discretization.dof(spring.d, spring.node);
+      if (body.is_counted(spring.node) && owned.is_element(row) &&
+          owned.is_element(column) && !fixed[owned.index_within_set(row)] &&
+          !fixed[owned.index_within_set(column)])
+        constrained.add(row, column, spring.stiffness);
+    }
+  constrained.compress(dealii::VectorOperation::add);
 }
 
 template <int dim>

@@ -18,7 +18,13 @@ public:
   /** Body and discretization must outlive the solver. */
   MlSolver(const ElasticBody<dim> &body, const MeshDiscretization<dim> &discretization);
 
-  void set_constrained(const DofMask &mask) override;
+  void set_constrained(const DofMask &mask) override
+  {
+    set_constrained_on_springs(mask, {});
+  }
+
+  void set_constrained_on_springs(const DofMask &mask,
+                                  const std::vector<SpringEntry> &springs) override;
 
   SolverReport solve(NodalField<double> &u,
                      const NodalField<double> &force,
@@ -29,6 +35,7 @@ private:
 
   void support();
   void copy_without_fixed();
+  void add_springs(const std::vector<SpringEntry> &springs);
   void set_up_preconditioner();
   void clear_fixed(Vector &x) const;
   void remove_motions(Vector &x) const;

@@ -1,0 +1,191 @@
+#ifndef mesoslip_contact_active_set_iteration_h
+#define mesoslip_contact_active_set_iteration_h
+
+#include "contact/anderson_acceleration.h"
+#include "contact/equilibrium_solver.h"
+#include "contact/incremental_friction.h"
+#include "contact/static_contact_solver.h"
+#include "material/plausibility.h"
+
+#include <utility>
+
+namespace mesoslip
+{
+/** The iteration of solve_static_contact() and its state. */
+template <int dim>
+class ActiveSetIteration
+{
+public:
+  /** Of @p given; @p body and @p options must outlive it. */
+  ActiveSetIteration(const ElasticBody<dim> &body,
+                     StaticContactProblem &&given,
+                     const StaticContactOptions &options)
+    : body(body)
+    , problem(std::move(given))
+    , options(options)
+    , solver(body)
+    , bottom(body.surface(ElasticBody<dim>::bottom))
+    , n_nodes(bottom.normal_area.size() - (bottom.closed ? 1 : 0))
+    , scale(stiffness_scale(body))
+    , given_force(body.surface_values(ElasticBody<dim>::bottom, problem.force))
+    , held(body.surface_values(ElasticBody<dim>::bottom, problem.constrained))
+    , force(problem.force)
+    , friction(Eigen::VectorXd::Zero(Eigen::Index{n_nodes} * n_tangents))
+    , normal(Eigen::VectorXd::Zero(n_nodes))
+    , tangential(problem.reference, n_nodes, turning * scale, of_sliding_flat())
+  {
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      solution.state.push_back(held[dim * i + normal_axis] != 0. ? ContactState::held
+                               : problem.state.empty()           ? at_rest(i)
+                                                                 : problem.state[i]);
+    for (unsigned int i = 0; i < n_nodes && !problem.friction.empty(); ++i)
+      if (solution.state[i] == ContactState::slip)
+        for (unsigned int c = 0; c < n_tangents; ++c)
+          friction[index(i, c)] = problem.friction[index(i, c)];
+  }
+
+  /** The solution; once. @throws NotConverged */
+  StaticContactSolution run();
+
+private:
+  static constexpr unsigned int n_tangents  = dim - 1; ///< components of friction
+  static constexpr unsigned int normal_axis = dim - 1; ///< of the flat
+
+  /** Of the scale in the direction of friction, which in 3D turns: nodes that slip together
+   * are softer than one, and with 1 friction turns too far. Between 0.03 and 0.3 a pressed
+   * cylinder needs 30 to 140 iterations without springs(), with 0.1 at most 56, with 3 there is no
+   * end. */
+  static constexpr double turning = dim == 3 ? 0.1 : 1.;
+  static constexpr unsigned int hasty_changes =
+    10; ///< of states, before friction is exact
+  using Friction = IncrementalFriction<dim>;
+
+  /** Of friction on all nodes; zero on a flat at rest. */
+  typename Friction::Direction of_sliding_flat() const
+  {
+    typename Friction::Direction direction;
+    for (unsigned int c = 0; c < n_tangents; ++c)
+      direction[c] = problem.sliding * problem.flat_direction[c];
+    return direction;
+  }
+
+  /** Whether friction that changes by @p change, and the equilibrium, are as wanted. */
+  bool is_solved(const double change) const
+  {
+    return change <= options.tolerance && solution.residual <= options.tolerance;
+  }
+
+  static Eigen::Index index(const unsigned int i, const unsigned int c)
+  {
+    return Friction::index(i, c);
+  }
+
+  double gap(const unsigned int i) const
+  {
+    return problem.gap.empty() ? 0. : problem.gap[i];
+  }
+
+  /** Of a node that touches the flat and has not moved. */
+  ContactState at_rest(const unsigned int i) const
+  {
+    return problem.sliding == 0 && problem.friction_coefficient[i] > 0.
+             ? ContactState::stick
+             : ContactState::slip;
+  }
+
+  bool touches(const unsigned int i) const
+  {
+    return solution.state[i] == ContactState::stick ||
+           solution.state[i] == ContactState::slip;
+  }
+
+  /** Whether a side does, so that a flat at rest has nothing to add. */
+  bool side_carries(const unsigned int i, const unsigned int c) const
+  {
+    return problem.sliding == 0 && held[dim * i + c] != 0.;
+  }
+
+  /** Calls action(node, number of the node) with the contact nodes that this rank has. */
+  template <typename Action>
+  void for_each_node(const Action &action) const
+  {
+    for (std::size_t k = 0; k < bottom.nodes.size(); ++k)
+      if (bottom.place(k) < n_nodes)
+        action(bottom.nodes[k], static_cast<unsigned int>(bottom.place(k)));
+  }
+
+  /** Holds what touches and sticks, and adds the springs. */
+  void hold_contact();
+
+  /**
+   * Newton's method for friction g n that turns (g: its size, n its direction, that of the trial f - c v):
+   * it then is g n - D v, D = g c / (|f - c v| - g) (1 - n n^T), of a spring across n. Nodes near sticking
+   * have stiff springs, up to 10 c.
+   */
+  std::vector<SpringEntry> springs() const;
+
+  /** The given forces with friction. */
+  void set_forces();
+
+  /** Of the last solution: displaced, normal and tangential. */
+  void evaluate_reactions();
+
+  /** What the last solution makes of node @p i; turns its friction. */
+  ContactState next_state(const unsigned int i);
+
+  /** In 3D friction turns without a change of states. */
+  void turn_friction()
+  {
+    for (unsigned int i = 0; i < n_nodes && dim == 3 && problem.sliding == 0; ++i)
+      if (solution.state[i] == ContactState::slip)
+        tangential.turn(displaced, i);
+  }
+
+  /** Whether a state has changed. */
+  bool update_states();
+
+  /** Of nodes that slip, in their direction; else 0. */
+  Eigen::VectorXd friction_of_pressure() const;
+
+  /** As a share of the normal force. */
+  double friction_change() const
+  {
+    return (friction_of_pressure() - friction).template lpNorm<1>() / normal.lpNorm<1>();
+  }
+
+  template <typename... Parts>
+  [[noreturn]] void fail(const Parts &...what) const
+  {
+    throw NotConverged(brief_text(6, "static contact: ", what..., " (iteration ",
+                                  solution.iterations, ")"));
+  }
+
+  /** @throws NotConverged unless enough nodes touch the flat */
+  void require_contact() const;
+
+  const ElasticBody<dim> &body;
+  StaticContactProblem problem;
+  const StaticContactOptions &options;
+  EquilibriumSolver<dim> solver;
+  const SurfaceNodes<dim>
+    &bottom;                  ///< whose nodes all ranks know; the duplicate at the end
+  const unsigned int n_nodes; ///< distinct ones of the bottom
+  const double scale;         ///< see stiffness_scale()
+
+  /** At the nodes of the bottom, their dim components together: problem.force, whether
+   * problem.constrained holds them, the displacement. */
+  const std::vector<double> given_force, held;
+  std::vector<double> displaced;
+
+  /** Whether friction turns by Newton's method, which takes a body that cannot move as a whole. */
+  bool turns_on_springs = false;
+
+  NodalField<double> force;
+  Eigen::VectorXd friction, normal;
+  Friction tangential; ///< of the last solution
+  AndersonAcceleration acceleration;
+  StaticContactSolution solution;
+};
+} // namespace mesoslip
+
+#endif
