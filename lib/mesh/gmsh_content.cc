@@ -1,0 +1,199 @@
+#include "mesh/gmsh_content.h"
+
+#include "base/errors.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace mesoslip
+{
+namespace
+{
+/** The Gmsh library between its start and its end, without output of its own. */
+class GmshLibrary
+{
+public:
+  GmshLibrary()
+  {
+    gmsh::initialize(0, nullptr, false);
+    gmsh::option::setNumber("General.Terminal", 0);
+  }
+
+  GmshLibrary(const GmshLibrary &)            = delete;
+  GmshLibrary &operator=(const GmshLibrary &) = delete;
+
+  ~GmshLibrary()
+  {
+    gmsh::finalize();
+  }
+};
+
+/** Cells of one kind in Gmsh and in deal.II. */
+struct CellKind
+{
+  int gmsh_type;                    ///< as in the file
+  std::vector<unsigned int> corner; ///< of Gmsh, in the order of deal.II
+};
+
+const std::vector<CellKind> cell_kinds = {
+  {15, {0}},         {1, {0, 1}},       {2, {0, 1, 2}},
+  {3, {0, 1, 3, 2}}, {4, {0, 1, 2, 3}}, {5, {0, 1, 3, 2, 4, 5, 7, 6}}};
+
+const CellKind &kind_of(const int type, const std::string &file)
+{
+  for (const CellKind &kind : cell_kinds)
+    if (kind.gmsh_type == type)
+      return kind;
+  std::string name;
+  int d = 0, order = 0, n = 0, n_primary = 0;
+  std::vector<double> local;
+  gmsh::model::mesh::getElementProperties(type, name, d, order, n, local, n_primary);
+  throw UserError(file + " has cells of the kind '" + name + "'; " +
+                  (order > 1 ? "set Mesh.ElementOrder = 1 in Gmsh"
+                             : "mesoslip reads triangles and quadrilaterals, "
+                               "tetrahedra or hexahedra"));
+}
+
+/** Cells of dimension @p d, 2 or 3, that the library holds. */
+std::size_t n_cells(const unsigned int d)
+{
+  const std::vector<std::string> of_dimension[] = {
+    {"Triangles", "Quadrangles"},
+    {"Tetrahedra", "Hexahedra", "Prisms", "Pyramids", "Trihedra"}};
+  std::size_t n = 0;
+  for (const std::string &kind : of_dimension[d - 2])
+    {
+      double of_kind = 0.;
+      gmsh::option::getNumber("Mesh.Nb" + kind, of_kind);
+      n += static_cast<std::size_t>(of_kind);
+    }
+  return n;
+}
+
+/** Throws unless the mesh has cells of dimension @p d, none of a higher one, and each
+ * of them is in a group. */
+void require_groups(const std::string &file,
+                    const unsigned int d,
+                    const std::size_t n_in_groups)
+{
+  const std::size_t n = n_cells(d);
+  if (n == 0 || (d < 3 && n_cells(d + 1) > 0))
+    throw UserError(file + " has " + std::to_string(n) + " cells of dimension " +
+                    std::to_string(d) + (n == 0 ? "" : " and others of dimension 3") +
+                    "; set Dimension to that of the mesh");
+  if (n != n_in_groups)
+    throw UserError(file + ": " + std::to_string(n - n_in_groups) + " of " +
+                    std::to_string(n) + " cells belong to no physical group; give each " +
+                    (d == 2 ? "surface" : "volume") +
+                    " a group with the name of its phase, and save only groups");
+}
+
+/** Those of the part @p entity of the geometry, which has dimension @p d. */
+void append(std::vector<GmshCells> &cells,
+            const unsigned int group,
+            const int d,
+            const int entity,
+            const std::string &file)
+{
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> cell_tags, corners;
+  gmsh::model::mesh::getElements(types, cell_tags, corners, d, entity);
+  for (std::size_t t = 0; t < types.size(); ++t)
+    {
+      const CellKind &kind = kind_of(types[t], file);
+      const std::size_t n  = kind.corner.size();
+      GmshCells some       = {group, n, std::vector<unsigned int>(corners[t].size())};
+      for (std::size_t k = 0; k < corners[t].size(); ++k)
+        {
+          const std::size_t tag = corners[t][k - k % n + kind.corner[k % n]];
+          if (tag > std::numeric_limits<unsigned int>::max())
+            throw UserError(file + " has a point with the number " + std::to_string(tag) +
+                            "; let Gmsh renumber the mesh, so that 32 bits hold it");
+          some.tags[k] = static_cast<unsigned int>(tag);
+        }
+      cells.push_back(std::move(some));
+      cell_tags[t] = {};
+      corners[t]   = {};
+    }
+}
+
+/** All cells of dimension @p d in physical groups, with the names of these. */
+std::vector<GmshCells>
+cells_in_groups(const int d, std::vector<std::string> &names, const std::string &file)
+{
+  std::vector<GmshCells> cells;
+  std::map<int, std::string> group_of_entity;
+  gmsh::vectorpair groups;
+  gmsh::model::getPhysicalGroups(groups, d);
+  for (const auto &[dimension, group] : groups)
+    {
+      std::string name;
+      gmsh::model::getPhysicalName(dimension, group, name);
+      names.push_back(name.empty() ? std::to_string(group) : name);
+      std::vector<int> entities;
+      gmsh::model::getEntitiesForPhysicalGroup(dimension, group, entities);
+      for (const int entity : entities)
+        {
+          const auto [other, is_first] = group_of_entity.emplace(entity, names.back());
+          if (!is_first)
+            throw UserError(file + ": part " + std::to_string(entity) +
+                            " of the geometry is in two physical groups, '" +
+                            other->second + "' and '" + names.back() +
+                            "'; put it into one");
+          append(cells, static_cast<unsigned int>(names.size() - 1), d, entity, file);
+        }
+    }
+  return cells;
+}
+} // namespace
+
+GmshContent::GmshContent(const std::string &the_file, const unsigned int dim)
+  : file(the_file)
+{
+  try
+    {
+      const GmshLibrary library;
+      gmsh::merge(file);
+      const int d = static_cast<int>(dim);
+      cells       = cells_in_groups(d, phases, file);
+      require_groups(file, dim, count(cells));
+      faces = cells_in_groups(d - 1, boundaries, file);
+      // Last, as the tags of the cells have needed their memory twice.
+      std::vector<double> parametric;
+      gmsh::model::mesh::getNodes(point_tags, coordinates, parametric, -1, -1, false,
+                                  false);
+    }
+  catch (const std::string &message)
+    {
+      throw UserError(file + " cannot be read by Gmsh: " + message);
+    }
+  by_tag.resize(point_tags.size());
+  std::iota(by_tag.begin(), by_tag.end(), 0U);
+  std::sort(by_tag.begin(), by_tag.end(),
+            [this](const auto a, const auto b) { return point_tags[a] < point_tags[b]; });
+}
+
+unsigned int GmshContent::place_of(const unsigned int tag) const
+{
+  const auto found =
+    std::lower_bound(by_tag.begin(), by_tag.end(), tag,
+                     [this](const auto k, const auto t) { return point_tags[k] < t; });
+  AssertThrow(found != by_tag.end() && point_tags[*found] == tag,
+              dealii::ExcMessage("Gmsh gave a cell with a point that it did not give"));
+  return *found;
+}
+
+std::size_t count(const std::vector<GmshCells> &cells)
+{
+  std::size_t n = 0;
+  for (const GmshCells &some : cells)
+    n += some.tags.size() / some.n_corners;
+  return n;
+}
+} // namespace mesoslip

@@ -1,0 +1,52 @@
+#ifndef mesoslip_mesh_gmsh_content_h
+#define mesoslip_mesh_gmsh_content_h
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** Cells of one kind and physical group. */
+struct GmshCells
+{
+  unsigned int group    = 0;      ///< number of its name
+  std::size_t n_corners = 0;      ///< of a cell
+  std::vector<unsigned int> tags; ///< of the corners of all cells, as deal.II orders them
+};
+
+/**
+ * What a .msh file holds, in as little memory as it takes, without the library's own copy,
+ * which is several times as large.
+ */
+class GmshContent
+{
+public:
+  /**
+   * Reads @p file with the Gmsh library: cells of dimension @p dim, which all have to be in
+   * a physical group, and faces that are in one.
+   *
+   * @throws UserError
+   */
+  GmshContent(const std::string &file, unsigned int dim);
+
+  /** Of the point with a tag among all points. */
+  unsigned int place_of(unsigned int tag) const;
+
+  std::string file;                    ///< its name
+  std::vector<std::size_t> point_tags; ///< of all points
+  std::vector<double> coordinates;     ///< three a point, in units of the file
+  std::vector<GmshCells> cells;        ///< of dimension dim
+  std::vector<GmshCells> faces;        ///< of dimension dim - 1
+  std::vector<std::string> phases;     ///< names of the groups of cells
+  std::vector<std::string> boundaries; ///< names of the groups of faces
+
+private:
+  std::vector<unsigned int> by_tag; ///< places of the points, sorted by their tags
+};
+
+/** How many there are. */
+std::size_t count(const std::vector<GmshCells> &cells);
+} // namespace mesoslip
+
+#endif
