@@ -203,7 +203,7 @@ def largest_process(folder, ranks):
 def check_memory(folder):
     """What --validate tells of the memory grows with the cells as the memory does; half of what grows is on each of two ranks."""
     told, taken, largest = {}, {}, {}
-    for n in (12, 40):
+    for n in (12, 56):
         x, y, z = np.indices((n, n, n)) // 4
         np.save(folder("cubes.npy"), ((x + y + z) % 2).astype(np.uint8))
         volume = {"Dimension": 3, "Grid/Cells": f"{n}, {n}, {n}", "Grid/Spacing": 1e-4, "Microstructure/Type": "voxels",
@@ -222,10 +222,10 @@ def check_memory(folder):
             taken[n, ranks] = 1e-6 * folder.summary("memory")["peak_memory_bytes"]
             largest[n, ranks] = largest_process(folder, ranks)
     for ranks in (1, 2):
-        more, measured = (of[40, ranks] - of[12, ranks] for of in (told, taken))
+        more, measured = (of[56, ranks] - of[12, ranks] for of in (told, taken))
         print(f"memory on {ranks} rank(s): {told} told, {taken} taken (MB)")
         assert 0.8 < more / measured < 1.25, (ranks, more, measured)
-    alone, divided = (largest[40, ranks] - largest[12, ranks] for ranks in (1, 2))
+    alone, divided = (largest[56, ranks] - largest[12, ranks] for ranks in (1, 2))
     print(f"memory of the largest rank: {largest} (MB)")
     assert divided < 0.6 * alone, (alone, divided)
 
