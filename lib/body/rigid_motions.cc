@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mesoslip
@@ -39,8 +40,10 @@ RigidMotions<dim>::at(const std::array<double, dim> &point) const
 }
 
 template <int dim>
-typename RigidMotions<dim>::Hold RigidMotions<dim>::hold_of(const DofMask &mask,
-                                                            const bool can_rotate) const
+typename RigidMotions<dim>::Hold
+RigidMotions<dim>::hold_of(const DofMask &mask,
+                           const bool can_rotate,
+                           const std::vector<SpringEntry> &springs) const
 {
   Hold own = Hold::Zero();
   // A rotation about the axis along which sides are one is the same on both.
@@ -58,6 +61,17 @@ typename RigidMotions<dim>::Hold RigidMotions<dim>::hold_of(const DofMask &mask,
             if (mask.is_constrained(c, {i, j}))
               own += motions.row(c).transpose() * motions.row(c);
         }
+  double stiffest = 0.;
+  for (const SpringEntry &spring : springs)
+    stiffest = std::max(stiffest, std::fabs(spring.stiffness));
+  stiffest = mpi::max(stiffest, body.communicator());
+  for (const SpringEntry &spring : springs)
+    if (stiffest > 0. && body.is_counted(spring.node))
+      {
+        const Displacements motions = at(body.point(spring.node));
+        own += motions.row(spring.c).transpose() * motions.row(spring.d) *
+               (spring.stiffness / stiffest);
+      }
   Hold hold;
   mpi::sum(dealii::ArrayView<const double>(own.data(), own.size()), body.communicator(),
            dealii::ArrayView<double>(hold.data(), hold.size()));
@@ -77,12 +91,14 @@ RigidMotions<dim>::left_by(const Hold &hold)
 }
 
 template <int dim>
-std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<dim> &body,
-                                                   const DofMask &mask,
-                                                   const bool can_rotate)
+std::vector<NodalField<double>>
+free_rigid_motions(const ElasticBody<dim> &body,
+                   const DofMask &mask,
+                   const bool can_rotate,
+                   const std::vector<SpringEntry> &springs)
 {
   const RigidMotions<dim> rigid(body);
-  const auto left = RigidMotions<dim>::left_by(rigid.hold_of(mask, can_rotate));
+  const auto left = RigidMotions<dim>::left_by(rigid.hold_of(mask, can_rotate, springs));
   std::vector<NodalField<double>> result(left.size(), body.zero_field());
   for (unsigned int j = 0; j < body.n_rows() && !left.empty(); ++j)
     for (unsigned int i = 0; i < body.n_columns(); ++i)
@@ -100,8 +116,8 @@ std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<dim> &body,
 
 template class RigidMotions<2>;
 template class RigidMotions<3>;
-template std::vector<NodalField<double>>
-free_rigid_motions(const ElasticBody<2> &, const DofMask &, const bool);
-template std::vector<NodalField<double>>
-free_rigid_motions(const ElasticBody<3> &, const DofMask &, const bool);
+template std::vector<NodalField<double>> free_rigid_motions(
+  const ElasticBody<2> &, const DofMask &, const bool, const std::vector<SpringEntry> &);
+template std::vector<NodalField<double>> free_rigid_motions(
+  const ElasticBody<3> &, const DofMask &, const bool, const std::vector<SpringEntry> &);
 } // namespace mesoslip

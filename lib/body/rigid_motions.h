@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace mesoslip
 {
 /** The rigid motions of a body about the middle of its bounding box: translations, then
@@ -28,11 +30,13 @@ public:
   Displacements at(const std::array<double, dim> &point) const;
 
   /**
-   * What the constraints @p mask, periodic sides and, if @p can_rotate is false, something
-   * else hold: the sum of m^T m over all constrained components, m being their row of at().
-   * Collective.
+   * What the constraints @p mask, periodic sides, springs and, if @p can_rotate is false, something
+   * else hold: the sum of m^T m over all constrained components, m being their row of at(), and of
+   * m_c^T k_cd m_d over the springs, k being a share of the stiffest. Collective.
    */
-  Hold hold_of(const DofMask &mask, const bool can_rotate) const;
+  Hold hold_of(const DofMask &mask,
+               const bool can_rotate,
+               const std::vector<SpringEntry> &springs = {}) const;
 
   /** The motions that these leave: eigenvectors for the eigenvalue zero. */
   static std::vector<Coefficients> left_by(const Hold &hold);
@@ -43,13 +47,15 @@ private:
 
 /**
  * The displacement fields of the rigid motions that the constraints @p mask, periodic
- * sides and, if @p can_rotate is false, something else leave; linearly independent.
+ * sides, springs and, if @p can_rotate is false, something else leave; linearly independent.
  * Collective.
  */
 template <int dim>
-std::vector<NodalField<double>> free_rigid_motions(const ElasticBody<dim> &body,
-                                                   const DofMask &mask,
-                                                   const bool can_rotate = true);
+std::vector<NodalField<double>>
+free_rigid_motions(const ElasticBody<dim> &body,
+                   const DofMask &mask,
+                   const bool can_rotate                   = true,
+                   const std::vector<SpringEntry> &springs = {});
 } // namespace mesoslip
 
 #endif

@@ -18,7 +18,8 @@ StaticContactSolution ActiveSetIteration<dim>::run()
     {
       if (solution.iterations == options.max_iterations)
         fail("no equilibrium was found; ", changed ? "contact states still change, " : "",
-             "friction forces change by ", change, " of the contact force");
+             "friction forces change by ", change,
+             " of the contact force, the residual is ", solution.residual);
       if (options.before_iteration)
         options.before_iteration(solution.iterations);
       set_forces();
@@ -89,16 +90,19 @@ void ActiveSetIteration<dim>::hold_contact()
   });
   body.copy_duplicates(constrained);
   body.copy_duplicates(u);
-  turns_on_springs =
-    dim == 3 && problem.sliding == 0 && free_rigid_motions(body, constrained).empty();
-  solver.set_constrained(constrained, springs());
+  std::vector<SpringEntry> across = springs();
+  turns_on_springs                = dim == 3 && problem.sliding == 0 &&
+                     free_rigid_motions(body, constrained, true, across).empty();
+  if (!turns_on_springs)
+    across.clear();
+  solver.set_constrained(constrained, across);
 }
 
 template <int dim>
 std::vector<SpringEntry> ActiveSetIteration<dim>::springs() const
 {
   std::vector<SpringEntry> entries;
-  if (!turns_on_springs || displaced.empty())
+  if (dim == 2 || problem.sliding != 0 || displaced.empty())
     return entries;
   for_each_node([&](const NodeIndex &node, const unsigned int i) {
     const double g = problem.friction_coefficient[i] * std::max(0., normal[i]);

@@ -104,7 +104,8 @@ void MlSolver<dim>::set_constrained_on_springs(const DofMask &mask,
   fixed = discretization.held_by(constrained_dofs);
 
   motions.clear();
-  for (const NodalField<double> &field : free_rigid_motions(body, constrained_dofs))
+  for (const NodalField<double> &field :
+       free_rigid_motions(body, constrained_dofs, true, springs))
     {
       Vector motion = discretization.to_vector(field);
       remove_motions(motion);
@@ -112,7 +113,7 @@ void MlSolver<dim>::set_constrained_on_springs(const DofMask &mask,
       motions.push_back(motion);
     }
   if (!motions.empty())
-    support();
+    support(springs);
   copy_without_fixed();
   add_springs(springs);
   set_up_preconditioner();
@@ -120,10 +121,10 @@ void MlSolver<dim>::set_constrained_on_springs(const DofMask &mask,
 
 // Supports that are just enough carry nothing, as forces are in equilibrium.
 template <int dim>
-void MlSolver<dim>::support()
+void MlSolver<dim>::support(const std::vector<SpringEntry> &springs)
 {
   const RigidMotions<dim> rigid(body);
-  auto hold          = rigid.hold_of(constrained_dofs, true);
+  auto hold          = rigid.hold_of(constrained_dofs, true, springs);
   std::size_t n_free = motions.size();
   const auto owned   = discretization.lumped_mass().locally_owned_elements();
   for (const Place<dim> &place : distant_nodes(body, discretization))

@@ -33,7 +33,7 @@ public:
 private:
   using Vector = typename MeshDiscretization<dim>::Vector;
 
-  void support();
+  void support(const std::vector<SpringEntry> &springs);
   void copy_without_fixed();
   void add_springs(const std::vector<SpringEntry> &springs);
   void set_up_preconditioner();

@@ -1,5 +1,5 @@
 """A solid of two phases pressed on a flat at rest, whose friction holds it back: Coulomb's law at every node, from the files alone, and a search that
-takes no longer on finer grids.
+takes no longer on finer grids; a body whose nodes all slip rests by its friction alone.
 
     resting_flat.py <folder with the programs>
 """
@@ -11,7 +11,7 @@ import numpy as np
 
 from scenes import Folder, prm
 
-MU = 0.3
+PRESSURE, SIDE = 1e6, 0.016  # Pa, m
 PHASES = prm({"Phases/Names": "matrix, fibre", "Phases/matrix/Young modulus": 3e9, "Phases/matrix/Poisson ratio": 0.35, "Phases/matrix/Density": 1200,
               "Phases/fibre/Young modulus": 24e9, "Phases/fibre/Poisson ratio": 0.2, "Phases/fibre/Density": 2000})
 # 196 iterations were needed on 16 cells a side, 372 on 24, when friction turned without Newton's method.
@@ -28,16 +28,17 @@ def spheres(n):
     return inside.reshape(n, n, n).astype(np.uint8)
 
 
-def check(folder, n, ranks):
-    name = f"{n}-{ranks}"
+def check(folder, n, ranks, mu=0.3, top="platen"):
+    """Tractions (Pa) of the nodes by rows of the flat, and how many stick."""
+    name = f"{n}-{ranks}-{top}"
     np.save(folder("map.npy"), spheres(n))
     folder.write("rve.prm", "set Dimension = 3\n" + PHASES + prm({
         "Grid/Cells": f"{n}, {n}, {n}", "Grid/Size": "0.016, 0.016, 0.016", "Microstructure/Type": "voxels", "Microstructure/File": "map.npy",
         "Homogenization/Boundary conditions": "KUBC", "Homogenization/Effective": "KUBC"}))
     folder.run(0, "rve_homogenization", "rve.prm", "--output", f"rve{n}")
     folder.write("static.prm", "set Dimension = 3\n" + prm({
-        "Analysis": "static contact", "Body/RVE file": f"rve{n}/rve.h5", "Body/Material": "heterogeneous", "Flat/Velocity": 0, "Top/Kind": "platen",
-        "Top/Pressure": 1e6, "Friction/Coefficient from": "constant", "Friction/Coefficient": MU}))
+        "Analysis": "static contact", "Body/RVE file": f"rve{n}/rve.h5", "Body/Material": "heterogeneous", "Flat/Velocity": 0, "Top/Kind": top,
+        "Top/Pressure": PRESSURE, "Friction/Coefficient from": "constant", "Friction/Coefficient": mu}))
     folder.run(0, "contact_dynamics", "static.prm", "--output", name, ranks=ranks)
     iterations = folder.summary(name)["iterations"]
     assert iterations <= MOST_ITERATIONS, (name, iterations)
@@ -48,26 +49,40 @@ def check(folder, n, ranks):
     slip = np.array([[float(row[f"displacement_{axis} [m]"]) for axis in "xy"] for row in rows])
     state = np.array([row["state"] for row in rows])
     size, sliding, stuck = np.linalg.norm(shear, axis=1), state == "slip", state == "stick"
-    assert len(rows) == (n + 1) ** 2 and stuck.sum() > 0.2 * len(rows) and sliding.sum() > 0.2 * len(rows), (stuck.sum(), sliding.sum())
-    assert (pressure >= 0).all() and abs(pressure[stuck].max()) > 0
-    assert (size <= MU * pressure + 1e-5 * 1e6).all(), (size - MU * pressure).max()
-    assert np.abs(slip[stuck]).max() == 0
+    assert len(rows) == (n + 1) ** 2 and (pressure >= 0).all() and sliding.sum() > 0.2 * len(rows), sliding.sum()
+    assert (size <= mu * pressure + 1e-5 * PRESSURE).all(), (size - mu * pressure).max()
+    assert (slip[stuck] == 0).all()
     # What slips has all friction, against its displacement.
-    law = -MU * pressure[sliding, None] * slip[sliding] / np.linalg.norm(slip[sliding], axis=1)[:, None]
-    error = np.linalg.norm(law - shear[sliding], axis=1).sum() / (MU * pressure[sliding]).sum()
+    law = -mu * pressure[sliding, None] * slip[sliding] / np.linalg.norm(slip[sliding], axis=1)[:, None]
+    error = np.linalg.norm(law - shear[sliding], axis=1).sum() / (mu * pressure[sliding]).sum()
     assert error <= 1e-6, error
     print(f"{name} ranks: {iterations} iterations, {stuck.sum()} nodes stick, {sliding.sum()} slip, friction off by {error:.1e}")
+    return pressure, shear, stuck.sum() / len(rows)
+
+
+def check_rest(folder, n, ranks):
+    """Without a platen, on a flat so slippery that nothing sticks: forces and the moment about the normal are in balance."""
+    pressure, shear, sticks = check(folder, n, ranks, 0.01, "pressure")
+    assert sticks == 0, sticks
+    trapezoid = np.full(n + 1, SIDE / n)
+    trapezoid[[0, -1]] /= 2
+    force = shear.reshape(n + 1, n + 1, 2) * np.outer(trapezoid, trapezoid)[..., None]  # [y][x]
+    y, x = np.meshgrid(*2 * [np.linspace(0, SIDE, n + 1)], indexing="ij")
+    carried = 0.01 * PRESSURE * SIDE**2
+    assert np.abs(force.sum((0, 1))).max() <= 1e-5 * carried, force.sum((0, 1)) / carried
+    assert abs((x * force[..., 1] - y * force[..., 0]).sum()) <= 1e-5 * carried * SIDE
+    assert np.linalg.norm(force, axis=2).sum() > 0.9 * carried
     return pressure, shear
 
 
 def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
-        check(folder, 8, 1)
-        check(folder, 16, 1)
-        one, two = check(folder, 12, 1), check(folder, 12, 3)
-        for a, b in zip(one, two):
-            assert np.abs(a - b).max() <= 1e-4 * np.abs(a).max(), np.abs(a - b).max()
+        assert check(folder, 8, 1)[2] > 0.2
+        assert check(folder, 16, 1)[2] > 0.2
+        for one, three in ((check(folder, 12, 1)[:2], check(folder, 12, 3)[:2]), (check_rest(folder, 10, 1), check_rest(folder, 10, 3))):
+            for a, b in zip(one, three):
+                assert np.abs(a - b).max() <= 1e-4 * np.abs(a).max(), np.abs(a - b).max()
 
 
 if __name__ == "__main__":
