@@ -140,13 +140,14 @@ std::vector<CellRegion> regions_of(const LocalizationFiles<dim> &files,
       size[d]   = grid.extent(d);
       origin[d] = grid.origin[d];
     }
+  const bool is_mesh = files.rve.is_mesh();
   std::vector<dealii::Point<dim>> centres;
   std::vector<std::uint8_t> phase;
   centres.reserve(share.n_cells);
   phase.reserve(share.n_cells);
   for (std::size_t k = 0; k < share.n_cells; ++k)
     {
-      centres.push_back(files.rve.is_mesh()
+      centres.push_back(is_mesh
                           ? dealii::Point<dim>(share.middles[k] - origin)
                           : middle_of<dim>(at_zero, places_of(grid, share.first + k)));
       phase.push_back(

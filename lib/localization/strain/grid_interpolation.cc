@@ -9,52 +9,41 @@ namespace mesoslip
 namespace
 {
 /**
- * Mean strain (engineering shear) of @p n cells between rows of n + 1 nodes whose displacements
- * are stored node after node; bit d - 1 of the number of a row says whether it is at the upper end
- * along axis d. The factors are 2^(1 - dim) over the sides of a cell (1/m).
+ * Mean strain (engineering shear) of @p n cells between two rows of n + 1 nodes whose
+ * displacements are stored node after node; the factors are 1/2 over the sides of a cell (1/m).
  */
-template <int dim>
-MESOSLIP_INTO_CLONES void
-strain_of_cells(const std::array<const double *, 1U << (dim - 1)> &rows,
+MESOSLIP_CLONES
+void strain_row(const double *lower,
+                const double *upper,
                 const std::size_t n,
-                const std::array<double, dim> &factor,
-                double *__restrict__ strain,
-                const std::size_t stride)
+                const double x_factor,
+                const double y_factor,
+                double *__restrict__ xx,
+                double *__restrict__ yy,
+                double *__restrict__ xy)
 {
-  // The arrays of the strain do not overlap each other either.
-#pragma GCC ivdep
   for (std::size_t i = 0; i < n; ++i)
     {
-      double gradient[dim][dim] = {};
-      for (unsigned int v = 0; v < 1U << dim; ++v)
-        for (unsigned int d = 0; d < dim; ++d)
-          if ((v >> d & 1U) == 0)
-            {
-              const unsigned int w = v | 1U << d;
-              for (unsigned int c = 0; c < dim; ++c)
-                gradient[c][d] += rows[w >> 1][dim * (i + (w & 1U)) + c] -
-                                  rows[v >> 1][dim * (i + (v & 1U)) + c];
-            }
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          strain[c * stride + i] = factor[c] * gradient[c][c];
-          for (unsigned int d = c + 1; d < dim; ++d)
-            strain[voigt_index<dim>(c, d) * stride + i] =
-              factor[d] * gradient[c][d] + factor[c] * gradient[d][c];
-        }
+      const double *a = lower + 2 * i, *b = upper + 2 * i;
+      xx[i] = x_factor * ((a[2] - a[0]) + (b[2] - b[0]));
+      yy[i] = y_factor * ((b[1] - a[1]) + (b[3] - a[3]));
+      xy[i] = y_factor * ((b[0] - a[0]) + (b[2] - a[2])) +
+              x_factor * ((a[3] - a[1]) + (b[3] - b[1]));
     }
 }
 
-MESOSLIP_CLONES
 void strain_row(const std::array<const double *, 2> &rows,
                 const std::size_t n,
                 const std::array<double, 2> &factor,
                 double *strain,
                 const std::size_t stride)
 {
-  strain_of_cells<2>({{rows[0], rows[1]}}, n, {{factor[0], factor[1]}}, strain, stride);
+  strain_row(rows[0], rows[1], n, factor[0], factor[1], strain, strain + stride,
+             strain + 2 * stride);
 }
 
+/** The same in space between four rows: lower, upper along y, along z, along both; the factors are
+ * 1/4 over the sides, and component k of the strain begins at @p strain + k @p stride. */
 MESOSLIP_CLONES
 void strain_row(const std::array<const double *, 4> &rows,
                 const std::size_t n,
@@ -62,8 +51,33 @@ void strain_row(const std::array<const double *, 4> &rows,
                 double *strain,
                 const std::size_t stride)
 {
-  strain_of_cells<3>({{rows[0], rows[1], rows[2], rows[3]}}, n,
-                     {{factor[0], factor[1], factor[2]}}, strain, stride);
+  const std::array<const double *, 4> first = rows;
+  const double hx = factor[0], hy = factor[1], hz = factor[2];
+  // The arrays of the strain do not overlap each other nor the displacement.
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const double *a = first[0] + 3 * i, *b = first[1] + 3 * i, *c = first[2] + 3 * i,
+                   *d = first[3] + 3 * i;
+      const auto x    = [=](const unsigned int k) {
+        return hx * ((a[k + 3] - a[k]) + (b[k + 3] - b[k]) + (c[k + 3] - c[k]) +
+                     (d[k + 3] - d[k]));
+      };
+      const auto y = [=](const unsigned int k) {
+        return hy * ((b[k] - a[k]) + (b[k + 3] - a[k + 3]) + (d[k] - c[k]) +
+                     (d[k + 3] - c[k + 3]));
+      };
+      const auto z = [=](const unsigned int k) {
+        return hz * ((c[k] - a[k]) + (c[k + 3] - a[k + 3]) + (d[k] - b[k]) +
+                     (d[k + 3] - b[k + 3]));
+      };
+      strain[i]              = x(0);
+      strain[i + stride]     = y(1);
+      strain[i + 2 * stride] = z(2);
+      strain[i + 3 * stride] = z(1) + y(2);
+      strain[i + 4 * stride] = z(0) + x(2);
+      strain[i + 5 * stride] = y(0) + x(1);
+    }
 }
 
 /** target += weight source */

@@ -88,6 +88,7 @@ public:
     const std::size_t n = ahead->n_next();
     if (n == 0)
       return 0;
+    now = {}; // the next but one are read into its memory
     on_all_ranks(communicator, [this]() { now = ahead->next(); });
     const std::size_t size = now.of_rank.size() / n;
     for (std::size_t b = 0; b < n && !interpolations.empty(); ++b)
