@@ -3,6 +3,7 @@
 
 #include "exchange/orientation_datasets.h"
 #include "exchange/run_description.h"
+#include "exchange/time_window.h"
 #include "grid/cell_block.h"
 #include "io/hdf5_file.h"
 #include "mesh/mesh.h"
@@ -45,6 +46,9 @@ public:
     return file.change_note("contact_dynamics");
   }
 
+  /** False for a run without snapshots. */
+  bool has_snapshots() const;
+
   /** Times of the snapshots, ascending (s). @throws UserError without any */
   std::vector<double> times() const;
 
@@ -57,9 +61,9 @@ public:
                                    const std::size_t first,
                                    const std::size_t count) const;
 
-  /** Displacement of the nodes of a block of the cells of a grid (m) [n_nodes][dim]; nothing
-   * else is read. */
-  std::vector<double> displacement(const std::size_t k,
+  /** Displacement of the nodes of a block of the cells of a grid in some snapshots (m)
+   * [snapshot][n_nodes][dim]; nothing else is read. */
+  std::vector<double> displacement(const IndexRange &snapshots,
                                    const CellBlock<dim> &block) const;
 
   /** Points and cells of a mesh. @throws UserError */
@@ -76,8 +80,21 @@ public:
   std::vector<std::uint16_t> constituent_ids(const std::size_t first,
                                              const std::size_t count) const;
 
+  /** Names of the probes that the run has recorded. */
+  std::vector<std::string> probes() const;
+
+  /** Of such a probe: on a grid from the lower left corner, on a mesh in its coordinates (m). */
+  std::vector<double> probe_position(const std::string &name) const;
+
+  /** "strain" or "stress" of a probe in the window. @throws UserError */
+  ProbeSeries probe(const std::string &name,
+                    const std::string &quantity,
+                    const TimeWindow &window) const;
+
 private:
   explicit BodySnapshots(Hdf5File &&opened);
+  std::vector<double> ascending_times(const std::string &dataset,
+                                      const std::string &hint) const;
   void require_sizes(const Shape &cells, const Shape &displacement) const;
 
   Hdf5File file;

@@ -3,9 +3,6 @@
 #include "base/digest.h"
 #include "base/errors.h"
 #include "exchange/datasets.h"
-#include "parameters/parameters.h"
-
-#include <cmath>
 
 namespace mesoslip
 {
@@ -17,12 +14,7 @@ const char dynamics_program[] = "contact_dynamics";
 const char snapshots_name[]   = "/snapshots/displacement";
 const char phases_name[]      = "/material/phase_id";
 
-const char snapshot_hint[] =
-  "fields, the mean strain and further probes need it: run contact_dynamics with "
-  "Snapshots/Interval > 0";
 const char file_hint[] = "contact_dynamics writes such a file";
-const char probe_hint[] =
-  "name it in Observation/Probes of the contact_dynamics run, or give its position here";
 
 std::string digest_of(const BodyDescription &body)
 {
@@ -40,20 +32,6 @@ std::string digest_of(const BodyDescription &body)
   return digest.hex();
 }
 } // namespace
-
-IndexRange entries_in(const std::vector<double> &times, const TimeWindow &window)
-{
-  // Not scaled by an end at infinity.
-  const auto slack = [](const double t) { return std::isfinite(t) ? 1e-9 * t : 0.; };
-  if (!(window.begin <= window.end))
-    return {};
-  const auto from = std::lower_bound(times.begin(), times.end(),
-                                     window.begin - std::fabs(slack(window.begin)));
-  const auto to =
-    std::upper_bound(from, times.end(), window.end + std::fabs(slack(window.end)));
-  return {static_cast<std::size_t>(from - times.begin()),
-          static_cast<std::size_t>(to - from)};
-}
 
 Shape nodes_shape(const UniformGrid<2> &grid)
 {
@@ -176,75 +154,5 @@ BodyDescription DynamicsFile::heterogeneous_body() const
                                     {grid.cells[0] + std::size_t(1)}, file_hint);
   body.rve_digest    = rve_digest();
   return body;
-}
-
-bool DynamicsFile::has_snapshots() const
-{
-  return exists(snapshots_name);
-}
-
-std::vector<double> DynamicsFile::ascending_times(const std::string &dataset,
-                                                  const std::string &hint) const
-{
-  const auto times = read<double>(dataset, {any_extent}, hint);
-  require_unit(dataset, "s");
-  for (std::size_t k = 1; k < times.size(); ++k)
-    if (!(times[k] > times[k - 1]))
-      throw UserError(path() + ": " + dataset + " does not increase from entry " +
-                      std::to_string(k - 1) + " (" + to_text(times[k - 1]) +
-                      " s) to the next (" + to_text(times[k]) +
-                      " s); run contact_dynamics again");
-  return times;
-}
-
-std::vector<double> DynamicsFile::snapshot_times() const
-{
-  const Shape found    = shape(snapshots_name, snapshot_hint);
-  const auto times     = ascending_times("/snapshots/time", snapshot_hint);
-  const Shape expected = snapshot_shape(times.size());
-  if (found != expected)
-    throw UserError(path() + ": " + snapshots_name + " has the shape " + to_text(found) +
-                    " instead of " + to_text(expected) +
-                    ", which its times and /grid ask for");
-  require_unit(snapshots_name, "m");
-  return times;
-}
-
-std::vector<double> DynamicsFile::snapshots(const std::size_t first,
-                                            const std::size_t count) const
-{
-  return read_block<double>(snapshots_name, {first, 0, 0, 0}, snapshot_shape(count),
-                            snapshot_hint);
-}
-
-std::vector<std::string> DynamicsFile::probes() const
-{
-  return exists("/probes") ? list("/probes") : std::vector<std::string>();
-}
-
-std::array<double, 2> DynamicsFile::probe_position(const std::string &name) const
-{
-  return read_attribute<std::array<double, 2>>("/probes/" + name, "position", probe_hint);
-}
-
-ProbeSeries DynamicsFile::probe(const std::string &name,
-                                const std::string &quantity,
-                                const TimeWindow &window) const
-{
-  const std::string group = "/probes/" + name;
-  ProbeSeries series;
-  series.time            = ascending_times(group + "/time", probe_hint);
-  const std::string data = group + "/" + quantity;
-  const Shape expected   = {series.time.size(), 3};
-  if (const Shape found = shape(data, probe_hint); found != expected)
-    throw UserError(path() + ": " + data + " has the shape " + to_text(found) +
-                    " instead of " + to_text(expected) + "; run contact_dynamics again");
-  require_unit(data, quantity == "stress" ? "Pa" : "-");
-  const IndexRange range = entries_in(series.time, window);
-  series.values          = read_block<double>(data, {range.first, 0}, {range.count, 3});
-  const auto begin       = series.time.begin() + static_cast<std::ptrdiff_t>(range.first);
-  series.time =
-    std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(range.count));
-  return series;
 }
 } // namespace mesoslip

@@ -6,11 +6,9 @@
 #include "grid/nodal_field.h"
 #include "io/hdf5_file.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,36 +16,6 @@
 
 namespace mesoslip
 {
-/** From begin to end (s), both included up to round-off. */
-struct TimeWindow
-{
-  double begin = -std::numeric_limits<double>::infinity(); ///< first time
-  double end   = std::numeric_limits<double>::infinity();  ///< last time
-
-  /** Times in both; begin > end if there are none. */
-  TimeWindow intersection(const TimeWindow &other) const
-  {
-    return {std::max(begin, other.begin), std::min(end, other.end)};
-  }
-};
-
-/** Entries first, ..., first + count - 1. */
-struct IndexRange
-{
-  std::size_t first = 0; ///< index of the first entry
-  std::size_t count = 0; ///< number of entries
-};
-
-/** The entries of ascending @p times that lie in the window. */
-IndexRange entries_in(const std::vector<double> &times, const TimeWindow &window);
-
-/** Strain or stress at a place over time. */
-struct ProbeSeries
-{
-  std::vector<double> time;   ///< s
-  std::vector<double> values; ///< [k][3]: xx, yy, xy
-};
-
 /** Extents of a displacement of the nodes: [ny + 1][nx + 1][2]. */
 Shape nodes_shape(const UniformGrid<2> &grid);
 
@@ -114,26 +82,6 @@ public:
   {
     return Hdf5File::change_note("contact_dynamics");
   }
-
-  /** Ascending (s); throws when there are no snapshots. */
-  std::vector<double> snapshot_times() const;
-
-  /** False for a run without them. */
-  bool has_snapshots() const;
-
-  /** Displacements (m) [count][ny + 1][nx + 1][2]. */
-  std::vector<double> snapshots(const std::size_t first, const std::size_t count) const;
-
-  /** Names of all probes. */
-  std::vector<std::string> probes() const;
-
-  /** From the lower left corner (m). */
-  std::array<double, 2> probe_position(const std::string &name) const;
-
-  /** "strain" or "stress" of a probe in the window. */
-  ProbeSeries probe(const std::string &name,
-                    const std::string &quantity,
-                    const TimeWindow &window) const;
   /** @} */
 
   std::string digest;  ///< of what determines the content
@@ -148,8 +96,6 @@ private:
   {
   }
 
-  std::vector<double> ascending_times(const std::string &dataset,
-                                      const std::string &hint) const;
   Shape snapshot_shape(const std::size_t n) const;
 };
 } // namespace mesoslip

@@ -1,8 +1,9 @@
 #ifndef mesoslip_exchange_localization_file_h
 #define mesoslip_exchange_localization_file_h
 
-#include "exchange/dynamics_file.h"
 #include "exchange/xdmf.h"
+#include "grid/uniform_grid.h"
+#include "io/hdf5_file.h"
 #include "mesh/mesh.h"
 
 #include <functional>

@@ -29,6 +29,12 @@ struct UniformGrid
     return n;
   }
 
+  /** Cells of a layer across the last axis: a row of a plane grid, a plane of a box. */
+  std::size_t cells_in_layer() const
+  {
+    return n_cells() / cells[dim - 1];
+  }
+
   /** Product of those plus one. */
   std::size_t n_nodes() const
   {

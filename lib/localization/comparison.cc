@@ -18,10 +18,7 @@ namespace
 /** Times of the snapshots of a run in a window, of which there is one at least. */
 std::vector<double> times_in(const RunSnapshots &run, const TimeWindow &window)
 {
-  const auto &times      = run.times;
-  const IndexRange range = snapshots_in(run, window);
-  const auto first       = times.begin() + static_cast<std::ptrdiff_t>(range.first);
-  return {first, first + static_cast<std::ptrdiff_t>(range.count)};
+  return times_of(run.times, snapshots_in(run, window));
 }
 
 double mean_interval(const std::vector<double> &times)
@@ -236,16 +233,6 @@ std::vector<ComponentStatistics> compare_series(const std::vector<double> &stres
         r.rms_difference = std::sqrt(difference / norm);
     }
   return result;
-}
-
-std::vector<dealii::Point<2>> centres_of(const UniformGrid<2> &grid)
-{
-  std::vector<dealii::Point<2>> centres;
-  centres.reserve(grid.n_cells());
-  for (std::size_t j = 0; j < grid.cells[1]; ++j)
-    for (std::size_t i = 0; i < grid.cells[0]; ++i)
-      centres.emplace_back((i + 0.5) * grid.spacing[0], (j + 0.5) * grid.spacing[1]);
-  return centres;
 }
 
 template <int dim>

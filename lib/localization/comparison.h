@@ -1,8 +1,9 @@
 #ifndef mesoslip_localization_comparison_h
 #define mesoslip_localization_comparison_h
 
-#include "exchange/dynamics_file.h"
 #include "exchange/localization_file.h"
+#include "exchange/run_description.h"
+#include "exchange/time_window.h"
 
 #include <array>
 #include <limits>
@@ -144,9 +145,6 @@ std::vector<FieldError> field_errors(const unsigned int dim,
 
 /** localized - direct, of what both have. */
 StressFields difference(const StressFields &localized, const StressFields &direct);
-
-/** Centres of the cells of a grid, from its lower left corner (m). */
-std::vector<dealii::Point<2>> centres_of(const UniformGrid<2> &grid);
 } // namespace mesoslip
 
 #endif

@@ -1,32 +1,51 @@
 #include "localization/localization_input.h"
 
 #include "base/errors.h"
-#include "grid/uniform_grid.h"
+#include "exchange/mesh_datasets.h"
 #include "localization/comparison.h"
-#include "material/engineering_constants.h"
+#include "localization/localization_needs.h"
 #include "material/plausibility.h"
 #include "parameters/parameters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <set>
 
 namespace mesoslip
 {
 namespace
 {
-std::string box_text(const UniformGrid<2> &grid)
+/** Whether two boxes are one, as far as grids or meshes that are made apart can be. */
+template <int dim>
+bool same_box(const CellSet<dim> &one, const CellSet<dim> &other)
 {
-  std::string text;
-  for (unsigned int d = 0; d < 2; ++d)
-    text += (d == 0 ? "[" : " x [") + to_text(grid.origin[d]) + ", " +
-            to_text(grid.origin[d] + grid.extent(d)) + "]";
-  return text + " m";
+  const auto box = one.box(), other_box = other.box();
+  const auto &p = box.get_boundary_points(), &q = other_box.get_boundary_points();
+  const double slack =
+    (one.is_grid && other.is_grid ? 1e-9 : 1e-6) * p.first.distance(p.second);
+  return p.first.distance(q.first) <= slack && p.second.distance(q.second) <= slack;
+}
+
+/** "covers the box from (0, 0) m to (1, 1) m, but FILE covers that from ..." */
+template <int dim>
+std::string
+boxes_text(const CellSet<dim> &body, const CellSet<dim> &volume, const std::string &file)
+{
+  return " covers the box " + corners_text(body.box()) + ", but " + file +
+         " covers that " + corners_text(volume.box());
+}
+
+template <int dim>
+RunSource source_of(const BodySnapshots<dim> &run)
+{
+  return {run.path(), run.conditions};
 }
 
 /** What looks like another unit. */
+template <int dim>
 std::vector<std::string> slips(const LocalizationParameters &parameters,
-                               const UniformGrid<2> &grid)
+                               const dealii::BoundingBox<dim> &box)
 {
   std::vector<PlausibleRange> ranges;
   for (const double ratio : parameters.out_of_plane_ratio)
@@ -40,294 +59,282 @@ std::vector<std::string> slips(const LocalizationParameters &parameters,
   };
   if (!parameters.direct_run.empty())
     {
-      add("Surface depth", parameters.surface_depth, grid.extent(1));
-      add("Edge distance", parameters.edge_distance,
-          std::max(grid.extent(0), grid.extent(1)));
+      double largest = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+        largest = std::max(largest, box.side_length(d));
+      add("Surface depth", parameters.surface_depth, box.side_length(dim - 1));
+      add("Edge distance", parameters.edge_distance, largest);
     }
   return implausible(ranges);
-}
-
-RunSource source_of(const DynamicsFile &run)
-{
-  return {run.path(), run.conditions};
-}
-
-RunSnapshots snapshots_of(const DynamicsFile &run)
-{
-  return {run.path(), run.snapshot_times()};
-}
-
-CellIndex cell_at(const UniformGrid<2> &grid, const PlannedProbe &probe)
-{
-  if (probe.position.size() != 2)
-    throw UserError("Probes/" + probe.name + "/Position has " +
-                    std::to_string(probe.position.size()) +
-                    " numbers, but the body has two dimensions; give x and y");
-  CellIndex cell = {};
-  for (unsigned int d = 0; d < 2; ++d)
-    {
-      // As contact_dynamics: a point between two cells belongs to the upper one.
-      const double s = probe.position[d] / grid.spacing[d] + 1e-9;
-      if (!(s >= 0. && s <= grid.cells[d] + 2e-9))
-        throw UserError("the probe " + probe.name + " at (" + to_text(probe.position[0]) +
-                        ", " + to_text(probe.position[1]) +
-                        ") m lies outside the body, which reaches from (0, 0) to (" +
-                        to_text(grid.extent(0)) + ", " + to_text(grid.extent(1)) + ") m");
-      cell[d] = std::min(static_cast<unsigned int>(s), grid.cells[d] - 1);
-    }
-  return cell;
-}
-
-/** The direct run's probe at the place of @p probe, the one of equal name first. */
-std::string find_direct(const DynamicsFile &direct,
-                        const PlannedProbe &probe,
-                        const UniformGrid<2> &grid)
-{
-  auto names = direct.probes();
-  std::stable_partition(names.begin(), names.end(),
-                        [&](const std::string &name) { return name == probe.name; });
-  const auto found =
-    std::find_if(names.begin(), names.end(), [&](const std::string &name) {
-      const auto position = direct.probe_position(name);
-      return std::fabs(position[0] - probe.position[0]) <= 1e-9 * grid.extent(0) &&
-             std::fabs(position[1] - probe.position[1]) <= 1e-9 * grid.extent(1);
-    });
-  return found != names.end() ? *found : std::string();
 }
 } // namespace
 
 template <int dim>
-std::vector<double> out_of_plane_ratios(const LocalizationParameters &parameters,
-                                        const RveFile<dim> &rve)
-{
-  const std::size_t n        = rve.phases.size();
-  std::vector<double> ratios = parameters.out_of_plane_ratio;
-  if (ratios.size() == 1)
-    ratios.assign(n, ratios[0]);
-  if (ratios.empty())
-    for (const Phase<dim> &phase : rve.phases)
-      ratios.push_back(closest_isotropic<dim>(phase.stiffness).poisson_ratio);
-  if (ratios.size() != n)
-    throw UserError("Localization/Out-of-plane ratio: " + std::to_string(ratios.size()) +
-                    " numbers found, but " + rve.path() + " has " + std::to_string(n) +
-                    " phases; give one for each, or leave it empty");
-  return ratios;
-}
-
-template std::vector<double> out_of_plane_ratios(const LocalizationParameters &,
-                                                 const RveFile<2> &);
-template std::vector<double> out_of_plane_ratios(const LocalizationParameters &,
-                                                 const RveFile<3> &);
-
-LocalizationInput::LocalizationInput(const LocalizationParameters &p)
+LocalizationInput<dim>::LocalizationInput(const LocalizationParameters &p,
+                                          const LocalizationFiles<dim> &the_files)
   : parameters(p)
-  , rve(p.rve_file)
-  , homogeneous(DynamicsFile::open(p.homogeneous_run,
-                                   "the homogeneous run; run contact_dynamics first"))
-  , phase_id(rve.phase_id())
-  , out_of_plane_ratio(out_of_plane_ratios(p, rve))
+  , files(the_files)
+  , volume(files.rve, !files.rve.is_mesh())
+  , body(files.homogeneous, files.homogeneous.is_grid)
 {
-  if (!rve.change_note().empty())
-    warnings.push_back(rve.change_note());
-  check_run(homogeneous, "homogeneous run");
-  const auto phases = homogeneous.phase_id();
-  if (std::any_of(phases.begin(), phases.end(),
-                  [&](const std::uint8_t phase) { return phase != phases[0]; }))
-    throw UserError("the homogeneous run " + homogeneous.path() +
-                    " is one of a heterogeneous body, whose strains are local already; "
-                    "name a run with Body/Material = homogeneous");
-  if (!p.direct_run.empty())
+  files.out_of_plane_ratios(p); // tells what is wrong with them
+  if (!files.rve.change_note().empty())
+    warnings.push_back(files.rve.change_note());
+  // These tell if there are none, or other phases.
+  files.rve.concentration(p.concentration, 0, 1);
+  for_each_piece(volume.n_cells(), volume.cells_in_layer(),
+                 [this](const std::size_t first, const std::size_t count) {
+                   files.rve.constituent_ids(first, count);
+                 });
+  CellFinder<dim> in_volume(volume), in_body(body);
+  check_run(files.homogeneous, "homogeneous run");
+  check_homogeneous();
+  compare_boxes(in_body);
+  if (files.direct)
     check_direct();
   choose_window();
-  for (const std::string &slip : slips(p, rve.grid))
+  for (const std::string &slip : slips(p, volume.box()))
     warnings.push_back(slip);
-  plan_probes();
+  find_points(in_body);
+  plan_probes(in_volume);
   choose_snapshots();
-  concentration = rve.concentration(p.concentration);
 }
 
-void LocalizationInput::check_run(const DynamicsFile &run, const std::string &role)
+template <int dim>
+void LocalizationInput<dim>::check_run(const BodySnapshots<dim> &run,
+                                       const std::string &role)
 {
   if (!run.change_note().empty())
     warnings.push_back(run.change_note());
-  for (unsigned int d = 0; d < 2; ++d)
-    {
-      const double length = rve.grid.extent(d);
-      const double shift  = run.grid.origin[d] - rve.grid.origin[d];
-      if (!(std::fabs(run.grid.extent(d) - length) <= 1e-9 * length) ||
-          !(std::fabs(shift) <= 1e-9 * length))
-        throw UserError("the " + role + " " + run.path() + " covers " +
-                        box_text(run.grid) + ", but " + rve.path() + " covers " +
-                        box_text(rve.grid) + "; run contact_dynamics with this RVE file");
-    }
-  const std::string used = run.rve_digest();
-  if (!used.empty() && used != rve.digest)
+  if (!run.rve_digest.empty() && run.rve_digest != files.rve.digest)
     warnings.push_back("the " + role + " " + run.path() +
-                       " took its material from an RVE file with the digest " + used +
-                       ", but " + rve.path() + " has " + rve.digest);
+                       " took its material from an RVE file with the digest " +
+                       run.rve_digest + ", but " + files.rve.path() + " has " +
+                       files.rve.digest);
 }
 
-void LocalizationInput::check_direct()
+template <int dim>
+void LocalizationInput<dim>::check_homogeneous()
 {
-  direct.emplace(DynamicsFile::open(parameters.direct_run,
-                                    "the direct run; run contact_dynamics first"));
-  check_run(*direct, "direct run");
-  const std::string the_run  = "the direct run " + direct->path();
-  const UniformGrid<2> &fine = direct->grid, &coarse = rve.grid;
-  const unsigned int rx = fine.cells[0] / coarse.cells[0],
-                     ry = fine.cells[1] / coarse.cells[1];
-  if (fine.cells[0] != rx * coarse.cells[0] || fine.cells[1] != ry * coarse.cells[1])
-    throw UserError(the_run + " has " + numbers_text(fine.cells[0], fine.cells[1]) +
-                    " cells, no whole multiple of the " +
-                    numbers_text(coarse.cells[0], coarse.cells[1]) + " of " + rve.path() +
-                    "; run contact_dynamics with the cells of the RVE or a multiple");
-  const auto id = direct->phase_id();
-  if (id.empty() && rve.phases.size() > 1)
-    warnings.push_back(the_run + " stores no phases: is it of the heterogeneous body?");
-  for (std::size_t k = 0; k < id.size(); ++k)
+  const BodySnapshots<dim> &run         = files.homogeneous;
+  const std::vector<Phase<dim>> of_body = run.constituents();
+  std::optional<std::uint16_t> before;
+  const auto check = [&](const std::size_t first, const std::size_t count) {
+    for (const std::uint16_t id : run.constituent_ids(first, count))
+      {
+        if (before && id != *before &&
+            of_body[id].stiffness != of_body[*before].stiffness)
+          throw UserError(
+            "the homogeneous run " + run.path() +
+            " is one of a heterogeneous body, whose strains are local already; "
+            "name a run with Body/Material = homogeneous");
+        before = id;
+      }
+  };
+  if (!run.materials.shape.empty())
+    for_each_piece(body.n_cells(), body.cells_in_layer(), check);
+}
+
+template <int dim>
+void LocalizationInput<dim>::compare_boxes(CellFinder<dim> &in_body)
+{
+  plan.is_body = same_box(volume, body);
+  if (plan.is_body)
+    return find_cells(in_body);
+  const std::string both = "the homogeneous run " + files.homogeneous.path() +
+                           boxes_text(body, volume, files.rve.path());
+  if (parameters.points.empty())
+    throw UserError(both + "; run contact_dynamics with a body of this size, or name "
+                           "points of the body in Volume element/Points, to have the "
+                           "fields of the volume there");
+  const bool probes_named =
+    !parameters.all_run_probes() && !parameters.run_probes.empty();
+  if (probes_named || !parameters.further_probes.empty() ||
+      !parameters.direct_run.empty())
+    throw UserError(both + ", so the volume is not the body: there are neither probes "
+                           "nor a direct run; empty Probes/Of the run, Probes/Further "
+                           "and Input/Direct run");
+}
+
+template <int dim>
+void LocalizationInput<dim>::find_cells(CellFinder<dim> &in_body)
+{
+  // Of a grid each rank finds those that hold its cells.
+  if (body.is_grid && volume.is_grid)
+    return;
+  for (std::size_t k = 0; k < volume.n_cells(); ++k)
     {
-      const std::size_t i = k % fine.cells[0], j = k / fine.cells[0];
-      if (id[k] != phase_id[j / ry * coarse.cells[0] + i / rx])
-        throw UserError(the_run + " has another morphology than " + rve.path() +
-                        ": its cell (" + std::to_string(i) + ", " + std::to_string(j) +
-                        ") is of phase " + std::to_string(id[k]) +
-                        "; run contact_dynamics with this RVE file");
+      const dealii::Point<dim> centroid = volume.measure(k).centroid;
+      const auto cell                   = in_body.find(centroid);
+      if (!cell)
+        throw UserError("the cell of " + files.rve.path() + " at " +
+                        point_text(centroid) + " lies outside the body of " +
+                        files.homogeneous.path() +
+                        "; both have to be meshes of the same body");
+      if (!body.is_grid)
+        body_cell.push_back(static_cast<unsigned int>(*cell));
     }
-  differences = compare_conditions(source_of(homogeneous), source_of(*direct),
+}
+
+template <int dim>
+void LocalizationInput<dim>::check_direct()
+{
+  const BodySnapshots<dim> &direct = *files.direct;
+  check_run(direct, "direct run");
+  direct_body               = CellSet<dim>(direct, direct.is_grid);
+  const std::string the_run = "the direct run " + direct.path();
+  if (direct.is_grid && volume.is_grid)
+    check_direct_grid(the_run);
+  else
+    check_direct_cells(the_run);
+  differences = compare_conditions(source_of(files.homogeneous), source_of(direct),
                                    parameters.allow_different_loads, notes, warnings);
 }
 
-void LocalizationInput::choose_window()
+/** @throws UserError unless a cell of the volume is of the same material in the direct run */
+template <int dim>
+void LocalizationInput<dim>::check_material(const std::uint16_t ours,
+                                            const std::uint16_t theirs,
+                                            const std::size_t cell) const
+{
+  const auto of_volume = files.rve.constituents(), of_run = files.direct->constituents();
+  const auto &stiffness = of_volume[ours].stiffness;
+  if (!((stiffness - of_run[theirs].stiffness).norm() <= 1e-9 * stiffness.norm()))
+    throw UserError("the direct run " + files.direct->path() +
+                    " has another material than " + files.rve.path() +
+                    " in the cell at " + point_text(volume.measure(cell).centroid) +
+                    "; run contact_dynamics with this RVE file, in which "
+                    "Body/Material = heterogeneous");
+}
+
+/** The cells of the run are those of the volume, in the same order. */
+template <int dim>
+void LocalizationInput<dim>::check_direct_cells(const std::string &the_run)
+{
+  if (direct_body.n_cells() != volume.n_cells())
+    throw UserError(the_run + " has " + std::to_string(direct_body.n_cells()) +
+                    " cells, " + files.rve.path() + " " +
+                    std::to_string(volume.n_cells()) +
+                    "; run contact_dynamics with the mesh of the RVE");
+  std::set<std::pair<std::uint16_t, std::uint16_t>> checked;
+  const auto check = [&](const std::size_t first, const std::size_t count) {
+    const auto ours   = files.rve.constituent_ids(first, count),
+               theirs = files.direct->constituent_ids(first, count);
+    for (std::size_t k = 0; k < count; ++k)
+      {
+        const CellMeasure<dim> cell     = direct_body.measure(first + k);
+        const dealii::Point<dim> middle = volume.measure(first + k).centroid;
+        if (!(cell.centroid.distance(middle) <= 1e-6 * std::pow(cell.volume, 1. / dim)))
+          throw UserError(the_run + " has other cells than " + files.rve.path() +
+                          ", the first at " + point_text(cell.centroid) +
+                          "; run contact_dynamics with the mesh of the RVE");
+        if (checked.insert({ours[k], theirs[k]}).second)
+          check_material(ours[k], theirs[k], first + k);
+      }
+  };
+  for_each_piece(volume.n_cells(), volume.cells_in_layer(), check);
+}
+
+/** The cells of the run are those of the volume or a whole number along each axis of one. */
+template <int dim>
+void LocalizationInput<dim>::check_direct_grid(const std::string &the_run)
+{
+  const UniformGrid<dim> &fine = direct_body.grid, &coarse = volume.grid;
+  if (!same_box(volume, direct_body))
+    throw UserError(the_run + boxes_text(direct_body, volume, files.rve.path()) +
+                    "; run contact_dynamics with this RVE file");
+  std::array<unsigned int, dim> ratio;
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      ratio[d] = fine.cells[d] / coarse.cells[d];
+      if (fine.cells[d] != ratio[d] * coarse.cells[d])
+        throw UserError(the_run + " has " + cells_text(fine) +
+                        " cells, no whole multiple of the " + cells_text(coarse) +
+                        " of " + files.rve.path() +
+                        "; run contact_dynamics with the cells of the RVE or a multiple");
+    }
+  std::set<std::pair<std::uint16_t, std::uint16_t>> checked;
+  const std::size_t in_fine = fine.cells_in_layer(), in_coarse = coarse.cells_in_layer();
+  const auto check = [&](const std::size_t first, const std::size_t count) {
+    const std::size_t above    = first / in_fine / ratio[dim - 1] * in_coarse,
+                      n_layers = (first + count - 1) / in_fine / ratio[dim - 1] + 1 -
+                                 first / in_fine / ratio[dim - 1];
+    const auto ours   = files.rve.constituent_ids(above, n_layers * in_coarse),
+               theirs = files.direct->constituent_ids(first, count);
+    for (std::size_t k = 0; k < count; ++k)
+      {
+        auto at = places_of(fine, first + k);
+        for (unsigned int d = 0; d < dim; ++d)
+          at[d] /= ratio[d];
+        const std::size_t cell = CellBlock<dim>{{}, coarse.cells}.number_of(at);
+        if (checked.insert({ours[cell - above], theirs[k]}).second)
+          check_material(ours[cell - above], theirs[k], cell);
+      }
+  };
+  for_each_piece(fine.n_cells(), in_fine, check);
+}
+
+template <int dim>
+void LocalizationInput<dim>::choose_window()
 {
   if (!std::isnan(parameters.to))
     window.end = parameters.to;
-  window.begin =
-    std::isnan(parameters.from) ? steady_from(source_of(homogeneous)) : parameters.from;
-  if (std::isnan(parameters.from) && direct)
-    window.begin = std::max(window.begin, steady_from(source_of(*direct)));
+  window.begin = parameters.from;
+  if (!std::isnan(parameters.from))
+    return;
+  window.begin = steady_from(source_of(files.homogeneous));
+  if (files.direct)
+    window.begin = std::max(window.begin, steady_from(source_of(*files.direct)));
 }
 
-void LocalizationInput::choose_snapshots()
+template <int dim>
+void LocalizationInput<dim>::choose_snapshots()
 {
-  const bool followed = !followed_cells().empty();
-  if (!parameters.fields.any() && !followed &&
-      !(parameters.mean_strain && !probes.empty()))
+  const bool of_both = parameters.fields.any() || !plan.followed.empty();
+  if (!of_both && !(parameters.mean_strain && !probes.empty()))
     return;
-  const bool both           = direct && (parameters.fields.any() || followed);
-  const RunSnapshots ours   = snapshots_of(homogeneous);
-  const RunSnapshots theirs = both ? snapshots_of(*direct) : RunSnapshots();
-  const TimeWindow shared   = both ? shared_snapshots(ours, theirs, window) : window;
-  snapshots                 = snapshots_in(ours, shared);
+  const bool both         = files.direct && of_both;
+  const RunSnapshots ours = {files.homogeneous.path(), files.homogeneous.times()};
+  RunSnapshots theirs;
   if (both)
-    direct_snapshots = snapshots_in(theirs, shared);
-}
-
-std::vector<CellIndex> LocalizationInput::followed_cells() const
-{
-  std::vector<CellIndex> cells;
-  for (const PlannedProbe &probe : probes)
-    if (!probe.recorded)
-      cells.push_back({{probe.cell[0], probe.cell[1]}});
-  return cells;
-}
-
-void LocalizationInput::plan_probes()
-{
-  const auto available = homogeneous.probes();
-  for (const std::string &name :
-       parameters.all_run_probes() ? available : parameters.run_probes)
-    {
-      if (std::find(available.begin(), available.end(), name) == available.end())
-        throw UserError("Probes/Of the run names '" + name + "', but the probes of " +
-                        homogeneous.path() + " are: " + to_text(available) +
-                        "; give its position under Probes/Further");
-      const auto position = homogeneous.probe_position(name);
-      probes.push_back({{name, {position[0], position[1]}}, true, {}, {}});
-    }
-  for (const LocalizedProbe &probe : parameters.further_probes)
-    {
-      for (const PlannedProbe &other : probes)
-        if (other.name == probe.name)
-          throw UserError("Probes/Further: the homogeneous run has a probe " +
-                          probe.name + ", too; choose another name");
-      probes.push_back({probe, false, {}, {}});
-    }
-  for (PlannedProbe &probe : probes)
-    complete(probe);
-}
-
-/** Finds the cell of a probe and reads what was recorded of it. */
-void LocalizationInput::complete(PlannedProbe &probe)
-{
-  const CellIndex cell = cell_at(rve.grid, probe);
-  probe.cell           = {cell[0], cell[1]};
-  probe.phase          = phase_id[number_of_cell(probe)];
-  probe.phase_name     = rve.phases[probe.phase].name;
-  if (!probe.recorded)
+    theirs = {files.direct->path(), files.direct->times()};
+  const TimeWindow shared = both ? shared_snapshots(ours, theirs, window) : window;
+  plan.snapshots          = snapshots_in(ours, shared);
+  times                   = times_of(ours.times, plan.snapshots);
+  if (!both)
     return;
-  if (parameters.local_strain)
-    {
-      probe.strain = homogeneous.probe(probe.name, "strain", window);
-      if (probe.strain.time.empty())
-        throw UserError(homogeneous.path() + ": the probe " + probe.name +
-                        " has no sample " + window_text(window) +
-                        "; change Window/From and To");
-    }
-  if (!direct)
-    return;
-  const std::string name = find_direct(*direct, probe, rve.grid);
-  if (name.empty())
-    warnings.push_back("the direct run " + direct->path() +
-                       " has no probe at the place of " + probe.name);
-  else
-    probe.direct = direct->probe(name, "stress", window);
+  plan.direct_snapshots = snapshots_in(theirs, shared);
+  direct_times          = times_of(theirs.times, plan.direct_snapshots);
 }
 
-ResourceNeed LocalizationInput::need() const
+template <int dim>
+void LocalizationInput<dim>::describe(std::ostream &out) const
 {
-  const bool with_direct = direct.has_value();
-  LocalizationExtent extent;
-  extent.n_cells      = static_cast<double>(rve.grid.n_cells());
-  extent.n_field_sets = with_direct ? 1. : 0.;
-  for (const bool of_place : {true, false})
-    if (of_place ? parameters.local_strain : parameters.mean_strain)
-      {
-        extent.n_field_sets += with_direct ? 2. : 1.;
-        for (const PlannedProbe &probe : probes)
-          {
-            const bool recorded = probe.recorded && of_place,
-                       compared =
-                         probe.recorded ? !probe.direct.time.empty() : with_direct;
-            extent.n_series += 1.;
-            extent.n_numbers +=
-              (compared ? 7. : 4.) *
-              static_cast<double>(recorded ? probe.strain.time.size() : snapshots.count);
-          }
-      }
-  return need_of<2>(extent, parameters.fields);
-}
-
-void LocalizationInput::describe(std::ostream &out) const
-{
-  const auto tell = [&](const DynamicsFile &run, const char *role,
+  const auto tell = [&](const CellSet<dim> &cells, const char *role,
                         const IndexRange &used) {
-    out << role << ": " << numbers_text(run.grid.cells[0], run.grid.cells[1]) << " cells";
-    if (run.has_snapshots())
-      out << ", " << used.count << " snapshots";
-    out << '\n';
+    out << role << ": ";
+    if (cells.is_grid)
+      out << cells_text(cells.grid);
+    else
+      out << cells.n_cells();
+    out << " cells, " << used.count << " snapshots\n";
   };
-  tell(homogeneous, "Homogeneous run", snapshots);
-  if (direct)
-    tell(*direct, "Direct run", direct_snapshots);
-  // Map, sums and fields of each variant and of the direct run.
-  const double n_variants =
-    (parameters.local_strain ? 1. : 0.) + (parameters.mean_strain ? 1. : 0.);
-  const double numbers = 9. + 7. * n_variants + (direct ? 20. + 63. : 10. + 21.);
-  const double n_cells = static_cast<double>(rve.grid.n_cells());
-  out << n_cells << " cells of the RVE, " << probes.size() << " probes, about "
-      << std::ceil(numbers * 8e-6 * n_cells) + 128. << " MB of memory\n"
-      << bytes_text(need().bytes) << " on the disk\n";
+  tell(body, "Homogeneous run", plan.snapshots);
+  if (files.direct)
+    tell(direct_body, "Direct run", plan.direct_snapshots);
+  const RankMemory memory =
+    memory_need(*this, dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+  out << volume.n_cells() << " cells of the RVE, "
+      << (plan.is_body ? "which is the body, " : "smaller than the body, ")
+      << probes.size() << " probes, " << plan.points.size() << " points, about "
+      << std::ceil(1e-6 * memory.root) << " MB of memory";
+  if (memory.other > 0.)
+    out << ", " << std::ceil(1e-6 * memory.other) << " MB on each other rank";
+  out << '\n' << bytes_text(disk_need(*this).bytes) << " on the disk\n";
   for (const std::string &warning : warnings)
     out << "warning: " << warning << '\n';
 }
+
+template class LocalizationInput<2>;
+template class LocalizationInput<3>;
 } // namespace mesoslip

@@ -1,159 +1,110 @@
 #ifndef mesoslip_localization_localization_input_h
 #define mesoslip_localization_localization_input_h
 
-#include "exchange/rve_file.h"
-#include "localization/snapshot_pass.h"
-#include "localization/stress_statistics.h"
+#include "base/serialize_members.h"
+#include "exchange/run_description.h"
+#include "localization/localization_files.h"
+#include "localization/strain/cell_set.h"
 #include "program/output_folder.h"
 
 #include <iosfwd>
-#include <limits>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace mesoslip
 {
-class Keys;
-
-/** What stress_localization is asked for. */
-struct LocalizationParameters
-{
-  std::string rve_file;        ///< path of rve.h5
-  std::string homogeneous_run; ///< path of its dynamics.h5
-  /** Empty: no comparison. */
-  std::string direct_run;
-  /** Compare with a direct run under other loads all the same. */
-  bool allow_different_loads = false;
-
-  /** KUBC, PBC or MUBC. */
-  std::string concentration = "KUBC";
-  /** Eq. 24: the macroscopic strain at the place. */
-  bool local_strain = true;
-  /** Eq. 23: its mean over the body. */
-  bool mean_strain = false;
-  FieldSelection fields; ///< averages over time to compute
-  /** sigma_zz / (sigma_xx + sigma_yy) by phase; empty: from the stiffnesses. */
-  std::vector<double> out_of_plane_ratio;
-
-  /** Begin of the window (s); NaN: when the runs are steady, as their files tell. */
-  double from = std::numeric_limits<double>::quiet_NaN();
-  /** End of the window (s); NaN: the end of the runs. */
-  double to = std::numeric_limits<double>::quiet_NaN();
-
-  /** Names of probes of the homogeneous run, or "all". */
-  std::vector<std::string> run_probes = {"all"};
-  std::vector<LocalizedProbe> further_probes; ///< places of one's own
-
-  /** Points of a body that is larger than the volume, whose fields are wanted there. */
-  std::vector<LocalizedProbe> points;
-
-  /** Cells whose centres are nearer to the contact are the surface (m). */
-  double surface_depth = 0.4e-3;
-  /** Cells nearer to an edge are not in the interior (m). */
-  double edge_distance = 1.6e-3;
-
-  /** Whether every probe of the homogeneous run is wanted. */
-  bool all_run_probes() const
-  {
-    return run_probes == std::vector<std::string>{"all"};
-  }
-
-  /** Binds the keys of all sections. @throws UserError naming the key. */
-  void bind(Keys &keys);
-
-  /** @throws UserError for keys that others leave without effect. */
-  static void check_keys(const Keys &keys);
-
-  /**
-   * Checks that the input files exist; a folder becomes the path of the file in it.
-   * @throws UserError
-   */
-  void check();
-};
-
-/** sigma_zz / (sigma_xx + sigma_yy) of each phase, as asked for or Poisson's ratio of the
- * closest isotropic solid. @throws UserError for another number of them */
-template <int dim>
-std::vector<double> out_of_plane_ratios(const LocalizationParameters &parameters,
-                                        const RveFile<dim> &rve);
-
-/** What takes the place in localization.h5. */
-struct LocalizationExtent
-{
-  double n_cells      = 0.; ///< of the volume
-  double mesh_bytes   = 0.; ///< of its points and cells; a grid takes none
-  double n_field_sets = 0.; ///< of variants, direct run, differences and points
-  double n_series     = 0.; ///< probes in all variants
-  double n_numbers    = 0.; ///< in these
-};
-
-/** Bytes of localization.h5 with these fields. */
-template <int dim>
-ResourceNeed need_of(const LocalizationExtent &extent, const FieldSelection &fields);
-
 /** A probe, without series yet, and where they come from. */
 struct PlannedProbe : LocalizedProbe
 {
-  /** Whether the homogeneous run recorded it; otherwise the snapshots are used. */
-  bool recorded = false;
-  ProbeSeries strain; ///< of a recorded probe, if its own strain is asked for
+  bool recorded          = false; ///< by the homogeneous run; else the snapshots are used
+  std::uint16_t material = 0;     ///< of its cell, see RveFile::constituents()
+  ProbeSeries strain;             ///< of a recorded probe, if its own strain is asked for
   ProbeSeries direct; ///< stress of the direct run's probe at the place; may be empty
 };
 
+/** What rank 0 tells all ranks to do. */
+template <int dim>
+struct LocalizationPlan
+{
+  /** Whether the volume is the body, so that the strain at a place counts. */
+  bool is_body = false;
+
+  std::vector<std::size_t> probes;        ///< their cells in the volume
+  std::vector<std::size_t> followed;      ///< cells of the probes that were not recorded
+  std::vector<dealii::Point<dim>> points; ///< of the body (m)
+  std::vector<std::size_t> point_cells;   ///< that hold them
+  IndexRange snapshots;                   ///< of the homogeneous run, used
+  IndexRange direct_snapshots;            ///< of the direct run, used
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<7>(archive, *this);
+  }
+};
+
 /**
- * The files of a localization, opened and found to belong together, and what is taken from
- * them.
+ * The files of a localization, found to belong together, and what is taken from them. Of rank 0,
+ * which has the cells of meshes, but of grids nothing that grows with their cells.
  */
+template <int dim>
 class LocalizationInput
 {
 public:
   /**
-   * @throws UserError when the grids do not cover the same box (to 1e-9), when the
-   * homogeneous run is one of a heterogeneous body, when the direct run's grid is no
-   * refinement of the RVE's, its phases lie elsewhere or its loads are others; when there
-   * are no snapshots or samples in the window, and for unknown probes and places outside.
-   * What is only suspicious is added to warnings.
+   * @throws UserError when the volume is neither the body nor asked for at points, when the
+   * body of the homogeneous run has several materials, when the direct run has other cells than
+   * the volume (on grids it may divide them), other materials or other loads; when there are no snapshots
+   * or samples in the window, and for unknown probes and places outside. What is only
+   * suspicious is added to warnings. The files must outlive it.
    */
-  explicit LocalizationInput(const LocalizationParameters &p);
+  LocalizationInput(const LocalizationParameters &p,
+                    const LocalizationFiles<dim> &the_files);
 
   /** Files, snapshots, memory and disk, for --validate. */
   void describe(std::ostream &out) const;
 
-  /** What localization.h5 takes. */
-  ResourceNeed need() const;
-
-  /** Number of the cell of a probe, row by row. */
-  std::size_t number_of_cell(const LocalizedProbe &probe) const
-  {
-    return probe.cell[0] + std::size_t(probe.cell[1]) * rve.grid.cells[0];
-  }
-
-  /** Cells of the probes that are followed through the snapshots. */
-  std::vector<CellIndex> followed_cells() const;
-
-  const LocalizationParameters parameters; ///< what is asked for
-  const RveFile<2> rve;                    ///< morphology, stiffnesses
-  const DynamicsFile homogeneous;          ///< run whose strains are localized
-  std::optional<DynamicsFile> direct;      ///< heterogeneous run to compare with
-  std::vector<std::uint8_t> phase_id;      ///< [ny][nx]
-  std::vector<double> concentration;       ///< tensors L [ny][nx][3][3]
-  std::vector<double> out_of_plane_ratio;  ///< sigma_zz / (sigma_xx + sigma_yy) by phase
-  TimeWindow window;                       ///< times used (s)
-  IndexRange snapshots;                    ///< of the homogeneous run that are used
-  IndexRange direct_snapshots;             ///< of the direct run that are used
-  std::vector<PlannedProbe> probes;        ///< those asked for
+  const LocalizationParameters parameters;      ///< what is asked for
+  const LocalizationFiles<dim> &files;          ///< those that belong together
+  const CellSet<dim> volume;                    ///< cells of the RVE file
+  const CellSet<dim> body;                      ///< cells of the homogeneous run
+  CellSet<dim> direct_body;                     ///< cells of the direct run
+  std::vector<unsigned int> body_cell;          ///< of a mesh that holds each centroid
+  TimeWindow window;                            ///< times used (s)
+  std::vector<PlannedProbe> probes;             ///< those asked for
+  LocalizationPlan<dim> plan;                   ///< for all ranks
+  std::vector<double> times;                    ///< of the snapshots used (s)
+  std::vector<double> direct_times;             ///< of those of the direct run (s)
   std::vector<ConditionDifference> differences; ///< of the runs, homogeneous first
   std::vector<std::string> notes;               ///< sentences for the log, no warnings
   std::vector<std::string> warnings;            ///< sentences for the log
 
 private:
-  void check_run(const DynamicsFile &run, const std::string &role);
+  void check_run(const BodySnapshots<dim> &run, const std::string &role);
+  void check_homogeneous();
+  void compare_boxes(CellFinder<dim> &in_body);
+  void find_cells(CellFinder<dim> &in_body);
   void check_direct();
+  void check_direct_cells(const std::string &the_run);
+  void check_direct_grid(const std::string &the_run);
+  void check_material(const std::uint16_t ours,
+                      const std::uint16_t theirs,
+                      const std::size_t cell) const;
   void choose_window();
   void choose_snapshots();
-  void plan_probes();
-  void complete(PlannedProbe &probe);
+
+  /** @name In probe_plan.cc
+   * @{ */
+  void find_points(CellFinder<dim> &in_body);
+  void plan_probes(CellFinder<dim> &in_volume);
+  void read_probe(PlannedProbe &probe);
+  dealii::Point<dim> place_in(const CellSet<dim> &cells,
+                              const std::vector<double> &position) const;
+  std::size_t find_place(const LocalizedProbe &asked,
+                         const std::string &key,
+                         const CellSet<dim> &cells,
+                         CellFinder<dim> &finder) const;
+  std::string direct_probe_at(const PlannedProbe &probe) const;
+  /** @} */
 };
 } // namespace mesoslip
 

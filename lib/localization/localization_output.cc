@@ -167,43 +167,31 @@ json variant_json(const VariantResult &variant)
 } // namespace
 
 template <int dim>
-ResourceNeed need_of(const LocalizationExtent &extent, const FieldSelection &fields)
+LocalizationOrigin origin_of(const LocalizationInput<dim> &input)
 {
-  // Names, units and the like of the file, a set of fields and a probe; as measured.
-  constexpr double of_file = 6e3, of_set = 1.5e3, of_series = 3e3;
-  const double numbers =
-    (fields.von_mises ? 1. : 0.) +
-    n_voigt<dim> * ((fields.mean ? 1. : 0.) + (fields.deviation ? 1. : 0.));
-  return {of_file + extent.mesh_bytes + of_set * extent.n_field_sets +
-            of_series * extent.n_series +
-            sizeof(double) *
-              (extent.n_numbers + numbers * extent.n_cells * extent.n_field_sets),
-          "name fewer Localization/Fields or Volume element/Points"};
-}
-
-template ResourceNeed need_of<2>(const LocalizationExtent &, const FieldSelection &);
-template ResourceNeed need_of<3>(const LocalizationExtent &, const FieldSelection &);
-
-LocalizationOrigin origin_of(const LocalizationInput &input)
-{
+  const LocalizationFiles<dim> &files = input.files;
   LocalizationOrigin origin;
-  origin.digest.add(input.rve.digest)
-    .add(input.homogeneous.digest)
-    .add(input.direct ? input.direct->digest : "");
-  origin.n_cells = input.rve.grid.n_cells();
-  origin.n_dofs  = 2 * input.homogeneous.grid.n_nodes();
-  for (const Phase<2> &phase : input.rve.phases)
-    origin.phases.push_back(phase.name);
+  origin.dim = dim;
+  origin.digest.add(files.rve.digest)
+    .add(files.homogeneous.digest)
+    .add(files.direct ? files.direct->digest : "");
+  origin.n_cells          = input.volume.n_cells();
+  origin.n_dofs           = dim * input.body.n_points();
+  origin.phases           = files.phase_names();
   origin.concentration    = input.parameters.concentration;
-  origin.snapshots        = input.snapshots.count;
-  origin.direct_snapshots = input.direct_snapshots.count;
+  origin.snapshots        = input.plan.snapshots.count;
+  origin.direct_snapshots = input.plan.direct_snapshots.count;
   origin.differences      = input.differences;
-  origin.create_file      = [grid = input.rve.grid](const std::string &path,
-                                               const std::string &digest) {
-    return LocalizationFile::create(path, digest, grid);
+  origin.create_file      = [&volume = input.volume](const std::string &path,
+                                                const std::string &digest) {
+    return volume.is_grid ? LocalizationFile::create(path, digest, volume.grid)
+                               : LocalizationFile::create(path, digest, volume.mesh);
   };
   return origin;
 }
+
+template LocalizationOrigin origin_of(const LocalizationInput<2> &);
+template LocalizationOrigin origin_of(const LocalizationInput<3> &);
 
 void write_localization(const LocalizationOrigin &origin,
                         const LocalizationResult &result,

@@ -1,4 +1,4 @@
-#include "localization/localization_input.h"
+#include "localization/localization_parameters.h"
 
 #include "base/errors.h"
 #include "parameters/keys.h"

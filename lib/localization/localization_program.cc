@@ -2,49 +2,40 @@
 
 #include "base/errors.h"
 #include "base/exchange.h"
-#include "localization/mesh/mesh_localization.h"
+#include "localization/localization_needs.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
 
-#include <cmath>
 #include <memory>
-#include <sstream>
 #include <utility>
 
 namespace mesoslip
 {
 namespace
 {
-using json = nlohmann::json;
-
-/** Dimension of the volume; 0: volume and body are one rectangle of equal cells. Of rank
- * 0, for all. */
-unsigned int mesh_dimension(const LocalizationParameters &parameters)
+/** Of volume and body; of rank 0, for all. */
+unsigned int dimension_of(const LocalizationParameters &parameters)
 {
   unsigned int dim = 0;
   on_root(MPI_COMM_WORLD, [&]() {
-    const std::string hint = "run rve_homogenization first",
-                      run  = parameters.homogeneous_run;
-    dim                    = dimension_of_file(parameters.rve_file, hint);
-    if (dim == 2 && parameters.points.empty() &&
-        Hdf5File::open(parameters.rve_file, hint).exists("/grid") &&
-        !Hdf5File::open(run, "run contact_dynamics first").exists("/mesh"))
-      dim = 0;
+    dim = dimension_of_file(parameters.rve_file, "run rve_homogenization first");
   });
   return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, dim);
 }
 
-/** Works on rank 0 alone: reading the snapshots takes longer than the arithmetic on them,
- * and handing rows to other ranks would cost as much again. */
+template <int dim>
 class StressLocalization : public Analysis
 {
 public:
-  StressLocalization(const LocalizationParameters &parameters,
-                     const std::string &canonical_text)
-    : canonical(canonical_text)
+  StressLocalization(const LocalizationParameters &p, const std::string &canonical_text)
+    : parameters(p)
+    , canonical(canonical_text)
   {
-    on_root(MPI_COMM_WORLD,
-            [&]() { input = std::make_unique<LocalizationInput>(parameters); });
+    on_root(MPI_COMM_WORLD, [this]() {
+      files = std::make_unique<LocalizationFiles<dim>>(parameters, true);
+      input = std::make_unique<LocalizationInput<dim>>(parameters, *files);
+      plan  = input->plan;
+    });
   }
 
   void describe(std::ostream &out) const override
@@ -55,31 +46,39 @@ public:
 
   ResourceNeed need() const override
   {
-    return input ? input->need() : ResourceNeed();
+    return input ? disk_need(*input) : ResourceNeed();
   }
 
   void run(RunContext &context) override
   {
     context.remove_results(
       {"localization.h5", "localization.xdmf", "probes.csv", "field_errors.csv"});
-    if (context.n_ranks() > 1)
-      context.log("one process works, the others wait: reading is what takes the time");
-    on_root(context.communicator(), [&]() { run_on_root(context); });
-    if (context.root())
-      log_key_numbers(context);
+    on_all_ranks(context.communicator(), [this]() {
+      if (!files)
+        files = std::make_unique<LocalizationFiles<dim>>(parameters, false);
+    });
+    broadcast_object(context.communicator(), plan);
+    tell(context);
+    const LocalizationResult result = [&]() {
+      const auto scope = context.timer().scope("Localization");
+      return localize(parameters, *files, plan, input.get(), context.communicator(),
+                      monitor_of(context));
+    }();
+    tell(context);
+    const auto scope = context.timer().scope("Output");
+    LocalizationOrigin origin;
+    origin.dim = dim;
+    if (input)
+      origin = origin_of(*input);
+    write_localization(origin, result, canonical, context.output_folder());
+    if (!context.root())
+      return;
+    summarize_localization(origin, result, context.summary());
+    log_key_numbers(context);
   }
 
 private:
-  /** Tells what there is to be told, once. */
-  void tell(RunContext &context)
-  {
-    for (const std::string &warning : std::exchange(input->warnings, {}))
-      context.warn(warning);
-    for (const std::string &note : std::exchange(input->notes, {}))
-      context.log(note);
-  }
-
-  void run_on_root(RunContext &context)
+  static LocalizationMonitor monitor_of(RunContext &context)
   {
     LocalizationMonitor monitor;
     monitor.timer = &context.timer();
@@ -89,24 +88,28 @@ private:
     };
     monitor.update = [&](const std::size_t done) {
       context.progress().update(done);
-      // Local to the process: the other ranks wait for the outcome.
-      if (context.stop_requested_here())
+      if (context.stop_requested())
         throw Interrupted("stopped before anything was written; start the run again");
     };
-    tell(context);
-    const LocalizationResult result = [&]() {
-      const auto scope = context.timer().scope("Localization");
-      return localize(*input, monitor);
-    }();
-    tell(context);
-    const auto scope                = context.timer().scope("Output");
-    const LocalizationOrigin origin = origin_of(*input);
-    write_localization(origin, result, canonical, context.output_folder());
-    summarize_localization(origin, result, context.summary());
+    return monitor;
   }
 
+  /** Tells what there is to be told, once. */
+  void tell(RunContext &context)
+  {
+    if (!input)
+      return;
+    for (const std::string &warning : std::exchange(input->warnings, {}))
+      context.warn(warning);
+    for (const std::string &note : std::exchange(input->notes, {}))
+      context.log(note);
+  }
+
+  const LocalizationParameters parameters;
   const std::string canonical;
-  std::unique_ptr<LocalizationInput> input; ///< on rank 0
+  std::unique_ptr<LocalizationFiles<dim>> files; ///< on rank 0, in a run on all
+  std::unique_ptr<LocalizationInput<dim>> input; ///< on rank 0
+  LocalizationPlan<dim> plan;                    ///< of rank 0, in a run of all
 };
 
 std::unique_ptr<Analysis> build_localization(Keys &keys)
@@ -117,15 +120,9 @@ std::unique_ptr<Analysis> build_localization(Keys &keys)
   LocalizationParameters parameters;
   parameters.bind(keys);
   parameters.check();
-  switch (mesh_dimension(parameters))
-    {
-    case 0:
-      return std::make_unique<StressLocalization>(parameters, canonical);
-    case 2:
-      return make_mesh_localization<2>(parameters, canonical);
-    default:
-      return make_mesh_localization<3>(parameters, canonical);
-    }
+  if (dimension_of(parameters) == 2)
+    return std::make_unique<StressLocalization<2>>(parameters, canonical);
+  return std::make_unique<StressLocalization<3>>(parameters, canonical);
 }
 } // namespace
 

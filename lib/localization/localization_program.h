@@ -15,6 +15,7 @@
 namespace mesoslip
 {
 class RunContext;
+class Timer;
 
 /** A probe with its series, those of the direct run at the same times, and their comparison. */
 struct ProbeResult : LocalizedProbe
@@ -29,7 +30,7 @@ struct VariantResult
   StressFields fields;             ///< averages over time in the cells of this rank
   StressFields difference;         ///< localized minus direct; empty without a direct run
   std::vector<FieldError> errors;  ///< against the direct run
-  std::vector<ProbeResult> probes; ///< as LocalizationInput::probes
+  std::vector<ProbeResult> probes; ///< as LocalizationInput::probes, on rank 0
 };
 
 /** What the strain at a point of a body makes of a volume element that is smaller. */
@@ -44,11 +45,12 @@ struct PointResult
 struct LocalizationResult
 {
   MPI_Comm communicator = MPI_COMM_SELF; ///< of the ranks that have cells
-  std::size_t first_row = 0; ///< of the cells of this rank, along the first axis
-  FieldSelection fields;     ///< those that there are
-  bool is_compared = false;  ///< whether there is a direct run
-  TimeWindow window;         ///< first and last time used (s)
-  StressFields direct;       ///< empty without a direct run
+  std::size_t first_row =
+    0;                      ///< of the cells of this rank, along the first axis of fields
+  FieldSelection fields;    ///< those that there are
+  bool is_compared = false; ///< whether there is a direct run
+  TimeWindow window;        ///< first and last time used (s), on rank 0
+  StressFields direct;      ///< empty without a direct run
   std::vector<VariantResult> variants; ///< local strain first when both were asked for
   std::vector<PointResult> points;     ///< those asked for
 };
@@ -64,10 +66,18 @@ struct LocalizationMonitor
 
 /**
  * Eqs 22 to 24 of the paper: the stresses of the composite from a run of the homogenized
- * body. Works on one process; adds to the notes and warnings of @p input and takes its
- * concentration tensors. @throws UserError.
+ * body, volume and body being grids or meshes. Each rank has some of the cells of the volume, whole
+ * rows or planes of a grid, and reads what belongs to them. Of grids no rank has more, of meshes rank 0 has
+ * all points and cells, and each rank reads a block of the points of the snapshots. @p plan is that of rank 0,
+ * which alone has the @p input, to whose notes and warnings it adds; elsewhere null. Collective. @throws
+ * UserError
  */
-LocalizationResult localize(LocalizationInput &input,
+template <int dim>
+LocalizationResult localize(const LocalizationParameters &parameters,
+                            const LocalizationFiles<dim> &files,
+                            const LocalizationPlan<dim> &plan,
+                            LocalizationInput<dim> *input,
+                            const MPI_Comm ranks,
                             const LocalizationMonitor &monitor = {});
 
 /** What the results say of the input. */
@@ -83,12 +93,14 @@ struct LocalizationOrigin
   std::size_t direct_snapshots = 0;             ///< of the direct run, used
   std::vector<ConditionDifference> differences; ///< of the runs
 
-  /** Begins localization.h5, from its path and the digest of its content. */
+  /** Begins localization.h5, from its path and the digest of its content. The input has to be
+   * there. */
   std::function<LocalizationFile(const std::string &, const std::string &)> create_file;
 };
 
-/** Of volume and body on grids. */
-LocalizationOrigin origin_of(const LocalizationInput &input);
+/** Of what rank 0 has. */
+template <int dim>
+LocalizationOrigin origin_of(const LocalizationInput<dim> &input);
 
 /**
  * localization.h5, localization.xdmf, probes.csv and field_errors.csv in @p folder. With

@@ -1,285 +1,321 @@
-#include "localization/localization_program.h"
-
+#include "base/exchange.h"
 #include "base/timer.h"
+#include "localization/localization_program.h"
 #include "localization/mean_concentration.h"
-#include "parameters/parameters.h"
+#include "localization/probe_series.h"
+#include "localization/snapshot_pass.h"
+#include "localization/volume_share.h"
 
-#include <cmath>
+#include <algorithm>
+#include <numeric>
+#include <optional>
 #include <sstream>
 
 namespace mesoslip
 {
 namespace
 {
-std::vector<VoigtMatrix<2>> stiffnesses(const RveFile<2> &rve)
-{
-  std::vector<VoigtMatrix<2>> result;
-  for (const Phase<2> &phase : rve.phases)
-    result.push_back(phase.stiffness);
-  return result;
-}
-
-/** Over all cells of [..][3][3] tensors. */
-VoigtMatrix<2> mean_concentration(const std::vector<double> &concentration)
-{
-  VoigtMatrix<2> sum = VoigtMatrix<2>::Zero();
-  for (std::size_t k = 0; k < concentration.size(); k += 9)
-    sum += Eigen::Map<const VoigtMatrix<2>>(concentration.data() + k);
-  return sum * (9. / static_cast<double>(concentration.size()));
-}
-
-/** C_phase L of all cells, and a warning if L is not what it should be. */
-StressMap make_map(LocalizationInput &input)
-{
-  const std::vector<double> L = std::move(input.concentration);
-  const std::string warning   = concentration_warning<2>(
-    input.rve.path(), input.parameters.concentration, mean_concentration(L));
-  if (!warning.empty())
-    input.warnings.push_back(warning);
-  return {input.rve.grid, input.phase_id, stiffnesses(input.rve),
-          input.out_of_plane_ratio, L};
-}
-
-/** sigma = M eps for [k][3] strains. */
-std::vector<double> stresses(const VoigtMatrix<2> &M, const std::vector<double> &strain)
-{
-  std::vector<double> stress(strain.size());
-  for (std::size_t k = 0; k < strain.size(); k += 3)
-    Eigen::Map<VoigtVector<2>>(stress.data() + k) =
-      M * Eigen::Map<const VoigtVector<2>>(strain.data() + k);
-  return stress;
-}
-
-/** The entries of a series in a window. */
-ProbeSeries cut(const ProbeSeries &series, const TimeWindow &window)
-{
-  const IndexRange range = entries_in(series.time, window);
-  const auto first       = static_cast<std::ptrdiff_t>(range.first);
-  const auto last        = first + static_cast<std::ptrdiff_t>(range.count);
-  return {{series.time.begin() + first, series.time.begin() + last},
-          {series.values.begin() + 3 * first, series.values.begin() + 3 * last}};
-}
-
 /** One localization, from the files to the result. */
+template <int dim>
 class Localizer
 {
 public:
-  Localizer(LocalizationInput &input, const LocalizationMonitor &monitor)
-    : input(input)
-    , parameters(input.parameters)
-    , monitor(monitor)
-    , map(make_map(input))
+  Localizer(const LocalizationParameters &p,
+            const LocalizationFiles<dim> &the_files,
+            const LocalizationPlan<dim> &the_plan,
+            LocalizationInput<dim> *of_root,
+            const MPI_Comm communicator,
+            const LocalizationMonitor &the_monitor)
+    : parameters(p)
+    , files(the_files)
+    , plan(the_plan)
+    , input(of_root)
+    , ranks(communicator)
+    , monitor(the_monitor)
+    , share(make_share(files, plan, volume(), ranks))
   {
   }
 
   LocalizationResult run()
   {
-    result.fields      = parameters.fields;
-    result.is_compared = input.direct.has_value();
-    if (input.direct)
+    result.communicator = ranks;
+    result.first_row    = share.first_layer;
+    result.fields       = parameters.fields;
+    result.is_compared  = files.direct != nullptr;
+    if (result.is_compared)
       pass_direct();
     pass_homogeneous();
     const auto scope = optional_scope(monitor.timer, "Probes and errors");
-    if (parameters.local_strain)
-      add_variant("local strain", local_fields);
-    if (parameters.mean_strain)
-      add_variant("mean strain", mean_fields);
+    if (input != nullptr)
+      evaluate_probes(*input, series, result);
+    compare_fields();
     tell_sampling();
     return std::move(result);
   }
 
 private:
-  SnapshotHistories pass(const DynamicsFile &run,
+  /** On rank 0; on the others nothing. */
+  const CellSet<dim> &volume() const
+  {
+    return input != nullptr ? input->volume : nothing;
+  }
+
+  /** What is asked for in the cells of this rank. */
+  StrainPlaces<dim> places(const BodySnapshots<dim> &run, const IndexRange &snapshots)
+  {
+    StrainPlaces<dim> where;
+    where.n_in_row  = share.n_in_row;
+    where.snapshots = snapshots;
+    if (!plan.is_body)
+      return where;
+    where.n_cells     = share.n_cells;
+    where.first_layer = share.first_layer;
+    if (run.is_grid && !files.rve.is_mesh())
+      where.grid = &files.rve.grid;
+    else
+      where.middles = middles();
+    return where;
+  }
+
+  /** Middles of the cells of this rank, which grids in grids do not need. */
+  std::vector<dealii::Point<dim>> middles() const
+  {
+    if (!share.middles.empty() || share.n_cells == 0)
+      return share.middles;
+    std::vector<dealii::Point<dim>> result;
+    for (std::size_t k = share.first; k < share.first + share.n_cells; ++k)
+      result.push_back(middle_of<dim>(files.rve.grid, places_of(files.rve.grid, k)));
+    return result;
+  }
+
+  std::unique_ptr<StrainSource<dim>> source_of(const BodySnapshots<dim> &run,
+                                               const StrainPlaces<dim> &where,
+                                               const CellSet<dim> *of_root,
+                                               const std::vector<unsigned int> &cells)
+  {
+    return run.is_grid
+             ? make_grid_source(run, where, ranks)
+             : make_mesh_source(run, of_root != nullptr ? of_root->mesh : nothing.mesh,
+                                where, cells, ranks);
+  }
+
+  /** Passes the snapshots of a run, and tells of it. */
+  SnapshotHistories pass(StrainSource<dim> &source,
                          const std::string &role,
-                         const SnapshotWork &work,
+                         const SnapshotWork<dim> &work,
                          const IndexRange &range)
   {
-    if (!work.any())
-      return {};
     if (monitor.start)
       monitor.start("snapshots of the " + role, range.count);
-    auto passed = pass_snapshots(
-      run, range, input.rve.grid, work,
-      [this](const std::size_t done) {
-        if (monitor.update)
-          monitor.update(done);
-      },
-      monitor.timer);
-    std::ostringstream line;
-    line << range.count << " snapshots of the " << role << ", " << passed.time.front()
-         << " to " << passed.time.back() << " s";
-    input.notes.push_back(line.str());
-    return passed;
+    SnapshotHistories histories =
+      pass_snapshots(source, share, work, range.count, monitor, ranks);
+    if (input != nullptr)
+      {
+        const auto &times = role == "direct run" ? input->direct_times : input->times;
+        std::ostringstream line;
+        line << range.count << " snapshots of the " << role << ", " << times.front()
+             << " to " << times.back() << " s";
+        input->notes.push_back(line.str());
+      }
+    return histories;
   }
 
   void pass_direct()
   {
-    const StressMap identity(input.rve.grid, input.phase_id, stiffnesses(input.rve),
-                             input.out_of_plane_ratio, {});
-    StressStatistics statistics(identity, parameters.fields);
-    SnapshotWork work;
-    work.local       = parameters.fields.any() ? &statistics : nullptr;
-    work.cells       = input.followed_cells();
-    direct_histories = pass(*input.direct, "direct run", work, input.direct_snapshots);
-    if (work.local != nullptr)
-      result.direct = statistics.fields();
+    if (plan.direct_snapshots.count == 0)
+      return;
+    auto scope               = optional_scope(monitor.timer, "Stress map");
+    const StressMap<dim> map = plain_map(files, parameters, share);
+    scope.reset();
+    std::optional<StressStatistics<dim>> statistics;
+    if (parameters.fields.any())
+      statistics.emplace(map, parameters.fields);
+    SnapshotWork<dim> work;
+    work.local                    = statistics ? &*statistics : nullptr;
+    work.followed                 = plan.followed;
+    const BodySnapshots<dim> &run = *files.direct;
+    const auto where              = places(run, plan.direct_snapshots);
+    std::vector<unsigned int> own(run.is_grid ? 0 : share.n_cells);
+    std::iota(own.begin(), own.end(), static_cast<unsigned int>(share.first));
+    const auto source =
+      source_of(run, where, input != nullptr ? &input->direct_body : nullptr, own);
+    series.direct = pass(*source, "direct run", work, plan.direct_snapshots);
+    if (statistics)
+      result.direct = statistics->fields();
+  }
+
+  /** C L of each cell, and a warning if L is not what it should be. */
+  StressMap<dim> localized_map()
+  {
+    const auto scope   = optional_scope(monitor.timer, "Stress map");
+    StressMap<dim> map = plain_map(files, parameters, share);
+    const VoigtMatrix<dim> mean =
+      multiply_by_concentration(map, files, parameters.concentration, share, ranks);
+    if (input != nullptr)
+      {
+        const std::string warning =
+          concentration_warning<dim>(files.rve.path(), parameters.concentration, mean);
+        if (!warning.empty())
+          input->warnings.push_back(warning);
+      }
+    return map;
+  }
+
+  /** The cells of the body that hold the places of this rank; of a mesh rank 0 knows them. */
+  std::vector<unsigned int> cells_of_body(const bool with_middles) const
+  {
+    if (files.homogeneous.is_grid)
+      return {};
+    const auto n_ranks = dealii::Utilities::MPI::n_mpi_processes(ranks);
+    std::vector<unsigned int> cells;
+    if (with_middles)
+      cells = scatter_objects(ranks, [&](const unsigned int rank) {
+        const auto *all = input->body_cell.data();
+        return std::vector<unsigned int>(all + files.first_cell(rank, n_ranks),
+                                         all + files.first_cell(rank + 1, n_ranks));
+      });
+    for (const std::size_t cell : plan.point_cells)
+      cells.push_back(static_cast<unsigned int>(cell));
+    return cells;
   }
 
   void pass_homogeneous()
   {
-    const bool fields = parameters.fields.any();
-    StressStatistics local(map, parameters.fields), uniform(map, parameters.fields);
-    SnapshotWork work;
-    work.local        = fields && parameters.local_strain ? &local : nullptr;
-    work.uniform      = fields && parameters.mean_strain ? &uniform : nullptr;
-    work.mean_history = parameters.mean_strain && !input.probes.empty();
-    if (parameters.local_strain)
-      work.cells = input.followed_cells();
-    histories = pass(input.homogeneous, "homogeneous run", work, input.snapshots);
-    note_times(histories.time);
-    if (work.local != nullptr)
-      local_fields = local.fields();
-    if (work.uniform != nullptr)
-      mean_fields = uniform.fields();
+    const StressMap<dim> map = localized_map();
+    series.matrices          = matrices_of_probes(map);
+    const bool by_place      = plan.is_body && parameters.local_strain,
+               by_mean       = plan.is_body && parameters.mean_strain,
+               fields        = parameters.fields.any();
+    std::optional<StressStatistics<dim>> local, uniform;
+    std::vector<StressStatistics<dim>> points;
+    if (fields && by_place)
+      local.emplace(map, parameters.fields);
+    if (fields && by_mean)
+      uniform.emplace(map, parameters.fields);
+    for (std::size_t p = 0; p < plan.points.size(); ++p)
+      points.emplace_back(map, parameters.fields);
+    if (plan.snapshots.count > 0)
+      {
+        SnapshotWork<dim> work;
+        work.local   = local ? &*local : nullptr;
+        work.uniform = uniform ? &*uniform : nullptr;
+        work.points  = &points;
+        work.mean    = by_mean;
+        if (by_place)
+          work.followed = plan.followed;
+        auto where          = places(files.homogeneous, plan.snapshots);
+        where.points        = plan.points;
+        where.mean          = by_mean;
+        const bool at_cells = local || !work.followed.empty();
+        if (!at_cells)
+          {
+            where.n_cells = 0;
+            where.middles.clear();
+          }
+        const auto source =
+          source_of(files.homogeneous, where, input != nullptr ? &input->body : nullptr,
+                    cells_of_body(at_cells));
+        series.homogeneous = pass(*source, "homogeneous run", work, plan.snapshots);
+      }
+    for (std::size_t p = 0; p < points.size(); ++p)
+      result.points.push_back(
+        {parameters.points[p].name, parameters.points[p].position, points[p].fields()});
+    if (by_place)
+      add_variant("local strain", local);
+    if (by_mean)
+      add_variant("mean strain", uniform);
   }
 
-  /** Widens the window of the result, which is empty at first. */
-  void note_times(const std::vector<double> &times)
+  void add_variant(const char *name, std::optional<StressStatistics<dim>> &statistics)
   {
-    if (times.empty())
+    VariantResult &variant = result.variants.emplace_back();
+    variant.name           = name;
+    if (statistics)
+      variant.fields = statistics->fields();
+    statistics.reset();
+  }
+
+  /** C L in the cells of the probes, which one rank each has. */
+  std::vector<VoigtMatrix<dim>> matrices_of_probes(const StressMap<dim> &map) const
+  {
+    constexpr std::size_t n = StressMap<dim>::n_entries;
+    std::vector<double> entries(n * plan.probes.size());
+    for (std::size_t p = 0; p < plan.probes.size(); ++p)
+      {
+        const std::size_t k = share.place_of(plan.probes[p]);
+        if (k != share.elsewhere)
+          std::copy_n(map.matrix(k).data(), n,
+                      entries.begin() + static_cast<std::ptrdiff_t>(n * p));
+      }
+    sum_over_ranks(entries, ranks);
+    std::vector<VoigtMatrix<dim>> matrices;
+    for (std::size_t p = 0; p < plan.probes.size(); ++p)
+      matrices.push_back(Eigen::Map<const VoigtMatrix<dim>>(&entries[n * p]));
+    return matrices;
+  }
+
+  void compare_fields()
+  {
+    if (!result.is_compared || !parameters.fields.any())
       return;
-    const bool first = !std::isfinite(result.window.begin);
-    result.window.begin =
-      first ? times.front() : std::min(result.window.begin, times.front());
-    result.window.end = first ? times.back() : std::max(result.window.end, times.back());
-  }
-
-  /** Macroscopic strain of a probe; @p followed is its number among the followed. */
-  ProbeSeries macroscopic(const std::string &variant,
-                          const PlannedProbe &probe,
-                          const std::size_t followed) const
-  {
-    if (variant == "mean strain")
-      return {histories.time, histories.mean};
-    return probe.recorded ? probe.strain
-                          : ProbeSeries{histories.time, histories.cells[followed]};
-  }
-
-  ProbeSeries direct_stress(const PlannedProbe &probe, const std::size_t followed) const
-  {
-    if (!input.direct || probe.recorded)
-      return probe.direct;
-    return {direct_histories.time, stresses(input.rve.phases[probe.phase].stiffness,
-                                            direct_histories.cells[followed])};
-  }
-
-  /** Cuts both to the time they share; without any, drops the direct one. */
-  void
-  restrict_to_common(ProbeSeries &series, ProbeSeries &direct, const std::string &name)
-  {
-    const TimeWindow common =
-      TimeWindow{series.time.front(), series.time.back()}.intersection(
-        {direct.time.front(), direct.time.back()});
-    ProbeSeries ours = cut(series, common), theirs = cut(direct, common);
-    const bool shared = !ours.time.empty() && !theirs.time.empty();
-    if (shared)
-      series = std::move(ours);
-    else
-      input.warnings.push_back("the series of the probe " + name +
-                               " in the two runs have no time in common: no comparison");
-    direct = shared ? std::move(theirs) : ProbeSeries();
-  }
-
-  ProbeResult
-  evaluate(const LocalizedProbe &probe, ProbeSeries series, ProbeSeries direct)
-  {
-    ProbeResult r = {probe, {}};
-    // Two static states are compared whatever their times.
-    if (!direct.time.empty() && (series.time.size() > 1 || direct.time.size() > 1))
-      restrict_to_common(series, direct, probe.name);
-    r.stress = stresses(map.matrix(probe.cell[0], probe.cell[1]), series.values);
-    if (!direct.time.empty())
-      r.direct_stress = resample(direct, series.time);
-    r.statistics = compare_series(r.stress, direct.values, r.direct_stress);
-    r.time       = std::move(series.time);
-    note_times(r.time);
-    return r;
-  }
-
-  void add_variant(const std::string &name, StressFields &fields)
-  {
-    VariantResult variant;
-    variant.name         = name;
-    std::size_t followed = 0;
-    for (const PlannedProbe &probe : input.probes)
+    const std::vector<CellRegion> regions = regions_of(files, parameters, share);
+    for (VariantResult &variant : result.variants)
       {
-        variant.probes.push_back(evaluate(probe, macroscopic(name, probe, followed),
-                                          direct_stress(probe, followed)));
-        followed += probe.recorded ? 0 : 1;
+        variant.difference = difference(variant.fields, result.direct);
+        variant.errors     = field_errors(dim, parameters.fields, variant.fields,
+                                          result.direct, regions, share.measures, ranks);
       }
-    if (input.direct && parameters.fields.any())
-      {
-        variant.difference = difference(fields, result.direct);
-        variant.errors =
-          field_errors(2, parameters.fields, fields, result.direct, regions());
-      }
-    variant.fields = std::move(fields);
-    result.variants.push_back(std::move(variant));
-  }
-
-  std::vector<CellRegion> regions() const
-  {
-    const UniformGrid<2> &grid = input.rve.grid;
-    std::vector<std::string> names;
-    for (const Phase<2> &phase : input.rve.phases)
-      names.push_back(phase.name);
-    return comparison_regions<2>(centres_of(grid), {grid.extent(0), grid.extent(1)},
-                                 input.phase_id, names, parameters.surface_depth,
-                                 parameters.edge_distance);
   }
 
   /** Probes and fields are sampled differently: how far apart are their means? */
   void tell_sampling()
   {
-    const VariantResult &variant = result.variants.front();
-    double largest               = 0.;
-    std::size_t samples          = 0;
-    if (variant.name == "local strain" && !variant.fields.mean_stress.empty())
-      for (std::size_t k = 0; k < input.probes.size(); ++k)
-        if (input.probes[k].recorded)
-          {
-            const std::size_t cell = input.number_of_cell(input.probes[k]);
-            const double of_field  = variant.fields.mean_stress[3 * cell + 1];
-            const double of_probe  = variant.probes[k].statistics[1].mean;
-            largest = std::max(largest, std::fabs(of_probe / of_field - 1.));
-            samples = variant.probes[k].time.size();
-          }
-    if (samples == 0)
+    if (result.variants.empty() || result.variants[0].name != "local strain" ||
+        !parameters.fields.mean)
       return;
-    std::ostringstream line;
-    line.precision(3);
-    line << "Mean sigma_yy of a probe (" << samples
-         << " samples at a point) and of its cell in the fields ("
-         << input.snapshots.count << " snapshots) differ by up to " << 100. * largest
-         << " %";
-    input.notes.push_back(line.str());
+    constexpr unsigned int normal = dim - 1;
+    std::vector<double> of_field(plan.probes.size());
+    for (std::size_t p = 0; p < of_field.size(); ++p)
+      {
+        const std::size_t k = share.place_of(plan.probes[p]);
+        if (k != share.elsewhere)
+          of_field[p] = result.variants[0].fields.mean_stress[n_voigt<dim> * k + normal];
+      }
+    sum_over_ranks(of_field, ranks);
+    if (input != nullptr)
+      note_sampling(*input, result.variants[0], of_field);
   }
 
-  LocalizationInput &input;
   const LocalizationParameters &parameters;
+  const LocalizationFiles<dim> &files;
+  const LocalizationPlan<dim> &plan;
+  LocalizationInput<dim> *const input;
+  const MPI_Comm ranks;
   const LocalizationMonitor &monitor;
-  const StressMap map;
-  SnapshotHistories histories, direct_histories;
-  StressFields local_fields, mean_fields;
+  const CellSet<dim> nothing; ///< what ranks other than 0 have of meshes
+  const VolumeShare<dim> share;
+  ProbeHistories<dim> series;
   LocalizationResult result;
 };
 } // namespace
 
-LocalizationResult localize(LocalizationInput &input, const LocalizationMonitor &monitor)
+template <int dim>
+LocalizationResult localize(const LocalizationParameters &parameters,
+                            const LocalizationFiles<dim> &files,
+                            const LocalizationPlan<dim> &plan,
+                            LocalizationInput<dim> *input,
+                            const MPI_Comm ranks,
+                            const LocalizationMonitor &monitor)
 {
-  auto scope = optional_scope(monitor.timer, "Stress map");
-  Localizer localizer(input, monitor);
-  scope.reset();
-  return localizer.run();
+  return Localizer<dim>(parameters, files, plan, input, ranks, monitor).run();
 }
+
+#define MESOSLIP_INSTANTIATE(dim)                                            \
+  template LocalizationResult localize(                                      \
+    const LocalizationParameters &, const LocalizationFiles<dim> &,          \
+    const LocalizationPlan<dim> &, LocalizationInput<dim> *, const MPI_Comm, \
+    const LocalizationMonitor &);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
 } // namespace mesoslip

@@ -1,6 +1,5 @@
 #include "localization/stress_statistics.h"
 
-
 #include <cmath>
 
 #ifdef __SSE2__
@@ -27,15 +26,15 @@ void add_roots(const double *square, const std::size_t n, double *sum)
     sum[i] += std::sqrt(square[i]);
 }
 
-/** Squared von Mises stress. */
+/** Squared von Mises stress in the plane. */
 MESOSLIP_CLONES
-void von_mises_squares(const double *__restrict__ xx,
-                       const double *__restrict__ yy,
-                       const double *__restrict__ xy,
-                       const double *__restrict__ ratio,
-                       const std::size_t n,
-                       double *__restrict__ square)
+void von_mises_squares_2(const double *__restrict__ stress,
+                         const std::size_t stride,
+                         const double *__restrict__ ratio,
+                         const std::size_t n,
+                         double *__restrict__ square)
 {
+  const double *xx = stress, *yy = stress + stride, *xy = stress + 2 * stride;
   for (std::size_t i = 0; i < n; ++i)
     {
       const double zz = ratio[i] * (xx[i] + yy[i]);
@@ -44,29 +43,72 @@ void von_mises_squares(const double *__restrict__ xx,
     }
 }
 
-/**
- * stress = M strain (e0, e1, e2); M is 9 arrays at distances of @p stride, row-major: array
- * 3 r + c holds M(r, c) of all cells.
- */
+/** In space. */
 MESOSLIP_CLONES
-void stress_row(const double *__restrict__ m,
-                const std::size_t stride,
-                const double *__restrict__ e0,
-                const double *__restrict__ e1,
-                const double *__restrict__ e2,
-                const std::size_t n,
-                double *__restrict__ s0,
-                double *__restrict__ s1,
-                double *__restrict__ s2)
+void von_mises_squares_3(const double *__restrict__ stress,
+                         const std::size_t stride,
+                         const std::size_t n,
+                         double *__restrict__ square)
 {
-  const double *m1 = m + 3 * stride, *m2 = m + 6 * stride;
+  const double *xx = stress, *yy = stress + stride, *zz = stress + 2 * stride,
+               *yz = stress + 3 * stride, *xz = stress + 4 * stride,
+               *xy = stress + 5 * stride;
   for (std::size_t i = 0; i < n; ++i)
     {
-      const double x = e0[i], y = e1[i], t = e2[i];
-      s0[i] = m[i] * x + m[i + stride] * y + m[i + 2 * stride] * t;
-      s1[i] = m1[i] * x + m1[i + stride] * y + m1[i + 2 * stride] * t;
-      s2[i] = m2[i] * x + m2[i + stride] * y + m2[i + 2 * stride] * t;
+      const double a = xx[i] - yy[i], b = yy[i] - zz[i], c = zz[i] - xx[i];
+      square[i] = 0.5 * (a * a + b * b + c * c) +
+                  3. * (yz[i] * yz[i] + xz[i] * xz[i] + xy[i] * xy[i]);
     }
+}
+
+/** stress = M strain; the arrays of M are its entries by rows. */
+template <unsigned int n_components>
+MESOSLIP_INTO_CLONES void multiply(const double *__restrict__ m,
+                                   const std::size_t m_stride,
+                                   const double *__restrict__ strain,
+                                   const std::size_t strain_stride,
+                                   const std::size_t n,
+                                   double *__restrict__ stress,
+                                   const std::size_t stress_stride)
+{
+  // The arrays of the stress do not overlap each other either.
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      double e[n_components];
+      for (unsigned int c = 0; c < n_components; ++c)
+        e[c] = strain[c * strain_stride + i];
+      for (unsigned int r = 0; r < n_components; ++r)
+        {
+          const double *row = m + r * n_components * m_stride + i;
+          double sum        = row[0] * e[0];
+          for (unsigned int c = 1; c < n_components; ++c)
+            sum += row[c * m_stride] * e[c];
+          stress[r * stress_stride + i] = sum;
+        }
+    }
+}
+
+MESOSLIP_CLONES
+void multiply_2(const double *m,
+                const std::size_t m_stride,
+                const CellRow &strain,
+                const std::size_t n,
+                double *stress,
+                const std::size_t stress_stride)
+{
+  multiply<3>(m, m_stride, strain.values, strain.stride, n, stress, stress_stride);
+}
+
+MESOSLIP_CLONES
+void multiply_3(const double *m,
+                const std::size_t m_stride,
+                const CellRow &strain,
+                const std::size_t n,
+                double *stress,
+                const std::size_t stress_stride)
+{
+  multiply<6>(m, m_stride, strain.values, strain.stride, n, stress, stress_stride);
 }
 
 /** Running mean after the sample number 1 / @p inverse. */
@@ -96,101 +138,91 @@ void add_moments_row(const double *__restrict__ value,
     }
 }
 
-/** Arrays of a row of sums. */
-constexpr unsigned int von_mises_sum = 0, means = 1, squares = 4;
+/** Arrays of a row of sums; behind the means of all components their squared deviations. */
+constexpr unsigned int von_mises_sum = 0, means = 1;
+template <int dim>
+constexpr unsigned int squares = means + n_voigt<dim>;
 } // namespace
 
-void add_von_mises_row(const double *xx,
-                       const double *yy,
-                       const double *xy,
-                       const double *ratio,
-                       const std::size_t n,
-                       double *work,
-                       double *sum)
+template <>
+void add_von_mises_row<2>(const CellRow &stress,
+                          const double *ratio,
+                          const std::size_t n,
+                          double *work,
+                          double *sum)
 {
-  von_mises_squares(xx, yy, xy, ratio, n, work);
+  von_mises_squares_2(stress.values, stress.stride, ratio, n, work);
   add_roots(work, n, sum);
 }
 
-StressMap::StressMap(const UniformGrid<2> &grid,
-                     const std::vector<std::uint8_t> &phase,
-                     const std::vector<VoigtMatrix<2>> &stiffness,
-                     const std::vector<double> &ratio,
-                     const std::vector<double> &concentration)
-  : data(grid.cells[0], grid.cells[1], 10)
+template <>
+void add_von_mises_row<3>(
+  const CellRow &stress, const double *, const std::size_t n, double *work, double *sum)
 {
-  const std::size_t nx = grid.cells[0];
-  for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
-    {
-      const std::size_t i = cell % nx, j = cell / nx;
-      VoigtMatrix<2> product = stiffness[phase[cell]];
-      if (!concentration.empty())
-        product *=
-          Eigen::Map<const VoigtMatrix<2>>(concentration.data() + 9 * cell).eval();
-      for (unsigned int k = 0; k < 9; ++k)
-        data.row(k, j)[i] = product(k / 3, k % 3);
-      data.row(9, j)[i] = ratio[phase[cell]];
-    }
+  von_mises_squares_3(stress.values, stress.stride, n, work);
+  add_roots(work, n, sum);
 }
 
-VoigtMatrix<2> StressMap::matrix(const unsigned int i, const unsigned int j) const
+template <int dim>
+unsigned int StressStatistics<dim>::n_numbers(const FieldSelection &fields)
 {
-  VoigtMatrix<2> result;
-  for (unsigned int k = 0; k < 9; ++k)
-    result(k / 3, k % 3) = data.row(k, j)[i];
-  return result;
+  return fields.deviation ? squares<dim> + n_voigt<dim>
+         : fields.mean    ? squares<dim>
+                          : means;
 }
 
-StressStatistics::StressStatistics(const StressMap &stress_map,
-                                   const FieldSelection &fields)
+template <int dim>
+StressStatistics<dim>::StressStatistics(const StressMap<dim> &stress_map,
+                                        const FieldSelection &fields)
   : map(stress_map)
   , selection(fields)
   , samples(map.rows().n_rows(), 0)
-  , sums(map.rows().n_columns(),
-         map.rows().n_rows(),
-         selection.deviation ? 7
-         : selection.mean    ? 4
-                             : 1)
-  , scratch(map.rows().n_columns(), 1, 4)
+  , sums(map.rows().n_cells(), map.rows().n_in_row(), n_numbers(fields))
+  , scratch(map.rows().n_in_row(), map.rows().n_in_row(), n_voigt<dim> + 1)
 {
 }
 
-void StressStatistics::add(const unsigned int j, const StrainRow &strain)
+template <int dim>
+void StressStatistics<dim>::add(const std::size_t j, const CellRow &strain)
 {
-  const std::size_t n = scratch.n_columns();
-  double *xx = scratch.row(0, 0), *yy = scratch.row(1, 0), *xy = scratch.row(2, 0);
-  stress_row(map.rows().row(0, j), map.rows().component_stride(), strain[0], strain[1],
-             strain[2], n, xx, yy, xy);
+  const CellRows &rows = map.rows();
+  const std::size_t n  = rows.size(j);
+  double *stress       = scratch.array(0, 0);
+  (dim == 2 ? multiply_2 : multiply_3)(rows.array(0, j), rows.stride(), strain, n, stress,
+                                       scratch.stride());
   const double inverse = 1. / static_cast<double>(++samples[j]);
   if (selection.von_mises)
-    add_von_mises_row(xx, yy, xy, map.rows().row(9, j), n, scratch.row(3, 0),
-                      sums.row(von_mises_sum, j));
-  for (unsigned int c = 0; c < 3; ++c)
+    add_von_mises_row<dim>({stress, scratch.stride()}, map.ratio(j), n,
+                           scratch.array(n_voigt<dim>, 0), sums.array(von_mises_sum, j));
+  for (unsigned int c = 0; c < n_voigt<dim>; ++c)
     if (selection.deviation)
-      add_moments_row(scratch.row(c, 0), n, inverse, sums.row(means + c, j),
-                      sums.row(squares + c, j));
+      add_moments_row(scratch.array(c, 0), n, inverse, sums.array(means + c, j),
+                      sums.array(squares<dim> + c, j));
     else if (selection.mean)
-      add_mean_row(scratch.row(c, 0), n, inverse, sums.row(means + c, j));
+      add_mean_row(scratch.array(c, 0), n, inverse, sums.array(means + c, j));
 }
 
-/** Arrays first to first + n - 1 [ny][nx][n], or the roots of what they are a sample. */
-std::vector<double> StressStatistics::interleaved(const unsigned int first,
-                                                  const unsigned int n,
-                                                  const bool as_root) const
+/** Arrays first to first + n - 1 by cells, or the roots of what they are a sample. */
+template <int dim>
+std::vector<double> StressStatistics<dim>::interleaved(const unsigned int first,
+                                                       const unsigned int n,
+                                                       const bool as_root) const
 {
-  std::vector<double> values;
-  const double n_samples = static_cast<double>(samples[0]);
-  for (unsigned int j = 0; j < sums.n_rows(); ++j)
-    for (std::size_t i = 0; i < sums.n_columns(); ++i)
-      for (unsigned int c = first; c < first + n; ++c)
-        {
-          const double value = sums.row(c, j)[i];
-          values.push_back(as_root ? std::sqrt(value / n_samples) : value);
-        }
+  std::vector<double> values(sums.n_cells() * n);
+  const double n_samples = samples.empty() ? 1. : static_cast<double>(samples[0]);
+  for (std::size_t j = 0; j < sums.n_rows(); ++j)
+    for (unsigned int c = 0; c < n; ++c)
+      {
+        const double *array = sums.array(first + c, j);
+        double *value       = values.data() + j * sums.n_in_row() * n + c;
+        for (std::size_t i = 0; i < sums.size(j); ++i)
+          value[i * n] = as_root ? std::sqrt(array[i] / n_samples) : array[i];
+      }
   return values;
 }
 
-StressFields StressStatistics::fields() const
+template <int dim>
+StressFields StressStatistics<dim>::fields() const
 {
   StressFields result;
   if (selection.von_mises)
@@ -198,9 +230,12 @@ StressFields StressStatistics::fields() const
   for (double &value : result.mean_von_mises)
     value /= static_cast<double>(samples[0]);
   if (selection.mean)
-    result.mean_stress = interleaved(means, 3, false);
+    result.mean_stress = interleaved(means, n_voigt<dim>, false);
   if (selection.deviation)
-    result.deviation_stress = interleaved(squares, 3, true);
+    result.deviation_stress = interleaved(squares<dim>, n_voigt<dim>, true);
   return result;
 }
+
+template class StressStatistics<2>;
+template class StressStatistics<3>;
 } // namespace mesoslip

@@ -2,103 +2,113 @@
 #define mesoslip_localization_stress_statistics_h
 
 #include "exchange/localization_file.h"
-#include "grid/nodal_field.h"
+#include "localization/cell_rows.h"
 #include "material/voigt.h"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
-
-/**
- * Before a loop over one row of cells: the compiler vectorizes it for three instruction sets,
- * of which that of the processor is picked when the program starts.
- */
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#  define MESOSLIP_CLONES \
-    __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
-#else
-#  define MESOSLIP_CLONES
-#endif
 
 namespace mesoslip
 {
-/** Strain of a row of cells: arrays of xx, yy and xy (engineering shear). */
-using StrainRow = std::array<const double *, 3>;
-
 /**
- * Adds the von Mises stress to @p sum, with sigma_zz = ratio (sigma_xx + sigma_yy);
- * @p work holds @p n numbers and is overwritten.
+ * Adds the von Mises stress of @p n cells to @p sum; in 2D with sigma_zz = ratio (sigma_xx +
+ * sigma_yy), in 3D @p ratio is not used. @p work holds @p n numbers and is overwritten.
  */
-void add_von_mises_row(const double *xx,
-                       const double *yy,
-                       const double *xy,
+template <int dim>
+void add_von_mises_row(const CellRow &stress,
                        const double *ratio,
                        const std::size_t n,
                        double *work,
                        double *sum);
 
 /**
- * From the macroscopic strain of each cell to its local stress: sigma = C_phase L eps
- * (eqs 23 and 24). The product is formed once; with it goes the ratio of sigma_zz to
- * sigma_xx + sigma_yy in plane strain.
+ * From the macroscopic strain of each cell to its local stress, sigma = C L eps (eqs 22 to 24),
+ * or without L to that of a run that resolves the phases. With it goes in 2D the ratio of
+ * sigma_zz to sigma_xx + sigma_yy.
  */
+template <int dim>
 class StressMap
 {
 public:
-  /**
-   * @p phase holds n_cells ids, @p stiffness (Pa) and @p ratio one entry for each phase,
-   * @p concentration the tensors L [ny][nx][3][3]; empty: the identity, which leaves
-   * sigma = C_phase eps, the stress of a run that resolves the phases.
-   */
-  StressMap(const UniformGrid<2> &grid,
-            const std::vector<std::uint8_t> &phase,
-            const std::vector<VoigtMatrix<2>> &stiffness,
-            const std::vector<double> &ratio,
-            const std::vector<double> &concentration);
+  /** Of @p n_cells cells in rows of @p n_in_row, all zero. */
+  StressMap(const std::size_t n_cells, const std::size_t n_in_row)
+    : data(n_cells, n_in_row, n_numbers)
+  {
+  }
 
-  /** C_phase L (Pa) of one cell. */
-  VoigtMatrix<2> matrix(const unsigned int i, const unsigned int j) const;
+  /** Sets C L (Pa) of cell @p i of row @p j. */
+  void
+  set_matrix(const std::size_t j, const std::size_t i, const VoigtMatrix<dim> &matrix)
+  {
+    for (unsigned int e = 0; e < n_entries; ++e)
+      data.array(e, j)[i] = matrix.data()[e];
+  }
 
-  /**
-   * Rows of ten arrays: the entries of C_phase L, row-major, and the ratio of sigma_zz to
-   * sigma_xx + sigma_yy.
-   */
-  const NodalField<double> &rows() const
+  /** Sets sigma_zz / (sigma_xx + sigma_yy) of such a cell; without effect in 3D. */
+  void set_ratio(const std::size_t j, const std::size_t i, const double ratio)
+  {
+    if (dim == 2)
+      data.array(n_entries, j)[i] = ratio;
+  }
+
+  /** C L (Pa) of cell @p k. */
+  VoigtMatrix<dim> matrix(const std::size_t k) const
+  {
+    VoigtMatrix<dim> result;
+    for (unsigned int e = 0; e < n_entries; ++e)
+      result.data()[e] = data(e, k);
+    return result;
+  }
+
+  /** The ratio of the cells of row @p j; nothing that may be read in 3D. */
+  const double *ratio(const std::size_t j) const
+  {
+    return dim == 2 ? data.array(n_entries, j) : nullptr;
+  }
+
+  /** The entries of C L by rows, and behind them in 2D the ratio. */
+  const CellRows &rows() const
   {
     return data;
   }
 
+  static constexpr unsigned int n_entries = n_voigt<dim> * n_voigt<dim>;    ///< of C L
+  static constexpr unsigned int n_numbers = n_entries + (dim == 2 ? 1 : 0); ///< of a cell
+
 private:
-  NodalField<double> data;
+  CellRows data;
 };
 
 /**
- * Averages over time of the stresses of all cells, fed row by row; the memory does not
- * depend on the number of samples. The map must outlive the object.
+ * Averages over time of the stresses of cells, fed row by row; the memory does not depend on
+ * the number of samples. The map must outlive the object.
  */
+template <int dim>
 class StressStatistics
 {
 public:
   /** No samples yet; @p stress_map must outlive it. */
-  StressStatistics(const StressMap &stress_map, const FieldSelection &fields);
+  StressStatistics(const StressMap<dim> &stress_map, const FieldSelection &fields);
 
   /** The next sample of row @p j, as the macroscopic strain of its cells. */
-  void add(const unsigned int j, const StrainRow &strain);
+  void add(const std::size_t j, const CellRow &strain);
 
-  /** Every row must have been given the same number of samples, at least one. */
+  /** Fields [n], [n][components]. Every row must have been given the same number of samples, at
+   * least one. */
   StressFields fields() const;
+
+  /** Numbers that are kept of each cell. */
+  static unsigned int n_numbers(const FieldSelection &fields);
 
 private:
   std::vector<double>
   interleaved(const unsigned int first, const unsigned int n, const bool as_root) const;
 
-  const StressMap &map;
+  const StressMap<dim> &map;
   FieldSelection selection;
   std::vector<std::size_t> samples;
-  NodalField<double> sums;
-  /** One row: the stress and a work array. */
-  NodalField<double> scratch;
+  CellRows sums;
+  CellRows scratch; ///< one row: the stress and a work array
 };
 } // namespace mesoslip
 

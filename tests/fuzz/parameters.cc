@@ -2,7 +2,7 @@
 #include "fuzzing.h"
 
 #include "homogenization/ensemble.h"
-#include "localization/localization_input.h"
+#include "localization/localization_parameters.h"
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
 

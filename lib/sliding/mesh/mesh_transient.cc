@@ -99,6 +99,13 @@ public:
                                        "mesoslip-dynamics", this->morphology, this->body);
       write_transient_draft(file, this->parameters, time,
                             vectors_shape(this->morphology));
+      for (const MeshPlace &place : this->body.probes)
+        {
+          const auto &position = place.point.position;
+          add_draft_probe(file, place.point.name,
+                          {position.begin(), position.begin() + dim},
+                          this->parameters.observation.probe_interval, time);
+        }
       file.close();
     });
   }

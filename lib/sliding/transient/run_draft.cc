@@ -70,10 +70,11 @@ void add_draft_probe(Hdf5File &file,
   for (std::uint64_t n = 0; n < time.n_steps; n += interval)
     times.push_back(static_cast<double>(n) * time.step.dt);
   write_series(file, group, {{"time", "s", &times}});
+  const std::size_t n_components = position.size() * (position.size() + 1) / 2;
   for (const auto &[quantity, unit] : {std::pair{"strain", "-"}, {"stress", "Pa"}})
     {
       const std::string dataset = group + "/" + quantity;
-      file.reserve_rows(dataset, {times.size(), 3}, times.size());
+      file.reserve_rows(dataset, {times.size(), n_components}, times.size());
       file.write_unit(dataset, unit);
     }
   file.write_attribute(group, "position", position);

@@ -28,7 +28,7 @@ void write_transient_draft(Hdf5File &file,
                            const TimeStepChoice &time,
                            const Shape &points);
 
-/** Adds a probe, at @p position, of a transient run in 2D. */
+/** Adds a probe, at @p position, of a transient run. */
 void add_draft_probe(Hdf5File &file,
                      const std::string &name,
                      const std::vector<double> &position,

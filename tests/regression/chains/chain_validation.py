@@ -31,7 +31,7 @@ WRONG = [  # file, text in it, what it is replaced by, words of the only sentenc
     ("40-stress_localization.prm", "subsection Comparison", "subsection Probes\n  set Of the run = contakt\nend\nsubsection Comparison",
      "names 'contakt', but the probes of 20-contact_dynamics-homogeneous/dynamics.h5 are: bulk, contact"),
     ("40-stress_localization.prm", "subsection Comparison", "subsection Probes\n  set Further = far\n  subsection far\n    set Position = 1, 1\n  end\n"
-     "end\nsubsection Comparison", "the probe far at (1, 1) m lies outside the body"),
+     "end\nsubsection Comparison", "Probes/far/Position: (1, 1) m lies outside the body"),
     ("30-contact_dynamics-heterogeneous.prm", "set Pressure = 5e6", "set Pressure = 6e6", "were made under different conditions (pressure is"),
     # The volume is 8 x 4 mm: that is in file 10 alone.
     ("30-contact_dynamics-heterogeneous.prm", "0.00405, 0.00205", "0.00405, 0.02", "Observation/bulk"),

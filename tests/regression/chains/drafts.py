@@ -24,7 +24,8 @@ MESH = {"Mesh/File": "mesh.msh", "Mesh/Scale": 0.001}
 # Name: program, text; volumes before the bodies that read them.
 VOXELS = "set Dimension = 3\n" + prm({"Grid/Cells": "6, 4, 5", "Grid/Size": "0.006, 0.004, 0.005", "Microstructure/Type": "voxels",
                                       "Microstructure/File": "voxels.npy"}) + PHASES
-BOX = "set Dimension = 3\n" + prm({**RUN, "Flat/Velocity": "2, 0", "Time/Time step": 2e-8, "Body/RVE file": "rve-box/rve.h5"})
+BOX = "set Dimension = 3\n" + prm({**RUN, "Flat/Velocity": "2, 0", "Time/Time step": 2e-8, "Body/RVE file": "rve-box/rve.h5",
+                                    "Observation/Probes": "A", "Observation/A/Position": "2.2e-3, 1.1e-3, 0.7e-3"})
 RUNS = {
     "rve": ("rve_homogenization", SMALL_RVE),
     "rve-mesh": ("rve_homogenization", PHASES + prm(MESH)),
@@ -33,8 +34,8 @@ RUNS = {
     "grains": ("contact_dynamics", prm({**GRAINS, **RUN, **PROBES})),
     "static": ("contact_dynamics", prm({**BODY, **STATIC})),
     "static-grains": ("contact_dynamics", prm({**GRAINS, **STATIC})),
-    "mesh": ("contact_dynamics", prm({**MESH, "Body/RVE file": "rve-mesh/rve.h5", **RUN})),
-    "mesh-grains": ("contact_dynamics", PHASES + prm({**MESH, **RUN})),
+    "mesh": ("contact_dynamics", prm({**MESH, "Body/RVE file": "rve-mesh/rve.h5", **RUN, **PROBES})),
+    "mesh-grains": ("contact_dynamics", PHASES + prm({**MESH, **RUN, **PROBES})),
     # Half-way between steps rounding decides which of them is nearer: none may be taken twice.
     "mesh-steps": ("contact_dynamics", PHASES + prm({**MESH, **RUN, "Time/Time step": 2e-9, "Snapshots/From": 1e-9, "Snapshots/Interval": 2e-9})),
     "static-mesh": ("contact_dynamics", prm({**MESH, "Body/RVE file": "rve-mesh/rve.h5", **STATIC})),
@@ -91,7 +92,8 @@ def check_content(folder):
                 times = made["snapshots/time"][()]
                 assert (np.diff(times) > 0).all() and (run != "mesh-steps" or len(times) > 900), (run, len(times))
         fields = {"concentration/KUBC", "stress_concentration/SUBC"} if name == "rve.h5" else {"snapshots/displacement"}
-        fields |= {f"probes/{probe}/{of}" for probe in "AB" for of in ("strain", "stress")} if run in ("grid", "grains") else set()
+        recorded = {"grid": "AB", "grains": "AB", "mesh": "AB", "mesh-grains": "AB", "box": "A", "box-grains": "A"}.get(run, "")
+        fields |= {f"probes/{probe}/{of}" for probe in recorded for of in ("strain", "stress")}
         assert set(empty) == fields, (run, empty)
 
 

@@ -1,5 +1,5 @@
 """stress_localization on a box of voxels: fields [z][y][x] on the grid, as in numpy and as on a mesh of the same cells, on 1, 2 and 3 ranks
-and on more than there are planes; bodies of other cells as meshes of them; fields at a point of a larger body; the file in Python and in
+and on more than there are planes; probes that the runs recorded; bodies of other cells as in numpy; fields at a point of a larger body; the file in Python and in
 XDMF; the memory, as --validate tells it and divided among the ranks; what is refused."""
 
 import os
@@ -30,6 +30,7 @@ RUN = {"Dimension": 3, "Flat/Velocity": "2, 0.3", "Top/Pressure": 5e7, "Friction
        "Time/End time": 4e-6, "Snapshots/Interval": 5e-7}
 ASKED = {"Window/From": 0, "Localization/Variant": "both", "Localization/Fields": "mean von Mises, mean stress, deviation of stress"}
 PLACE, PLACE_CELL = (0.00275, 0.0015, 0.0011), (5, 2, 2)
+RECORDED = {"Observation/Probes": "B", "Observation/Probe interval": 7, "Observation/B/Position": "%g, %g, %g" % PLACE}
 FIELDS = {"mean_von_mises": (), "mean_stress": (6,), "deviation_stress": (6,)}
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 
@@ -45,7 +46,7 @@ def prepare(folder):
     folder.write("mesh.prm", prm({"Dimension": 3, "Mesh/File": "mesh.msh", **PHASES, **EXACT}))
     for name in ("grid", "mesh"):
         folder.run(0, "rve_homogenization", f"{name}.prm", "--output", f"rve-{name}")
-    body = {"Body/RVE file": "rve-grid/rve.h5", **RUN}
+    body = {"Body/RVE file": "rve-grid/rve.h5", **RUN, **RECORDED}
     folder.write("homogeneous.prm", prm(body))
     folder.write("direct-grid.prm", prm({**body, "Body/Material": "heterogeneous"}))
     folder.write("direct-mesh.prm", prm({"Mesh/File": "mesh.msh", **PHASES, **RUN}))
@@ -111,6 +112,24 @@ def check_fields(folder):
             assert np.abs(file["probes/A/stress"][()] - probe).max() < 1e-10 * np.abs(probe).max()
 
 
+def check_recorded(folder):
+    """Probes of the runs have the samples that these recorded, finer than the snapshots: C L eps with the strain at the place."""
+    with h5py.File(folder("rve-grid", "rve.h5")) as rve, h5py.File(folder("homogeneous", "dynamics.h5")) as file, \
+         h5py.File(folder("direct-grid", "dynamics.h5")) as direct:
+        cell = PLACE_CELL[::-1]
+        matrix = rve["phase/stiffness"][()][rve["phase/id"][cell]] @ rve["concentration/KUBC"][cell]
+        times, expected = file["probes/B/time"][()], file["probes/B/strain"][()] @ matrix.T
+        theirs = direct["probes/B/stress"][()]
+    for ranks in (1, 3):
+        with h5py.File(folder(f"localized{ranks}", "localization.h5")) as file:
+            probe = file["probes/B"]
+            assert len(times) > 50 and (probe["time"][()] == times).all() and tuple(probe.attrs["cell"]) == PLACE_CELL
+            assert np.abs(probe["stress"][()] - expected).max() < 1e-10 * np.abs(expected).max() > 0, ranks
+            assert np.abs(probe["direct_stress"][()] - theirs).max() < 1e-10 * np.abs(theirs).max() > 0, ranks
+            by_mean = file["mean_strain_variant/probes/B"]
+            assert set(by_mean["time"][()]) <= set(file["probes/A/time"][()]), "the mean strain is that of the snapshots"
+
+
 def check_as_mesh(folder):
     """The volume as a mesh of the same cells: field by field, with the places of its cells."""
     localize(folder, "mesh", "on-mesh", 2)
@@ -130,9 +149,27 @@ def check_as_mesh(folder):
             assert abs(errors[quantity][region] - error) < 1e-6 * max(1, error), (quantity, region)
 
 
+def axis_weights(n_source, n_target):
+    """[n_target][n_source]: means over whole numbers of cells, or else linear between middles and beyond the outermost."""
+    weights = np.zeros((n_target, n_source))
+    for k in range(n_target):
+        at = (k + 0.5) * n_source / n_target - 0.5
+        if n_source % n_target == 0:
+            weights[k, k * n_source // n_target:(k + 1) * n_source // n_target] = n_target / n_source
+        elif n_source == 1:
+            weights[k] = 1
+        else:
+            below = min(max(int(np.floor(at)), 0), n_source - 2)
+            weights[k, below:below + 2] = below + 1 - at, at - below
+    return weights
+
+
 def check_other_cells(folder):
-    """Bodies of finer and coarser cells, one of a single layer: as with a mesh of the same cells, on any number of ranks."""
-    for cells in ((9, 4, 7), (3, 5, 2), (4, 1, 3)):
+    """Bodies of finer and coarser cells, one of a single layer: strains interpolated along the axes as in numpy, on any number of ranks;
+    at a point of the body as with a mesh of its cells."""
+    with h5py.File(folder("rve-grid", "rve.h5")) as rve:
+        CL = rve["phase/stiffness"][()][rve["phase/id"][()]] @ rve["concentration/KUBC"][()]
+    for cells in ((14, 4, 7), (3, 5, 10), (4, 1, 3)):
         Box(SIZE, cells, lambda _: "body").name_side("Contact", 2, False).name_side("Top", 2, True).write(folder("body.msh"))
         for name, settings in (("grid", {"Body/Cells": "%d, %d, %d" % cells}), ("mesh", {"Mesh/File": "body.msh"})):
             folder.write("other.prm", prm({"Body/RVE file": "rve-grid/rve.h5", **settings, **RUN}))
@@ -140,12 +177,19 @@ def check_other_cells(folder):
             folder.write(f"other-{name}.prm", prm({"Input/RVE file": "rve-grid", "Input/Homogeneous run": "other-" + name, **ASKED,
                                                    "Probes/Further": "A", "Probes/A/Position": "%g, %g, %g" % PLACE,
                                                    "Volume element/Points": "P", "Volume element/P/Position": "0.0012, 0.0011, 0.0013"}))
+        with h5py.File(folder("other-grid", "dynamics.h5")) as run:
+            E = strains(run["snapshots/displacement"][()], np.array(SIZE) / cells)
+        weights = [axis_weights(n, m) for n, m in zip(cells, CELLS)]
+        stress = np.einsum("zyxij,zc,yb,xa,tcbaj->tzyxi", CL, *weights[::-1], E, optimize=True)
         folder.run(0, "stress_localization", "other-mesh.prm", "--output", "by-mesh")
         for ranks in (1, 2, 4):
             folder.run(0, "stress_localization", "other-grid.prm", "--output", "by-grid", ranks=ranks)
             with h5py.File(folder("by-grid", "localization.h5")) as grid, h5py.File(folder("by-mesh", "localization.h5")) as mesh:
-                for name in [group + name for group in ("", "mean_strain_variant/", "points/P/") for name in FIELDS] + ["probes/A/stress"]:
-                    ours, theirs = grid[name][()], mesh[name][()]
+                expected = {group + name: mesh[group + name][()] for group in ("mean_strain_variant/", "points/P/") for name in FIELDS}
+                expected.update(statistics(stress))
+                expected["probes/A/stress"] = stress[(slice(None), *PLACE_CELL[::-1])]
+                for name, theirs in expected.items():
+                    ours = grid[name][()]
                     assert ours.shape == theirs.shape and np.abs(ours - theirs).max() < 1e-8 * np.abs(theirs).max() > 0, (cells, ranks, name)
 
 
@@ -253,6 +297,7 @@ if __name__ == "__main__":
         here = Folder(place)
         prepare(here)
         check_fields(here)
+        check_recorded(here)
         check_as_mesh(here)
         check_other_cells(here)
         check_points(here)

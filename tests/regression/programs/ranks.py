@@ -19,7 +19,7 @@ from study import Study
 # What tells of a process and not of the body; and the state of each rank, which resume.py looks at.
 SKIPPED_FILES = r"\.study.*|study_stderr\.txt|\.lock|contact_dynamics\.checkpoint"
 SKIPPED_VALUES = r"(summary\.json:|rve\.h5:/summary:)(ranks$|seconds(/|$)|peak_memory_bytes$|cell_updates_per_second$)"
-SKIPPED_LINES = r"^\w+ [\d.]+, \d+ process(es)?, |^done in |^This analysis runs on one process, all others repeat it|^one process works, the others wait"
+SKIPPED_LINES = r"^\w+ [\d.]+, \d+ process(es)?, |^done in |^This analysis runs on one process, all others repeat it"
 # What tells of the solver.
 SOLVER_FILES = r"|log\.txt|.*\.prm"
 SOLVER_VALUES = r"|iterations|residual|digest|friction_change|imbalance"

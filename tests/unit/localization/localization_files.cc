@@ -56,7 +56,7 @@ TEST(Localize, IdentityTensorsGiveThePhasesStress)
     }
   // Between four cells: the upper right one, (3, 2).
   const ProbeResult &further = result.variants[0].probes.at(1);
-  EXPECT_EQ(LocalizationInput(parameters).probes.at(1).cell,
+  EXPECT_EQ(OpenedInput(parameters).input.probes.at(1).cell,
             (std::vector<unsigned int>{3, 2}));
   const VoigtVector<2> stress = c.rve.stiffness[c.rve.phase[15]] * c.strain;
   EXPECT_NEAR(further.stress[1], stress[1], 1e-10 * stress.norm());
@@ -81,14 +81,15 @@ TEST(Localize, DirectRunOnARefinedGridIsCompared)
     }
   c.write_identity();
   write_run(c.folder / "homogeneous.h5", coarse, times, ours, {c.probe("A", 1.)});
-  write_run(c.folder / "direct.h5", fine, times, theirs, {c.probe("other", 0.5)});
+  write_run(c.folder / "direct.h5", fine, times, theirs, {c.probe("other", 0.5)},
+            "0123456789abcdef", c.refined_phase(fine));
 
   auto parameters           = c.request();
   parameters.direct_run     = c.folder / "direct.h5";
   parameters.further_probes = {{"B", {{0.5e-3, 0.5e-3}}}};
   const auto result         = localize(parameters);
   const VariantResult &v    = result.variants.at(0);
-  EXPECT_EQ(LocalizationInput(parameters).direct_snapshots.count, 40u);
+  EXPECT_EQ(OpenedInput(parameters).input.plan.direct_snapshots.count, 40u);
   ASSERT_FALSE(v.errors.empty());
   for (const FieldError &error : v.errors)
     if (error.n_cells > 0)
@@ -120,7 +121,7 @@ TEST(Localize, OnlyTheWindowCounts)
   parameters.fields      = {false, true, false};
   auto result            = localize(parameters);
   const auto n_snapshots = [&]() {
-    return LocalizationInput(parameters).snapshots.count;
+    return OpenedInput(parameters).input.plan.snapshots.count;
   };
   EXPECT_EQ(n_snapshots(), 2u);
   EXPECT_TRUE(result.variants[0].fields.mean_von_mises.empty());
@@ -156,9 +157,7 @@ TEST(Localize, WrongFilesAreNamed)
 {
   Case c;
   auto parameters  = c.request();
-  const auto error = [&]() {
-    return user_error([&]() { LocalizationInput{parameters}; });
-  };
+  const auto error = [&]() { return user_error([&]() { OpenedInput{parameters}; }); };
   parameters.concentration = "PBC";
   expect_contains(error(), "/concentration/PBC");
   parameters.concentration = "KUBC";
@@ -185,7 +184,11 @@ TEST(Localize, WrongFilesAreNamed)
   std::swap(phase[0], phase[1]);
   write_run(c.folder / "direct.h5", make_grid(6, 4), {0.}, {c.state(make_grid(6, 4))}, {},
             "0123456789abcdef", phase);
-  expect_contains(error(), "another morphology");
+  expect_contains(error(), "another material");
+  expect_contains(error(), "in the cell at (5e-04, 5e-04) m");
+  // The body of a homogeneous run is no direct one.
+  write_run(c.folder / "direct.h5", make_grid(6, 4), {0.}, {c.state(make_grid(6, 4))});
+  expect_contains(error(), "in the cell at (0.0015, 5e-04) m");
 
   write_run(c.folder / "homogeneous.h5", make_grid(6, 4), {}, {});
   parameters.direct_run = "";
@@ -211,9 +214,9 @@ TEST(LocalizationOutput, FileAndSummary)
   auto parameters        = c.request();
   parameters.direct_run  = c.folder / "direct.h5";
   parameters.mean_strain = true;
-  LocalizationInput input(parameters);
-  const auto result = mesoslip::localize(input);
-  write_localization(origin_of(input), result, "", c.folder.path);
+  OpenedInput opened(parameters);
+  const auto result = opened.localize();
+  write_localization(origin_of(opened.input), result, "", c.folder.path);
   const auto file = LocalizationFile::open(c.folder / "localization.h5");
   EXPECT_EQ(file.shape("/mean_von_mises"), (Shape{4, 6}));
   for (const std::string group : {"", "/direct", "/difference", "/mean_strain_variant"})
@@ -231,7 +234,7 @@ TEST(LocalizationOutput, FileAndSummary)
     EXPECT_TRUE(std::filesystem::exists(c.folder / name)) << name;
 
   nlohmann::json summary;
-  summarize_localization(origin_of(input), result, summary);
+  summarize_localization(origin_of(opened.input), result, summary);
   const auto &probe = summary["probes"][0];
   EXPECT_EQ(probe["phase"], "fibre");
   // Half of the direct series at every time.
@@ -276,8 +279,8 @@ TEST(Localize, AveragesOfBothRunsAreOverTheSameTime)
   auto parameters       = c.request();
   parameters.direct_run = c.folder / "direct.h5";
   const auto result     = localize(parameters);
-  EXPECT_EQ(LocalizationInput(parameters).snapshots.count, 5u);
-  EXPECT_EQ(LocalizationInput(parameters).direct_snapshots.count, 5u);
+  EXPECT_EQ(OpenedInput(parameters).input.plan.snapshots.count, 5u);
+  EXPECT_EQ(OpenedInput(parameters).input.plan.direct_snapshots.count, 5u);
   for (const FieldError &error : result.variants.at(0).errors)
     if (error.n_cells > 0 && error.quantity.find("mean") == 0)
       {

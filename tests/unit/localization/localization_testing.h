@@ -55,13 +55,27 @@ inline std::vector<double> uniform_strain(const UniformGrid<2> &grid,
   });
 }
 
+/** The materials of the tests. */
+inline std::vector<Phase<2>> test_phases()
+{
+  return {{"matrix", isotropic_stiffness<2>(30e9, 0.2), 1700., 0.2},
+          {"fibre", isotropic_stiffness<2>(240e9, 0.3), 2400., 0.3}};
+}
+
+/** All cells of a grid. */
+template <int dim>
+CellBlock<dim> all_cells(const UniformGrid<dim> &grid)
+{
+  return {{}, grid.cells};
+}
+
 /** The content of a small rve.h5: two isotropic phases, L with mean one. */
 struct TestRve
 {
   UniformGrid<2> grid = make_grid(6, 4);
   std::vector<std::uint8_t> phase;
   std::array<VoigtMatrix<2>, 2> stiffness = {
-    {isotropic_stiffness<2>(30e9, 0.2), isotropic_stiffness<2>(240e9, 0.3)}};
+    {test_phases()[0].stiffness, test_phases()[1].stiffness}};
   std::vector<double> L;
 
   TestRve()
@@ -96,8 +110,7 @@ struct TestRve
     RveContent<2> content;
     content.digest                = "0123456789abcdef";
     content.grid                  = grid;
-    content.phases                = {{"matrix", stiffness[0], 1700., 0.2},
-                                     {"fibre", stiffness[1], 2400., 0.3}};
+    content.phases                = test_phases();
     content.phase_id              = phase;
     content.concentration["KUBC"] = &L;
     write_rve_file<2>(path, content);
@@ -136,7 +149,8 @@ write_run(const std::string &path,
   write_grid(file, grid);
   if (conditions)
     write_run_conditions(file, *conditions);
-  file.create_group("/material");
+  // Without the phases of cells the body is of the first one alone.
+  write_phases<2>(file, "/material", test_phases(), false);
   file.write_attribute("/material", "rve_digest", rve_digest);
   if (!phase.empty())
     file.write("/material/phase_id", {grid.cells[1], grid.cells[0]}, phase);
@@ -163,13 +177,32 @@ write_run(const std::string &path,
   file.close();
 }
 
+/** Files and input of a localization on one rank. */
+struct OpenedInput
+{
+  explicit OpenedInput(const LocalizationParameters &parameters)
+    : files(parameters, true)
+    , input(parameters, files)
+  {
+  }
+
+  /** Localizes; what is told is in the input. */
+  LocalizationResult localize()
+  {
+    return mesoslip::localize(input.parameters, files, input.plan, &input, MPI_COMM_SELF);
+  }
+
+  const LocalizationFiles<2> files;
+  LocalizationInput<2> input;
+};
+
 /** The result; adds warnings and notes to @p told. */
 inline LocalizationResult localize(const LocalizationParameters &parameters,
                                    std::string *told = nullptr)
 {
-  LocalizationInput input(parameters);
-  const LocalizationResult result = mesoslip::localize(input);
-  for (const auto *sentences : {&input.warnings, &input.notes})
+  OpenedInput opened(parameters);
+  const LocalizationResult result = opened.localize();
+  for (const auto *sentences : {&opened.input.warnings, &opened.input.notes})
     for (const std::string &sentence : *sentences)
       if (told != nullptr)
         *told += sentence + "\n";
@@ -196,6 +229,18 @@ struct Case
     for (std::size_t k = 0; k < rve.L.size(); ++k)
       rve.L[k] = k % 9 % 4 == 0 ? 1. : 0.;
     rve.write(folder / "rve.h5");
+  }
+
+  /** The phases of cells that divide those of the volume. */
+  std::vector<std::uint8_t> refined_phase(const UniformGrid<2> &fine) const
+  {
+    const unsigned int nx = fine.cells[0] / rve.grid.cells[0],
+                       ny = fine.cells[1] / rve.grid.cells[1];
+    std::vector<std::uint8_t> phase;
+    for (unsigned int j = 0; j < fine.cells[1]; ++j)
+      for (unsigned int i = 0; i < fine.cells[0]; ++i)
+        phase.push_back(rve.phase[j / ny * rve.grid.cells[0] + i / nx]);
+    return phase;
   }
 
   /** Displacement of the strain, times @p factor. */

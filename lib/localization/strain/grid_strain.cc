@@ -1,7 +1,7 @@
-#include "localization/mesh/grid_strain.h"
+#include "localization/strain/grid_strain.h"
 
 #include "exchange/mesh_datasets.h"
-#include "localization/mesh/cell_set.h"
+#include "localization/strain/cell_set.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-#ifndef mesoslip_localization_mesh_cell_strain_h
-#define mesoslip_localization_mesh_cell_strain_h
+#ifndef mesoslip_localization_strain_cell_strain_h
+#define mesoslip_localization_strain_cell_strain_h
 
 #include "material/voigt.h"
 #include "mesh/mesh.h"

@@ -1,8 +1,8 @@
-#ifndef mesoslip_localization_mesh_grid_strain_h
-#define mesoslip_localization_mesh_grid_strain_h
+#ifndef mesoslip_localization_strain_grid_strain_h
+#define mesoslip_localization_strain_grid_strain_h
 
 #include "grid/cell_block.h"
-#include "localization/mesh/slope_fits.h"
+#include "localization/strain/slope_fits.h"
 #include "material/voigt.h"
 
 #include <map>

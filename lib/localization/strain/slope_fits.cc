@@ -1,4 +1,4 @@
-#include "localization/mesh/slope_fits.h"
+#include "localization/strain/slope_fits.h"
 
 #include "mesh/cell_gradients.h"
 

@@ -1,5 +1,5 @@
-#ifndef mesoslip_localization_mesh_slope_fits_h
-#define mesoslip_localization_mesh_slope_fits_h
+#ifndef mesoslip_localization_strain_slope_fits_h
+#define mesoslip_localization_strain_slope_fits_h
 
 #include "mesh/mesh.h"
 

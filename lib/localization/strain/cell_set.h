@@ -1,5 +1,5 @@
-#ifndef mesoslip_localization_mesh_cell_set_h
-#define mesoslip_localization_mesh_cell_set_h
+#ifndef mesoslip_localization_strain_cell_set_h
+#define mesoslip_localization_strain_cell_set_h
 
 #include "exchange/body_snapshots.h"
 #include "exchange/rve_file.h"
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 
 namespace mesoslip
 {
@@ -42,10 +43,10 @@ struct CellSet
     return is_grid ? grid.n_nodes() : mesh.points.size();
   }
 
-  /** Cells of a row of the last axis of a grid; of a mesh one. */
-  std::size_t n_cells_in_row() const
+  /** Cells of a layer of a grid across its last axis; of a mesh one. */
+  std::size_t cells_in_layer() const
   {
-    return is_grid ? grid.n_cells() / grid.cells[dim - 1] : 1;
+    return is_grid ? grid.cells_in_layer() : 1;
   }
 
   /** Middle and size of cell @p k. */
@@ -60,12 +61,12 @@ struct CellSet
 };
 
 /** Calls @p treat (first, count) for pieces of @p n cells that are small beside the libraries of a
- * program: whole rows of @p n_in_row of them. */
+ * program: whole layers of @p in_layer of them. */
 template <typename Treat>
-void for_each_piece(const std::size_t n, const std::size_t n_in_row, const Treat &treat)
+void for_each_piece(const std::size_t n, const std::size_t in_layer, const Treat &treat)
 {
   constexpr std::size_t few = 1 << 14;
-  const std::size_t piece   = std::max<std::size_t>(few / n_in_row, 1) * n_in_row;
+  const std::size_t piece   = std::max<std::size_t>(few / in_layer, 1) * in_layer;
   for (std::size_t first = 0; first < n; first += piece)
     treat(first, std::min(piece, n - first));
 }
@@ -101,7 +102,19 @@ template <int dim>
 std::optional<std::array<unsigned int, dim>> cell_at(const UniformGrid<dim> &grid,
                                                      const dealii::Point<dim> &point);
 
-/** Finds the cells that hold points. */
+/** "(0, 0.1) m" */
+template <int dim>
+std::string point_text(const dealii::Point<dim> &point);
+
+/** "from (0, 0) m to (1, 1) m" */
+template <int dim>
+std::string corners_text(const dealii::BoundingBox<dim> &box);
+
+/** "560 x 160" */
+template <int dim>
+std::string cells_text(const UniformGrid<dim> &grid);
+
+/** Finds the cells that hold points; of a mesh it sorts them when it is asked first. */
 template <int dim>
 class CellFinder
 {
@@ -110,7 +123,7 @@ public:
   explicit CellFinder(const CellSet<dim> &of_cells);
 
   /** Number of the cell that holds @p point; nothing if there is none. */
-  std::optional<std::size_t> find(const dealii::Point<dim> &point) const;
+  std::optional<std::size_t> find(const dealii::Point<dim> &point);
 
 private:
   const CellSet<dim> &cells;

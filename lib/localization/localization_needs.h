@@ -1,7 +1,7 @@
-#ifndef mesoslip_localization_mesh_memory_need_h
-#define mesoslip_localization_mesh_memory_need_h
+#ifndef mesoslip_localization_localization_needs_h
+#define mesoslip_localization_localization_needs_h
 
-#include "localization/mesh/mesh_input.h"
+#include "localization/localization_input.h"
 
 namespace mesoslip
 {
@@ -17,8 +17,11 @@ struct RankMemory
  * 0 has all meshes; of the rest, and of grids everything, each rank has its share.
  */
 template <int dim>
-RankMemory memory_need(const MeshLocalizationInput<dim> &input,
-                       const unsigned int n_ranks);
+RankMemory memory_need(const LocalizationInput<dim> &input, const unsigned int n_ranks);
+
+/** What localization.h5 takes. */
+template <int dim>
+ResourceNeed disk_need(const LocalizationInput<dim> &input);
 } // namespace mesoslip
 
 #endif

@@ -1,12 +1,14 @@
 #include "base/exchange.h"
-#include "localization/mesh/cell_strain.h"
-#include "localization/mesh/strain_source.h"
+#include "localization/strain/cell_strain.h"
+#include "localization/strain/read_ahead.h"
+#include "localization/strain/strain_source.h"
 #include "mesh/cell_gradients.h"
 #include "mesh/point_blocks.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace mesoslip
 {
@@ -75,7 +77,7 @@ Neighbourhood<dim> neighbourhood(const Mesh<dim> &body,
 
 /** Whether each place is the centroid of its cell, which is cell @p number [k] of the mesh. */
 template <int dim>
-bool are_centroids(const StrainPlaces<dim> &places,
+bool are_centroids(const std::vector<dealii::Point<dim>> &places,
                    const std::vector<std::size_t> &number,
                    const Neighbourhood<dim> &own)
 {
@@ -99,9 +101,12 @@ public:
              const std::vector<unsigned int> &cells,
              const MPI_Comm the_communicator)
     : run(of_run)
-    , places(given)
+    , asked(given)
     , communicator(the_communicator)
+    , places(given.middles)
+    , buffer(given.n_in_row)
   {
+    places.insert(places.end(), given.points.begin(), given.points.end());
     std::vector<unsigned int> wanted = cells;
     std::sort(wanted.begin(), wanted.end());
     wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
@@ -113,29 +118,51 @@ public:
                                                are_centroids(places, wanted_cell, own));
     points =
       std::make_unique<NumbersFromBlocks>(own.points, run.n_points(), communicator);
-    if (places.mean)
+    if (asked.mean)
       distribute_mean(of_root);
+    ahead.emplace(asked.snapshots, 1, [this](const IndexRange &range) {
+      return run.displacement(range.first, points->first(), points->size());
+    });
   }
 
-  void set_snapshot(const std::size_t k) override
+  std::size_t next() override
   {
+    if (ahead->n_next() == 0)
+      return 0;
     std::vector<double> u;
-    on_all_ranks(communicator,
-                 [&]() { u = run.displacement(k, points->first(), points->size()); });
-    this->mean_strain.setZero();
-    if (places.mean)
+    on_all_ranks(communicator, [&]() { u = ahead->next(); });
+    mean_strain.setZero();
+    if (asked.mean)
       in_order_of_ranks(
-        this->mean_strain.data(), n_voigt<dim>,
-        [&]() { mean_of_block.add(u, this->mean_strain); }, communicator);
+        mean_strain.data(), n_voigt<dim>, [&]() { mean_of_block.add(u, mean_strain); },
+        communicator);
     strain->set_displacement(points->bring(u, dim));
+    return 1;
   }
 
-  VoigtVector<dim> at(const std::size_t k) const override
+  CellRow row(const std::size_t, const std::size_t j) override
+  {
+    const std::size_t first = j * asked.n_in_row;
+    return buffer.fill(std::min(asked.n_in_row, asked.n_cells - first),
+                       [&](const std::size_t i) { return at(first + i); });
+  }
+
+  VoigtVector<dim> at_point(const std::size_t, const std::size_t p) const override
+  {
+    return at(asked.middles.size() + p);
+  }
+
+  const VoigtVector<dim> &mean(const std::size_t) const override
+  {
+    return mean_strain;
+  }
+
+private:
+  VoigtVector<dim> at(const std::size_t k) const
   {
     return strain->at(wanted_cell[k], places[k]);
   }
 
-private:
   /** The part of this rank around the cells that it wants. */
   Neighbourhood<dim> distribute(const Mesh<dim> &of_root,
                                 const std::vector<unsigned int> &wanted)
@@ -159,13 +186,17 @@ private:
   }
 
   const BodySnapshots<dim> &run;
-  const StrainPlaces<dim> &places;
+  const StrainPlaces<dim> &asked;
   const MPI_Comm communicator;
-  std::vector<std::size_t> wanted_cell; ///< place among those of CellStrain
+  std::vector<dealii::Point<dim>> places; ///< the middles, and then the points
+  std::vector<std::size_t> wanted_cell;   ///< place among those of CellStrain
+  StrainRowBuffer<dim> buffer;
 
   std::unique_ptr<CellStrain<dim>> strain;
   std::unique_ptr<const NumbersFromBlocks> points; ///< of the body, around the places
   MeanStrain<dim> mean_of_block; ///< what the points that this rank reads add
+  VoigtVector<dim> mean_strain = VoigtVector<dim>::Zero(); ///< of the snapshot at hand
+  std::optional<ReadAhead<std::vector<double>>> ahead; ///< reads with all of the above
 };
 } // namespace
 

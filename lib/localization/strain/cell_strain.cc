@@ -1,6 +1,6 @@
-#include "localization/mesh/cell_strain.h"
+#include "localization/strain/cell_strain.h"
 
-#include "localization/mesh/slope_fits.h"
+#include "localization/strain/slope_fits.h"
 #include "mesh/cell_gradients.h"
 
 #include <map>

@@ -1,0 +1,28 @@
+#ifndef mesoslip_localization_strain_side_integrals_h
+#define mesoslip_localization_strain_side_integrals_h
+
+#include "grid/cell_block.h"
+#include "material/voigt.h"
+
+namespace mesoslip
+{
+/**
+ * Adds to sums [2][dim][dim] what the sides of the layers from @p begin to @p end of a grid add to the
+ * integral of du_c / dx_d over it (Gauss' theorem), the compensation of round-off behind it. @p u is
+ * the displacement of the nodes of the cells @p known. Layer after layer, so that the sum does
+ * not depend on who adds which of them.
+ */
+template <int dim>
+void add_side_integrals(const UniformGrid<dim> &grid,
+                        const CellBlock<dim> &known,
+                        const double *u,
+                        const unsigned int begin,
+                        const unsigned int end,
+                        double *sums);
+
+/** The mean strain over a grid from these sums of all its layers. */
+template <int dim>
+VoigtVector<dim> mean_strain(const UniformGrid<dim> &grid, const double *sums);
+} // namespace mesoslip
+
+#endif
