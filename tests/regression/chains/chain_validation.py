@@ -118,7 +118,7 @@ def check_told(folder):
     os.remove(folder("out", LAST, "localization.h5"))
     folder.write(last, text + prm({"Probes/Further": "far", "Probes/far/Position": "1, 1"}))
     done = run_chain(source, folder("out"))
-    assert done.returncode == 2 and done.stdout.count("\n") == 1 and "probe far" in done.stdout, done.stdout
+    assert done.returncode == 2 and done.stdout.count("\n") == 1 and "Probes/far" in done.stdout, done.stdout
     folder.write(last, text)
     again = run_chain(source, folder("out"), "--validate").stdout
     assert again.count("up to date") == 3 and re.search(rf"{LAST}: valid; \d+ MB of memory, [\d.]+ kB on the disk, about \d+ s", again), again
