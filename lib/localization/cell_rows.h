@@ -119,8 +119,11 @@ public:
   }
 
 private:
-  std::size_t cells = 0, length = 1, distance = 1, numbers = 0;
-  LineVector<double> data;
+  std::size_t cells    = 0; ///< their number
+  std::size_t length   = 1; ///< of a row
+  std::size_t distance = 1; ///< from one array of a row to the next
+  std::size_t numbers  = 0; ///< of each cell
+  LineVector<double> data;  ///< row after row
 };
 } // namespace mesoslip
 

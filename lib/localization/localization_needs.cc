@@ -56,11 +56,12 @@ double bytes_of_strain(const CellSet<dim> &body, const bool at_centroids)
   return gradients + (at_centroids ? 0. : slopes);
 }
 
-/** Of the strains of the share of a body of which @p n_ranks have as much each. */
+/** Of the strains in @p n_snapshots of the share of a body of which @p n_ranks have as much each. */
 template <int dim>
 double bytes_of_share(const CellSet<dim> &body,
                       const CellSet<dim> &volume,
                       const bool has_points,
+                      const std::size_t n_snapshots,
                       const unsigned int n_ranks)
 {
   const double n_cells = static_cast<double>(body.n_cells()) / n_ranks,
@@ -69,7 +70,7 @@ double bytes_of_share(const CellSet<dim> &body,
     return n_cells *
            bytes_of_strain(body, body.n_cells() == volume.n_cells() && !has_points);
   if (volume.is_grid)
-    return bytes_of_displacements(n_cells * vector);
+    return bytes_of_displacements(n_cells * vector, n_snapshots);
   return n_cells * (2. * vector + of_number * n_voigt<dim> + sizeof(std::size_t));
 }
 } // namespace
@@ -110,10 +111,13 @@ RankMemory memory_need(const LocalizationInput<dim> &input, const unsigned int n
   const double n_own = std::ceil(static_cast<double>(input.files.shape()[0]) / n_ranks) *
                        static_cast<double>(input.files.cells_in_layer());
   const bool has_points = !p.points.empty();
-  const double strain =
-    is_body ? bytes_of_share(input.body, input.volume, has_points, n_ranks) : 0.;
+  const double strain   = is_body ? bytes_of_share(input.body, input.volume, has_points,
+                                                   input.plan.snapshots.count, n_ranks)
+                                  : 0.;
   const double direct_strain =
-    with_direct ? bytes_of_share(input.direct_body, input.volume, false, n_ranks) : 0.;
+    with_direct ? bytes_of_share(input.direct_body, input.volume, false,
+                                 input.plan.direct_snapshots.count, n_ranks)
+                : 0.;
   const double share =
     n_own * place + std::max({n_own * homogeneous + strain,
                               n_own * direct + direct_strain, n_own * comparison});

@@ -76,7 +76,7 @@ public:
   static constexpr unsigned int n_numbers = n_entries + (dim == 2 ? 1 : 0); ///< of a cell
 
 private:
-  CellRows data;
+  CellRows data; ///< see rows()
 };
 
 /**
@@ -104,11 +104,11 @@ private:
   std::vector<double>
   interleaved(const unsigned int first, const unsigned int n, const bool as_root) const;
 
-  const StressMap<dim> &map;
-  FieldSelection selection;
-  std::vector<std::size_t> samples;
-  CellRows sums;
-  CellRows scratch; ///< one row: the stress and a work array
+  const StressMap<dim> &map;        ///< of the cells
+  FieldSelection selection;         ///< the fields wanted
+  std::vector<std::size_t> samples; ///< of each row, so far
+  CellRows sums;                    ///< of von Mises stresses, means, squared deviations
+  CellRows scratch;                 ///< one row: the stress and a work array
 };
 } // namespace mesoslip
 

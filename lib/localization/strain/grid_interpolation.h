@@ -76,16 +76,15 @@ private:
 
   CellRow source_row(const RowIndex &at);
 
-  UniformGrid<dim> source;
-  std::size_t n_target;    ///< cells of a row of the target
-  std::size_t first_layer; ///< of those known, along the last axis
-  std::array<AxisWeights, dim> axes;
-  const double *displacement = nullptr;
-  /** A strain row of the source, those of its rows that have been interpolated along x last,
-   *  and a sum of them. */
-  CellRows scratch, kept, result;
-  /** Which row of the source is at each place of kept, or none. */
-  std::vector<std::size_t> kept_row;
+  UniformGrid<dim> source;              ///< the grid of the run
+  std::size_t n_target;                 ///< cells of a row of the target
+  std::size_t first_layer;              ///< of those known, along the last axis
+  std::array<AxisWeights, dim> axes;    ///< from source to target
+  const double *displacement = nullptr; ///< of the known nodes (m)
+  CellRows scratch;                     ///< a strain row of the source
+  CellRows kept;                        ///< rows that have been interpolated along x last
+  std::vector<std::size_t> kept_row; ///< which row of the source each of them is, or none
+  CellRows result;                   ///< a sum of such rows
 };
 } // namespace mesoslip
 

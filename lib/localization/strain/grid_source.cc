@@ -273,10 +273,10 @@ private:
 };
 } // namespace
 
-double bytes_of_displacements(const double of_snapshot)
+double bytes_of_displacements(const double of_snapshot, const std::size_t n_snapshots)
 {
-  return 2. * of_snapshot *
-         static_cast<double>(batch_size(static_cast<std::size_t>(of_snapshot)));
+  const std::size_t batch = batch_size(static_cast<std::size_t>(of_snapshot));
+  return of_snapshot * static_cast<double>(std::min(2 * batch, n_snapshots));
 }
 
 template <int dim>

@@ -55,10 +55,10 @@ private:
     waiting = std::async(std::launch::async, read, IndexRange{rest.first, n_next()});
   }
 
-  IndexRange rest; ///< those that next() has not returned
-  std::size_t n_most;
-  std::function<Snapshots(const IndexRange &)> read;
-  std::future<Snapshots> waiting;
+  IndexRange rest;    ///< those that next() has not returned
+  std::size_t n_most; ///< at a time
+  std::function<Snapshots(const IndexRange &)> read; ///< the reader
+  std::future<Snapshots> waiting; ///< those that are being read, if any
 };
 } // namespace mesoslip
 

@@ -77,7 +77,7 @@ public:
   }
 
 private:
-  CellRows values;
+  CellRows values; ///< one row
 };
 
 /** Of a body on a grid: each rank reads the nodes around its places. @p run and @p places have to
@@ -88,8 +88,8 @@ std::unique_ptr<StrainSource<dim>> make_grid_source(const BodySnapshots<dim> &ru
                                                     const MPI_Comm communicator);
 
 /** Bytes of the displacements of a grid that a rank has in memory, if those of its places take @p
- * of_snapshot bytes in one snapshot. */
-double bytes_of_displacements(const double of_snapshot);
+ * of_snapshot bytes in each of @p n_snapshots. */
+double bytes_of_displacements(const double of_snapshot, const std::size_t n_snapshots);
 
 /**
  * Of a body on a mesh, whose cells @p cell hold the middles and points of this rank. Rank 0, where
