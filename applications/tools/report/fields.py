@@ -7,6 +7,7 @@ import numpy as np
 import maps
 import mesh_maps
 from page import escape, quantity
+from phase_colours import words_on_colours
 from projections import draw
 from stress_maps import highest, stress_group
 
@@ -47,7 +48,8 @@ def enlarged(run):
 
 def morphology(page, chain):
     run, ids = maps.phase_map(chain)
-    return page.figure(maps.morphology(run, ids), f"Phases of {escape(run.name)}: the whole body{enlarged(run)}.")
+    return page.figure(maps.morphology(run, ids), f"Phases of {escape(run.name)}: the whole body{enlarged(run)}."
+                       f"{escape(words_on_colours(run, 1 + int(ids.max())))}")
 
 
 def rve_stress(page, run, chain):
@@ -67,11 +69,14 @@ def _stress_of_volume(page, run, chain, draw, load):
 
 
 def mesh_morphology(page, run):
-    return page.figure(mesh_maps.morphology(run), f"Phases of {escape(run.name)}{' on their mesh' if run.members('/mesh') else ''}{sections_of(run)}.")
+    count = 1 + int(run.need("/phase/id").max())
+    return page.figure(mesh_maps.morphology(run), f"Phases of {escape(run.name)}{' on their mesh' if run.members('/mesh') else ''}{sections_of(run)}."
+                       f"{escape(words_on_colours(run, count))}")
 
 
 def phases_of_run(page, run):
-    return page.figure(mesh_maps.phases_of_run(run), f"Phases of the body of {escape(run.name)}{sections_of(run)}.")
+    return page.figure(mesh_maps.phases_of_run(run), f"Phases of the body of {escape(run.name)}{sections_of(run)}."
+                       f"{escape(words_on_colours(run, len(run.need('/material/name'))))}")
 
 
 def field_of(run, chain):

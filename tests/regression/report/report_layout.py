@@ -5,10 +5,11 @@
 
 import os
 import sys
+import tempfile
 
 import numpy as np
 
-from scenes import TOOLS
+from scenes import TOOLS, Folder, prm
 
 sys.path.insert(0, os.path.join(TOOLS, "report"))
 
@@ -16,6 +17,7 @@ from data import without_folders  # noqa: E402
 from figures import plt  # noqa: E402
 from loads import without_round_off  # noqa: E402
 from maps import TALL, views, whole_view  # noqa: E402
+from phase_colours import colours_of, words_on_colours  # noqa: E402
 from projections import Group, View, draw  # noqa: E402
 from stress_maps import compared, phase_figure, stress_group  # noqa: E402
 
@@ -26,7 +28,7 @@ SLACK = 0.03  # in
 
 class Body:
     """A run on a plane grid, as far as maps ask."""
-    name, summary = "body", {"phases": [{"name": LONG[:-1] + "6"}, {"name": LONG}]}
+    name, folder, summary = "body", "no folder", {"phases": [{"name": LONG[:-1] + "6"}, {"name": LONG}]}
 
     def __init__(self, nx, ny):
         self.cells = np.array([nx, ny])
@@ -90,7 +92,32 @@ def solid_pictures(size):
     yield "sections", draw(seen, [Group(values, "viridis", (-0.0125, 0.0125), "", "stress (MPa)")])
 
 
+def check_colours():
+    """Phases of a picture are as light as their values in it are high, also in the run that read its rve.h5; others have a fixed order."""
+    with tempfile.TemporaryDirectory() as root:
+        folder, body = Folder(root), Body(6, 4)
+
+        def lightness(settings, n, name):
+            folder.write(f"{name}/parameters.prm", prm(settings))
+            body.folder = folder(name)
+            return [sum(colours_of(body, n)(phase)[:3]) for phase in range(n)]
+        made = {"Microstructure/Type": "image", "Microstructure/File": "a/grey.png"}
+        for values in ("0, 255", "255, 0", "90, 200, 10", "1, 7, 6, 5, 4, 3, 2"):
+            numbers = [int(value) for value in values.split(",")]
+            light = lightness({**made, "Microstructure/Image values": values}, len(numbers), "rve")
+            assert np.array_equal(np.argsort(light), np.argsort(numbers)), (values, light)
+        assert "in grey.png, the lighter" in words_on_colours(body, 7), words_on_colours(body, 7)
+        light = lightness(made, 2, "rve")  # ascending
+        assert light[0] < light[1], light
+        for path in (folder("rve/rve.h5"), "rve/rve.h5", "/of/another/machine/rve/rve.h5"):
+            light = lightness({"Body/RVE file": path}, 2, "sliding")
+            assert light[0] < light[1], (path, light)
+        light = lightness({"Microstructure/Type": "random fibres"}, 2, "rve")
+        assert light[0] > light[1] and not words_on_colours(body, 2), light
+
+
 def main():
+    check_colours()
     found = []
     for shape in SHAPES:
         body = Body(*shape)
