@@ -14,7 +14,9 @@ from scenes import TOOLS, Folder, prm
 sys.path.insert(0, os.path.join(TOOLS, "report"))
 
 from data import without_folders  # noqa: E402
+from energies import friction_energy  # noqa: E402
 from figures import plt  # noqa: E402
+from key_numbers import frictional_power  # noqa: E402
 from loads import without_round_off  # noqa: E402
 from maps import TALL, views, whole_view  # noqa: E402
 from phase_colours import colours_of, words_on_colours  # noqa: E402
@@ -116,8 +118,40 @@ def check_colours():
         assert light[0] > light[1] and not words_on_colours(body, 2), light
 
 
+class Sliding:
+    """A run of some length (s) that dissipates 3 W/m, as far as energies ask."""
+    label = "run"
+
+    def __init__(self, end):
+        self.time = np.linspace(0, end, 201)
+
+    def get(self, dataset, rows=...):
+        return {"/history/time": self.time, "/history/friction_energy": 3 * self.time}[dataset]
+
+    def number(self, *path):
+        return 3 * self.time[-1] if path == ("friction_energy",) else None
+
+    def steady_from(self):
+        return 0.5 * self.time[-1]
+
+    def per_thickness(self):
+        return "/m"
+
+
+def check_lengths():
+    """Frictional energies of runs of different length are shown over the time of the shortest, and per second."""
+    for ends, shown in (((1e-3, 1e-3), None), ((2e-3, 1e-3), 1e-3)):
+        runs = [Sliding(end) for end in ends]
+        figure, end = friction_energy(runs)
+        assert end == shown and abs(figure.axes[0].get_xlim()[1] - 1.0) < 1e-9, (end, figure.axes[0].get_xlim())
+        rows = frictional_power(runs)
+        assert [row[1:] for row in rows] == ([["3 W/m", "3 W/m"]] if shown else []), rows
+        plt.close(figure)
+
+
 def main():
     check_colours()
+    check_lengths()
     found = []
     for shape in SHAPES:
         body = Body(*shape)
