@@ -79,6 +79,9 @@ is_built() {
   done
 }
 
+# nothing_to_do <folder> <target>... : whether a build would find all of it up to date.
+nothing_to_do() { cmake --build "$1" --target "${@:2}" -- -n 2>/dev/null | grep -q 'no work to do'; }
+
 # with_progress <log>: what ninja prints goes to the log; each tenth of its steps that is done is a line.
 with_progress() {
   local line tenth last=0
@@ -105,6 +108,7 @@ build() {
   fi
   [ -w . ] || [ -d "$folder" ] || fail "$PWD cannot be written to, and nothing is built in it: make a copy that is yours"
   configure "$folder"
+  ! nothing_to_do "$folder" "$@" || return 0
   say "Building (the first time takes some minutes)"
   if [ -t 1 ]; then
     cmake --build "$folder" --target "$@" || fail "the build failed"

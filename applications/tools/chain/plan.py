@@ -49,9 +49,11 @@ def link_inputs(source, target, names, files, folder):
 
 
 class Estimate:
-    """What a step is going to take; None where that is not known."""
+    """What the step `name` is going to take; None where that is not known."""
 
-    def __init__(self, text="", libraries=0.0):
+    def __init__(self, name, text="", libraries=0.0):
+        self.name, self.checked = name, bool(text)
+        self.histories = self._size(rf"{SIZE} of memory for histories", text)  # of bodies on meshes and of voxels: they tell no more
         self.memory = self._size(rf"{SIZE} of memory(?! for)|about {SIZE}", text)
         self.memory = self.memory and self.memory + libraries
         self.disk = self._size(rf"{SIZE} on the disk", text)
@@ -68,6 +70,8 @@ class Estimate:
     def text(self):
         """What is known, as the end of a sentence."""
         parts = [f"{bytes_text(size)} {what}" for size, what in ((self.memory, "of memory"), (self.disk, "on the disk")) if size]
+        if self.histories:
+            parts.append(f"{bytes_text(self.histories)} of memory for histories without the body")
         if self.seconds:
             parts.append(f"about {duration_text(self.seconds)} on one core")
         return ", ".join(parts)
@@ -124,7 +128,7 @@ class Plan:
                 if value.endswith(".h5") and value not in missing and not os.path.exists(os.path.join(self.folder, value)):
                     raise ChainError(f"{step.name}.prm: there is no file {value}, and no step before makes it")
             self._ask(step, "--print-parameters")
-            return Estimate(), [f"the rest is checked when it runs, as it reads {', '.join(missing)}"]
+            return Estimate(step.name), [f"the rest is checked when it runs, as it reads {', '.join(missing)}"]
         words = ["--validate", "--output", output]
         draft = DRAFTED & set(made_by(step))
         said = self._ask(step, *words, *(["--draft", step.output] if draft else []), *(["--resume"] if begun else []))
@@ -134,7 +138,7 @@ class Plan:
         guessed = [need.name for need in step.needs if need.name in self.drafted]
         if guessed:
             lines.insert(0, f"{self._stand_in(step)} that {', '.join(guessed)} will compute")
-        return Estimate(said, LIBRARIES if step.program.endswith("contact_dynamics") else 0.0), lines
+        return Estimate(step.name, said, LIBRARIES if step.program.endswith("contact_dynamics") else 0.0), lines
 
     @staticmethod
     def _stand_in(step):
@@ -192,13 +196,20 @@ def made_by(step):
 
 
 def sum_text(estimates, jobs):
-    """Of all steps together, with how many of them are not known."""
+    """Of all steps together, and which of them are left out of it and why."""
     def known(name):
         return [getattr(e, name) for e in estimates if getattr(e, name) is not None]
-
-    def of(name):
-        left_out = len(estimates) - len(known(name))
-        return f" ({left_out} of {len(estimates)} not known)" if left_out else ""
     seconds, disk, memory = sum(known("seconds")), sum(known("disk")), sum(sorted(known("memory"))[-jobs:])
-    return (f"In sum: about {duration_text(seconds)} on one core{of('seconds')}, {bytes_text(disk)} on the disk{of('disk')}, "
-            f"{bytes_text(memory)} of memory with {jobs} side by side{of('memory')}")
+    lines = [f"In sum: about {duration_text(seconds)} on one core, {bytes_text(disk)} on the disk, {bytes_text(memory)} of memory with "
+             f"{jobs} side by side"]
+    not_in = [(lambda e: not e.checked, "not in the sum, as what it reads has yet to be made"),
+              (lambda e: e.checked and e.seconds is None, "not in the time, as no short run told it"),
+              (lambda e: e.checked and e.disk is None, "not in the place on the disk, which the program does not tell"),
+              (lambda e: e.checked and e.memory is None and e.histories,
+               "not in the memory, as on meshes and voxels only that of the histories is known beforehand"),
+              (lambda e: e.checked and e.memory is None and not e.histories, "not in the memory, which the program does not tell")]
+    for pick, why in not_in:
+        names = [e.name for e in estimates if pick(e)]
+        if names:
+            lines.append(f"  {why}: {', '.join(names)}")
+    return "\n".join(lines)

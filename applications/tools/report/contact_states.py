@@ -113,7 +113,17 @@ def in_strips(x, *shares):
     return (places, *(mean(share) for share in shares))
 
 
+def why_no_zoom(time, begin):
+    """Why blocks that end at `time` (s) have no picture of the last periods, from `begin` (s) on; empty if they have one."""
+    if time[0] >= begin:
+        return "the run is hardly longer than these"
+    count = np.count_nonzero(time > begin)
+    # Of six periods; with fewer blocks in a period the picture shows steps and no waves.
+    return "" if count >= 6 * LEAST_BLOCKS else f"they have {count} blocks of steps, and {6 * LEAST_BLOCKS} are needed to show waves"
+
+
 def contact_map(run):
+    """(figure, why the last periods are not enlarged; empty if they are)."""
     time, slip, stick, separated = run.need(*[f"/contact/blocks/{name}" for name in
                                               ("time", "slip", "stick", "separated")])
     if slip.ndim != 2 or slip.shape != stick.shape or slip.shape != separated.shape:
@@ -127,8 +137,8 @@ def contact_map(run):
                 for share, c in zip((slip, stick, separated), rgb))
     first = time[0] - (time[1] - time[0]) if len(time) > 1 else 0.0
     begin = zoom_window(run, time[-1])
-    # Of six periods; with fewer blocks in a period the picture shows steps and no waves.
-    n_panels = 2 if time[0] < begin and np.count_nonzero(time > begin) >= 6 * LEAST_BLOCKS else 1
+    why = why_no_zoom(time, begin)
+    n_panels = 1 if why else 2
     figure, axes = panels(n_panels, 0.9 + 2.6 * n_panels)
     for axis in axes:
         shown = axis.imshow(np.clip(image, 0, 1).transpose(1, 0, 2), origin="lower", aspect="auto",
@@ -141,4 +151,4 @@ def contact_map(run):
         axes[1].set_title("last periods", loc="left", color=GREY)
     axes[-1].set_xlabel("time (ms)")
     above(axes[0], STATES)
-    return figure
+    return figure, why

@@ -1,9 +1,11 @@
 """Maps of the contact surface of bodies in 3D, seen along z: shares of time of its nodes, and pressure of the cells at it."""
 
+import functools
 import itertools
 
 import numpy as np
 
+from common_scales import ends
 from data import Missing
 from figures import STRESSES, scaled
 from mesh_maps import area, cells_of, middle_strain, points_of
@@ -88,8 +90,9 @@ def shares(run):
     return draw([nodes_view(run)], groups)
 
 
-def pressure(run):
-    """Mean over the snapshots of the steady part of the stress −σ_zz in the cells at the contact; (figure, number of snapshots)."""
+@functools.lru_cache(maxsize=None)
+def mean_pressure(run):
+    """View, values (Pa) and number of snapshots of the mean of −σ_zz over the steady part in the cells at the contact."""
     time = run.need("/snapshots/time")
     ids, stiffness = materials_of(run, "/material/phase_id", "/material/stiffness")
     points, cells = cells_of(run)
@@ -103,12 +106,24 @@ def pressure(run):
     strain = sum(middle_strain(points, at, moved(row))[view.numbers] for row in steady)
     mean = -np.einsum("cj,cj->c", stiffness[ids[view.numbers], 2], strain) / len(steady)
     view.numbers = np.arange(len(view.numbers))
-    factor, unit = scaled(mean, units=STRESSES)
-    low, high = np.percentile(mean, (0.5, 99.5)) / factor
+    return view, mean, len(steady)
+
+
+def pressure_ends(run):
+    low, high = np.percentile(mean_pressure(run)[1], (0.5, 99.5))
+    return min(low, 0), max(high, 0)
+
+
+def pressure(run, runs):
+    """Mean over the snapshots of the steady part of the stress −σ_zz in the cells at the contact, on the scale of `runs`; (figure, number
+    of snapshots)."""
+    view, mean, count = mean_pressure(run)
+    low, high, _ = ends(pressure_ends, runs)
+    factor, unit = scaled(np.array([low, high]), units=STRESSES)
     total = np.average(mean, weights=[area(polygon - polygon[0]) for polygon in view.polygons]) / factor
-    group = Group(mean / factor, STRESS_MAP, (min(low, 0), max(high, 0)), f"mean over the surface {total:.3g} {unit}",
+    group = Group(mean / factor, STRESS_MAP, (low / factor, high / factor), f"mean over the surface {total:.3g} {unit}",
                   rf"mean of $-\sigma_\mathrm{{zz}}$ ({unit})")
-    return draw([view], [group]), len(steady)
+    return draw([view], [group]), count
 
 
 def nominal_pressure(run):

@@ -14,13 +14,16 @@ def units_of(run):
 
 
 def friction_energy(runs):
+    """Over the time that all runs have; (figure, end (s) of that time, None if no run is longer)."""
     series = [(run, run.get("/history/time"), run.get("/history/friction_energy")) for run in runs]
     series = [entry for entry in series if entry[1] is not None and entry[2] is not None
               and len(entry[1])]
     if not series:
         raise Missing("/history/friction_energy is in none of the dynamics files")
     figure, (axes,) = panels(1, 3.3)
-    factor, unit = scaled(*[energy for *_, energy in series], units=units_of(series[0][0]))
+    end = min(time[-1] for _, time, _ in series)
+    longer = any(time[-1] > 1.001 * end for _, time, _ in series)
+    factor, unit = scaled(*[energy[time <= 1.001 * end] for _, time, energy in series], units=units_of(series[0][0]))
     for run, time, energy in series:
         mu = run.number("global_interface_friction_coefficient")
         label = run.label + (rf", $\mu_\mathrm{{inter}}$ = {mu:.3f}" if mu is not None else "")
@@ -29,13 +32,16 @@ def friction_energy(runs):
         steady = time >= (run.steady_from() if begin is None else begin)
         if steady.sum() > 2:
             slope, offset = np.polyfit(time[steady], energy[steady], 1)
-            line = np.array([time[steady][0], time[-1]])
+            line = np.array([min(time[steady][0], end), end])
             axes.plot(1e3 * line, (slope * line + offset) / factor, color=BLACK, lw=1, ls=(0, (1, 2)))
     axes.plot([], [], color=BLACK, lw=1, ls=(0, (1, 2)), label="slope used")
     axes.set(xlabel="time (ms)", ylabel=rf"$E_\mathrm{{friction}}$ ({unit})")
     axes.margins(x=0)
+    if longer:
+        axes.set_xlim(0, 1e3 * end)
+        axes.set_ylim(0, 1.05 * max(np.max(energy[time <= 1.001 * end], initial=0.0) for _, time, energy in series) / factor or 1)
     above(axes, columns=2)
-    return figure
+    return figure, end if longer else None
 
 
 ENERGIES = [("external_work", "external work", BLACK), ("friction", "friction", ORANGE),

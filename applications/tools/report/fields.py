@@ -1,12 +1,10 @@
 """Pictures of phases and of von Mises stress on grids and meshes."""
 
-import functools
-
-import numpy as np
-
 import maps
 import mesh_maps
+from common_scales import comparable, ends, same_scale
 from page import escape, quantity
+from phase_colours import words_on_colours
 from projections import draw
 from stress_maps import highest, stress_group
 
@@ -47,7 +45,8 @@ def enlarged(run):
 
 def morphology(page, chain):
     run, ids = maps.phase_map(chain)
-    return page.figure(maps.morphology(run, ids), f"Phases of {escape(run.name)}: the whole body{enlarged(run)}.")
+    return page.figure(maps.morphology(run, ids), f"Phases of {escape(run.name)}: the whole body{enlarged(run)}."
+                       f"{escape(words_on_colours(run, 1 + int(ids.max())))}")
 
 
 def rve_stress(page, run, chain):
@@ -67,36 +66,30 @@ def _stress_of_volume(page, run, chain, draw, load):
 
 
 def mesh_morphology(page, run):
-    return page.figure(mesh_maps.morphology(run), f"Phases of {escape(run.name)}{' on their mesh' if run.members('/mesh') else ''}{sections_of(run)}.")
+    count = 1 + int(run.need("/phase/id").max())
+    return page.figure(mesh_maps.morphology(run), f"Phases of {escape(run.name)}{' on their mesh' if run.members('/mesh') else ''}{sections_of(run)}."
+                       f"{escape(words_on_colours(run, count))}")
 
 
 def phases_of_run(page, run):
-    return page.figure(mesh_maps.phases_of_run(run), f"Phases of the body of {escape(run.name)}{sections_of(run)}.")
+    return page.figure(mesh_maps.phases_of_run(run), f"Phases of the body of {escape(run.name)}{sections_of(run)}."
+                       f"{escape(words_on_colours(run, len(run.need('/material/name'))))}")
 
 
 def field_of(run, chain):
     return mesh_maps.snapshot_von_mises(run) if run.is_mesh_like() else maps.snapshot_von_mises(run, chain)
 
 
-@functools.lru_cache(maxsize=None)
-def end_of_scale(chain, pressure):
-    """Pa; of the last snapshots of all runs with the same pressure, so that their pictures can be compared."""
-    ends = []
-    for run in snapshots(chain):
-        if run.number("pressure") == pressure:
-            try:
-                ends.append(highest(field_of(run, chain)))
-            except Exception:  # its own picture says what is wrong
-                continue
-    return max(ends, default=None), len(ends)
+def stress_ends(run, chain):
+    return 0.0, highest(field_of(run, chain))
 
 
 def snapshot(page, run, chain):
     field = field_of(run, chain)
-    end, count = end_of_scale(chain, run.number("pressure"))
+    others = tuple(other for other in comparable(run, snapshots(chain)) if ends(stress_ends, (other,), chain)[2])
+    end = ends(stress_ends, others, chain)[1]
     figure = draw((mesh_maps if run.is_mesh_like() else maps).views(run), [stress_group(field, limit=end)])
     time = run.last("/snapshots/time")
     when = f" at t = {quantity(float(time), 's')}" if time is not None else ""
-    same = " It is the same for all runs with this pressure." if count > 1 else ""
     return page.figure(figure, f"Von Mises stress of the last snapshot of the {escape(run.label)} run{when}" +
-                       (sections_of(run) if run.is_mesh_like() else enlarged(run)) + f". {PERCENTILE}{same}")
+                       (sections_of(run) if run.is_mesh_like() else enlarged(run)) + f". {PERCENTILE}{same_scale(others, 'It is')}")

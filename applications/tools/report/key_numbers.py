@@ -42,6 +42,7 @@ def side_by_side(page, runs):
         if any(value is not None for value in values):
             rows.append([what, *(_cell(run, value, place, unit) for run, value in zip(runs, values))])
         rows += _explained(runs, place)
+        rows += frictional_power(runs) if place == ("friction_energy",) else []
     rows += _words(runs, "Regime of the reference node", "regime")
     if not rows:
         raise Missing("no summary holds any key number")
@@ -49,6 +50,19 @@ def side_by_side(page, runs):
     settled = [(run, run.summary.get("limit_cycle")) for run in runs if isinstance(run.summary.get("limit_cycle"), str)]
     html += "".join(f'<p class="lead"><b>{escape(run.label)}</b>: {escape(text)}.</p>' for run, text in settled)
     return html + "".join(warnings(run) for run in runs)
+
+
+def frictional_power(runs):
+    """A row that runs of different length can be compared by, if there are such."""
+    times = [run.get("/history/time") for run in runs]
+    ends = [float(time[-1]) if time is not None and time.size else None for time in times]
+    known = [end for end in ends if end]
+    if not known or max(known) <= 1.001 * min(known):
+        return []
+    energies = [run.number("friction_energy") for run in runs]
+    cells = [quantity(energy / end, "W" + run.per_thickness()) if end and energy is not None else "–"
+             for run, end, energy in zip(runs, ends, energies)]
+    return [["… over the length of each run, as the runs differ in it", *cells]]
 
 
 def _words(runs, what, key):

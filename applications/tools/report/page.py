@@ -14,7 +14,7 @@ from figure_data import csv_of
 from style import STYLE
 
 PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")]
-PREFIXED = {"s", "Hz", "Pa", "m", "J", "W", "B", "J/m"}
+PREFIXED = {"s", "Hz", "Pa", "m", "J", "W", "W/m", "B", "J/m"}
 
 
 def number(value, digits=4):

@@ -11,7 +11,7 @@ from page import difference, escape, quantity, table
 def localization(page, run):
     names = run.members("/probes")
     if not names:
-        raise Missing(f"{run.name} holds no /probes")
+        return f'<p class="note">{escape(run.name)} has no stresses over time: its .prm and those of the runs that it reads name no probes.</p>'
     listed = {str(probe.get("name")): probe for probe in run.summary.get("probes") or []
               if isinstance(probe, dict)}
     rows, html = [], f"<h3>{escape(run.name)}</h3>"

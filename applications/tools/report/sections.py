@@ -16,6 +16,7 @@ import paper
 import probes
 import waves
 import what_was_run
+from common_scales import comparable, same_scale
 from page import escape, quantity
 
 
@@ -44,10 +45,8 @@ def plan(chain, surface_times=()):
                                 ("Homogenized friction law", analyses.friction_law, chain.friction_law)]:
         if runs:
             result.append((heading, [(make, run) for run in runs]))
-    probed = [run for run in chain.localization if run.members("/probes") or not run.is_mesh_like()]  # plane grids have them
-    if probed:
-        result.append(("Localization", [(probes.localization, run) for run in probed]))
     if chain.localization:
+        result.append(("Localization", [(probes.localization, run) for run in chain.localization]))
         surfaces = [(localized_pressure, run, chain.dynamics) for run in chain.localization
                     if run.is_solid() and run.get("/mean_stress") is not None]
         result.append(("Mean von Mises stress: localized and direct", [(mean_von_mises, run) for run in chain.localization] + surfaces))
@@ -70,7 +69,7 @@ def contact_parts(runs, surface_times):
     plane = [run for run in runs if run not in solid]
     pressed = [run for run in solid if run.members("/snapshots") and run.get("/contact/pressure") is None]
     return ([(node_statistics, plane)] if plane else []) + [(contact_shares, run) for run in solid] + \
-        [(contact_pressure, run) for run in pressed] + [(contact_map, run) for run in runs] + \
+        [(contact_pressure, run, comparable(run, pressed)) for run in pressed] + [(contact_map, run) for run in runs] + \
         [(node_fractions, run) for run in runs if "sticking_nodes" in run.members("/history")] + waves.parts(runs, surface_times)
 
 
@@ -83,9 +82,11 @@ def apparent_friction(page, runs, regime):
 
 
 def friction_energy(page, runs):
-    return page.figure(energies.friction_energy(runs),
+    figure, end = energies.friction_energy(runs)
+    common = f" Shown up to {quantity(end, 's')}, the end of the shortest run; the slopes are those of the whole steady parts." if end else ""
+    return page.figure(figure,
                        f"Frictional energy{per_thickness(runs)}; its slope over the steady part (dotted) gives the global interface "
-                       "friction coefficient by eq. (9) of the paper.")
+                       f"friction coefficient by eq. (9) of the paper.{common}")
 
 
 def per_thickness(runs):
@@ -125,22 +126,24 @@ def contact_shares(page, run):
                        "around it; the means are those of the nodes.")
 
 
-def contact_pressure(page, run):
-    figure, count = contact_surface.pressure(run)
+def contact_pressure(page, run, runs):
+    figure, count = contact_surface.pressure(run, runs)
     nominal = contact_surface.nominal_pressure(run)
     words = f" The normal force on the contact, mean over all of the steady part, is "\
             f"{quantity(nominal, 'Pa')} per area." if nominal is not None else ""
     return page.figure(figure, f"Pressure on the contact surface of the {escape(run.label)} run, seen along z: the elastic stress "
                                "−σ<sub>zz</sub> in the middle of the cells at the contact, mean over the snapshots of the steady part "
-                               f"({count} of them). The colour scale ends at the 0.5th and 99.5th percentiles and holds zero.{words}")
+                               f"({count} of them). The colour scale ends at the 0.5th and 99.5th percentiles and holds zero.{same_scale(runs, 'It is')}{words}")
 
 
 def contact_map(page, run):
     what = "means of strips of the contact surface across the motion of the flat" if run.has_surface() else "every contact node"
-    return page.figure(contact_states.contact_map(run),
+    figure, why = contact_states.contact_map(run)
+    absent = f" The last periods are not shown enlarged, as {why}." if why else ""
+    return page.figure(figure,
                        f"Contact states of the {escape(run.label)} run: {what} over time; colours "
                        "mix where a node changes its state within a block of steps" +
-                       (" or the nodes of a strip differ." if run.has_surface() else "."))
+                       (" or the nodes of a strip differ." if run.has_surface() else ".") + absent)
 
 
 def node_fractions(page, run):

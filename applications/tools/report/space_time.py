@@ -1,10 +1,13 @@
 """Pictures of the map of the contact over time (/contact_map), of its means by node, and the spectrogram of the reference node."""
 
+import functools
+
 import numpy as np
 from matplotlib import mlab
 from matplotlib.colors import BoundaryNorm, ListedColormap
 
 import contact_surface
+from common_scales import ends
 from contact_states import STATES, contact_positions, direction_of_flat
 from data import Missing
 from figures import GREY, SEPARATED, SLIP, STICK, STRESSES, WIDTH, above_all, panels, plt, scaled, zoom_window
@@ -72,8 +75,12 @@ def field_on_line(run, name, nodes, rows):
     return farthest(farthest(values, centre, MOST_ROWS, 0), centre, MOST_COLUMNS, 1), values.shape
 
 
-def limits_of(name, values, factor):
-    low, high = np.percentile(values, SHOWN) / factor
+def percentiles(values):
+    """Ends of the scale of values, before those of other runs and zero widen it."""
+    return tuple(np.percentile(values, SHOWN))
+
+
+def limits_of(name, low, high):
     if name in ("traction", "slip_velocity") and low < 0:
         top = max(abs(low), abs(high)) or 1.0
         return -top, top
@@ -98,30 +105,52 @@ def samples(run):
 def first_of_last_periods(run):
     """Number of the sample from which on a picture of the last periods tells more than that of all; None if it would not."""
     time, _ = samples(run)
+    return None if why_no_zoom(run) else int(np.searchsorted(time, zoom_window(run, time[-1])))
+
+
+def why_no_zoom(run):
+    """Why a picture of the last periods would not tell more than that of all samples; empty if it would."""
+    time, _ = samples(run)
     begin = int(np.searchsorted(time, zoom_window(run, time[-1])))
-    return begin if begin > 0.05 * len(time) and len(time) - begin >= 12 else None
+    if begin <= 0.05 * len(time):
+        return "the map is hardly longer than these"
+    return "" if len(time) - begin >= 12 else f"they have {len(time) - begin} samples, and 12 are needed"
 
 
-def space_time(run, zoom=False):
-    """All fields side by side, x to the right and time upwards; (figure, whether samples were left out)."""
+@functools.lru_cache(maxsize=64)
+def shown_field(run, name, zoom):
+    """Values [samples][nodes] of a picture and their numbers in the map."""
+    time, _ = samples(run)
+    return field_on_line(run, name, line_of_nodes(run)[0], range((first_of_last_periods(run) or 0) if zoom else 0, len(time)))
+
+
+def field_ends(run, name, zoom):
+    return percentiles(shown_field(run, name, zoom)[0])
+
+
+def space_time(run, runs, zoom=False):
+    """All fields side by side on the scales of `runs`, x to the right and time upwards; (figure, whether samples were left out)."""
     time, names = samples(run)
     rows = range(first_of_last_periods(run) if zoom else 0, len(time))
-    nodes, place = line_of_nodes(run)
+    _, place = line_of_nodes(run)
     figure, axes = plt.subplots(1, len(names), figsize=(WIDTH + 0.9 * max(0, len(names) - 2), 5.6), sharex=True, sharey=True,
                                 squeeze=False)
     half = 0.5 * (time[1] - time[0])
     extent = [1e3 * place[0], 1e3 * place[-1], 1e3 * (time[rows.start] - half), 1e3 * (time[-1] + half)]
     reduced = False
     for axis, (name, label, units) in zip(axes[0], names):
-        values, shape = field_on_line(run, name, nodes, rows)
+        values, shape = shown_field(run, name, zoom)
         reduced = reduced or values.shape != shape
         show = lambda shown, **options: axis.imshow(shown, origin="lower", aspect="auto", extent=extent, interpolation="nearest", **options)
         if name == "state":
             show(values, cmap=STATE_MAP, norm=STATE_NORM)
             axis.set_title(label, fontsize=11)
         else:
-            factor, unit = scaled(np.percentile(np.abs(values), SHOWN[1]), units=units or units_of_law(run))
-            low, high = limits_of(name, values, factor)
+            of_unit = runs if units else tuple(other for other in runs if "law_state" in other.members("/contact_map") and
+                                               units_of_law(other) == units_of_law(run))
+            limits = np.array(limits_of(name, *ends(field_ends, of_unit, name, zoom)[:2]))
+            factor, unit = scaled(limits, units=units or units_of_law(run))
+            low, high = limits / factor
             image = show(values / factor, cmap=SIGNED_MAP if low == -high else STRESS_MAP, vmin=low, vmax=high)
             over, under = values.max() > 1.000001 * high * factor, values.min() < low * factor
             bar = figure.colorbar(image, ax=axis, location="top", aspect=12, pad=0.02,
@@ -138,33 +167,46 @@ def space_time(run, zoom=False):
     return figure, reduced
 
 
-def profile(run):
-    """Mean pressure, friction power of the steady part and friction work of the run along the contact of a plane body."""
+def profile_ends(run, name):
+    """Of a curve that has its mean in it."""
+    values = run.need(f"/contact/{name}")
+    return min(0.0, 1.08 * values.min()), max(0.0, 1.08 * values.max())
+
+
+def profile(run, runs):
+    """Mean pressure, friction power of the steady part and friction work of the run along the contact of a plane body, on the scales of
+    `runs`."""
     x, pressure, power, work = run.need(*[f"/contact/{name}" for name in ("area", "pressure", "friction_power", "friction_work")])
     nodes, place = line_of_nodes(run)
     figure, axes = panels(3, 6.0, sharex=True)
-    for axis, values, label, units in [(axes[0], pressure, "mean pressure", STRESSES),
-                                       (axes[1], power, "friction power", [(1.0, "W/m²"), (1e3, "kW/m²"), (1e6, "MW/m²")]),
-                                       (axes[2], work, "friction work", FIELDS[-1][2])]:
-        factor, unit = scaled(values, units=units)
+    for axis, values, name, units in [(axes[0], pressure, "pressure", STRESSES),
+                                      (axes[1], power, "friction_power", [(1.0, "W/m²"), (1e3, "kW/m²"), (1e6, "MW/m²")]),
+                                      (axes[2], work, "friction_work", FIELDS[-1][2])]:
+        limits = np.array(ends(profile_ends, runs, name)[:2])
+        factor, unit = scaled(limits, units=units)
         mean = np.average(values, weights=x)
         axis.plot(1e3 * place, values[nodes] / factor, color=SLIP, lw=1.4)
         axis.axhline(mean / factor, color=GREY, lw=1.0, ls="--")
-        axis.set_ylabel(f"{label}\n({unit})")
+        axis.set_ylabel(f"{'mean pressure' if name == 'pressure' else name.replace('_', ' ')}\n({unit})")
         axis.margins(x=0)
-        axis.set_ylim(*sorted((0, 1.08 * max(values.max(), mean) / factor)))
+        axis.set_ylim(*(limits / factor) if np.any(limits) else (0, 1))
     axes[-1].set_xlabel("position along the contact (mm)")
     figure.align_ylabels()
     return figure
 
 
-def surface_means(run):
-    """Mean pressure of the steady part and friction work of the run on the contact surface of a body in 3D."""
+def mean_ends(run, name):
+    return percentiles(run.need(f"/contact/{name}"))
+
+
+def surface_means(run, runs):
+    """Mean pressure of the steady part and friction work of the run on the contact surface of a body in 3D, on the scales of `runs`."""
     groups = []
     for name, label, units in [("pressure", "mean pressure", STRESSES), ("friction_work", "friction work", FIELDS[-1][2])]:
         values, area = run.need(f"/contact/{name}", "/contact/area")
-        factor, unit = scaled(np.percentile(values, SHOWN[1]), units=units)
-        low, high = limits_of(name, values, factor)
+        limits = np.array(limits_of(name, *ends(mean_ends, runs, name)[:2]))
+        factor, unit = scaled(limits, units=units)
+        low, high = limits / factor
         mean = np.average(values, weights=area) / factor
         groups.append(Group(values / factor, STRESS_MAP, (low, high), f"mean over the surface {mean:.4g} {unit}", f"{label} ({unit})"))
     return draw([contact_surface.nodes_view(run)], groups)
@@ -188,25 +230,36 @@ def rows_at(run, time, times):
     return np.unique([np.abs(time - t).argmin() for t in times])
 
 
-def surface_at_times(run, times=()):
+def surface_fields(run, name, times):
+    """Values [times][nodes] at given times (s), of a vector along the motion of the flat."""
+    fields = [run.get(f"/contact_map/{name}", int(row)) for row in rows_at(run, samples(run)[0], times)]
+    return np.array([values @ direction_of_flat(run) if values.ndim == 2 else values for values in fields])
+
+
+def surface_ends(run, name, times):
+    return percentiles(surface_fields(run, name, times))
+
+
+def surface_at_times(run, times=(), runs=()):
     """Pressure, shear traction and slip velocity, as far as the map has them, side by side on the contact surface of a body in 3D, time by
-    time; (figure, names of the fields)."""
+    time, on the scales of `runs`; (figure, names of the fields)."""
     time, names = samples(run)
     rows = rows_at(run, time, times)
     columns = []
     for name, label, units in [entry for entry in names if entry in FIELDS[:3]]:
-        fields = [run.get(f"/contact_map/{name}", int(row)) for row in rows]
-        fields = np.array([values @ direction_of_flat(run) if values.ndim == 2 else values for values in fields])
-        factor, unit = scaled(np.percentile(np.abs(fields), SHOWN[1]), units=units)
-        limits = limits_of(name, fields, factor)
+        fields = surface_fields(run, name, times)
+        limits = np.array(limits_of(name, *ends(surface_ends, runs or (run,), name, tuple(times))[:2]))
+        factor, unit = scaled(limits, units=units)
+        limits = tuple(limits / factor)
         columns.append((fields / factor, SIGNED_MAP if limits[0] == -limits[1] else STRESS_MAP, limits, f"{label} ({unit})"))
     groups = [Group(fields[k], colours, limits, f"t = {1e3 * time[row]:.5g} ms", label)
               for k, row in enumerate(rows) for fields, colours, limits, label in columns]
     return draw([contact_surface.nodes_view(run)], groups), [name for name, *_ in names[:len(columns)]]
 
 
-def spectrogram(run):
-    """Power of the velocity of the reference node along the motion of the flat over time and frequency; (figure, length of a window in s)."""
+def spectrogram(run, runs=()):
+    """Power of the velocity of the reference node along the motion of the flat over time and frequency, up to the same frequency for all of
+    `runs`; (figure, length of a window in s)."""
     time, velocity = run.need("/reference/time", "/reference/velocity")
     if velocity.ndim != 2 or len(time) != len(velocity) or len(time) < 128:
         raise Missing(f"/reference of {run.name} has fewer than 128 samples")
@@ -220,7 +273,8 @@ def spectrogram(run):
     n = int(np.clip(wanted, 32, len(time) // 12 if len(time) > 400 else len(time) // 4))
     power, frequency, middle = mlab.specgram(velocity, NFFT=n, Fs=1 / interval, noverlap=n - max(1, min(n // 8, len(time) // 800 + 1)),
                                              detrend="linear", pad_to=4 * n)
-    top = min(13 * main if main else frequency[-1], frequency[-1])
+    highest = max((other.number("main_frequency") or 0 for other in runs or (run,)), default=0)
+    top = min(13 * highest if highest else frequency[-1], frequency[-1])
     shown = (frequency <= top) & (frequency > 0)
     level = 10 * np.log10(np.maximum(power[shown], 1e-12 * power[shown].max()) / power[shown].max())
     figure, (axis,) = panels(1, 3.8)

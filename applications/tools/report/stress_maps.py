@@ -1,14 +1,13 @@
 """What maps of grids and of meshes share: colours, the field of one stress, and localized beside direct stresses."""
 
 import numpy as np
-from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 
-from figures import RUN_COLOURS, STRESSES, scaled
+from figures import STRESSES, scaled
+from phase_colours import colours_of
 from projections import Group, draw
 
 STRESS_MAP, DIFFERENCE_MAP = "viridis", "PuOr_r"
-PHASE_COLOURS = ["#dfe3e8", "#30343b", *RUN_COLOURS]
 
 
 def phase_names(run, n):
@@ -23,7 +22,7 @@ def phase_names(run, n):
 def phase_figure(views, run, ids, remarks):
     """Phases of the cells, and a legend of their names and what is remarked of each."""
     n = len(remarks)
-    colours = ListedColormap((PHASE_COLOURS * (n // len(PHASE_COLOURS) + 1))[:n])
+    colours = colours_of(run, n)
     entries = [Patch(facecolor=colours(i), edgecolor="#adb5bd", label=name + remark)
                for i, (name, remark) in enumerate(zip(phase_names(run, n), remarks))]
     return draw(views, [Group(ids, colours, (-0.5, n - 0.5))], entries)

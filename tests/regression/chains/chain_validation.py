@@ -13,6 +13,10 @@ import numpy as np
 
 from scenes import ENVIRONMENT, PROGRAMS, TOOLS, TOP, Folder, prm
 
+sys.path.insert(0, TOOLS)
+
+from chain.plan import Estimate, sum_text  # noqa: E402
+
 IMAGE = os.path.join(TOP, "prm", "examples", "image")
 RUNS = ("10-rve_homogenization", "20-contact_dynamics-homogeneous", "30-contact_dynamics-heterogeneous")
 LAST = "40-stress_localization"
@@ -89,6 +93,20 @@ def disk_told(line):
     return float(number) * {"k": 1e3, "M": 1e6}[unit]
 
 
+def check_sums():
+    """What is not in a sum is named, with the reason."""
+    told = [Estimate("rve", "18 load cases, about 160 MB\n34.5 MB on the disk"), Estimate("box", "112 MB on the disk, 973 kB of memory for histories", 1e8),
+            Estimate("plane", "40 MB on the disk, 5 MB of memory", 1e8), Estimate("later")]
+    for estimate in told[:3]:
+        estimate.seconds = 10.0
+    assert told[1].text() == "112 MB on the disk, 973 kB of memory for histories without the body, about 10 s on one core", told[1].text()
+    first, *others = sum_text(told, 2).splitlines()
+    assert first == "In sum: about 30 s on one core, 186 MB on the disk, 265 MB of memory with 2 side by side", first
+    assert others == ["  not in the sum, as what it reads has yet to be made: later",
+                      "  not in the memory, as on meshes and voxels only that of the histories is known beforehand: box"], others
+    assert sum_text(told[::2], 1).count("\n") == 0, sum_text(told[::2], 1)
+
+
 def check_told(folder):
     """--validate leaves nothing; disk and steps are those of the runs, up to the guess of the stiffness. A step that fails as it runs
     leaves a report of those before it."""
@@ -132,6 +150,7 @@ def check_told(folder):
 
 
 def main():
+    check_sums()
     with tempfile.TemporaryDirectory() as path:
         for check in (check_wrong, check_draft, check_told):
             folder = Folder(os.path.join(path, check.__name__))

@@ -36,6 +36,7 @@ def check_rve(folder):
         assert abs(fraction - rve.summary["phases"][1]["volume_fraction"]) < 1e-12
         # <L> = I by its definition.
         assert np.allclose(rve["concentration/KUBC"].mean(axis=(0, 1)), np.eye(3), atol=1e-8)
+        assert repr(mesoslip.files.Grid((52, 24), (0.0012 / 24, 5e-5), (0.0, 0.0))) == "Grid(cells=(52, 24), spacing=(5e-05, 5e-05) m, origin=(0, 0) m)"
         x, y = rve.grid.centres()
         assert x.shape == (80,) and y.shape == (40,) and abs(x[0] - 0.5 * rve.grid.spacing[0]) < 1e-15
 

@@ -18,6 +18,12 @@ import numpy as np
 
 from scenes import PHASES, TOOLS, Folder, prm
 
+sys.path.insert(0, os.path.join(TOOLS, "report"))
+
+import contact_surface  # noqa: E402
+from common_scales import comparable  # noqa: E402
+from data import Chain  # noqa: E402
+
 MAKE_REPORT = os.path.join(TOOLS, "report", "make_report.py")
 NX, NY, H = 140, 40, 4e-4
 FREQUENCY = 41321.0
@@ -255,6 +261,20 @@ def run_box(folder):
     return [folder(name) for name in names]
 
 
+def check_scales(folders):
+    """Pressures of runs under one pressure have one scale, that of the larger values; another pressure has its own."""
+    runs = Chain(folders).transient
+    shown = comparable(runs[0], runs)
+    ends = [contact_surface.pressure_ends(run) for run in runs]
+    assert len(shown) == 2 and ends[0] != ends[1], ends
+    for run in runs:
+        figure, _ = contact_surface.pressure(run, shown)
+        limits = 1e6 * np.array(next(found.get_clim() for axes in figure.axes for found in axes.collections if found.get_array() is not None))
+        assert np.allclose(limits, [min(low for low, _ in ends), max(high for _, high in ends)], rtol=1e-12), (run.name, limits, ends)
+    runs[1].summary["pressure"] = 1.0
+    assert comparable(runs[0], runs) == (runs[0],)
+
+
 def check_box(root):
     """Pictures of the contact surface and of planes through the middle."""
     folders = run_box(os.path.join(root, "box"))
@@ -268,7 +288,10 @@ def check_box(root):
                             ("Shares of the contact nodes of the", 2), ("Spectrogram of the tangential velocity", 2),
                             ("Shares of time each contact node", 0)]:
         assert captions.count(expected) == count, f"{expected}: {captions.count(expected)} instead of {count}"
+    assert captions.count("It is the same for all runs with this pressure.") == 4, captions
+    check_scales(folders)
     page = report(root, folders[2])
+    assert "It is the same for all runs" not in page, "a run alone"
     assert "Phases of the body of heterogeneous, in the planes through the middle" in page, "phases of a run alone"
     page = report(root, folders[3])
     assert "tells its contact surface" in page and "while drawing" not in page, "a localization without its runs"

@@ -5,17 +5,21 @@
 
 import os
 import sys
+import tempfile
 
 import numpy as np
 
-from scenes import TOOLS
+from scenes import TOOLS, Folder, prm
 
 sys.path.insert(0, os.path.join(TOOLS, "report"))
 
 from data import without_folders  # noqa: E402
+from energies import friction_energy  # noqa: E402
 from figures import plt  # noqa: E402
+from key_numbers import frictional_power  # noqa: E402
 from loads import without_round_off  # noqa: E402
 from maps import TALL, views, whole_view  # noqa: E402
+from phase_colours import colours_of, words_on_colours  # noqa: E402
 from projections import Group, View, draw  # noqa: E402
 from stress_maps import compared, phase_figure, stress_group  # noqa: E402
 
@@ -26,7 +30,7 @@ SLACK = 0.03  # in
 
 class Body:
     """A run on a plane grid, as far as maps ask."""
-    name, summary = "body", {"phases": [{"name": LONG[:-1] + "6"}, {"name": LONG}]}
+    name, folder, summary = "body", "no folder", {"phases": [{"name": LONG[:-1] + "6"}, {"name": LONG}]}
 
     def __init__(self, nx, ny):
         self.cells = np.array([nx, ny])
@@ -90,7 +94,64 @@ def solid_pictures(size):
     yield "sections", draw(seen, [Group(values, "viridis", (-0.0125, 0.0125), "", "stress (MPa)")])
 
 
+def check_colours():
+    """Phases of a picture are as light as their values in it are high, also in the run that read its rve.h5; others have a fixed order."""
+    with tempfile.TemporaryDirectory() as root:
+        folder, body = Folder(root), Body(6, 4)
+
+        def lightness(settings, n, name):
+            folder.write(f"{name}/parameters.prm", prm(settings))
+            body.folder = folder(name)
+            return [sum(colours_of(body, n)(phase)[:3]) for phase in range(n)]
+        made = {"Microstructure/Type": "image", "Microstructure/File": "a/grey.png"}
+        for values in ("0, 255", "255, 0", "90, 200, 10", "1, 7, 6, 5, 4, 3, 2"):
+            numbers = [int(value) for value in values.split(",")]
+            light = lightness({**made, "Microstructure/Image values": values}, len(numbers), "rve")
+            assert np.array_equal(np.argsort(light), np.argsort(numbers)), (values, light)
+        assert "in grey.png, the lighter" in words_on_colours(body, 7), words_on_colours(body, 7)
+        light = lightness(made, 2, "rve")  # ascending
+        assert light[0] < light[1], light
+        for path in (folder("rve/rve.h5"), "rve/rve.h5", "/of/another/machine/rve/rve.h5"):
+            light = lightness({"Body/RVE file": path}, 2, "sliding")
+            assert light[0] < light[1], (path, light)
+        light = lightness({"Microstructure/Type": "random fibres"}, 2, "rve")
+        assert light[0] > light[1] and not words_on_colours(body, 2), light
+
+
+class Sliding:
+    """A run of some length (s) that dissipates 3 W/m, as far as energies ask."""
+    label = "run"
+
+    def __init__(self, end):
+        self.time = np.linspace(0, end, 201)
+
+    def get(self, dataset, rows=...):
+        return {"/history/time": self.time, "/history/friction_energy": 3 * self.time}[dataset]
+
+    def number(self, *path):
+        return 3 * self.time[-1] if path == ("friction_energy",) else None
+
+    def steady_from(self):
+        return 0.5 * self.time[-1]
+
+    def per_thickness(self):
+        return "/m"
+
+
+def check_lengths():
+    """Frictional energies of runs of different length are shown over the time of the shortest, and per second."""
+    for ends, shown in (((1e-3, 1e-3), None), ((2e-3, 1e-3), 1e-3)):
+        runs = [Sliding(end) for end in ends]
+        figure, end = friction_energy(runs)
+        assert end == shown and abs(figure.axes[0].get_xlim()[1] - 1.0) < 1e-9, (end, figure.axes[0].get_xlim())
+        rows = frictional_power(runs)
+        assert [row[1:] for row in rows] == ([["3 W/m", "3 W/m"]] if shown else []), rows
+        plt.close(figure)
+
+
 def main():
+    check_colours()
+    check_lengths()
     found = []
     for shape in SHAPES:
         body = Body(*shape)

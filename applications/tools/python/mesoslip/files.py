@@ -26,6 +26,11 @@ class FormatError(ValueError):
 class Grid(collections.namedtuple("Grid", "cells spacing origin")):
     """The uniform grid: `cells` (nx, ny), of voxels (nx, ny, nz), `spacing` and `origin` (m)."""
 
+    def __repr__(self):
+        """Without the round-off of a length over a number of cells: 5e-05 and not 4.9999999999999996e-05."""
+        spacing, origin = (", ".join(f"{length:.12g}" for length in lengths) for lengths in (self.spacing, self.origin))
+        return f"Grid(cells={tuple(self.cells)}, spacing=({spacing}) m, origin=({origin}) m)"
+
     def nodes(self):
         """Coordinates x [nx+1], y [ny+1] and, of voxels, z [nz+1] of the nodes."""
         return tuple(Array(o + h * np.arange(n + 1), "m") for n, h, o in zip(*self))
