@@ -41,6 +41,9 @@ public:
         dr.col(k) = residuals[k + 1] - residuals[k];
         dg.col(k) = images[k + 1] - images[k];
       }
+    // Of a matrix of zeros the decomposition makes no numbers.
+    if (dr.isZero(0.))
+      return g;
     return g - dg * dr.colPivHouseholderQr().solve(residuals.back());
   }
 
