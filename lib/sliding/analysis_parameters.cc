@@ -228,7 +228,7 @@ void ContactParameters::bind_observation(Keys &keys)
                       "Time at which the statistics begin; auto: when the limit cycle "
                       "begins, or half of the run without one [s]");
     keys.bind_or_auto("Reference x", o.reference_x, Range::any(),
-                      "Position of the contact node M whose motion gives spectrum and "
+                      "Position of the reference node, whose motion gives spectrum and "
                       "regime; auto: the middle [m]");
     keys.bind("Stop at limit cycle", o.stop_at_limit_cycle,
               "End the run before End time when its second half was a limit cycle");

@@ -10,7 +10,7 @@
 
 namespace mesoslip
 {
-/** The contact node M whose motion gives spectrum and regime. */
+/** The reference node, whose motion gives spectrum and regime. */
 struct ReferenceNode
 {
   unsigned int number            = 0;  ///< among the contact nodes

@@ -102,7 +102,8 @@ def energy_balance(page, run):
 
 def phase_diagram(page, runs):
     return page.figure(figures.phase_diagram(runs),
-                       "Phase diagram of the reference node, in the middle of the contact: its velocity along the flat over its displacement along the "
+                       "Phase diagram of the reference node, which is in the middle of the contact unless Observation/Reference x says otherwise: its "
+                       "velocity along the flat over its displacement along the "
                        "flat, mean over the periods of the steady part. A vibration at one frequency draws an ellipse.")
 
 

@@ -11,7 +11,7 @@ import sys
 # Words as pages write them: anchor in the glossary.
 TERMS = {
     r"KUBC": "kubc", r"SUBC": "subc", r"PBC": "pbc", r"MUBC": "mubc", r"T_G": "t_g", r"[Pp]laten": "platen", r"[Ll]imit cycles?": "limit-cycle",
-    r"[Rr]egimes?(?: 1| 2)?": "regime", r"[Nn]ode M": "node-m", r"SCA": "sca", r"SPR": "spr", r"mu_inter|μ_inter": "mu_inter",
+    r"[Rr]egimes?(?: 1| 2)?": "regime", r"[Nn]ode M": "reference-node", r"SCA": "sca", r"SPR": "spr", r"mu_inter|μ_inter": "mu_inter",
     r"mu_app": "mu_app", r"mu_homo": "mu_homo", r"delta|δ": "delta", r"beta2|β₂": "beta2", r"beta|β": "beta", r"Voigt": "voigt-notation",
     r"[Mm]orpholog(?:y|ies)": "morphology", r"[Cc]oncentration tensors?": "concentration-tensors", r"Hill-Mandel": "hill-mandel-condition",
     r"[Cc]omplex modes": "complex-modes", r"[Gg]rowth rates?": "growth-rate", r"[Cc]ritical time step": "critical-time-step",

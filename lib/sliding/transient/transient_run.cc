@@ -15,7 +15,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Column of the reference contact node M. */
+/** Column of the reference node. */
 unsigned int reference_node(const ContactParameters &parameters,
                             const UniformGrid<2> &grid)
 {

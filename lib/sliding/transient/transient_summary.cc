@@ -40,7 +40,7 @@ std::string key_numbers(const TransientResult &run)
   const ContactShares &shares = run.contact.shares;
   return brief_text(4, text, "slip ", 100. * shares.slip, " %, stick ",
                     100. * shares.stick, " %, separated ", 100. * shares.separation,
-                    " %; middle node: ", run.regime);
+                    " %; reference node: ", run.regime);
 }
 
 std::string energy_balance(const TransientResult &run)

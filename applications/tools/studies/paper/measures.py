@@ -89,7 +89,7 @@ def spectrum_of(signal, time):
 
 
 def within(run, begin, end):
-    """mu_inter, share of slip of the middle node and main frequency (Hz) from `begin` to `end` (s)."""
+    """mu_inter, share of slip of the reference node and main frequency (Hz) from `begin` to `end` (s)."""
     time, energy = run.need("/history/time", "/history/friction_energy")
     x = run.need("/contact/x")
     shown = (time >= begin) & (time <= end)

@@ -120,7 +120,7 @@ def _end_of_regime_2(time, share):
 
 
 def _separated(run, width):
-    """Time (s) and share of separation of the middle node, over blocks of `width` (s)."""
+    """Time (s) and share of separation of the reference node, over blocks of `width` (s)."""
     time, separated = run.need("/contact/blocks/time", "/contact/blocks/separated")
     n = max(1, int(round(width / (time[1] - time[0]))))
     whole = len(time) // n * n
