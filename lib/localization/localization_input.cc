@@ -52,18 +52,21 @@ std::vector<std::string> slips(const LocalizationParameters &parameters,
     ranges.push_back({"Localization/Out-of-plane ratio", ratio, "", -1.,
                       "less than any Poisson's ratio, which it is in plane strain", 1.,
                       "more than any Poisson's ratio, which it is in plane strain"});
-  const auto add = [&](const char *key, const double length, const double side) {
-    ranges.push_back({std::string("Comparison/") + key, length, "m", 0., "", side,
-                      "more than the body's " + quantity_text(side, "m") +
+  const auto add = [&](const char *key, const double length, const double most,
+                       const std::string &what) {
+    ranges.push_back({std::string("Comparison/") + key, length, "m", 0., "", most,
+                      "more than " + what + quantity_text(most, "m") +
                         ", so that no cell is left to be compared apart; is it in m?"});
   };
   if (!parameters.direct_run.empty())
     {
-      double largest = 0.;
-      for (unsigned int d = 0; d < dim; ++d)
-        largest = std::max(largest, box.side_length(d));
-      add("Surface depth", parameters.surface_depth, box.side_length(dim - 1));
-      add("Edge distance", parameters.edge_distance, largest);
+      double smallest = box.side_length(0);
+      for (unsigned int d = 1; d < dim; ++d)
+        smallest = std::min(smallest, box.side_length(d));
+      add("Surface depth", parameters.surface_depth, box.side_length(dim - 1),
+          "the body's ");
+      add("Edge distance", parameters.edge_distance, 0.5 * smallest,
+          "half of the body's smallest side, ");
     }
   return implausible(ranges);
 }

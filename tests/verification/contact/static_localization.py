@@ -32,6 +32,8 @@ def main():
         # Twice the height of the pin: there is no interior, and no error of it.
         said = folder.run(0, "stress_localization", "localized.prm", "--quiet", "--set", "Comparison/Edge distance=32e-3", "--output", "cramped")
         assert said.count("no cell is Comparison/Edge distance away") == 1, said
+        said = folder.run(0, "stress_localization", "localized.prm", "--validate", "--set", "Comparison/Edge distance=32e-3")
+        assert said.count("more than half of the body's smallest side, ") == 1, said
         assert folder.summary("cramped")["field_errors"]["mean_von_mises"]["interior"] is None
         assert not folder.summary("localized")["warnings"], folder.summary("localized")["warnings"]
 
