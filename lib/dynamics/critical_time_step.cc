@@ -54,11 +54,20 @@ std::pair<double, double> largest_ritz_pair(const std::vector<double> &diagonal,
 {
   const Eigen::Map<const Eigen::VectorXd> d(diagonal.data(), diagonal.size());
   const Eigen::Map<const Eigen::VectorXd> e(off.data(), diagonal.size() - 1);
+  // Eigen compares off-diagonals with the roots of diagonals and does not scale a tridiagonal
+  // matrix itself: large numbers, such as squares of frequencies, may not converge.
+  const double scale =
+    std::max(d.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  solver.computeFromTridiagonal(d, e);
+  solver.computeFromTridiagonal(d / scale, e / scale);
+  if (solver.info() != Eigen::Success)
+    throw std::runtime_error(
+      "the eigenvalues of the Lanczos matrix were not found; check that "
+      "stiffness and density are finite");
   const auto last = d.size() - 1;
-  return {solver.eigenvalues()[last], solver.eigenvectors()(last, last)};
+  return {scale * solver.eigenvalues()[last], solver.eigenvectors()(last, last)};
 }
+
 /** A symmetric positive semi-definite operator whose unknowns are divided among ranks. */
 struct Operator
 {

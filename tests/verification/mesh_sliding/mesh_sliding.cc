@@ -233,21 +233,6 @@ TEST(MeshSliding, IsTheSameOnAllRanks)
   expect_equal_on_all_ranks<3>();
 }
 
-// 4 (3 lambda + 2 mu) / (rho h^2) is the largest eigenvalue of a cube that is one cell.
-TEST(MeshSliding, HighestFrequencyOfACube)
-{
-  const double E = 2.1e11, nu = 0.3, rho = 7850., h = 0.01;
-  const double lambda_2mu = E * (1. - nu) / ((1. + nu) * (1. - 2. * nu)),
-               mu         = E / (2. * (1. + nu));
-  const Mesh<3> mesh      = brick<3>({{1, 1, 1}}, {{h, h, h}});
-  const MeshPart<3> part  = distribute(mesh, {0}, MPI_COMM_SELF);
-  const MeshOperator<3> op(part, {{isotropic_stiffness<3>(E, nu), rho}}, MPI_COMM_SELF);
-  const double exact = std::sqrt(4. * (3. * lambda_2mu - 4. * mu) / (rho * h * h));
-  const FrequencyEstimate found = largest_frequency(op);
-  EXPECT_NEAR(found.lower, exact, 1e-9 * exact);
-  EXPECT_NEAR(found.upper, exact, 1e-9 * exact);
-}
-
 // Friction opposes the motion and knows no other direction.
 TEST(MeshSliding, BlockThrownAskewStopsAfterItsDistance)
 {
