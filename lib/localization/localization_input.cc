@@ -304,10 +304,16 @@ void LocalizationInput<dim>::choose_snapshots()
   const TimeWindow shared = both ? shared_snapshots(ours, theirs, window) : window;
   plan.snapshots          = snapshots_in(ours, shared);
   times                   = times_of(ours.times, plan.snapshots);
-  if (!both)
-    return;
-  plan.direct_snapshots = snapshots_in(theirs, shared);
-  direct_times          = times_of(theirs.times, plan.direct_snapshots);
+  if (both)
+    {
+      plan.direct_snapshots = snapshots_in(theirs, shared);
+      direct_times          = times_of(theirs.times, plan.direct_snapshots);
+      if (plan.snapshots.count < snapshots_in(ours, window).count ||
+          plan.direct_snapshots.count < snapshots_in(theirs, window).count)
+        notes.push_back("of the window only the time that both runs have snapshots of");
+    }
+  if (parameters.fields.deviation && plan.snapshots.count == 1)
+    notes.push_back("deviations over time are zero, as there is one snapshot only");
 }
 
 template <int dim>

@@ -108,7 +108,7 @@ void LocalizationInput<dim>::plan_probes(CellFinder<dim> &in_volume)
     {
       // A body on a mesh and a volume on a grid, or the other way round, have one system of
       // coordinates.
-      LocalizedProbe asked = probe;
+      LocalizedProbe asked = static_cast<const LocalizedProbe &>(probe);
       if (probe.recorded)
         {
           const dealii::Point<dim> at     = place_in(body, probe.position),
