@@ -310,10 +310,11 @@ void LocalizationInput<dim>::choose_snapshots()
       direct_times          = times_of(theirs.times, plan.direct_snapshots);
       if (plan.snapshots.count < snapshots_in(ours, window).count ||
           plan.direct_snapshots.count < snapshots_in(theirs, window).count)
-        notes.push_back("of the window only the time that both runs have snapshots of");
+        notes.emplace_back(
+          "of the window only the time that both runs have snapshots of");
     }
   if (parameters.fields.deviation && plan.snapshots.count == 1)
-    notes.push_back("deviations over time are zero, as there is one snapshot only");
+    notes.emplace_back("deviations over time are zero, as there is one snapshot only");
 }
 
 template <int dim>

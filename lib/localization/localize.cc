@@ -82,10 +82,10 @@ private:
   {
     if (!share.middles.empty() || share.n_cells == 0)
       return share.middles;
-    std::vector<dealii::Point<dim>> result;
+    std::vector<dealii::Point<dim>> centres;
     for (std::size_t k = share.first; k < share.first + share.n_cells; ++k)
-      result.push_back(middle_of<dim>(files.rve.grid, places_of(files.rve.grid, k)));
-    return result;
+      centres.push_back(middle_of<dim>(files.rve.grid, places_of(files.rve.grid, k)));
+    return centres;
   }
 
   std::unique_ptr<StrainSource<dim>> source_of(const BodySnapshots<dim> &run,

@@ -160,9 +160,10 @@ void note_sampling(LocalizationInput<dim> &input,
       }
   if (samples == 0)
     return;
+  const std::string component = voigt_names<dim>[normal];
   std::ostringstream line;
   line.precision(3);
-  line << "Mean sigma_" << voigt_names<dim>[normal] << " of a probe (" << samples
+  line << "Mean sigma_" << component << " of a probe (" << samples
        << " samples at a point) and of its cell in the fields ("
        << input.plan.snapshots.count << " snapshots) differ by up to " << 100. * largest
        << " %";

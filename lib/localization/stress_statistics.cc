@@ -80,8 +80,9 @@ MESOSLIP_INTO_CLONES void multiply(const double *__restrict__ m,
         e[c] = strain[c * strain_stride + i];
       for (unsigned int r = 0; r < n_components; ++r)
         {
-          const double *row = m + std::size_t{r} * n_components * m_stride + i;
-          double sum        = row[0] * e[0];
+          const std::size_t first = r * m_stride * n_components;
+          const double *row       = m + first + i;
+          double sum              = row[0] * e[0];
           for (unsigned int c = 1; c < n_components; ++c)
             sum += row[c * m_stride] * e[c];
           stress[r * stress_stride + i] = sum;

@@ -43,9 +43,9 @@ public:
       if ((v >> d & 1U) == (is_upper ? 1U : 0U))
         for (unsigned int c = 0; c < dim; ++c)
           {
-            constexpr std::size_t n_sums = dim * dim;
-            double *sum                  = sums + std::size_t{c} * dim + d;
-            add_exactly(share * u[std::size_t{nodes[v]} * dim + c], *sum, sum[n_sums]);
+            constexpr std::size_t n = dim;
+            const std::size_t k     = c * n + d;
+            add_exactly(share * u[nodes[v] * n + c], sums[k], sums[n * n + k]);
           }
   }
 
