@@ -27,6 +27,7 @@ public:
     , bottom(body.surface(ElasticBody<dim>::bottom))
     , n_nodes(bottom.normal_area.size() - (bottom.closed ? 1 : 0))
     , scale(stiffness_scale(body))
+    , is_held(free_rigid_motions(body, problem.constrained).empty())
     , given_force(body.surface_values(ElasticBody<dim>::bottom, problem.force))
     , held(body.surface_values(ElasticBody<dim>::bottom, problem.constrained))
     , force(problem.force)
@@ -120,9 +121,10 @@ private:
   /**
    * Newton's method for friction g n that turns (g: its size, n its direction, that of the trial f - c v):
    * it then is g n - D v, D = g c / (|f - c v| - g) (1 - n n^T), of a spring across n. Nodes near sticking
-   * have stiff springs, up to 10 c.
+   * have stiff springs, up to 10 c. A share @p along of that stiffness holds n at the last displacement, for
+   * a body that could slide as a whole otherwise: it creeps until its friction is in balance.
    */
-  std::vector<SpringEntry> springs() const;
+  std::vector<SpringEntry> springs(double along) const;
 
   /** The given forces with friction. */
   void set_forces();
@@ -150,7 +152,10 @@ private:
   /** As a share of the normal force. */
   double friction_change() const
   {
-    return (friction_of_pressure() - friction).template lpNorm<1>() / normal.lpNorm<1>();
+    const double pressed = normal.lpNorm<1>();
+    return pressed > 0.
+             ? (friction_of_pressure() - friction).template lpNorm<1>() / pressed
+             : 0.;
   }
 
   template <typename... Parts>
@@ -160,8 +165,8 @@ private:
                                   solution.iterations, ")"));
   }
 
-  /** @throws NotConverged unless enough nodes touch the flat */
-  void require_contact() const;
+  /** @throws NotConverged unless the forces are finite and, if @p enough, enough nodes touch the flat */
+  void require_contact(bool enough) const;
 
   const ElasticBody<dim> &body;
   StaticContactProblem problem;
@@ -171,6 +176,7 @@ private:
     &bottom;                  ///< whose nodes all ranks know; the duplicate at the end
   const unsigned int n_nodes; ///< distinct ones of the bottom
   const double scale;         ///< see stiffness_scale()
+  const bool is_held; ///< without the contact, so that it may be lost and come again
 
   /** At the nodes of the bottom, their dim components together: problem.force, whether
    * problem.constrained holds them, the displacement. */

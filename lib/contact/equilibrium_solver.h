@@ -1,7 +1,7 @@
 #ifndef mesoslip_contact_equilibrium_solver_h
 #define mesoslip_contact_equilibrium_solver_h
 
-#include "body/elastic_body.h"
+#include "body/rigid_motions.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -78,6 +78,12 @@ public:
         for (std::size_t n = 0; n < u.size(); ++n)
           u.begin()[n] += correction.begin()[n];
       }
+  }
+
+  /** Whether constraints and springs leave the body a motion as a whole. Collective. */
+  bool can_move() const
+  {
+    return !free_rigid_motions(body, constrained, true, springs).empty();
   }
 
   /** K u after solve() (N, in 2D N/m). */

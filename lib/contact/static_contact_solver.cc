@@ -1,6 +1,5 @@
 #include "contact/static_contact_solver.h"
 
-#include "body/rigid_motions.h"
 #include "contact/active_set_iteration.h"
 
 #include <algorithm>
@@ -19,7 +18,11 @@ StaticContactSolution ActiveSetIteration<dim>::run()
       if (solution.iterations == options.max_iterations)
         fail("no equilibrium was found; ", changed ? "contact states still change, " : "",
              "friction forces change by ", change,
-             " of the contact force, the residual is ", solution.residual);
+             " of the contact force, the residual is ", solution.residual,
+             solver.can_move()
+               ? ", as sides and contact leave the body free to move or turn "
+                 "as a whole: hold a side of it"
+               : "");
       if (options.before_iteration)
         options.before_iteration(solution.iterations);
       set_forces();
@@ -35,7 +38,7 @@ StaticContactSolution ActiveSetIteration<dim>::run()
       changed = (solution.state_changes < hasty_changes ||
                  friction_change() <= options.tolerance) &&
                 update_states();
-      require_contact();
+      require_contact(!is_held);
       if (changed)
         {
           ++solution.state_changes;
@@ -53,6 +56,7 @@ StaticContactSolution ActiveSetIteration<dim>::run()
             hold_contact();
         }
     }
+  require_contact(true);
 
   solution.displacement      = problem.displacement;
   solution.solver_iterations = solver.iterations();
@@ -90,31 +94,39 @@ void ActiveSetIteration<dim>::hold_contact()
   });
   body.copy_duplicates(constrained);
   body.copy_duplicates(u);
-  std::vector<SpringEntry> across = springs();
-  turns_on_springs                = dim == 3 && problem.sliding == 0 &&
-                     free_rigid_motions(body, constrained, true, across).empty();
+  std::vector<SpringEntry> on;
+  const auto holds = [&](const double along) {
+    on = springs(along);
+    return free_rigid_motions(body, constrained, true, on).empty();
+  };
+  turns_on_springs = dim == 3 && problem.sliding == 0 && (holds(0.) || holds(1.));
   if (!turns_on_springs)
-    across.clear();
-  solver.set_constrained(constrained, across);
+    on.clear();
+  solver.set_constrained(constrained, on);
 }
 
 template <int dim>
-std::vector<SpringEntry> ActiveSetIteration<dim>::springs() const
+std::vector<SpringEntry> ActiveSetIteration<dim>::springs(const double along) const
 {
   std::vector<SpringEntry> entries;
-  if (dim == 2 || problem.sliding != 0 || displaced.empty())
+  if (displaced.empty())
     return entries;
   for_each_node([&](const NodeIndex &node, const unsigned int i) {
     const double g = problem.friction_coefficient[i] * std::max(0., normal[i]);
     if (solution.state[i] != ContactState::slip || !(g > 0.))
       return;
-    const double beyond = std::max(0.1 * g, tangential.size_of_trial(displaced, i) - g);
+    const double beyond = std::max(0.1 * g, tangential.size_of_trial(displaced, i) - g),
+                 k      = g * turning * scale / beyond;
     const auto &n       = tangential.direction[i];
     for (unsigned int c = 0; c < n_tangents; ++c)
       for (unsigned int d = 0; d < n_tangents; ++d)
-        entries.push_back(
-          {node, c, d, g * turning * scale / beyond * ((c == d ? 1. : 0.) - n[c] * n[d]),
-           tangential.sticks_at(i, d)});
+        {
+          const double nn = n[c] * n[d];
+          entries.push_back(
+            {node, c, d, k * ((c == d ? 1. : 0.) - nn), tangential.sticks_at(i, d)});
+          if (along > 0.)
+            entries.push_back({node, c, d, along * k * nn, displaced[dim * i + d]});
+        }
   });
   return entries;
 }
@@ -219,14 +231,14 @@ Eigen::VectorXd ActiveSetIteration<dim>::friction_of_pressure() const
 }
 
 template <int dim>
-void ActiveSetIteration<dim>::require_contact() const
+void ActiveSetIteration<dim>::require_contact(const bool enough) const
 {
   if (!std::isfinite(normal.sum()))
     fail("the contact forces are not finite");
   const auto touching =
     std::count_if(solution.state.begin(), solution.state.end(),
                   [](const ContactState s) { return s != ContactState::separated; });
-  if (touching < (problem.gap.empty() ? 2 : 1))
+  if (enough && touching < (problem.gap.empty() ? 2 : 1))
     fail("the body lifts off or tips over its edge, at most one node stays on the flat");
 }
 
