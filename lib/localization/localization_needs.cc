@@ -128,7 +128,7 @@ template <int dim>
 ResourceNeed disk_need(const LocalizationInput<dim> &input)
 {
   // Names, units and the like of the file, a set of fields and a probe; as measured.
-  constexpr double of_file = 6e3, of_set = 1.5e3, of_series = 3e3;
+  constexpr double of_file = 5e3, of_set = 1.5e3, of_series = 3e3;
   const LocalizationParameters &p = input.parameters;
   const double with_direct        = input.files.direct ? 1. : 0.;
   double n_field_sets = with_direct + static_cast<double>(input.plan.points.size()),
