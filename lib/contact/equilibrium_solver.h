@@ -54,6 +54,8 @@ public:
   {
     constrained = mask;
     springs     = on;
+    on_springs =
+      dealii::Utilities::MPI::max(springs.empty() ? 0 : 1, body.communicator()) > 0;
     solver->set_constrained_on_springs(mask, springs);
   }
 
@@ -103,6 +105,8 @@ private:
   const NodalField<double> &with_springs(const NodalField<double> &force,
                                          const NodalField<double> &u)
   {
+    if (!on_springs)
+      return force;
     left = force;
     for (const SpringEntry &spring : springs)
       left(spring.c, spring.node) -=
@@ -138,6 +142,7 @@ private:
   DofMask constrained;
   NodalField<double> Ku, residual, correction, left;
   std::vector<SpringEntry> springs;
+  bool on_springs           = false; ///< whether any rank has springs
   unsigned int n_iterations = 0;
 };
 } // namespace mesoslip

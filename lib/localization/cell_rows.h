@@ -95,7 +95,7 @@ public:
     return data.data() + (j * numbers + c) * distance;
   }
 
-  /** As above, read only. */
+  /** Number @p c of the cells of row @p j, read only. */
   const double *array(const std::size_t c, const std::size_t j) const
   {
     return data.data() + (j * numbers + c) * distance;
@@ -120,9 +120,9 @@ public:
 
 private:
   std::size_t cells    = 0; ///< their number
-  std::size_t length   = 1; ///< of a row
+  std::size_t length   = 1; ///< cells of a row, except perhaps the last one
   std::size_t distance = 1; ///< from one array of a row to the next
-  std::size_t numbers  = 0; ///< of each cell
+  std::size_t numbers  = 0; ///< how many a cell has
   LineVector<double> data;  ///< row after row
 };
 } // namespace mesoslip

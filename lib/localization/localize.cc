@@ -77,7 +77,7 @@ private:
     return where;
   }
 
-  /** Middles of the cells of this rank, which grids in grids do not need. */
+  /** Middles of the cells of this rank (m), which grids in grids do not need. */
   std::vector<dealii::Point<dim>> middles() const
   {
     if (!share.middles.empty() || share.n_cells == 0)

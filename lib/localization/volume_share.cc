@@ -65,10 +65,6 @@ VolumeShare<dim> make_share(const LocalizationFiles<dim> &files,
       if (plan.is_body)
         share.middles = std::move(places.middles);
     }
-  else if (plan.is_body && !files.are_grids())
-    for (std::size_t k = share.first; k < share.first + share.n_cells; ++k)
-      share.middles.push_back(
-        middle_of<dim>(files.rve.grid, places_of(files.rve.grid, k)));
   return share;
 }
 

@@ -20,7 +20,7 @@ struct VolumeShare
   std::size_t n_in_row    = 1;         ///< of the rows in which they are treated
   std::vector<std::uint16_t> material; ///< of each cell, see RveFile::constituents()
 
-  /** Of the cells (m), unless volume and body are grids or the volume is not the body. */
+  /** Of the cells of a mesh that is the body (m), else empty. */
   std::vector<dealii::Point<dim>> middles;
 
   std::vector<double> measures; ///< of the cells (m^dim); of a grid none: all equal
