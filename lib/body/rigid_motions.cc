@@ -114,10 +114,23 @@ free_rigid_motions(const ElasticBody<dim> &body,
   return result;
 }
 
+template <int dim>
+bool can_move(const ElasticBody<dim> &body,
+              const DofMask &mask,
+              const std::vector<SpringEntry> &springs)
+{
+  const RigidMotions<dim> rigid(body);
+  return !RigidMotions<dim>::left_by(rigid.hold_of(mask, true, springs)).empty();
+}
+
 template class RigidMotions<2>;
 template class RigidMotions<3>;
 template std::vector<NodalField<double>> free_rigid_motions(
   const ElasticBody<2> &, const DofMask &, const bool, const std::vector<SpringEntry> &);
 template std::vector<NodalField<double>> free_rigid_motions(
   const ElasticBody<3> &, const DofMask &, const bool, const std::vector<SpringEntry> &);
+template bool
+can_move(const ElasticBody<2> &, const DofMask &, const std::vector<SpringEntry> &);
+template bool
+can_move(const ElasticBody<3> &, const DofMask &, const std::vector<SpringEntry> &);
 } // namespace mesoslip

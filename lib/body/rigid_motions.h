@@ -56,6 +56,12 @@ free_rigid_motions(const ElasticBody<dim> &body,
                    const DofMask &mask,
                    const bool can_rotate                   = true,
                    const std::vector<SpringEntry> &springs = {});
+
+/** Whether the constraints @p mask, periodic sides and springs leave a rigid motion. Collective. */
+template <int dim>
+bool can_move(const ElasticBody<dim> &body,
+              const DofMask &mask,
+              const std::vector<SpringEntry> &springs = {});
 } // namespace mesoslip
 
 #endif

@@ -27,7 +27,7 @@ public:
     , bottom(body.surface(ElasticBody<dim>::bottom))
     , n_nodes(bottom.normal_area.size() - (bottom.closed ? 1 : 0))
     , scale(stiffness_scale(body))
-    , is_held(free_rigid_motions(body, problem.constrained).empty())
+    , is_held(!can_move(body, problem.constrained))
     , given_force(body.surface_values(ElasticBody<dim>::bottom, problem.force))
     , held(body.surface_values(ElasticBody<dim>::bottom, problem.constrained))
     , force(problem.force)

@@ -85,7 +85,7 @@ public:
   /** Whether constraints and springs leave the body a motion as a whole. Collective. */
   bool can_move() const
   {
-    return !free_rigid_motions(body, constrained, true, springs).empty();
+    return mesoslip::can_move(body, constrained, springs);
   }
 
   /** K u after solve() (N, in 2D N/m). */

@@ -97,7 +97,7 @@ void ActiveSetIteration<dim>::hold_contact()
   std::vector<SpringEntry> on;
   const auto holds = [&](const double along) {
     on = springs(along);
-    return free_rigid_motions(body, constrained, true, on).empty();
+    return !can_move(body, constrained, on);
   };
   turns_on_springs = dim == 3 && problem.sliding == 0 && (holds(0.) || holds(1.));
   if (!turns_on_springs)
