@@ -19,9 +19,9 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
 TOOLS = os.path.join(TOP, "applications", "tools")
 EXAMPLES = os.path.join(TOP, "prm", "examples")
-sys.path[:0] = [os.path.join(TOOLS, name) for name in ("python", "report", "studies")]
+sys.path[:0] = [TOOLS, *(os.path.join(TOOLS, name) for name in ("python", "studies"))]
 import mesoslip
-from figures import BLUE, GREY, ORANGE, above, panels, plt
+from report.base.figures import BLUE, GREY, ORANGE, above, panels, plt
 from report_pictures import report_figures, save
 
 WIDTH, HEIGHT = 8, 4  # mm

@@ -8,11 +8,11 @@ import numpy as np
 
 from common import TOP
 
-sys.path.insert(0, os.path.join(TOP, "applications", "tools", "report"))
+sys.path.insert(0, os.path.join(TOP, "applications", "tools"))
 
 from matplotlib.ticker import FuncFormatter, LogFormatter  # noqa: E402
 
-from figures import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, SKY, YELLOW, plt  # noqa: E402
+from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, SKY, YELLOW, plt  # noqa: E402
 
 COLOURS = [BLUE, ORANGE, GREEN, PINK, SKY, YELLOW, BLACK]
 MARKERS = "os^Dvp*"

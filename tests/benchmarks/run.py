@@ -13,7 +13,7 @@ import sys
 
 sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [HERE, *(os.path.join(HERE, "..", folder) for folder in ("scenes", "verification"))]
+sys.path[:0] = [HERE, *(os.path.join(HERE, folder) for folder in ("accuracy", "speed", "../scenes", "../verification"))]
 
 from common import TOP, Bench  # noqa: E402
 from study import parse_arguments  # noqa: E402

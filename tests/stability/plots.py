@@ -3,9 +3,9 @@
 import os
 import sys
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "applications", "tools", "report"))  # last: it has sections, too
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "applications", "tools"))
 import numpy as np  # noqa: E402
-from figures import (BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RUN_COLOURS, above, above_all, lettered,  # noqa: E402
+from report.base.figures import (BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RUN_COLOURS, above, above_all, lettered,  # noqa: E402
                      plt)  # figures chooses the backend
 from matplotlib.lines import Line2D  # noqa: E402
 

@@ -13,13 +13,13 @@ import tempfile
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
 sys.path[:0] = [HERE, os.path.join(TOP, "tests", "scenes"), os.path.join(TOP, "applications", "tools", "studies"),
-                os.path.join(TOP, "applications", "tools", "report")]
+                os.path.join(TOP, "applications", "tools")]
 
 import mesh_pin  # noqa: E402
 import numpy as np  # noqa: E402
 import problems  # noqa: E402
-from figures import RUN_COLOURS, plt  # noqa: E402  (figures chooses the backend)
 from pages import number, save_picture, table, write_csv, write_page  # noqa: E402
+from report.base.figures import RUN_COLOURS, plt  # noqa: E402  (figures chooses the backend)
 from study import Study, parse_arguments  # noqa: E402
 
 EXECUTABLES = ("unit_brick", "unit_contact", "unit_elasticity", "unit_localization", "unit_voxel_solver", "verification_complex_modes",

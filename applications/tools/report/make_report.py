@@ -18,13 +18,13 @@ import sys
 if __name__ == "__main__":
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # at once and without a word; the report of before stays
 sys.dont_write_bytecode = True  # leave no __pycache__ in a source tree
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-import figures
-import sections
-from data import Chain, Missing, without_folders
-from page import Page, escape, note
-from space_time import has_surface_map
+from report import sections
+from report.base import figures
+from report.base.data import Chain, Missing, without_folders
+from report.base.page import Page, escape, note
+from report.runs.space_time import has_surface_map
 
 
 def attempt(page, make, *arguments):

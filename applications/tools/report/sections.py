@@ -1,23 +1,10 @@
 """What the report says, in order: headings and the functions that write their parts."""
 
-import analyses
-import complex_modes
-import contact_states
-import contact_surface
-import energies
-import field_errors
-import fields
-import figures
-import key_numbers
-import loads
-import maps
-import mesh_maps
-import paper
-import probes
-import waves
-import what_was_run
-from common_scales import comparable, same_scale
-from page import escape, quantity
+from report.base import figures
+from report.base.common_scales import comparable, same_scale
+from report.base.page import escape, quantity
+from report.bodies import contact_surface, field_errors, fields, loads, maps, mesh_maps
+from report.runs import analyses, complex_modes, contact_states, energies, key_numbers, paper, probes, waves, what_was_run
 
 
 def plan(chain, surface_times=()):

@@ -8,10 +8,10 @@ import numpy as np
 
 from pages import plt, save_picture
 
-sys.path += [os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", name) for name in ("python", "report")]
+sys.path += [os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", name) for name in ("", "python")]
 import mesoslip  # noqa: E402
-from figures import BLACK, RUN_COLOURS, above_all, lettered  # noqa: E402
 from mesoslip.participation import participation  # noqa: E402
+from report.base.figures import BLACK, RUN_COLOURS, above_all, lettered  # noqa: E402
 
 WINDOW = 1e-4  # s
 # What is not set is the paper's pin by default.

@@ -12,7 +12,7 @@ import numpy as np
 from mesh_files import Box
 from scenes import PHASES, SMALL_GRID, SMALL_RVE, TOOLS, TOP, Folder, prm
 
-sys.path[:0] = [TOOLS, os.path.join(TOOLS, "python"), os.path.join(TOOLS, "report")]
+sys.path[:0] = [TOOLS, os.path.join(TOOLS, "python")]
 
 RUN = {"Flat/Velocity": 2, "Top/Pressure": 5e6, "Friction/Coefficient": 0.25, "Time/End time": 2e-6, "Snapshots/From": 1.1e-6,
        "Snapshots/Interval": 1e-7}
@@ -174,7 +174,7 @@ def check_refused(folder):
             raise AssertionError(f"{path} was opened")
         except mesoslip.FormatError as error:
             assert "in which nothing was computed" in str(error), error
-    from data import Chain
+    from report.base.data import Chain
     read = Chain([folder("tried"), folder("grid")])
     assert [run.name for run in read.runs] == ["grid"] and any("made with --try" in note for note in read.all_notes()), read.all_notes()
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from scenes import TOP
 
-sys.path.insert(0, os.path.join(TOP, "tests", "benchmarks"))
+sys.path[:0] = [os.path.join(TOP, "tests", "benchmarks", *folder) for folder in ((), ("speed",))]
 
 import shortcuts as benchmark  # noqa: E402
 from common import Study  # noqa: E402

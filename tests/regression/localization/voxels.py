@@ -14,12 +14,11 @@ import numpy as np
 from mesh_files import Box
 from scenes import ENVIRONMENT, PROGRAMS, TOOLS, Folder, prm
 
-sys.path += [os.path.join(TOOLS, "python"), os.path.join(TOOLS, "report")]
-import data  # noqa: E402
-import mesh_maps  # noqa: E402
+sys.path += [os.path.join(TOOLS, "python"), TOOLS]
 import mesoslip  # noqa: E402
-import page  # noqa: E402
-import probes  # noqa: E402
+from report.base import data, page  # noqa: E402
+from report.bodies import mesh_maps  # noqa: E402
+from report.runs import probes  # noqa: E402
 
 CELLS, SIZE = (7, 4, 5), (0.0035, 0.0024, 0.002)  # no cubes
 PHASES = {"Phases/Names": "matrix, fibre", "Phases/matrix/Young modulus": "30e9", "Phases/matrix/Poisson ratio": 0.2,

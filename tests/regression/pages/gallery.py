@@ -6,7 +6,7 @@ import tempfile
 
 from scenes import TOOLS, TOP, Folder, run_chain
 
-sys.path[:0] = [os.path.join(TOOLS, "studies", "gallery"), TOOLS, os.path.join(TOOLS, "report")]
+sys.path[:0] = [os.path.join(TOOLS, "studies", "gallery"), TOOLS]
 
 from examples import EXAMPLES  # noqa: E402
 

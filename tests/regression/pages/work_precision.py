@@ -8,7 +8,7 @@ import numpy as np
 
 from scenes import TOP
 
-sys.path.insert(0, os.path.join(TOP, "tests", "benchmarks"))
+sys.path[:0] = [os.path.join(TOP, "tests", "benchmarks", *folder) for folder in ((), ("accuracy",))]
 
 import fits  # noqa: E402
 import pin  # noqa: E402

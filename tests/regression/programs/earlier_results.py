@@ -14,9 +14,9 @@ import numpy as np
 
 from scenes import PHASES, SMALL_RVE as RVE, TOOLS, Folder as AnyFolder, prm
 
-sys.path[:0] = [os.path.join(TOOLS, "python"), os.path.join(TOOLS, "report")]
+sys.path[:0] = [os.path.join(TOOLS, "python"), TOOLS]
 import mesoslip
-from data import Chain
+from report.base.data import Chain
 
 CONTACT = prm({"Body/RVE file": "rve/rve.h5", "Time/End time": 1e-5, "Snapshots/Interval": 1e-6})
 LOCALIZATION = prm({"Input/RVE file": "rve/rve.h5", "Input/Homogeneous run": "run/dynamics.h5"})

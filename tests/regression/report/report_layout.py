@@ -11,17 +11,17 @@ import numpy as np
 
 from scenes import TOOLS, Folder, prm
 
-sys.path.insert(0, os.path.join(TOOLS, "report"))
+sys.path.insert(0, TOOLS)
 
-from data import without_folders  # noqa: E402
-from energies import friction_energy  # noqa: E402
-from figures import plt  # noqa: E402
-from key_numbers import frictional_power  # noqa: E402
-from loads import without_round_off  # noqa: E402
-from maps import TALL, views, whole_view  # noqa: E402
-from phase_colours import colours_of, words_on_colours  # noqa: E402
-from projections import Group, View, draw  # noqa: E402
-from stress_maps import compared, phase_figure, stress_group  # noqa: E402
+from report.base.data import without_folders  # noqa: E402
+from report.base.figures import plt  # noqa: E402
+from report.bodies.loads import without_round_off  # noqa: E402
+from report.bodies.maps import TALL, views, whole_view  # noqa: E402
+from report.bodies.phase_colours import colours_of, words_on_colours  # noqa: E402
+from report.bodies.projections import Group, View, draw  # noqa: E402
+from report.bodies.stress_maps import compared, phase_figure, stress_group  # noqa: E402
+from report.runs.energies import friction_energy  # noqa: E402
+from report.runs.key_numbers import frictional_power  # noqa: E402
 
 LONG = "reinforcement-of-carbon-fibre-lot-7"
 SHAPES = [(240, 20), (120, 20), (90, 60), (60, 60), (60, 90), (20, 120), (16, 192), (560, 160)]  # cells of 0.1 mm

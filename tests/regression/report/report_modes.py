@@ -12,11 +12,12 @@ import numpy as np
 
 from scenes import TOOLS, Folder, prm
 
-sys.path[:0] = [os.path.join(TOOLS, "report")]
+sys.path.insert(0, TOOLS)
 
-import mode_shapes  # noqa: E402
-from data import Run  # noqa: E402
-from report import report  # noqa: E402
+from report.base.data import Run  # noqa: E402
+from report.bodies import mode_shapes  # noqa: E402
+
+from whole_page import report  # noqa: E402
 
 CELLS = (2, 3, 4)
 

@@ -249,9 +249,8 @@ def check_tools(folder):
 
 def check_pictures(folder):
     """Shares of the nodes over time are those of the map; the surface is shown at the times that are asked for, field by field."""
-    import contact_states
-    import space_time
-    from data import Chain, Missing
+    from report.runs import contact_states, space_time
+    from report.base.data import Chain, Missing
     run, = Chain([folder("solid")]).runs
     found = read(folder, "solid")
     times, shares = contact_states.fractions_of_nodes(run)
@@ -278,7 +277,7 @@ def check_pictures(folder):
 
 def check_reduction():
     """A long map is reduced for its picture without losing what is short."""
-    import space_time
+    from report.runs import space_time
     values = np.full((5000, 3), 1.0)
     values[1234, 1], values[4321, 2] = 9.0, -7.0
     shown = space_time.farthest(values, 1.0, 900, 0)
@@ -286,7 +285,7 @@ def check_reduction():
 
 
 def main():
-    sys.path.insert(0, os.path.join(TOOLS, "report"))
+    sys.path.insert(0, TOOLS)
     check_reduction()
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)

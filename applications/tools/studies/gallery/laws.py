@@ -6,7 +6,7 @@ import h5py
 import numpy as np
 
 from chain.inputs import settings
-from figures import BLACK, BLUE, GREEN, GREY, ORANGE, lettered, plt
+from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, lettered, plt
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), *[".."] * 4, "prm", "examples", "friction_laws")
 MOST = 400  # points of a panel

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-import paper_values as paper
 from cases import P1, P2, PUSHED
-from figures import BLACK, BLUE, GREY, ORANGE, above, lettered, panels
 from measures import contact_time, frequency, mu, reference, regime, slip, spectrum_of
 from page import fixed
+from report.base.figures import BLACK, BLUE, GREY, ORANGE, above, lettered, panels
+from report.runs import paper_values as paper
 
 PERIODS = 4
 SWEEP = (500, 750, 1000, 1250, 1500, 1750, 2000, 2500, 3000, 4000)  # ns, on cells of 0.2 mm

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from figures import BLACK, BLUE, GREY, ORANGE, above, panels
+from report.base.figures import BLACK, BLUE, GREY, ORANGE, above, panels
 
 STEP_AT = 2e-6  # s; of the pressure in prm/paper
 

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-import paper_values as paper
 from cases import P1, P2, PUSHED
-from figures import BLACK, BLUE, ORANGE, above, above_all, lettered, panels
 from measures import frequency, mu, mu_text
 from page import fixed, relative
+from report.base.figures import BLACK, BLUE, ORANGE, above, above_all, lettered, panels
+from report.runs import paper_values as paper
 
 PERIODS_SHOWN, PERIODS_AVERAGED = 6, 5
 

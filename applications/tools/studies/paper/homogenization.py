@@ -5,11 +5,11 @@ import os
 import h5py
 import numpy as np
 
-import paper_values as paper
 from cases import PUSHED, RVE_SEEDS
-from figures import BLACK, BLUE, GREY, ORANGE, above, lettered, panels, plt
 from measures import frequency
 from page import fixed, relative
+from report.base.figures import BLACK, BLUE, GREY, ORANGE, above, lettered, panels, plt
+from report.runs import paper_values as paper
 
 ENTRIES = {"D11": (0, 0), "D12": (0, 1), "D22": (1, 1), "D33": (2, 2)}
 CONDITIONS = ("KUBC", "SUBC")

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-import paper_values as paper
 from cases import PUSHED
-from data import Missing
-from figures import BLACK, ORANGE, STRESSES, panels, scaled, above
-import maps
+from report.base.data import Missing
+from report.base.figures import BLACK, ORANGE, STRESSES, panels, scaled, above
+from report.bodies import maps
+from report.runs import paper_values as paper
 
 PERIODS = 6
 EDGE = 1.6e-3  # m; beyond it from the sides the interior begins

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from data import Missing, Run
+from report.base.data import Missing, Run
 
 
 class Runs:

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-import paper_values as paper
 from cases import P1, P2, PUSHED
-from figures import BLACK, BLUE, GREEN, GREY, ORANGE, above_all, lettered, plt
 from measures import frequency, height, mu_text, reference, relative_velocity
 from page import fixed, relative
+from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, above_all, lettered, plt
+from report.runs import paper_values as paper
 
 SHOWN_PERIODS = 5
 

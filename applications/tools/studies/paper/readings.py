@@ -2,11 +2,11 @@
 
 import numpy as np
 
-import paper_values as paper
 from cases import P1, P2, PUSHED, TENFOLD
-from figures import BLACK, BLUE, GREEN, GREY, ORANGE, above, above_all, lettered, panels, plt
 from measures import frequency, height, mu_text, relative_velocity, separation, slip, within
 from page import fixed
+from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, above, above_all, lettered, panels, plt
+from report.runs import paper_values as paper
 
 PUSHES = {P1: (0, 0.1, 0.2, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.7, 0.8, 0.9, 1, 1.5, 2),  # m/s
           P2: (0, 0.2, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.8, 1, 1.5)}

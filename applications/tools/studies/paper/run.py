@@ -9,7 +9,7 @@ from functools import partial
 from typing import Callable
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [HERE, os.path.dirname(HERE), os.path.join(HERE, "..", "..", "report")]
+sys.path[:0] = [HERE, os.path.dirname(HERE), os.path.join(HERE, "..", "..")]
 
 import contact_stress  # noqa: E402
 import friction_law  # noqa: E402
@@ -17,15 +17,15 @@ import histories  # noqa: E402
 import homogenization  # noqa: E402
 import localization  # noqa: E402
 import motion  # noqa: E402
-import paper_values  # noqa: E402
 import readings  # noqa: E402
 import static_contact  # noqa: E402
 import tables  # noqa: E402
 from cases import TOP, Cases  # noqa: E402
-from data import Missing  # noqa: E402
 from measures import Runs  # noqa: E402
 from page import INTRODUCTION, Fragment  # noqa: E402
 from pages import Page  # noqa: E402
+from report.base.data import Missing  # noqa: E402
+from report.runs import paper_values  # noqa: E402
 from study import Study, parse_arguments  # noqa: E402
 
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-import paper_values as paper
 from cases import RVE_SEEDS
-from figures import BLUE, GREY, ORANGE, above_all, lettered, panels
 from page import fixed, relative
+from report.base.figures import BLUE, GREY, ORANGE, above_all, lettered, panels
+from report.runs import paper_values as paper
 
 PHASES = ("fibre", "matrix")
 

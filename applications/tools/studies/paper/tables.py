@@ -4,11 +4,11 @@ import dataclasses
 
 import numpy as np
 
-import paper_values as paper
 from cases import P1, P2, PUSHED, pushed
-from figures import BLUE, ORANGE, above, panels
 from measures import frequency, mu, mu_text, regime, slip
 from page import fixed, relative
+from report.base.figures import BLUE, ORANGE, above, panels
+from report.runs import paper_values as paper
 
 
 @dataclasses.dataclass

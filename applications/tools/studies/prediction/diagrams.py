@@ -3,11 +3,11 @@
 import os
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "report"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 
 import numpy as np  # noqa: E402
-from figures import BLACK, BLUE, GREEN, GREY, ORANGE, RUN_COLOURS, above, above_all, lettered, plt  # noqa: E402
 from matplotlib.colors import BoundaryNorm, ListedColormap  # noqa: E402
+from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, RUN_COLOURS, above, above_all, lettered, plt  # noqa: E402
 
 import growth  # noqa: E402
 import regime_map  # noqa: E402

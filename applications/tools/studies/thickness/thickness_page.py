@@ -9,8 +9,8 @@ import fibres_page
 from fibres_page import read
 from pages import save_picture, table, write_page
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "report"))
-from figures import BLUE, GREEN, GREY, ORANGE, WIDTH, above, plt  # noqa: E402
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+from report.base.figures import BLUE, GREEN, GREY, ORANGE, WIDTH, above, plt  # noqa: E402
 
 
 def of(rows, body, cells, load, start=None, thickness=None):
