@@ -30,6 +30,7 @@ public:
     , is_held(!can_move(body, problem.constrained))
     , given_force(body.surface_values(ElasticBody<dim>::bottom, problem.force))
     , held(body.surface_values(ElasticBody<dim>::bottom, problem.constrained))
+    , pushed(sum_along_flat(body, problem.force))
     , force(problem.force)
     , friction(Eigen::VectorXd::Zero(Eigen::Index{n_nodes} * n_tangents))
     , normal(Eigen::VectorXd::Zero(n_nodes))
@@ -106,6 +107,20 @@ private:
     return problem.sliding == 0 && held[dim * i + c] != 0.;
   }
 
+  /** Collective. */
+  static typename Friction::Direction sum_along_flat(const ElasticBody<dim> &body,
+                                                     const NodalField<double> &force)
+  {
+    typename Friction::Direction sum = {};
+    for (unsigned int j = 0; j < body.n_rows(); ++j)
+      for (unsigned int i = 0; i < body.n_columns(); ++i)
+        for (unsigned int c = 0; c < n_tangents && body.is_counted({i, j}); ++c)
+          sum[c] += force(c, {i, j});
+    for (double &component : sum)
+      component = dealii::Utilities::MPI::sum(component, body.communicator());
+    return sum;
+  }
+
   /** Calls action(node, number of the node) with the contact nodes that this rank has. */
   template <typename Action>
   void for_each_node(const Action &action) const
@@ -115,16 +130,23 @@ private:
         action(bottom.nodes[k], static_cast<unsigned int>(bottom.place(k)));
   }
 
-  /** Holds what touches and sticks, and adds the springs. */
+  /** Holds what touches and sticks, and adds the springs; a body that could slide as a whole sticks
+   * with one node more. */
   void hold_contact();
+
+  /** The given constraints and those of nodes that touch or stick, where the displacements take their values. */
+  DofMask constrain_contact();
 
   /**
    * Newton's method for friction g n that turns (g: its size, n its direction, that of the trial f - c v):
    * it then is g n - D v, D = g c / (|f - c v| - g) (1 - n n^T), of a spring across n. Nodes near sticking
-   * have stiff springs, up to 10 c. A share @p along of that stiffness holds n at the last displacement, for
-   * a body that could slide as a whole otherwise: it creeps until its friction is in balance.
+   * have stiff springs, up to 10 c. None in 2D, on a sliding flat and before the first solution.
    */
-  std::vector<SpringEntry> springs(double along) const;
+  std::vector<SpringEntry> springs() const;
+
+  /** Of the nodes that slip, the one that the body brings first to where it sticks if it slides as
+   * its friction and @ref pushed want it; n_nodes: none. */
+  unsigned int next_to_stick() const;
 
   /** The given forces with friction. */
   void set_forces();
@@ -182,6 +204,8 @@ private:
    * problem.constrained holds them, the displacement. */
   const std::vector<double> given_force, held;
   std::vector<double> displaced;
+
+  const typename Friction::Direction pushed; ///< by all given forces (N, in 2D N/m)
 
   /** Whether friction turns by Newton's method, which takes a body that cannot move as a whole. */
   bool turns_on_springs = false;

@@ -66,6 +66,15 @@ public:
     return std::sqrt(squares);
   }
 
+  /** Squared distance (m^2) of node @p i from where it sticks. @p u: see size_of_trial(). */
+  double squared_slip(const std::vector<double> &u, const unsigned int i) const
+  {
+    double squares = 0.;
+    for (unsigned int c = 0; c < n_tangents; ++c)
+      squares += std::pow(u[dim * i + c] - sticks_at(i, c), 2);
+    return squares;
+  }
+
   /** Turns the friction of node @p i against its displacement; see size_of_trial(). */
   void turn(const std::vector<double> &u, const unsigned int i)
   {

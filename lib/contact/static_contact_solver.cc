@@ -76,6 +76,31 @@ StaticContactSolution ActiveSetIteration<dim>::run()
 template <int dim>
 void ActiveSetIteration<dim>::hold_contact()
 {
+  DofMask constrained         = constrain_contact();
+  std::vector<SpringEntry> on = springs();
+  bool moves                  = problem.sliding == 0 && can_move(body, constrained, on);
+  const unsigned int i        = moves && !displaced.empty() ? next_to_stick() : n_nodes;
+  if (i < n_nodes)
+    {
+      solution.state[i] = ContactState::stick;
+      constrained       = constrain_contact();
+      on                = springs();
+      moves             = can_move(body, constrained, on);
+      if (moves) // it rolls or tips all the same
+        {
+          solution.state[i] = ContactState::slip;
+          constrained       = constrain_contact();
+        }
+    }
+  turns_on_springs = dim == 3 && problem.sliding == 0 && !moves;
+  if (!turns_on_springs)
+    on.clear();
+  solver.set_constrained(constrained, on);
+}
+
+template <int dim>
+DofMask ActiveSetIteration<dim>::constrain_contact()
+{
   DofMask constrained   = problem.constrained;
   NodalField<double> &u = problem.displacement;
   const auto put = [&](const unsigned int c, const NodeIndex &node, const double value) {
@@ -94,22 +119,14 @@ void ActiveSetIteration<dim>::hold_contact()
   });
   body.copy_duplicates(constrained);
   body.copy_duplicates(u);
-  std::vector<SpringEntry> on;
-  const auto holds = [&](const double along) {
-    on = springs(along);
-    return !can_move(body, constrained, on);
-  };
-  turns_on_springs = dim == 3 && problem.sliding == 0 && (holds(0.) || holds(1.));
-  if (!turns_on_springs)
-    on.clear();
-  solver.set_constrained(constrained, on);
+  return constrained;
 }
 
 template <int dim>
-std::vector<SpringEntry> ActiveSetIteration<dim>::springs(const double along) const
+std::vector<SpringEntry> ActiveSetIteration<dim>::springs() const
 {
   std::vector<SpringEntry> entries;
-  if (displaced.empty())
+  if (dim == 2 || displaced.empty() || problem.sliding != 0)
     return entries;
   for_each_node([&](const NodeIndex &node, const unsigned int i) {
     const double g = problem.friction_coefficient[i] * std::max(0., normal[i]);
@@ -120,15 +137,32 @@ std::vector<SpringEntry> ActiveSetIteration<dim>::springs(const double along) co
     const auto &n       = tangential.direction[i];
     for (unsigned int c = 0; c < n_tangents; ++c)
       for (unsigned int d = 0; d < n_tangents; ++d)
-        {
-          const double nn = n[c] * n[d];
-          entries.push_back(
-            {node, c, d, k * ((c == d ? 1. : 0.) - nn), tangential.sticks_at(i, d)});
-          if (along > 0.)
-            entries.push_back({node, c, d, along * k * nn, displaced[dim * i + d]});
-        }
+        entries.push_back({node, c, d, k * ((c == d ? 1. : 0.) - n[c] * n[d]),
+                           tangential.sticks_at(i, d)});
   });
   return entries;
+}
+
+template <int dim>
+unsigned int ActiveSetIteration<dim>::next_to_stick() const
+{
+  const Eigen::VectorXd carried     = friction_of_pressure();
+  typename Friction::Direction push = pushed;
+  for (unsigned int i = 0; i < n_nodes; ++i)
+    for (unsigned int c = 0; c < n_tangents; ++c)
+      push[c] += carried[index(i, c)];
+  unsigned int next = n_nodes;
+  for (unsigned int i = 0; i < n_nodes; ++i)
+    {
+      double along = 0.;
+      for (unsigned int c = 0; c < n_tangents; ++c)
+        along += carried[index(i, c)] * push[c];
+      // Friction that points where the body slides is of a node that comes back.
+      if (along > 0. && (next == n_nodes || tangential.squared_slip(displaced, i) <
+                                              tangential.squared_slip(displaced, next)))
+        next = i;
+    }
+  return next;
 }
 
 template <int dim>

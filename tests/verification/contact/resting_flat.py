@@ -28,29 +28,33 @@ def spheres(n):
     return inside.reshape(n, n, n).astype(np.uint8)
 
 
-def check(folder, voxels, ranks, mu, most_iterations=MOST_ITERATIONS, **more):
-    """Tractions (Pa) of the nodes by rows of the flat, and the share of those that stick. The body has SIDE along x."""
-    cells = voxels.shape[::-1]
-    name, rve = f"{cells[0]}-{ranks}-{mu}", f"rve{cells[0]}"
-    np.save(folder("map.npy"), voxels)
-    folder.write("rve.prm", "set Dimension = 3\n" + PHASES + prm({
-        "Grid/Cells": ", ".join(map(str, cells)), "Grid/Spacing": SIDE / cells[0], "Microstructure/Type": "voxels", "Microstructure/File": "map.npy",
+def check(folder, voxels, ranks, mu, **more):
+    """Tractions (Pa) of the nodes by rows of the flat, and the share of those that stick. The body has SIDE along x; a picture is plane."""
+    cells, dim = voxels.shape[::-1], voxels.ndim
+    name, rve = f"{dim}d-{cells[0]}-{ranks}-{mu}", f"rve{dim}d-{cells[0]}"
+    kind, file = ("voxels", "map.npy") if dim == 3 else ("image", "map.txt")
+    if dim == 3:
+        np.save(folder(file), voxels)
+    else:
+        np.savetxt(folder(file), voxels, fmt="%d")
+    folder.write("rve.prm", f"set Dimension = {dim}\n" + PHASES + prm({
+        "Grid/Cells": ", ".join(map(str, cells)), "Grid/Spacing": SIDE / cells[0], "Microstructure/Type": kind, "Microstructure/File": file,
         "Homogenization/Boundary conditions": "KUBC", "Homogenization/Effective": "KUBC"}))
     folder.run(0, "rve_homogenization", "rve.prm", "--output", rve)
-    folder.write("static.prm", "set Dimension = 3\n" + prm({
+    folder.write("static.prm", f"set Dimension = {dim}\n" + prm({
         "Analysis": "static contact", "Body/RVE file": f"{rve}/rve.h5", "Body/Material": "heterogeneous", "Flat/Velocity": 0,
         "Top/Pressure": PRESSURE, "Friction/Coefficient from": "constant", "Friction/Coefficient": mu, **more}))
     folder.run(0, "contact_dynamics", "static.prm", "--output", name, ranks=ranks)
     iterations = folder.summary(name)["iterations"]
-    assert iterations <= most_iterations, (name, iterations)
+    assert iterations <= MOST_ITERATIONS, (name, iterations)
     with open(folder(name, "static_contact.csv"), newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     pressure = np.array([float(row["pressure [Pa]"]) for row in rows])
-    shear = np.array([[float(row[f"shear_traction{axis} [Pa]"]) for axis in ("", "_y")] for row in rows])
-    slip = np.array([[float(row[f"displacement_{axis} [m]"]) for axis in "xy"] for row in rows])
+    shear = np.array([[float(row[f"shear_traction{axis} [Pa]"]) for axis in ("", "_y")[:dim - 1]] for row in rows])
+    slip = np.array([[float(row[f"displacement_{axis} [m]"]) for axis in "xy"[:dim - 1]] for row in rows])
     state = np.array([row["state"] for row in rows])
     size, sliding, stuck = np.linalg.norm(shear, axis=1), state == "slip", state == "stick"
-    assert len(rows) == (cells[0] + 1) * (cells[1] + 1) and (pressure >= 0).all() and sliding.sum() > 0.2 * len(rows), sliding.sum()
+    assert len(rows) == np.prod(np.add(cells[:-1], 1)) and (pressure >= 0).all() and sliding.sum() > 0.2 * len(rows), sliding.sum()
     assert (size <= mu * pressure + 1e-5 * PRESSURE).all(), (size - mu * pressure).max()
     assert (slip[stuck] == 0).all()
     # What slips has all friction, against its displacement.
@@ -76,14 +80,21 @@ def check_rest(folder, n, ranks):
     return pressure, shear
 
 
-def check_strip(folder):
-    """Nothing but friction along x holds a strip: it creeps until the nodes of one line stick and its friction is in balance."""
+def check_line(shear, sticks, nodes_of_line, mu):
+    """Of a body that friction along x holds: one line of nodes sticks, and the forces are in balance."""
+    force = shear.reshape(nodes_of_line, -1)
+    force[:, [0, -1]] /= 2
+    assert 0 < sticks <= 1 / force.shape[1] and abs(force.sum()) <= 1e-5 * np.abs(force).sum(), (mu, sticks, force.sum())
+
+
+def check_free(folder):
+    """Nothing but friction along x holds a strip and a plane body: of the nodes that all would slip, those of one line stick."""
     voxels = (np.random.default_rng(3).random((8, 1, 12)) < 0.3).astype(np.uint8)
     for mu in (0.003, 0.03):
-        _, shear, sticks = check(folder, voxels, 1, mu, 100, **{"Top/Kind": "pressure", "Sides/Front": "u_y", "Sides/Back": "u_y"})
-        force = shear.reshape(2, -1, 2)[..., 0]
-        force[:, [0, -1]] /= 2
-        assert 0 < sticks <= 2 / 26 and abs(force.sum()) <= 1e-5 * np.abs(force).sum(), (mu, sticks, force.sum())
+        _, shear, sticks = check(folder, voxels, 1, mu, **{"Top/Kind": "pressure", "Sides/Front": "u_y", "Sides/Back": "u_y"})
+        check_line(shear[:, 0], sticks, 2, mu)
+        _, shear, sticks = check(folder, voxels[:, 0], 1, mu, **{"Top/Kind": "pressure"})
+        check_line(shear, sticks, 1, mu)
 
 
 def main():
@@ -96,7 +107,7 @@ def main():
         for pair in ((one, three), (check_rest(folder, 10, 1), check_rest(folder, 10, 3))):
             for a, b in zip(*pair):
                 assert np.abs(a - b).max() <= 1e-4 * np.abs(a).max(), np.abs(a - b).max()
-        check_strip(folder)
+        check_free(folder)
 
 
 if __name__ == "__main__":
