@@ -41,10 +41,10 @@ def add_runs(study):
 
 
 def add_fine_runs(study):
-    """The paper's fibres, 0.1 mm wide, as bars through a thin pin, one load and start; as add_runs."""
+    """The paper's fibres, 0.1 mm wide, as bars through a thin pin, one start; as add_runs."""
     study.add("fine_bars-rve", "rve_homogenization", prm("10-rve_homogenization-long_bars"), {
         "Grid/Cells": (560, FINE_LAYERS, 160), "Grid/Size": (56e-3, FINE_LAYERS * 1e-4, 16e-3), "Microstructure/File": f"{{{PAPER}}}/long_bars.npy"})
-    return _add(study, FINE_BODIES, "fine_", 0.1, LOADS[:1], STARTS[1:2])
+    return _add(study, FINE_BODIES, "fine_", 0.1, LOADS, STARTS[1:2])
 
 
 def _add(study, bodies, prefix, spacing, loads, starts):

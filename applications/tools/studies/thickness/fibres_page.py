@@ -79,9 +79,22 @@ def fine(folder):
     return [
         "## Fibres of 0.1 mm",
         "The paper's fibres, seed 1, on the paper's cells of 0.1 mm: in plane strain, and as bars through a pin of 0.4 mm with free faces, of which one half is "
-        "computed. Homogenized by PBC, pushed at 0.5 m/s.",
+        f"computed. Homogenized by PBC, pushed at 0.5 m/s; {sum(values(rows, 'cpu [s]')) / 60:.0f} min on one core with AVX2.",
         table(["P [MPa]", "cells [mm]", "body", "mu_inter", "half width", "minus homogeneous", "kHz", "slip [%]", "stick [%]", "separated [%]"],
-              fibre_table(rows, 0.1, 0.5), right=True)]
+              fibre_table(rows, 0.1, 0.5) + fibre_table(rows, 0.1, 0.4), right=True)]
+
+
+def fine_verdict(folder):
+    """Bars of 0.1 mm in a thin pin beside plane strain, load by load."""
+    if not os.path.exists(os.path.join(folder, "fine.csv")):
+        return []
+    rows, said = read(folder, "fine.csv"), []
+    for load in dict.fromkeys(float(r["P [MPa]"]) for r in rows):
+        plane, thin = (chosen(rows, body, "heterogeneous", 0.1, load)[0] for body in ("plane strain", "long bars"))
+        homogeneous = chosen(rows, "long bars", "homogeneous", 0.1, load)[0]
+        said.append(f"at {load:g} MPa mu_inter {float(thin[MU]):.4f} and {float(thin[MAIN]):.2f} kHz, in plane strain {float(plane[MU]):.4f} and "
+                    f"{float(plane[MAIN]):.2f} kHz, the thin homogenized pin {float(homogeneous[MU]):.4f} and {float(homogeneous[MAIN]):.2f} kHz")
+    return ["**The paper's fibres** of 0.1 mm as bars through a pin of 0.4 mm: " + "; ".join(said) + ". One seed and one start."]
 
 
 def modes_verdict(folder):

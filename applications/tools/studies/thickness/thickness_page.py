@@ -93,6 +93,7 @@ def text(folder):
         f"(0.56 m/s), these are separated most of the time (mu_inter {span(hard)}): {names}; plane strain is in regime 1 ({span(straight)}). So plane strain "
         "holds for the numbers within a regime at 0.5 MPa, and not for the border between them, seen on cells of 1 mm alone.",
         fibres_page.fibre_verdict(read(folder, "fibres.csv")),
+        *fibres_page.fine_verdict(folder),
         fibres_page.modes_verdict(folder),
         f"Written by `./run.sh thickness` from the files of [prm/thickness](../../prm/thickness): {cost['runs']} runs, {cost['processor time [s]']} s of "
         "processor time on one core with AVX-512, beside other work. Tables: [runs](thickness/runs.csv), [layer](thickness/layer.csv), "
