@@ -27,7 +27,8 @@ std::vector<unsigned int> monitored_nodes(const unsigned int reference,
 {
   std::vector<unsigned int> nodes = {reference};
   for (const unsigned int sixth : {1U, 2U, 4U, 5U})
-    nodes.push_back(sixth * last / 6);
+    if (std::find(nodes.begin(), nodes.end(), sixth * last / 6) == nodes.end())
+      nodes.push_back(sixth * last / 6);
   return nodes;
 }
 

@@ -20,7 +20,7 @@ enum class RunRequest : int
 };
 
 /**
- * The reference node and four more along a contact with nodes 0 to @p last, for the
+ * The reference node and up to four others along a contact with nodes 0 to @p last, for the
  * judgement of the limit cycle.
  */
 std::vector<unsigned int> monitored_nodes(const unsigned int reference,
