@@ -3,7 +3,6 @@
     report_layout.py <folder with the programs, not used>
 """
 
-import os
 import sys
 import tempfile
 

@@ -3,7 +3,6 @@
 #include "localization/strain/cell_set.h"
 #include "localization/strain/cell_strain.h"
 #include "localization/strain/grid_strain.h"
-#include "localization/stress_statistics.h"
 #include "mesh/cell_gradients.h"
 #include "mesh/cell_locator.h"
 
@@ -335,44 +334,4 @@ TEST(CellStrains, MeanOverTheBodyIsThatOfItsBoundary)
       mean.part(half, n - half).add({middle, u.end()}, found);
       EXPECT_NEAR(found(voigt_index<3>(0, 2)), 3., 1e-12);
     }
-}
-
-TEST(StressStatistics, MeansDeviationsAndVonMisesInSpace)
-{
-  // Two rows of which the last one is shorter; strains are uniaxial, or shear in the last cell.
-  StressMap<3> map(5, 3);
-  for (unsigned int k = 0; k < 5; ++k)
-    map.set_matrix(k / 3, k % 3, 2. * VoigtMatrix<3>::Identity());
-  StressStatistics<3> statistics(map, {});
-  for (const double size : {1., 3.})
-    for (unsigned int row = 0; row < 2; ++row)
-      {
-        std::vector<double> strain(6 * 3, 0.);
-        std::fill_n(strain.begin(), 3, size);
-        if (row == 1)
-          {
-            strain[1]         = 0.;
-            strain[3 * 3 + 1] = 1.; // yz
-          }
-        statistics.add(row, {strain.data(), 3});
-      }
-  const StressFields fields = statistics.fields();
-  ASSERT_EQ(fields.mean_von_mises.size(), 5u);
-  for (unsigned int k = 0; k < 4; ++k)
-    {
-      EXPECT_NEAR(fields.mean_stress[6 * k], 4., 1e-14);
-      EXPECT_NEAR(fields.deviation_stress[6 * k], 2., 1e-14);
-      EXPECT_NEAR(fields.mean_von_mises[k], 4., 1e-14);
-    }
-  EXPECT_NEAR(fields.mean_stress[6 * 4 + 3], 2., 1e-14);
-  EXPECT_EQ(fields.deviation_stress[6 * 4 + 3], 0.);
-  EXPECT_NEAR(fields.mean_von_mises[4], 2. * std::sqrt(3.), 1e-14);
-  // Plane strain of nu = 0.3 against three dimensions.
-  const std::array<double, 3> plane = {{5., -2., 1.5}};
-  const std::array<double, 6> same  = {{5., -2., 0.3 * 3., 0., 0., 1.5}};
-  const double ratio                = 0.3;
-  double work = 0., in_plane = 0., in_space = 0.;
-  add_von_mises_row<2>({plane.data(), 1}, &ratio, 1, &work, &in_plane);
-  add_von_mises_row<3>({same.data(), 1}, nullptr, 1, &work, &in_space);
-  EXPECT_NEAR(in_plane, in_space, 1e-14);
 }
