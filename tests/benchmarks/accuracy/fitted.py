@@ -3,7 +3,7 @@
 import math
 import os
 
-from common import TOP, add_repeated, repeated
+from common import add_repeated, repeated
 from fits import fitted_order, least_costs, richardson
 from plots import curve, legend, logarithmic, panels
 

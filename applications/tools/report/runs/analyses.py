@@ -3,7 +3,7 @@
 import numpy as np
 
 from report.base.data import Missing
-from report.base.figures import BLUE, LENGTHS, ORANGE, STRESSES, WIDTH, above, panels, plt, scaled
+from report.base.figures import BLUE, ORANGE, STRESSES, WIDTH, above, panels, plt, scaled
 from report.base.page import escape, number, quantity, table
 from report.bodies import mode_shapes
 

@@ -6,7 +6,6 @@ from scipy import stats
 import delta_rules
 import growth
 import regime_map
-import seeds
 from growth import AT
 from pages import table, write_csv
 

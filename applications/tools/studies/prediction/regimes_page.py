@@ -1,9 +1,7 @@
 """Writes doc/paper/regimes.md: the map of regimes, the search for regime 2, the open choices."""
 
-import itertools
 import os
 
-import numpy as np
 
 import cycle_life
 import diagrams
