@@ -79,15 +79,13 @@ is_built() {
   done
 }
 
-# nothing_to_do <folder> <target>... : whether a build would find all of it up to date.
-nothing_to_do() { cmake --build "$1" --target "${@:2}" -- -n 2>/dev/null | grep -q 'no work to do'; }
-
-# with_progress <log>: what ninja prints goes to the log; each tenth of its steps that is done is a line.
+# with_progress <log>: what ninja prints goes to the log; that it builds something, and each tenth of its steps that is done, is a line.
 with_progress() {
-  local line tenth last=0
+  local line tenth last=-1
   while IFS= read -r line; do
     printf '%s\n' "$line" >&3
-    [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] || continue
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\] && $line != *\]\ Re-* ]] || continue # CMake looks for files that are new
+    [ "$last" -ge 0 ] || { last=0; say "Building (the first time takes some minutes)"; }
     tenth=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2]))
     [ "$tenth" -gt "$last" ] || continue
     last=$tenth
@@ -108,8 +106,6 @@ build() {
   fi
   [ -w . ] || [ -d "$folder" ] || fail "$PWD cannot be written to, and nothing is built in it: make a copy that is yours"
   configure "$folder"
-  ! nothing_to_do "$folder" "$@" || return 0
-  say "Building (the first time takes some minutes)"
   if [ -t 1 ]; then
     cmake --build "$folder" --target "$@" || fail "the build failed"
   else

@@ -16,6 +16,7 @@ add_custom_target(program)
 """
 STEPS = """cmake_minimum_required(VERSION 3.18)
 project(steps NONE)
+file(GLOB found CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/*.nothing)
 foreach(k RANGE 1 20)
   add_custom_command(OUTPUT ${k}.txt COMMAND ${CMAKE_COMMAND} -E touch ${k}.txt)
   list(APPEND made ${k}.txt)

@@ -26,7 +26,7 @@ EXAMPLES = (
             "A text file with a number for each cell becomes a composite that slides on the flat, homogenized and with every grain; the stresses of both are compared "
             "([first steps](first_steps.md)).", ("image",), "Von Mises stress averaged over time"),
     Example("From a micrograph to localized stress",
-            "The same chain from a grey picture with noise, which a script of three lines segments ([guide](guide.md)).", ("micrograph",),
+            "The same chain from a grey picture with noise, which a short script segments ([guide](guide.md)).", ("micrograph",),
             "Von Mises stress of the last snapshot of the heterogeneous run"),
     Example("A pin with fibres whose friction differs",
             "Random fibres, sliding, static contact, the homogenized coefficient of friction, and localized stresses. The picture shows pressure and shear traction "
