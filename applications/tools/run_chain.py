@@ -83,6 +83,8 @@ def find_folder(arguments):
         folder = os.path.normpath(os.path.join(start, arguments.folder))
         if os.path.isdir(folder):
             return folder, os.path.join(results, os.path.basename(folder))
+    if os.path.isfile(os.path.join(arguments.origin, arguments.folder)):
+        raise ChainError(f"'{arguments.folder}' is a file; name its folder, or give the file to its program")
     raise ChainError(f"there is no folder '{arguments.folder}', neither here nor in prm/")
 
 
@@ -126,6 +128,9 @@ def main():
         status = 2
     except KeyboardInterrupt:
         status = INTERRUPTED
+    except BrokenPipeError:  # whoever read what is printed has enough, as `head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        status = 1
     if status == INTERRUPTED:
         print("stopped; the same command with --resume goes on from here")
     sys.exit(status)

@@ -100,7 +100,8 @@ std::string mixed_coupling(const std::vector<EnsembleMember<dim>> &members)
     << " % of the root of the diagonal entries, which its stiffness lacks: MUBC are for "
        "volumes with the axes of orthotropy along "
     << (dim == 2 ? "x and y" : "x, y and z")
-    << "; set Homogenization/Boundary conditions to PBC, or turn the morphology";
+    << "; set Homogenization/Boundary conditions to PBC, or turn the morphology; "
+       "in grains that free sides cut MUBC localize better all the same";
   return text.str();
 }
 

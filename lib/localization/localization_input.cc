@@ -311,7 +311,7 @@ void LocalizationInput<dim>::choose_snapshots()
       if (plan.snapshots.count < snapshots_in(ours, window).count ||
           plan.direct_snapshots.count < snapshots_in(theirs, window).count)
         notes.emplace_back(
-          "of the window only the time that both runs have snapshots of");
+          "only the part of the window is taken that both runs have snapshots of");
     }
   if (parameters.fields.deviation && plan.snapshots.count == 1)
     notes.emplace_back("deviations over time are zero, as there is one snapshot only");

@@ -67,7 +67,7 @@ PlausibleRange plausible_length(const std::string &key, const double length)
           "m",
           1e-7,
           "no length of a solid with a microstructure; lengths are in m",
-          10.,
+          1.,
           "is it in mm? Lengths are in m"};
 }
 

@@ -100,8 +100,10 @@ Microstructure read_microstructure(const MicrostructureParameters &p)
 {
   const std::size_t n_phases = p.phases.size();
   require_readable_file("Microstructure/File: ", p.file,
-                        p.type == Type::image ? "it has to name an image"
-                                              : "it has to name a list of rectangles");
+                        p.type == Type::image
+                          ? "it has to name an image, relative to the .prm file"
+                          : "it has to name a list of rectangles, relative to "
+                            "the .prm file");
   if (p.type == Type::image)
     return read_image_map(p);
   Microstructure result;

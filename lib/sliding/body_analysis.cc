@@ -33,7 +33,8 @@ void check_probes(const ObservationParameters &observation, const UniformGrid<2>
         throw UserError("Observation/" + probe.name + "/Position: (" +
                         to_text(probe.position[0]) + ", " + to_text(probe.position[1]) +
                         ") m lies outside the body, which reaches from (0, 0) to (" +
-                        to_text(grid.extent(0)) + ", " + to_text(grid.extent(1)) + ") m");
+                        to_text(grid.extent(0)) + ", " + to_text(grid.extent(1)) +
+                        ") m; positions are in m");
   const double x = observation.reference_x;
   if (!std::isnan(x) && !(x >= 0. && x <= grid.extent(0)))
     throw UserError("Observation/Reference x: " + to_text(x) +

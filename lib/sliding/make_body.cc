@@ -104,7 +104,7 @@ BodyDescription make_body(const ContactParameters &parameters)
   if (!given.rve_file.empty())
     {
       require_readable_file("Body/RVE file: ", given.rve_file,
-                            "run rve_homogenization first");
+                            "run rve_homogenization first, or mend the name");
       rve.emplace(given.rve_file);
     }
   body.grid = make_grid<2>(given, rve ? &*rve : nullptr);

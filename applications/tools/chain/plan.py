@@ -6,6 +6,7 @@ not been computed, and stress_localization the bodies, snapshots and probes of r
 draft has its keys and values checked, and the names of the files that it reads.
 """
 
+import difflib
 import os
 import re
 import shutil
@@ -95,6 +96,8 @@ class Plan:
         names = [other.name for other in self.steps]
         for value in values(step.prm):
             maker = output_named(value, self.folder, names)
+            if maker is None:
+                self._check_name(step, value, names)
             if maker is None or maker == step.name:
                 continue
             if names.index(maker) > names.index(step.name):
@@ -102,6 +105,13 @@ class Plan:
             made = made_by(self.steps[names.index(maker)])
             if value.endswith(".h5") and os.path.basename(value) not in made:
                 raise ChainError(f"{step.name}.prm reads {value}, but {maker} makes {' and '.join(made) or 'no file of that kind'}")
+
+    def _check_name(self, step, value, names):
+        """A result that is not there, in a folder whose name is nearly that of a step, or begins as one."""
+        first = value.split("/")[0]
+        near = [name for name in names if name.startswith(first)] or difflib.get_close_matches(first, names, 1)
+        if value.endswith(".h5") and near and not os.path.exists(os.path.join(self.folder, first)):
+            raise ChainError(f"{step.name}.prm reads {value}, but no step of this chain is called {first}; did you mean {near[0]}{value[len(first):]}?")
 
     def missing(self, step):
         """Values of its .prm that name what has yet to be made and has no draft."""
@@ -156,7 +166,7 @@ class Plan:
             said = done.stderr.strip().splitlines() or [f"{step.program}: exit status {done.returncode}"]
             sentence = said[-1].partition(": ")[2].replace(self.folder + os.sep, "")
             raise ChainError(sentence if sentence.startswith(step.name) else f"{step.name}: {sentence}")
-        return done.stdout
+        return done.stdout.replace(self.folder + os.sep, "")
 
     def check_all(self, resume=False):
         """Raises ChainError for the first step that would not run."""

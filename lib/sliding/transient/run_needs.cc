@@ -19,9 +19,11 @@ double number_of_snapshots(const ContactParameters &parameters, const double n_s
                to   = std::isnan(o.snapshots_to) ? end : o.snapshots_to,
                last = std::min(to, end);
   if (!(o.snapshots_from <= last))
-    throw UserError("Snapshots/From: " + to_text(o.snapshots_from) +
-                    " s is after the last one, at " + to_text(last) +
-                    " s, so there would be none; set it earlier, or Interval = 0");
+    throw UserError("Snapshots/From: " + to_text(o.snapshots_from) + " s is after " +
+                    (last == end ? "the end of the run (Time/End time = "
+                                 : "the last one (Snapshots/To = ") +
+                    to_text(last) +
+                    " s), so there would be none; set it earlier, or Interval = 0");
   return std::min(std::floor((to - o.snapshots_from) / o.snapshots_interval) + 1.,
                   n_steps);
 }
@@ -70,7 +72,7 @@ std::string fewer_samples(const ContactParameters &parameters,
   const std::string damping = damping_warning(parameters, scales, "them");
   return brief_text(3,
                     "increase Observation/History interval (and Probe interval, Energy "
-                    "interval), or reduce Time/End time, now ",
+                    "interval), or reduce Time/End time (in s), now ",
                     n_steps, " steps of ", parameters.time.end_time / n_steps, " s",
                     !std::isnan(parameters.step.dt) ? " (Time/Time step)"
                     : !damping.empty()

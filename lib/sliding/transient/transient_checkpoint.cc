@@ -20,8 +20,8 @@ const char checkpoint_kind[] = "contact_dynamics, layout 8";
 
 std::string place(const CheckpointPosition &position)
 {
-  return "step " + std::to_string(position.step) + ", t = " + to_text(position.time) +
-         " s";
+  return "step " + std::to_string(position.step) +
+         brief_text(6, ", t = ", position.time, " s");
 }
 } // namespace
 
@@ -91,8 +91,10 @@ void TransientCheckpoint::discard()
       {
         load_state(read_checkpoint(path, checkpoint_kind), record, path);
         if (!record.position.at_end)
-          context.warn("the run that was stopped at " + place(record.position) +
-                       " starts anew; --resume would have continued it");
+          context.warn(
+            "the run that was stopped at " + place(record.position) +
+            " starts anew; --resume continues one, if nothing but Time/End time "
+            "has changed");
       }
     catch (const UserError &)
       {

@@ -39,7 +39,9 @@ WRONG = [  # file, text in it, what it is replaced by, words of the only sentenc
     ("30-contact_dynamics-heterogeneous.prm", "set Pressure = 5e6", "set Pressure = 6e6", "were made under different conditions (pressure is"),
     # The volume is 8 x 4 mm: that is in file 10 alone.
     ("30-contact_dynamics-heterogeneous.prm", "0.00405, 0.00205", "0.00405, 0.02", "Observation/bulk"),
-    ("20-contact_dynamics-homogeneous.prm", "10-rve_homogenization/", "11-rve_homogenization/", "there is no file 11-rve_homogenization/rve.h5"),
+    ("20-contact_dynamics-homogeneous.prm", "10-rve_homogenization/", "11-rve_homogenization/", "no step of this chain is called 11-rve_homogenization; did you mean 10-rve_homogenization/rve.h5?"),
+    ("20-contact_dynamics-homogeneous.prm", "10-rve_homogenization/", "10-rve/", "called 10-rve; did you mean 10-rve_homogenization/rve.h5?"),
+    ("20-contact_dynamics-homogeneous.prm", "10-rve_homogenization/", "elsewhere/", "there is no file elsewhere/rve.h5"),
 ]
 
 
