@@ -60,12 +60,13 @@ def draw(bench, rows):
     figure, (iterations, time) = panels(2)
     iterations.set_xscale("log")
     iterations.set(xlabel="unknowns", ylabel="iterations of a load case, most", title="conjugate gradients with ML, contrast 8")
-    logarithmic(time, "unknowns", "seconds", "all load cases of a condition, one rank", percent=False)
+    logarithmic(time, "unknowns", "seconds of the processor", "the program with all load cases", percent=False)
+    own = {(dim, ranks): [row for row in rows if row["dim"] == dim and row["ranks"] == ranks] for dim in SIDES for ranks in RANKS}
     for k, (dim, condition) in enumerate((dim, condition) for dim in SIDES for condition in CONDITIONS):
-        own = [row for row in rows if row["dim"] == dim and row["ranks"] == 1]
-        unknowns = [row["unknowns"] for row in own]
-        curve(iterations, k, unknowns, [row[f"most_iterations_{condition}"] for row in own], f"{dim}D, {condition}")
-        curve(time, k, unknowns, [row[f"seconds_{condition}"] for row in own], f"{dim}D, {condition}")
+        alone = own[dim, 1]
+        curve(iterations, k, [row["unknowns"] for row in alone], [row[f"most_iterations_{condition}"] for row in alone], f"{dim}D, {condition}")
+    for k, ((dim, ranks), some) in enumerate(own.items()):
+        curve(time, k, [row["unknowns"] for row in some], [row["cpu_s"] for row in some], f"{dim}D, {ranks} rank{'s' if ranks > 1 else ''}")
     iterations.set_ylim(0, None)
     time.xaxis.set_minor_formatter("")
     legend(iterations)
