@@ -38,6 +38,11 @@ def attempt(page, make, *arguments):
         return note(f"Left out: {type(error).__name__} while drawing ({without_folders(str(error))}).")
 
 
+def made(page, part):
+    """HTML of a part, or of a list of parts in a row."""
+    return page.row(attempt(page, *one) for one in part) if isinstance(part, list) else attempt(page, *part)
+
+
 def processor():
     """The machine, by its processor."""
     try:
@@ -55,7 +60,7 @@ def build(chain, title, folder=".", surface_times=()):
                        "Tension is positive; contact pressures are positive, too. " + thickness(chain) +
                 f"Written on {datetime.datetime.now():%Y-%m-%d %H:%M} by make_report.py on a machine with {escape(processor())}.", folder)
     for heading, parts in sections.plan(chain, surface_times):
-        page.section(heading, "".join(attempt(page, *part) for part in parts))
+        page.section(heading, "".join(made(page, part) for part in parts))
     notes = chain.all_notes()
     if notes:
         page.section("Notes", "".join(note(text) for text in dict.fromkeys(notes)))

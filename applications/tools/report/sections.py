@@ -8,8 +8,8 @@ from report.runs import analyses, complex_modes, contact_states, energies, key_n
 
 
 def plan(chain, surface_times=()):
-    """(heading, [(function, arguments...)]) of every section that the runs of the chain call for; contact surfaces in 3D are shown at
-    `surface_times` (s), of the last periods if there are none."""
+    """(heading, [(function, arguments...)]) of every section that the runs of the chain call for, with lists of those parts that stand in a
+    row; contact surfaces in 3D are shown at `surface_times` (s), of the last periods if there are none."""
     result = [("What was run", [(what_was_run.runs_table, chain)])]
     if chain.transient:
         result.append(("Key numbers", [(key_numbers.side_by_side, chain.transient)]))
@@ -44,7 +44,7 @@ def transient_sections(runs, surface_times):
     regime = paper.regime(runs[0]) if all(paper.is_pin(run) for run in runs) else None
     return [
         ("Apparent friction", [(apparent_friction, runs, regime)]),
-        ("Energy", [(friction_energy, runs)] + [(energy_balance, run) for run in runs]),
+        ("Energy", [(friction_energy, runs), [(energy_balance, run) for run in runs]]),
         ("Phase diagram", [(phase_diagram, runs)]),
         ("Spectrum", [(spectrum, runs, regime)]),
         ("The contact, node by node", contact_parts(runs, surface_times)),
@@ -55,9 +55,10 @@ def contact_parts(runs, surface_times):
     solid = [run for run in runs if run.has_surface()]
     plane = [run for run in runs if run not in solid]
     pressed = [run for run in solid if run.members("/snapshots") and run.get("/contact/pressure") is None]
-    return ([(node_statistics, plane)] if plane else []) + [(contact_shares, run) for run in solid] + \
-        [(contact_pressure, run, comparable(run, pressed)) for run in pressed] + [(contact_map, run) for run in runs] + \
-        [(node_fractions, run) for run in runs if "sticking_nodes" in run.members("/history")] + waves.parts(runs, surface_times)
+    rows = [[(contact_shares, run) for run in solid], [(contact_pressure, run, comparable(run, pressed)) for run in pressed],
+            [(contact_map, run) for run in runs],
+            [(node_fractions, run) for run in runs if "sticking_nodes" in run.members("/history")], *waves.rows(runs, surface_times)]
+    return ([(node_statistics, plane)] if plane else []) + [row for row in rows if row]
 
 
 def apparent_friction(page, runs, regime):
@@ -145,7 +146,7 @@ def mean_von_mises(page, run):
     points = "".join(page.figure(module.point_von_mises(run, name),
                                  f"Von Mises stress averaged over time in the volume element at the point {escape(name)} of the body.")
                      for name in run.members("/points"))
-    return points + (whole_body(page, run, module) if run.get("/mean_von_mises") is not None or not points else "")
+    return page.row([points]) * bool(points) + (whole_body(page, run, module) if run.get("/mean_von_mises") is not None or not points else "")
 
 
 def whole_body(page, run, module):

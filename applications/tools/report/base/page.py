@@ -119,6 +119,10 @@ class Page:
                 f'src="data:image/png;base64,{picture}">'
                 f"<figcaption><b>Figure {self.figures}.</b> {caption}{below}</figcaption></figure>")
 
+    def row(self, pieces):
+        """HTML of figures that are compared, which stand side by side."""
+        return f'<div class="row">{"".join(pieces)}</div>'
+
     def html(self):
         links = "".join(f'<li><a href="#s{i}">{title}</a></li>'
                         for i, (title, *_) in enumerate(self.sections))

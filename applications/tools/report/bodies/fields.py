@@ -11,17 +11,16 @@ PERCENTILE = "The colour scale ends at the 99.5th percentile."
 
 
 def parts(chain):
-    """(function, arguments...) that the runs call for."""
+    """(function, arguments...) that the runs call for, in rows."""
     on_mesh = [run for run in chain.rve if run.is_mesh_like()]
     on_grid = [run for run in chain.rve if run not in on_mesh]
     on_plane = [run for run in chain.runs if run.heterogeneous and run.grid() and not run.is_mesh_like()]
-    result = [(morphology, chain)] if on_grid or on_plane else []
-    result += [(rve_stress, run, chain) for run in on_grid if run.members("/concentration")]
-    for run in on_mesh:
-        result += [(mesh_morphology, run)] + ([(mesh_stress, run, chain)] if run.members("/concentration") else [])
+    first = [(morphology, chain)] if on_grid or on_plane else []
+    rows = [first + [(rve_stress, run, chain) for run in on_grid if run.members("/concentration")]]
+    rows += [[(mesh_morphology, run)] + ([(mesh_stress, run, chain)] if run.members("/concentration") else []) for run in on_mesh]
     if not on_mesh:
-        result += [(phases_of_run, run) for run in chain.dynamics if run.heterogeneous and run.is_mesh_like()]
-    return result + [(snapshot, run, chain) for run in snapshots(chain)]
+        rows.append([(phases_of_run, run) for run in chain.dynamics if run.heterogeneous and run.is_mesh_like()])
+    return [row for row in [*rows, [(snapshot, run, chain) for run in snapshots(chain)]] if row]
 
 
 def snapshots(chain):

@@ -26,6 +26,7 @@ def localization(page, run):
                 "can bring it to 141 % of the part that vibrates."
         html += (" The paper: L2 below 4 % for σ<sub>yy</sub>, 25 % at most for the others at the surface; mean and "
                  "deviation within 5 %." if paper.is_pin(run) else "") + "</p>"
+    pictures = []
     for name in names[:6]:
         phase = listed.get(name, {}).get("phase")
         where = f", in the {escape(phase)}" if isinstance(phase, str) else ""
@@ -34,12 +35,12 @@ def localization(page, run):
             where += ", at " + ", ".join(f"{axis} = {1e3 * x:.2f} mm" for axis, x in zip("xyz", position))
         try:
             compared = run.get(f"/probes/{name}/direct_stress") is not None
-            html += page.figure(figures.localized_stress(run, name),
-                                f"Stress at probe {escape(name)}{where} over the last periods: localized" +
-                                (" and direct. Two runs drift out of phase, so compare level and amplitude." if compared else "."))
+            pictures.append(page.figure(figures.localized_stress(run, name),
+                                        f"Stress at probe {escape(name)}{where} over the last periods: localized" +
+                                        (" and direct. Two runs drift out of phase, so compare level and amplitude." if compared else ".")))
         except Missing as missing:
-            html += f'<p class="note">Left out: {escape(missing)}.</p>'
-    return html
+            pictures.append(f'<p class="note">Left out: {escape(missing)}.</p>')
+    return html + page.row(pictures)
 
 
 def probe_errors(run, name):
