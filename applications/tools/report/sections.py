@@ -2,7 +2,7 @@
 
 from report.base import figures
 from report.base.common_scales import comparable, same_scale
-from report.base.page import escape, quantity
+from report.base.page import escape, quantities, quantity
 from report.bodies import contact_surface, field_errors, fields, loads, maps, mesh_maps
 from report.runs import analyses, complex_modes, contact_states, energies, key_numbers, paper, probes, waves, what_was_run
 
@@ -63,10 +63,10 @@ def contact_parts(runs, surface_times):
 
 def apparent_friction(page, runs, regime):
     value, _ = paper.APPARENT_FRICTION.get(regime, (None, None))
-    dashed = f" Dashed: the mean of the paper’s figure 6, {value}, regime {regime}." if value is not None else ""
+    dashed = f" Black: the mean of the paper’s figure 6, {value}, regime {regime}." if value is not None else ""
     return page.figure(figures.apparent_friction(runs, value),
-                       "Apparent friction coefficient: tangential over normal force on the top, which vibrates with the body. Thick: mean over "
-                       f"the steady part.{dashed}")
+                       "Apparent friction coefficient: tangential over normal force on the top, which vibrates with the body. Dashed in the colour of a run: its mean "
+                       f"over the steady part.{dashed}")
 
 
 def friction_energy(page, runs):
@@ -96,11 +96,14 @@ def phase_diagram(page, runs):
 
 
 def spectrum(page, runs, regime):
+    lengths = quantities([run.steady_length() for run in runs], "s", 3)
+    windows = ", ".join(f"{escape(run.label)} {length}" for run, length in zip(runs, lengths))
     value, source = paper.MAIN_FREQUENCY.get(regime, (None, None))
     dashed = f" Dashed: the paper’s main frequency ({source})." if value is not None else ""
     return page.figure(figures.spectrum(runs, value),
                        "Amplitude spectrum of the displacement of the reference node along the flat, over the steady part. The highest peak is "
-                       f"the main frequency of the key numbers.{dashed}")
+                       f"the main frequency of the key numbers. A peak is about as wide as one over the length of this part, or wider: "
+                       f"{windows}.{dashed}")
 
 
 def node_statistics(page, runs):

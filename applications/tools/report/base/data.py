@@ -38,6 +38,7 @@ class Run:
         self.summary = without_folders(summary)
         self.program = summary.get("program", "")
         self.notes = []
+        self.title = ""
         self.file = None
         self.name = os.path.basename(os.path.normpath(folder)) or folder
         file_name = HDF5_OF_ANALYSIS.get(summary.get("analysis"), HDF5_NAMES.get(self.program, ""))
@@ -173,6 +174,12 @@ class Run:
             value = 0.5 * float(time[-1]) if time is not None and time.size else 0.0
         return value
 
+    def steady_length(self):
+        """s; of the steady part, None where it is not known."""
+        time = self.get("/history/time")
+        end = self.number("simulated_time") or (float(time[-1]) if time is not None and time.size else None)
+        return end - self.steady_from() if end else None
+
 
 class Chain:
     """All runs of a report, by kind."""
@@ -204,6 +211,7 @@ class Chain:
         for run in self.runs:
             same = kinds.count(getattr(run, "kind", "")) > 1 or run not in self.transient
             run.label = run.name if same else run.kind
+            run.title = run.label if len(self.dynamics) > 1 else ""  # in pictures of this run alone
 
     def _add(self, folder):
         """A result folder, or a folder of result folders (one level down)."""

@@ -87,7 +87,7 @@ def shares(run):
     for name in ("slip", "stick", "separated"):
         share = 100 * run.need(f"/contact/{name}")
         groups.append(Group(share, STRESS_MAP, (0, 100), f"{name}, mean {share.mean():.1f} %", "share of time (%)"))
-    return draw([nodes_view(run)], groups)
+    return draw([nodes_view(run)], groups, title=run.title)
 
 
 @functools.lru_cache(maxsize=None)
@@ -123,7 +123,7 @@ def pressure(run, runs):
     total = np.average(mean, weights=[area(polygon - polygon[0]) for polygon in view.polygons]) / factor
     group = Group(mean / factor, STRESS_MAP, (low / factor, high / factor), f"mean over the surface {total:.3g} {unit}",
                   rf"mean of $-\sigma_\mathrm{{zz}}$ ({unit})")
-    return draw([view], [group]), count
+    return draw([view], [group], title=run.title), count
 
 
 def nominal_pressure(run):

@@ -86,7 +86,7 @@ def snapshot(page, run, chain):
     field = field_of(run, chain)
     others = tuple(other for other in comparable(run, snapshots(chain)) if ends(stress_ends, (other,), chain)[2])
     end = ends(stress_ends, others, chain)[1]
-    figure = draw((mesh_maps if run.is_mesh_like() else maps).views(run), [stress_group(field, limit=end)])
+    figure = draw((mesh_maps if run.is_mesh_like() else maps).views(run), [stress_group(field, limit=end)], title=run.title)
     time = run.last("/snapshots/time")
     when = f" at t = {quantity(float(time), 's')}" if time is not None else ""
     return page.figure(figure, f"Von Mises stress of the last snapshot of the {escape(run.label)} run{when}" +

@@ -148,17 +148,18 @@ class Layout:
         return left, bottom + BELOW + BAR_WIDTH, min(BAR_LENGTH, room), BAR_WIDTH
 
 
-def draw(views, groups, entries=()):
-    """Figure of the groups, with a legend above."""
+def draw(views, groups, entries=(), title=""):
+    """Figure of the groups, with a title or a legend above."""
     ways = (False,) if labels_in_turn(views, groups) else (False, True)[: len(groups)]
     arrangements = [Layout(views, groups, in_columns) for in_columns in ways]
     layout = max(arrangements, key=lambda arrangement: arrangement.scale)
     columns = legend_columns(entries, 3)
-    legend = LEGEND * -(-len(entries) // columns)
+    legend = LEGEND * (-(-len(entries) // columns) or bool(title))
     wide, high = max(WIDTH, layout.total[0]), layout.total[1] + legend
     figure = plt.figure(figsize=(wide, high), layout="none")
     if entries:
         figure.legend(handles=entries, loc="upper left", ncol=columns, handlelength=1.6, columnspacing=1.3)
+    figure.text(layout.frame(0)[0] / wide, 1 - 0.05 / high, title, va="top")
     add_axes = lambda box: figure.add_axes([box[0] / wide, 1 - (legend + box[1]) / high, box[2] / wide, box[3] / high])
     for g, group in enumerate(groups):
         for v in range(len(views)):

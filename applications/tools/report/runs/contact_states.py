@@ -89,7 +89,7 @@ def fractions(run):
     if len(windows) > 1:
         axes[1].set_title("last periods", loc="left", color=GREY)
     axes[-1].set_xlabel("time (ms)")
-    above(axes[0])
+    above(axes[0], title=run.title)
     return figure, stretch
 
 
@@ -150,5 +150,5 @@ def contact_map(run):
         axes[1].set_xlim(1e3 * begin, 1e3 * time[-1])
         axes[1].set_title("last periods", loc="left", color=GREY)
     axes[-1].set_xlabel("time (ms)")
-    above(axes[0], STATES)
+    above(axes[0], STATES, title=run.title)
     return figure, why
