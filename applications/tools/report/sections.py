@@ -36,7 +36,7 @@ def plan(chain, surface_times=()):
         result.append(("Localization", [(probes.localization, run) for run in chain.localization]))
         surfaces = [(localized_pressure, run, chain.dynamics) for run in chain.localization
                     if run.is_solid() and run.get("/mean_stress") is not None]
-        result.append(("Mean von Mises stress: localized and direct", [(mean_von_mises, run) for run in chain.localization] + surfaces))
+        result.append(("Mean von Mises stress: localized and direct", [(mean_von_mises, run, chain.dynamics) for run in chain.localization] + surfaces))
     return result
 
 
@@ -92,7 +92,8 @@ def phase_diagram(page, runs):
     return page.figure(figures.phase_diagram(runs),
                        "Phase diagram of the reference node, which is in the middle of the contact unless Observation/Reference x says otherwise: its "
                        "velocity along the flat over its displacement along the "
-                       "flat, mean over the periods of the steady part. A vibration at one frequency draws an ellipse.")
+                       "flat, mean over the periods of the steady part. A vibration at one frequency draws an ellipse. Loops come from "
+                       "overtones, as of a body that hops.")
 
 
 def spectrum(page, runs, regime):
@@ -112,10 +113,12 @@ def node_statistics(page, runs):
 
 
 def contact_shares(page, run):
-    return page.figure(contact_surface.shares(run),
+    figure, absent = contact_surface.shares(run)
+    words = f" Not shown, as it never occurs: {', '.join(absent)}." if absent else ""
+    return page.figure(figure,
                        f"Shares of time that the contact nodes of the {escape(run.label)} run slip, stick and are separated over the "
                        "steady part, in per cent, on the contact surface seen along z. Each node colours its part of the faces "
-                       "around it; the means are those of the nodes.")
+                       f"around it; the means are those of the nodes.{words}")
 
 
 def contact_pressure(page, run, runs):
@@ -144,20 +147,21 @@ def node_fractions(page, run):
     return page.figure(figure, f"Shares of the contact nodes of the {escape(run.label)} run that slip, stick and are separated, over time.{means}")
 
 
-def mean_von_mises(page, run):
+def mean_von_mises(page, run, dynamics):
     module = mesh_maps if run.is_mesh_like() else maps
     points = "".join(page.figure(module.point_von_mises(run, name),
-                                 f"Von Mises stress averaged over time in the volume element at the point {escape(name)} of the body.")
+                                 f"Von Mises stress averaged over time in the volume element at the point {escape(name)} of the body." +
+                                 field_errors.window(run, dynamics))
                      for name in run.members("/points"))
-    return page.row([points]) * bool(points) + (whole_body(page, run, module) if run.get("/mean_von_mises") is not None or not points else "")
+    return page.row([points]) * bool(points) + (whole_body(page, run, module, dynamics) if run.get("/mean_von_mises") is not None or not points else "")
 
 
-def whole_body(page, run, module):
+def whole_body(page, run, module, dynamics):
     figure, error = module.mean_von_mises(run)
     words = f" Relative L2 difference over all cells: {100 * error:.1f} %." if error is not None else \
         " No direct run was compared."
     where = fields.sections_of(run)
-    return page.figure(figure, f"Von Mises stress averaged over time{where}{of_runs(run)}.{words}") + field_errors.field_errors(run)
+    return page.figure(figure, f"Von Mises stress averaged over time{where}{of_runs(run)}.{words}{field_errors.window(run, dynamics)}") + field_errors.field_errors(run)
 
 
 def of_runs(run):
@@ -171,4 +175,4 @@ def localized_pressure(page, run, dynamics):
     figure, error = contact_surface.localized_pressure(run, dynamics)
     words = f" Relative L2 difference over these cells: {100 * error:.1f} %." if error is not None else ""
     return page.figure(figure, "Pressure on the contact surface, seen along z: the stress −σ<sub>zz</sub> in the cells at the contact, "
-                               f"averaged over time{of_runs(run)}. The colour scales end at the 0.5th and 99.5th percentiles.{words}")
+                               f"averaged over time{of_runs(run)}. The colour scales end at the 0.5th and 99.5th percentiles.{words}{field_errors.window(run, dynamics)}")

@@ -26,6 +26,24 @@ def without_folders(found):
     return re.sub(r"(?<![\w.)\]])/(?:[^\s/'\":;,]+/)+([^\s/'\":;,]+/[^\s/'\":;,]+)", r"\1", found) if isinstance(found, str) else found
 
 
+def settings(folder):
+    """{"Section/key": value} of parameters.prm in the folder of a run; empty where it cannot be read."""
+    found, sections = {}, []
+    try:
+        with open(os.path.join(folder, "parameters.prm"), encoding="utf-8") as file:
+            for line in file:
+                words = line.strip()
+                if words.startswith("subsection "):
+                    sections.append(words[11:].strip())
+                elif words == "end" and sections:
+                    sections.pop()
+                elif setting := re.match(r"set\s+([^=]+?)\s*=\s*(.*)", words):
+                    found["/".join([*sections, setting[1]])] = setting[2]
+    except (OSError, UnicodeDecodeError):
+        return {}
+    return found
+
+
 class Missing(Exception):
     """What a section needs is not there; the message says what."""
 
@@ -165,6 +183,14 @@ class Run:
             return None
         middle = 1e-3 * np.array([0.5 * (extent[0] + extent[1]), extent[2]])
         return min(placed, key=lambda item: float(np.hypot(*(item[1][:2] - middle))))[0]
+
+    def motion_of_flat(self):
+        """Direction along x and y in which the flat moves; None where it is not known or changes."""
+        speed, course = self.attribute("/run", "velocity"), self.attribute("/run", "velocity_history")
+        if speed is None or not speed or course is None or course.astype(str) not in ("step", "linear", "smooth"):
+            return None
+        parts = [self.attribute("/run", f"flat_direction_{axis}") for axis in "xy"]
+        return np.sign(speed) * np.array([1.0, 0.0] if any(part is None for part in parts) else parts, dtype=float)
 
     def steady_from(self):
         """s; the summary's, or half of the history."""

@@ -104,18 +104,20 @@ def apparent_friction(runs, paper_value=None):
         raise Missing("/history/apparent_friction is in none of the dynamics files")
     end = min(time[-1] for _, time, _ in series)  # of the shortest run
     for run, time, friction in series:
-        c = colour(runs, run)
+        c, mean = colour(runs, run), run.number("mean_apparent_friction_coefficient")
         x, y = thinned(time, friction)
-        whole.plot(1e3 * x, y, color=c, lw=1.6 if run is series[0][0] and len(series) > 1 else 0.6, alpha=0.75, label=run.label)
-        mean = run.number("mean_apparent_friction_coefficient")
+        whole.plot(1e3 * x, y, color=c, lw=1.6 if run is series[0][0] and len(series) > 1 else 0.6, alpha=0.75,
+                   label=run.label + (f", mean {mean:.3f}" if mean is not None else ""))
         if mean is not None:
-            looks = {"color": c, "lw": 1.6, "ls": (6 * runs.index(run), (5, 7)), "zorder": 4}  # dashes of two runs in turn
-            whole.plot([1e3 * run.steady_from(), 1e3 * time[-1]], [mean, mean], label=f"mean, {run.label}: {mean:.3f}",
-                       path_effects=[Stroke(linewidth=3, foreground="white"), Normal()], **looks)
+            looks = {"color": c, "lw": 1.6, "ls": (3 * runs.index(run), (2.5, 3.5)), "zorder": 4}  # dashes of two runs in turn
+            whole.plot([1e3 * run.steady_from(), 1e3 * time[-1]], [mean, mean], path_effects=[Stroke(linewidth=3, foreground="white"), Normal()],
+                       **looks)
             zoom.axhline(mean, **looks)
         begin, stop = np.searchsorted(time, [zoom_window(run, end), np.nextafter(end, np.inf)])
         x, y = thinned(time[begin:stop], friction[begin:stop])
         zoom.plot(1e3 * x, y, **style(runs, run), label=run.label)
+    if any(run.number("mean_apparent_friction_coefficient") is not None for run, *_ in series):
+        whole.plot([], [], color=GREY, lw=1.6, ls=(0, (2.5, 3.5)), label="mean over the steady part")
     for axes in (whole, zoom):
         if paper_value is not None:
             axes.axhline(paper_value, color=BLACK, lw=1.2, ls="--", label="mean in the paper")
@@ -124,7 +126,7 @@ def apparent_friction(runs, paper_value=None):
     zoom.set_xlabel("time (ms)")
     differ = any(time[-1] > 1.001 * end for _, time, _ in series)
     zoom.set_title(f"last periods{' of the shortest run' if differ else ''}", loc="left", color=GREY)
-    above(whole)
+    above(whole, columns=2)
     for line in whole.get_legend().get_lines():
         line.set(alpha=1, linewidth=max(line.get_linewidth(), 1.4))
     return figure

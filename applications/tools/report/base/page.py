@@ -47,7 +47,7 @@ def quantity(value, unit="", digits=4):
 
 def quantities(values, unit="", digits=4):
     """Numbers of one row with their unit, prefixed alike: by what suits the largest; "–" where there is none."""
-    known = [abs(value) for value in values if value is not None]
+    known = [float(f"{abs(value):.{digits - 1}e}") for value in values if value is not None]
     if unit not in PREFIXED or not any(known):
         return ["–" if value is None else quantity(value, unit, digits) for value in values]
     factor, prefix = next((pair for pair in PREFIXES if max(known) >= pair[0] * (1 - 1e-9)), PREFIXES[-1])

@@ -29,6 +29,7 @@ td:not(.text){white-space:nowrap}
 td.text{min-width:6.5rem}
 .name{white-space:nowrap}
 .words{white-space:normal;display:inline-block;min-width:12rem}
+ul{max-width:60rem;padding-left:1.2rem}
 th:first-child,td:first-child,td.text,th.text{text-align:left}
 thead th{background:#e9edf1aa;border-bottom:2px solid var(--line);font-weight:600}
 figure{margin:1rem 0 1.6rem}
@@ -40,7 +41,7 @@ figcaption{font-size:.88rem;margin-top:.4rem;max-width:60rem}
 details{margin:.5rem 0}pre{background:var(--wash);padding:.7rem;font-size:.75rem;white-space:pre-wrap;
  overflow-wrap:anywhere}
 @media (max-width:38rem){nav ol{columns:1}body{padding:.6rem .7rem 3rem}th,td{padding:.3rem .4rem}
- table{font-size:.8rem}figure{margin:1rem -.6rem 1.4rem}figcaption{padding:0 .6rem}
+ table{font-size:.8rem}figure{margin:1rem 0 1.4rem}.words{min-width:5.5rem}td small{display:block}
  .hint{display:block;font-size:.8rem;color:var(--soft);margin:.2rem 0}td:first-child{min-width:6rem}.name{white-space:normal}}
 @media print{@page{margin:16mm}body{max-width:none;padding:0;font-size:10pt}nav,details,.data,.hint{display:none}
  .row,section>figure:not(.wide),.row>figure:only-child:not(.wide){display:block}figure,table,.note{break-inside:avoid}.screen{display:none}h2,h3{break-after:avoid}.scroll{overflow:visible}

@@ -82,12 +82,11 @@ def cells_view(run):
 
 
 def shares(run):
-    """Shares of time (%) that the contact nodes slip, stick and are separated."""
-    groups = []
-    for name in ("slip", "stick", "separated"):
-        share = 100 * run.need(f"/contact/{name}")
-        groups.append(Group(share, STRESS_MAP, (0, 100), f"{name}, mean {share.mean():.1f} %", "share of time (%)"))
-    return draw([nodes_view(run)], groups, title=run.title)
+    """Shares of time (%) that the contact nodes slip, stick and are separated; (figure, states that never occur, which it leaves out)."""
+    found = {name: 100 * run.need(f"/contact/{name}") for name in ("slip", "stick", "separated")}
+    groups = [Group(share, STRESS_MAP, (0, 100), f"{name}, mean {share.mean():.1f} %", "share of time (%)")
+              for name, share in found.items() if share.any()]
+    return draw([nodes_view(run)], groups, title=run.title), [name for name, share in found.items() if not share.any()]
 
 
 @functools.lru_cache(maxsize=None)

@@ -7,6 +7,7 @@ from report.bodies.phase_colours import words_on_colours
 from report.bodies.projections import draw
 from report.bodies.stress_maps import highest, stress_group
 
+FLAT = " The arrow says which way the flat below moves."
 PERCENTILE = "The colour scale ends at the 99.5th percentile."
 
 
@@ -48,11 +49,11 @@ def morphology(page, chain):
 
 
 def rve_stress(page, run, chain):
-    return _stress_of_volume(page, run, chain, maps.rve_von_mises, "vertical compression alone" + enlarged(run))
+    return _stress_of_volume(page, run, chain, maps.rve_von_mises, "compression along y alone" + enlarged(run))
 
 
 def mesh_stress(page, run, chain):
-    return _stress_of_volume(page, run, chain, mesh_maps.von_mises, "compression along the last axis alone" + sections_of(run))
+    return _stress_of_volume(page, run, chain, mesh_maps.von_mises, f"compression along {'z' if run.is_solid() else 'y'} alone" + sections_of(run))
 
 
 def _stress_of_volume(page, run, chain, draw, load):
@@ -86,8 +87,8 @@ def snapshot(page, run, chain):
     field = field_of(run, chain)
     others = tuple(other for other in comparable(run, snapshots(chain)) if ends(stress_ends, (other,), chain)[2])
     end = ends(stress_ends, others, chain)[1]
-    figure = draw((mesh_maps if run.is_mesh_like() else maps).views(run), [stress_group(field, limit=end)], title=run.title)
+    figure = draw((mesh_maps if run.is_mesh_like() else maps).views(run), [stress_group(field, limit=end)], title=run.title, flat=run.motion_of_flat())
     time = run.last("/snapshots/time")
     when = f" at t = {quantity(float(time), 's')}" if time is not None else ""
     return page.figure(figure, f"Von Mises stress of the last snapshot of the {escape(run.label)} run{when}" +
-                       (sections_of(run) if run.is_mesh_like() else enlarged(run)) + f". {PERCENTILE}{same_scale(others, 'It is')}")
+                       (sections_of(run) if run.is_mesh_like() else enlarged(run)) + f". {PERCENTILE}{same_scale(others, 'It is')}{FLAT if run.motion_of_flat() is not None else ''}")

@@ -148,8 +148,8 @@ class Layout:
         return left, bottom + BELOW + BAR_WIDTH, min(BAR_LENGTH, room), BAR_WIDTH
 
 
-def draw(views, groups, entries=(), title=""):
-    """Figure of the groups, with a title or a legend above."""
+def draw(views, groups, entries=(), title="", flat=None):
+    """Figure of the groups, with a title or a legend above, and an arrow along which the `flat` moves (its direction in x and y)."""
     ways = (False,) if labels_in_turn(views, groups) else (False, True)[: len(groups)]
     arrangements = [Layout(views, groups, in_columns) for in_columns in ways]
     layout = max(arrangements, key=lambda arrangement: arrangement.scale)
@@ -163,7 +163,10 @@ def draw(views, groups, entries=(), title=""):
     add_axes = lambda box: figure.add_axes([box[0] / wide, 1 - (legend + box[1]) / high, box[2] / wide, box[3] / high])
     for g, group in enumerate(groups):
         for v in range(len(views)):
-            _panel(add_axes(layout.box(v, g)), layout, v, g)
+            axes = add_axes(layout.box(v, g))
+            _panel(axes, layout, v, g)
+            if flat is not None:
+                _arrow(axes, views[v], flat)
         left, _, top, _ = layout.frame(g)
         figure.text(left / wide, 1 - (legend + top + 0.05) / high, group.title, va="top")
         if layout.bars[g]:
@@ -199,6 +202,14 @@ def _panel(axes, layout, v, g):
     axes.yaxis.label.set_visible(layout.labelled_up(column))
     if view.axis is not None:
         axes.set_title(f"{'xyz'[view.axis]} = {view.bounds[:, view.axis].mean():.3g} mm", loc="left", fontsize=9.5, pad=3)
+
+
+def _arrow(axes, view, flat):
+    """Below the lower edge, at the flat, where there is room for it and the flat moves in the plane of the view."""
+    part = 0 if view.axis == 2 or view.whole is not None else flat[view.directions()[0]]
+    if abs(part) > 0.3 and axes.get_position().width * axes.figure.get_figwidth() > 1.5:
+        axes.annotate("flat \u2192" if part > 0 else "\u2190 flat", (1, 0), (0, -24), "axes fraction", "offset points", ha="right", va="top",
+                      fontsize=9.5, color=FRAME)
 
 
 def _ticks(line, length, ends, upright=False):

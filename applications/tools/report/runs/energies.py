@@ -5,7 +5,7 @@ import numpy as np
 from report.base.data import Missing, thinned
 from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, YELLOW, above, panels, rescaled, scaled, style
 
-SLOPE = {"color": BLACK, "lw": 1.8, "ls": (0, (1, 3)), "zorder": 5}  # dots on top of the curves
+SLOPE = {"color": BLACK, "lw": 2.4, "ls": (0, (1, 2.5)), "zorder": 5}  # dots on top of the curves
 POWERS_OF_J = [(1e-9, "nJ"), (1e-6, "µJ"), (1e-3, "mJ"), (1.0, "J"), (1e3, "kJ")]
 
 
