@@ -36,7 +36,8 @@ def plan(chain, surface_times=()):
         result.append(("Localization", [(probes.localization, run) for run in chain.localization]))
         surfaces = [(localized_pressure, run, chain.dynamics) for run in chain.localization
                     if run.is_solid() and run.get("/mean_stress") is not None]
-        result.append(("Mean von Mises stress: localized and direct", [(mean_von_mises, run, chain.dynamics) for run in chain.localization] + surfaces))
+        means = [(mean_von_mises, run, chain.dynamics) for run in chain.localization]
+        result.append(("Mean von Mises stress: localized and direct", means + surfaces))
     return result
 
 
@@ -65,8 +66,8 @@ def apparent_friction(page, runs, regime):
     value, _ = paper.APPARENT_FRICTION.get(regime, (None, None))
     dashed = f" Black: the mean of the paper’s figure 6, {value}, regime {regime}." if value is not None else ""
     return page.figure(figures.apparent_friction(runs, value),
-                       "Apparent friction coefficient: tangential over normal force on the top, which vibrates with the body. Dashed in the colour of a run: its mean "
-                       f"over the steady part.{dashed}")
+                       "Apparent friction coefficient: tangential over normal force on the top, which vibrates with the body. "
+                       f"Dashed in the colour of a run: its mean over the steady part.{dashed}")
 
 
 def friction_energy(page, runs):
@@ -149,19 +150,21 @@ def node_fractions(page, run):
 
 def mean_von_mises(page, run, dynamics):
     module = mesh_maps if run.is_mesh_like() else maps
-    points = "".join(page.figure(module.point_von_mises(run, name),
+    points = page.row(page.figure(module.point_von_mises(run, name),
                                  f"Von Mises stress averaged over time in the volume element at the point {escape(name)} of the body." +
                                  field_errors.window(run, dynamics))
                      for name in run.members("/points"))
-    return page.row([points]) * bool(points) + (whole_body(page, run, module, dynamics) if run.get("/mean_von_mises") is not None or not points else "")
+    if run.get("/mean_von_mises") is None and run.members("/points"):
+        return points
+    return points + whole_body(page, run, module, dynamics)
 
 
 def whole_body(page, run, module, dynamics):
     figure, error = module.mean_von_mises(run)
     words = f" Relative L2 difference over all cells: {100 * error:.1f} %." if error is not None else \
         " No direct run was compared."
-    where = fields.sections_of(run)
-    return page.figure(figure, f"Von Mises stress averaged over time{where}{of_runs(run)}.{words}{field_errors.window(run, dynamics)}") + field_errors.field_errors(run)
+    caption = f"Von Mises stress averaged over time{fields.sections_of(run)}{of_runs(run)}.{words}{field_errors.window(run, dynamics)}"
+    return page.figure(figure, caption) + field_errors.field_errors(run)
 
 
 def of_runs(run):
@@ -175,4 +178,5 @@ def localized_pressure(page, run, dynamics):
     figure, error = contact_surface.localized_pressure(run, dynamics)
     words = f" Relative L2 difference over these cells: {100 * error:.1f} %." if error is not None else ""
     return page.figure(figure, "Pressure on the contact surface, seen along z: the stress −σ<sub>zz</sub> in the cells at the contact, "
-                               f"averaged over time{of_runs(run)}. The colour scales end at the 0.5th and 99.5th percentiles.{words}{field_errors.window(run, dynamics)}")
+                               f"averaged over time{of_runs(run)}. The colour scales end at the 0.5th and 99.5th percentiles."
+                               f"{words}{field_errors.window(run, dynamics)}")

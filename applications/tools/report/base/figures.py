@@ -178,8 +178,9 @@ def spectrum(runs, paper_frequency=None):
         shown = (f > 1e3) & (a > 0)
         top = max(top, np.max(a[shown], initial=0.0))
         main = run.number("main_frequency") or main
+        looks = {"lw": 2.2, "alpha": 0.6} if run is series[0][0] and len(series) > 1 else {"lw": 1.0}
         axes.semilogy(*rescaled(*thinned(f[shown], a[shown], 6000), 1e-3, 1 / factor),
-                      color=colour(runs, run), label=run.label, **({"lw": 2.2, "alpha": 0.6} if run is series[0][0] and len(series) > 1 else {"lw": 1.0}))
+                      color=colour(runs, run), label=run.label, **looks)
     if paper_frequency:
         axes.axvline(1e-3 * paper_frequency, color=BLACK, lw=1.1, ls="--",
                      label=f"paper: {1e-3 * paper_frequency:.1f} kHz")

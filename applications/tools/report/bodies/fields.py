@@ -7,7 +7,6 @@ from report.bodies.phase_colours import words_on_colours
 from report.bodies.projections import draw
 from report.bodies.stress_maps import highest, stress_group
 
-FLAT = " The arrow says which way the flat below moves."
 PERCENTILE = "The colour scale ends at the 99.5th percentile."
 
 
@@ -87,8 +86,9 @@ def snapshot(page, run, chain):
     field = field_of(run, chain)
     others = tuple(other for other in comparable(run, snapshots(chain)) if ends(stress_ends, (other,), chain)[2])
     end = ends(stress_ends, others, chain)[1]
-    figure = draw((mesh_maps if run.is_mesh_like() else maps).views(run), [stress_group(field, limit=end)], title=run.title, flat=run.motion_of_flat())
+    views = (mesh_maps if run.is_mesh_like() else maps).views(run)
+    figure = draw(views, [stress_group(field, limit=end)], title=run.title, flat=run.motion_of_flat())
     time = run.last("/snapshots/time")
     when = f" at t = {quantity(float(time), 's')}" if time is not None else ""
     return page.figure(figure, f"Von Mises stress of the last snapshot of the {escape(run.label)} run{when}" +
-                       (sections_of(run) if run.is_mesh_like() else enlarged(run)) + f". {PERCENTILE}{same_scale(others, 'It is')}{FLAT if run.motion_of_flat() is not None else ''}")
+                       (sections_of(run) if run.is_mesh_like() else enlarged(run)) + f". {PERCENTILE}{same_scale(others, 'It is')}")

@@ -146,10 +146,10 @@ def load_histograms(page, run, load):
 
 
 def parts(runs):
-    """(function, arguments...) of the section, in rows."""
+    """(function, arguments...) of the section."""
     result = []
     for run in runs:
         result.append((tables, run))
         for load in loads_of(run):
-            result.append([(load_maps, run, load), (load_histograms, run, load)])
+            result += [(load_maps, run, load), (load_histograms, run, load)]
     return result

@@ -207,8 +207,10 @@ def _panel(axes, layout, v, g):
 def _arrow(axes, view, flat):
     """Below the lower edge, at the flat, where there is room for it and the flat moves in the plane of the view."""
     part = 0 if view.axis == 2 or view.whole is not None else flat[view.directions()[0]]
-    if abs(part) > 0.3 and axes.get_position().width * axes.figure.get_figwidth() > 1.5:
-        axes.annotate("flat \u2192" if part > 0 else "\u2190 flat", (1, 0), (0, -24), "axes fraction", "offset points", ha="right", va="top",
+    room = axes.get_position().width * axes.figure.get_figwidth()
+    if abs(part) > 0.3 and room > 1.5:
+        words = "flat moves" if room > 2.8 else "flat"
+        axes.annotate(f"{words} \u2192" if part > 0 else f"\u2190 {words}", (1, 0), (0, -24), "axes fraction", "offset points", ha="right", va="top",
                       fontsize=9.5, color=FRAME)
 
 
