@@ -24,6 +24,7 @@ from report import sections
 from report.base import figures
 from report.base.data import Chain, Missing, without_folders
 from report.base.page import Page, escape, note
+from report.base.words import explained
 from report.runs.space_time import has_surface_map
 
 
@@ -36,6 +37,11 @@ def attempt(page, make, *arguments):
     except Exception as error:  # a report is never worth losing for one figure
         figures.plt.close("all")
         return note(f"Left out: {type(error).__name__} while drawing ({without_folders(str(error))}).")
+
+
+def made(page, part):
+    """HTML of a part, or of a list of parts in a row."""
+    return page.row(attempt(page, *one) for one in part) if isinstance(part, list) else attempt(page, *part)
 
 
 def processor():
@@ -55,7 +61,10 @@ def build(chain, title, folder=".", surface_times=()):
                        "Tension is positive; contact pressures are positive, too. " + thickness(chain) +
                 f"Written on {datetime.datetime.now():%Y-%m-%d %H:%M} by make_report.py on a machine with {escape(processor())}.", folder)
     for heading, parts in sections.plan(chain, surface_times):
-        page.section(heading, "".join(attempt(page, *part) for part in parts))
+        page.section(heading, "".join(made(page, part) for part in parts))
+    words = explained(content for _, content, _ in page.sections)
+    if words:
+        page.section("Words", words)
     notes = chain.all_notes()
     if notes:
         page.section("Notes", "".join(note(text) for text in dict.fromkeys(notes)))
@@ -73,10 +82,10 @@ def thickness(chain):
 
 
 def title_of(folders):
-    """The name of the folder that holds all that is shown."""
+    """The program and the name of the folder that holds all that is shown."""
     paths = [os.path.abspath(folder) for folder in folders]
-    common = os.path.commonpath(paths)
-    return os.path.basename(common) or "mesoslip report"
+    name = os.path.basename(os.path.commonpath(paths))
+    return f"mesoslip: {name}" if name else "mesoslip"
 
 
 def times_of(text):
@@ -94,7 +103,7 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folders", nargs="+", metavar="folder", help="result folder(s) of a chain")
     parser.add_argument("--output", default="report.html", help="file to write (default: %(default)s)")
-    parser.add_argument("--title", help="title (default: the name of the folder that holds all of them)")
+    parser.add_argument("--title", help="title (default: mesoslip and the name of the folder that holds all of them)")
     parser.add_argument("--surface-times", type=times_of, default=(), metavar="T,...",
                         help="times (s) at which the contact surfaces of bodies in 3D are shown, from their maps of the contact "
                              "(default: four of the last periods)")

@@ -2,14 +2,14 @@
 
 from report.base import figures
 from report.base.common_scales import comparable, same_scale
-from report.base.page import escape, quantity
+from report.base.page import escape, quantities, quantity
 from report.bodies import contact_surface, field_errors, fields, loads, maps, mesh_maps
 from report.runs import analyses, complex_modes, contact_states, energies, key_numbers, paper, probes, waves, what_was_run
 
 
 def plan(chain, surface_times=()):
-    """(heading, [(function, arguments...)]) of every section that the runs of the chain call for; contact surfaces in 3D are shown at
-    `surface_times` (s), of the last periods if there are none."""
+    """(heading, [(function, arguments...)]) of every section that the runs of the chain call for, with lists of those parts that stand in a
+    row; contact surfaces in 3D are shown at `surface_times` (s), of the last periods if there are none."""
     result = [("What was run", [(what_was_run.runs_table, chain)])]
     if chain.transient:
         result.append(("Key numbers", [(key_numbers.side_by_side, chain.transient)]))
@@ -36,7 +36,8 @@ def plan(chain, surface_times=()):
         result.append(("Localization", [(probes.localization, run) for run in chain.localization]))
         surfaces = [(localized_pressure, run, chain.dynamics) for run in chain.localization
                     if run.is_solid() and run.get("/mean_stress") is not None]
-        result.append(("Mean von Mises stress: localized and direct", [(mean_von_mises, run) for run in chain.localization] + surfaces))
+        means = [(mean_von_mises, run, chain.dynamics) for run in chain.localization]
+        result.append(("Mean von Mises stress: localized and direct", means + surfaces))
     return result
 
 
@@ -44,7 +45,7 @@ def transient_sections(runs, surface_times):
     regime = paper.regime(runs[0]) if all(paper.is_pin(run) for run in runs) else None
     return [
         ("Apparent friction", [(apparent_friction, runs, regime)]),
-        ("Energy", [(friction_energy, runs)] + [(energy_balance, run) for run in runs]),
+        ("Energy", [(friction_energy, runs), [(energy_balance, run) for run in runs]]),
         ("Phase diagram", [(phase_diagram, runs)]),
         ("Spectrum", [(spectrum, runs, regime)]),
         ("The contact, node by node", contact_parts(runs, surface_times)),
@@ -55,17 +56,18 @@ def contact_parts(runs, surface_times):
     solid = [run for run in runs if run.has_surface()]
     plane = [run for run in runs if run not in solid]
     pressed = [run for run in solid if run.members("/snapshots") and run.get("/contact/pressure") is None]
-    return ([(node_statistics, plane)] if plane else []) + [(contact_shares, run) for run in solid] + \
-        [(contact_pressure, run, comparable(run, pressed)) for run in pressed] + [(contact_map, run) for run in runs] + \
-        [(node_fractions, run) for run in runs if "sticking_nodes" in run.members("/history")] + waves.parts(runs, surface_times)
+    rows = [[(contact_shares, run) for run in solid], [(contact_pressure, run, comparable(run, pressed)) for run in pressed],
+            [(contact_map, run) for run in runs],
+            [(node_fractions, run) for run in runs if "sticking_nodes" in run.members("/history")], *waves.rows(runs, surface_times)]
+    return ([(node_statistics, plane)] if plane else []) + [row for row in rows if row]
 
 
 def apparent_friction(page, runs, regime):
     value, _ = paper.APPARENT_FRICTION.get(regime, (None, None))
-    dashed = f" Dashed: the mean of the paper’s figure 6, {value}, regime {regime}." if value is not None else ""
+    dashed = f" Black: the mean of the paper’s figure 6, {value}, regime {regime}." if value is not None else ""
     return page.figure(figures.apparent_friction(runs, value),
-                       "Apparent friction coefficient: tangential over normal force on the top, which vibrates with the body. Thick: mean over "
-                       f"the steady part.{dashed}")
+                       "Apparent friction coefficient: tangential over normal force on the top, which vibrates with the body. "
+                       f"Dashed in the colour of a run: its mean over the steady part.{dashed}")
 
 
 def friction_energy(page, runs):
@@ -91,15 +93,19 @@ def phase_diagram(page, runs):
     return page.figure(figures.phase_diagram(runs),
                        "Phase diagram of the reference node, which is in the middle of the contact unless Observation/Reference x says otherwise: its "
                        "velocity along the flat over its displacement along the "
-                       "flat, mean over the periods of the steady part. A vibration at one frequency draws an ellipse.")
+                       "flat, mean over the periods of the steady part. A vibration at one frequency draws an ellipse. Loops come from "
+                       "overtones, as of a body that hops.")
 
 
 def spectrum(page, runs, regime):
+    lengths = quantities([run.steady_length() for run in runs], "s", 3)
+    windows = ", ".join(f"{escape(run.label)} {length}" for run, length in zip(runs, lengths))
     value, source = paper.MAIN_FREQUENCY.get(regime, (None, None))
     dashed = f" Dashed: the paper’s main frequency ({source})." if value is not None else ""
     return page.figure(figures.spectrum(runs, value),
                        "Amplitude spectrum of the displacement of the reference node along the flat, over the steady part. The highest peak is "
-                       f"the main frequency of the key numbers.{dashed}")
+                       f"the main frequency of the key numbers. A peak is about as wide as one over the length of this part, or wider: "
+                       f"{windows}.{dashed}")
 
 
 def node_statistics(page, runs):
@@ -108,10 +114,12 @@ def node_statistics(page, runs):
 
 
 def contact_shares(page, run):
-    return page.figure(contact_surface.shares(run),
+    figure, absent = contact_surface.shares(run)
+    words = f" Not shown, as it never occurs: {', '.join(absent)}." if absent else ""
+    return page.figure(figure,
                        f"Shares of time that the contact nodes of the {escape(run.label)} run slip, stick and are separated over the "
                        "steady part, in per cent, on the contact surface seen along z. Each node colours its part of the faces "
-                       "around it; the means are those of the nodes.")
+                       f"around it; the means are those of the nodes.{words}")
 
 
 def contact_pressure(page, run, runs):
@@ -140,20 +148,23 @@ def node_fractions(page, run):
     return page.figure(figure, f"Shares of the contact nodes of the {escape(run.label)} run that slip, stick and are separated, over time.{means}")
 
 
-def mean_von_mises(page, run):
+def mean_von_mises(page, run, dynamics):
     module = mesh_maps if run.is_mesh_like() else maps
-    points = "".join(page.figure(module.point_von_mises(run, name),
-                                 f"Von Mises stress averaged over time in the volume element at the point {escape(name)} of the body.")
+    points = page.row(page.figure(module.point_von_mises(run, name),
+                                 f"Von Mises stress averaged over time in the volume element at the point {escape(name)} of the body." +
+                                 field_errors.window(run, dynamics))
                      for name in run.members("/points"))
-    return points + (whole_body(page, run, module) if run.get("/mean_von_mises") is not None or not points else "")
+    if run.get("/mean_von_mises") is None and run.members("/points"):
+        return points
+    return points + whole_body(page, run, module, dynamics)
 
 
-def whole_body(page, run, module):
+def whole_body(page, run, module, dynamics):
     figure, error = module.mean_von_mises(run)
     words = f" Relative L2 difference over all cells: {100 * error:.1f} %." if error is not None else \
         " No direct run was compared."
-    where = fields.sections_of(run)
-    return page.figure(figure, f"Von Mises stress averaged over time{where}{of_runs(run)}.{words}") + field_errors.field_errors(run)
+    caption = f"Von Mises stress averaged over time{fields.sections_of(run)}{of_runs(run)}.{words}{field_errors.window(run, dynamics)}"
+    return page.figure(figure, caption) + field_errors.field_errors(run)
 
 
 def of_runs(run):
@@ -167,4 +178,5 @@ def localized_pressure(page, run, dynamics):
     figure, error = contact_surface.localized_pressure(run, dynamics)
     words = f" Relative L2 difference over these cells: {100 * error:.1f} %." if error is not None else ""
     return page.figure(figure, "Pressure on the contact surface, seen along z: the stress −σ<sub>zz</sub> in the cells at the contact, "
-                               f"averaged over time{of_runs(run)}. The colour scales end at the 0.5th and 99.5th percentiles.{words}")
+                               f"averaged over time{of_runs(run)}. The colour scales end at the 0.5th and 99.5th percentiles."
+                               f"{words}{field_errors.window(run, dynamics)}")

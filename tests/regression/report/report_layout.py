@@ -77,6 +77,7 @@ def pictures(body):
     one = [whole_view(body)]
     yield "phases", phase_figure(views(body), body, ids, [" (90.0 %)", " (10.0 %)"])
     yield "stress", draw(views(body), [stress_group(values)])
+    yield "motion", draw(views(body), [stress_group(values)], title="the run", flat=np.array([-1.0, 0.0]))
     yield "comparison", compared(one, values, 1.1 * values, "mean von Mises stress")[0]
     signed = 1e-5 * (values / 3e6 - 0.5)
     yield "four fields", draw(one, [Group(signed, "PuOr_r", (-5e-6, 5e-6), "", f"$\\sigma_{{{name}}}$ (GPa)") for name in ("xx", "yy", "xy", "zz")])

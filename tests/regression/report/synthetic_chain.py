@@ -7,7 +7,7 @@ import shutil
 import h5py
 import numpy as np
 
-from scenes import Folder
+from scenes import Folder, prm
 
 NX, NY, H = 140, 40, 4e-4
 FREQUENCY = 41321.0
@@ -125,8 +125,10 @@ def write_localization(folder, ids):
     write(folder, "localization.h5",
           {"program": "stress_localization", "version": "0.2.0", "cells": [NX, NY], "seconds": {"total": 2.2},
            "peak_memory_bytes": 1.1e8, "probes": [{"name": "A", "phase": "fibre"}, {"name": "B", "phase": "matrix"}],
-           "phases": ["matrix", "surface"], "field_errors": FIELD_ERRORS},
+           "phases": ["matrix", "surface"], "field_errors": FIELD_ERRORS, "concentration": "KUBC", "window": [7e-4, 1e-3], "snapshots": 2},
           data, positions)
+    Folder(folder).write("parameters.prm", prm({"Input/Homogeneous run": "homogeneous/dynamics.h5", "Input/Direct run": "heterogeneous/dynamics.h5",
+                                                "Comparison/Surface depth": 4e-4, "Comparison/Edge distance": 0.0016}))
 
 
 # A phase that is called as a region is.

@@ -22,6 +22,7 @@ sys.path.insert(0, TOOLS)
 from report.base.common_scales import comparable  # noqa: E402
 from report.base.data import Chain  # noqa: E402
 from report.bodies import contact_surface  # noqa: E402
+from report.runs import probes  # noqa: E402
 from synthetic_chain import add_to_summary, write, write_analyses, write_chain, write_foreign_body  # noqa: E402
 
 MAKE_REPORT = os.path.join(TOOLS, "report", "make_report.py")
@@ -35,6 +36,34 @@ def check_localization(page):
     rows = re.findall(r'<td class="text">([^<]*)</td><td>([^<]*)</td></tr>', page[page.index("<th>von Mises</th>"):])
     assert rows[:7] == [("all cells", "25 %"), ("interior", "3.10 %"), ("surface", "48 %"), ("surface without its ends", "11 %"),
                         ("phase matrix", "5.80 %"), ("phase matrix, interior", "3.30 %"), ("phase surface", "55.0 %")], rows
+
+
+def check_words(page, folder):
+    """How many blocks would show waves; which words the page explains; what localization was made with."""
+    text = re.sub("<.*?>", "", re.sub('"data:[^"]*"', "", page))
+    blocks, needed = map(int, re.search("Observation/Blocks is (\\d+); with (\\d+) or more they would show waves", text).groups())
+    period = 1 / Folder(folder).summary()["main_frequency"]
+    assert blocks == 80 and 48 <= 6 * period / (1e-3 / needed) < 48 + 10 * 6 * period / 1e-3, (blocks, needed)
+    words = re.findall("<li><b>(.*?)</b>", page)
+    assert "KUBC" in words and "The paper" in words and "Regime" in words and "P S |V|" not in words, words
+    assert "Localized with the tensors of KUBC. The interior lies at least 1.6 mm from all edges; the surface is what lies within 0.4 mm" in text
+    assert "MUBC are better for them" in text and "Averaged from 0.7 ms to 1 ms, over 2 snapshots." in text
+    assert "The steady part of" not in text, "a window in the steady parts"
+
+
+def check_other_tensors(root, folders):
+    """Advice on MUBC is given for other tensors; a window before the steady part of a run that it compares is said."""
+    Folder(folders[3]).write("parameters.prm", prm({"Input/Homogeneous run": "/of/another/machine/homogeneous/dynamics.h5"}))
+    add_to_summary(folders[3], concentration="MUBC", window=[1e-4, 2e-4])
+    text = re.sub("<.*?>", "", re.sub('"data:[^"]*"', "", report(root, *folders)))
+    assert "with the tensors of MUBC." in text and "MUBC are better" not in text and "The interior lies" not in text
+    assert "The steady part of the homogeneous run begins after that, at 300 µs;" in text and "of the heterogeneous run begins" not in text
+
+
+def check_error_of_mean():
+    """None where the direct mean is small beside its deviation, or has the other sign."""
+    assert [probes.error_of_mean(*found) for found in ((1.02, 1.0, 5.0), (1.0, 0.04, 0.5), (1.0, -1.0, 0.1), (-1.1, -1.0, 0.0))] == \
+        ["+2.0 %", "–", "–", "+10.0 %"]
 
 
 def report(root, *folders, status=0):
@@ -149,6 +178,9 @@ def main():
         assert "36.90" in page and "(+1.0 %)" in page, "stiffness against eq. (10)"
         assert "Beside the paper" in page
         check_localization(page)
+        check_words(page, folders[1])
+        check_other_tensors(root, folders)
+        check_error_of_mean()
         own = os.path.join(root, "own")
         write_foreign_body(os.path.dirname(folders[0]), own)
         page = report(root, own)

@@ -26,6 +26,24 @@ def without_folders(found):
     return re.sub(r"(?<![\w.)\]])/(?:[^\s/'\":;,]+/)+([^\s/'\":;,]+/[^\s/'\":;,]+)", r"\1", found) if isinstance(found, str) else found
 
 
+def settings(folder):
+    """{"Section/key": value} of parameters.prm in the folder of a run; empty where it cannot be read."""
+    found, sections = {}, []
+    try:
+        with open(os.path.join(folder, "parameters.prm"), encoding="utf-8") as file:
+            for line in file:
+                words = line.strip()
+                if words.startswith("subsection "):
+                    sections.append(words[11:].strip())
+                elif words == "end" and sections:
+                    sections.pop()
+                elif setting := re.match(r"set\s+([^=]+?)\s*=\s*(.*)", words):
+                    found["/".join([*sections, setting[1]])] = setting[2]
+    except (OSError, UnicodeDecodeError):
+        return {}
+    return found
+
+
 class Missing(Exception):
     """What a section needs is not there; the message says what."""
 
@@ -38,6 +56,7 @@ class Run:
         self.summary = without_folders(summary)
         self.program = summary.get("program", "")
         self.notes = []
+        self.title = ""
         self.file = None
         self.name = os.path.basename(os.path.normpath(folder)) or folder
         file_name = HDF5_OF_ANALYSIS.get(summary.get("analysis"), HDF5_NAMES.get(self.program, ""))
@@ -165,6 +184,14 @@ class Run:
         middle = 1e-3 * np.array([0.5 * (extent[0] + extent[1]), extent[2]])
         return min(placed, key=lambda item: float(np.hypot(*(item[1][:2] - middle))))[0]
 
+    def motion_of_flat(self):
+        """Direction along x and y in which the flat moves; None where it is not known or changes."""
+        speed, course = self.attribute("/run", "velocity"), self.attribute("/run", "velocity_history")
+        if speed is None or not speed or course is None or course.astype(str) not in ("step", "linear", "smooth"):
+            return None
+        parts = [self.attribute("/run", f"flat_direction_{axis}") for axis in "xy"]
+        return np.sign(speed) * np.array([1.0, 0.0] if any(part is None for part in parts) else parts, dtype=float)
+
     def steady_from(self):
         """s; the summary's, or half of the history."""
         value = self.number("steady_from")
@@ -172,6 +199,12 @@ class Run:
             time = self.get("/history/time")
             value = 0.5 * float(time[-1]) if time is not None and time.size else 0.0
         return value
+
+    def steady_length(self):
+        """s; of the steady part, None where it is not known."""
+        time = self.get("/history/time")
+        end = self.number("simulated_time") or (float(time[-1]) if time is not None and time.size else None)
+        return end - self.steady_from() if end else None
 
 
 class Chain:
@@ -204,6 +237,7 @@ class Chain:
         for run in self.runs:
             same = kinds.count(getattr(run, "kind", "")) > 1 or run not in self.transient
             run.label = run.name if same else run.kind
+            run.title = run.label if len(self.dynamics) > 1 else ""  # in pictures of this run alone
 
     def _add(self, folder):
         """A result folder, or a folder of result folders (one level down)."""

@@ -9,6 +9,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.patheffects import Normal, Stroke
 
 from report.base.data import Missing, thinned
 
@@ -76,19 +77,21 @@ def legend_columns(entries, most, width=WIDTH):
     return int(np.clip(width / (0.55 + 0.082 * longest), 1, most))
 
 
-def above(axes, entries=None, columns=3):
-    """Legend outside, above the axes, so that it never covers data."""
+def above(axes, entries=None, columns=3, title=None):
+    """Legend outside, above the axes, so that it never covers data; with a title, that of the run."""
     entries = entries or axes.get_legend_handles_labels()[0]
     if entries:
         axes.legend(handles=entries, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=legend_columns(entries, columns), borderaxespad=0.2,
-                    handlelength=1.6, columnspacing=1.3)
+                    handlelength=1.6, columnspacing=1.3, title=title, title_fontsize=11.5, alignment="left")
 
 
-def above_all(figure, entries, columns=3):
+def above_all(figure, entries, columns=3, title=None):
     """Legend of `entries` above all panels of a figure; one above an axes would widen its column."""
     columns = legend_columns(entries, columns, figure.get_figwidth())
-    height = (-(-len(entries) // columns) * 0.24 + 0.1) / figure.get_figheight()
-    figure.legend(handles=entries, loc="upper left", ncol=columns, handlelength=1.6, columnspacing=1.3)
+    lines = -(-len(entries) // columns) + (1 if title else 0)
+    height = (lines * 0.24 + 0.1) / figure.get_figheight()
+    figure.legend(handles=entries, loc="upper left", ncol=columns, handlelength=1.6, columnspacing=1.3, title=title, title_fontsize=11.5,
+                  alignment="left")
     figure.get_layout_engine().set(rect=(0, 0, 1, 1 - height))
 
 
@@ -101,18 +104,20 @@ def apparent_friction(runs, paper_value=None):
         raise Missing("/history/apparent_friction is in none of the dynamics files")
     end = min(time[-1] for _, time, _ in series)  # of the shortest run
     for run, time, friction in series:
-        c = colour(runs, run)
+        c, mean = colour(runs, run), run.number("mean_apparent_friction_coefficient")
         x, y = thinned(time, friction)
-        whole.plot(1e3 * x, y, color=c, lw=1.6 if run is series[0][0] and len(series) > 1 else 0.6, alpha=0.75, label=run.label)
-        mean = run.number("mean_apparent_friction_coefficient")
-        start = run.steady_from()
+        whole.plot(1e3 * x, y, color=c, lw=1.6 if run is series[0][0] and len(series) > 1 else 0.6, alpha=0.75,
+                   label=run.label + (f", mean {mean:.3f}" if mean is not None else ""))
         if mean is not None:
-            first = run is series[0][0]
-            whole.plot([1e3 * start, 1e3 * time[-1]], [mean, mean], color=c, lw=3, ls="-" if first else DASHES[1],
-                       solid_capstyle="butt", path_effects=_halo() if first else None)
+            looks = {"color": c, "lw": 1.6, "ls": (3 * runs.index(run), (2.5, 3.5)), "zorder": 4}  # dashes of two runs in turn
+            whole.plot([1e3 * run.steady_from(), 1e3 * time[-1]], [mean, mean], path_effects=[Stroke(linewidth=3, foreground="white"), Normal()],
+                       **looks)
+            zoom.axhline(mean, **looks)
         begin, stop = np.searchsorted(time, [zoom_window(run, end), np.nextafter(end, np.inf)])
         x, y = thinned(time[begin:stop], friction[begin:stop])
         zoom.plot(1e3 * x, y, **style(runs, run), label=run.label)
+    if any(run.number("mean_apparent_friction_coefficient") is not None for run, *_ in series):
+        whole.plot([], [], color=GREY, lw=1.6, ls=(0, (2.5, 3.5)), label="mean over the steady part")
     for axes in (whole, zoom):
         if paper_value is not None:
             axes.axhline(paper_value, color=BLACK, lw=1.2, ls="--", label="mean in the paper")
@@ -121,15 +126,10 @@ def apparent_friction(runs, paper_value=None):
     zoom.set_xlabel("time (ms)")
     differ = any(time[-1] > 1.001 * end for _, time, _ in series)
     zoom.set_title(f"last periods{' of the shortest run' if differ else ''}", loc="left", color=GREY)
-    above(whole)
+    above(whole, columns=2)
     for line in whole.get_legend().get_lines():
-        line.set(alpha=1, linewidth=2)
+        line.set(alpha=1, linewidth=max(line.get_linewidth(), 1.4))
     return figure
-
-
-def _halo():
-    from matplotlib import patheffects
-    return [patheffects.Stroke(linewidth=5, foreground="white"), patheffects.Normal()]
 
 
 def rescaled(x, y, fx, fy):
@@ -178,8 +178,9 @@ def spectrum(runs, paper_frequency=None):
         shown = (f > 1e3) & (a > 0)
         top = max(top, np.max(a[shown], initial=0.0))
         main = run.number("main_frequency") or main
+        looks = {"lw": 2.2, "alpha": 0.6} if run is series[0][0] and len(series) > 1 else {"lw": 1.0}
         axes.semilogy(*rescaled(*thinned(f[shown], a[shown], 6000), 1e-3, 1 / factor),
-                      color=colour(runs, run), lw=1.1, label=run.label)
+                      color=colour(runs, run), label=run.label, **looks)
     if paper_frequency:
         axes.axvline(1e-3 * paper_frequency, color=BLACK, lw=1.1, ls="--",
                      label=f"paper: {1e-3 * paper_frequency:.1f} kHz")

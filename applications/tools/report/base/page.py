@@ -45,6 +45,16 @@ def quantity(value, unit="", digits=4):
     return f"{number(value, digits)} {unit}".strip()
 
 
+def quantities(values, unit="", digits=4):
+    """Numbers of one row with their unit, prefixed alike: by what suits the largest; "–" where there is none."""
+    known = [float(f"{abs(value):.{digits - 1}e}") for value in values if value is not None]
+    if unit not in PREFIXED or not any(known):
+        return ["–" if value is None else quantity(value, unit, digits) for value in values]
+    factor, prefix = next((pair for pair in PREFIXES if max(known) >= pair[0] * (1 - 1e-9)), PREFIXES[-1])
+    shown = lambda value: f"{float(f'{value / factor:.{digits - 1}e}'):g}" if unit == "s" else number(value / factor, digits)  # times are round
+    return ["–" if value is None else f"{shown(value)} {prefix}{unit}".replace("-", "−") for value in values]
+
+
 def difference(ours, paper):
     """Relative difference in per cent; positive if ours is larger in the direction of the paper's, also of negative numbers."""
     if ours is None or paper is None or not paper:
@@ -118,6 +128,10 @@ class Page:
         return (f'<figure{kinds}><img alt="{escape(alt or first_sentence(caption))}" style="width:{96 * width:.0f}px" '
                 f'src="data:image/png;base64,{picture}">'
                 f"<figcaption><b>Figure {self.figures}.</b> {caption}{below}</figcaption></figure>")
+
+    def row(self, pieces):
+        """HTML of figures that are compared, which stand side by side."""
+        return f'<div class="row">{"".join(pieces)}</div>'
 
     def html(self):
         links = "".join(f'<li><a href="#s{i}">{title}</a></li>'

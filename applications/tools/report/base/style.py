@@ -1,4 +1,5 @@
-"""The style sheet of the page: desk, phone, print. Figures that follow one another stand in two columns where there is room."""
+"""The style sheet of the page: desk, phone, print. Where there is room, the figures of a row stand in two columns, and a figure alone has its
+caption beside it."""
 
 STYLE = """
 :root{--ink:#1d2733;--soft:#5b6773;--line:#d5dbe1;--wash:#f4f6f8;--accent:#0072b2}
@@ -8,9 +9,10 @@ body{margin:0 auto;max-width:82rem;padding:1rem 1.2rem 4rem;color:var(--ink);bac
 h1{font-size:1.7rem;line-height:1.2;margin:.6rem 0 .2rem;overflow-wrap:anywhere}
 h2{font-size:1.25rem;margin:2.4rem 0 .6rem;padding-bottom:.25rem;border-bottom:2px solid var(--accent)}
 h3{font-size:1.02rem;margin:1.4rem 0 .4rem;overflow-wrap:anywhere}
-section{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,34rem),1fr));column-gap:2rem;align-items:start}
-section>*{grid-column:1/-1;min-width:0}
-section>figure:not(.wide){grid-column:auto}
+.row,section>figure:not(.wide),.row>figure:only-child:not(.wide){display:grid;column-gap:2rem;align-items:start;
+ grid-template-columns:repeat(auto-fill,minmax(min(100%,34rem),1fr))}
+.row>*{grid-column:1/-1;min-width:0}
+.row>figure:not(.wide):not(:only-child){grid-column:auto}
 p,details{max-width:60rem}
 .lead,.note,figcaption{color:var(--soft)}
 nav ol{columns:3 16rem;padding-left:2rem;margin:.4rem 0}
@@ -27,6 +29,7 @@ td:not(.text){white-space:nowrap}
 td.text{min-width:6.5rem}
 .name{white-space:nowrap}
 .words{white-space:normal;display:inline-block;min-width:12rem}
+ul{max-width:60rem;padding-left:1.2rem}
 th:first-child,td:first-child,td.text,th.text{text-align:left}
 thead th{background:#e9edf1aa;border-bottom:2px solid var(--line);font-weight:600}
 figure{margin:1rem 0 1.6rem}
@@ -38,10 +41,10 @@ figcaption{font-size:.88rem;margin-top:.4rem;max-width:60rem}
 details{margin:.5rem 0}pre{background:var(--wash);padding:.7rem;font-size:.75rem;white-space:pre-wrap;
  overflow-wrap:anywhere}
 @media (max-width:38rem){nav ol{columns:1}body{padding:.6rem .7rem 3rem}th,td{padding:.3rem .4rem}
- table{font-size:.8rem}figure{margin:1rem -.6rem 1.4rem}figcaption{padding:0 .6rem}
+ table{font-size:.8rem}figure{margin:1rem 0 1.4rem}.words{min-width:5.5rem}td small{display:block}
  .hint{display:block;font-size:.8rem;color:var(--soft);margin:.2rem 0}td:first-child{min-width:6rem}.name{white-space:normal}}
 @media print{@page{margin:16mm}body{max-width:none;padding:0;font-size:10pt}nav,details,.data,.hint{display:none}
- section{display:block}figure,table,.note{break-inside:avoid}.screen{display:none}h2,h3{break-after:avoid}.scroll{overflow:visible}
+ .row,section>figure:not(.wide),.row>figure:only-child:not(.wide){display:block}figure,table,.note{break-inside:avoid}.screen{display:none}h2,h3{break-after:avoid}.scroll{overflow:visible}
  figure img{max-height:112mm;object-fit:contain;object-position:left}
  figure.tall img{max-height:185mm}}
 """

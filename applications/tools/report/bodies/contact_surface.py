@@ -82,12 +82,11 @@ def cells_view(run):
 
 
 def shares(run):
-    """Shares of time (%) that the contact nodes slip, stick and are separated."""
-    groups = []
-    for name in ("slip", "stick", "separated"):
-        share = 100 * run.need(f"/contact/{name}")
-        groups.append(Group(share, STRESS_MAP, (0, 100), f"{name}, mean {share.mean():.1f} %", "share of time (%)"))
-    return draw([nodes_view(run)], groups)
+    """Shares of time (%) that the contact nodes slip, stick and are separated; (figure, states that never occur, which it leaves out)."""
+    found = {name: 100 * run.need(f"/contact/{name}") for name in ("slip", "stick", "separated")}
+    groups = [Group(share, STRESS_MAP, (0, 100), f"{name}, mean {share.mean():.1f} %", "share of time (%)")
+              for name, share in found.items() if share.any()]
+    return draw([nodes_view(run)], groups, title=run.title), [name for name, share in found.items() if not share.any()]
 
 
 @functools.lru_cache(maxsize=None)
@@ -123,7 +122,7 @@ def pressure(run, runs):
     total = np.average(mean, weights=[area(polygon - polygon[0]) for polygon in view.polygons]) / factor
     group = Group(mean / factor, STRESS_MAP, (low / factor, high / factor), f"mean over the surface {total:.3g} {unit}",
                   rf"mean of $-\sigma_\mathrm{{zz}}$ ({unit})")
-    return draw([view], [group]), count
+    return draw([view], [group], title=run.title), count
 
 
 def nominal_pressure(run):

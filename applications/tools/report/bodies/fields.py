@@ -11,17 +11,16 @@ PERCENTILE = "The colour scale ends at the 99.5th percentile."
 
 
 def parts(chain):
-    """(function, arguments...) that the runs call for."""
+    """(function, arguments...) that the runs call for, in rows."""
     on_mesh = [run for run in chain.rve if run.is_mesh_like()]
     on_grid = [run for run in chain.rve if run not in on_mesh]
     on_plane = [run for run in chain.runs if run.heterogeneous and run.grid() and not run.is_mesh_like()]
-    result = [(morphology, chain)] if on_grid or on_plane else []
-    result += [(rve_stress, run, chain) for run in on_grid if run.members("/concentration")]
-    for run in on_mesh:
-        result += [(mesh_morphology, run)] + ([(mesh_stress, run, chain)] if run.members("/concentration") else [])
+    first = [(morphology, chain)] if on_grid or on_plane else []
+    rows = [first + [(rve_stress, run, chain) for run in on_grid if run.members("/concentration")]]
+    rows += [[(mesh_morphology, run)] + ([(mesh_stress, run, chain)] if run.members("/concentration") else []) for run in on_mesh]
     if not on_mesh:
-        result += [(phases_of_run, run) for run in chain.dynamics if run.heterogeneous and run.is_mesh_like()]
-    return result + [(snapshot, run, chain) for run in snapshots(chain)]
+        rows.append([(phases_of_run, run) for run in chain.dynamics if run.heterogeneous and run.is_mesh_like()])
+    return [row for row in [*rows, [(snapshot, run, chain) for run in snapshots(chain)]] if row]
 
 
 def snapshots(chain):
@@ -49,11 +48,11 @@ def morphology(page, chain):
 
 
 def rve_stress(page, run, chain):
-    return _stress_of_volume(page, run, chain, maps.rve_von_mises, "vertical compression alone" + enlarged(run))
+    return _stress_of_volume(page, run, chain, maps.rve_von_mises, "compression along y alone" + enlarged(run))
 
 
 def mesh_stress(page, run, chain):
-    return _stress_of_volume(page, run, chain, mesh_maps.von_mises, "compression along the last axis alone" + sections_of(run))
+    return _stress_of_volume(page, run, chain, mesh_maps.von_mises, f"compression along {'z' if run.is_solid() else 'y'} alone" + sections_of(run))
 
 
 def _stress_of_volume(page, run, chain, draw, load):
@@ -87,7 +86,8 @@ def snapshot(page, run, chain):
     field = field_of(run, chain)
     others = tuple(other for other in comparable(run, snapshots(chain)) if ends(stress_ends, (other,), chain)[2])
     end = ends(stress_ends, others, chain)[1]
-    figure = draw((mesh_maps if run.is_mesh_like() else maps).views(run), [stress_group(field, limit=end)])
+    views = (mesh_maps if run.is_mesh_like() else maps).views(run)
+    figure = draw(views, [stress_group(field, limit=end)], title=run.title, flat=run.motion_of_flat())
     time = run.last("/snapshots/time")
     when = f" at t = {quantity(float(time), 's')}" if time is not None else ""
     return page.figure(figure, f"Von Mises stress of the last snapshot of the {escape(run.label)} run{when}" +

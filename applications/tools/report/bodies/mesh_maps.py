@@ -7,6 +7,7 @@ from report.bodies.orientations import materials_of
 from report.bodies.projections import View, draw
 from report.bodies.stress_maps import compared, phase_figure, stress_group
 
+PLANES = (1, 0, 2)  # axes across the sections, in the order of a technical drawing
 # Kinds of cells in /mesh/topology: number of corners, edges between them.
 CORNERS = {4: 3, 5: 4, 6: 4, 9: 8}
 EDGES = {6: [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)],
@@ -102,11 +103,11 @@ def views(run):
             raise Missing(f"{run.name} has neither a mesh nor a grid")
         n, h, origin = run.grid()
         bounds = 1e3 * np.array([origin, origin + n * h])
-        return [View(bounds, axis, *voxel_section(run, axis)) for axis in range(3)]
+        return [View(bounds, axis, *voxel_section(run, axis)) for axis in PLANES]
     points, cells = cells_of(run)
     bounds = np.array([points.min(axis=0), points.max(axis=0)])
     if points.shape[1] == 3:
-        return [View(bounds, axis, *section(points, cells, axis)) for axis in range(3)]
+        return [View(bounds, axis, *section(points, cells, axis)) for axis in PLANES]
     polygons = [polygon for *_, corners in cells for polygon in points[corners]]
     return [View(bounds, None, polygons, np.concatenate([numbers for _, numbers, _ in cells]))]
 

@@ -2,35 +2,17 @@
 Otherwise the phase that is named first is light, the second one dark, and others are coloured."""
 
 import os
-import re
 
 import matplotlib
 import numpy as np
 from matplotlib.colors import ListedColormap
 
+from report.base.data import settings
 from report.base.figures import RUN_COLOURS
 
 DARK, LIGHT = "#30343b", "#dfe3e8"
 LISTED = [LIGHT, DARK, *RUN_COLOURS]
 MOST_GREYS = 5  # more cannot be told apart
-
-
-def settings(folder):
-    """{"Section/key": value} of parameters.prm in the folder of a run; empty where it cannot be read."""
-    found, sections = {}, []
-    try:
-        with open(os.path.join(folder, "parameters.prm"), encoding="utf-8") as file:
-            for line in file:
-                words = line.strip()
-                if words.startswith("subsection "):
-                    sections.append(words[11:].strip())
-                elif words == "end" and sections:
-                    sections.pop()
-                elif setting := re.match(r"set\s+([^=]+?)\s*=\s*(.*)", words):
-                    found["/".join([*sections, setting[1]])] = setting[2]
-    except (OSError, UnicodeDecodeError):
-        return {}
-    return found
 
 
 def origin(run):

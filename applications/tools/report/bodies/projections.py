@@ -148,21 +148,25 @@ class Layout:
         return left, bottom + BELOW + BAR_WIDTH, min(BAR_LENGTH, room), BAR_WIDTH
 
 
-def draw(views, groups, entries=()):
-    """Figure of the groups, with a legend above."""
+def draw(views, groups, entries=(), title="", flat=None):
+    """Figure of the groups, with a title or a legend above, and an arrow along which the `flat` moves (its direction in x and y)."""
     ways = (False,) if labels_in_turn(views, groups) else (False, True)[: len(groups)]
     arrangements = [Layout(views, groups, in_columns) for in_columns in ways]
     layout = max(arrangements, key=lambda arrangement: arrangement.scale)
     columns = legend_columns(entries, 3)
-    legend = LEGEND * -(-len(entries) // columns)
+    legend = LEGEND * (-(-len(entries) // columns) or bool(title))
     wide, high = max(WIDTH, layout.total[0]), layout.total[1] + legend
     figure = plt.figure(figsize=(wide, high), layout="none")
     if entries:
         figure.legend(handles=entries, loc="upper left", ncol=columns, handlelength=1.6, columnspacing=1.3)
+    figure.text(layout.frame(0)[0] / wide, 1 - 0.05 / high, title, va="top")
     add_axes = lambda box: figure.add_axes([box[0] / wide, 1 - (legend + box[1]) / high, box[2] / wide, box[3] / high])
     for g, group in enumerate(groups):
         for v in range(len(views)):
-            _panel(add_axes(layout.box(v, g)), layout, v, g)
+            axes = add_axes(layout.box(v, g))
+            _panel(axes, layout, v, g)
+            if flat is not None:
+                _arrow(axes, views[v], flat)
         left, _, top, _ = layout.frame(g)
         figure.text(left / wide, 1 - (legend + top + 0.05) / high, group.title, va="top")
         if layout.bars[g]:
@@ -198,6 +202,16 @@ def _panel(axes, layout, v, g):
     axes.yaxis.label.set_visible(layout.labelled_up(column))
     if view.axis is not None:
         axes.set_title(f"{'xyz'[view.axis]} = {view.bounds[:, view.axis].mean():.3g} mm", loc="left", fontsize=9.5, pad=3)
+
+
+def _arrow(axes, view, flat):
+    """Below the lower edge, at the flat, where there is room for it and the flat moves in the plane of the view."""
+    part = 0 if view.axis == 2 or view.whole is not None else flat[view.directions()[0]]
+    room = axes.get_position().width * axes.figure.get_figwidth()
+    if abs(part) > 0.3 and room > 1.5:
+        words = "flat moves" if room > 2.8 else "flat"
+        axes.annotate(f"{words} \u2192" if part > 0 else f"\u2190 {words}", (1, 0), (0, -24), "axes fraction", "offset points", ha="right", va="top",
+                      fontsize=9.5, color=FRAME)
 
 
 def _ticks(line, length, ends, upright=False):

@@ -4,7 +4,7 @@ import numpy as np
 
 from report.base.data import Missing
 from report.base.figures import BLUE, ORANGE, STRESSES, WIDTH, above, panels, plt, scaled
-from report.base.page import escape, number, quantity, table
+from report.base.page import escape, number, quantities, quantity, table
 from report.bodies import mode_shapes
 
 
@@ -110,8 +110,7 @@ def friction_law(page, run):
     for entry in summary["estimates"]:
         if isinstance(entry, dict):
             rows.append([escape(entry.get("pressures", "–")), escape(entry.get("duration_of", "–")), number(entry.get("mu_homo")),
-                         *(quantity(entry.get(key), "s") if entry.get(key) is not None else "–"
-                           for key in ("mean_contact_duration", "delta", "delta_calibrated"))])
+                         *quantities([entry.get(key) for key in ("mean_contact_duration", "delta", "delta_calibrated")], "s")])
     html = f"<h3>{escape(run.name)}</h3>" + (f"<p>{head[0].upper() + head[1:]}.</p>" if head else "")
     html += table(["pressures from", "T<sub>G</sub> of", "μ<sub>homo</sub>", "T<sub>G</sub>", "δ", "δ, calibrated"], rows, (0, 1))
     warning = summary.get("delta_warning")

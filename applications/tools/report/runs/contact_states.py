@@ -4,7 +4,7 @@ import matplotlib
 import numpy as np
 from matplotlib.patches import Patch
 
-from report.base.data import Missing, thinned
+from report.base.data import Missing, settings, thinned
 from report.base.figures import GREY, SEPARATED, SLIP, STICK, above, panels, zoom_window
 
 LEAST_BLOCKS = 8  # in a period
@@ -89,7 +89,7 @@ def fractions(run):
     if len(windows) > 1:
         axes[1].set_title("last periods", loc="left", color=GREY)
     axes[-1].set_xlabel("time (ms)")
-    above(axes[0])
+    above(axes[0], title=run.title)
     return figure, stretch
 
 
@@ -113,13 +113,16 @@ def in_strips(x, *shares):
     return (places, *(mean(share) for share in shares))
 
 
-def why_no_zoom(time, begin):
-    """Why blocks that end at `time` (s) have no picture of the last periods, from `begin` (s) on; empty if they have one."""
+def why_no_zoom(run, time, begin):
+    """Why blocks of a run that end at `time` (s) have no picture of the last periods, from `begin` (s) on; empty if they have one."""
     if time[0] >= begin:
         return "the run is hardly longer than these"
     count = np.count_nonzero(time > begin)
-    # Of six periods; with fewer blocks in a period the picture shows steps and no waves.
-    return "" if count >= 6 * LEAST_BLOCKS else f"they have {count} blocks of steps, and {6 * LEAST_BLOCKS} are needed to show waves"
+    if count >= 6 * LEAST_BLOCKS:  # of six periods; with fewer blocks in a period the picture shows steps and no waves
+        return ""
+    blocks = int(settings(run.folder).get("Observation/Blocks") or len(time))
+    needed = 6 * LEAST_BLOCKS * blocks * np.median(np.diff(time)) / (time[-1] - begin)
+    return f"Observation/Blocks is {blocks}; with {10 * int(np.ceil(0.1 * needed))} or more they would show waves"
 
 
 def contact_map(run):
@@ -137,7 +140,7 @@ def contact_map(run):
                 for share, c in zip((slip, stick, separated), rgb))
     first = time[0] - (time[1] - time[0]) if len(time) > 1 else 0.0
     begin = zoom_window(run, time[-1])
-    why = why_no_zoom(time, begin)
+    why = why_no_zoom(run, time, begin)
     n_panels = 1 if why else 2
     figure, axes = panels(n_panels, 0.9 + 2.6 * n_panels)
     for axis in axes:
@@ -150,5 +153,5 @@ def contact_map(run):
         axes[1].set_xlim(1e3 * begin, 1e3 * time[-1])
         axes[1].set_title("last periods", loc="left", color=GREY)
     axes[-1].set_xlabel("time (ms)")
-    above(axes[0], STATES)
+    above(axes[0], STATES, title=run.title)
     return figure, why

@@ -3,8 +3,9 @@
 import numpy as np
 
 from report.base.data import Missing, thinned
-from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, SKY, YELLOW, above, panels, rescaled, scaled, style
+from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, YELLOW, above, panels, rescaled, scaled, style
 
+SLOPE = {"color": BLACK, "lw": 2.4, "ls": (0, (1, 2.5)), "zorder": 5}  # dots on top of the curves
 POWERS_OF_J = [(1e-9, "nJ"), (1e-6, "µJ"), (1e-3, "mJ"), (1.0, "J"), (1e3, "kJ")]
 
 
@@ -33,8 +34,8 @@ def friction_energy(runs):
         if steady.sum() > 2:
             slope, offset = np.polyfit(time[steady], energy[steady], 1)
             line = np.array([min(time[steady][0], end), end])
-            axes.plot(1e3 * line, (slope * line + offset) / factor, color=BLACK, lw=1, ls=(0, (1, 2)))
-    axes.plot([], [], color=BLACK, lw=1, ls=(0, (1, 2)), label="slope used")
+            axes.plot(1e3 * line, (slope * line + offset) / factor, **SLOPE)
+    axes.plot([], [], **SLOPE, label="slope used")
     axes.set(xlabel="time (ms)", ylabel=rf"$E_\mathrm{{friction}}$ ({unit})")
     axes.margins(x=0)
     if longer:
@@ -45,8 +46,8 @@ def friction_energy(runs):
 
 
 ENERGIES = [("external_work", "external work", BLACK), ("friction", "friction", ORANGE),
-            ("elastic", "elastic", BLUE), ("kinetic", "kinetic", SKY), ("damping", "damping", GREEN),
-            ("scheme", "time scheme", PINK), ("impact", "impacts", YELLOW)]
+            ("elastic", "elastic", BLUE), ("kinetic", "kinetic", PINK), ("damping", "damping", GREEN),
+            ("scheme", "time scheme", GREY), ("impact", "impacts", YELLOW)]
 
 
 NEGLIGIBLE, SMALL = 1e-4, 0.2  # of the largest term: not drawn; drawn on a scale of its own
@@ -73,7 +74,7 @@ def energy_balance(run):
     scale, of = _residual_scale(run, len(time))
     figure, axes = panels(3 if small else 2, 6.6 if small else 5.0, sharex=True,
                           gridspec_kw={"height_ratios": [2.2, 1.6, 1] if small else [2.4, 1]})
-    _energies(axes[0], time, large, "energy", units_of(run))
+    _energies(axes[0], time, large, "energy", units_of(run), run.title)
     if small:
         _energies(axes[1], time, small, "smaller terms", units_of(run))
     if residual is not None and len(residual) == len(time):
@@ -111,10 +112,10 @@ def _residual_scale(run, count):
     return (work, "frictional energy") if work > 1e-3 * body else (body or 1.0, "energy in the body")
 
 
-def _energies(axes, time, parts, name, units):
+def _energies(axes, time, parts, name, units, title=None):
     factor, unit = scaled(*[values for _, values, _ in parts], units=units)
     for label, values, c in parts:
         wide = {"lw": 3.2, "alpha": 0.45} if c == BLACK else {}  # the work of the flat, which friction covers else
         axes.plot(*rescaled(*thinned(time, values), 1e3, 1 / factor), color=c, label=label, **wide)
     axes.set_ylabel(f"{name}\n({unit})")
-    above(axes, columns=4)
+    above(axes, columns=4, title=title)

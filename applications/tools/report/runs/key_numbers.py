@@ -4,7 +4,7 @@ import numpy as np
 
 from report.base.data import Missing
 from report.base.figures import STRESSES, scaled
-from report.base.page import difference, escape, number, quantity, table
+from report.base.page import difference, escape, number, quantities, quantity, table
 from report.runs import paper
 
 # Heading, place in summary.json, unit; shares become per cent.
@@ -40,7 +40,7 @@ def side_by_side(page, runs):
     for what, place, unit in QUANTITIES:
         values = [run.number(*place) for run in runs]
         if any(value is not None for value in values):
-            rows.append([what, *(_cell(run, value, place, unit) for run, value in zip(runs, values))])
+            rows.append([what, *_cells(runs, values, place, unit)])
         rows += _explained(runs, place)
         rows += frictional_power(runs) if place == ("friction_energy",) else []
     rows += _words(runs, "Regime of the reference node", "regime")
@@ -60,9 +60,8 @@ def frictional_power(runs):
     if not known or max(known) <= 1.001 * min(known):
         return []
     energies = [run.number("friction_energy") for run in runs]
-    cells = [quantity(energy / end, "W" + run.per_thickness()) if end and energy is not None else "–"
-             for run, end, energy in zip(runs, ends, energies)]
-    return [["… over the length of each run, as the runs differ in it", *cells]]
+    powers = [energy / end if end and energy is not None else None for end, energy in zip(ends, energies)]
+    return [["… over the duration of its run, as the runs differ in it", *quantities(powers, "W" + runs[0].per_thickness())]]
 
 
 def _words(runs, what, key):
@@ -78,16 +77,15 @@ def _explained(runs, place):
     return _words(runs, what, key) if key else []
 
 
-def _cell(run, value, place, unit):
-    if value is None:
-        return "–"
+def _cells(runs, values, place, unit):
+    """Texts of a row, in the same unit."""
     if unit == "%":
-        return f"{number(100 * value, 3)} %"
-    text = quantity(value, "J" + run.per_thickness() if unit == "J/m" else unit)
+        return ["–" if value is None else f"{number(100 * value, 3)} %" for value in values]
+    texts = quantities(values, "J" + runs[0].per_thickness() if unit == "J/m" else unit)
     if place == ("global_interface_friction_coefficient",):
-        half = run.number("global_interface_friction_coefficient_95")
-        text += f" <small>± {number(half, 2)} (95 %)</small>" if half is not None else ""
-    return text
+        halves = [run.number("global_interface_friction_coefficient_95") for run in runs]
+        texts = [text if half is None else f"{text} <small>± {number(half, 2)} (95 %)</small>" for text, half in zip(texts, halves)]
+    return texts
 
 
 def warnings(run):
@@ -112,7 +110,7 @@ def beside_the_paper(page, run):
                 f'{quantity(pressure, "Pa")}.</p>')
     return f"<h3>{escape(run.label)}{folder}</h3>{lead}" + table(
         ["", "this run", "paper", "difference", "where in the paper"],
-        [[what, quantity(ours, unit), quantity(value, unit), difference(ours, value), source]
+        [[what, *quantities((ours, value), unit), difference(ours, value), source]
          for what, ours, value, unit, source in rows], (0, 4))
 
 

@@ -4,8 +4,11 @@ import numpy as np
 
 from report.base import figures
 from report.base.data import Missing
-from report.base.page import difference, escape, quantity, table
+from report.base.page import difference, escape, quantities, table
 from report.runs import paper
+
+
+NOT_SAID = " The error of the mean is – where the direct mean is nearly zero or has the other sign."
 
 
 def localization(page, run):
@@ -24,22 +27,24 @@ def localization(page, run):
                 "over time do not depend on the phase of the vibration: what differs there is wrong, or the two runs vibrate differently. "\
                 "The error over time (relative L2 difference of the signals as they stand) also counts a difference of phase, which alone "\
                 "can bring it to 141 % of the part that vibrates."
+        html += NOT_SAID if any(row[4] == "–" for row in rows) else ""
         html += (" The paper: L2 below 4 % for σ<sub>yy</sub>, 25 % at most for the others at the surface; mean and "
                  "deviation within 5 %." if paper.is_pin(run) else "") + "</p>"
+    pictures = []
     for name in names[:6]:
         phase = listed.get(name, {}).get("phase")
         where = f", in the {escape(phase)}" if isinstance(phase, str) else ""
         position = run.probe_position(name)
         if position is not None:
-            where += ", at " + ", ".join(f"{axis} = {1e3 * x:.2f} mm" for axis, x in zip("xyz", position))
+            where += ", at " + ", ".join(f"{axis} = {1e3 * x:.5g} mm" for axis, x in zip("xyz", position))
         try:
             compared = run.get(f"/probes/{name}/direct_stress") is not None
-            html += page.figure(figures.localized_stress(run, name),
-                                f"Stress at probe {escape(name)}{where} over the last periods: localized" +
-                                (" and direct. Two runs drift out of phase, so compare level and amplitude." if compared else "."))
+            pictures.append(page.figure(figures.localized_stress(run, name),
+                                        f"Stress at probe {escape(name)}{where} over the last periods: localized" +
+                                        (" and direct. Two runs drift out of phase, so compare level and amplitude." if compared else ".")))
         except Missing as missing:
-            html += f'<p class="note">Left out: {escape(missing)}.</p>'
-    return html
+            pictures.append(f'<p class="note">Left out: {escape(missing)}.</p>')
+    return html + page.row(pictures)
 
 
 def probe_errors(run, name):
@@ -55,10 +60,15 @@ def probe_errors(run, name):
         label = f"σ<sub>{of}</sub>"
         ours, theirs = stress[:, component], direct[:, component]
         means, deviations = (ours.mean(), theirs.mean()), (ours.std(), theirs.std())
-        shown = lambda pair: [quantity(float(value), "Pa", 3) for value in pair]
-        rows.append([escape(name), label, *shown(means), difference(*map(float, means)), *shown(deviations), difference(*map(float, deviations)),
+        shown = quantities([float(value) for value in means + deviations], "Pa", 3)
+        rows.append([escape(name), label, *shown[:2], error_of_mean(*means, deviations[1]), *shown[2:], difference(*map(float, deviations)),
                      percent(np.linalg.norm(ours - theirs), np.linalg.norm(theirs))])
     return rows
+
+
+def error_of_mean(ours, theirs, deviation):
+    """Of the direct mean, unless that is small beside its standard deviation or has the other sign."""
+    return "–" if ours * theirs < 0 or abs(theirs) < 0.1 * deviation else difference(float(ours), float(theirs))
 
 
 def percent(part, whole):

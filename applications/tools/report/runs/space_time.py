@@ -163,7 +163,9 @@ def space_time(run, runs, zoom=False):
     axes[0][0].set_ylabel("time (ms)")
     figure.supxlabel("position along the contact (mm)", fontsize=11.5)
     if any(name == "state" for name, *_ in names):
-        above_all(figure, STATES)
+        above_all(figure, STATES, title=run.title)
+    elif run.title:
+        figure.suptitle(run.title, fontsize=11.5)
     return figure, reduced
 
 
@@ -190,6 +192,7 @@ def profile(run, runs):
         axis.set_ylabel(f"{'mean pressure' if name == 'pressure' else name.replace('_', ' ')}\n({unit})")
         axis.margins(x=0)
         axis.set_ylim(*(limits / factor) if np.any(limits) else (0, 1))
+    axes[0].set_title(run.title, loc="left")
     axes[-1].set_xlabel("position along the contact (mm)")
     figure.align_ylabels()
     return figure
@@ -209,7 +212,7 @@ def surface_means(run, runs):
         low, high = limits / factor
         mean = np.average(values, weights=area) / factor
         groups.append(Group(values / factor, STRESS_MAP, (low, high), f"mean over the surface {mean:.4g} {unit}", f"{label} ({unit})"))
-    return draw([contact_surface.nodes_view(run)], groups)
+    return draw([contact_surface.nodes_view(run)], groups, title=run.title)
 
 
 def has_surface_map(run):
@@ -254,7 +257,7 @@ def surface_at_times(run, times=(), runs=()):
         columns.append((fields / factor, SIGNED_MAP if limits[0] == -limits[1] else STRESS_MAP, limits, f"{label} ({unit})"))
     groups = [Group(fields[k], colours, limits, f"t = {1e3 * time[row]:.5g} ms", label)
               for k, row in enumerate(rows) for fields, colours, limits, label in columns]
-    return draw([contact_surface.nodes_view(run)], groups), [name for name, *_ in names[:len(columns)]]
+    return draw([contact_surface.nodes_view(run)], groups, title=run.title), [name for name, *_ in names[:len(columns)]]
 
 
 def spectrogram(run, runs=()):
@@ -282,5 +285,6 @@ def spectrogram(run, runs=()):
                             rasterized=True)
     axis.grid(False)
     axis.set(xlabel="time (ms)", ylabel="frequency (kHz)")
+    axis.set_title(run.title, loc="left")
     figure.colorbar(image, ax=axis, label="power over the largest (dB)", extend="min")
     return figure, n * interval

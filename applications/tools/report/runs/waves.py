@@ -5,24 +5,19 @@ from report.base.page import escape, quantity
 from report.runs import space_time
 
 
-def parts(runs, times):
-    """(function, arguments...) of the parts that the runs call for; contact surfaces are shown at `times` (s), of the last periods if
-    there are none."""
-    result = []
+def rows(runs, times):
+    """Lists of (function, arguments...) of the parts that the runs call for, a list for each kind of picture; contact surfaces are shown at
+    `times` (s), of the last periods if there are none."""
     mapped = [run for run in runs if run.members("/contact_map")]
     surfaces = [run for run in runs if space_time.has_surface_map(run)]
     heard = [run for run in runs if run.members("/reference")]
     summed = [run for run in runs if run.get("/contact/pressure") is not None]
-    for run in runs:
-        if run in mapped:
-            result += [(whole_map, run, comparable(run, mapped)), (last_periods, run, comparable(run, mapped))]
-        if run in surfaces:
-            result.append((surface_at_times, run, times, comparable(run, surfaces)))
-        if run in heard:
-            result.append((spectrogram, run, comparable(run, heard)))
-        if run in summed:
-            result.append((means, run, comparable(run, [other for other in summed if other.has_surface() == run.has_surface()])))
-    return result
+    alike = lambda run: [other for other in summed if other.has_surface() == run.has_surface()]
+    return [[(whole_map, run, comparable(run, mapped)) for run in mapped],
+            [(last_periods, run, comparable(run, mapped)) for run in mapped],
+            [(surface_at_times, run, times, comparable(run, surfaces)) for run in surfaces],
+            [(spectrogram, run, comparable(run, heard)) for run in heard],
+            [(means, run, comparable(run, alike(run))) for run in summed]]
 
 
 def shown_nodes(run):
