@@ -11,7 +11,7 @@ WORDS = [
      "that friction would have with a coefficient of 1."),
     ("TG", "T<sub>G</sub>", "Mean contact duration: for how long a node stays on the flat before it separates. Eq. (13) of the paper proposes the "
      "regularization time of friction by it."),
-    ("regime", "Regime", "The two kinds of limit cycle of the paper: in regime 1 the reference node slips most of the time, in regime 2 it is "
+    ("Regime of", "Regime", "The two kinds of limit cycle of the paper: in regime 1 the reference node slips most of the time, in regime 2 it is "
      "separated most of the time. In permanent slip it hardly ever sticks or separates (less than 1 % of the time)."),
     ("Energy balance of the", "Time scheme", "In the energy balance: what the explicit time integration itself dissipates, which is nothing with "
      "Time/Beta2 = 1/2."),
