@@ -101,7 +101,7 @@ TimeStepChoice choose_time_step(const ContactParameters &parameters,
     step.dt = parameters.time.safety * choice.critical;
   if (parameters.time.check_time_step && step.dt > choice.critical)
     throw UserError(brief_text(
-      4, "Time/Time step: ", step.dt, " s is above the critical ", choice.critical,
+      6, "Time/Time step: ", step.dt, " s is above the critical ", choice.critical,
       " s, the run would be unstable; use auto or a smaller one"));
   choice.n_steps =
     static_cast<std::uint64_t>(std::ceil(parameters.time.end_time / step.dt - 1e-9));
