@@ -145,7 +145,7 @@ private:
   std::vector<SpringEntry> springs() const;
 
   /** Of the nodes that slip, the one that the body brings first to where it sticks if it slides as
-   * its friction and @ref pushed want it; n_nodes: none. */
+   * its friction and the given forces push it; n_nodes: none. */
   unsigned int next_to_stick() const;
 
   /** The given forces with friction. */
