@@ -151,6 +151,9 @@ private:
   /** The given forces with friction. */
   void set_forces();
 
+  /** Displacements under these; the residual that is left. @throws NotConverged */
+  double solve(double tolerance);
+
   /** Of the last solution: displaced, normal and tangential. */
   void evaluate_reactions();
 

@@ -28,8 +28,7 @@ StaticContactSolution ActiveSetIteration<dim>::run()
       set_forces();
       // While friction or states are far off, an exact solution is a waste.
       solution.residual =
-        solver.solve(problem.displacement, force,
-                     std::max(0.1 * options.tolerance, std::min(1e-5, 1e-2 * change)));
+        solve(std::max(0.1 * options.tolerance, std::min(1e-5, 1e-2 * change)));
       evaluate_reactions();
       turn_friction();
       ++solution.iterations;
@@ -71,6 +70,22 @@ StaticContactSolution ActiveSetIteration<dim>::run()
       solution.state.push_back(solution.state[0]);
     }
   return std::move(solution);
+}
+
+template <int dim>
+double ActiveSetIteration<dim>::solve(const double tolerance)
+{
+  try
+    {
+      return solver.solve(problem.displacement, force, tolerance);
+    }
+  catch (const NotConverged &)
+    {
+      if (!solver.can_move())
+        throw;
+    }
+  fail("sides, contact and friction do not hold the body, which moves or turns as a "
+       "whole: hold a side of it, or reduce the forces along the flat");
 }
 
 template <int dim>

@@ -18,8 +18,9 @@ namespace
 {
 constexpr double pi = 3.14159265358979323846;
 
-constexpr double lowest_frequency = 1e3; ///< of a peak (Hz)
-constexpr double threshold        = 0.1; ///< of the main amplitude; below nothing counts
+/** Of a peak (Hz), unless the signal is long enough for a slower vibration, of two periods. */
+constexpr double lowest_frequency = 1e3, least_periods = 2.;
+constexpr double threshold = 0.1; ///< of the main amplitude; below nothing counts
 
 /** @p signal without its least-squares line; all zeros if only round-off remains. */
 std::vector<double> without_trend(const std::vector<double> &signal)
@@ -187,6 +188,7 @@ Spectrum amplitude_spectrum(const std::vector<double> &signal,
 
   const std::size_t n_bins = length / 2 + 1;
   Spectrum spectrum;
+  spectrum.duration = static_cast<double>(n) * time_step;
   spectrum.frequency.resize(n_bins);
   spectrum.amplitude.resize(n_bins);
   for (std::size_t k = 0; k < n_bins; ++k)
@@ -216,12 +218,15 @@ double share_near_limit(const Spectrum &spectrum)
 std::optional<SpectralSummary> summarize_spectrum(const Spectrum &spectrum,
                                                   const double noise_floor)
 {
-  const auto &f    = spectrum.frequency;
-  const auto &a    = spectrum.amplitude;
-  std::size_t main = 0;
+  const auto &f       = spectrum.frequency;
+  const auto &a       = spectrum.amplitude;
+  const double lowest = spectrum.duration > 0.
+                          ? std::min(lowest_frequency, least_periods / spectrum.duration)
+                          : lowest_frequency;
+  std::size_t main    = 0;
   for (std::size_t k = 1; k + 1 < f.size(); ++k)
-    if (f[k] >= lowest_frequency && a[k] > noise_floor && a[k] >= a[k - 1] &&
-        a[k] > a[k + 1] && (main == 0 || a[k] > a[main]))
+    if (f[k] >= lowest && a[k] > noise_floor && a[k] >= a[k - 1] && a[k] > a[k + 1] &&
+        (main == 0 || a[k] > a[main]))
       main = k;
   if (main == 0)
     return std::nullopt;

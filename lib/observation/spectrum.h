@@ -14,9 +14,12 @@ struct Spectrum
 
   /** In the unit of the signal; as long as #frequency. */
   std::vector<double> amplitude;
+
+  double duration = 0.; ///< of the signal (s); 0: not known
 };
 
-/** What a figure like the paper's 5(c) says, about frequencies of 1 kHz and above. */
+/** What a figure like the paper's 5(c) says, about frequencies from 1 kHz on, or from that of two
+ * periods in the signal on if it is lower. */
 struct SpectralSummary
 {
   double main_frequency = 0.; ///< of the highest peak (Hz)

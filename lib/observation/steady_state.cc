@@ -13,9 +13,6 @@ namespace mesoslip
 {
 namespace
 {
-/** Period (s) while the signal shows no vibration; that of the paper's pin. */
-constexpr double expected_period = 2.5e-5;
-
 /**
  * rms over |mean| of a displacement below which it counts as steady sliding; the same share
  * of the reference power, and of the elastic energy for the kinetic one, is no difference.
@@ -92,7 +89,7 @@ std::vector<double> LimitCycleDetector::of_parts(const Parts &parts,
 
 LimitCycleDetector::LimitCycleDetector(const LimitCycleCriterion &criterion)
   : criterion(criterion)
-  , vibration_period(expected_period)
+  , vibration_period(criterion.expected_period)
 {
   Assert(criterion.periods >= 1 && criterion.windows >= 2 && criterion.tolerance > 0.,
          dealii::ExcMessage("This criterion is always met, or never."));
@@ -137,7 +134,7 @@ void LimitCycleDetector::check()
                                     check_spacing * (last_time - first_time));
   if (n_samples < 2)
     return;
-  vibration_period = estimate_period().value_or(expected_period);
+  vibration_period = estimate_period().value_or(criterion.expected_period);
   // Once reached, everything since the steady part began is judged.
   const double bin         = sample_step() * static_cast<double>(record.stride());
   const std::size_t middle = (record.size() + 1) / 2;

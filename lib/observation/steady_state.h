@@ -22,6 +22,9 @@ struct LimitCycleCriterion
   unsigned int windows   = 3;    ///< equal parts of the second half of the run
   double tolerance       = 0.02; ///< largest relative difference among the parts
   double reference_power = 0.;   ///< P S |V| (W/m)
+
+  /** Period (s) while the signal shows no vibration. */
+  double expected_period = 2.5e-5;
 };
 
 /** What the contact and the body do at one time; forces and energies per unit thickness.

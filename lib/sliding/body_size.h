@@ -53,6 +53,7 @@ struct BodySize
   std::uint64_t n_cells = 0;  ///< of the whole body
   std::vector<double> friction; ///< coefficient of each contact node
   std::vector<double> area;     ///< tributary of each contact node (m^2, in 2D m)
+  double crossing = 0.;         ///< BodyScales::crossing() (s)
   std::size_t n_contact_nodes =
     0;                     ///< with periodic sides the last one is the first again
   ReferenceNode reference; ///< M

@@ -13,12 +13,15 @@ namespace mesoslip
 {
 namespace
 {
-BodySize body_size(const MeshBodyDescription &body, const unsigned int dim)
+BodySize body_size(const MeshBodyDescription &body,
+                   const BodyScales &scales,
+                   const unsigned int dim)
 {
   BodySize size;
   size.dim             = dim;
   size.top_area        = std::accumulate(body.top.area.begin(), body.top.area.end(), 0.);
   size.n_cells         = body.n_cells;
+  size.crossing        = scales.crossing();
   size.friction        = body.friction;
   size.n_contact_nodes = body.contact.points.size();
   for (const double area : body.contact.area)
@@ -73,7 +76,7 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
   , checkpoint(checkpoint)
   , output(output)
   , context(context)
-  , size(body_size(description, dim))
+  , size(body_size(description, scales, dim))
   , body(distributed,
          description.contact,
          description.top,

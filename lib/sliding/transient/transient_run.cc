@@ -24,12 +24,15 @@ unsigned int reference_node(const ContactParameters &parameters,
   return std::lround(std::clamp(x, 0., grid.extent(0)) / grid.spacing[0]);
 }
 
-BodySize body_size(const ContactParameters &parameters, const BodyDescription &body)
+BodySize body_size(const ContactParameters &parameters,
+                   const BodyDescription &body,
+                   const BodyScales &scales)
 {
   const UniformGrid<2> &grid = body.grid;
   BodySize size;
   size.top_area = grid.extent(0);
   size.n_cells  = grid.n_cells();
+  size.crossing = scales.crossing();
   size.friction = body.node_friction;
   for (unsigned int i = 0; i <= grid.cells[0]; ++i)
     size.area.push_back(tributary_width(grid, i, parameters.periodic));
@@ -77,7 +80,7 @@ TransientRun::TransientRun(const ContactParameters &parameters,
   , checkpoint(checkpoint)
   , output(output)
   , context(context)
-  , size(body_size(parameters, description))
+  , size(body_size(parameters, description, scales))
   , body(material,
          sliding_setup(parameters, description, size, time),
          context.communicator(),
