@@ -242,10 +242,10 @@ void TransientResult::evaluate_reference_node()
   // Beyond it what the means leave of a fast motion could pass for a slow one.
   if (hidden_share <= 0.5)
     frequencies = summarize_spectrum(spectrum, 1e-15);
-  auto &[frequency, amplitude] = spectrum;
+  std::vector<double> &frequency = spectrum.frequency;
   const auto cut = std::upper_bound(frequency.begin(), frequency.end(), spectrum_cut);
   frequency.erase(cut, frequency.end());
-  amplitude.resize(frequency.size());
+  spectrum.amplitude.resize(frequency.size());
   phase_diagram = mean_phase_diagram(ux, vx, series.interval,
                                      frequencies ? 1. / frequencies->main_frequency : 0.);
 }
