@@ -18,8 +18,6 @@ namespace
 {
 constexpr double pi = 3.14159265358979323846;
 
-/** Of a peak (Hz), unless the signal is long enough for a slower vibration, of two periods. */
-constexpr double lowest_frequency = 1e3, least_periods = 2.;
 constexpr double threshold = 0.1; ///< of the main amplitude; below nothing counts
 
 /** @p signal without its least-squares line; all zeros if only round-off remains. */
@@ -61,7 +59,7 @@ SpectralSummary interpolated_peak(const Spectrum &spectrum, const std::size_t k)
 {
   const double spacing = spectrum.frequency[1] - spectrum.frequency[0];
   const auto &a        = spectrum.amplitude;
-  SpectralSummary peak = {spectrum.frequency[k], a[k], 0.};
+  SpectralSummary peak = {spectrum.frequency[k], a[k]};
   if (a[k - 1] > 0. && a[k + 1] > 0.)
     {
       const double left = std::log(a[k - 1]), middle = std::log(a[k]),
@@ -218,20 +216,21 @@ double share_near_limit(const Spectrum &spectrum)
 std::optional<SpectralSummary> summarize_spectrum(const Spectrum &spectrum,
                                                   const double noise_floor)
 {
-  const auto &f       = spectrum.frequency;
-  const auto &a       = spectrum.amplitude;
-  const double lowest = spectrum.duration > 0.
-                          ? std::min(lowest_frequency, least_periods / spectrum.duration)
-                          : lowest_frequency;
-  std::size_t main    = 0;
+  const auto &f    = spectrum.frequency;
+  const auto &a    = spectrum.amplitude;
+  std::size_t main = 0;
+  double slow      = 0.;
   for (std::size_t k = 1; k + 1 < f.size(); ++k)
-    if (f[k] >= lowest && a[k] > noise_floor && a[k] >= a[k - 1] && a[k] > a[k + 1] &&
-        (main == 0 || a[k] > a[main]))
+    if (f[k] < spectrum.lowest_frequency())
+      slow = std::max(slow, a[k]);
+    else if (a[k] > noise_floor && a[k] >= a[k - 1] && a[k] > a[k + 1] &&
+             (main == 0 || a[k] > a[main]))
       main = k;
   if (main == 0)
     return std::nullopt;
 
   SpectralSummary summary = interpolated_peak(spectrum, main);
+  summary.slow_amplitude  = slow;
   std::size_t last        = f.size() - 1;
   while (last > main && !(a[last] > threshold * summary.main_amplitude))
     --last;

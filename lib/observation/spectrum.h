@@ -15,11 +15,17 @@ struct Spectrum
   /** In the unit of the signal; as long as #frequency. */
   std::vector<double> amplitude;
 
-  double duration = 0.; ///< of the signal (s); 0: not known
+  double duration = 0.; ///< of the signal (s)
+
+  /** Hz, of two periods in the signal; what is slower may be a drift. */
+  double lowest_frequency() const
+  {
+    return duration > 0. ? 2. / duration : 0.;
+  }
 };
 
-/** What a figure like the paper's 5(c) says, about frequencies from 1 kHz on, or from that of two
- * periods in the signal on if it is lower. */
+/** What a figure like the paper's 5(c) says, about frequencies from
+ * Spectrum::lowest_frequency() on. */
 struct SpectralSummary
 {
   double main_frequency = 0.; ///< of the highest peak (Hz)
@@ -28,6 +34,8 @@ struct SpectralSummary
   /** Highest frequency with more than 10 % of the main amplitude (Hz; paper, sect. 3.2).
    */
   double highest_frequency = 0.;
+
+  double slow_amplitude = 0.; ///< largest below Spectrum::lowest_frequency()
 };
 
 /**

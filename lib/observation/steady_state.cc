@@ -169,11 +169,8 @@ std::optional<double> LimitCycleDetector::estimate_period() const
     return std::nullopt;
   const std::vector<double> half(motion.end() - static_cast<std::ptrdiff_t>(kept),
                                  motion.end());
-  const double step  = sample_step();
-  const auto summary = summarize_spectrum(amplitude_spectrum(half, step, 2));
-  // Fewer than two periods are rather a drift than a vibration.
-  const double duration = step * static_cast<double>(half.size());
-  if (!summary || !(summary->main_frequency * duration >= 2.))
+  const auto summary = summarize_spectrum(amplitude_spectrum(half, sample_step(), 2));
+  if (!summary || !(summary->main_frequency > 0.))
     return std::nullopt;
   return 1. / summary->main_frequency;
 }

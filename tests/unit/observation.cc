@@ -66,8 +66,21 @@ TEST(Spectrum, HighestFrequencyIsTheLastAboveTenPercent)
   });
   const auto summary = summarize_spectrum(amplitude_spectrum(signal, 2.5e-8));
   ASSERT_TRUE(summary);
-  EXPECT_NEAR(summary->main_frequency, 4.1e4, 4.) << "peaks below 1 kHz do not count";
+  EXPECT_NEAR(summary->main_frequency, 4.1e4, 4.)
+    << "peaks below 2 kHz do not count, of which 1 ms has two periods";
+  EXPECT_GT(summary->slow_amplitude, 2.) << "0.6 periods, without their trend";
   EXPECT_NEAR(summary->highest_frequency, 1.23e5, 1e3);
+}
+
+TEST(Spectrum, SlowBodiesHaveAMainFrequencyToo)
+{
+  const auto signal  = sampled(20000, 1e-5, [](const double t) {
+    return 1e-3 * std::sin(2. * pi * 269. * t) + 2e-4 * std::sin(2. * pi * 1100. * t);
+  });
+  const auto summary = summarize_spectrum(amplitude_spectrum(signal, 1e-5));
+  ASSERT_TRUE(summary);
+  EXPECT_NEAR(summary->main_frequency, 269., 0.1);
+  EXPECT_LT(summary->slow_amplitude, 1e-5);
 }
 
 TEST(Spectrum, NoiseHardlyMovesThePeak)

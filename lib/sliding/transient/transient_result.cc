@@ -11,7 +11,8 @@ namespace mesoslip
 {
 namespace
 {
-constexpr double spectrum_cut = 1e6; // Hz
+/** Hz; in a spectrum with frequencies above half of it, twice the highest one. */
+constexpr double least_spectrum_cut = 1e6;
 
 /**
  * Share by which the mean force on the flat may differ from the nominal load. While that
@@ -69,6 +70,9 @@ double largest(const std::vector<double> &values)
 
 /** Share of a spectrum's power near its highest frequency that makes it doubtful. */
 constexpr double doubtful_share = 0.01;
+
+/** Of a vibration, as a share of the displacement, below which it is none. */
+constexpr double rounding_noise = 1e-10;
 
 /** Means of steady sliding are above the coefficient by rounding and the last drift. */
 constexpr double tolerated_excess = 1e-3;
@@ -167,6 +171,14 @@ std::string spectrum_remark(const TransientResult &run)
       " kHz, the highest frequency that its samples can carry: faster motion shows up at "
       "lower frequencies, and the main frequency may be wrong; is the motion that of the "
       "grid, for want of Time/Rayleigh beta?");
+  if (run.frequencies &&
+      run.frequencies->slow_amplitude > run.frequencies->main_amplitude)
+    return brief_text(
+      3, "the reference node moves more at less than ",
+      1e-3 * run.spectrum.lowest_frequency(),
+      " kHz, of which the steady part has not two periods, than at the main frequency: "
+      "it drifts, or vibrates more slowly than a run of this length can tell; set "
+      "Time/End time or Observation/Steady from later");
   return "";
 }
 
@@ -241,10 +253,12 @@ void TransientResult::evaluate_reference_node()
   folded_share = share_near_limit(spectrum);
   // Beyond it what the means leave of a fast motion could pass for a slow one.
   if (hidden_share <= 0.5)
-    frequencies = summarize_spectrum(spectrum, 1e-15);
+    frequencies = summarize_spectrum(spectrum, rounding_noise * largest(ux));
   std::vector<double> &frequency = spectrum.frequency;
-  const auto cut = std::upper_bound(frequency.begin(), frequency.end(), spectrum_cut);
-  frequency.erase(cut, frequency.end());
+  const double highest =
+    std::max(least_spectrum_cut, frequencies ? 2. * frequencies->highest_frequency : 0.);
+  frequency.erase(std::upper_bound(frequency.begin(), frequency.end(), highest),
+                  frequency.end());
   spectrum.amplitude.resize(frequency.size());
   phase_diagram = mean_phase_diagram(ux, vx, series.interval,
                                      frequencies ? 1. / frequencies->main_frequency : 0.);

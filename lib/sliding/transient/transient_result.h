@@ -73,7 +73,8 @@ struct TransientResult
 
   /** Of the reference node, in words; empty without steps. */
   std::string regime = {};
-  Spectrum spectrum  = {}; ///< of the reference node's u_x, cut at 1 MHz
+  /** Of the reference node's u_x, cut at 1 MHz or twice the highest frequency. */
+  Spectrum spectrum = {};
   /** None without a peak, or when most of the motion is faster than the series. */
   std::optional<SpectralSummary> frequencies = {};
   double hidden_share = 0.; ///< of the variance of u_x that the series does not show

@@ -57,7 +57,7 @@ def highest_peak(run):
     u = np.hanning(len(u)) * (u - u.mean())
     spectrum = np.abs(np.fft.rfft(u, 8 * len(u)))
     frequency = np.fft.rfftfreq(8 * len(u), time[1] - time[0])
-    spectrum[frequency < 1e3] = 0
+    spectrum[frequency < 2 / (len(u) * (time[1] - time[0]))] = 0
     return frequency[spectrum.argmax()]
 
 
@@ -156,8 +156,39 @@ def check_energy(folder):
     assert none["energy_balance_residual"] is None and "nergy balance" not in none.log
 
 
+def check_scale(folder):
+    """A body twice as long and 2^14 times as soft vibrates 256 times as slowly, and all is as of the pin; no number is that of its size."""
+    growing = {"Time/End time": 1e-3, "Time/Time step": 5e-8, "Time/Rayleigh beta": 8.8e-8, "Friction/Regularization time": 1.5e-6}
+    steady = {**growing, "Time/End time": 4e-3, "Flat/Ramp time": 5e-4, "Top/Ramp time": 5e-4}
+    moduli = np.array([36.54e9, 9.1e9, 47.26e9, 13.785e9])
+    for settings in (steady, growing):
+        ramps, runs = {f"{of}/Ramp": "smooth" for of in ("Flat", "Top") if settings is steady}, []
+        for softer, time in ((1, 1), (2**14, 256)):
+            scaled = {key: value * time for key, value in settings.items()}
+            scaled.update({**ramps, "Body/Stiffness": ", ".join(repr(float(x)) for x in moduli / softer), "Top/Pressure": 5e6 / softer,
+                           "Body/Size": "0.056, 0.016" if time == 1 else "0.112, 0.032", "Flat/Velocity": 2. if time == 1 else 4. / time})
+            runs.append(Run(folder, scaled))
+        pin, soft = runs
+        close(soft["main_frequency"] * 256, pin["main_frequency"], 1e-9, "main frequency of a soft body")
+        close(soft["steady_from"] / 256, pin["steady_from"], 1e-9, "steady part of a soft body")
+        close(soft["global_interface_friction_coefficient"], pin["global_interface_friction_coefficient"], 1e-9, "mu_inter of a soft body")
+        assert soft["limit_cycle_reached"] == pin["limit_cycle_reached"] == (settings is steady)
+
+
+def check_slow_motion(folder):
+    """A motion of less than two periods in the steady part has no frequency; one that is larger than what has is told."""
+    gently = {"Flat/Ramp": "smooth", "Flat/Ramp time": 4e-4, "Time/Rayleigh beta": 8.8e-8, "Time/Time step": 5e-8, "Friction/Regularization time": 1.5e-6,
+              "Top/Expression": "5e6*(1 + 0.9*sin(2*pi*1500*t))*(1 - exp(-t/2e-4))"}
+    slow = Run(folder, {**gently, "Time/End time": 1e-3, "Observation/Steady from": 5e-4})
+    says(slow, "the reference node moves more at less than 4 kHz, of which the steady part has not two periods", "slow pressure")
+    assert slow["main_frequency"] > 4e3
+    longer = Run(folder, {**gently, "Time/End time": 4e-3, "Observation/Steady from": 2e-3})
+    assert "of which the steady part has not two periods" not in longer.log, longer.log
+    close(longer["main_frequency"], 1500, 0.02, "main frequency of a slow pressure")
+
+
 def main():
-    for check in (check_sampling, check_loads, check_periodic, check_energy):
+    for check in (check_sampling, check_loads, check_periodic, check_energy, check_scale, check_slow_motion):
         with tempfile.TemporaryDirectory() as folder:
             check(folder)
 
