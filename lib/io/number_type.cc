@@ -90,8 +90,8 @@ NumberType number_type(const std::string &name, const bool big_endian)
 void require_exact(const std::vector<double> &values, const std::string &path)
 {
   for (const double value : values)
-    if (!(std::fabs(value) <= 0x1p53))
-      throw UserError(path + " holds the number " + to_text(value) +
-                      ", which is too large; save it as uint8");
+    if (!(std::fabs(value) < 0x1p53))
+      throw UserError(path + " holds a whole number of 2^53 = " + to_text(0x1p53) +
+                      " or more, which is too large; save it as uint8");
 }
 } // namespace mesoslip

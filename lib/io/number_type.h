@@ -24,7 +24,7 @@ struct NumberType
 
   /**
    * @p n numbers that begin at @p bytes_of_file. @throws UserError beginning with @p path
-   * for a whole number beyond 2^53, which a double does not hold
+   * for a whole number from 2^53 on, some of which a double does not hold
    */
   std::vector<double>
   decode(const char *bytes_of_file, const std::size_t n, const std::string &path) const;
@@ -39,7 +39,7 @@ std::vector<std::string> number_type_names();
 /** The type of that name. */
 NumberType number_type(const std::string &name, const bool big_endian);
 
-/** @throws UserError beginning with @p path if one of @p values is beyond 2^53. */
+/** @throws UserError beginning with @p path if one of @p values is 2^53 or more. */
 void require_exact(const std::vector<double> &values, const std::string &path);
 } // namespace mesoslip
 

@@ -56,7 +56,7 @@ std::vector<double> values_of_voxel_phases(const MicrostructureParameters &p,
   const std::string n =
     found.size() > 256 ? "more than 256" : std::to_string(found.size());
   throw UserError(
-    p.file + " has " + n + " different values (" + to_text(some) +
+    p.file + " has " + n + " different value" + (found.size() == 1 ? "" : "s") + " (" + to_text(some) +
     (found.size() > some.size() ? ", ..." : "") + "), and Phases/Names has " +
     std::to_string(p.phases.size()) +
     "; name as many phases, or set Microstructure/Image values or Thresholds");

@@ -60,7 +60,8 @@ std::vector<T> Hdf5File::read_values(const Hdf5Handle &object,
   const auto kind = H5Tget_class(type);
   if (texts && kind != H5T_STRING)
     fail(text + " is not a text or a list of texts");
-  if (!texts && kind != H5T_INTEGER && kind != H5T_FLOAT)
+  // h5py saves truth values as an enumeration.
+  if (!texts && kind != H5T_INTEGER && kind != H5T_FLOAT && kind != H5T_ENUM)
     fail(text + " does not hold numbers");
   if (std::is_integral_v<T> && kind == H5T_FLOAT)
     fail(text + " does not hold whole numbers");
