@@ -6,6 +6,7 @@
 #include "exchange/mesh_datasets.h"
 #include "material/stiffness.h"
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -294,6 +295,46 @@ TEST(Brick, LargestFrequencyIsThatOfTheMesh)
   EXPECT_NEAR(a.lower, b.lower, 2e-3 * b.lower);
   EXPECT_LE(a.lower, box.op.frequency_bound());
   EXPECT_LE(a.upper, box.op.frequency_bound());
+}
+
+// Closed form of omega^2 rho h^2 of one cell with eighths of its mass at the corners: rigid
+// motions, constant strains, and those in which the strain of the middle vanishes.
+TEST(Brick, EigenvaluesOfTheCube)
+{
+  const double lambda = 1.7, mu = 0.9, rho = 2.1, h = 0.3;
+  const double E                           = mu * (3. * lambda + 2. * mu) / (lambda + mu),
+               nu                          = 0.5 * lambda / (lambda + mu);
+  const BrickBox box                       = {{{{1, 1, 1}}, {{h, h, h}}, {}}, {}};
+  const std::vector<std::uint8_t> one_cell = {0};
+  const BrickOperator op(divide_box(box, CellView(one_cell), 1, MPI_COMM_SELF),
+                         {{isotropic_stiffness<3>(E, nu), rho}}, MPI_COMM_SELF);
+  Eigen::Matrix<double, 24, 24> matrix;
+  NodalField<double> u(8, 1, 3), f(8, 1, 3);
+  for (int k = 0; k < 24; ++k)
+    {
+      u.set_zero();
+      u.row(k / 8, 0)[k % 8] = 1.;
+      op.multiply(f, u);
+      for (int l = 0; l < 24; ++l)
+        matrix(l, k) = f.row(l / 8, 0)[l % 8];
+    }
+  const Eigen::VectorXd found =
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues() * 8. / h;
+  std::vector<double> expected;
+  const auto add = [&](const int times, const double value) {
+    expected.insert(expected.end(), times, value);
+  };
+  add(6, 0.);
+  add(2, 4. * mu / 3.);
+  add(3, 4. * (lambda + 4. * mu) / 9.);
+  add(3, 4. * mu);
+  add(1, 16. * mu / 3.);
+  add(5, 8. * mu);
+  add(3, 4. * (2. * lambda + 3. * mu) / 3.);
+  add(1, 4. * (3. * lambda + 2. * mu));
+  std::sort(expected.begin(), expected.end());
+  for (int k = 0; k < 24; ++k)
+    EXPECT_NEAR(found[k], expected[k], 1e-13 * expected.back()) << k;
 }
 
 // 4 (3 lambda + 2 mu) / (rho h^2) is the largest eigenvalue of a cube that is one cell.

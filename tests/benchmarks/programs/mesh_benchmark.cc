@@ -104,7 +104,7 @@ void run_kind(const std::string &name, const unsigned int n, const Cells &cells)
     for (std::size_t k = 0; k < turns.size(); ++k)
       seconds[k].push_back(measure(turns[k], 1)[0] / steps);
 
-  const MeshPart<dim> &part = all.op.part;
+  const MeshPart<dim> &part = all.part;
   std::size_t n_sent        = 0;
   for (const auto &neighbour : part.neighbours)
     n_sent += neighbour.points.size();

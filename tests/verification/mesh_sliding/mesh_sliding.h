@@ -156,23 +156,23 @@ private:
 
 /** Such a body, its fields from functions and as a whole. */
 template <int dim>
-class MeshRun
+class MeshRun : BodyParts<dim>
 {
 public:
   MeshRun(const MeshCase<dim> &c, const MPI_Comm communicator)
-    : n_points(c.mesh.points.size())
-    , held(c.held)
-    , part(distribute(
-        c.mesh,
-        partition_cells(c.mesh, dealii::Utilities::MPI::n_mpi_processes(communicator)),
-        communicator))
-    , op(part, c.phases, communicator)
-    , contact(c.side(2 * (dim - 1)))
-    , body(op, contact, c.side(2 * dim - 1), c.held, completed(c))
+    : BodyParts<dim>(c, communicator)
+    , part(this->distributed->part())
+    , points(c.mesh.points)
+    , body(*this->distributed,
+           this->contact_boundary,
+           this->top_boundary,
+           this->held,
+           completed(c.friction))
   {
   }
 
-  /** What is held does not move at the start either. */
+  /** What is held does not move at the start either; points that move together begin with
+   * the same bits, on whichever rank they are. */
   void set_w(const std::function<double(const dealii::Point<dim> &, unsigned int)> &f)
   {
     for (unsigned int c = 0; c < dim; ++c)
@@ -181,8 +181,9 @@ public:
           const auto is_here = [&](const HeldComponent &h) {
             return h.point == part.original_in_mesh[i] && h.component == c;
           };
-          const bool held_here = std::any_of(held.begin(), held.end(), is_here);
-          body.w.row(c, 0)[i]  = held_here ? 0. : f(part.points[i], c);
+          const bool held_here =
+            std::any_of(this->held.begin(), this->held.end(), is_here);
+          body.w.row(c, 0)[i] = held_here ? 0. : f(points[part.original_in_mesh[i]], c);
         }
   }
 
@@ -198,32 +199,25 @@ public:
   /** [point of the mesh][component], on all ranks. */
   std::vector<double> whole(const NodalField<double> &field) const
   {
-    std::vector<double> own(n_points * dim), all(n_points * dim);
+    std::vector<double> own(points.size() * dim), all(points.size() * dim);
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int i = 0; i < part.n_owned; ++i)
         own[std::size_t(part.point_in_mesh[i]) * dim + c] = field.row(c, 0)[i];
-    dealii::Utilities::MPI::sum(own, op.communicator, all);
+    dealii::Utilities::MPI::sum(own, this->distributed->communicator(), all);
     return all;
   }
 
-private:
-  const std::size_t n_points;
-  const std::vector<HeldComponent> held;
-  const MeshPart<dim> part;
-
-public:
-  const MeshOperator<dim> op;
+  const MeshPart<dim> &part; ///< of this rank
 
 private:
-  const MeshBoundary contact;
+  const std::vector<dealii::Point<dim>> points;
 
-  SlidingSetup completed(const MeshCase<dim> &c) const
+  SlidingSetup completed(const double friction) const
   {
-    SlidingSetup s = c.setup;
-    s.contact.friction_coefficient.assign(contact.points.size(), c.friction);
+    SlidingSetup s = this->with_friction(friction);
     if (!(s.step.dt > 0.))
-      s.step.dt =
-        0.95 * critical_time_step(largest_frequency(op).upper, s.step.beta2, s.step.beta);
+      s.step.dt = 0.95 * critical_time_step(this->distributed->largest_frequency().upper,
+                                            s.step.beta2, s.step.beta);
     return s;
   }
 
