@@ -12,6 +12,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 namespace mesoslip
 {
@@ -207,7 +208,7 @@ FrequencyEstimate largest_frequency(const UniformMaterial &material,
   StartNumbers random;
   for (double &value : start)
     value = random();
-  return iterate({apply, element_frequency_bound(free)}, start, tolerance,
+  return iterate({apply, element_frequency_bound(free)}, std::move(start), tolerance,
                  max_iterations);
 }
 

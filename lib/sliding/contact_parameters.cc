@@ -213,8 +213,8 @@ void bind_loads(Keys &keys, ContactParameters &p)
   keys.bind("Lateral held", p.top.lateral_held,
             "Keep u_x = 0 on the top also under Kind = pressure, as under a platen");
   keys.bind("Platen mass", p.top.platen_mass, Range::non_negative(),
-            "Mass of the platen per unit thickness, which moves with the top; "
-            "Body/Acceleration does not act on it [kg/m]");
+            "Mass of the platen, which moves with the top, in 2D per unit thickness; "
+            "Body/Acceleration does not act on it [kg/m, in 3D kg]");
   keys.bind_or_auto("Hold from", hold_from, Range::non_negative(),
                     "Time from which on the top stays where it is; auto: never [s]");
   if (!std::isnan(hold_from))

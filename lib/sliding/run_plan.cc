@@ -208,10 +208,10 @@ std::string damping_warning(const ContactParameters &parameters,
 
 ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid)
 {
-  // In floating point, as too many nodes for a machine are a number, too.
-  // Displacement and increment; the static solvers as measured with the multigrid.
+  // In floating point, as too many nodes for a machine are a number, too. As measured:
+  // what finds the largest frequency, or with energies the run; the multigrid.
   const bool stepping = analysis == ContactAnalysis::transient;
-  return {(stepping ? 33. : 330.) * (grid.cells[0] + 1.) * (grid.cells[1] + 1.),
+  return {(stepping ? 160. : 330.) * (grid.cells[0] + 1.) * (grid.cells[1] + 1.),
           "reduce Body/Cells"};
 }
 
@@ -232,8 +232,9 @@ std::string likely_cause(const ContactParameters &parameters, const BodyScales &
     std::begin(loads), std::end(loads),
     [](const LoadEstimate &a, const LoadEstimate &b) { return a.strain < b.strain; });
   if (!(worst.strain > 0.1 * largest_small_strain))
-    return "a body that is thrown or turns freely, as its loads alone strain it little; "
-           "hold it, or shorten the run";
+    return "the motion of the body, as its loads alone strain it little: it is thrown, "
+           "turns freely, or is dragged along by the flat; hold it, lower the friction, "
+           "or shorten the run";
   return std::string(worst.key) + " = " + quantity_text(worst.value, worst.unit) +
          ", which alone strains the body by about " +
          quantity_text(100. * worst.strain, "%") + "; reduce it, or check its unit";

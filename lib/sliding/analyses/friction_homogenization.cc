@@ -27,7 +27,8 @@ std::optional<double> calibrated_delta(const FrictionHomogenizationInput &input,
                                        const double duration)
 {
   if (!input.homogeneous || !input.homogeneous->regularization_time ||
-      !input.homogeneous->friction_coefficient || !(input.homogeneous->mu_inter > 0.))
+      !if_positive(input.homogeneous->friction_coefficient) ||
+      !(input.homogeneous->mu_inter > 0.))
     return std::nullopt;
   const FrictionRun &run = *input.homogeneous;
   const double predicted = mean_friction_coefficient(*run.friction_coefficient,
@@ -45,7 +46,8 @@ nlohmann::json run_json(const FrictionRun &run)
     {"mean_contact_duration_warning", text_or_null(run.duration_warning)},
     {"regularization_time", run.regularization_time},
     {"friction_coefficient", run.friction_coefficient}};
-  if (run.contact_duration && run.regularization_time && run.friction_coefficient)
+  if (run.contact_duration && run.regularization_time &&
+      if_positive(run.friction_coefficient))
     json["eq_13"] = mean_friction_coefficient(
       *run.friction_coefficient, *run.regularization_time, *run.contact_duration);
   return json;
@@ -115,7 +117,7 @@ void log_estimates(const FrictionHomogenizationInput &input,
       4, "  pressures by ", e.pressures, ", T_G of the ", e.duration, " run (",
       1e9 * e.contact_duration, " ns): mu_homo = ", e.mu_homo, ", delta = ",
       e.delta ? quantity_text(1e9 * *e.delta, "ns")
-              : "none, mu_inter is not below mu_homo",
+              : "none, mu_inter is not between 0 and mu_homo",
       e.calibrated ? " (calibrated: " + quantity_text(1e9 * *e.calibrated, "ns") + ")"
                    : ""));
 }
@@ -196,20 +198,27 @@ chosen_estimate(const std::vector<FrictionEstimate> &estimates,
       return parameters.pressures == "auto" || parameters.pressures == e.pressures;
     });
   if (chosen == estimates.end())
-    throw UserError("Friction homogenization/Pressures from is " + parameters.pressures +
-                    ", but Static contact is empty; name the folder of such an analysis");
-  if (parameters.calibrate ? !chosen->calibrated : !chosen->delta)
     throw UserError(
-      "Friction homogenization: " +
-      (input.heterogeneous.mu_inter < chosen->mu_homo
-         ? "Calibrate is true, but that needs a Homogeneous run with one coefficient, a "
-           "constant regularization time, known T_G, and a calibrated mu_inter below " +
-             to_text(chosen->mu_homo)
-         : "mu_inter = " + to_text(input.heterogeneous.mu_inter) + " of " +
-             input.heterogeneous.folder +
-             " is not below mu_homo = " + to_text(chosen->mu_homo) +
-             ", so eq. (13) has no regularization time; check that the run slid steadily "
-             "or choose other Pressures from"));
+      "Friction homogenization/Pressures from is " + parameters.pressures +
+      (parameters.static_contact.empty()
+         ? ", but Static contact is empty; name the folder of such an analysis"
+         : ", but the Static contact has other contact nodes than the "
+           "heterogeneous run; run both with the same Body/Cells"));
+  if (parameters.calibrate && !chosen->calibrated)
+    throw UserError(
+      "Friction homogenization/Calibrate is true, but that needs a Homogeneous run with "
+      "one positive coefficient, a constant regularization time, known T_G, and a "
+      "calibrated mu_inter below " +
+      to_text(chosen->mu_homo));
+  if (!parameters.calibrate && !chosen->delta)
+    throw UserError(
+      "Friction homogenization: mu_inter = " + to_text(input.heterogeneous.mu_inter) +
+      " of " + input.heterogeneous.folder +
+      (input.heterogeneous.mu_inter > 0.
+         ? " is not below mu_homo = " + to_text(chosen->mu_homo)
+         : std::string(" is not positive")) +
+      ", so eq. (13) has no regularization time; check that the run slid steadily or "
+      "choose other Pressures from");
   return *chosen;
 }
 

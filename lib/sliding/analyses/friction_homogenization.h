@@ -42,6 +42,12 @@ private:
   nlohmann::json json;
 };
 
+/** The number if it is positive, or nothing. */
+inline std::optional<double> if_positive(const std::optional<double> &value)
+{
+  return value && *value > 0. ? value : std::nullopt;
+}
+
 /** A transient run as far as eq. (13) is concerned. */
 struct FrictionRun
 {

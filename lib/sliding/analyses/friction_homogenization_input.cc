@@ -24,12 +24,6 @@ std::string folder_of(const std::string &given)
            : given;
 }
 
-/** Positive, or nothing. */
-std::optional<double> if_positive(const std::optional<double> &value)
-{
-  return value && *value > 0. ? value : std::nullopt;
-}
-
 DynamicsFile open_dynamics(const RunSummary &summary)
 {
   return DynamicsFile::open(summary.file("dynamics.h5"),
@@ -73,12 +67,34 @@ FrictionRun read_run(const RunSummary &summary,
   return run;
 }
 
+/** In what loads and supports of a state at rest differ from those of a run, which may move
+ * the flat faster or slower, and begin as it likes. */
+std::string differences_at_rest(RunConditions at_rest, RunConditions run)
+{
+  const auto velocity = number_of(at_rest, "velocity"),
+             of_run   = number_of(run, "velocity");
+  const bool one_way  = velocity && of_run && (*velocity < 0.) == (*of_run < 0.);
+  for (RunConditions *of : {&at_rest, &run})
+    for (const std::string name :
+         {"analysis", "platen_mass", "hold_from", "pressure_history", "velocity_history",
+          "pressure_ramp_time", "velocity_ramp_time", "initial_velocity_x",
+          "initial_velocity_y", "velocity"})
+      if (name != "velocity" || one_way)
+        of->erase(name);
+  return differences_text(condition_differences(at_rest, run), true);
+}
+
 FrictionRun read_homogeneous(const std::string &folder,
                              const FrictionRun &heterogeneous,
                              std::vector<std::string> &warnings)
 {
   const RunSummary summary(section + "Homogeneous run", folder);
-  const FrictionRun run   = read_run(summary, open_dynamics(summary), warnings);
+  const FrictionRun run = read_run(summary, open_dynamics(summary), warnings);
+  if (const auto material = run.conditions.find("material");
+      material != run.conditions.end() &&
+      std::get<std::string>(material->second) == "heterogeneous")
+    throw UserError(summary.key + ": the body of " + run.folder +
+                    " is heterogeneous; name a run with Body/Material = homogeneous");
   const std::string loads = differences_text(
     condition_differences(run.conditions, heterogeneous.conditions), true);
   if (!loads.empty())
@@ -166,10 +182,26 @@ void read_static_contact(const std::string &folder,
                         name + ", which is in contact in the heterogeneous run");
       input.static_pressures.push_back(*found);
     }
-  const auto pressure = open_dynamics(summary).read<double>(
-    "/static_contact/pressure", {any_extent}, "run the static contact analysis again");
+  const DynamicsFile file = open_dynamics(summary);
+  if (file.conditions)
+    if (const std::string loads =
+          differences_at_rest(*file.conditions, input.heterogeneous.conditions);
+        !loads.empty())
+      input.warnings.push_back(
+        key + ": " + folder + " and " + input.heterogeneous.folder +
+        " were made under different conditions (" + loads +
+        "), and the pressures of phases and nodes are those of the former");
+  const auto pressure = file.read<double>("/static_contact/pressure", {any_extent},
+                                          "run the static contact analysis again");
   if (pressure.size() == body.node_friction.size())
     input.static_mu_of_nodes = coefficient_of_nodes(body.node_friction, pressure);
+  else
+    input.warnings.push_back(
+      key + ": " + folder + " has " + std::to_string(pressure.size()) +
+      " contact nodes and " + input.heterogeneous.folder + " " +
+      std::to_string(body.node_friction.size()) +
+      ", so there is no estimate by the pressures of nodes; run both with the same "
+      "Body/Cells");
 }
 } // namespace
 
@@ -236,6 +268,9 @@ read_friction_homogenization(const FrictionHomogenizationParameters &parameters,
                     "run of the heterogeneous body");
   FrictionHomogenizationInput input;
   const RunSummary summary(section + "Heterogeneous run", parameters.heterogeneous_run);
+  if (summary.find_number("dim").value_or(2.) != 2.)
+    throw UserError(summary.key + ": " + summary.folder +
+                    " is a run in 3D, but friction is homogenized of plane grids only");
   const DynamicsFile file = open_dynamics(summary);
   input.heterogeneous     = read_run(summary, file, input.warnings);
   if (!parameters.homogeneous_run.empty())

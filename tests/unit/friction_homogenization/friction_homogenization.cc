@@ -59,6 +59,9 @@ protected:
     static_contact                       = {{"analysis", "static contact"},
                                             {"rve_digest", "abc"},
                                             {"phase_contact_pressures", {{"matrix", 0.33e6}, {"fibre", 2e6}}}};
+    at_rest                              = under_het;
+    at_rest["analysis"]                  = "static contact";
+    at_rest["velocity"]                  = 1e-3;
     write_rve("abc");
     write_static_contact();
   }
@@ -87,6 +90,7 @@ protected:
     std::vector<double> pressure(11, 1e5);
     pressure[2]       = 3e5;
     DynamicsFile file = DynamicsFile::create(folder / "sca/dynamics.h5", body);
+    write_run_conditions(file, at_rest);
     write_series(file, "/static_contact", {{"pressure", "Pa", &pressure}});
     file.close();
   }
@@ -114,7 +118,7 @@ protected:
   TemporaryFolder folder;
   BodyDescription body;
   nlohmann::json heterogeneous, homogeneous, static_contact;
-  RunConditions under_het, under_hom;
+  RunConditions under_het, under_hom, at_rest;
   FrictionHomogenizationParameters parameters;
 };
 
@@ -274,6 +278,24 @@ TEST_F(FrictionHomogenization, WhatIsMissingIsNamed)
   parameters.homogeneous_run.clear();
   parameters.heterogeneous_run.clear();
   expect_contains(reading_error(), "Heterogeneous run is empty");
+}
+
+TEST_F(FrictionHomogenization, AStaticContactUnderOtherLoadsIsTold)
+{
+  EXPECT_TRUE(read().warnings.empty());
+  at_rest["velocity"] = -1e-3;
+  at_rest["pressure"] = 6e5;
+  write_static_contact();
+  const auto warnings = read().warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  expect_contains(warnings[0], "pressure is 600000 Pa and 500000 Pa");
+  expect_contains(warnings[0], "velocity is -0.001 m/s and 2 m/s");
+}
+
+TEST_F(FrictionHomogenization, TheHomogeneousRunHasToBeThat)
+{
+  under_hom["material"] = "heterogeneous";
+  expect_contains(reading_error(), "is heterogeneous; name a run with");
 }
 
 TEST_F(FrictionHomogenization, WarnsWhenContactDurationsRestOnFewNodes)
