@@ -1,4 +1,4 @@
-"""Homogenization, a contact run and modes of one distorted mesh in 3D on 1, 2, 4 and 8 ranks: every number that they leave in HDF5."""
+"""Homogenization, contact runs, statics and modes of one distorted mesh in 3D on 1, 2, 4 and 8 ranks: every number that they leave in HDF5."""
 
 import os
 import tempfile
@@ -18,11 +18,13 @@ BODY = "set Dimension = 3\n" + prm({
 SKIPPED = ("/summary", "residual", "iterations")
 
 PROGRAMS = {
-    "volume": ("rve_homogenization", {"Homogenization/Boundary conditions": "KUBC, PBC", "Homogenization/Tolerance": 1e-11}),
+    "volume": ("rve_homogenization", {"Homogenization/Boundary conditions": "KUBC, SUBC, PBC", "Homogenization/Tolerance": 1e-11}),
     "contact": ("contact_dynamics", {
         "Flat/Velocity": 2, "Flat/Gap": 1e-7, "Top/Kind": "pressure", "Top/Pressure": 5e6, "Friction/Coefficient": 0.4,
         "Body/Initial velocity": "0.5, 1, -1", "Time/Rayleigh beta": 1e-8, "Time/End time": 6e-5, "Snapshots/Interval": 1e-5,
         "Observation/History interval": 1, "Observation/Energy interval": 1}),
+    "statics": ("contact_dynamics", {
+        "Analysis": "static contact", "Flat/Velocity": 2, "Top/Pressure": 5e6, "Friction/Coefficient": 0.4, "Static contact/Tolerance": 1e-11}),
     "modes": ("contact_dynamics", {"Analysis": "modal", "Modal/Number of modes": 3, "Modal/Tolerance": 1e-11, "Modal/Bottom": "held in z", "Top/Kind": "platen"})}
 
 

@@ -51,6 +51,34 @@ def check_shapes(folder):
         assert np.argmax(moduli) == axis, moduli
 
 
+def check_bounds(folder):
+    """Hill-Mandel, SUBC <= PBC <= KUBC between Reuss and Voigt, and a cubic array of spheres within the bounds of Hashin and Shtrikman."""
+    run(folder, settings_of({"Homogenization/Boundary conditions": "KUBC, SUBC, PBC"}), "volume")
+    summary = folder.summary("volume")
+    D, bounds = {name: np.array(summary["stiffness"][name]) for name in ("KUBC", "SUBC", "PBC")}, summary["bounds"]
+    ascending = [np.array(bounds["reuss"]), D["SUBC"], D["PBC"], D["KUBC"], np.array(bounds["voigt"])]
+    assert all(np.linalg.eigvalsh(upper - lower).min() > 0 for lower, upper in zip(ascending, ascending[1:])), ascending
+    assert max(summary["hill_mandel_residual"].values()) < 1e-8, summary["hill_mandel_residual"]
+
+    n, K, G = 16, np.array([3e9, 70e9]) / 1.2, np.array([3e9, 70e9]) / 2.6  # nu = 0.3
+    middle = np.indices((n, n, n)) - (n - 1) / 2
+    np.save(folder("spheres.npy"), (np.sum(middle**2, axis=0) < 36).astype("u1"))
+    for swapped in (False, True):
+        run(folder, {"Dimension": 3, "Grid/Cells": f"{n}, {n}, {n}", "Grid/Spacing": 1e-3, "Phases/Names": "a, b", "Microstructure/Type": "voxels",
+                     "Microstructure/File": "spheres.npy", **{f"Phases/{p}/Young modulus": 70e9 if (p == "b") != swapped else 3e9 for p in "ab"},
+                     **{f"Phases/{p}/Poisson ratio": 0.3 for p in "ab"}, "Homogenization/Boundary conditions": "PBC",
+                     "Homogenization/Effective": "PBC", "Homogenization/Tolerance": 1e-10}, "array")
+        summary, stiffer = folder.summary("array"), 0 if swapped else 1
+        fractions = [phase["volume_fraction"] for phase in summary["phases"]]
+        c = np.array([fractions[1 - stiffer], fractions[stiffer]])  # of the soft phase and of the stiff one
+        lower, upper = (1 / (c / (K + 4 / 3 * g)).sum() - 4 / 3 * g for g in G)
+        found = np.array(summary["stiffness"]["PBC"])[:3, :3].mean()
+        for name, due in (("hashin_shtrikman_lower", lower), ("hashin_shtrikman_upper", upper)):
+            assert abs(np.array(summary["bounds"][name])[:3, :3].mean() / due - 1) < 1e-12, (name, due)
+        print(f"cubic array, bulk modulus {found / 1e9:.3f} GPa between {lower / 1e9:.3f} and {upper / 1e9:.3f}")
+        assert lower < found < upper and abs(found / (upper if swapped else lower) - 1) < 0.05, (lower, found, upper)
+
+
 def check_ensemble(folder):
     n, confidence = 4, 0.9
     found = []
@@ -133,7 +161,7 @@ def check_refusals(folder):
 
 def main():
     with tempfile.TemporaryDirectory() as path:
-        for check in (check_refusals, check_orientation, check_shapes, check_ensemble):
+        for check in (check_refusals, check_orientation, check_shapes, check_bounds, check_ensemble):
             check(Folder(path))
 
 
