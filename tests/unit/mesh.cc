@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <optional>
 
 using namespace mesoslip;
 
@@ -166,6 +167,35 @@ TEST(Mesh, AllFormatsOfGmshGiveTheSame)
           EXPECT_EQ(with_corners[4] > 0, kind != "triangles");
           EXPECT_GT(quality.worst_jacobian, 0.2);
         }
+}
+
+TEST(Mesh, AllFormatsOfGmshGiveTheSameSolid)
+{
+  for (const std::string kind : {"tetrahedra", "hexahedra"})
+    {
+      std::optional<Mesh<3>> first;
+      for (const double version : {4.1, 2.2})
+        for (const bool binary : {false, true})
+          {
+            SCOPED_TRACE(kind + " " + std::to_string(version) + " " +
+                         std::to_string(binary));
+            generate(3, kind, 0.4, version, binary);
+            const Mesh<3> mesh = read_gmsh<3>(file, 1e-3);
+            if (!first)
+              first = mesh;
+            ASSERT_EQ(mesh.phases, (std::vector<std::string>{"matrix", "fibre"}));
+            ASSERT_EQ(mesh.boundaries, first->boundaries);
+            ASSERT_EQ(mesh.points.size(), first->points.size());
+            ASSERT_EQ(mesh.cells.size(), first->cells.size());
+            ASSERT_EQ(mesh.faces.size(), first->faces.size());
+            EXPECT_EQ(mesh.cells[0].vertices.size(), kind == "tetrahedra" ? 4u : 8u);
+            const MeshQuality<3> a = cell_quality(mesh), b = cell_quality(*first);
+            EXPECT_NEAR(a.volume[0] + a.volume[1], 1e-9, 1e-20);
+            for (unsigned int p = 0; p < 2; ++p)
+              EXPECT_NEAR(a.volume[p], b.volume[p], 1e-12 * b.volume[p]);
+            EXPECT_NEAR(a.worst_jacobian, b.worst_jacobian, 1e-9);
+          }
+    }
 }
 
 template <int dim>
