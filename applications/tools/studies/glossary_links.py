@@ -8,6 +8,7 @@ import os
 import re
 import sys
 
+DOC = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "doc")
 # Words as pages write them: anchor in the glossary.
 TERMS = {
     r"KUBC": "kubc", r"SUBC": "subc", r"PBC": "pbc", r"MUBC": "mubc", r"T_G": "t_g", r"[Pp]laten": "platen", r"[Ll]imit cycles?": "limit-cycle",
@@ -47,13 +48,18 @@ def broken(text, place, width):
     return text if at < 0 else text[:begin] + line[:at] + "\n" + indent + line[at + 1:] + text[end:]
 
 
+def to_glossary(page):
+    """The path from the folder of a page to doc/, as links begin with it."""
+    path = os.path.relpath(DOC, os.path.dirname(os.path.abspath(page)))
+    return "" if path == "." else path + "/"
+
+
 def main():
     for page in sys.argv[1:]:
         with open(page, encoding="utf-8") as file:
             text = file.read()
-        up = "../" * (len(os.path.relpath(page, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "doc")).split(os.sep)) - 1)
         with open(page, "w", encoding="utf-8") as file:
-            file.write(with_links(text, up))
+            file.write(with_links(text, to_glossary(page)))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Every relative link of a tracked .md file leads to a tracked file or folder, and every anchor to a heading."""
+"""Every relative link of a tracked .md file leads to a tracked file or folder, and every anchor to a heading. Pages written by hand link
+terms to the glossary at first use, and their lines have at most 120 characters."""
 
 import os
 import re
@@ -9,8 +10,13 @@ import urllib.parse
 
 from scenes import TOP, Folder
 
+sys.path.insert(0, os.path.join(TOP, "applications", "tools", "studies"))
+from glossary_links import to_glossary, with_links  # noqa: E402
+
 LINK = re.compile(r"!?\[[^\]]*\]\(\s*<?([^)>\s]+)>?(?:\s+\"[^\"]*\")?\s*\)|^\[[^\]]+\]:\s*(\S+)", re.MULTILINE)
 HTML_LINK = re.compile(r"<(?:a|img)\b[^>]*?\b(?:href|src)=\"([^\"]+)\"")
+MADE = ("doc/paper/", "doc/performance/", "doc/stability/", "doc/complex_modes/")  # by programs
+REFERENCE = ("doc/glossary.md", "doc/file_formats.md", "doc/extending.md", "doc/parameters/README.md")
 CODE = re.compile(r"^(```|~~~).*?^\1|^(?: {4}|\t).*?$|`[^`\n]+`", re.MULTILINE | re.DOTALL)
 
 
@@ -65,6 +71,23 @@ def parents(path):
         yield path
 
 
+def long_lines(name, text):
+    """Lines of prose beyond 120 characters, targets of links not counted."""
+    plain = re.sub(r"^```.*?^```", lambda code: "\n" * code[0].count("\n"), text, flags=re.MULTILINE | re.DOTALL)
+    for number, line in enumerate(plain.split("\n"), 1):
+        if len(re.sub(r"\]\([^)]*\)", "]", line)) > 120 and not re.match(r"\||    |!\[|<|#", line):
+            yield f"{name}:{number}: the line has more than 120 characters"
+
+
+def missing_terms(name, text):
+    """Terms of the glossary that a page uses without a link."""
+    linked = with_links(text, to_glossary(os.path.join(TOP, name)))
+    if linked != text:
+        known = set(re.findall(r"glossary\.md#([\w-]+)", text))
+        new = [anchor for anchor in re.findall(r"glossary\.md#([\w-]+)", linked) if anchor not in known]
+        yield f"{name}: no link to the glossary at the first use of {', '.join(new)}; applications/tools/studies/glossary_links.py adds it"
+
+
 def check_itself():
     """The check finds what it is made for."""
     texts = {"doc/a.md": "# Two words: one\n[x](b.md#here) [y](#two-words-one) ![z](gone.png) `[n](no.md)` [o](https://x.y)\n[f](..)\n",
@@ -78,6 +101,11 @@ def main():
     files = tracked()
     texts = {name: Folder(TOP).read(name).decode() for name in files if name.endswith(".md") and os.path.exists(os.path.join(TOP, name))}
     found = list(problems(files, texts))
+    for name, text in texts.items():
+        if not name.startswith(MADE):
+            found += long_lines(name, text)
+        if name.startswith(("README", "doc/")) and name not in REFERENCE and not name.startswith(MADE):
+            found += missing_terms(name, text)
     print("\n".join(found) or f"{len(texts)} files: {sum(len(links(t)) for t in texts.values())} links, all valid")
     sys.exit(1 if found else 0)
 
