@@ -104,8 +104,8 @@ void require_phases(const std::set<int> &found,
     throw UserError(source + ": the image has " + std::to_string(found.size()) +
                     " different values, and " + value_text(image, *stray) +
                     " belongs to no phase; use an image without smoothed edges, "
-                    "segmented if it is a photograph, or add what is missing to "
-                    "Microstructure/Image values");
+                    "segmented if it is a photograph, set Microstructure/Thresholds, or "
+                    "add what is missing to Image values");
   std::string listed;
   for (const int value : found)
     listed += (listed.empty() ? "" : ", ") + value_text(image, value);
@@ -132,8 +132,9 @@ std::vector<long> values_of_phases(const Image &image,
                               " and there are " + std::to_string(reading.n_phases) +
                               " phases; ";
   if (found.size() > reading.n_phases)
-    throw UserError(numbers + "name more phases, or use an image without smoothed "
-                              "edges, segmented if it is a photograph");
+    throw UserError(numbers + "name more phases, use an image without smoothed edges, "
+                              "segmented if it is a photograph, or set "
+                              "Microstructure/Thresholds");
   if (found.size() < reading.n_phases)
     throw UserError(
       numbers +
@@ -143,6 +144,24 @@ std::vector<long> values_of_phases(const Image &image,
       (found.size() > 1 ? " to " + value_text(image, *found.rbegin()) : "") +
       "), or name fewer phases");
   return {found.begin(), found.end()};
+}
+
+/** What the phases are in the image; pixels are not counted yet. */
+std::vector<ImagePhase> named_phases(const Image &image,
+                                     const std::vector<long> &values,
+                                     const std::vector<double> &thresholds)
+{
+  std::vector<ImagePhase> phases;
+  for (const long value : values)
+    phases.push_back({value_text(image, value), 0, 0.});
+  for (std::size_t p = 0; !thresholds.empty() && p <= thresholds.size(); ++p)
+    phases.push_back(
+      {p == 0 ? "below " + to_text(thresholds[0])
+       : p == thresholds.size()
+         ? "from " + to_text(thresholds[p - 1]) + " on"
+         : "from " + to_text(thresholds[p - 1]) + " to below " + to_text(thresholds[p]),
+       0, 0.});
+  return phases;
 }
 
 /**
@@ -192,27 +211,37 @@ ImageMap map_from_image(const UniformGrid<2> &grid,
   const Ratio ratio = ratio_of(grid, image, source);
   if (!reading.oblong_pixels)
     require_square_pixels(grid, image, source);
-  const std::vector<long> values = values_of_phases(image, reading, source);
+  const std::vector<double> &thresholds = reading.thresholds;
+  if (!thresholds.empty() && image.coloured)
+    throw UserError(source +
+                    ": the image has colours, and Microstructure/Thresholds are for grey "
+                    "values; set Image values, or save it as grey");
+  std::vector<long> values;
+  if (thresholds.empty())
+    values = values_of_phases(image, reading, source);
 
   ImageMap result;
   result.map.grid = grid;
   result.pixels   = {{image.width, image.height}};
+  result.phases   = named_phases(image, values, thresholds);
   std::map<long, std::uint8_t> phase_of;
   for (std::size_t p = 0; p < values.size(); ++p)
-    {
-      phase_of[values[p]] = static_cast<std::uint8_t>(p);
-      result.phases.push_back({value_text(image, values[p]), 0, 0.});
-    }
+    phase_of[values[p]] = static_cast<std::uint8_t>(p);
   std::vector<std::uint8_t> phase(image.values.size());
   for (std::size_t i = 0; i < phase.size(); ++i)
     {
-      phase[i] = phase_of.at(image.values[i]);
+      phase[i] =
+        thresholds.empty()
+          ? phase_of.at(image.values[i])
+          : static_cast<std::uint8_t>(
+              std::upper_bound(thresholds.begin(), thresholds.end(), image.values[i]) -
+              thresholds.begin());
       ++result.phases[phase[i]].n_pixels;
     }
   for (ImagePhase &p : result.phases)
     p.fraction = static_cast<double>(p.n_pixels) / static_cast<double>(phase.size());
 
-  result.map.id = phases_of_cells(grid, ratio, phase, image.width, values.size());
+  result.map.id = phases_of_cells(grid, ratio, phase, image.width, result.phases.size());
   return result;
 }
 } // namespace mesoslip

@@ -17,13 +17,17 @@ struct ImageReading
   std::vector<long> values;
   unsigned int n_phases = 0;     ///< of `Phases/Names`
   bool oblong_pixels    = false; ///< pixels need not be squares in the body
+
+  /** Instead of values, ascending: phase p begins at `thresholds[p - 1]`. */
+  std::vector<double> thresholds = {};
 };
 
 /** What one phase is in an image. */
 struct ImagePhase
 {
-  std::string value;         ///< for messages: "200", or of colours "#ff0000 (16711680)"
-  std::size_t n_pixels = 0;  ///< number of pixels of this value
+  /** For messages: "200", "below 90"; of colours "#ff0000 (16711680)". */
+  std::string value;
+  std::size_t n_pixels = 0;  ///< number of its pixels
   double fraction      = 0.; ///< share of all pixels
 };
 
@@ -48,8 +52,8 @@ struct ImageMap
  *
  * Throws UserError, beginning with @p source, when sizes do not fit, when pixels are
  * oblong by more than 1 % and should not be, and when it is not clear which value is
- * which phase: a value belongs to no phase or, without `values`, there are not as many
- * values as phases.
+ * which phase: a value belongs to no phase, there are thresholds for colours or, without
+ * `values` and `thresholds`, there are not as many values as phases.
  */
 ImageMap map_from_image(const UniformGrid<2> &grid,
                         const Image &image,

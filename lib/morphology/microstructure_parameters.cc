@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -109,6 +110,10 @@ void check_image_values(const MicrostructureParameters &p)
                     std::to_string(distinct.size()) + " different values for " +
                     std::to_string(p.phases.size()) +
                     " phases; give one value for each of Phases/Names");
+  if (const std::size_t n = p.image.thresholds.size(); n > 0 && n + 1 != p.phases.size())
+    throw UserError("Microstructure/Thresholds: there are " + std::to_string(n) +
+                    " for " + std::to_string(p.phases.size()) +
+                    " phases; give one less than Phases/Names");
 }
 } // namespace
 
@@ -146,6 +151,19 @@ void MicrostructureParameters::bind(Keys &keys, const unsigned int dimension)
     "the values that occur, in ascending order, if there are as many as "
     "phases [-]",
     0, std::numeric_limits<std::size_t>::max());
+  keys.bind_list(
+    "Thresholds", image.thresholds, Range::any(),
+    "Image, voxels: instead of Image values, numbers in ascending order, one less "
+    "than phases: values below the first are the first of Phases/Names, those "
+    "from a number on the next phase. For grey values and numbers with "
+    "fractions. Empty: none [-]",
+    0, 255);
+  keys.only_if(image.thresholds.empty(), {"Image values"},
+               "Microstructure/Thresholds is given", "leave that one empty");
+  keys.require(std::is_sorted(image.thresholds.begin(), image.thresholds.end(),
+                              std::less_equal<double>()),
+               "Thresholds",
+               to_text(image.thresholds) + " is not in ascending order; sort them");
   keys.bind("Oblong pixels", image.oblong_pixels,
             "Image: the pixels need not be squares in the body; otherwise Grid/Cells "
             "and Grid/Size have to make them so within 1 % [-]");
@@ -159,7 +177,7 @@ void MicrostructureParameters::bind(Keys &keys, const unsigned int dimension)
       inclusions.bind(keys);
     }
   keys.only_with("Type", {"rectangles", "image", "voxels"}, {"File"});
-  keys.only_with("Type", {"image", "voxels"}, {"Image values"});
+  keys.only_with("Type", {"image", "voxels"}, {"Image values", "Thresholds"});
   keys.only_with("Type", {"image"}, {"Oblong pixels"});
 
   bind_fibres(keys, *this);

@@ -43,13 +43,6 @@ std::string numbers_list(const std::array<std::size_t, 3> &n)
 void VoxelReading::bind(Keys &keys, const std::string &path)
 {
   constexpr long most = 1000000;
-  keys.bind_list(
-    "Thresholds", thresholds, Range::any(),
-    "Voxels: instead of Image values, numbers in ascending order, one less "
-    "than phases: values below the first are the first of Phases/Names, those "
-    "from a number on the next phase. For grey values and numbers with "
-    "fractions. Empty: none [-]",
-    0, 255);
   keys.bind_list("Crop from", crop_from, 0, most,
                  "Voxels: the first one that is taken along x, y and z, counted from 0. "
                  "Empty: 0, 0, 0 [-]",
@@ -65,19 +58,12 @@ void VoxelReading::bind(Keys &keys, const std::string &path)
     "most of them have; where several have as many, the one furthest below its "
     "share so far [-]");
   bind_raw(keys, *this, path);
-  const std::vector<std::string> of_voxels = {"Thresholds", "Crop from", "Crop size",
-                                              "Coarsening"};
-  keys.only_with("Type", {"voxels"}, of_voxels);
+  keys.only_with("Type", {"voxels"}, {"Crop from", "Crop size", "Coarsening"});
   for (const auto &[key, list] :
        {std::make_pair("Crop from", &crop_from), std::make_pair("Crop size", &crop_size)})
     keys.require(list->size() % 3 == 0, key,
                  "there are " + std::to_string(list->size()) +
                    " numbers; give three, along x, y and z");
-  keys.only_if(thresholds.empty(), {"Image values"}, "Microstructure/Thresholds is given",
-               "leave that one empty");
-  keys.require(
-    std::is_sorted(thresholds.begin(), thresholds.end(), std::less_equal<double>()),
-    "Thresholds", to_text(thresholds) + " is not in ascending order; sort them");
 }
 
 VoxelSource VoxelReading::source(const std::string &path) const
@@ -149,13 +135,8 @@ void check_voxels(const MicrostructureParameters &p)
   if (p.file.empty() || source.kind() != VoxelSource::Kind::stack)
     require_readable_file("Microstructure/File: ", p.file,
                           "it has to name an array of voxels, such as a .npy");
-  if (!reading.thresholds.empty() && reading.thresholds.size() + 1 != p.phases.size())
-    throw UserError("Microstructure/Thresholds: there are " +
-                    std::to_string(reading.thresholds.size()) + " for " +
-                    std::to_string(p.phases.size()) +
-                    " phases; give one less than Phases/Names");
   const auto file = VoxelFile::open(source);
-  if (!file->is_whole() && reading.thresholds.empty())
+  if (!file->is_whole() && p.image.thresholds.empty())
     throw UserError(p.file + " holds numbers of the type " + file->type_text() +
                     ", but phases are whole numbers; save it as uint8, or set "
                     "Microstructure/Thresholds");

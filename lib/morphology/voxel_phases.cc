@@ -56,9 +56,9 @@ std::vector<double> values_of_voxel_phases(const MicrostructureParameters &p,
   const std::string n =
     found.size() > 256 ? "more than 256" : std::to_string(found.size());
   throw UserError(
-    p.file + " has " + n + " different value" + (found.size() == 1 ? "" : "s") + " (" + to_text(some) +
-    (found.size() > some.size() ? ", ..." : "") + "), and Phases/Names has " +
-    std::to_string(p.phases.size()) +
+    p.file + " has " + n + " different value" + (found.size() == 1 ? "" : "s") + " (" +
+    to_text(some) + (found.size() > some.size() ? ", ..." : "") +
+    "), and Phases/Names has " + std::to_string(p.phases.size()) +
     "; name as many phases, or set Microstructure/Image values or Thresholds");
 }
 
@@ -158,8 +158,8 @@ CellPhases read_cell_phases(const MicrostructureParameters &p,
                             VoxelFile &file,
                             const VoxelRegion &region)
 {
-  const bool thresholds = !p.voxels.thresholds.empty();
-  const PhaseOfValue phase_of(p.voxels.thresholds,
+  const bool thresholds = !p.image.thresholds.empty();
+  const PhaseOfValue phase_of(p.image.thresholds,
                               thresholds ? std::vector<double>()
                                          : values_of_voxel_phases(p, file, region));
   const std::size_t edge = p.voxels.coarsening, width = file.shape()[2],

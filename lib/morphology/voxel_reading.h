@@ -17,8 +17,6 @@ struct MicrostructureParameters;
 /** How voxels of a file become the phases of cells; keys of section `Microstructure`. */
 struct VoxelReading
 {
-  /** Ascending: phase p has the values from threshold p - 1 (with it) to threshold p. */
-  std::vector<double> thresholds;
   std::vector<long> crop_from;    ///< first voxel along x, y, z; empty: 0, 0, 0
   std::vector<long> crop_size;    ///< voxels along x, y, z; empty: all from there on
   unsigned int coarsening = 1;    ///< voxels of an edge of a cell

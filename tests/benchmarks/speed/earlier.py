@@ -18,7 +18,7 @@ RUNS = {"homogeneous": ("pin/20-contact_dynamics-homogeneous.prm", {"Time/End ti
                                                                    "Observation/Blocks": 200, "Observation/Stop at limit cycle": "false"}),
         "heterogeneous": ("pin/30-contact_dynamics-heterogeneous.prm", {"Time/End time": 1e-4, "Snapshots/From": 7.5e-5, "Observation/Blocks": 50,
                                                                        "Observation/Steady from": 7.5e-5})}
-STEPS = {"560 x 160, all kernels": ("1", "coarse"), "4480 x 1280, AVX-512": ("3", "fine")}
+STEPS = {"560 x 160, all kernels": ("1", "coarse"), "4480 x 1280, widest vectors": ("3", "fine")}
 
 
 def run(bench):

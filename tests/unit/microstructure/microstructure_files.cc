@@ -226,6 +226,23 @@ TEST(ImageMap, TellsWhatBecameOfWhat)
   EXPECT_EQ(found.pixels, (std::array<unsigned int, 2>{{2, 2}}));
 }
 
+TEST(ImageMap, ThresholdsSortGreyValues)
+{
+  Image image       = make_image(6, {0, 89, 90, 91, 160, 255});
+  const auto grid   = make_grid(6, 1, 1.);
+  const auto sorted = [&]() {
+    return map_from_image(grid, image, {{}, 3, true, {90., 160.}}, "a.png");
+  };
+  const ImageMap found = sorted();
+  EXPECT_EQ(found.map.id, (std::vector<std::uint8_t>{0, 0, 1, 1, 2, 2}));
+  EXPECT_EQ(found.phases[0].value, "below 90");
+  EXPECT_EQ(found.phases[1].value, "from 90 to below 160");
+  EXPECT_EQ(found.phases[2].value, "from 160 on");
+  EXPECT_EQ(found.phases[2].n_pixels, 2u);
+  image.coloured = true;
+  expect_error("Thresholds are for grey values", [&] { sorted(); });
+}
+
 TEST(ImageMap, Errors)
 {
   const Image image = make_image(3, {1, 2, 3});
