@@ -79,8 +79,9 @@ NumpyHeader read_numpy_header(const std::string &path)
       !std::regex_search(text, shape, std::regex("'shape': *\\(([^)]*)\\)")))
     throw UserError(path + " is no array of single numbers; save one with numpy.save");
   if (!parse_numpy_type(type[1], header.type))
-    throw UserError(path + " holds numbers of the type '" + std::string(type[1]) +
-                    "', which is not read; save whole numbers as uint8, others as float32");
+    throw UserError(
+      path + " holds numbers of the type '" + std::string(type[1]) +
+      "', which is not read; save whole numbers as uint8, others as float32");
   take_shape(header, shape[1], path);
   header.fortran_order     = order[1] == "True";
   const std::uintmax_t has = std::filesystem::file_size(path) - header.offset;

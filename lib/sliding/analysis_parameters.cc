@@ -258,9 +258,10 @@ void ContactParameters::bind_observation(Keys &keys)
   const auto section = keys.section("Snapshots");
   keys.bind("From", o.snapshots_from, Range::non_negative(),
             "Time of the first snapshot [s]");
-  keys.bind_or_auto("To", o.snapshots_to, Range::non_negative(),
-                    "Time of the last snapshot; auto: the end of the run, whose last state is one "
-                    "time step before Time/End time [s]");
+  keys.bind_or_auto(
+    "To", o.snapshots_to, Range::non_negative(),
+    "Time of the last snapshot; auto: the end of the run, whose last state is one "
+    "time step before Time/End time [s]");
   keys.bind("Interval", o.snapshots_interval, Range::non_negative(),
             "Time between snapshots of the displacement of all nodes, which "
             "stress_localization needs; 0: none [s]");
