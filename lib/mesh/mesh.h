@@ -30,6 +30,8 @@ struct Mesh
   std::vector<std::string> phases;     ///< names of the groups of cells
   std::vector<std::string> boundaries; ///< names of the groups of edges (2D) or faces
 
+  std::size_t n_turned = 0; ///< cells whose corners the file has in the reverse order
+
   /** With periodic sides: for each point the one that it moves with, itself where it is the
    * original; empty without such sides. See join_sides(). */
   std::vector<unsigned int> originals;

@@ -54,15 +54,15 @@ OppositePoints<dim> opposite_points(const Mesh<dim> &mesh,
 }
 
 template <int dim>
-void join_sides(Mesh<dim> &mesh,
-                const std::vector<unsigned int> &lower,
-                const std::vector<unsigned int> &upper,
-                const unsigned int axis,
-                const double cell_size)
+OppositePoints<dim> join_sides(Mesh<dim> &mesh,
+                               const std::vector<unsigned int> &lower,
+                               const std::vector<unsigned int> &upper,
+                               const unsigned int axis,
+                               const double cell_size)
 {
-  const auto pairs = opposite_points(mesh, lower, upper, axis, cell_size).pairs;
+  const auto joined = opposite_points(mesh, lower, upper, axis, cell_size);
   double shortest = std::numeric_limits<double>::infinity(), longest = 0.;
-  for (const auto &[p, opposite] : pairs)
+  for (const auto &[p, opposite] : joined.pairs)
     {
       const double length = mesh.points[p][axis] - mesh.points[opposite][axis];
       shortest            = std::min(shortest, length);
@@ -86,10 +86,11 @@ void join_sides(Mesh<dim> &mesh,
       p = originals[p];
     return p;
   };
-  for (const auto &[p, opposite] : pairs)
+  for (const auto &[p, opposite] : joined.pairs)
     originals[root(p)] = root(opposite);
   for (unsigned int &p : originals)
     p = root(p);
+  return joined;
 }
 
 template OppositePoints<2> opposite_points(const Mesh<2> &,
@@ -102,14 +103,14 @@ template OppositePoints<3> opposite_points(const Mesh<3> &,
                                            const std::vector<unsigned int> &,
                                            const unsigned int,
                                            const double);
-template void join_sides(Mesh<2> &,
-                         const std::vector<unsigned int> &,
-                         const std::vector<unsigned int> &,
-                         const unsigned int,
-                         const double);
-template void join_sides(Mesh<3> &,
-                         const std::vector<unsigned int> &,
-                         const std::vector<unsigned int> &,
-                         const unsigned int,
-                         const double);
+template OppositePoints<2> join_sides(Mesh<2> &,
+                                      const std::vector<unsigned int> &,
+                                      const std::vector<unsigned int> &,
+                                      const unsigned int,
+                                      const double);
+template OppositePoints<3> join_sides(Mesh<3> &,
+                                      const std::vector<unsigned int> &,
+                                      const std::vector<unsigned int> &,
+                                      const unsigned int,
+                                      const double);
 } // namespace mesoslip

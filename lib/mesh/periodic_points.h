@@ -28,14 +28,15 @@ OppositePoints<dim> opposite_points(const Mesh<dim> &mesh,
  * Makes the mesh periodic along @p axis: each point of @p upper moves as that of @p lower
  * does which is opposite (see Mesh::originals), in 3D also along edges that are joined
  * along both axes.
+ * @return the pairs
  * @throws UserError as opposite_points(), or unless all pairs are equally far apart
  */
 template <int dim>
-void join_sides(Mesh<dim> &mesh,
-                const std::vector<unsigned int> &lower,
-                const std::vector<unsigned int> &upper,
-                const unsigned int axis,
-                const double cell_size);
+OppositePoints<dim> join_sides(Mesh<dim> &mesh,
+                               const std::vector<unsigned int> &lower,
+                               const std::vector<unsigned int> &upper,
+                               const unsigned int axis,
+                               const double cell_size);
 } // namespace mesoslip
 
 #endif

@@ -132,7 +132,8 @@ Mesh<dim> read_gmsh(const std::string &file, const double scale)
     set_points(mesh, content, scale);
   }
   give_back_memory();
-  dealii::GridTools::invert_cells_with_negative_measure(mesh.points, mesh.cells);
+  mesh.n_turned =
+    dealii::GridTools::invert_cells_with_negative_measure(mesh.points, mesh.cells);
   order_edges(mesh);
   give_back_memory();
   return mesh;

@@ -75,31 +75,42 @@ std::string kinds_text(const Mesh<dim> &mesh)
   return text;
 }
 
-/** Extents of the bounding box, which is where slips of units show. */
+/** Extents of the bounding box. */
 template <int dim>
-std::string box_line(const Mesh<dim> &mesh, const bool scale_typed)
+std::string box_line(const Mesh<dim> &mesh)
 {
   const dealii::BoundingBox<dim> box(mesh.points);
   std::string text;
-  std::vector<PlausibleRange> lengths;
   for (unsigned int d = 0; d < dim; ++d)
     {
-      const std::string axis(1, "xyz"[d]);
       // What is round-off beside the size of the body is shown as zero.
       const auto shown = [&](const double x) {
         return std::fabs(x) > 1e-9 * box.side_length(d) ? x : 0.;
       };
       text +=
-        brief_text(6, d == 0 ? "Bounding box: " : ", ", axis, " from ",
+        brief_text(6, d == 0 ? "Bounding box: " : ", ", "xyz"[d], " from ",
                    shown(box.lower_bound(d)), " to ", shown(box.upper_bound(d)), " m");
-      lengths.push_back(plausible_length("the body along " + axis, box.side_length(d)));
     }
+  return text;
+}
+
+/** Warns of a body that looks like another unit, or refuses it where Mesh/Scale is not typed. */
+template <int dim>
+void check_size(MeshMorphology<dim> &body, const bool scale_typed)
+{
+  const dealii::BoundingBox<dim> box(body.mesh.points);
+  std::vector<PlausibleRange> lengths;
+  for (unsigned int d = 0; d < dim; ++d)
+    lengths.push_back(
+      plausible_length(std::string("the body along ") + "xyz"[d], box.side_length(d)));
   const std::vector<std::string> slips = implausible(lengths);
-  if (!slips.empty() && !scale_typed)
+  if (slips.empty())
+    return;
+  if (!scale_typed)
     throw UserError("Mesh/Scale: " + slips.front() +
                     "; set Mesh/Scale to the metres per unit of the file, 0.001 for mm, "
                     "or to 1 if it is in m");
-  return text;
+  body.warnings.push_back("Mesh/Scale: " + slips.front());
 }
 
 template <int dim>
@@ -207,8 +218,12 @@ MeshMorphology<dim> read_mesh(const MeshParameters &parameters,
   result.file     = file;
   mesh            = read_gmsh<dim>(file, parameters.scale);
   number_phases(mesh, file, phases, parameters.one_phase);
-  result.description             = {kinds_text(mesh) + " of " + file_name_of(file),
-                                    box_line(mesh, parameters.scale_typed)};
+  result.description = {kinds_text(mesh) + " of " + file_name_of(file), box_line(mesh)};
+  check_size(result, parameters.scale_typed);
+  if (mesh.n_turned > 0)
+    result.description.push_back(
+      count_text(mesh.n_turned, mesh.n_turned == 1 ? "cell" : "cells") +
+      " had the corners in the reverse order, which is turned");
   const MeshQuality<dim> quality = cell_quality(mesh);
   result.description.push_back(quality_line(quality));
   if (quality.worst_jacobian < poor_jacobian)

@@ -277,6 +277,7 @@ TEST(Mesh, ScaledJacobian)
 TEST(Mesh, ClockwiseCellsAreTurned)
 {
   EXPECT_EQ(refusal(2, square, {"3 1 1 4 3 2"}), "accepted");
+  EXPECT_EQ(read_gmsh<2>(file, 1.).n_turned, 1u);
   EXPECT_EQ(refusal(2, square, {"2 1 1 3 2", "2 1 1 3 4"}), "accepted");
 }
 

@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "elasticity/element_operator.h"
 #include "exchange/rve_file.h"
+#include "material/plausibility.h"
 #include "material/shear_impedance.h"
 #include "mesh/cell_quality.h"
 #include "mesh/periodic_points.h"
@@ -250,7 +251,12 @@ void join_periodic_sides(MeshMorphology<dim> &morphology,
                           mesh, group_faces(morphology, faces, key, groups[0])),
                    upper = boundary_points(
                      mesh, group_faces(morphology, faces, key, groups[1]));
-        join_sides(mesh, lower.points, upper.points, axis, smallest_edge(morphology));
+        const auto joined =
+          join_sides(mesh, lower.points, upper.points, axis, smallest_edge(morphology));
+        if (!morphology.box)
+          morphology.description.push_back(
+            brief_text(3, "Periodic in ", "xy"[axis], ": ", joined.pairs.size(),
+                       " points each, opposite within ", joined.largest_mismatch, " m"));
       }
 }
 

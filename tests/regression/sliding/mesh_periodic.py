@@ -54,6 +54,7 @@ def check_grid_as_mesh(folder):
             if name == "energy":  # rounding of what nearly vanishes
                 of_grid, of_mesh = ({key: values[key] for key in values if key not in ("residual", "scheme")} for values in (of_grid, of_mesh))
             check_equal(of_grid, of_mesh, 1e-9, (ranks, name))
+        assert "Periodic in x: 11 points each, opposite within 0 m" in folder.read(f"mesh{ranks}", "log.txt").decode()
         summary = folder.summary(f"mesh{ranks}")
         check_same_summary(folder.summary("grid"), summary, 1e-9, ranks, but=("dofs",))
         assert summary["energy_balance_residual"] < 1e-11, summary
