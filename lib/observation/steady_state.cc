@@ -170,7 +170,8 @@ std::optional<double> LimitCycleDetector::estimate_period() const
   const std::vector<double> half(motion.end() - static_cast<std::ptrdiff_t>(kept),
                                  motion.end());
   const auto summary = summarize_spectrum(amplitude_spectrum(half, sample_step(), 2));
-  if (!summary || !(summary->main_frequency > 0.))
+  // A larger motion of fewer than two periods is rather a drift than a vibration.
+  if (!summary || summary->slow_amplitude > summary->main_amplitude)
     return std::nullopt;
   return 1. / summary->main_frequency;
 }

@@ -247,12 +247,11 @@ void join_periodic_sides(MeshMorphology<dim> &morphology,
     if (const auto &groups = parameters.periodic[axis]; !groups.empty())
       {
         const std::string key = std::string("Mesh/Periodic in ") + "xy"[axis];
-        const auto lower      = boundary_points(
-                          mesh, group_faces(morphology, faces, key, groups[0])),
-                   upper = boundary_points(
-                     mesh, group_faces(morphology, faces, key, groups[1]));
-        const auto joined =
-          join_sides(mesh, lower.points, upper.points, axis, smallest_edge(morphology));
+        const auto points     = [&](const std::string &name) {
+          return boundary_points(mesh, group_faces(morphology, faces, key, name)).points;
+        };
+        const auto joined = join_sides(mesh, points(groups[0]), points(groups[1]), axis,
+                                       smallest_edge(morphology));
         if (!morphology.box)
           morphology.description.push_back(
             brief_text(3, "Periodic in ", "xy"[axis], ": ", joined.pairs.size(),
