@@ -5,7 +5,6 @@
 #include "material/plausibility.h"
 #include "mesh/boundary.h"
 #include "mesh/cell_quality.h"
-#include "mesh/periodic_points.h"
 #include "mesh/read_gmsh.h"
 #include "parameters/keys.h"
 
@@ -249,16 +248,21 @@ MeshMorphology<dim> read_mesh(const MeshParameters &parameters,
 }
 
 template <int dim>
+std::string opposite_text(const OppositePoints<dim> &sides)
+{
+  return brief_text(3, sides.pairs.size(), " points each, opposite within ",
+                    sides.largest_mismatch, " m");
+}
+
+template <int dim>
 std::vector<std::string> periodicity_lines(const Mesh<dim> &mesh)
 {
   std::vector<std::string> lines;
   const auto pairs = opposite_sides(mesh);
   for (unsigned int axis = 0; axis < dim; ++axis)
     lines.push_back(pairs[axis].error.empty()
-                      ? brief_text(3, "Sides at both ends of ", "xyz"[axis], ": ",
-                                   pairs[axis].points.pairs.size(),
-                                   " points each, opposite within ",
-                                   pairs[axis].points.largest_mismatch, " m: periodic")
+                      ? std::string("Sides at both ends of ") + "xyz"[axis] + ": " +
+                          opposite_text(pairs[axis].points) + ": periodic"
                       : "Not for PBC: " + pairs[axis].error);
   return lines;
 }
@@ -279,6 +283,8 @@ template MeshMorphology<3> read_mesh<3>(const MeshParameters &,
                                         const std::vector<PhaseParameters> &);
 template void require_volume(const Mesh<2> &, const bool);
 template void require_volume(const Mesh<3> &, const bool);
+template std::string opposite_text(const OppositePoints<2> &);
+template std::string opposite_text(const OppositePoints<3> &);
 template std::vector<std::string> periodicity_lines(const Mesh<2> &);
 template std::vector<std::string> periodicity_lines(const Mesh<3> &);
 } // namespace mesoslip

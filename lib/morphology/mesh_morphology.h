@@ -6,6 +6,7 @@
 #include "material/orientations.h"
 #include "material/voigt.h"
 #include "mesh/mesh.h"
+#include "mesh/periodic_points.h"
 #include "morphology/microstructure_parameters.h"
 
 #include <cstdint>
@@ -137,6 +138,10 @@ MeshMorphology<dim> read_mesh(const MeshParameters &parameters,
  * points of opposite sides are opposite. */
 template <int dim>
 void require_volume(const Mesh<dim> &mesh, const bool periodic);
+
+/** "25 points each, opposite within 1e-19 m". */
+template <int dim>
+std::string opposite_text(const OppositePoints<dim> &sides);
 
 /**
  * Lines on how well the opposite sides of a volume element match, for each axis.

@@ -30,8 +30,8 @@ PROBLEMS = [
      "discrete in time says", [_SLIDING + "Growth." + name for name in ("Coulomb", "RegularizedAndDamped", "OfOrderTwoInTheTimeStep")]),
     ("Sliding with neither damping nor regularization", "grows on the grid itself at the eigenvalue of its surface wave, at a rate proportional to 1/h; beta or delta of the "
      "paper stop it", [_SLIDING + "Growth.OfTheGridWithoutDampingAndRegularization"]),
-    ("Sliding boxes of bricks", "the column, thrown at an angle to the axes, and the growth of the layer, with the orders of those in the plane; waves at 0, 30, 45 and 60 degrees to the "
-     "motion within 1 %, at 45 degrees refined along all three axes: order 2",
+    ("Sliding boxes of bricks", "the column, thrown at an angle to the axes, and the growth of the layer, with the orders of those in the plane; waves at 0, 30, 45 and "
+     "60 degrees to the motion within 1 %, at 45 degrees refined along all three axes: order 2",
      [_SLIDING + "BoxColumn.BrakesInStepsAndSticks"] + [_SLIDING + "BoxGrowth." + name for name in ("Coulomb", "RegularizedAndDamped", "OfOrderTwoInTheTimeStep")]
      + [_MESH + "waves: BoxWaves." + name for name in ("AtAllAngles", "OfOrderTwoInTheCellSize")]),
     ("Energy balance", "closes to 1e-12 of the largest energy with every term from its own formula: tops, stops, damping, gravity, free vibration; below 1e-3 of the "

@@ -6,7 +6,6 @@
 #include "base/text.h"
 #include "elasticity/element_operator.h"
 #include "exchange/rve_file.h"
-#include "material/plausibility.h"
 #include "material/shear_impedance.h"
 #include "mesh/cell_quality.h"
 #include "mesh/periodic_points.h"
@@ -250,12 +249,10 @@ void join_periodic_sides(MeshMorphology<dim> &morphology,
         const auto points     = [&](const std::string &name) {
           return boundary_points(mesh, group_faces(morphology, faces, key, name)).points;
         };
-        const auto joined = join_sides(mesh, points(groups[0]), points(groups[1]), axis,
-                                       smallest_edge(morphology));
+        const auto sides = join_sides(mesh, points(groups[0]), points(groups[1]), axis,
+                                      smallest_edge(morphology));
         if (!morphology.box)
-          morphology.description.push_back(
-            brief_text(3, "Periodic in ", "xy"[axis], ": ", joined.pairs.size(),
-                       " points each, opposite within ", joined.largest_mismatch, " m"));
+          morphology.description.push_back(key.substr(5) + ": " + opposite_text(sides));
       }
 }
 
