@@ -10,7 +10,7 @@ namespace mesoslip
 template <class Archive, int dim>
 void serialize(Archive &archive, Mesh<dim> &mesh, const unsigned int)
 {
-  serialize_members<6>(archive, mesh);
+  serialize_members<7>(archive, mesh);
 }
 } // namespace mesoslip
 
