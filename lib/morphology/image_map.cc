@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <set>
 
 namespace mesoslip
@@ -224,18 +223,11 @@ ImageMap map_from_image(const UniformGrid<2> &grid,
   result.map.grid = grid;
   result.pixels   = {{image.width, image.height}};
   result.phases   = named_phases(image, values, thresholds);
-  std::map<long, std::uint8_t> phase_of;
-  for (std::size_t p = 0; p < values.size(); ++p)
-    phase_of[values[p]] = static_cast<std::uint8_t>(p);
+  const PhaseOfValue phase_of(thresholds, {values.begin(), values.end()});
   std::vector<std::uint8_t> phase(image.values.size());
   for (std::size_t i = 0; i < phase.size(); ++i)
     {
-      phase[i] =
-        thresholds.empty()
-          ? phase_of.at(image.values[i])
-          : static_cast<std::uint8_t>(
-              std::upper_bound(thresholds.begin(), thresholds.end(), image.values[i]) -
-              thresholds.begin());
+      phase[i] = static_cast<std::uint8_t>(phase_of(image.values[i]));
       ++result.phases[phase[i]].n_pixels;
     }
   for (ImagePhase &p : result.phases)

@@ -4,6 +4,8 @@
 #include "grid/uniform_grid.h"
 #include "io/image.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +22,39 @@ struct ImageReading
 
   /** Instead of values, ascending: phase p begins at `thresholds[p - 1]`. */
   std::vector<double> thresholds = {};
+};
+
+/** Finds the phases of values of an image or of voxels. */
+class PhaseOfValue
+{
+public:
+  /** `values[p]` is that of phase p; without any the @p thresholds sort, see ImageReading. */
+  PhaseOfValue(const std::vector<double> &thresholds, const std::vector<double> &values)
+    : thresholds(thresholds)
+    , values(values)
+  {
+  }
+
+  /** The phase, or end() and more for a value without one. */
+  unsigned int operator()(const double value) const
+  {
+    if (values.empty())
+      return std::isfinite(value)
+               ? std::upper_bound(thresholds.begin(), thresholds.end(), value) -
+                   thresholds.begin()
+               : none;
+    return std::find(values.begin(), values.end(), value) - values.begin();
+  }
+
+  /** From this number on it is no phase. */
+  unsigned int end() const
+  {
+    return values.empty() ? none : values.size();
+  }
+
+private:
+  static constexpr unsigned int none = 256;
+  const std::vector<double> thresholds, values;
 };
 
 /** What one phase is in an image. */

@@ -62,38 +62,6 @@ std::vector<double> values_of_voxel_phases(const MicrostructureParameters &p,
     "; name as many phases, or set Microstructure/Image values or Thresholds");
 }
 
-/** Finds the phases of values. */
-class PhaseOfValue
-{
-public:
-  PhaseOfValue(const std::vector<double> &thresholds, const std::vector<double> &values)
-    : thresholds(thresholds)
-    , values(values)
-  {
-  }
-
-  /** The phase, or none_of() for a value without one. */
-  unsigned int operator()(const double value) const
-  {
-    if (values.empty())
-      return std::isfinite(value)
-               ? std::upper_bound(thresholds.begin(), thresholds.end(), value) -
-                   thresholds.begin()
-               : none;
-    return std::find(values.begin(), values.end(), value) - values.begin();
-  }
-
-  /** From this number on it is no phase. */
-  unsigned int end() const
-  {
-    return values.empty() ? none : values.size();
-  }
-
-private:
-  static constexpr unsigned int none = 256;
-  const std::vector<double> thresholds, values;
-};
-
 [[noreturn]] void refuse_value(const std::string &path,
                                const std::array<std::size_t, 3> &zyx,
                                const double value,

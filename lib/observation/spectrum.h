@@ -15,7 +15,7 @@ struct Spectrum
   /** In the unit of the signal; as long as #frequency. */
   std::vector<double> amplitude;
 
-  double duration = 0.; ///< of the signal (s)
+  double duration = 0.; ///< of the signal, without the zeros appended to it (s)
 
   /** Hz, of two periods in the signal; what is slower may be a drift. */
   double lowest_frequency() const

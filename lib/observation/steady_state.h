@@ -23,7 +23,7 @@ struct LimitCycleCriterion
   double tolerance       = 0.02; ///< largest relative difference among the parts
   double reference_power = 0.;   ///< P S |V| (W/m)
 
-  /** Period (s) while the signal shows no vibration. */
+  /** Period (s) while the signal shows no vibration; runs set that of their body. */
   double expected_period = 2.5e-5;
 };
 

@@ -144,29 +144,37 @@ std::string refusal(const int dim,
 const std::vector<std::string> square = {"0 0 0", "1 0 0", "1 1 0", "0 1 0"};
 } // namespace
 
+/** Calls check() with the mesh of a kind, of cells of about @p size, as read from each format. */
+template <int dim, typename Check>
+void for_each_format(const std::string &kind, const double size, const Check &check)
+{
+  for (const double version : {4.1, 2.2})
+    for (const bool binary : {false, true})
+      {
+        SCOPED_TRACE(kind + " " + std::to_string(version) + " " + std::to_string(binary));
+        generate(dim, kind, size, version, binary);
+        const Mesh<dim> mesh = read_gmsh<dim>(file, 1e-3);
+        ASSERT_EQ(mesh.phases, (std::vector<std::string>{"matrix", "fibre"}));
+        check(mesh);
+      }
+}
+
 TEST(Mesh, AllFormatsOfGmshGiveTheSame)
 {
   for (const std::string kind : {"triangles", "quadrilaterals", "mixed"})
-    for (const double version : {4.1, 2.2})
-      for (const bool binary : {false, true})
-        {
-          SCOPED_TRACE(kind + " " + std::to_string(version) + " " +
-                       std::to_string(binary));
-          generate(2, kind, 0.15, version, binary);
-          const Mesh<2> mesh = read_gmsh<2>(file, 1e-3);
-          ASSERT_EQ(mesh.phases, (std::vector<std::string>{"matrix", "fibre"}));
-          const MeshQuality<2> quality = cell_quality(mesh);
-          const double n               = n_interface_edges(mesh);
-          const double polygon = 0.5 * n * radius * radius * std::sin(2. * M_PI / n);
-          EXPECT_NEAR(quality.volume[1], 1e-6 * polygon, 1e-15);
-          EXPECT_NEAR(quality.volume[0], 1e-6 * (1. - polygon), 1e-15);
-          std::array<std::size_t, 5> with_corners = {};
-          for (const auto &cell : mesh.cells)
-            ++with_corners[cell.vertices.size()];
-          EXPECT_EQ(with_corners[3] > 0, kind != "quadrilaterals");
-          EXPECT_EQ(with_corners[4] > 0, kind != "triangles");
-          EXPECT_GT(quality.worst_jacobian, 0.2);
-        }
+    for_each_format<2>(kind, 0.15, [&](const Mesh<2> &mesh) {
+      const MeshQuality<2> quality = cell_quality(mesh);
+      const double n               = n_interface_edges(mesh);
+      const double polygon         = 0.5 * n * radius * radius * std::sin(2. * M_PI / n);
+      EXPECT_NEAR(quality.volume[1], 1e-6 * polygon, 1e-15);
+      EXPECT_NEAR(quality.volume[0], 1e-6 * (1. - polygon), 1e-15);
+      std::array<std::size_t, 5> with_corners = {};
+      for (const auto &cell : mesh.cells)
+        ++with_corners[cell.vertices.size()];
+      EXPECT_EQ(with_corners[3] > 0, kind != "quadrilaterals");
+      EXPECT_EQ(with_corners[4] > 0, kind != "triangles");
+      EXPECT_GT(quality.worst_jacobian, 0.2);
+    });
 }
 
 TEST(Mesh, AllFormatsOfGmshGiveTheSameSolid)
@@ -174,27 +182,20 @@ TEST(Mesh, AllFormatsOfGmshGiveTheSameSolid)
   for (const std::string kind : {"tetrahedra", "hexahedra"})
     {
       std::optional<Mesh<3>> first;
-      for (const double version : {4.1, 2.2})
-        for (const bool binary : {false, true})
-          {
-            SCOPED_TRACE(kind + " " + std::to_string(version) + " " +
-                         std::to_string(binary));
-            generate(3, kind, 0.4, version, binary);
-            const Mesh<3> mesh = read_gmsh<3>(file, 1e-3);
-            if (!first)
-              first = mesh;
-            ASSERT_EQ(mesh.phases, (std::vector<std::string>{"matrix", "fibre"}));
-            ASSERT_EQ(mesh.boundaries, first->boundaries);
-            ASSERT_EQ(mesh.points.size(), first->points.size());
-            ASSERT_EQ(mesh.cells.size(), first->cells.size());
-            ASSERT_EQ(mesh.faces.size(), first->faces.size());
-            EXPECT_EQ(mesh.cells[0].vertices.size(), kind == "tetrahedra" ? 4u : 8u);
-            const MeshQuality<3> a = cell_quality(mesh), b = cell_quality(*first);
-            EXPECT_NEAR(a.volume[0] + a.volume[1], 1e-9, 1e-20);
-            for (unsigned int p = 0; p < 2; ++p)
-              EXPECT_NEAR(a.volume[p], b.volume[p], 1e-12 * b.volume[p]);
-            EXPECT_NEAR(a.worst_jacobian, b.worst_jacobian, 1e-9);
-          }
+      for_each_format<3>(kind, 0.4, [&](const Mesh<3> &mesh) {
+        if (!first)
+          first = mesh;
+        ASSERT_EQ(mesh.boundaries, first->boundaries);
+        ASSERT_EQ(mesh.points.size(), first->points.size());
+        ASSERT_EQ(mesh.cells.size(), first->cells.size());
+        ASSERT_EQ(mesh.faces.size(), first->faces.size());
+        EXPECT_EQ(mesh.cells[0].vertices.size(), kind == "tetrahedra" ? 4u : 8u);
+        const MeshQuality<3> a = cell_quality(mesh), b = cell_quality(*first);
+        EXPECT_NEAR(a.volume[0] + a.volume[1], 1e-9, 1e-20);
+        for (unsigned int p = 0; p < 2; ++p)
+          EXPECT_NEAR(a.volume[p], b.volume[p], 1e-12 * b.volume[p]);
+        EXPECT_NEAR(a.worst_jacobian, b.worst_jacobian, 1e-9);
+      });
     }
 }
 

@@ -11,8 +11,8 @@ namespace mesoslip
 {
 namespace
 {
-/** Times that a wave crosses the body in one period, while a run shows no vibration: the shear of the paper's
- * pin, at 41 kHz, takes as long. */
+/** How often a pressure wave crosses the height of the body in the period that is expected
+ * while a run shows no vibration: that of the shear of the paper's pin, at 41 kHz. */
 constexpr double crossings_of_a_period = 8.;
 
 LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,

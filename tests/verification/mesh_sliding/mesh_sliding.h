@@ -207,7 +207,7 @@ public:
     return all;
   }
 
-  const MeshPart<dim> &part; ///< of this rank
+  const MeshPart<dim> &part; ///< points and cells that this rank has
 
 private:
   const std::vector<dealii::Point<dim>> points;
