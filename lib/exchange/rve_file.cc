@@ -158,7 +158,10 @@ unsigned int dimension_of_file(const std::string &path, const std::string &hint)
 template <int dim>
 RveFile<dim>::RveFile(Hdf5File &&opened)
   : file(std::move(opened))
-  , digest(file.check_header(rve_format, newest_rve_version, dim, rve_program))
+  , digest(file.check_header(rve_format,
+                             newest_rve_version,
+                             dim,
+                             std::string(rve_program) + " writes such a file"))
   , grid(read_extent<dim>(file))
   , phases(read_phases<dim>(file, "/phase", true, rve_program))
   , materials(file, "/phase/id", phases.size(), rve_program)

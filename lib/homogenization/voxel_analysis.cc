@@ -221,13 +221,10 @@ void require_voxel_memory(const RveParameters &parameters)
   const MicrostructureParameters &p = parameters.microstructure;
   const double bytes =
     copies_on_this_machine(p.box.cells[2]) * bytes_of_solver(parameters);
-  const double part = std::cbrt(memory_of_machine() / bytes);
-  std::string fits;
-  for (const unsigned int n : p.box.cells)
-    fits += (fits.empty() ? "" : " x ") +
-            std::to_string(std::max(1, static_cast<int>(part * n)));
-  const bool file = p.type == MicrostructureParameters::Type::voxels;
-  require_memory({bytes, "about " + fits + " cells would fit; reduce Grid/Cells" +
+  const auto &cells = p.box.cells;
+  const bool file   = p.type == MicrostructureParameters::Type::voxels;
+  require_memory({bytes, cells_that_fit({cells.begin(), cells.end()}, bytes) +
+                           "; reduce Grid/Cells" +
                            (file ? " with Microstructure/Coarsening or Crop size" : "") +
                            ", or take more machines"});
 }

@@ -54,9 +54,10 @@ std::vector<std::string> slips(const LocalizationParameters &parameters,
                       "more than any Poisson's ratio, which it is in plane strain"});
   const auto add = [&](const char *key, const double length, const double most,
                        const std::string &what) {
-    ranges.push_back({std::string("Comparison/") + key, length, "m", 0., "", most,
-                      "more than " + what + quantity_text(most, "m") +
-                        ", so that no cell is left to be compared apart; is it in m?"});
+    ranges.push_back(
+      {std::string("Comparison/") + key, length, "m", 0., "", most,
+       "more than " + what + quantity_text(most, "m") +
+         ", so that no cell is left to be compared apart; lengths are in m"});
   };
   if (!parameters.direct_run.empty())
     {
@@ -322,12 +323,9 @@ void LocalizationInput<dim>::describe(std::ostream &out) const
 {
   const auto tell = [&](const CellSet<dim> &cells, const char *role,
                         const IndexRange &used) {
-    out << role << ": ";
-    if (cells.is_grid)
-      out << cells_text(cells.grid);
-    else
-      out << cells.n_cells();
-    out << " cells, " << used.count << " snapshots\n";
+    out << role << ": "
+        << (cells.is_grid ? cells_text(cells.grid) : std::to_string(cells.n_cells()))
+        << " cells, " << used.count << " snapshot" << (used.count == 1 ? "\n" : "s\n");
   };
   tell(body, "Homogeneous run", plan.snapshots);
   if (files.direct)

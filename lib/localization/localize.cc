@@ -113,8 +113,9 @@ private:
       {
         const auto &times = role == "direct run" ? input->direct_times : input->times;
         std::ostringstream line;
-        line << range.count << " snapshots of the " << role << ", " << times.front()
-             << " to " << times.back() << " s";
+        line << range.count
+             << (range.count == 1 ? " snapshot of the " : " snapshots of the ") << role
+             << ", " << times.front() << " to " << times.back() << " s";
         input->notes.push_back(line.str());
       }
     return histories;

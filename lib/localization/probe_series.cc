@@ -62,7 +62,8 @@ public:
   }
 
 private:
-  /** Widens the window of the result, which is empty at first. */
+  /** Widens the window of the result, which is empty at first: that of the snapshots, whose stresses
+   * are averaged, and without any that of the probes. */
   void note_times(const std::vector<double> &times)
   {
     if (times.empty())
@@ -125,7 +126,8 @@ private:
       r.direct_stress = resample(direct, series.time);
     r.statistics = compare_series(r.stress, direct.values, r.direct_stress, n_voigt<dim>);
     r.time       = std::move(series.time);
-    note_times(r.time);
+    if (input.times.empty())
+      note_times(r.time);
     return r;
   }
 

@@ -9,10 +9,17 @@ namespace
 {
 constexpr double softest = 1e6, largest_contrast = 1e6; // Pa, -
 
+/** The largest against a strain along one axis that another makes up for; of isotropic phases 2 G,
+ * which Poisson's ratio hardly changes. */
 template <int dim>
 double stiffness(const Phase<dim> &phase)
 {
-  return phase.stiffness.template topLeftCorner<dim, dim>().diagonal().maxCoeff();
+  double largest = 0.;
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < i; ++j)
+      largest = std::max(largest, 0.5 * (phase.stiffness(i, i) + phase.stiffness(j, j)) -
+                                    phase.stiffness(i, j));
+  return largest;
 }
 } // namespace
 

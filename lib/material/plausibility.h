@@ -56,7 +56,7 @@ std::vector<PlausibleRange> plausible_phases(const std::vector<Phase<dim>> &phas
 /**
  * What looks like a modulus typed in another unit than Pa: a phase softer than soft
  * rubber (1 MPa), or one more than a million times as stiff as another; one sentence,
- * empty if there is nothing to say. Stiffness is the largest of D11, D22 (and, in 3D, D33).
+ * empty if there is nothing to say. Stiffness is that against changes of shape, 2 G.
  */
 template <int dim>
 std::string stiffness_warning(const std::vector<Phase<dim>> &phases);

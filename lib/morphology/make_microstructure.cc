@@ -193,7 +193,9 @@ Microstructure make_microstructure(const MicrostructureParameters &parameters)
   for (std::size_t p = 0; p < fractions.size(); ++p)
     if (fractions[p] == 0. && parameters.type != Type::homogeneous)
       result.warnings.push_back("phase '" + result.phases[p].name +
-                                "' of Phases/Names fills no cell of the morphology");
+                                "' of Phases/Names fills no cell of the morphology; mend "
+                                "what tells the phases apart, or leave its "
+                                "name out");
   return result;
 }
 } // namespace mesoslip

@@ -88,7 +88,9 @@ void describe_phases(VoxelMorphology &result, const std::vector<PhaseParameters>
                                    phases[p].text<3>());
       if (count[p] == 0)
         result.warnings.push_back("phase '" + phases[p].name +
-                                  "' of Phases/Names fills no cell of the morphology");
+                                  "' of Phases/Names fills no cell of the morphology; "
+                                  "mend what tells the phases apart, or leave its "
+                                  "name out");
     }
 }
 /** Places the inclusions, or says why there is no room for as many. */

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <map>
 #include <ostream>
+#include <regex>
 #include <sstream>
 
 namespace mesoslip
@@ -78,7 +79,10 @@ struct Declarations
       return start + "there are no " + kind + "s here, see --print-parameters";
     if (siblings.size() > 12)
       return start + "see --print-parameters";
-    return start + "the " + kind + "s here are " + to_text(siblings);
+    return start + "the " + kind + "s here are " + to_text(siblings) +
+           (kind == "key" ? ""
+                          : "; if it has the name of a phase or a probe, add that to "
+                            "Phases/Names or Observation/Probes");
   }
 
   std::vector<std::string> keys, sections;
@@ -99,6 +103,20 @@ bool same_value(const std::string &a, const std::string &b)
   return std::equal(
     left.begin(), left.end(), right.begin(), right.end(),
     [](const std::string &x, const std::string &y) { return plain(x) == plain(y); });
+}
+
+/** How to write the numbers that a value which was not accepted seems to mean. */
+std::string advice(const Key &key)
+{
+  static const std::regex decimal_comma("[0-9],[0-9]"), unit("[0-9.] *[a-zA-Z%]+$");
+  if (key.allowed.find("number") == std::string::npos)
+    return "";
+  if (key.value.find('.') == std::string::npos &&
+      std::regex_search(key.value, decimal_comma))
+    return "; write decimals with a point";
+  if (std::regex_search(key.value, unit))
+    return "; write numbers without a unit, such as 30e9 for 30 GPa";
+  return "";
 }
 
 /** Closes and opens subsections on the way from @p from to @p to. */
@@ -181,7 +199,7 @@ void Keys::apply()
         }
       if (!key.accepts(key.value))
         throw UserError(raw.origin(entry) + ": " + entry.path + " is '" + key.value +
-                        "' but must be " + key.allowed);
+                        "' but must be " + key.allowed + advice(key));
       if (!same_value(key.value, key.default_value))
         set[entry.path] = &entry;
     }

@@ -190,6 +190,16 @@ void require_memory(const ResourceNeed &need)
                     need.remedy);
 }
 
+std::string cells_that_fit(const std::vector<unsigned int> &cells, const double bytes)
+{
+  const double part = std::pow(memory_of_machine() / bytes, 1. / cells.size());
+  std::string shape;
+  for (const unsigned int n : cells)
+    shape += (shape.empty() ? "" : " x ") +
+             std::to_string(std::max(1, static_cast<int>(part * n)));
+  return "about " + shape + " cells would fit";
+}
+
 void require_disk(const std::string &folder, const ResourceNeed &need)
 {
   const fs::path path = existing_part(folder);

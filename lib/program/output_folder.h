@@ -2,6 +2,7 @@
 #define mesoslip_program_output_folder_h
 
 #include <string>
+#include <vector>
 
 namespace mesoslip
 {
@@ -35,6 +36,9 @@ double memory_of_machine();
 
 /** @throws UserError when the machine has less memory. */
 void require_memory(const ResourceNeed &need);
+
+/** "about 90 x 45 cells would fit": of the shape of a grid of @p cells that needs @p bytes. */
+std::string cells_that_fit(const std::vector<unsigned int> &cells, const double bytes);
 
 /**
  * Checks that @p folder exists or can be created, that it can be written to, and that its

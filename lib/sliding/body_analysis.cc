@@ -4,6 +4,7 @@
 #include "base/exchange.h"
 #include "grid/uniform_grid.h"
 #include "material/plausibility.h"
+#include "program/machine.h"
 #include "program/run_context.h"
 #include "sliding/run_plan.h"
 #include "statics/static_solver.h"
@@ -16,10 +17,18 @@ namespace mesoslip
 {
 namespace
 {
+/** Whether each rank does the whole analysis. */
+bool is_repeated(const ContactParameters &parameters)
+{
+  return parameters.analysis != ContactAnalysis::transient &&
+         parameters.static_solver != StaticSolverKind::ml;
+}
+
 BodyDescription make_body_on_root(const ContactParameters &parameters)
 {
   BodyDescription body;
-  on_root(MPI_COMM_WORLD, [&]() { body = make_body(parameters); });
+  const unsigned int n_copies = is_repeated(parameters) ? ranks_of_this_machine() : 1;
+  on_root(MPI_COMM_WORLD, [&]() { body = make_body(parameters, n_copies); });
   broadcast_object(MPI_COMM_WORLD, body);
   return body;
 }
@@ -132,18 +141,23 @@ std::vector<std::string> BodyAnalysis::body_warnings() const
 
 void BodyAnalysis::describe(std::ostream &out) const
 {
+  describe_body(out, 0.);
+}
+
+void BodyAnalysis::describe_body(std::ostream &out, const double bytes_of_histories) const
+{
   for (const std::string &line : body_lines())
     out << line << '\n';
-  out << 2 * body.grid.n_nodes() << " degrees of freedom\n";
+  out << 2 * body.grid.n_nodes() << " degrees of freedom\n"
+      << bytes_text(field_memory(parameters.analysis, body.grid) + bytes_of_histories)
+      << " of memory\n";
   for (const std::string &warning : body_warnings())
     out << "Warning: " << warning << '\n';
 }
 
 void BodyAnalysis::log_body(RunContext &context) const
 {
-  const bool repeated = parameters.analysis != ContactAnalysis::transient &&
-                        parameters.static_solver != StaticSolverKind::ml;
-  if (context.n_ranks() > 1 && repeated)
+  if (context.n_ranks() > 1 && is_repeated(parameters))
     context.log(
       "This analysis runs on one process, all others repeat it; start it without mpirun "
       "or set Performance/Static solver = ml");

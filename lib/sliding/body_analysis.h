@@ -18,10 +18,11 @@ namespace mesoslip
  * The coefficient of a bottom node follows from those of the two cells beside it by
  * FrictionParameters::node_rule: their mean weighted with the stiffness D22 (as the
  * pressure is shared when both cells are compressed alike, eq. 18), the plain mean, the
- * largest or the smallest.
- * @throws UserError naming key or file
+ * largest or the smallest. @p n_copies ranks of this machine keep fields of the whole body.
+ * @throws UserError naming key or file, or if the machine has not the memory
  */
-BodyDescription make_body(const ContactParameters &parameters);
+BodyDescription make_body(const ContactParameters &parameters,
+                          const unsigned int n_copies);
 
 /** The grid of the body with the materials of its cells. @throws UserError */
 UniformMaterial make_material(const BodyDescription &body, const bool periodic);
@@ -51,10 +52,13 @@ public:
    */
   explicit BodyAnalysis(const ContactParameters &parameters);
 
-  /** Grid, materials, degrees of freedom and what looks like a slip of units. */
+  /** Grid, materials, degrees of freedom, memory and what looks like a slip of units. */
   void describe(std::ostream &out) const override;
 
 protected:
+  /** The same, with histories besides the fields in the memory. */
+  void describe_body(std::ostream &out, const double bytes_of_histories) const;
+
   /** Writes grid and materials to the log, with warnings. */
   void log_body(RunContext &context) const;
 

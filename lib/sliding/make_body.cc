@@ -96,7 +96,8 @@ DofMask held_by_supports(const UniformMaterial &material,
   return held;
 }
 
-BodyDescription make_body(const ContactParameters &parameters)
+BodyDescription make_body(const ContactParameters &parameters,
+                          const unsigned int n_copies)
 {
   const BodyParameters &given = parameters.body;
   BodyDescription body;
@@ -107,8 +108,11 @@ BodyDescription make_body(const ContactParameters &parameters)
                             "run rve_homogenization first, or mend the name");
       rve.emplace(given.rve_file);
     }
-  body.grid = make_grid<2>(given, rve ? &*rve : nullptr);
-  require_memory(field_memory(parameters.analysis, body.grid));
+  body.grid          = make_grid<2>(given, rve ? &*rve : nullptr);
+  const double bytes = n_copies * field_memory(parameters.analysis, body.grid);
+  require_memory(
+    {bytes, cells_that_fit({body.grid.cells.begin(), body.grid.cells.end()}, bytes) +
+              "; reduce Body/Cells"});
   if (rve)
     read_materials(given, *rve, body);
   else

@@ -115,19 +115,20 @@ private:
   {
     return at_most(key, value, "s", longest,
                    "longer than " + run_text + ", so that " + consequence +
-                     "; is it in s?");
+                     "; times are in s");
   }
 
   /** That a ramp is over before the run is. */
   PlausibleRange ramp(const Load &load) const
   {
     const double amplitude = load.history.amplitude();
-    return {
-      "The share of its load that section " + load.section + " reaches in the run",
-      load.history.is_expression() || amplitude == 0. ? automatic
-                                                      : load.history(end) / amplitude,
-      "", 0.5,
-      "as " + load.section + "/Ramp time is longer than " + run_text + "; is it in s?"};
+    return {"The share of its load that section " + load.section + " reaches in the run",
+            load.history.is_expression() || amplitude == 0.
+              ? automatic
+              : load.history(end) / amplitude,
+            "", 0.5,
+            "as " + load.section + "/Ramp time is longer than " + run_text +
+              "; times are in s"};
   }
 
   /** Against the speed of waves. */
@@ -147,10 +148,10 @@ private:
       critical_time_step(scales.highest_frequency, step.beta2, step.beta);
     return {at_most("Time/End time", end, "s", most_crossings * crossing,
                     "in which a wave crosses the body " +
-                      quantity_text(end / crossing, "times") + "; is it in s?"),
+                      quantity_text(end / crossing, "times") + "; times are in s"),
             {"Time/Time step", step.dt, "s", 1e-3 * critical,
              "less than a thousandth of the critical " + quantity_text(critical, "s") +
-               "; is it in s?"}};
+               "; times are in s"}};
   }
 
   Ranges top() const
@@ -170,7 +171,7 @@ private:
                     1e4 * scales.mass,
                     "more than 10000 times the body's " +
                       quantity_text(scales.mass, plane ? "kg/m" : "kg") +
-                      "; is it in kg" + (plane ? " per m of thickness?" : "?"))};
+                      "; it is in kg" + (plane ? " per m of thickness" : ""))};
   }
 
   Ranges velocities() const
@@ -180,7 +181,7 @@ private:
                                             {velocity.name("largest"), flat_speed, "m/s",
                       flat_speed > 0. ? atom / end : 0.,
                                              "with which the flat moves less than the width of an atom in " +
-                                               run_text + "; is it in m/s?"},
+                                               run_text + "; velocities are in m/s"},
                                             ramp(velocity)};
     for (unsigned int c = 0; c < scales.dim; ++c)
       ranges.push_back(speed(std::string("Body/Initial velocity along ") + "xyz"[c],
@@ -216,10 +217,11 @@ private:
                          largest_coefficient_of_law()),
       within_run("Friction/Normal stress time", parameters.contact.law.normal_stress.time,
                  longest, useless),
-      at_most("Flat/Gap", parameters.contact.gap, "m", furthest,
-              "but pressure, initial velocity and acceleration move the body by " +
-                quantity_text(furthest, "m") +
-                " at most before Time/End time: it never touches the flat; is it in m?")};
+      at_most(
+        "Flat/Gap", parameters.contact.gap, "m", furthest,
+        "but pressure, initial velocity and acceleration move the body by " +
+          quantity_text(furthest, "m") +
+          " at most before Time/End time: it never touches the flat; lengths are in m")};
   }
 
   /** NaN without a law. */
@@ -247,7 +249,7 @@ private:
             within_run("Snapshots/Interval", o.snapshots_interval, end,
                        "there is one snapshot only"),
             at_most("Snapshots/To", snapshots ? o.snapshots_to : automatic, "s", 2. * end,
-                    "long after the end of " + run_text + "; is it in s?")};
+                    "long after the end of " + run_text + "; times are in s")};
   }
 
   /** Where friction falls with the slip rate faster than waves carry away what that sets
@@ -312,7 +314,7 @@ plausible_pressure(const std::string &key, const double pressure, const double s
             " only; is it in MPa? Pressures are in Pa",
           largest_strain * stiffness,
           "which strains the body by " + percent(strain) +
-            ", beyond small strains; is it in Pa?"};
+            ", beyond small strains; pressures are in Pa"};
 }
 
 std::string crossing_text(const ContactParameters &parameters, const BodyScales &scales)

@@ -1,8 +1,10 @@
 #include "sliding/run_plan.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "dynamics/critical_time_step.h"
 #include "material/shear_impedance.h"
+#include "sliding/complex/complex_cases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,7 +113,11 @@ TimeStepChoice choose_time_step(const ContactParameters &parameters,
 TimeStepChoice choose_time_step(const ContactParameters &parameters,
                                 const UniformMaterial &material)
 {
-  TimeStepChoice choice = choose_time_step(parameters, largest_frequency(material).upper);
+  // Whole on one rank, so that the others do not need its fields.
+  double frequency = 0.;
+  on_root(MPI_COMM_WORLD, [&]() { frequency = largest_frequency(material).upper; });
+  broadcast_object(MPI_COMM_WORLD, frequency);
+  TimeStepChoice choice      = choose_time_step(parameters, frequency);
   choice.statistics_interval = statistics_interval(material, choice.step.dt);
   return choice;
 }
@@ -203,16 +209,17 @@ std::string damping_warning(const ContactParameters &parameters,
     return "";
   return brief_text(3, "Time/Rayleigh beta = ", parameters.step.beta, " s makes ",
                     shortened, " ", shortening,
-                    " times shorter than without damping; is it in s?");
+                    " times shorter than without damping; times are in s");
 }
 
-ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid)
+double field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid)
 {
   // In floating point, as too many nodes for a machine are a number, too. As measured:
   // what finds the largest frequency, or with energies the run; the multigrid.
-  const bool stepping = analysis == ContactAnalysis::transient;
-  return {(stepping ? 160. : 330.) * (grid.cells[0] + 1.) * (grid.cells[1] + 1.),
-          "reduce Body/Cells"};
+  const double nodes = (grid.cells[0] + 1.) * (grid.cells[1] + 1.);
+  if (analysis == ContactAnalysis::complex_modes)
+    return complex_modes_memory(2. * nodes, 2);
+  return (analysis == ContactAnalysis::transient ? 160. : 330.) * nodes;
 }
 
 std::string likely_cause(const ContactParameters &parameters, const BodyScales &body)

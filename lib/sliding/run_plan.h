@@ -86,8 +86,8 @@ TimeStepChoice choose_time_step(const ContactParameters &parameters,
 /** Steps and quantities of the map of the contact that @p parameters ask for. */
 ContactMapSetup contact_map_setup(const ContactParameters &parameters, const double dt);
 
-/** Memory of the fields, to be checked before they are created. */
-ResourceNeed field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid);
+/** Memory of the fields on one rank (bytes), to be checked before they are created. */
+double field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid);
 
 /**
  * Steps of a transient run, estimated from above: with the bound of a single cell for the

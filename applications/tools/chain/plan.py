@@ -54,8 +54,7 @@ class Estimate:
 
     def __init__(self, name, text="", libraries=0.0):
         self.name, self.checked = name, bool(text)
-        self.histories = self._size(rf"{SIZE} of memory for histories", text)  # of bodies on meshes and of voxels: they tell no more
-        self.memory = self._size(rf"{SIZE} of memory(?! for)|about {SIZE}", text)
+        self.memory = self._size(rf"{SIZE} of memory|about {SIZE}", text)
         self.memory = self.memory and self.memory + libraries
         self.disk = self._size(rf"{SIZE} on the disk", text)
         self.seconds = None
@@ -71,8 +70,6 @@ class Estimate:
     def text(self):
         """What is known, as the end of a sentence."""
         parts = [f"{bytes_text(size)} {what}" for size, what in ((self.memory, "of memory"), (self.disk, "on the disk")) if size]
-        if self.histories:
-            parts.append(f"{bytes_text(self.histories)} of memory for histories without the body")
         if self.seconds:
             parts.append(f"about {duration_text(self.seconds)} on one core")
         return ", ".join(parts)
@@ -215,9 +212,7 @@ def sum_text(estimates, jobs):
     not_in = [(lambda e: not e.checked, "not in the sum, as what it reads has yet to be made"),
               (lambda e: e.checked and e.seconds is None, "not in the time, as no short run told it"),
               (lambda e: e.checked and e.disk is None, "not in the place on the disk, which the program does not tell"),
-              (lambda e: e.checked and e.memory is None and e.histories,
-               "not in the memory, as on meshes and voxels only that of the histories is known beforehand"),
-              (lambda e: e.checked and e.memory is None and not e.histories, "not in the memory, which the program does not tell")]
+              (lambda e: e.checked and e.memory is None, "not in the memory, which the program does not tell")]
     for pick, why in not_in:
         names = [e.name for e in estimates if pick(e)]
         if names:

@@ -45,7 +45,7 @@ hid_t open_file(const std::string &path, const unsigned int mode)
 {
   const Hdf5Handle access = access_properties();
   if (H5Fis_hdf5(path.c_str()) == 0)
-    throw UserError(path + " is not an HDF5 file");
+    throw UserError(path + " is not an HDF5 file; name one that these programs wrote");
   const hid_t file = H5Fopen(path.c_str(), mode, access);
   if (file < 0)
     throw UserError(path +

@@ -123,14 +123,13 @@ double highest_frequency_of(const ContactParameters &parameters,
   return std::isnan(given) ? wave_speed / height : given;
 }
 
-ResourceNeed complex_modes_memory(const double n_dofs, const unsigned int dim)
+double complex_modes_memory(const double n_dofs, const unsigned int dim)
 {
   // Complex factors as measured with METIS' ordering, matrices, and Arnoldi vectors.
   const double factors =
     dim == 2 ? 42. * n_dofs * std::log2(n_dofs) : 26. * std::pow(n_dofs, 4. / 3.);
   const double vectors = 110. * 2.1 * n_dofs;
-  return {16. * (factors + vectors) + 600. * n_dofs,
-          "reduce Body/Cells, or take a coarser mesh"};
+  return 16. * (factors + vectors) + 600. * n_dofs;
 }
 
 template <int dim>

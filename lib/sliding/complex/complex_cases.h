@@ -79,8 +79,8 @@ double highest_frequency_of(const ContactParameters &parameters,
                             const double wave_speed,
                             const double height);
 
-/** What modes of a body of @p n_dofs degrees of freedom need on each rank. */
-ResourceNeed complex_modes_memory(const double n_dofs, const unsigned int dim);
+/** Bytes of memory that modes of a body of @p n_dofs degrees of freedom need on each rank. */
+double complex_modes_memory(const double n_dofs, const unsigned int dim);
 
 /**
  * The modes for the parameters, and for each value of the sweep; each case is computed by one

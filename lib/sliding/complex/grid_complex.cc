@@ -38,7 +38,6 @@ ComplexModesAnalysis::ComplexModesAnalysis(const ContactParameters &given)
   : BodyAnalysis(given)
 {
   check_complex_modes(parameters);
-  require_memory(complex_modes_memory(2. * static_cast<double>(body.grid.n_nodes()), 2));
   if (top_at_start(parameters).kind == TopSetup::Kind::held)
     return; // nothing presses it, see sliding_state()
   try

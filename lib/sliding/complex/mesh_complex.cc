@@ -24,8 +24,6 @@ public:
     : MeshAnalysis<dim>(given)
   {
     check_complex_modes(this->parameters);
-    require_memory(
-      complex_modes_memory(dim * static_cast<double>(this->body.n_points), dim));
     try
       {
         if (is_pressed())

@@ -7,6 +7,7 @@
 #include "material/plausibility.h"
 #include "program/output_folder.h"
 #include "sliding/body_grid.h"
+#include "sliding/mesh/body_memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +20,6 @@ namespace mesoslip
 {
 namespace
 {
-/** What rank 0 holds, fields and files included: of a body that has a mesh of all its cells, and
- * of one that has none (measured). */
-constexpr double bytes_of_meshed_cell = 600., bytes_of_cell = 320.;
-
 std::string grid_line(const UniformGrid<3> &grid)
 {
   const auto &n = grid.cells;
@@ -176,7 +173,9 @@ std::vector<unsigned int> cells_near(const MeshMorphology<3> &body,
   return found;
 }
 
-MeshMorphology<3> make_box(const ContactParameters &parameters)
+MeshMorphology<3> make_box(const ContactParameters &parameters,
+                           const double share,
+                           const unsigned int n_ranks)
 {
   const std::string &path = parameters.body.rve_file;
   const bool whole        = parameters.analysis != ContactAnalysis::transient;
@@ -188,8 +187,9 @@ MeshMorphology<3> make_box(const ContactParameters &parameters)
     }
   MeshMorphology<3> body;
   const UniformGrid<3> grid = make_grid<3>(parameters.body, rve ? &*rve : nullptr);
-  const double bytes        = whole ? bytes_of_meshed_cell : bytes_of_cell;
-  require_memory({bytes * static_cast<double>(grid.n_cells()), "reduce Body/Cells"});
+  const double bytes        = memory_of_box(parameters, grid).on_machine(share, n_ranks);
+  require_memory({bytes, cells_that_fit({grid.cells.begin(), grid.cells.end()}, bytes) +
+                           "; reduce Body/Cells, or take more machines"});
   body.file = path;
   body.box  = {
      grid, {{!parameters.mesh.periodic[0].empty(), !parameters.mesh.periodic[1].empty()}}};

@@ -4,6 +4,7 @@
 #include "base/exchange.h"
 #include "material/plausibility.h"
 #include "mesh/mesh_archive.h"
+#include "program/machine.h"
 #include "program/run_context.h"
 #include "sliding/mesh/box_body.h"
 #include "sliding/run_plan.h"
@@ -37,15 +38,27 @@ std::vector<std::string> implausible_body(const std::vector<Phase<dim>> &phases,
   return sentences;
 }
 
-/** The mesh, or the box. */
+/** The mesh, or the box, for which the memory of a machine with @p share of all ranks is enough;
+ * @p memory becomes what it takes. */
 template <int dim>
-MeshMorphology<dim> read_body(const ContactParameters &parameters)
+MeshMorphology<dim> read_body(const ContactParameters &parameters,
+                              const double share,
+                              const unsigned int n_ranks,
+                              BodyMemory &memory)
 {
   const MeshBodyParameters &mesh = parameters.mesh;
   if constexpr (dim == 3)
     if (mesh.is_box())
-      return make_box(parameters);
-  return read_mesh<dim>(mesh.mesh, mesh.mesh.files[0], mesh.phases);
+      {
+        auto box = make_box(parameters, share, n_ranks);
+        memory   = memory_of_box(parameters, box.box->grid);
+        return box;
+      }
+  auto body = read_mesh<dim>(mesh.mesh, mesh.mesh.files[0], mesh.phases);
+  memory    = memory_on_mesh(parameters, body.mesh);
+  require_memory({memory.on_machine(share, n_ranks),
+                  "take a coarser mesh, or divide it among more machines"});
+  return body;
 }
 } // namespace
 
@@ -54,8 +67,10 @@ MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
   : parameters(with_phases<dim>(given))
 {
   parameters.mesh.check();
-  on_root(MPI_COMM_WORLD, [this]() {
-    morphology = read_body<dim>(parameters);
+  const double share           = share_of_this_machine();
+  const unsigned int neighbors = ranks_of_this_machine();
+  on_root(MPI_COMM_WORLD, [&]() {
+    morphology = read_body<dim>(parameters, share, neighbors, memory);
     join_periodic_sides(morphology, parameters.mesh);
     body = describe_body(morphology, parameters);
     for (const std::string &sentence :
@@ -63,6 +78,7 @@ MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
       morphology.warnings.push_back(sentence);
   });
   broadcast_object(MPI_COMM_WORLD, body);
+  broadcast_object(MPI_COMM_WORLD, memory);
   std::vector<OrientedPhase> materials = morphology.orientations.materials;
   broadcast_object(MPI_COMM_WORLD, materials);
   for (const Phase<dim> &phase :
@@ -98,7 +114,8 @@ void MeshAnalysis<dim>::describe(std::ostream &out) const
 {
   for (const std::string &line : lines())
     out << line << '\n';
-  out << dim * body.n_points << " degrees of freedom\n";
+  out << dim * body.n_points << " degrees of freedom\n"
+      << memory.text(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) << '\n';
   for (const std::string &warning : morphology.warnings)
     out << "Warning: " << warning << '\n';
 }

@@ -4,6 +4,7 @@
 #include "body/mesh/mesh_body.h"
 #include "program/program.h"
 #include "sliding/contact_parameters.h"
+#include "sliding/mesh/body_memory.h"
 
 #include <memory>
 #include <string>
@@ -29,7 +30,7 @@ public:
    */
   explicit MeshAnalysis(const ContactParameters &given);
 
-  /** Mesh, boundaries, degrees of freedom and warnings. */
+  /** Mesh, boundaries, degrees of freedom, memory and warnings. */
   void describe(std::ostream &out) const override;
 
 protected:
@@ -55,6 +56,7 @@ protected:
   MeshMorphology<dim> morphology;        ///< on rank 0
   MeshBodyDescription body;              ///< the same on all ranks
   std::vector<ElasticPhase<dim>> phases; ///< of the cells, the same on all ranks
+  BodyMemory memory;                     ///< to which analyses add what they need
 
 private:
   std::vector<std::string> lines() const;

@@ -69,6 +69,7 @@ public:
     if (this->parameters.map.interval > 0. || this->parameters.wants_node_loads())
       require_contact_area(this->body);
     require_memory(needs.memory);
+    this->memory.on_rank_0 += needs.memory.bytes;
   }
 
   ResourceNeed need() const override
@@ -80,8 +81,7 @@ public:
   {
     MeshAnalysis<dim>::describe(out);
     out << time.text() << "\nTimes: " << crossing_text(this->parameters, scales) << '\n'
-        << needs.text() << bytes_text(needs.disk.bytes) << " on the disk, "
-        << bytes_text(needs.memory.bytes) << " of memory for histories\n";
+        << needs.text() << bytes_text(needs.disk.bytes) << " on the disk\n";
     for (const std::string &warning : warnings())
       out << "Warning: " << warning << '\n';
   }

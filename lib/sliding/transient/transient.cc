@@ -85,24 +85,21 @@ std::vector<std::string> TransientAnalysis::warnings() const
 
 void TransientAnalysis::describe(std::ostream &out) const
 {
-  BodyAnalysis::describe(out);
   const TimeStepChoice time = choose_time_step(parameters, material);
   const RunNeeds exact =
     needs_of(static_cast<double>(time.n_steps), time.statistics_interval);
+  describe_body(out, exact.memory.bytes);
   out.precision(4);
   out << time.text() << "\nTimes: " << crossing_text(parameters, scales) << '\n'
-      << exact.text() << bytes_text(exact.disk.bytes) << " on the disk, "
-      << bytes_text(field_memory(parameters.analysis, body.grid).bytes +
-                    exact.memory.bytes)
-      << " of memory\n";
+      << exact.text() << bytes_text(exact.disk.bytes) << " on the disk\n";
   for (const std::string &warning : warnings())
     out << "Warning: " << warning << '\n';
 }
 
 void TransientAnalysis::write_draft(const std::string &folder) const
 {
+  const TimeStepChoice time = choose_time_step(parameters, material);
   on_root(MPI_COMM_WORLD, [&]() {
-    const TimeStepChoice time = choose_time_step(parameters, material);
     const DraftMark mark(false);
     DynamicsFile file = DynamicsFile::create(path_of_draft(folder, "dynamics.h5"), body);
     write_transient_draft(file, parameters, time, nodes_shape(body.grid));

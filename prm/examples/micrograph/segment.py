@@ -3,6 +3,7 @@
 uneven light, and against the rims that smoothed edges leave between three phases."""
 
 import os
+import sys
 
 import numpy as np
 from PIL import Image, ImageFilter
@@ -10,6 +11,7 @@ from scipy import ndimage
 
 THRESHOLDS = [127]    # ascending, between the peaks of the histogram of grey values: one less than phases
 UNEVEN_LIGHT = False  # True: the picture is darker at one side
+THIN_RIMS = True      # of three phases or more; False where bright and dark lie apart, as grains and pores in a grey matrix: small pores stay
 
 
 def evened(grey):
@@ -30,16 +32,30 @@ def segment(grey):
     """The phases 0, 1, ... of grey values [rows][columns], in ascending order of their grey."""
     filtered = np.asarray(Image.fromarray(grey).filter(ImageFilter.MedianFilter(5)))
     phases = np.searchsorted(THRESHOLDS, evened(filtered) if UNEVEN_LIGHT else filtered).astype(np.uint8)
-    if len(THRESHOLDS) > 1:  # the rim between dark and bright is grey, as a third phase is; it is thin
+    if THIN_RIMS and len(THRESHOLDS) > 1:  # the rim between dark and bright is grey, as a third phase is; it is thin
         phases = np.asarray(Image.fromarray(phases).filter(ImageFilter.ModeFilter(9)))
     return phases
 
 
+def grey_of(name):
+    """The grey values 0 to 255 of a picture, those of 16 bits divided by 256."""
+    picture = Image.open(name)
+    if picture.mode.startswith("I"):
+        return (np.asarray(picture) >> 8).astype(np.uint8)
+    return np.asarray(picture.convert("L"))
+
+
 if __name__ == "__main__":
     os.chdir(os.path.dirname(os.path.abspath(__file__)))
-    found = segment(np.asarray(Image.open("micrograph.png").convert("L")))
+    if not isinstance(THRESHOLDS, list) or sorted(set(THRESHOLDS)) != THRESHOLDS or not THRESHOLDS:
+        sys.exit(f"THRESHOLDS is {THRESHOLDS}; write grey values in brackets, ascending, such as [100, 160]")
+    if not os.path.exists("micrograph.png"):
+        sys.exit("there is no micrograph.png beside this script; copy the grey picture there")
+    found = segment(grey_of("micrograph.png"))
     shades = np.array([255 * k // len(THRESHOLDS) for k in range(len(THRESHOLDS) + 1)], dtype=np.uint8)
     Image.fromarray(shades[found]).save("phases.png")
     print("Image values:", ", ".join(map(str, shades)))
     for k, shade in enumerate(shades):
         print(f"{shade}: {np.mean(found == k):.1%} of the pixels, pieces: {ndimage.label(found == k)[1]}")
+        if not np.any(found == k):
+            print(f"Nothing has the grey of phase {k + 1}: change THRESHOLDS")

@@ -97,15 +97,14 @@ def disk_told(line):
 
 def check_sums():
     """What is not in a sum is named, with the reason."""
-    told = [Estimate("rve", "18 load cases, about 160 MB\n34.5 MB on the disk"), Estimate("box", "112 MB on the disk, 973 kB of memory for histories", 1e8),
+    told = [Estimate("rve", "18 load cases, about 160 MB\n34.5 MB on the disk"), Estimate("box", "112 MB on the disk, 973 kB of memory", 1e8),
             Estimate("plane", "40 MB on the disk, 5 MB of memory", 1e8), Estimate("later")]
     for estimate in told[:3]:
         estimate.seconds = 10.0
-    assert told[1].text() == "112 MB on the disk, 973 kB of memory for histories without the body, about 10 s on one core", told[1].text()
+    assert told[1].text() == "101 MB of memory, 112 MB on the disk, about 10 s on one core", told[1].text()
     first, *others = sum_text(told, 2).splitlines()
     assert first == "In sum: about 30 s on one core, 186 MB on the disk, 265 MB of memory with 2 side by side", first
-    assert others == ["  not in the sum, as what it reads has yet to be made: later",
-                      "  not in the memory, as on meshes and voxels only that of the histories is known beforehand: box"], others
+    assert others == ["  not in the sum, as what it reads has yet to be made: later"], others
     assert sum_text(told[::2], 1).count("\n") == 0, sum_text(told[::2], 1)
 
 

@@ -192,6 +192,12 @@ def check_labels(loads):
     x, y = loads.grid.centres()
     assert float(whole["stress"].sel(x=x[3], y=y[5], component="yy")) == loads[group + "/stress"][5, 3, 1]
     assert loads.to_xarray(group + "/von_mises").dims == ("y", "x")
+    names = []
+    loads.hdf5.visititems(lambda name, found: names.append(name) if hasattr(found, "shape") else None)
+    assert len(names) > 10
+    for name in names:
+        found, given = loads.to_xarray(name), loads[name]
+        assert np.array_equal(found.values, np.asarray(given)) and found.attrs["units"] == getattr(given, "unit", ""), name
 
 
 def check_examples(folder):

@@ -167,6 +167,9 @@ TEST(Parameters, NamesWhatIsWrong)
     expect_contains(error_of("subsection Time step\nset Fraction = " + value + "\nend"),
                     "run.prm:2: Time step/Fraction is '" + value +
                       "' but must be a number in (0, 1]");
+  expect_contains(error_of("set Cells = 30 GPa"), "write numbers without a unit");
+  expect_contains(error_of("subsection Time step\nset Output = 0,003, 0,002\nend"),
+                  "write decimals with a point");
   expect_contains(error_of("subsection Time step\nset Output = 1\nend"),
                   "2 to 3 comma separated numbers > 0");
   const std::string deep = "subsection Input\nsubsection Deep\n";

@@ -1,7 +1,7 @@
 # %% [markdown]
 # # How does a body slide under three pressures?
 # Homogenizes the picture of `prm/examples/image`, then runs the homogenized body under three pressures.
-# From the root of the project, with mesoslip installed as doc/python.md says.
+# From the root of the project, with mesoslip installed, and the folder of the programs named, as doc/python.md says.
 
 # %%
 import os

@@ -1,7 +1,7 @@
 # %% [markdown]
 # # Where is a composite under transverse tension stressed most?
 # Runs `rve_homogenization` on random fibres under three macroscopic loads and looks at the stresses of one of them.
-# From the root of the project, with mesoslip installed as doc/python.md says.
+# From the root of the project, with mesoslip installed, and the folder of the programs named, as doc/python.md says.
 
 # %%
 import matplotlib

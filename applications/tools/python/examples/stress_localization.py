@@ -1,7 +1,7 @@
 # %% [markdown]
 # # What do the grains bear, and how far is localized stress to be trusted?
 # Runs the chain of `prm/examples/image` (a picture, its homogenized body, the body with every grain, localization) and
-# compares localized with direct stresses. From the root of the project, with mesoslip installed as doc/python.md says.
+# compares localized with direct stresses. From the root of the project, with mesoslip installed, and the folder of the programs named, as doc/python.md says.
 
 # %%
 import matplotlib

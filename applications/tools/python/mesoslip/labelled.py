@@ -22,8 +22,9 @@ def to_xarray(file, name):
 
 def _array(xarray, file, name):
     values = file[name]
-    dims, coordinates = _axes(file, name, values.shape)
-    array = xarray.DataArray(np.asarray(values), dims=dims, coords=coordinates, name=name.rpartition("/")[2], attrs={"units": values.unit})
+    plain, unit = np.asarray(values), getattr(values, "unit", "")  # texts have none
+    dims, coordinates = _axes(file, name, plain.shape)
+    array = xarray.DataArray(plain, dims=dims, coords=coordinates, name=name.rpartition("/")[2], attrs={"units": unit})
     for dim in array.coords:
         if dim in ("x", "y", "z", "time"):
             array.coords[dim].attrs["units"] = "s" if dim == "time" else "m"

@@ -115,7 +115,7 @@ def apparent_friction(runs, paper_value=None):
             zoom.axhline(mean, **looks)
         begin, stop = np.searchsorted(time, [zoom_window(run, end), np.nextafter(end, np.inf)])
         x, y = thinned(time[begin:stop], friction[begin:stop])
-        zoom.plot(1e3 * x, y, **style(runs, run), label=run.label)
+        zoom.plot(1e3 * x, y, color=c, lw=1.3, label=run.label)  # dashes are means
     if any(run.number("mean_apparent_friction_coefficient") is not None for run, *_ in series):
         whole.plot([], [], color=GREY, lw=1.6, ls=(0, (2.5, 3.5)), label="mean over the steady part")
     for axes in (whole, zoom):

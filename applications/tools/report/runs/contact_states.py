@@ -14,6 +14,11 @@ STATES = [Patch(facecolor=SLIP, label="slip"), Patch(facecolor=STICK, label="sti
           Patch(facecolor=SEPARATED, edgecolor="#adb5bd", label="separated")]
 
 
+def states_with(*shares):
+    """Entries of a legend for the states of which these arrays, in the order of STATES, are not zero everywhere."""
+    return [state for state, share in zip(STATES, shares) if np.any(share)]
+
+
 def direction_of_flat(run):
     """Unit vector along x and y in which the flat moves."""
     parts = [run.attribute("/run", f"flat_direction_{axis}") for axis in "xy"]
@@ -46,7 +51,7 @@ def node_statistics(runs):
         axis.margins(x=0)
         axis.set_title(run.label, loc="right", color=GREY)
     axes[-1].set_xlabel("x (mm)")
-    above(axes[0], STATES)
+    above(axes[0], states_with(*(np.concatenate(shares) for shares in list(zip(*(arrays for _, arrays in series)))[1:])))
     return figure
 
 
@@ -153,5 +158,5 @@ def contact_map(run):
         axes[1].set_xlim(1e3 * begin, 1e3 * time[-1])
         axes[1].set_title("last periods", loc="left", color=GREY)
     axes[-1].set_xlabel("time (ms)")
-    above(axes[0], STATES, title=run.title)
+    above(axes[0], states_with(slip, stick, separated), title=run.title)
     return figure, why

@@ -24,7 +24,7 @@ QUANTITIES = [
     ("Mean contact duration T<sub>G</sub>", ("mean_contact_duration",), "s"),
     ("Frictional energy", ("friction_energy",), "J/m"),
     ("Largest strain", ("largest_strain",), "%"),
-    ("Residual of the energy balance, relative", ("energy_balance_residual",), ""),
+    ("Largest residual of the energy balance, relative", ("energy_balance_residual",), ""),
     ("Statistics from", ("steady_from",), "s"),
     ("Means over whole periods from", ("window_begin",), "s"),
     ("Means over whole periods to", ("window_end",), "s"),
@@ -183,7 +183,9 @@ def stiffness_table(page, run):
         if run.number(key) is not None:
             extra.append(f"{words} {number(run.number(key), 2)}")
     order = "1 is xx, 2 is yy, 3 is the shear xy" if len(next(iter(matrices.values()))) == 3 else "1 to 6 are xx, yy, zz, yz, xz, xy"
-    extra.insert(0, f"{order} (engineering strain). On the diagonal theory orders SUBC ≤ PBC ≤ KUBC{apart(matrices)}")
+    ordered = [name for name in ("SUBC", "PBC", "KUBC") if name in matrices]
+    theory = f". On the diagonal theory orders {' ≤ '.join(ordered)}{apart(matrices)}" if len(ordered) > 1 else ""
+    extra.insert(0, f"{order} (engineering strain){theory}")
     if compared:
         extra.insert(0, "In brackets: difference from eq. (10)")
     return (f"<h3>{escape(run.name)}</h3>" + table([scale[1]] + ["paper, eq. (10)"] * compared + list(matrices), rows) +

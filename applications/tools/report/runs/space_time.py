@@ -12,7 +12,7 @@ from report.base.figures import GREY, SEPARATED, SLIP, STICK, STRESSES, WIDTH, a
 from report.bodies import contact_surface
 from report.bodies.projections import Group, draw
 from report.bodies.stress_maps import STRESS_MAP
-from report.runs.contact_states import STATES, contact_positions, direction_of_flat
+from report.runs.contact_states import contact_positions, direction_of_flat, states_with
 
 MOST_ROWS, MOST_COLUMNS = 900, 700  # of a picture; more than its pixels
 SHOWN = (2.5, 97.5)  # percentiles at the ends of a scale; the leading edge of a surface may have 2 % of the nodes
@@ -163,7 +163,8 @@ def space_time(run, runs, zoom=False):
     axes[0][0].set_ylabel("time (ms)")
     figure.supxlabel("position along the contact (mm)", fontsize=11.5)
     if any(name == "state" for name, *_ in names):
-        above_all(figure, STATES, title=run.title)
+        state = shown_field(run, "state", zoom)[0]
+        above_all(figure, states_with(state == 2, state == 1, state == 0), title=run.title)
     elif run.title:
         figure.suptitle(run.title, fontsize=11.5)
     return figure, reduced

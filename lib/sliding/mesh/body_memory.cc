@@ -1,0 +1,91 @@
+#include "sliding/mesh/body_memory.h"
+
+#include "program/output_folder.h"
+#include "sliding/complex/complex_cases.h"
+
+namespace mesoslip
+{
+namespace
+{
+/** Of a corner of a cell, with its share of the point, in a mesh as it is read. */
+constexpr double bytes_of_corner = 30.;
+
+/** What steps on a cell with @p n_corners take, the mesh included. */
+template <int dim>
+double bytes_of_stepped_cell(const std::size_t n_corners)
+{
+  if (n_corners == dim + 1)
+    return dim == 2 ? 380. : 320.;
+  return dim == 2 ? 610. : 970.;
+}
+
+/** Of a component of a snapshot, which waits to be written. */
+constexpr double bytes_of_shown_dof = 35.;
+
+/** A matrix and ML with what the analysis has beside it, for a node. */
+double bytes_of_static_node(const ContactAnalysis analysis, const unsigned int dim)
+{
+  if (analysis == ContactAnalysis::modal)
+    return dim == 2 ? 3900. : 17000.;
+  return dim == 2 ? 4700. : 20000.;
+}
+
+/** Statics, modes and complex modes of @p n_nodes. */
+template <int dim>
+BodyMemory of_static_body(const ContactAnalysis analysis,
+                          const double n_nodes,
+                          const double bytes_of_mesh)
+{
+  if (analysis == ContactAnalysis::complex_modes)
+    return {0., 0., complex_modes_memory(dim * n_nodes, dim)};
+  return {bytes_of_mesh, bytes_of_static_node(analysis, dim) * n_nodes, 0.};
+}
+
+double bytes_of_snapshots(const ContactParameters &parameters, const double n_dofs)
+{
+  return parameters.observation.snapshots_interval > 0. ? bytes_of_shown_dof * n_dofs
+                                                        : 0.;
+}
+} // namespace
+
+std::string BodyMemory::text(const unsigned int n_ranks) const
+{
+  const double other      = divided / n_ranks + on_each;
+  const std::string first = bytes_text(on_rank_0 + other) + " of memory";
+  return n_ranks == 1 ? first
+                      : first + " on rank 0, " + bytes_text(other) + " on each other";
+}
+
+template <int dim>
+BodyMemory memory_on_mesh(const ContactParameters &parameters, const Mesh<dim> &mesh)
+{
+  double corners = 0., steps = 0.;
+  for (const auto &cell : mesh.cells)
+    {
+      corners += static_cast<double>(cell.vertices.size());
+      steps += bytes_of_stepped_cell<dim>(cell.vertices.size());
+    }
+  const double read = bytes_of_corner * corners;
+  const auto points = static_cast<double>(mesh.points.size());
+  if (parameters.analysis != ContactAnalysis::transient)
+    return of_static_body<dim>(parameters.analysis, points, read);
+  return {read, steps - read + bytes_of_snapshots(parameters, dim * points), 0.};
+}
+
+BodyMemory memory_of_box(const ContactParameters &parameters, const UniformGrid<3> &grid)
+{
+  constexpr double bytes_of_corners = 8. * bytes_of_corner, bytes_of_brick = 330.,
+                   bytes_of_phase = 1.;
+  const auto cells                = static_cast<double>(grid.n_cells());
+  double nodes                    = 1.;
+  for (const unsigned int n : grid.cells)
+    nodes *= n + 1.;
+  if (parameters.analysis != ContactAnalysis::transient)
+    return of_static_body<3>(parameters.analysis, nodes, bytes_of_corners * cells);
+  return {bytes_of_phase * cells,
+          bytes_of_brick * cells + bytes_of_snapshots(parameters, 3. * nodes), 0.};
+}
+
+template BodyMemory memory_on_mesh(const ContactParameters &, const Mesh<2> &);
+template BodyMemory memory_on_mesh(const ContactParameters &, const Mesh<3> &);
+} // namespace mesoslip

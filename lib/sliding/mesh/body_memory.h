@@ -1,0 +1,45 @@
+#ifndef mesoslip_sliding_mesh_body_memory_h
+#define mesoslip_sliding_mesh_body_memory_h
+
+#include "base/serialize_members.h"
+#include "grid/uniform_grid.h"
+#include "mesh/mesh.h"
+#include "sliding/contact_parameters.h"
+
+#include <string>
+
+namespace mesoslip
+{
+/** Memory that an analysis takes for its body, without histories and libraries (bytes, as measured). */
+struct BodyMemory
+{
+  double on_rank_0 = 0.; ///< what only rank 0 has, such as the mesh that it reads
+  double divided   = 0.; ///< what the ranks divide among themselves
+  double on_each   = 0.; ///< what every rank has
+
+  /** Of all ranks on one machine that has @p share of all, @p n_ranks of them. */
+  double on_machine(const double share, const unsigned int n_ranks) const
+  {
+    return on_rank_0 + share * divided + n_ranks * on_each;
+  }
+
+  /** "1.2 GB of memory", of several ranks "400 MB of memory on rank 0, 300 MB on each other". */
+  std::string text(const unsigned int n_ranks) const;
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<3>(archive, *this);
+  }
+};
+
+/** Of a body on a mesh. */
+template <int dim>
+BodyMemory memory_on_mesh(const ContactParameters &parameters, const Mesh<dim> &mesh);
+
+/** Of a box of voxels. */
+BodyMemory memory_of_box(const ContactParameters &parameters, const UniformGrid<3> &grid);
+} // namespace mesoslip
+
+#endif

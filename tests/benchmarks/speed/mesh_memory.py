@@ -1,0 +1,79 @@
+"""Memory of each rank on meshes of hexahedra against what --validate tells, on one and four ranks."""
+
+import os
+import re
+import subprocess
+import sys
+
+from mesh_files import Box
+
+SIDES = {"homogenization": 40, "transient": 64, "modal": 40, "static contact": 40}  # cells along each axis
+SMALL = 4  # what the programs take without a body
+RANKS = (1, 4)
+MATERIAL = {"Names": "rock", "rock/Young modulus": 4e10, "rock/Poisson ratio": 0.2, "rock/Density": 1900}
+PRESSED = {"Top/Pressure": 1e6, "Flat/Velocity": 1, "Friction/Coefficient": 0.3}
+SETTINGS = {"homogenization": {"Homogenization/Boundary conditions": "KUBC", "Homogenization/Effective": "KUBC"},
+            "transient": {"Time/End time": 1e-7, **PRESSED},
+            "modal": {"Analysis": "modal", "Modal/Number of modes": 4, "Top/Kind": "platen"},
+            "static contact": {"Analysis": "static contact", **PRESSED}}
+UNITS = {"kB": 1e3, "MB": 1e6, "GB": 1e9}
+# Starts a program and writes its largest resident memory (kB) to a file that has the number of the rank.
+MEASURED = ("import os, resource, subprocess, sys; status = subprocess.run(sys.argv[2:]).returncode; "
+            "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, file=open(sys.argv[1] + os.environ['OMPI_COMM_WORLD_RANK'], 'w')); sys.exit(status)")
+
+
+def run(bench):
+    folder = os.path.join(bench.runs, "mesh_memory")
+    os.makedirs(folder, exist_ok=True)
+    rows = []
+    for name, side in SIDES.items():
+        for ranks in RANKS:
+            small, large = (memory(bench, folder, name, n, ranks) for n in (SMALL, 16 if bench.quick else side))
+            used = [b - a for a, b in zip(small, large)]
+            rows.append({"analysis": name, "hexahedra": side**3, "ranks": ranks, "told_rank_0_bytes": told(bench, folder, name, ranks),
+                         "rank_0_bytes": used[0], "least_other_bytes": min(used[1:], default=0), "most_other_bytes": max(used[1:], default=0)})
+    for row in rows:
+        alone = next(other for other in rows if other["analysis"] == row["analysis"] and other["ranks"] == 1)
+        row["rank_0_of_one"] = row["rank_0_bytes"] / alone["rank_0_bytes"]
+    bench.write("mesh-memory", rows, f"largest resident memory of a rank, less that with {SMALL**3} hexahedra, and what --validate tells of rank 0",
+                ranks="1 and 4")
+
+
+def command(bench, folder, name, side, ranks, *more):
+    mesh, job = os.path.join(folder, f"box-{side}.msh"), os.path.join(folder, f"{name.replace(' ', '-')}.prm")
+    if not os.path.exists(mesh):
+        box = Box([float(side)] * 3, [side] * 3, lambda middle: "rock")
+        box.name_side("Contact", 2, False).name_side("Top", 2, True).write(mesh)
+    with open(job, "w", encoding="utf-8") as file:
+        file.write("set Dimension = 3\n")
+    settings = {**SETTINGS[name], "Mesh/File": mesh, "Mesh/Scale": 1e-4, **{f"Phases/{key}": value for key, value in MATERIAL.items()}}
+    program = "rve_homogenization" if name == "homogenization" else "contact_dynamics"
+    parts = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
+    return ["mpirun", "--oversubscribe", "-np", str(ranks)], [os.path.join(bench.programs, program), job, *parts, *more]
+
+
+def called(start):
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    return subprocess.run(start, env=environment, text=True, stdout=subprocess.PIPE, check=True).stdout
+
+
+def memory(bench, folder, name, side, ranks):
+    """Bytes of each rank."""
+    files = os.path.join(folder, "rank-")
+    output = os.path.join(folder, f"{name.replace(' ', '-')}-{side}-{ranks}")
+    start, program = command(bench, folder, name, side, ranks, "--quiet", "--output", output)
+    called([*start, sys.executable, "-c", MEASURED, files, *program])
+    sizes = []
+    for rank in range(ranks):
+        with open(f"{files}{rank}", encoding="ascii") as file:
+            sizes.append(1024 * int(file.read()))
+    return sizes
+
+
+def told(bench, folder, name, ranks):
+    """Bytes of rank 0 that --validate tells."""
+    start, program = command(bench, folder, name, SIDES[name], ranks, "--validate")
+    found = re.search(r"([\d.]+) (kB|MB|GB) of memory|about ([\d.]+) (MB), divided", called([*start, *program]))
+    value, unit = (word for word in found.groups() if word)
+    # Of a homogenization that of all ranks, with 150 MB of libraries.
+    return float(value) * UNITS[unit] if name != "homogenization" else (float(value) - 150) * 1e6 / ranks
