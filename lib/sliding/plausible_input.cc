@@ -212,6 +212,12 @@ private:
                      useless)
         : within_run("Friction/Regularization time", parameters.contact.law.time, longest,
                      useless),
+      at_most("Friction/Regularization time",
+              parameters.contact.law.time <= longest ? parameters.contact.law.time : 0.,
+              "s", crossings_of_a_period * crossing,
+              "longer than a vibration of the body lasts, some " +
+                quantity_text(crossings_of_a_period * crossing, "s") +
+                ", so that friction does not follow it; times are in s"),
       plausible_friction("the largest friction coefficient, of Friction/Coefficient law "
                          "at the speed of the flat,",
                          largest_coefficient_of_law()),

@@ -152,7 +152,8 @@ RunNeeds run_needs(const ContactParameters &parameters,
     needs.disk.remedy = to_text(needs.n_snapshots) +
                         " snapshots take most of it: increase Snapshots/Interval, now " +
                         to_text(parameters.observation.snapshots_interval) +
-                        " s, or set From and To";
+                        " s, set From and To, or reduce Time/End time (in s), now " +
+                        to_text(parameters.time.end_time) + " s";
   return needs;
 }
 } // namespace mesoslip

@@ -11,10 +11,6 @@ namespace mesoslip
 {
 namespace
 {
-/** How often a pressure wave crosses the height of the body in the period that is expected
- * while a run shows no vibration: that of the shear of the paper's pin, at 41 kHz. */
-constexpr double crossings_of_a_period = 8.;
-
 LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
                                           const BodySize &size)
 {
