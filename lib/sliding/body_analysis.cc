@@ -149,7 +149,7 @@ void BodyAnalysis::describe_body(std::ostream &out, const double bytes_of_histor
   for (const std::string &line : body_lines())
     out << line << '\n';
   out << 2 * body.grid.n_nodes() << " degrees of freedom\n"
-      << bytes_text(field_memory(parameters.analysis, body.grid) + bytes_of_histories)
+      << bytes_text(field_memory(parameters, body.grid) + bytes_of_histories)
       << " of memory\n";
   for (const std::string &warning : body_warnings())
     out << "Warning: " << warning << '\n';

@@ -109,7 +109,7 @@ BodyDescription make_body(const ContactParameters &parameters,
       rve.emplace(given.rve_file);
     }
   body.grid          = make_grid<2>(given, rve ? &*rve : nullptr);
-  const double bytes = n_copies * field_memory(parameters.analysis, body.grid);
+  const double bytes = n_copies * field_memory(parameters, body.grid);
   require_memory(
     {bytes, cells_that_fit({body.grid.cells.begin(), body.grid.cells.end()}, bytes) +
               "; reduce Body/Cells"});

@@ -4,6 +4,7 @@
 #include "base/exchange.h"
 #include "dynamics/critical_time_step.h"
 #include "material/shear_impedance.h"
+#include "sliding/analyses/modal_cases.h"
 #include "sliding/complex/complex_cases.h"
 
 #include <algorithm>
@@ -212,14 +213,31 @@ std::string damping_warning(const ContactParameters &parameters,
                     " times shorter than without damping; times are in s");
 }
 
-double field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid)
+double static_node_memory(const ContactParameters &parameters,
+                          const unsigned int dim,
+                          const bool ml)
+{
+  if (parameters.analysis != ContactAnalysis::modal)
+    return !ml ? 720. : dim == 2 ? 4700. : 20000.;
+  const double bytes_of_a_mode = 50. * dim;
+  return (!ml        ? 750.
+          : dim == 2 ? 3500.
+                     : 16400.) +
+         bytes_of_a_mode * modal_options(parameters).n_modes;
+}
+
+double field_memory(const ContactParameters &parameters, const UniformGrid<2> &grid)
 {
   // In floating point, as too many nodes for a machine are a number, too. As measured:
-  // what finds the largest frequency, or with energies the run; the multigrid.
-  const double nodes = (grid.cells[0] + 1.) * (grid.cells[1] + 1.);
-  if (analysis == ContactAnalysis::complex_modes)
+  // what finds the largest frequency, or with energies the run.
+  constexpr double bytes_of_steps = 160.;
+  const double nodes              = (grid.cells[0] + 1.) * (grid.cells[1] + 1.);
+  if (parameters.analysis == ContactAnalysis::complex_modes)
     return complex_modes_memory(2. * nodes, 2);
-  return (analysis == ContactAnalysis::transient ? 160. : 330.) * nodes;
+  if (parameters.analysis == ContactAnalysis::transient)
+    return bytes_of_steps * nodes;
+  return nodes * static_node_memory(parameters, 2,
+                                    parameters.static_solver == StaticSolverKind::ml);
 }
 
 std::string likely_cause(const ContactParameters &parameters, const BodyScales &body)

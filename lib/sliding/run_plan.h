@@ -86,8 +86,14 @@ TimeStepChoice choose_time_step(const ContactParameters &parameters,
 /** Steps and quantities of the map of the contact that @p parameters ask for. */
 ContactMapSetup contact_map_setup(const ContactParameters &parameters, const double dt);
 
+/** Memory that statics or modes take for a node (bytes, as measured): with ML, or in 2D with the
+ * multigrid. */
+double static_node_memory(const ContactParameters &parameters,
+                          const unsigned int dim,
+                          const bool ml);
+
 /** Memory of the fields on one rank (bytes), to be checked before they are created. */
-double field_memory(const ContactAnalysis analysis, const UniformGrid<2> &grid);
+double field_memory(const ContactParameters &parameters, const UniformGrid<2> &grid);
 
 /**
  * Steps of a transient run, estimated from above: with the bound of a single cell for the

@@ -2,6 +2,7 @@
 
 #include "program/output_folder.h"
 #include "sliding/complex/complex_cases.h"
+#include "sliding/run_plan.h"
 
 namespace mesoslip
 {
@@ -22,23 +23,15 @@ double bytes_of_stepped_cell(const std::size_t n_corners)
 /** Of a component of a snapshot, which waits to be written. */
 constexpr double bytes_of_shown_dof = 35.;
 
-/** A matrix and ML with what the analysis has beside it, for a node. */
-double bytes_of_static_node(const ContactAnalysis analysis, const unsigned int dim)
-{
-  if (analysis == ContactAnalysis::modal)
-    return dim == 2 ? 3900. : 17000.;
-  return dim == 2 ? 4700. : 20000.;
-}
-
 /** Statics, modes and complex modes of @p n_nodes. */
 template <int dim>
-BodyMemory of_static_body(const ContactAnalysis analysis,
+BodyMemory of_static_body(const ContactParameters &parameters,
                           const double n_nodes,
                           const double bytes_of_mesh)
 {
-  if (analysis == ContactAnalysis::complex_modes)
+  if (parameters.analysis == ContactAnalysis::complex_modes)
     return {0., 0., complex_modes_memory(dim * n_nodes, dim)};
-  return {bytes_of_mesh, bytes_of_static_node(analysis, dim) * n_nodes, 0.};
+  return {bytes_of_mesh, static_node_memory(parameters, dim, true) * n_nodes, 0.};
 }
 
 double bytes_of_snapshots(const ContactParameters &parameters, const double n_dofs)
@@ -68,7 +61,7 @@ BodyMemory memory_on_mesh(const ContactParameters &parameters, const Mesh<dim> &
   const double read = bytes_of_corner * corners;
   const auto points = static_cast<double>(mesh.points.size());
   if (parameters.analysis != ContactAnalysis::transient)
-    return of_static_body<dim>(parameters.analysis, points, read);
+    return of_static_body<dim>(parameters, points, read);
   return {read, steps - read + bytes_of_snapshots(parameters, dim * points), 0.};
 }
 
@@ -81,7 +74,7 @@ BodyMemory memory_of_box(const ContactParameters &parameters, const UniformGrid<
   for (const unsigned int n : grid.cells)
     nodes *= n + 1.;
   if (parameters.analysis != ContactAnalysis::transient)
-    return of_static_body<3>(parameters.analysis, nodes, bytes_of_corners * cells);
+    return of_static_body<3>(parameters, nodes, bytes_of_corners * cells);
   return {bytes_of_phase * cells,
           bytes_of_brick * cells + bytes_of_snapshots(parameters, 3. * nodes), 0.};
 }
