@@ -1,7 +1,8 @@
-"""Memory of each rank on meshes of hexahedra against what --validate tells, on one and four ranks."""
+"""Memory of each rank on meshes of hexahedra against what --validate tells, on one and four ranks. Needs python3-gmsh, which writes format 4.1."""
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -10,6 +11,7 @@ from mesh_files import Box
 SIDES = {"homogenization": 40, "transient": 64, "modal": 40, "static contact": 40}  # cells along each axis
 SMALL = 4  # what the programs take without a body
 RANKS = (1, 4)
+FORMATS = {"transient": (4.1, 2.2)}  # of the file; else 4.1, which is Gmsh's own
 MATERIAL = {"Names": "rock", "rock/Young modulus": 4e10, "rock/Poisson ratio": 0.2, "rock/Density": 1900}
 PRESSED = {"Top/Pressure": 1e6, "Flat/Velocity": 1, "Friction/Coefficient": 0.3}
 SETTINGS = {"homogenization": {"Homogenization/Boundary conditions": "KUBC", "Homogenization/Effective": "KUBC"},
@@ -26,24 +28,33 @@ def run(bench):
     folder = os.path.join(bench.runs, "mesh_memory")
     os.makedirs(folder, exist_ok=True)
     rows = []
-    for name, side in SIDES.items():
-        for ranks in RANKS:
-            small, large = (memory(bench, folder, name, n, ranks) for n in (SMALL, 16 if bench.quick else side))
+    for name, side in [(name, 16 if bench.quick else side) for name, side in SIDES.items()]:
+        for version, ranks in [(version, ranks) for version in FORMATS.get(name, (4.1,)) for ranks in RANKS]:
+            small, large = (memory(bench, folder, name, mesh_file(folder, n, version), ranks) for n in (SMALL, side))
             used = [b - a for a, b in zip(small, large)]
-            rows.append({"analysis": name, "hexahedra": side**3, "ranks": ranks, "told_rank_0_bytes": told(bench, folder, name, ranks),
+            rows.append({"analysis": name, "hexahedra": side**3, "format": version, "ranks": ranks,
+                         "told_rank_0_bytes": told(bench, folder, name, mesh_file(folder, side, version), ranks),
                          "rank_0_bytes": used[0], "least_other_bytes": min(used[1:], default=0), "most_other_bytes": max(used[1:], default=0)})
     for row in rows:
-        alone = next(other for other in rows if other["analysis"] == row["analysis"] and other["ranks"] == 1)
+        alone = next(other for other in rows if other["ranks"] == 1 and all(other[key] == row[key] for key in ("analysis", "format")))
         row["rank_0_of_one"] = row["rank_0_bytes"] / alone["rank_0_bytes"]
     bench.write("mesh-memory", rows, f"largest resident memory of a rank, less that with {SMALL**3} hexahedra, and what --validate tells of rank 0",
                 ranks="1 and 4")
 
 
-def command(bench, folder, name, side, ranks, *more):
-    mesh, job = os.path.join(folder, f"box-{side}.msh"), os.path.join(folder, f"{name.replace(' ', '-')}.prm")
-    if not os.path.exists(mesh):
+def mesh_file(folder, side, version):
+    path = os.path.join(folder, f"box-{side}-{version}.msh")
+    if not os.path.exists(path):
         box = Box([float(side)] * 3, [side] * 3, lambda middle: "rock")
-        box.name_side("Contact", 2, False).name_side("Top", 2, True).write(mesh)
+        box.name_side("Contact", 2, False).name_side("Top", 2, True).write(path)
+    if version != 2.2 and "$MeshFormat\n2.2" in open(path, encoding="latin-1").read(20):
+        convert = "import sys, gmsh; gmsh.initialize(); gmsh.open(sys.argv[1]); gmsh.option.setNumber('Mesh.MshFileVersion', 4.1); gmsh.write(sys.argv[1])"
+        subprocess.run([sys.executable, "-c", convert, path], check=True, capture_output=True)
+    return path
+
+
+def command(bench, folder, name, mesh, ranks, *more):
+    job = os.path.join(folder, f"{name.replace(' ', '-')}.prm")
     with open(job, "w", encoding="utf-8") as file:
         file.write("set Dimension = 3\n")
     settings = {**SETTINGS[name], "Mesh/File": mesh, "Mesh/Scale": 1e-4, **{f"Phases/{key}": value for key, value in MATERIAL.items()}}
@@ -57,11 +68,11 @@ def called(start):
     return subprocess.run(start, env=environment, text=True, stdout=subprocess.PIPE, check=True).stdout
 
 
-def memory(bench, folder, name, side, ranks):
+def memory(bench, folder, name, mesh, ranks):
     """Bytes of each rank."""
-    files = os.path.join(folder, "rank-")
-    output = os.path.join(folder, f"{name.replace(' ', '-')}-{side}-{ranks}")
-    start, program = command(bench, folder, name, side, ranks, "--quiet", "--output", output)
+    files, output = os.path.join(folder, "rank-"), os.path.join(folder, "output")
+    shutil.rmtree(output, ignore_errors=True)
+    start, program = command(bench, folder, name, mesh, ranks, "--quiet", "--output", output)
     called([*start, sys.executable, "-c", MEASURED, files, *program])
     sizes = []
     for rank in range(ranks):
@@ -70,9 +81,9 @@ def memory(bench, folder, name, side, ranks):
     return sizes
 
 
-def told(bench, folder, name, ranks):
+def told(bench, folder, name, mesh, ranks):
     """Bytes of rank 0 that --validate tells."""
-    start, program = command(bench, folder, name, SIDES[name], ranks, "--validate")
+    start, program = command(bench, folder, name, mesh, ranks, "--validate")
     found = re.search(r"([\d.]+) (kB|MB|GB) of memory|about ([\d.]+) (MB), divided", called([*start, *program]))
     value, unit = (word for word in found.groups() if word)
     # Of a homogenization that of all ranks, with 150 MB of libraries.
