@@ -43,7 +43,7 @@ double bytes_of_snapshots(const ContactParameters &parameters, const double n_do
 
 std::string BodyMemory::text(const unsigned int n_ranks) const
 {
-  const double other      = divided / n_ranks + on_each;
+  const double other      = on_other_rank(n_ranks);
   const std::string first = bytes_text(on_rank_0 + other) + " of memory";
   return n_ranks == 1 ? first
                       : first + " on rank 0, " + bytes_text(other) + " on each other";

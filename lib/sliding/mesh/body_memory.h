@@ -23,6 +23,13 @@ struct BodyMemory
     return on_rank_0 + share * divided + n_ranks * on_each;
   }
 
+  /** Of each of @p n_ranks but the first. Together they have points of neighbours as well, which takes
+   * a fifth more. */
+  double on_other_rank(const unsigned int n_ranks) const
+  {
+    return (n_ranks > 1 ? 1.2 : 1.) * divided / n_ranks + on_each;
+  }
+
   /** "1.2 GB of memory", of several ranks "400 MB of memory on rank 0, 300 MB on each other". */
   std::string text(const unsigned int n_ranks) const;
 

@@ -1,6 +1,7 @@
 """contact_dynamics on boxes of voxels: as on a mesh of the same cells, on 1, 2 and 3 ranks; one layer as a plane grid; periodic; going on
 from a checkpoint; localized stresses; what is refused."""
 
+import re
 import tempfile
 
 import h5py
@@ -159,7 +160,10 @@ def check_refused(folder):
     refused(["5 layers of cells along y", "not 6"], ranks=6)
     refused(["Mesh/Held in x has no effect, as there is no mesh"], "Mesh/Held in x=Left")
     refused(["Performance/Temporal blocking has no effect, as the body is no plane grid"], "Performance/Temporal blocking=4")
-    refused(["of memory, but the machine has", "Body/Cells"], "Body/Cells=9000, 5000, 6000")
+    refused(["of memory, but the machine has", "cells would fit; reduce Body/Cells"], "Body/Cells=9000, 5000, 6000")
+    for name in ("platen", "mesh"):
+        told = [folder.run(0, "contact_dynamics", name + ".prm", "--validate", ranks=ranks) for ranks in (1, 2)]
+        assert re.search(r"B of memory$", told[0], re.MULTILINE) and re.search(r"B of memory on rank 0, .* on each other$", told[1], re.MULTILINE), told
     refused(["Sides/Front has no effect, as the body is plane"], "Sides/Front=u_y", prm_file="plane.prm")
     refused(["Sides/Left", "u_z is held, but Dimension is 2"], "Sides/Left=u_z", prm_file="plane.prm")
     folder.write("bare.prm", "set Dimension = 3\n")

@@ -50,9 +50,10 @@ def within(axes, x, y):
 
 
 def quantity_of(mappable):
-    """What the colours of a map stand for, by its colour bar."""
+    """What the colours of a map stand for, by its colour bar or the label of its axes."""
     bar = mappable.colorbar
-    return words_of(" ".join(label for label in (bar.ax.get_ylabel(), bar.ax.get_xlabel(), bar.ax.get_title()) if label)) if bar else ""
+    labels = (bar.ax.get_ylabel(), bar.ax.get_xlabel(), bar.ax.get_title()) if bar else (mappable.axes.get_label(),)
+    return words_of(" ".join(label for label in labels if label))
 
 
 def maps_of(axes):

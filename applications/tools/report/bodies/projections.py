@@ -191,6 +191,7 @@ def _panel(axes, layout, v, g):
         for spine in axes.spines.values():
             spine.set(visible=True, color=FRAME, linewidth=1.6)
     axes.grid(False)
+    axes.set_label(", ".join(text for text in (group.title, group.label) if text))  # for the data of the figure
     (across, up), (wide, high), (column, row) = view.directions(), layout.scale * view.size(), layout.places[v, g]
     axes.set(xlim=view.bounds[:, across], ylim=view.bounds[:, up])
     _ticks(axes.xaxis, wide, view.bounds[:, across])
