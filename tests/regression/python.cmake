@@ -28,7 +28,7 @@ function(mesoslip_python_tests label processors)
 endfunction()
 
 mesoslip_python_tests(regression 1 chains/chain_inputs chains/python_module chains/python_runs chains/setup chains/shortcuts
-                      homogenization/refused_statics pages/dependencies pages/gallery pages/links pages/parameter_reference pages/prediction
+                      homogenization/refused_statics pages/dependencies pages/gallery pages/links pages/mesh_scripts pages/parameter_reference pages/prediction
                       pages/site pages/studies pages/thickness pages/verification_page pages/work_precision programs/bad_input programs/completion
                       programs/disk programs/earlier_results programs/profile_rows programs/terminal report/browser report/whole_page
                       report/report_layout report/report_modes sliding/complex_modes_growth sliding/complex_modes_laws)

@@ -4,6 +4,7 @@ So does a .vtu file with the lines of the page on meshes.
     mesh_scripts.py <folder with the programs>
 """
 
+import importlib.util
 import os
 import re
 import shutil
@@ -53,6 +54,8 @@ def check_vtu(folder):
 
 
 def main():
+    if not all(importlib.util.find_spec(name) for name in ("gmsh", "meshio")):
+        sys.exit(77)
     with tempfile.TemporaryDirectory() as path:
         copy = Folder(shutil.copytree(EXAMPLES, os.path.join(path, "mesh")))
         for script, prm in SCRIPTS.items():
