@@ -8,10 +8,10 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <ostream>
-#include <regex>
 #include <sstream>
 
 namespace mesoslip
@@ -108,13 +108,18 @@ bool same_value(const std::string &a, const std::string &b)
 /** How to write the numbers that a value which was not accepted seems to mean. */
 std::string advice(const Key &key)
 {
-  static const std::regex decimal_comma("[0-9],[0-9]"), unit("[0-9.] *[a-zA-Z%]+$");
+  const std::string digits = "0123456789", &text = key.value;
   if (key.allowed.find("number") == std::string::npos)
     return "";
-  if (key.value.find('.') == std::string::npos &&
-      std::regex_search(key.value, decimal_comma))
+  const auto comma = text.find(',');
+  if (text.find('.') == std::string::npos && comma != std::string::npos && comma > 0 &&
+      digits.find(text[comma - 1]) != std::string::npos && comma + 1 < text.size() &&
+      digits.find(text[comma + 1]) != std::string::npos)
     return "; write decimals with a point";
-  if (std::regex_search(key.value, unit))
+  const auto last = text.find_last_of(digits + ".");
+  const std::string rest =
+    last == std::string::npos ? "" : trimmed(text.substr(last + 1));
+  if (!rest.empty() && std::isalpha(static_cast<unsigned char>(rest[0])) != 0)
     return "; write numbers without a unit, such as 30e9 for 30 GPa";
   return "";
 }
