@@ -86,7 +86,8 @@ def energy_balance(page, run):
     figure, left_out = energies.energy_balance(run)
     absent = f" Not drawn, as below 0.01 % of the largest: {', '.join(left_out)}." if left_out else ""
     return page.figure(figure, f"Energy balance of the {escape(run.label)} run{per_thickness([run])}. Every term comes from its own formula; below, "
-                               f"the terms that are small beside the largest, and what remains of the balance.{absent}{energies.note_on_sampling(run)}")
+                               f"the terms that are small beside the largest, and what remains of the balance, over the frictional energy at the "
+                               f"end or, where there is hardly any, the largest energy in the body.{absent}{energies.note_on_sampling(run)}")
 
 
 def phase_diagram(page, runs):

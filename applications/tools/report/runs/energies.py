@@ -109,7 +109,7 @@ def _residual_scale(run, count):
     if any(values is None or len(values) != count for values in (friction, kinetic, elastic)):
         return 1.0, "1 J" + run.per_thickness()
     body, work = np.nanmax(kinetic + elastic), abs(friction[-1])
-    return (work, "final frictional energy") if work > 1e-3 * body else (body or 1.0, "largest energy in the body")
+    return (work, "frictional energy") if work > 1e-3 * body else (body or 1.0, "energy in the body")
 
 
 def _energies(axes, time, parts, name, units, title=None):
