@@ -49,9 +49,8 @@ struct LocalizationResult
     0;                      ///< of the cells of this rank, along the first axis of fields
   FieldSelection fields;    ///< those that there are
   bool is_compared = false; ///< whether there is a direct run
-  TimeWindow
-    window; ///< see localization.h5: of the snapshots, or of probes (s), on rank 0
-  StressFields direct;                 ///< empty without a direct run
+  TimeWindow window;        ///< of the snapshots, else of the probes (s), on rank 0
+  StressFields direct;      ///< empty without a direct run
   std::vector<VariantResult> variants; ///< local strain first when both were asked for
   std::vector<PointResult> points;     ///< those asked for
 };

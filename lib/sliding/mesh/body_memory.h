@@ -17,12 +17,6 @@ struct BodyMemory
   double divided   = 0.; ///< what the ranks divide among themselves
   double on_each   = 0.; ///< what every rank has
 
-  /** Of all ranks on one machine that has @p share of all, @p n_ranks of them. */
-  double on_machine(const double share, const unsigned int n_ranks) const
-  {
-    return on_rank_0 + share * divided + n_ranks * on_each;
-  }
-
   /** Of each of @p n_ranks but the first. Together they have points of neighbours as well, which takes
    * a fifth more. */
   double on_other_rank(const unsigned int n_ranks) const
@@ -30,10 +24,16 @@ struct BodyMemory
     return (n_ranks > 1 ? 1.2 : 1.) * divided / n_ranks + on_each;
   }
 
+  /** Of the machine of rank 0, which has @p n_here of all @p n_ranks. */
+  double on_machine(const unsigned int n_here, const unsigned int n_ranks) const
+  {
+    return on_rank_0 + n_here * on_other_rank(n_ranks);
+  }
+
   /** "1.2 GB of memory", of several ranks "400 MB of memory on rank 0, 300 MB on each other". */
   std::string text(const unsigned int n_ranks) const;
 
-  /** Of boost::serialization. */
+  /** Reads or writes all members, for broadcast_object(). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -41,11 +41,11 @@ struct BodyMemory
   }
 };
 
-/** Of a body on a mesh. */
+/** What the analysis that @p parameters ask for takes for a body on @p mesh, by the kinds of its cells. */
 template <int dim>
 BodyMemory memory_on_mesh(const ContactParameters &parameters, const Mesh<dim> &mesh);
 
-/** Of a box of voxels. */
+/** The same for a box of voxels, of which steps need no mesh but at the sides. */
 BodyMemory memory_of_box(const ContactParameters &parameters, const UniformGrid<3> &grid);
 } // namespace mesoslip
 

@@ -174,7 +174,7 @@ std::vector<unsigned int> cells_near(const MeshMorphology<3> &body,
 }
 
 MeshMorphology<3> make_box(const ContactParameters &parameters,
-                           const double share,
+                           const unsigned int n_here,
                            const unsigned int n_ranks)
 {
   const std::string &path = parameters.body.rve_file;
@@ -187,7 +187,7 @@ MeshMorphology<3> make_box(const ContactParameters &parameters,
     }
   MeshMorphology<3> body;
   const UniformGrid<3> grid = make_grid<3>(parameters.body, rve ? &*rve : nullptr);
-  const double bytes        = memory_of_box(parameters, grid).on_machine(share, n_ranks);
+  const double bytes        = memory_of_box(parameters, grid).on_machine(n_here, n_ranks);
   require_memory({bytes, cells_that_fit({grid.cells.begin(), grid.cells.end()}, bytes) +
                            "; reduce Body/Cells, or take more machines"});
   body.file = path;

@@ -10,11 +10,11 @@ namespace mesoslip
  * A grid in 3D as a body with the groups Left, Right (lower and upper x), Front, Back (y),
  * Contact and Top (z), and phases as @p parameters have them after with_phases(). Transient
  * runs need no mesh but that of the cells at the sides and near the probes; that of other
- * analyses is whole. On rank 0, whose machine has @p share of all ranks, @p n_ranks of them.
+ * analyses is whole. On rank 0, whose machine has @p n_here of all @p n_ranks.
  * @throws UserError naming the key or file, also when the machine has not the memory
  */
 MeshMorphology<3> make_box(const ContactParameters &parameters,
-                           const double share         = 1.,
+                           const unsigned int n_here  = 1,
                            const unsigned int n_ranks = 1);
 
 /** The faces of the mesh on the side of the box whose name is number @p side of the groups. */

@@ -38,11 +38,11 @@ std::vector<std::string> implausible_body(const std::vector<Phase<dim>> &phases,
   return sentences;
 }
 
-/** The mesh, or the box, for which the memory of a machine with @p share of all ranks is enough;
- * @p memory becomes what it takes. */
+/** The mesh, or the box, for which the memory of a machine with @p n_here of all @p n_ranks is
+ * enough; @p memory becomes what it takes. */
 template <int dim>
 MeshMorphology<dim> read_body(const ContactParameters &parameters,
-                              const double share,
+                              const unsigned int n_here,
                               const unsigned int n_ranks,
                               BodyMemory &memory)
 {
@@ -50,13 +50,13 @@ MeshMorphology<dim> read_body(const ContactParameters &parameters,
   if constexpr (dim == 3)
     if (mesh.is_box())
       {
-        auto box = make_box(parameters, share, n_ranks);
+        auto box = make_box(parameters, n_here, n_ranks);
         memory   = memory_of_box(parameters, box.box->grid);
         return box;
       }
   auto body = read_mesh<dim>(mesh.mesh, mesh.mesh.files[0], mesh.phases);
   memory    = memory_on_mesh(parameters, body.mesh);
-  require_memory({memory.on_machine(share, n_ranks),
+  require_memory({memory.on_machine(n_here, n_ranks),
                   "take a coarser mesh, or divide it among more machines"});
   return body;
 }
@@ -67,10 +67,10 @@ MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
   : parameters(with_phases<dim>(given))
 {
   parameters.mesh.check();
-  const double share           = share_of_this_machine();
-  const unsigned int neighbors = ranks_of_this_machine();
+  const unsigned int n_here  = ranks_of_this_machine(),
+                     n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
   on_root(MPI_COMM_WORLD, [&]() {
-    morphology = read_body<dim>(parameters, share, neighbors, memory);
+    morphology = read_body<dim>(parameters, n_here, n_ranks, memory);
     join_periodic_sides(morphology, parameters.mesh);
     body = describe_body(morphology, parameters);
     for (const std::string &sentence :
@@ -84,7 +84,6 @@ MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
   for (const Phase<dim> &phase :
        oriented_phases(make_phases<dim>(parameters.mesh.phases), materials))
     phases.push_back({phase.stiffness, phase.density});
-  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
   if (n_ranks > body.n_cells)
     throw UserError("the mesh has " + std::to_string(body.n_cells) +
                     " cells, which are divided among the processes; start fewer than " +
