@@ -8,7 +8,7 @@ import sys
 
 from mesh_files import Box
 
-SIDES = {"homogenization": 40, "transient": 64, "modal": 40, "static contact": 40}  # cells along each axis
+SIDES = {"homogenization": 40, "transient": 64, "modal": 40, "static contact": 40, "localization": 48}  # cells along each axis
 SMALL = 4  # what the programs take without a body
 RANKS = (1, 4)
 FORMATS = {"transient": (4.1, 2.2)}  # of the file; else 4.1, which is Gmsh's own
@@ -18,6 +18,8 @@ SETTINGS = {"homogenization": {"Homogenization/Boundary conditions": "KUBC", "Ho
             "transient": {"Time/End time": 1e-7, **PRESSED},
             "modal": {"Analysis": "modal", "Modal/Number of modes": 4, "Top/Kind": "platen"},
             "static contact": {"Analysis": "static contact", **PRESSED}}
+PROGRAMS = {"homogenization": "rve_homogenization", "localization": "stress_localization"}  # of the others contact_dynamics
+LIBRARIES = {"homogenization": 150e6, "localization": 160e6}  # bytes, which --validate of these adds
 UNITS = {"kB": 1e3, "MB": 1e6, "GB": 1e9}
 # Starts a program and writes its largest resident memory (kB) to a file that has the number of the rank.
 MEASURED = ("import os, resource, subprocess, sys; status = subprocess.run(sys.argv[2:]).returncode; "
@@ -55,12 +57,23 @@ def mesh_file(folder, side, version):
 
 def command(bench, folder, name, mesh, ranks, *more):
     job = os.path.join(folder, f"{name.replace(' ', '-')}.prm")
+    body = {"Mesh/File": mesh, "Mesh/Scale": 1e-4, **{f"Phases/{key}": value for key, value in MATERIAL.items()}}
+    settings = {**SETTINGS[name], **body} if name in SETTINGS else inputs_of_localization(bench, folder, mesh)
     with open(job, "w", encoding="utf-8") as file:
-        file.write("set Dimension = 3\n")
-    settings = {**SETTINGS[name], "Mesh/File": mesh, "Mesh/Scale": 1e-4, **{f"Phases/{key}": value for key, value in MATERIAL.items()}}
-    program = "rve_homogenization" if name == "homogenization" else "contact_dynamics"
+        file.write("set Dimension = 3\n" if name in SETTINGS else "subsection Input\nend\n")
     parts = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
-    return ["mpirun", "--oversubscribe", "-np", str(ranks)], [os.path.join(bench.programs, program), job, *parts, *more]
+    return ["mpirun", "--oversubscribe", "-np", str(ranks)], [os.path.join(bench.programs, PROGRAMS.get(name, "contact_dynamics")), job, *parts, *more]
+
+
+def inputs_of_localization(bench, folder, mesh):
+    """Runs, unless they are there, the volume and the run on this mesh, which is that of the direct run as well."""
+    made = os.path.splitext(mesh)[0]
+    for name, more in (("homogenization", []), ("transient", ["--set", "Time/End time=1e-5", "--set", "Snapshots/Interval=2e-6"])):
+        if not os.path.exists(f"{made}-{name}"):
+            start, program = command(bench, folder, name, mesh, 1, "--quiet", "--output", f"{made}-{name}", *more)
+            called([*start, *program])
+    run = f"{made}-transient/dynamics.h5"
+    return {"Input/RVE file": f"{made}-homogenization/rve.h5", "Input/Homogeneous run": run, "Input/Direct run": run}
 
 
 def called(start):
@@ -86,5 +99,5 @@ def told(bench, folder, name, mesh, ranks):
     start, program = command(bench, folder, name, mesh, ranks, "--validate")
     found = re.search(r"([\d.]+) (kB|MB|GB) of memory|about ([\d.]+) (MB), divided", called([*start, *program]))
     value, unit = (word for word in found.groups() if word)
-    # Of a homogenization that of all ranks, with 150 MB of libraries.
-    return float(value) * UNITS[unit] if name != "homogenization" else (float(value) - 150) * 1e6 / ranks
+    told = float(value) * UNITS[unit] - LIBRARIES.get(name, 0)
+    return told / ranks if name == "homogenization" else told  # which is of all ranks
